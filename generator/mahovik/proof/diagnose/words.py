@@ -19,6 +19,9 @@ SURE = 0.5
 SUREST = 0.999
 """Largest confidence that is reported: a fault that is not in the dictionary may look like one that is."""
 
+WRENCH_SIDE = "factors are those on the right-hand side of K V* = ..., of force and moment about O1 in E1"
+"""What the factors of wrong terms of a wrench belong to."""
+
 MOST_TWINS = 4
 """Number of products that are printed beside one that looks like them."""
 
@@ -44,7 +47,9 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
         case "nothing":
             return ["no diagnosis: the program answered nothing that can be compared"]
         case "unknown" if diagnosis.wrong_terms:
-            return _term_lines(diagnosis.wrong_terms)
+            besides = diagnosis.terms.besides if diagnosis.terms is not None else ()
+            more = [f"the error of {want} is not a few terms: nothing of it is named" for want in besides]
+            return _term_lines(diagnosis.wrong_terms) + more
         case "unknown" if diagnosis.terms is not None and diagnosis.terms.doubtful:
             return _doubtful_lines(diagnosis.terms.doubtful)
         case "unknown":
@@ -120,8 +125,8 @@ def _term_lines(found: Sequence[WrongTerm]) -> list[str]:
         lines.append(f"  {place}: {_term_words(each.multiple, each.term)}; {_part(each.share)} of the error")
         if each.twins:
             lines.append(f"    these states do not tell it from {_some(each.twins)}, which the equations do not have")
-    if any(each.want == "forward" for each in found):
-        side = "factors are those on the right-hand side of K V* = ..., of force and moment about O1 in E1"
+    sides = {"forward": WRENCH_SIDE, "coupled": WRENCH_SIDE, "momentum": "factors are those in Z about O1 in E1"}
+    for side in dict.fromkeys(sides[each.want] for each in found if each.want in sides):
         lines.append(f"  {side}; letters of SNAME")
     lines.append(f"without {'it' if count == 1 else 'them'} nothing is left of the error beyond rounding")
     return lines

@@ -61,6 +61,10 @@ class Coefficients:
         expected = self._expected(component, k)
         if expected is None:
             return Multiple(error, None, "")
+        return self.named(expected, error)
+
+    def named(self, expected: float, error: float) -> Multiple:
+        """A right coefficient that has an error in a program, as a multiple of a quantity of the stand if it is one."""
         return _named(expected, error, self._quantities)
 
     def occurs(self, component: int, k: int) -> bool:
