@@ -15,7 +15,7 @@ import mahovik
 from cli.run import refused, run
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random_state import random_state
-from mahovik.core.stand.state import State
+from mahovik.core.stand.state import State, rest_state
 from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.forward import bias
@@ -161,6 +161,52 @@ def test_a_known_fault_of_a_log_has_its_name(tmp_path: Path, monkeypatch: pytest
     assert "The phase of the flywheels turns the wrong way" in result.stdout
 
 
+def motion_of(stand: Stand, change: Change, count: int = 300, dt: float = 0.004) -> dict[str, list[float]]:
+    """Columns of a run of a rigid body without its accelerations, by the Runge-Kutta method."""
+
+    def state(y: Any) -> State:
+        q = y[:4] / np.linalg.norm(y[:4])
+        return replace(rest_state(stand), quaternion=tuple(q.tolist()), V=tuple(y[4:].tolist()))
+
+    def rate(y: Any) -> Any:
+        at = reference.pieces(stand, state(y))
+        right = at.F - bias(at)
+        change(right, at)
+        w, *r = y[:4]
+        turned = 0.5 * np.array([-np.dot(r, y[7:]), *(w * y[7:] + np.cross(r, y[7:]))])
+        return np.concatenate([turned, np.linalg.solve(at.K, right)])
+
+    y = np.array([0.9, 0.1, 0.2, 0.3, 1.0, -0.5, 0.4, 0.8, -1.1, 0.9])
+    rows = []
+    for k in range(count):
+        s = state(y)
+        assert s.quaternion is not None
+        rows.append([k * dt, *s.quaternion, *s.V])
+        a = rate(y)
+        b = rate(y + dt / 2 * a)
+        c = rate(y + dt / 2 * b)
+        y = y + dt / 6 * (a + 2 * b + 2 * c + rate(y + dt * c))
+    names = ["t [s]", *(f"q{a}" for a in "wxyz"), *(f"v_{a}" for a in "xyz"), *(f"omega_{a}" for a in "xyz")]
+    return {name: [float(row[i]) for row in rows] for i, name in enumerate(names)}
+
+
+def test_a_log_of_motion_without_accelerations(brick: Stand) -> None:
+    right = run("judge", "brick.toml", "--log", write(motion_of(brick, lambda *_: None)))
+    assert right.exit_code == 0
+    assert "V_dot is derived from V by a spline" in right.stderr
+    wrong = run("judge", "brick.toml", "--log", write(motion_of(brick, lifted)), "--explain", "--json")
+    assert wrong.exit_code == 1
+    (term,) = json.loads(wrong.stdout)["diagnosis"]["found"]
+    assert (term["component"], term["term"], term["coefficient"]) == ("Z", "u q", "m")
+    assert term["factor"] == pytest.approx(-1.0, rel=1e-6)
+
+
+def test_times_that_do_not_rise(brick: Stand) -> None:
+    columns = motion_of(brick, lambda *_: None, 30)
+    columns["t [s]"][7] = 0.0
+    assert "at rising times" in refused("judge", "brick.toml", "--log", write(columns))
+
+
 def test_too_few_rows_are_refused_with_their_number(brick: Stand) -> None:
     result = run("judge", "brick.toml", "--log", write(log_of(brick, 20, lifted)), "--explain")
     assert result.exit_code == 1
@@ -194,7 +240,7 @@ BAD: dict[str, tuple[Callable[[dict[str, list[float]]], object], str]] = {
     "a part of a group": (lambda c: c.pop("v_y"), 'no column "v_y", expected with v_x'),
     "no state": (lambda c: [c.pop(f"{n}_{a}") for n in ("v", "omega") for a in "xyz"], "every state has them"),
     "no answers": (
-        lambda c: [c.pop(f"{n}_{a}") for n in ("v_dot", "omega_dot") for a in "xyz"],
+        lambda c: [c.pop(name) for name in ("t [s]", *(f"{n}_{a}" for n in ("v_dot", "omega_dot") for a in "xyz"))],
         "there is nothing to compare",
     ),
     "no attitude": (lambda c: [c.pop(f"q{a}") for a in "wxyz"], "this stand depends on its attitude"),

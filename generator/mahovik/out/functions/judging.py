@@ -26,6 +26,12 @@ Answers = Callable[["Request"], Mapping[str, Any]]
 ROWS_OF_FAULTS = 14
 """Rows of a log at which its error is compared with that of each fault."""
 
+MARGIN = 10.0
+"""Accepted difference over the error of derived accelerations."""
+
+COARSEST = 0.01
+"""Largest accepted difference of derived accelerations."""
+
 STATES = 200
 """Number of states by default."""
 
@@ -113,6 +119,9 @@ def _judge_log(
     log = read_state_log(path, stand)
     for note in log.notes:
         warn(note)
+    if log.error and MARGIN * log.error > tolerance:
+        tolerance = min(MARGIN * log.error, COARSEST)
+        warn(f"{path}: accepted are differences of {tolerance:.0e}, as derived accelerations need")
     tell(progress, Progress(f"judge {path}"))
     found = verify_log(stand, str(path), log.states, log.answers, wants=wants, tolerance=tolerance)
     by_id = by_request(log.answers)

@@ -30,7 +30,8 @@ from mahovik.nearest import suggestion
 from mahovik.proof.verify.dependence import depends_on
 from mahovik.proof.verify.states import read_request
 from mahovik.use.measured.files.table import Table
-from mahovik.use.measured.quantities import HeaderError, is_time, split_header
+from mahovik.use.measured.quantities import HeaderError, is_time, split_header, time_scale
+from mahovik.use.measured.rates import rates_of
 from mahovik.use.measured.read import read_tables
 from mahovik.use.measured.recording import Array
 
@@ -44,6 +45,9 @@ AXES = "xyz"
 ANSWERS = {"forward": "V_dot", "torque": "tau", "mounts": "mount_wrench"}
 """Wants that a log may answer, and the quantity that answers each."""
 
+SPEEDS = {"V_dot": "V", "phi_ddot": "phi_dot"}
+"""Accelerations, and the speeds that they may be derived from."""
+
 NEEDS = {"forward": ("phi_ddot",), "torque": ("V_dot", "phi_ddot"), "mounts": ("V_dot", "phi_ddot")}
 """Inputs of these wants besides the state."""
 
@@ -54,13 +58,15 @@ class StateLog:
 
     states   each with its name, "row 1" for the first
     answers  by want, then by the name of a state: the quantities of the log; a row without all numbers has none
-    notes    columns and rows that were left out
+    notes    columns and rows that were left out, accelerations that were derived
+    error    relative error of derived accelerations, estimated; 0 where the log has its own
     """
 
     source: str
     states: tuple[tuple[str, State], ...]
     answers: Mapping[str, Mapping[str, Mapping[str, Any]]]
     notes: tuple[str, ...] = ()
+    error: float = 0.0
 
 
 def read_state_log(path: Path, stand: Stand) -> StateLog:
@@ -81,6 +87,7 @@ class _Reader:
         self._groups = dict(_groups(stand))
         self._notes = list(table.notes)
         self._values = self._gather(self._scaled(table))
+        self._error = self._derive(table)
 
     def log(self) -> StateLog:
         """All rows with the numbers of a state. Raises DataError."""
@@ -113,7 +120,23 @@ class _Reader:
         ]
         if not any(answers.values()):
             raise DataError([*self._lines(), f"{self._path}: no row holds all numbers of a state and of an answer"])
-        return StateLog(str(self._path), tuple(found), answers, tuple(self._lines()))
+        return StateLog(str(self._path), tuple(found), answers, tuple(self._lines()), self._error)
+
+    def _derive(self, table: Table) -> float:
+        """Accelerations that are missing beside speeds, from these; return their relative error. Raises DataError."""
+        time = next((header for header in table.columns if is_time(header)), None)
+        worst = 0.0
+        for key, speeds in SPEEDS.items():
+            if time is None or key not in self._groups or key in self._values or speeds not in self._values:
+                continue
+            t = table.columns[time] * time_scale(time)
+            parts = np.split(self._values[speeds], [3], axis=1) if speeds == "V" else [self._values[speeds]]
+            derived = [rates_of(str(self._path), t, part) for part in parts]  # m/s and rad/s have sizes of their own
+            self._values[key] = np.hstack([rates for rates, _ in derived])
+            off = max(off for _, off in derived)
+            worst = max(worst, off)
+            self._notes.append(f"{key} is derived from {speeds} by a spline, right to about {off:.0e} of its size")
+        return worst
 
     def _scaled(self, table: Table) -> dict[str, Array]:
         """Columns in SI by name without unit. Raises DataError."""
