@@ -32,6 +32,9 @@ MARGIN = 10.0
 COARSEST = 0.01
 """Largest accepted difference of derived accelerations."""
 
+ROWS_OF_TERMS = 3
+"""Rows of a log for each product whose factor is looked for, at most."""
+
 STATES = 200
 """Number of states by default."""
 
@@ -165,7 +168,8 @@ def _diagnosis(
     Raises CheckError, UsageError.
     """
     from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
-    from mahovik.proof.diagnose.states import telling_rows
+    from mahovik.proof.diagnose.states import spread_rows, telling_rows
+    from mahovik.proof.diagnose.terms.monomials import count
     from mahovik.proof.diagnose.terms.search import ROUNDING, WANTS, TermSearch
     from mahovik.proof.verify.bounds import DOUBLE
 
@@ -180,5 +184,7 @@ def _diagnosis(
     if diagnosed.outcome != "unknown" or not set(offered) & set(WANTS):
         return diagnosed
     rounding = ROUNDING if tolerance <= DOUBLE.default else tolerance
+    if states is not None:
+        states = spread_rows(states, ROWS_OF_TERMS * count(stand))
     terms = TermSearch(stand, seed, offered, states, rounding)
     return replace(diagnosed, terms=terms.find(answers(terms.requests)))

@@ -74,6 +74,12 @@ def _with_wrenches(stand: Stand, state: State, rng: np.random.Generator) -> Stat
     return replace(state, wrench=random_wrenches(rng, [body.name for body in stand.bodies if body.wrench_input]))
 
 
+def spread_rows(states: Sequence[tuple[str, State]], count: int) -> list[tuple[str, State]]:
+    """At most `count` rows of a log, spread evenly."""
+    chosen = range(len(states)) if len(states) <= count else np.linspace(0, len(states) - 1, count).astype(int).tolist()
+    return [states[k] for k in chosen]
+
+
 def telling_rows(states: Sequence[tuple[str, State]], count: int) -> list[tuple[str, State]]:
     """The rows of a log, at most `count`, whose motions differ most from one another; the fullest motion first."""
     motions = np.array([(*s.V, *s.V_dot, *s.phi_dot, *s.phi_ddot) for _, s in states])

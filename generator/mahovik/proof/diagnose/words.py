@@ -20,7 +20,7 @@ SUREST = 0.999
 """Largest confidence that is reported: a fault that is not in the dictionary may look like one that is."""
 
 WRENCH_SIDE = "factors are those on the right-hand side of K V* = ..., of force and moment about O1 in E1"
-"""What the factors of wrong terms of a wrench belong to."""
+"""The equations that the factors of wrong terms of a wrench belong to, in words."""
 
 MOST_TWINS = 4
 """Number of products that are printed beside one that looks like them."""

@@ -37,7 +37,7 @@ from mahovik.use.measured.recording import Array
 
 SUFFIXES = (".csv", ".parquet")
 
-MOST_ROWS = 4000
+MOST_ROWS = 2000
 """Rows of a log that are compared; of more, these are spread evenly."""
 
 AXES = "xyz"

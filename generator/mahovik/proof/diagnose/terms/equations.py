@@ -100,28 +100,30 @@ class Equations:
     def _momentum(self, states: Sequence[State], at: Sequence[Pieces], Z: Array) -> EquationErrors:
         """Errors of the momentum Z (n, 6), (2)."""
         right, products = self._momenta(states, at)
-        own_right, own_products = self._momenta(self._own, self._at)
+        own_right, own_products = self._momenta(self._own, self._own_pieces)
         plain = _PlainFactors(columns_of(own_products).least_squares(own_right, with_later=True), self._wrench)
         size = np.abs(right)
         return EquationErrors(WRENCH_LETTERS, Z - right, size, products, plain.multiple, plain.occurs)
 
     @cached_property
-    def _at(self) -> list[Pieces]:
+    def _own_pieces(self) -> list[Pieces]:
         return [reference.pieces(self._stand, state) for state in self._own]
 
     @cached_property
     def _wrench(self) -> Coefficients:
         """Right coefficients of the products in the right-hand side of K V_r* = ..."""
-        right = _right_hand_sides(self._own, self._at) - np.array([_other_wrenches(p, self._stand) for p in self._at])
-        motion = Motion.of(self._own, self._at, np.array([s.V_dot for s in self._own]))
+        right = _right_hand_sides(self._own, self._own_pieces) - np.array(
+            [_other_wrenches(p, self._stand) for p in self._own_pieces]
+        )
+        motion = Motion.of(self._own, self._own_pieces, np.array([s.V_dot for s in self._own]))
         products = monomials(self._stand, motion)
         factors = columns_of(products).least_squares(right, with_later=False)
-        return Coefficients(products, factors, motion, self._at, self._stand)
+        return Coefficients(products, factors, motion, self._own_pieces, self._stand)
 
     @cached_property
     def _known_torques(self) -> Array | None:
         """Right coefficients (m, N) of the products in the drive torques; None where these hold more."""
-        right, products = self._torques(self._own, self._at)
+        right, products = self._torques(self._own, self._own_pieces)
         return columns_of(products).least_squares(right, with_later=True)
 
     def _torques(self, states: Sequence[State], at: Sequence[Pieces]) -> tuple[Array, list[Monomial]]:

@@ -29,7 +29,7 @@ from mahovik.proof.verify.dependence import depends_on
 INPUTS = {
     "position": 3, "quaternion": 4, "angles": 3, "V": 6, "V_dot": 6, "phi": 0, "phi_dot": 0, "phi_ddot": 0, "tau": 0,
 }  # fmt: skip
-"""Keys of a state and their lengths; 0: one number a flywheel."""
+"""Keys of a state and their lengths; 0: one number for each flywheel."""
 
 ANSWERS: Mapping[str, Mapping[str, int]] = {
     "forward": {"V_dot": 6},
@@ -38,7 +38,7 @@ ANSWERS: Mapping[str, Mapping[str, int]] = {
     "mounts": {"mount_wrench": -6},
     "momentum": {"Z": 6, "Z0": 6, "energy": 1, "center_of_mass": 3},
 }
-"""Quantities of each want and their lengths; -6: six numbers a flywheel."""
+"""Quantities of each want and their lengths; -6: six numbers for each flywheel."""
 
 NEEDS = {
     "forward": ("phi_ddot",),
