@@ -69,7 +69,7 @@ _PLACES = {
     "follow": "out.functions.following",
     "generate": "out.functions.evidence",
     "jitter": "out.functions.jitter",
-    "judge": "out.functions.evidence",
+    "judge": "out.functions.judging",
     "linearize": "out.functions.linear",
     "load": "out.api.stands",
     "modes": "out.functions.linear",

@@ -19,11 +19,11 @@ from mahovik.out.campaign.face import Campaign as Campaign
 from mahovik.out.functions.balancing import balance as balance
 from mahovik.out.functions.equilibrium import rest as rest
 from mahovik.out.functions.evidence import generate as generate
-from mahovik.out.functions.evidence import judge as judge
 from mahovik.out.functions.evidence import report as report
 from mahovik.out.functions.evidence import verify as verify
 from mahovik.out.functions.following import follow as follow
 from mahovik.out.functions.jitter import jitter as jitter
+from mahovik.out.functions.judging import judge as judge
 from mahovik.out.functions.linear import linearize as linearize
 from mahovik.out.functions.linear import modes as modes
 from mahovik.out.functions.notices import MahovikWarning as MahovikWarning

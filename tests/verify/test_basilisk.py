@@ -20,7 +20,13 @@ from mahovik.core.stand.random_state import random_state
 from mahovik.errors import UsageError
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.judges import compare
-from mahovik.proof.verify.judges.basilisk_wheel import basilisk_stand, hub, unsupported_features, wheels
+from mahovik.proof.verify.judges.basilisk_wheel import (
+    basilisk_stand,
+    hub,
+    spacecraft_stand,
+    unsupported_features,
+    wheels,
+)
 from mahovik.proof.verify.judges.compare import QUANTITIES, compare_with_judges, motion_name, verify_judges
 from mahovik.proof.verify.judges.rigid import bare_stand, missing
 from mahovik.proof.verify.report import Report, conclusion
@@ -31,8 +37,9 @@ if importlib.util.find_spec("Basilisk") is None:
         raise ImportError("no Basilisk: pip install bsk")
     pytest.skip("no Basilisk: pip install bsk", allow_module_level=True)
 
-from mahovik.proof.verify.judges import basilisk_judge
+from mahovik.proof.verify.judges import basilisk_judge, basilisk_rotor
 from mahovik.proof.verify.judges.basilisk_judge import BasiliskJudge
+from mahovik.proof.verify.judges.basilisk_rotor import BasiliskRotorJudge
 from toolchain.quick import quick
 
 FEATURES = replace(BARE, instruments=2)
@@ -67,6 +74,44 @@ def test_it_agrees_where_its_wheel_is_exact(name: str) -> None:
     assert {row.quantity for row in found.rows} == OFFERED
     assert all(row.worst < 1e-14 for row in found.rows if row.quantity != SHORT)
     assert all(abs(wheel.tensor[0, 2]) > 0.0 or wheel.static > 0.0 for wheel in wheels(ITS[name]))
+
+
+def judged_by_rotors(stand: Stand) -> Report:
+    judge = BasiliskRotorJudge(stand)
+    return compare_with_judges(stand, [judge], count=QUICK, until=UNTIL, backend=compiled(stand))
+
+
+@pytest.mark.parametrize("name", quick(1, ["random, 1", "bench8", "sat4"]))
+def test_its_spinning_body_is_exact_for_every_flywheel(name: str) -> None:
+    """No flywheel is cut: two transverse moments, all products of inertia, any unbalance."""
+    stand = spacecraft_stand(RAW[name])
+    found = judged_by_rotors(stand)
+    assert found.passed, conclusion(found)
+    assert {row.quantity for row in found.rows} == OFFERED
+    assert all(row.worst < 1e-14 for row in found.rows if row.quantity != SHORT)
+    assert unsupported_features(stand)
+
+
+@pytest.mark.parametrize("fault", ["center", "product", "place", "axes"])
+def test_a_wrong_rotor_is_caught(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One number of one rotor that Basilisk is given, in the ninth digit (a product: the sixth); turned axes."""
+    right = basilisk_rotor.rotors
+
+    def wrong(stand: Stand) -> Any:
+        *others, last = right(stand)
+        product = np.zeros((3, 3))
+        product[1, 2] = product[2, 1] = 1e-6 * last.inertia[0, 0]
+        turn = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, -1e-9], [0.0, 1e-9, 1.0]])
+        changes: dict[str, Any] = {
+            "center": {"center": last.center * (1.0 + 1e-9)},
+            "product": {"inertia": last.inertia + product},
+            "place": {"position": last.position * (1.0 + 1e-9)},
+            "axes": {"axes": last.axes @ turn},
+        }
+        return (*others, replace(last, **changes[fault]))
+
+    monkeypatch.setattr(basilisk_rotor, "rotors", wrong)
+    assert not judged_by_rotors(spacecraft_stand(RAW["random, 1"])).passed
 
 
 def test_a_stand_that_takes_a_run_time_wrench_is_compared_without_one() -> None:
@@ -183,7 +228,7 @@ def test_the_command_compares_or_says_in_a_line_why_not(monkeypatch: pytest.Monk
     assert row["verdict"] == "not compared"
     assert "transverse moments that differ (rw1, rw2, rw3, rw4)" in row["reason"]
     assert "\n" not in row["reason"]
-    assert "basilisk" not in other["judged"]
+    assert {row["quantity"] for row in other["rows"] if row["want"] == "basilisk rotors"} == OFFERED
 
 
 def test_what_it_has_not_is_named() -> None:

@@ -17,7 +17,7 @@ from mahovik.proof.reference import evaluate
 from mahovik.proof.reference.torque_for import least_within
 from mahovik.proof.verify.bounds import uniform
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.foreign import verify_program
+from mahovik.proof.verify.foreign import Program, verify_program
 from mahovik.proof.verify.torque_want import TaskSetting, torque_requests, torque_rows
 
 SAT = mahovik.example("sat4")
@@ -74,7 +74,7 @@ def test_a_planted_fault_fails_by_its_row(name: str) -> None:
 def test_a_stand_without_tasks_has_no_such_want() -> None:
     stand = mahovik.example("shaker2")
     with pytest.raises(UsageError, match=r"--want torque_for: shaker2 has no task, \[task.NAME\]"):
-        verify_program(stand, "true", "shaker2.toml", wants=("torque_for",))
+        verify_program(stand, Program("true", ("true",)), wants=("torque_for",))
 
 
 @settings(max_examples=60, deadline=None)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import click
 
+from mahovik.errors import UsageError
 from mahovik.out.cli.options import (
     JUNIT,
     SEED_OF_STATES,
@@ -13,26 +12,27 @@ from mahovik.out.cli.options import (
     STATES,
     WORST,
     command,
+    file_option,
     flag,
+    is_given,
     json_option,
     option,
 )
 from mahovik.out.cli.progress import progress
 from mahovik.out.cli.verify import finish, read_wants
 
-if TYPE_CHECKING:
-    pass
-
 
 @command(short_help="Judge a program, and find its fault.")
 def judge(
     stand_file: str = STAND_FILE,
-    command: str = option(
-        "--with",
-        "Start this program, which reads states; {stand} stands for the stand file.",
-        metavar="COMMAND",
-        required=True,
+    command: str | None = option(
+        "--with", "Start this program, which reads states; {stand} stands for the stand file.", metavar="COMMAND"
     ),
+    log: str | None = file_option(
+        "--log", "FILE.csv", "Judge a log of states and accelerations instead, with the columns of `simulate`."
+    ),
+    fmu: str | None = file_option("--fmu", "FILE.fmu", "Judge an FMU instead, with --map."),
+    variables: str | None = file_option("--map", "MAP.toml", "Read from this file what the variables of --fmu are."),
     explain: bool = flag("--explain", "Name the fault in its equations if it differs."),
     want: str | None = option(
         "--want", "Require these wants of the program; default: those it offers.", metavar="NAME,..."
@@ -52,20 +52,27 @@ def judge(
     junit: str | None = JUNIT,
     worst: str | None = WORST,
 ) -> None:
-    """Judge a program by the reference, and find its fault.
+    """Judge a program, an FMU or a log by the reference, and find its fault.
 
     Starts a program, gives it states, and compares every quantity that it offers with the literal reference. With
     --explain a program that differs gets more states, which distinguish faults, and its error is compared with that of
     each physical fault in a dictionary. Where none is the cause, the few wrong terms are found whose sum is the error.
+    An FMU is a program too, of which --map names the variables. A log has states of its own: all its rows are compared.
 
     Exit status: 0 it agrees, 1 it does not, 2 bad input.
     """
-    from mahovik.out.functions.evidence import judge as judged
+    from mahovik.out.functions.judging import judge as judged
 
+    given = [name for name, each in (("--with", command), ("--log", log), ("--fmu", fmu)) if each is not None]
+    if len(given) != 1:
+        raise UsageError(f"--with, --log, --fmu: found {' and '.join(given) or 'none'}, expected one of them")
+    for name in ("states", "timeout") if log is not None else ():
+        if is_given(name):
+            raise UsageError(f"--{name}: not with --log, of which all rows are judged")
     wants = read_wants(want)
-    with progress(f"judge {command}") as stage:
+    with progress(f"judge {command or log or fmu}") as stage:
         found = judged(
-            stand_file, command, explain=explain, want=wants, states=states, seed=seed, tolerance=tolerance,
-            timeout=timeout, progress=stage.show,
+            stand_file, command, log=log, fmu=fmu, variables=variables, explain=explain, want=wants, states=states,
+            seed=seed, tolerance=tolerance, timeout=timeout, progress=stage.show,
         )  # fmt: skip
     finish(found.result, as_json, junit, worst, found.more(), found.explanation)

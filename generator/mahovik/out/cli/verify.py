@@ -124,7 +124,9 @@ def verify(
         return
     with progress(f"verify {stand.name}") as stage:
         if command is not None:
-            found = evidence.judge(
+            from mahovik.out.functions.judging import judge
+
+            found = judge(
                 stand_file, command, want=wants, states=states, seed=seed, timeout=timeout, progress=stage.show
             )
         else:

@@ -1,9 +1,9 @@
-"""`generate`: the C of a stand. `verify`, `judge`: C or a program against the reference. `report`: one page."""
+"""`generate`: the C of a stand. `verify`: C against the reference. `report`: one page."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from mahovik.core.stand.model import Stand as CoreStand
-from mahovik.errors import CheckError, UsageError
+from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import StandGiven
 from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
@@ -20,7 +20,6 @@ from mahovik.out.functions.table import Column, Table
 if TYPE_CHECKING:
     from mahovik.proof.diagnose.diagnosis import Diagnosis
     from mahovik.proof.verify.report import Report
-    from mahovik.proof.verify.states import Request
 
 
 class Verification(Table):
@@ -133,71 +132,6 @@ def verify(
         return Verification(verify_judges(own, seed=seed, count=states, bare=bare, progress=on_state))
     found = verify_c(own, seed=seed, count=states, against=folder, real=real, lanes=lanes, fast=fast, progress=on_state)
     return Verification(found)
-
-
-def judge(
-    stand: str | Path,
-    command: str,
-    *,
-    explain: bool = False,
-    want: Sequence[str] = (),
-    states: int = 200,
-    seed: int = 1,
-    tolerance: float = 1e-12,
-    timeout: float = 300.0,
-    progress: OnProgress | None = None,
-) -> Verification:
-    """Judge a program that implements the contract of `eval`, and find its fault.
-
-    stand      path of the stand file, which the program reads; `{stand}` in `command` stands for it
-    explain    name the fault where it differs; want: wants it must offer, default those that it offers
-    tolerance  relative to the natural scale; timeout of the program, s
-
-    A program that dies or hangs gives a result with an `error`. Raises StandError, UsageError where it cannot start.
-    """
-    from mahovik.proof.verify.foreign import verify_program
-
-    own = Stand.of(stand)
-    tell(progress, Progress(f"judge {command}"))
-    found = verify_program(
-        own, command, str(stand), wants=tuple(want), seed=seed, count=states, timeout=timeout, tolerance=tolerance
-    )
-    if not explain or found.error:
-        return Verification(found)
-    tell(progress, Progress("distinguish faults"))
-    try:
-        return Verification(found, _diagnosis(own, command, str(stand), found, seed, timeout))
-    except CheckError as error:
-        return Verification(replace(found, error=str(error)))
-
-
-def _diagnosis(stand: CoreStand, command: str, stand_file: str, found: Report, seed: int, timeout: float) -> Diagnosis:
-    """Diagnosis of a program that differs, for the wants that it offers."""
-    from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
-    from mahovik.proof.diagnose.terms.search import WANTS, TermSearch
-
-    if found.passed:
-        return Diagnosis("equal")
-    offered = tuple(dict.fromkeys(row.want for row in found.rows if row.verdict in ("ok", "FAILED")))
-    if not offered:
-        return Diagnosis("nothing")
-    diagnoser = Diagnoser(stand, seed, offered)
-    diagnosed = diagnoser.diagnose(_answers(command, stand_file, diagnoser.requests, timeout))
-    if diagnosed.outcome != "unknown" or not set(offered) & set(WANTS):
-        return diagnosed
-    terms = TermSearch(stand, seed, offered)
-    return replace(diagnosed, terms=terms.find(_answers(command, stand_file, terms.requests, timeout)))
-
-
-def _answers(
-    command: str, stand_file: str, requests: Sequence[Request], timeout: float
-) -> Callable[[Request], Mapping[str, Any]]:
-    """Answers of a program by request. Raises CheckError, UsageError."""
-    from mahovik.proof.verify.foreign import answers_of
-
-    results = answers_of(command, stand_file, requests, timeout)
-    answers = {request.id: result for request, result in zip(requests, results, strict=True)}
-    return lambda request: answers[request.id]
 
 
 class Generated(Table):

@@ -10,13 +10,14 @@ import numpy as np
 
 from mahovik.contract.functions import WANTS
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
 from mahovik.proof.diagnose.answer_vector import answer_vector
 from mahovik.proof.diagnose.predict import Part, Predictions
 from mahovik.proof.diagnose.search import EXACT, Evidence, Finding, Search
 from mahovik.proof.diagnose.states import FIRST, separating_states
 from mahovik.proof.diagnose.terms.search import TermSearchResult, WrongTerm
 from mahovik.proof.reference.array import Array
-from mahovik.proof.verify.bounds import BOUNDS
+from mahovik.proof.verify.bounds import DOUBLE, FLOAT, Bounds, uniform
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.states import Request
 
@@ -89,9 +90,22 @@ class Diagnosis:
 class Diagnoser:
     """Diagnoses programs of one stand: the states, the reference's answers and what the faults predict are kept."""
 
-    def __init__(self, stand: Stand, seed: int = 1, wants: Sequence[str] = ()) -> None:
+    def __init__(
+        self,
+        stand: Stand,
+        seed: int = 1,
+        wants: Sequence[str] = (),
+        states: Sequence[tuple[str, State]] | None = None,
+        tolerance: float = DOUBLE.default,
+    ) -> None:
+        """`states`: the only ones with answers, by name, as in a log; None: those that tell faults apart best.
+
+        `tolerance`: accepted difference, relative to the natural scale; that of float is a rounding in any case.
+        """
         self._stand = stand
-        states = separating_states(stand, seed)
+        self._bounds = [each if each.default >= tolerance else uniform(tolerance) for each in (DOUBLE, FLOAT)]
+        if states is None:
+            states = separating_states(stand, seed)
         asked = [
             (number, Request(f"{name}, {want}", state, (want,)))
             for number, (name, state) in enumerate(states)
@@ -114,7 +128,7 @@ class Diagnoser:
         found = self.whole.fill(answers)
         if not np.isfinite(found).any():
             return Diagnosis("nothing")
-        fine, coarse = (self._evidence(found, real) for real in ("double", "float"))
+        fine, coarse = (self._evidence(found, bounds) for bounds in self._bounds)
         if not self._wrong(fine):
             return Diagnosis("equal")
         if not self._wrong(coarse):  # no larger than rounding of float: only a perfect likeness is a fault
@@ -127,9 +141,9 @@ class Diagnoser:
         single = self._search(coarse)
         return max((double, single), key=lambda each: (each.outcome == "named", -_score(each)))
 
-    def _evidence(self, found: Array, real: str) -> Evidence:
+    def _evidence(self, found: Array, bounds: Bounds) -> Evidence:
         e = self.whole.over_scale(found - self.whole.expected)
-        return Evidence(e, self.whole.noise(BOUNDS[real]), self.whole.block, self._first)
+        return Evidence(e, self.whole.noise(bounds), self.whole.block, self._first)
 
     def _wrong(self, evidence: Evidence) -> tuple[str, ...]:
         """Quantities with an error beyond rounding."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from types import MappingProxyType
 from typing import cast
@@ -71,3 +72,31 @@ def _plain(stand: Stand, rng: np.random.Generator) -> State:
 def _with_wrenches(stand: Stand, state: State, rng: np.random.Generator) -> State:
     """The state with a run-time wrench on every body that takes one."""
     return replace(state, wrench=random_wrenches(rng, [body.name for body in stand.bodies if body.wrench_input]))
+
+
+def spread_rows(states: Sequence[tuple[str, State]], count: int) -> list[tuple[str, State]]:
+    """At most `count` rows of a log, spread evenly."""
+    chosen = range(len(states)) if len(states) <= count else np.linspace(0, len(states) - 1, count).astype(int).tolist()
+    return [states[k] for k in chosen]
+
+
+def telling_rows(states: Sequence[tuple[str, State]], count: int) -> list[tuple[str, State]]:
+    """The rows of a log, at most `count`, whose motions differ most from one another; the fullest motion first."""
+    motions = np.array([(*s.V, *s.V_dot, *s.phi_dot, *s.phi_ddot) for _, s in states])
+    size = np.sqrt(np.mean(motions**2, axis=0))
+    scaled = motions / np.where(size > 0.0, size, 1.0)
+    left = scaled.copy()
+    chosen: list[int] = []
+    for _ in range(min(count, len(states))):
+        longest = (left**2).sum(axis=1)
+        longest[chosen] = -1.0
+        k = int(longest.argmax())
+        chosen.append(k)
+        norm = np.linalg.norm(left[k])
+        if norm <= 1e-9 * np.linalg.norm(scaled[k]):
+            left = scaled.copy()  # these span all motions: begin again with the rows that are left
+        else:
+            left = left - np.outer(left @ left[k] / norm**2, left[k])
+    fullest = np.abs(scaled[chosen])
+    order = np.argsort(-np.minimum(fullest, 1.0).sum(axis=1), kind="stable")
+    return [states[chosen[i]] for i in order]

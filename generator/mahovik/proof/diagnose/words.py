@@ -19,6 +19,12 @@ SURE = 0.5
 SUREST = 0.999
 """Largest confidence that is reported: a fault that is not in the dictionary may look like one that is."""
 
+WRENCH_SIDE = "factors are those on the right-hand side of K V* = ..., of force and moment about O1 in E1"
+"""The equations that the factors of wrong terms of a wrench belong to, in words."""
+
+MOST_TWINS = 4
+"""Number of products that are printed beside one that looks like them."""
+
 
 def name_of(part: Part) -> str:
     """Name of the fault, and the flywheel that has it alone."""
@@ -41,7 +47,11 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
         case "nothing":
             return ["no diagnosis: the program answered nothing that can be compared"]
         case "unknown" if diagnosis.wrong_terms:
-            return _term_lines(diagnosis.wrong_terms)
+            besides = diagnosis.terms.besides if diagnosis.terms is not None else ()
+            more = [f"the error of {want} is not a few terms: nothing of it is named" for want in besides]
+            return _term_lines(diagnosis.wrong_terms) + more
+        case "unknown" if diagnosis.terms is not None and diagnosis.terms.doubtful:
+            return _doubtful_lines(diagnosis.terms.doubtful)
         case "unknown":
             nearest = "".join(
                 f"; nearest: {short_text(each)} ({_explained_part(each)})" for each in diagnosis.others[:1]
@@ -99,6 +109,7 @@ def _found(diagnosis: Diagnosis) -> list[dict[str, Any]]:
                 "expected": each.multiple.expected,
                 "coefficient": each.multiple.coefficient,
                 "share": each.share,
+                **({"like": list(each.twins)} if each.twins else {}),
             }
             for each in diagnosis.wrong_terms
         ]
@@ -112,11 +123,26 @@ def _term_lines(found: Sequence[WrongTerm]) -> list[str]:
     for each in found:
         place = f"{each.want}, {each.component}"
         lines.append(f"  {place}: {_term_words(each.multiple, each.term)}; {_part(each.share)} of the error")
-    if any(each.want == "forward" for each in found):
-        side = "factors are those on the right-hand side of K V* = ..., of force and moment about O1 in E1"
+        if each.twins:
+            lines.append(f"    these states do not tell it from {_some(each.twins)}, which the equations do not have")
+    sides = {"forward": WRENCH_SIDE, "coupled": WRENCH_SIDE, "momentum": "factors are those in Z about O1 in E1"}
+    for side in dict.fromkeys(sides[each.want] for each in found if each.want in sides):
         lines.append(f"  {side}; letters of SNAME")
     lines.append(f"without {'it' if count == 1 else 'them'} nothing is left of the error beyond rounding")
     return lines
+
+
+def _doubtful_lines(found: Sequence[WrongTerm]) -> list[str]:
+    """A line for each term that the states do not tell from others."""
+    lines = ["a few wrong terms explain it, but these states do not tell which:"]
+    for each in found:
+        lines.append(f"  {each.want}, {each.component}: {each.term} or, as well, {_some(each.twins)}")
+    return [*lines, "nothing is named: more kinds of motion are needed, in one log, independent of one another"]
+
+
+def _some(terms: Sequence[str]) -> str:
+    more = len(terms) - MOST_TWINS
+    return ", ".join(terms[:MOST_TWINS]) + (f" or {more} more" if more > 0 else "")
 
 
 def _term_words(multiple: Multiple, term: str) -> str:

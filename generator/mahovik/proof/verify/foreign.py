@@ -11,6 +11,7 @@ import subprocess
 import threading
 from collections import deque
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import IO, Any
 
 from mahovik.contract.functions import WANTS
@@ -31,10 +32,23 @@ OPTIONAL = {"generalized": ("I0", "J0")}
 """Quantities that a program may leave out of a want that it offers: (10) and (11) do not need them."""
 
 
+@dataclass(frozen=True)
+class Program:
+    """A program that reads states: its name in reports, the words of its command, and the wants that it may offer."""
+
+    name: str
+    words: tuple[str, ...]
+    offers: tuple[str, ...] = (*WANTS, TORQUE_FOR)
+
+
+def program_of(command: str, stand_file: str) -> Program:
+    """The program of a command; `{stand}` in it becomes the stand file. Raises UsageError."""
+    return Program(command, tuple(_words(command, stand_file)))
+
+
 def verify_program(
     stand: Stand,
-    command: str,
-    stand_file: str,
+    program: Program,
     *,
     wants: Sequence[str] = (),
     seed: int = 1,
@@ -42,32 +56,32 @@ def verify_program(
     timeout: float = 300.0,
     tolerance: float = DOUBLE.default,
 ) -> Report:
-    """Judge `command`; `{stand}` in it becomes the stand file. `wants`: those it must offer; else what it does offer.
+    """Judge a program. `wants`: those it must offer; else what it does offer.
 
     A program that dies, hangs, drops lines or prints anything else is reported with an `error`.
     Raises UsageError where it cannot be started, or a want is of tasks and the stand has none.
     """
     states = draw(stand, seed, count, wrenches=False)
     setting = TaskSetting(stand, uniform(tolerance), seed)
-    requests = _requests(states, [want for want in wants or WANTS if want != TORQUE_FOR])
-    if not wants or TORQUE_FOR in wants:
+    requests = _requests(states, [want for want in wants or program.offers if want != TORQUE_FOR])
+    if TORQUE_FOR in (wants or program.offers):
         requests += torque_requests(setting, states)
     if not stand.tasks and TORQUE_FOR in wants:
         raise UsageError(f"--want {TORQUE_FOR}: {stand.name} has no task, [task.NAME]")
     try:
-        found = answers_of(command, stand_file, requests, timeout)
+        found = answers_of(program, requests, timeout)
     except CheckError as error:
-        return report(stand, command, seed, len(states), tolerance, (), str(error))
+        return report(stand, program.name, seed, len(states), tolerance, (), str(error))
     rows = _rows(setting, requests, found, tolerance, bool(wants))
-    return report(stand, command, seed, len(states), tolerance, rows)
+    return report(stand, program.name, seed, len(states), tolerance, rows)
 
 
-def answers_of(command: str, stand_file: str, requests: Sequence[Request], timeout: float) -> list[Mapping[str, Any]]:
-    """Results of a program for requests, in order; `{stand}` in the command becomes the stand file.
+def answers_of(program: Program, requests: Sequence[Request], timeout: float) -> list[Mapping[str, Any]]:
+    """Results of a program for requests, in order.
 
     Raises CheckError where it dies, hangs, drops lines or prints anything else; UsageError where it cannot be started.
     """
-    output = run_program(_words(command, stand_file), [state_line(request) for request in requests], timeout)
+    output = run_program(program.words, [state_line(request) for request in requests], timeout)
     return read_results(output, requests)
 
 

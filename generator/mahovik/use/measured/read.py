@@ -81,6 +81,11 @@ def read_recordings(paths: Iterable[Path], stand: Stand) -> tuple[Recording, ...
     return joined
 
 
+def read_tables(path: Path) -> list[Table]:
+    """The tables of one file of data, as it has them. Raises DataError."""
+    return READERS[path.suffix.lower()](path, _content(path))
+
+
 def _some(lines: list[str], most: int = 20) -> list[str]:
     return lines if len(lines) <= most else [*lines[:most], f"... and {len(lines) - most} more lines like these"]
 

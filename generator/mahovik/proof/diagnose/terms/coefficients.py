@@ -20,6 +20,9 @@ SIMPLE = (1.0, -1.0, 2.0, -2.0, 0.5, -0.5)
 LIKELY = (0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -0.5)
 """Factors of wrong terms that are tried where a coefficient is a sum."""
 
+THERE = 1e-9
+"""Part of the largest coefficient below which another is rounding."""
+
 SAME = 1e-6
 """Relative difference of numbers that count as equal."""
 
@@ -58,7 +61,17 @@ class Coefficients:
         expected = self._expected(component, k)
         if expected is None:
             return Multiple(error, None, "")
+        return self.named(expected, error)
+
+    def named(self, expected: float, error: float) -> Multiple:
+        """A right coefficient that has an error in a program, as a multiple of a quantity of the stand if it is one."""
         return _named(expected, error, self._quantities)
+
+    def occurs(self, component: int, k: int) -> bool:
+        """Whether the right equations have product k in a component."""
+        expected = self._expected(component, k)
+        beside = self._K if self._products[k].accelerates or self._right is None else self._right[:, component]
+        return expected is not None and is_there(expected, beside)
 
     def _expected(self, component: int, k: int) -> float | None:
         of = self._products[k]
@@ -66,6 +79,11 @@ class Coefficients:
             wave = self._waves[of.factors[1:]]
             return -float(self._K[wave, component, ACCELERATIONS.index(of.factors[0])])
         return None if self._right is None else float(self._right[k, component])
+
+
+def is_there(coefficient: float, beside: Array) -> bool:
+    """Whether a coefficient is more than rounding, beside others."""
+    return bool(abs(coefficient) > THERE * np.abs(beside).max(initial=0.0))
 
 
 def _named(expected: float, error: float, quantities: dict[str, float]) -> Multiple:

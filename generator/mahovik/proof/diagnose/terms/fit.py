@@ -24,6 +24,9 @@ PICKS = 12
 EXACT = 1e-7
 """A fit that leaves less of an error than this part, or than its rounding, is the error itself."""
 
+PART = 0.01
+"""An exact fit leaves at most this part of an error, however large rounding may be."""
+
 SINGULAR = 1e-11
 """Columns whose singular values fall below this part of the largest have no single answer."""
 
@@ -33,10 +36,16 @@ SMALL = 400
 
 @dataclass(frozen=True)
 class Fit:
-    """Coefficients by column; `left`: root mean square of what they leave, over that of the error."""
+    """Few columns that explain an error.
+
+    coefficients  by column
+    left          root mean square of what they leave, over that of the error
+    exact         whether they leave nothing beyond rounding
+    """
 
     coefficients: dict[int, float]
     left: float
+    exact: bool = False
 
 
 class Columns:
@@ -61,12 +70,52 @@ class Columns:
             for kept in (each.all_at_once(error, limit), each.one_by_one(error, limit), each.least_sum(error, limit)):
                 if not kept.size or kept.size > MOST:
                     continue
-                c, left = _refit(self._scaled, kept, error)
-                found = Fit(dict(zip(kept.tolist(), (c / self._size[kept]).tolist(), strict=True)), left / whole)
+                found = self.refit(kept.tolist(), error, rounding)
                 best = min(best, found, key=lambda fit: fit.left)
-                if left <= limit:
+                if found.exact:
                     exact.append(found)
         return min(exact, key=lambda fit: len(fit.coefficients), default=best)
+
+    def twins(self, fit: Fit, error: Array, rounding: float) -> dict[int, list[int]]:
+        """Columns of an exact fit, each with others that explain the error as well in its place.
+
+        States of one's own choice have none; rows of a log may. Each has all others where there are `too_few`.
+        """
+        kept = list(fit.coefficients)
+        limit = max(EXACT * float(np.linalg.norm(error)), rounding * np.sqrt(len(error)))
+        places = self._set_of(kept).places
+        if self.too_few(fit):
+            return {k: [int(i) for i in places if i not in kept] for k in kept}
+        found = {k: self._in_place_of(k, kept, places, error, limit) for k in kept}
+        return {k: others for k, others in found.items() if others}
+
+    def too_few(self, fit: Fit) -> bool:
+        """Whether so few columns are independent that any other of this number may explain the error as well."""
+        of = self._set_of(list(fit.coefficients))
+        return of.rank < min(2 * len(fit.coefficients), len(of.places))
+
+    def refit(self, kept: list[int], error: Array, rounding: float) -> Fit:
+        """The fit of an error by these columns."""
+        whole = float(np.linalg.norm(error))
+        limit = max(EXACT * whole, rounding * np.sqrt(len(error)))
+        c, left = _refit(self._scaled, np.array(kept), error)
+        by_column = dict(zip(kept, (c / self._size[kept]).tolist(), strict=True))
+        return Fit(by_column, left / whole, left <= min(limit, PART * whole))
+
+    def _set_of(self, kept: list[int]) -> _Set:
+        """The smallest set that has these columns."""
+        return next(each for each in self._sets if np.isin(kept, each.places).all())
+
+    def _in_place_of(self, k: int, kept: list[int], places: Places, error: Array, limit: float) -> list[int]:
+        """Columns that explain the error with the others of `kept`, without column k."""
+        base, _ = np.linalg.qr(self._scaled[:, [i for i in kept if i != k]])
+        rest = error - base @ (base.T @ error)
+        columns = self._scaled[:, places] - base @ (base.T @ self._scaled[:, places])
+        sizes = np.linalg.norm(columns, axis=0)
+        with np.errstate(all="ignore"):
+            factors = (columns.T @ rest) / sizes**2
+        left = np.linalg.norm(rest[:, None] - columns * np.nan_to_num(factors), axis=0)
+        return [int(i) for i in places[(left <= limit) & (sizes > SINGULAR)] if i not in kept]
 
     def least_squares(self, values: Array, with_later: bool) -> Array | None:
         """Coefficients (m, k) of values (n, k); None where the columns, with the later ones or not, leave something."""
@@ -89,6 +138,11 @@ class _Set:
     def _svd(self) -> tuple[Array, Array, Array, int]:
         left, singular, right = svd(self.columns, full_matrices=False, check_finite=False)
         return left, singular, right, int((singular > SINGULAR * singular[:1]).sum())
+
+    @property
+    def rank(self) -> int:
+        """Number of independent columns."""
+        return self._svd[3]
 
     def solve(self, values: Array) -> Array | None:
         """Least squares; None where it has no single answer."""

@@ -20,6 +20,10 @@ DOWN = ("g_x", "g_y", "g_z")
 """Components in E1 of the unit vector along gravity; -sin theta, cos theta sin phi, cos theta cos phi with z down."""
 
 
+STREAM = ("stream_x", "stream_y", "stream_z")
+"""Components in E1 of the velocity of the fluid."""
+
+
 @dataclass(frozen=True, eq=False)
 class Monomial:
     """A product: its factors by name, and its value at each state.
@@ -99,6 +103,17 @@ def monomials(stand: Stand, motion: Motion) -> list[Monomial]:
         found += [Monomial((rate, *wave), rates[rate] * values, accelerates=False) for wave, values in waves]
         found.append(Monomial((speed,), speeds[speed], accelerates=False))
     return found
+
+
+def momentum_monomials(stand: Stand, motion: Motion, streams: Array | None) -> list[Monomial]:
+    """All products in the momentum: velocities and speeds by harmonics of phases; the stream (n, 3) in E1, if any."""
+    names = [each.name for each in stand.flywheels]
+    factors = dict(zip(TWIST_LETTERS, motion.V_r.T, strict=True))
+    factors |= {f"{name}.speed": x for name, x in zip(names, motion.phi_dot.T, strict=True)}
+    if streams is not None:
+        factors |= dict(zip(STREAM, streams.T, strict=True))
+    waves = list(harmonics(names, motion.phi))
+    return [Monomial((a, *wave), x * values, accelerates=False) for wave, values in waves for a, x in factors.items()]
 
 
 def harmonics(names: Sequence[str], phi: Array) -> Iterator[tuple[tuple[str, ...], Array]]:

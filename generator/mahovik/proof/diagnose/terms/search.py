@@ -1,34 +1,37 @@
-"""The search for wrong terms of a program: its requests, its error as a wrench or torque, and what explains it."""
+"""The search for wrong terms of a program: its requests, the errors of its equations, and what explains them."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from types import MappingProxyType
 from typing import Any, cast
 
 import numpy as np
 
-from mahovik.core.stand.model import WRENCH_LETTERS, Stand, Vec6
+from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import CheckError
 from mahovik.proof import reference
-from mahovik.proof.diagnose.terms.coefficients import Coefficients, Multiple
-from mahovik.proof.diagnose.terms.fit import MOST, Columns
-from mahovik.proof.diagnose.terms.monomials import Monomial, Motion, count, monomials
+from mahovik.proof.diagnose.terms.coefficients import Multiple
+from mahovik.proof.diagnose.terms.equations import ANSWERS, OF_FLYWHEELS, EquationErrors, Equations
+from mahovik.proof.diagnose.terms.fit import MOST, Columns, Fit
+from mahovik.proof.diagnose.terms.monomials import count
 from mahovik.proof.diagnose.terms.solvable import has_mass_matrix
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import PlacedBody
-from mahovik.proof.reference.forward import bias
-from mahovik.proof.reference.torque import torque
-from mahovik.proof.reference.wrenches import body_wrenches
 from mahovik.proof.verify.states import Request
 
-WANTS = ("forward", "torque")
-"""Wants whose error is a sum of products of the model."""
+WANTS = tuple(ANSWERS)
+"""Wants in which wrong terms are looked for."""
+
+IMPLIED = {"coupled": ("forward", "torque")}
+"""Wants that say nothing new where a program offers these."""
+
+BESIDES = ("momentum",)
+"""Wants whose error hinders no name of other errors where it is no few terms itself."""
 
 MORE, SPARE = 1.25, 40
 """Number of states for each product, and of those besides."""
@@ -39,6 +42,9 @@ REPEATED = 5
 SPREAD = {"V": 1.0, "phi_dot": 3.0, "phi_ddot": 3.0, "V_dot": 1.0}
 """Standard deviations of the states, SI: no kind of term is much larger than another."""
 
+ORDER = 1e-9
+"""Relative difference within which an answer is that of another state."""
+
 ROUNDING = 1e-11
 """Error over the size of the terms that a right program in double may have."""
 
@@ -47,11 +53,13 @@ ROUNDING = 1e-11
 class WrongTerm:
     """A wrong term of a program.
 
-    component  letter of SNAME of the wrench on the carrier, or the flywheel's name
-    term       the product; on the right-hand side of K V* = ..., or in the drive torque
+    component  letter of SNAME of the wrench on the carrier, or of the momentum; or the flywheel's name
+    term       the product; on the right-hand side of K V* = ..., in the drive torque or in the momentum
     multiple   its factor in the program, the right one, and what both are multiples of
     error      their difference, SI
     share      its mean square over the sum of those of all wrong terms of the want
+    twins      other products that explain the error as well in its place, at the states that there are
+    likely     whether it alone of its twins is a product of the right equations
     """
 
     want: str
@@ -60,20 +68,37 @@ class WrongTerm:
     multiple: Multiple
     error: float
     share: float
+    twins: tuple[str, ...] = ()
+    likely: bool = False
 
 
 @dataclass(frozen=True)
 class TermSearchResult:
-    """Wrong terms, and the part of the error that they leave, 0 to 1 (root mean square); wants that were looked at."""
+    """Result of a search for wrong terms.
+
+    terms        what explains most of the error
+    unexplained  the part of the error that they leave, 0 to 1 (root mean square)
+    wants        those that were looked at
+    exact        whether they leave nothing beyond rounding
+    besides      wants whose error is no few terms, beside others whose error is
+    """
 
     terms: tuple[WrongTerm, ...]
     unexplained: float
     wants: tuple[str, ...]
+    exact: bool
+    besides: tuple[str, ...] = ()
 
     @property
     def whole(self) -> bool:
-        """Whether they are the error, to rounding, and few: more than MOST are rather another program."""
-        return 0 < len(self.terms) <= MOST and self.unexplained < 1e-6
+        """Whether they are the error, to rounding, and few (more than MOST are rather another program), and no others
+        explain it as well."""
+        return 0 < len(self.terms) <= MOST and self.exact and not self.doubtful
+
+    @property
+    def doubtful(self) -> tuple[WrongTerm, ...]:
+        """Terms of an explained error in whose place others explain it as well."""
+        return tuple(each for each in self.terms if each.twins and not each.likely) if self.exact else ()
 
 
 Answers = Callable[[Request], Mapping[str, Any]]
@@ -82,18 +107,36 @@ Answers = Callable[[Request], Mapping[str, Any]]
 class TermSearch:
     """Finds wrong terms in programs of one stand: states, the reference's pieces and the products are kept."""
 
-    def __init__(self, stand: Stand, seed: int = 1, wants: Sequence[str] = WANTS) -> None:
+    def __init__(
+        self,
+        stand: Stand,
+        seed: int = 1,
+        wants: Sequence[str] = WANTS,
+        states: Sequence[tuple[str, State]] | None = None,
+        rounding: float = ROUNDING,
+    ) -> None:
+        """`states`: the only ones with answers, by name, as in a log; None: those that the search asks for.
+
+        `rounding`: error over the size of the terms that a right program may have.
+        """
         rng = np.random.default_rng(seed)
-        self._stand = stand
-        number = math.ceil(MORE * count(stand)) + SPARE
-        self._states = [_state(stand, rng) for _ in range(number)]
-        self.wants = tuple(want for want in WANTS if want in wants and (stand.flywheels or want != "torque"))
+        self._stand, self._rounding = stand, max(rounding, ROUNDING)
+        self._own = [_state(stand, rng) for _ in range(math.ceil(MORE * count(stand)) + SPARE)]
+        named = [(f"term {i}", state) for i, state in enumerate(self._own)] if states is None else states
+        self._states = [state for _, state in named]
+        self._equations = Equations(stand, self._own)
+        self.wants = tuple(
+            want
+            for want in WANTS
+            if want in wants
+            and (stand.flywheels or want not in OF_FLYWHEELS)
+            and not (want in IMPLIED and set(IMPLIED[want]) <= set(wants))
+        )
         self._requests = {
-            want: [Request(f"term {i}, {want}", state, (want,)) for i, state in enumerate(self._states)]
-            for want in self.wants
+            want: [Request(f"{name}, {want}", state, (want,)) for name, state in named] for want in self.wants
         }
         self._again = {
-            want: [replace(each, id=f"{each.id}, again") for each in asked[:REPEATED]]
+            want: [replace(each, id=f"{each.id}, again") for each in asked[:REPEATED]] if states is None else []
             for want, asked in self._requests.items()
         }
 
@@ -110,14 +153,21 @@ class TermSearch:
         """
         self._check_repeats(answers)
         found: list[WrongTerm] = []
-        left: list[float] = []
+        fits: list[Fit] = []
+        besides: list[str] = []
         for want in self.wants:
-            terms, rest = self._of_forward(answers) if want == "forward" else self._of_torque(answers)
-            found += terms
-            left += rest
-        if not has_mass_matrix(self._stand, [(x.component, x.term, x.error) for x in found if x.want != "torque"]):
-            return TermSearchResult((), 1.0, self.wants)
-        return TermSearchResult(tuple(found), max(left, default=0.0), self.wants)
+            parts = [self._terms(want, errors) for errors in self._errors(want, answers)]
+            if want in BESIDES and fits and not all(fit.exact for _, of_part in parts for fit in of_part):
+                besides.append(want)
+                continue
+            for terms, of_part in parts:
+                found += terms
+                fits += of_part
+        in_forces = [(x.component, x.term, x.error) for x in found if x.want != "torque"]
+        if not has_mass_matrix(self._stand, in_forces):
+            return TermSearchResult((), 1.0, self.wants, False, tuple(besides))
+        left = max((each.left for each in fits), default=0.0)
+        return TermSearchResult(tuple(found), left, self.wants, all(each.exact for each in fits), tuple(besides))
 
     def _check_repeats(self, answers: Answers) -> None:
         for want, again in self._again.items():
@@ -132,113 +182,113 @@ class TermSearch:
     def _pieces(self) -> list[Pieces]:
         return [reference.pieces(self._stand, state) for state in self._states]
 
-    def _answered(self, want: str, name: str, size: int, answers: Answers) -> tuple[Array, Array]:
-        """Rows of the states that have finite answers, and these. Raises CheckError: too few."""
-        rows, found = [], []
-        for i, request in enumerate(self._requests[want]):
-            try:
-                value = np.array(answers(request).get(name), dtype=np.float64)
-            except (TypeError, ValueError, OverflowError):
-                continue
-            if value.shape == (size,) and np.isfinite(value).all():
-                rows.append(i)
-                found.append(value)
-        least = count(self._stand)
+    def _errors(self, want: str, answers: Answers) -> list[EquationErrors]:
+        """Errors of a want at the states with finite answers. Raises CheckError: too few."""
+        rows, values = self._answered(want, answers)
+        self._check_order(want, rows, values)
+        found = self._equations.errors(want, [self._states[i] for i in rows], [self._pieces[i] for i in rows], values)
+        least = max(len(each.products) for each in found)
         if len(rows) < least:
             raise CheckError(
                 f"{want}: {len(rows)} of {len(self._states)} states have an answer; expected at least {least}, as many "
                 "as there are products whose factors are looked for"
             )
-        return np.array(rows), np.array(found)
+        return found
 
-    def _of_forward(self, answers: Answers) -> tuple[list[WrongTerm], list[float]]:
-        """Errors of V_dot, as wrenches K V_r* - (F - M V_r - J phi' - I phi'')."""
-        rows, V_dot = self._answered("forward", "V_dot", 6, answers)
-        at = [self._pieces[i] for i in rows]
-        V_r_dot = np.array([p.V_r_dot(x) for p, x in zip(at, V_dot, strict=True)])
-        right = np.array(
-            [p.F - bias(p) - p.I @ np.array(self._states[i].phi_ddot) for i, p in zip(rows, at, strict=True)]
-        )
-        inertial = np.array([p.K @ x for p, x in zip(at, V_r_dot, strict=True)])
-        size = np.array(
-            [np.abs(p.K) @ np.abs(x) + np.abs(p.F) + np.abs(bias(p)) for p, x in zip(at, V_r_dot, strict=True)]
-        )
-        motion = Motion.of([self._states[i] for i in rows], at, V_r_dot)
-        products = monomials(self._stand, motion)
-        columns = _columns(products)
-        wanted = right - np.array([_other_wrenches(p, self._stand) for p in at])
-        known = Coefficients(products, columns.least_squares(wanted, with_later=False), motion, at, self._stand)
-        return _terms("forward", WRENCH_LETTERS, inertial - right, size, products, columns, known.multiple)
+    def _answered(self, want: str, answers: Answers) -> tuple[list[int], dict[str, Array]]:
+        """Rows of the states that have finite answers, and these by quantity. Raises CheckError: none."""
+        rows: list[int] = []
+        found: dict[str, list[Array]] = {name: [] for name in ANSWERS[want]}
+        for i, request in enumerate(self._requests[want]):
+            given = answers(request)
+            try:
+                values = [np.array(given.get(name), dtype=np.float64) for name in found]
+            except (TypeError, ValueError, OverflowError):
+                continue
+            sizes = [(6,) if name in ("V_dot", "Z") else (len(self._stand.flywheels),) for name in found]
+            if [x.shape for x in values] == sizes and all(np.isfinite(x).all() for x in values):
+                rows.append(i)
+                for name, x in zip(found, values, strict=True):
+                    found[name].append(x)
+        if not rows:
+            raise CheckError(
+                f"{want}: 0 of {len(self._states)} states have an answer; expected at least {len(self._own)}"
+            )
+        return rows, {name: np.array(x) for name, x in found.items()}
 
-    def _of_torque(self, answers: Answers) -> tuple[list[WrongTerm], list[float]]:
-        """Errors of the drive torques."""
-        rows, tau = self._answered("torque", "tau", len(self._stand.flywheels), answers)
-        at, states = [self._pieces[i] for i in rows], [self._states[i] for i in rows]
-        V_r_dot = np.array([p.V_r_dot(np.array(s.V_dot)) for p, s in zip(at, states, strict=True)])
-        right = np.array([torque(p, np.array(s.V_dot), np.array(s.phi_ddot)) for p, s in zip(at, states, strict=True)])
-        products = monomials(self._stand, Motion.of(states, at, V_r_dot))
-        columns = _columns(products)
-        expected = columns.least_squares(right, with_later=True)
+    def _check_order(self, want: str, rows: Sequence[int], values: Mapping[str, Array]) -> None:
+        """Raises CheckError where wrong answers are the right ones of other states."""
+        right = [reference.evaluate(self._stand, self._states[i], (want,), self._pieces[i]) for i in rows]
+        expected = np.array([np.concatenate([each[name] for name in values]) for each in right])
+        given = np.hstack(list(values.values()))
+        size = np.abs(expected).max(axis=0) + 1e-300
+        wrong = np.flatnonzero(np.abs((given - expected) / size).max(axis=1) > ORDER)
+        swapped: dict[int, int] = {}
+        for i in wrong.tolist():
+            same = np.flatnonzero(np.abs((given[i] - expected) / size).max(axis=1) <= ORDER)
+            if same.size:
+                swapped[i] = int(same[0])
+        if len(set(swapped.values())) > len(wrong) / 2:
+            i, j = next(iter(swapped.items()))
+            names = [self._requests[want][rows[k]].id for k in (i, j)]
+            raise CheckError(f"it answers another state's result: that to {names[0]!r} is right for {names[1]!r}")
 
-        def multiple(component: int, k: int, error: float) -> Multiple:
-            if expected is None:
-                return Multiple(error, None, "")
-            return Multiple(float(expected[k, component]) + error, float(expected[k, component]), "")
-
-        names = [each.name for each in self._stand.flywheels]
-        return _terms("torque", names, tau - right, np.abs(right), products, columns, multiple)
-
-
-def _terms(
-    want: str,
-    components: Sequence[str],
-    error: Array,
-    size: Array,
-    products: Sequence[Monomial],
-    columns: Columns,
-    multiple: Callable[[int, int, float], Multiple],
-) -> tuple[list[WrongTerm], list[float]]:
-    """Wrong terms of all components, and of each wrong one the part that is left."""
-    found: list[tuple[int, int, float, float]] = []
-    left: list[float] = []
-    rounding = ROUNDING * float(np.sqrt(np.mean(size**2)))
-    for component in range(len(components)):
-        wrong = error[:, component]
-        if np.sqrt(np.mean(wrong**2)) <= 10 * rounding:
-            continue
-        fit = columns.fit(wrong, rounding)
-        left.append(fit.left if fit.coefficients else 1.0)
-        for k, c in fit.coefficients.items():
-            found.append((component, k, c, float(np.sum((c * products[k].values) ** 2))))
-    whole = sum(each[3] for each in found) or 1.0
-    terms = [
-        WrongTerm(want, components[component], products[k].term, multiple(component, k, c), c, part / whole)
-        for component, k, c, part in found
-    ]
-    return sorted(terms, key=lambda term: -term.share), left
-
-
-def _columns(products: Sequence[Monomial]) -> Columns:
-    return Columns(
-        np.column_stack([each.values for each in products]), np.array([each.accelerates for each in products])
-    )
+    def _terms(self, want: str, of: EquationErrors) -> tuple[list[WrongTerm], list[Fit]]:
+        """Wrong terms of all components, and the fit of each wrong one."""
+        columns, products = of.columns, of.products
+        found: list[tuple[int, int, float, float]] = []
+        fits: list[Fit] = []
+        doubts: dict[tuple[int, int], tuple[tuple[str, ...], bool]] = {}
+        rounding = self._rounding * float(np.sqrt(np.mean(of.size**2)))
+        for component in range(len(of.components)):
+            wrong = of.error[:, component]
+            if np.sqrt(np.mean(wrong**2)) <= 10 * rounding:
+                continue
+            fit = columns.fit(wrong, rounding)
+            if fit.exact:
+                fit, twins = _likeliest(columns, fit, wrong, rounding, partial(of.occurs, component))
+                for k, (others, likely) in twins.items():
+                    doubts[component, k] = tuple(products[i].term for i in others), likely
+            fits.append(fit if fit.coefficients else replace(fit, left=1.0))
+            for k, c in fit.coefficients.items():
+                found.append((component, k, c, float(np.sum((c * products[k].values) ** 2))))
+        whole = sum(each[3] for each in found) or 1.0
+        terms = [
+            WrongTerm(
+                want, of.components[component], products[k].term, of.multiple(component, k, c), c, part / whole,
+                *doubts.get((component, k), ((), False)),
+            )
+            for component, k, c, part in found
+        ]  # fmt: skip
+        return sorted(terms, key=lambda term: -term.share), fits
 
 
-def _other_wrenches(at: Pieces, stand: Stand) -> Array:
-    """Wrenches (6, in E1 about O1) that are no sum of these products: laws between E0 and the carrier, damping of
-    bodies with axes of their own."""
-    found = np.zeros(6)
-    bodies: tuple[PlacedBody, ...] = (*at.fixed, *at.flywheels)
-    for k in bodies:
-        own = body_wrenches(k.body, np.zeros(3), np.zeros(6), np.zeros(6))
-        for kind, wrench in at.terms[k.body.name].items():
-            if kind not in own or ("damping" in kind and k.body.name != stand.carrier.name):
-                found += k.L @ wrench
-    return found
+def _likeliest(
+    columns: Columns, fit: Fit, error: Array, rounding: float, occurs: Callable[[int], bool]
+) -> tuple[Fit, dict[int, tuple[list[int], bool]]]:
+    """The fit with each column of which only one twin occurs in the right equations replaced by this one.
+
+    Also the twins of each column, and whether it alone of them occurs.
+    """
+    twins = columns.twins(fit, error, rounding)
+    doubtful = {k: (others, False) for k, others in twins.items()}
+    if columns.too_few(fit):
+        return fit, doubtful
+    found: dict[int, tuple[list[int], bool]] = {}
+    kept = list(fit.coefficients)
+    for k, others in twins.items():
+        there = [i for i in (k, *others) if occurs(i)]
+        if len(there) == 1:
+            kept[kept.index(k)] = there[0]
+            found[there[0]] = [i for i in (k, *others) if i != there[0]], True
+        else:
+            found[k] = others, False
+    changed = columns.refit(kept, error, rounding)
+    return (changed, found) if changed.exact else (fit, doubtful)
 
 
 def _values(answer: Mapping[str, Any], want: str) -> Any:
-    return repr(np.array(answer.get("V_dot" if want == "forward" else "tau"), dtype=object).tolist())  # NaN is equal
+    return repr([np.array(answer.get(name), dtype=object).tolist() for name in ANSWERS[want]])  # NaN is equal
 
 
 def _state(stand: Stand, rng: np.random.Generator) -> State:
@@ -259,6 +309,6 @@ def _state(stand: Stand, rng: np.random.Generator) -> State:
         phi_dot=normal("phi_dot", N),
         phi_ddot=normal("phi_ddot", N),
         V_dot=cast(Vec6, normal("V_dot", 6)),
-        tau=(0.0,) * N,
+        tau=tuple(x * wheel.inertia[0][0] for x, wheel in zip(normal("phi_ddot", N), stand.flywheels, strict=True)),
         wrench=MappingProxyType({}),
     )

@@ -1,4 +1,4 @@
-"""Basilisk as a judge: its spacecraft with reaction wheels; back-substitution gives V* and phi'' of drive torques.
+"""Basilisk as a judge: its spacecraft, and its reaction wheels; back-substitution gives V* and phi'' of drive torques.
 
 Its attitude is in modified Rodrigues parameters, its velocity that of O1 in E0, its acceleration the derivative of
 this: v_E0' = C (v* + omega x v). It gives no joint forces, no points, and no wrench or torque of a given motion.
@@ -6,6 +6,7 @@ this: v_E0' = C (v* + omega x v). It gives no joint forces, no points, and no wr
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Literal
 
 import Basilisk
@@ -28,43 +29,51 @@ TOLERANCE = 1e-14
 """Tolerance of a step of its integrator, relative and absolute; it measures the length of a whole state."""
 
 
-class BasiliskJudge:
-    """See MovingJudge. Raises UsageError where the stand has what Basilisk lacks.
+class BasiliskSpacecraft:
+    """A free spacecraft whose flywheels are state effectors; see MovingJudge."""
 
-    `model`: of the wheels; JitterSimple puts their unbalance on the carrier as a force, and is exact for balanced ones.
-    `asymmetric`: take wheels of two transverse moments, for which JitterFullyCoupled is not exact.
-    """
-
-    name = "basilisk"
+    name: str
     version: str = Basilisk.__version__
 
-    def __init__(self, stand: Stand, model: Model = "JitterFullyCoupled", asymmetric: bool = False) -> None:
-        found = unsupported_features(stand, asymmetric)
-        if found:
-            raise UsageError(f"--judges: Basilisk's free spacecraft has no {', '.join(found)}")
+    def __init__(
+        self, stand: Stand, unsupported: Sequence[str], effectors: Sequence[Any], bearing_wheels: bool = False
+    ) -> None:
+        """`unsupported`: what the stand has and Basilisk lacks; `bearing_wheels`: put their masses on the carrier.
+
+        Raises UsageError where there is something of that, or Basilisk refuses the stand.
+        """
+        if unsupported:
+            raise UsageError(f"--judges: Basilisk's free spacecraft has no {', '.join(unsupported)}")
         self.stand = stand
-        self._wheels = [_payload(wheel, model) for wheel in wheels(stand)]
-        self._effector = reactionWheelStateEffector.ReactionWheelStateEffector()
-        # extreme states are compared as well: nothing may be cut
-        self._effector.setMaxWheelAcceleration(np.inf)
-        for wheel in self._wheels:
-            self._effector.addReactionWheel(wheel)
         self.craft = spacecraft.Spacecraft()
-        mass, center, tensor = hub(stand, bearing_wheels=model == "JitterSimple")
+        mass, center, tensor = hub(stand, bearing_wheels)
         self.craft.hub.mHub = mass
-        self.craft.hub.r_BcB_B = _column(center)
+        self.craft.hub.r_BcB_B = column(center)
         self.craft.hub.IHubPntBc_B = tensor.tolist()
-        if self._wheels:
-            self.craft.addStateEffector(self._effector)
+        for effector in effectors:
+            self.craft.addStateEffector(effector)
         self._integrator = svIntegrators.svIntegratorRKF78(self.craft)
         self._integrator.relTol = self._integrator.absTol = TOLERANCE
         self.craft.setIntegrator(self._integrator)
         self._clock = 0  # ns
         try:
-            self._effector.Reset(0)
+            for effector in effectors:
+                effector.Reset(0)
             self.craft.Reset(0)
         except BasiliskError as error:
             raise UsageError(f"--judges: Basilisk refuses this stand: {error}") from None
+
+    def put_flywheels(self, state: State) -> None:
+        """Set phases, speeds and drive torques of a state."""
+        raise NotImplementedError
+
+    def flywheel_rates(self) -> Array:
+        """phi'' (N)."""
+        raise NotImplementedError
+
+    def flywheel_motion(self) -> tuple[Array, Array]:
+        """phi, phi' (N)."""
+        raise NotImplementedError
 
     def evaluate(self, state: State) -> Values:
         """K, V_dot, phi_ddot of `tau`; nothing of a state with a run-time wrench."""
@@ -72,12 +81,12 @@ class BasiliskJudge:
             return {}
         C = self._set_state(state)
         self.craft.equationsOfMotion(0.0, 1.0)
-        acceleration, omega_dot = self._rate("hubVelocity"), self._rate("hubOmega")
+        acceleration, omega_dot = self.rate("hubVelocity"), self.rate("hubOmega")
         v, omega = np.split(np.array(state.V), 2)
         return {
             "K": self._mass_matrix(),
             "V_dot": np.concatenate([C.T @ acceleration - np.cross(omega, v), omega_dot]),
-            "phi_ddot": self._rate(self._effector.nameOfReactionWheelOmegasState) if self._wheels else np.zeros(0),
+            "phi_ddot": self.flywheel_rates(),
         }
 
     def move(self, state: State, seconds: float) -> tuple[Array, Array, Array, Array, Array]:
@@ -87,27 +96,19 @@ class BasiliskJudge:
         while self._clock < until:
             self._clock = min(self._clock + STEP, until)
             self.craft.UpdateState(self._clock)
-        C = _matrix(self._value("hubSigma"))
-        V = np.concatenate([C.T @ self._value("hubVelocity"), self._value("hubOmega")])
-        if not self._wheels:
-            return self._value("hubPosition"), C, V, np.zeros(0), np.zeros(0)
-        names = self._effector.nameOfReactionWheelThetasState, self._effector.nameOfReactionWheelOmegasState
-        phi, phi_dot = map(self._value, names)
-        return self._value("hubPosition"), C, V, phi, phi_dot
+        C = _matrix(self.value("hubSigma"))
+        V = np.concatenate([C.T @ self.value("hubVelocity"), self.value("hubOmega")])
+        return self.value("hubPosition"), C, V, *self.flywheel_motion()
 
     def _set_state(self, state: State) -> Array:
         """Put the state into Basilisk's; returns C."""
         turn = attitude(self.stand, state)
         C = np.asarray(turn.as_matrix())
-        self._put_state("hubPosition", state.position)
-        self._put_state("hubVelocity", C @ np.array(state.V[:3]))
-        self._put_state("hubSigma", turn.as_mrp())
-        self._put_state("hubOmega", state.V[3:])
-        if self._wheels:
-            self._put_state(self._effector.nameOfReactionWheelOmegasState, state.phi_dot)
-            self._put_state(self._effector.nameOfReactionWheelThetasState, state.phi)
-        for wheel, tau in zip(self._wheels, state.tau, strict=True):
-            wheel.u_current = tau
+        self.put_state("hubPosition", state.position)
+        self.put_state("hubVelocity", C @ np.array(state.V[:3]))
+        self.put_state("hubSigma", turn.as_mrp())
+        self.put_state("hubOmega", state.V[3:])
+        self.put_flywheels(state)
         return C
 
     def _mass_matrix(self) -> Array:
@@ -117,14 +118,58 @@ class BasiliskJudge:
         first = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
         return np.block([[mass * np.eye(3), -first], [first, J]])
 
-    def _put_state(self, name: str, numbers: Any) -> None:
-        self.craft.dynManager.getStateObject(name).setState(_column(numbers))
+    def put_state(self, name: str, numbers: Any) -> None:
+        """Set a state of the spacecraft."""
+        self.craft.dynManager.getStateObject(name).setState(column(numbers))
 
-    def _value(self, name: str) -> Array:
+    def value(self, name: str) -> Array:
+        """Numbers of a state of the spacecraft."""
         return np.array(self.craft.dynManager.getStateObject(name).getState(), dtype=np.float64).ravel()
 
-    def _rate(self, name: str) -> Array:
+    def rate(self, name: str) -> Array:
+        """Derivative of a state of the spacecraft."""
         return np.array(self.craft.dynManager.getStateObject(name).getStateDeriv(), dtype=np.float64).ravel()
+
+
+class BasiliskJudge(BasiliskSpacecraft):
+    """See MovingJudge. Raises UsageError where the stand has what Basilisk lacks.
+
+    `model`: of the wheels; JitterSimple puts their unbalance on the carrier as a force, and is exact for balanced ones.
+    `asymmetric`: take wheels of two transverse moments, for which JitterFullyCoupled is not exact.
+    """
+
+    name = "basilisk"
+
+    def __init__(self, stand: Stand, model: Model = "JitterFullyCoupled", asymmetric: bool = False) -> None:
+        unsupported = unsupported_features(stand, asymmetric)
+        self._wheels = [] if unsupported else [_payload(wheel, model) for wheel in wheels(stand)]
+        self._effector = reactionWheelStateEffector.ReactionWheelStateEffector()
+        # extreme states are compared as well: nothing may be cut
+        self._effector.setMaxWheelAcceleration(np.inf)
+        for wheel in self._wheels:
+            self._effector.addReactionWheel(wheel)
+        effectors = [self._effector] if self._wheels else []
+        super().__init__(stand, unsupported, effectors, bearing_wheels=model == "JitterSimple")
+
+    def put_flywheels(self, state: State) -> None:
+        """Set phases, speeds and drive torques of a state."""
+        if self._wheels:
+            self.put_state(self._effector.nameOfReactionWheelOmegasState, state.phi_dot)
+            self.put_state(self._effector.nameOfReactionWheelThetasState, state.phi)
+        for wheel, tau in zip(self._wheels, state.tau, strict=True):
+            wheel.u_current = tau
+
+    def flywheel_rates(self) -> Array:
+        """phi'' (N)."""
+        return self.rate(self._effector.nameOfReactionWheelOmegasState) if self._wheels else np.zeros(0)
+
+    def flywheel_motion(self) -> tuple[Array, Array]:
+        """phi, phi' (N)."""
+        if not self._wheels:
+            return np.zeros(0), np.zeros(0)
+        names = self._effector.nameOfReactionWheelThetasState, self._effector.nameOfReactionWheelOmegasState
+        phi, phi_dot = map(self.value, names)
+        return phi, phi_dot
 
 
 _PROPERTIES = ("m_SC", "centerOfMassSC", "inertiaSC")
@@ -135,15 +180,16 @@ def _payload(wheel: Wheel, model: Model) -> Any:
     found = reactionWheelStateEffector.RWConfigPayload()
     found.label = wheel.name[:5]
     found.RWModel = getattr(reactionWheelStateEffector, model)
-    found.rWB_B = _column(wheel.center)
-    found.gsHat_B, found.w2Hat0_B, found.w3Hat0_B = map(_column, wheel.axes.T)
+    found.rWB_B = column(wheel.center)
+    found.gsHat_B, found.w2Hat0_B, found.w3Hat0_B = map(column, wheel.axes.T)
     found.mass = wheel.mass
     found.Js, found.Jt, found.Jg = map(float, np.diag(wheel.tensor))
     found.U_s, found.U_d = wheel.static, float(wheel.tensor[0, 2])
     return found
 
 
-def _column(numbers: Any) -> list[list[float]]:
+def column(numbers: Any) -> list[list[float]]:
+    """Numbers as Basilisk takes a vector."""
     return [[float(x)] for x in numbers]
 
 

@@ -6,13 +6,14 @@ and the second points to the mass centre, U_s / mass away. The equations are exa
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import cast
 
 import numpy as np
 
 from mahovik.core.stand.model import Flywheel, Mat3, Stand
-from mahovik.proof.verify.judges.rigid import Array, RigidBody, about_first, missing, tree
+from mahovik.proof.verify.judges.rigid import Array, RigidBody, about_first, missing, mounted, tree
 
 ROUNDING = 1e-14
 """Part of the moment about the spin axis below which entries are rounding, from turning the tensor."""
@@ -39,8 +40,7 @@ class Wheel:
 def wheels(stand: Stand) -> tuple[Wheel, ...]:
     """The flywheels as Basilisk has them; what it has no place for stays in `tensor`."""
     bodies = tree(stand)
-    fixed = {body.name: body for body in bodies if not body.turns}
-    return tuple(_wheel(body, fixed) for body in bodies if body.turns)
+    return tuple(_wheel(body, bodies) for body in bodies if body.turns)
 
 
 def hub(stand: Stand, bearing_wheels: bool = False) -> tuple[float, Array, Array]:
@@ -68,9 +68,7 @@ def hub(stand: Stand, bearing_wheels: bool = False) -> tuple[float, Array, Array
 
 def unsupported_features(stand: Stand, asymmetric: bool = False) -> list[str]:
     """Features of the stand that Basilisk lacks. `asymmetric`: let Jt differ from Jg, which it takes but gets wrong."""
-    found = missing(stand)
-    found += ["gravity that is the same everywhere"] * any(stand.gravity)
-    found += ["a carrier without mass"] * (hub(stand)[0] <= 0.0)
+    found = unsupported_spacecraft_features(stand)
     whose: dict[str, list[str]] = {}
     for wheel in wheels(stand):
         J, little = wheel.tensor, ROUNDING * float(wheel.tensor[0, 0])
@@ -86,6 +84,24 @@ def unsupported_features(stand: Stand, asymmetric: bool = False) -> list[str]:
     return found + [f"{words} ({', '.join(names)})" for words, names in whose.items()]
 
 
+def unsupported_spacecraft_features(stand: Stand) -> list[str]:
+    """Features of the stand, but of its flywheels, that Basilisk's free spacecraft lacks."""
+    found = missing(stand)
+    found += ["gravity that is the same everywhere"] * any(stand.gravity)
+    return found + ["a carrier without mass"] * (hub(stand)[0] <= 0.0)
+
+
+def spacecraft_stand(stand: Stand) -> Stand:
+    """The stand without gravity and run-time wrenches; its flywheels stay as they are."""
+    return replace(
+        stand,
+        gravity=(0.0, 0.0, 0.0),
+        carrier=replace(stand.carrier, wrench_input=False),
+        instruments=tuple(replace(each, wrench_input=False) for each in stand.instruments),
+        flywheels=tuple(replace(each, wrench_input=False) for each in stand.flywheels),
+    )
+
+
 def basilisk_stand(stand: Stand, asymmetric: bool = False) -> Stand:
     """The stand without gravity and run-time wrenches, its flywheels cut to what Basilisk's wheel has.
 
@@ -93,20 +109,12 @@ def basilisk_stand(stand: Stand, asymmetric: bool = False) -> Stand:
     `asymmetric` each of them.
     """
     flywheels = tuple(_basilisk_flywheel(s, w, asymmetric) for s, w in zip(stand.flywheels, wheels(stand), strict=True))
-    return replace(
-        stand,
-        gravity=(0.0, 0.0, 0.0),
-        carrier=replace(stand.carrier, wrench_input=False),
-        instruments=tuple(replace(each, wrench_input=False) for each in stand.instruments),
-        flywheels=tuple(replace(each, wrench_input=False) for each in flywheels),
-    )
+    return spacecraft_stand(replace(stand, flywheels=flywheels))
 
 
-def _wheel(body: RigidBody, fixed: dict[str, RigidBody]) -> Wheel:
-    mount = fixed[body.parent or ""]
+def _wheel(body: RigidBody, bodies: Sequence[RigidBody]) -> Wheel:
+    body = mounted(body, bodies)
     place, axes = body.position, body.axes
-    if mount.parent is not None:
-        place, axes = mount.position + mount.axes @ place, mount.axes @ axes
     along, *across = body.center
     at = _direction(body)
     turn = about_first(at)

@@ -141,7 +141,10 @@ JUDGES = {
 }
 """Module and class of every judge, imported on demand."""
 
-PARTIAL = {"basilisk": ("mahovik.proof.verify.judges.basilisk_judge", "BasiliskJudge", "pip install bsk")}
+PARTIAL = {
+    "basilisk": ("mahovik.proof.verify.judges.basilisk_judge", "BasiliskJudge", "pip install bsk"),
+    "basilisk rotors": ("mahovik.proof.verify.judges.basilisk_rotor", "BasiliskRotorJudge", "pip install bsk"),
+}
 """Judges of some stands only, not required. If one is missing or refuses the stand, its row reads `not compared`."""
 
 INSTALL = "pip install pin mujoco"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Protocol, runtime_checkable
 
@@ -120,6 +121,15 @@ def tree(stand: Stand) -> tuple[RigidBody, ...]:
     for s in stand.flywheels:
         found.append(_rigid(s, s.mount, np.array(s.position), _mounting_axes(s), turns=True))
     return tuple(found)
+
+
+def mounted(body: RigidBody, bodies: Sequence[RigidBody]) -> RigidBody:
+    """A flywheel in the frame of the carrier."""
+    (mount,) = (each for each in bodies if each.name == body.parent)
+    if mount.parent is None:
+        return body
+    place, axes = mount.position + mount.axes @ body.position, mount.axes @ body.axes
+    return replace(body, parent=mount.parent, position=place, axes=axes)
 
 
 def frames(stand: Stand) -> tuple[Frame, ...]:

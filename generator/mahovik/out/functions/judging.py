@@ -1,0 +1,190 @@
+"""`judge`: a program, an FMU or a log against the reference; the fault in its equations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from mahovik.core.stand.model import Stand as CoreStand
+from mahovik.core.stand.state import State
+from mahovik.errors import CheckError, UsageError
+from mahovik.out.api.stands import Stand
+from mahovik.out.functions.evidence import Verification
+from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
+
+if TYPE_CHECKING:
+    from mahovik.proof.diagnose.diagnosis import Diagnosis
+    from mahovik.proof.verify.foreign import Program
+    from mahovik.proof.verify.report import Report
+    from mahovik.proof.verify.states import Request
+
+States = Sequence[tuple[str, State]]
+Answers = Callable[["Request"], Mapping[str, Any]]
+
+ROWS_OF_FAULTS = 14
+"""Rows of a log at which its error is compared with that of each fault."""
+
+MARGIN = 10.0
+"""Accepted difference over the error of derived accelerations."""
+
+COARSEST = 0.01
+"""Largest accepted difference of derived accelerations."""
+
+ROWS_OF_TERMS = 3
+"""Rows of a log for each product whose factor is looked for, at most."""
+
+STATES = 200
+"""Number of states by default."""
+
+
+def judge(
+    stand: str | Path,
+    command: str | None = None,
+    *,
+    log: str | Path | None = None,
+    fmu: str | Path | None = None,
+    variables: str | Path | None = None,
+    explain: bool = False,
+    want: Sequence[str] = (),
+    states: int = STATES,
+    seed: int = 1,
+    tolerance: float = 1e-12,
+    timeout: float = 300.0,
+    progress: OnProgress | None = None,
+) -> Verification:
+    """Judge a program that implements the contract of `eval`, an FMU, or a log of states, and find its fault.
+
+    stand      path of the stand file, which the program reads; `{stand}` in `command` stands for it
+    log        CSV or Parquet file in place of a program, with the columns of `simulate`; all its rows are judged
+    fmu        FMU in place of a program; variables: the file that maps its variables
+    explain    name the fault where it differs; want: wants it must offer, default those that it offers
+    tolerance  relative to the natural scale; timeout of the program, s
+
+    A program that dies or hangs gives a result with an `error`. Raises StandError, DataError, UsageError where it
+    cannot start.
+    """
+    own = Stand.of(stand)
+    if sum(each is not None for each in (command, log, fmu)) != 1:
+        raise UsageError("--with, --log, --fmu: expected one of them")
+    if (fmu is None) != (variables is None):
+        raise UsageError("--fmu, --map: one is missing, expected both")
+    if log is not None:
+        return _judge_log(own, Path(log), explain, tuple(want), seed, tolerance, progress)
+    from mahovik.proof.verify.foreign import program_of
+
+    if fmu is not None and variables is not None:
+        from mahovik.proof.verify.fmu.program import program
+
+        judged = program(Path(fmu), Path(variables), own, str(stand))
+    else:
+        judged = program_of(str(command), str(stand))
+    return _judge_program(own, judged, explain, tuple(want), states, seed, tolerance, timeout, progress)
+
+
+def _judge_program(
+    stand: CoreStand,
+    program: Program,
+    explain: bool,
+    wants: tuple[str, ...],
+    states: int,
+    seed: int,
+    tolerance: float,
+    timeout: float,
+    progress: OnProgress | None,
+) -> Verification:
+    from mahovik.proof.verify.foreign import answers_of, verify_program
+
+    tell(progress, Progress(f"judge {program.name}"))
+    found = verify_program(stand, program, wants=wants, seed=seed, count=states, timeout=timeout, tolerance=tolerance)
+
+    def answers(requests: Sequence[Request]) -> Answers:
+        results = answers_of(program, requests, timeout)
+        by_id = {request.id: result for request, result in zip(requests, results, strict=True)}
+        return lambda request: by_id[request.id]
+
+    return _explained(stand, found, explain, answers, seed, tolerance, None, progress)
+
+
+def _judge_log(
+    stand: CoreStand,
+    path: Path,
+    explain: bool,
+    wants: tuple[str, ...],
+    seed: int,
+    tolerance: float,
+    progress: OnProgress | None,
+) -> Verification:
+    from mahovik.proof.verify.logged import by_request, verify_log
+    from mahovik.use.measured.state_log import read_state_log
+
+    log = read_state_log(path, stand)
+    for note in log.notes:
+        warn(note)
+    if log.error and MARGIN * log.error > tolerance:
+        tolerance = min(MARGIN * log.error, COARSEST)
+        warn(f"{path}: accepted are differences of {tolerance:.0e}, as derived accelerations need")
+    tell(progress, Progress(f"judge {path}"))
+    found = verify_log(stand, str(path), log.states, log.answers, wants=wants, tolerance=tolerance)
+    by_id = by_request(log.answers)
+
+    def answers(_: Sequence[Request]) -> Answers:
+        return lambda request: by_id.get(request.id, {})
+
+    return _explained(stand, found, explain, answers, seed, tolerance, log.states, progress)
+
+
+def _explained(
+    stand: CoreStand,
+    found: Report,
+    explain: bool,
+    answers: Callable[[Sequence[Request]], Answers],
+    seed: int,
+    tolerance: float,
+    states: States | None,
+    progress: OnProgress | None,
+) -> Verification:
+    """The verdict with its diagnosis, where one is asked for and possible."""
+    if not explain or found.error:
+        return Verification(found)
+    tell(progress, Progress("distinguish faults"))
+    try:
+        return Verification(found, _diagnosis(stand, found, answers, seed, tolerance, states))
+    except CheckError as error:
+        return Verification(replace(found, error=str(error)))
+
+
+def _diagnosis(
+    stand: CoreStand,
+    found: Report,
+    answers: Callable[[Sequence[Request]], Answers],
+    seed: int,
+    tolerance: float,
+    states: States | None,
+) -> Diagnosis:
+    """Diagnosis of what differs, for the wants that it offers. `states`: the only ones with answers, or None.
+
+    Raises CheckError, UsageError.
+    """
+    from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
+    from mahovik.proof.diagnose.states import spread_rows, telling_rows
+    from mahovik.proof.diagnose.terms.monomials import count
+    from mahovik.proof.diagnose.terms.search import ROUNDING, WANTS, TermSearch
+    from mahovik.proof.verify.bounds import DOUBLE
+
+    if found.passed:
+        return Diagnosis("equal")
+    offered = tuple(dict.fromkeys(row.want for row in found.rows if row.verdict in ("ok", "FAILED")))
+    if not offered:
+        return Diagnosis("nothing")
+    rows = None if states is None else telling_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
+    diagnoser = Diagnoser(stand, seed, offered, rows, tolerance)
+    diagnosed = diagnoser.diagnose(answers(diagnoser.requests))
+    if diagnosed.outcome != "unknown" or not set(offered) & set(WANTS):
+        return diagnosed
+    rounding = ROUNDING if tolerance <= DOUBLE.default else tolerance
+    if states is not None:
+        states = spread_rows(states, ROWS_OF_TERMS * count(stand))
+    terms = TermSearch(stand, seed, offered, states, rounding)
+    return replace(diagnosed, terms=terms.find(answers(terms.requests)))

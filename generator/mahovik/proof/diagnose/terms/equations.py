@@ -1,0 +1,184 @@
+"""Errors of a program as errors of equations: of the wrench (8), the drive torques, the momentum (2)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from mahovik.core.stand.model import WRENCH_LETTERS, Stand
+from mahovik.core.stand.state import State
+from mahovik.proof import reference
+from mahovik.proof.diagnose.terms.coefficients import Coefficients, Multiple, is_there
+from mahovik.proof.diagnose.terms.fit import Columns
+from mahovik.proof.diagnose.terms.monomials import Monomial, Motion, momentum_monomials, monomials
+from mahovik.proof.reference import Pieces
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.bodies import PlacedBody
+from mahovik.proof.reference.forward import bias
+from mahovik.proof.reference.momentum import momentum
+from mahovik.proof.reference.torque import torque
+from mahovik.proof.reference.wrenches import body_wrenches
+
+ANSWERS: Mapping[str, tuple[str, ...]] = {
+    "forward": ("V_dot",),
+    "torque": ("tau",),
+    "coupled": ("V_dot", "phi_ddot"),
+    "momentum": ("Z",),
+}
+"""Wants whose error is a sum of products of the model, and the quantities that it is taken from."""
+
+OF_FLYWHEELS = ("torque", "coupled")
+"""Wants that a stand without flywheels does not have."""
+
+
+@dataclass(frozen=True, eq=False)
+class EquationErrors:
+    """Errors of some equations at n states, and the products that may explain them.
+
+    components  letters of SNAME of the wrench on the carrier or of the momentum, or names of flywheels
+    error       (n, c) SI: of the right-hand sides
+    size        (n, c) SI: sum of the magnitudes of the terms, of which rounding is a part
+    multiple    factor of product k in a component, where its coefficient has an error
+    occurs      whether the right equations have product k in a component
+    """
+
+    components: tuple[str, ...]
+    error: Array
+    size: Array
+    products: Sequence[Monomial]
+    multiple: Callable[[int, int, float], Multiple]
+    occurs: Callable[[int, int], bool]
+
+    @cached_property
+    def columns(self) -> Columns:
+        """The products as columns."""
+        return columns_of(self.products)
+
+
+class Equations:
+    """The right equations of a stand, and their coefficients, known from states of one's own."""
+
+    def __init__(self, stand: Stand, own: Sequence[State]) -> None:
+        self._stand, self._own = stand, own
+
+    def errors(
+        self, want: str, states: Sequence[State], at: Sequence[Pieces], answers: Mapping[str, Array]
+    ) -> list[EquationErrors]:
+        """Errors of a program by its answers (n, ...) to states, `at` their pieces."""
+        if want == "momentum":
+            return [self._momentum(states, at, answers["Z"])]
+        if want == "torque":
+            return [self._torque(states, at, answers["tau"])]
+        if want == "forward":
+            return [self._forward(states, at, answers["V_dot"])]
+        reached = [
+            replace(s, V_dot=tuple(a), phi_ddot=tuple(b))
+            for s, a, b in zip(states, answers["V_dot"].tolist(), answers["phi_ddot"].tolist(), strict=True)
+        ]
+        tau = np.array([s.tau for s in states])
+        return [self._forward(reached, at, answers["V_dot"]), self._torque(reached, at, tau)]
+
+    def _forward(self, states: Sequence[State], at: Sequence[Pieces], V_dot: Array) -> EquationErrors:
+        """Errors of V_dot (n, 6), as wrenches K V_r* - (F - M V_r - J phi' - I phi'')."""
+        V_r_dot = np.array([p.V_r_dot(x) for p, x in zip(at, V_dot, strict=True)])
+        inertial = np.array([p.K @ x for p, x in zip(at, V_r_dot, strict=True)])
+        size = [np.abs(p.K) @ np.abs(x) + np.abs(p.F) + np.abs(bias(p)) for p, x in zip(at, V_r_dot, strict=True)]
+        products = monomials(self._stand, Motion.of(states, at, V_r_dot))
+        error, known = inertial - _right_hand_sides(states, at), self._wrench
+        return EquationErrors(WRENCH_LETTERS, error, np.array(size), products, known.multiple, known.occurs)
+
+    def _torque(self, states: Sequence[State], at: Sequence[Pieces], tau: Array) -> EquationErrors:
+        """Errors of the drive torques (n, N)."""
+        right, products = self._torques(states, at)
+        names = tuple(each.name for each in self._stand.flywheels)
+        plain = _PlainFactors(self._known_torques)
+        return EquationErrors(names, tau - right, np.abs(right), products, plain.multiple, plain.occurs)
+
+    def _momentum(self, states: Sequence[State], at: Sequence[Pieces], Z: Array) -> EquationErrors:
+        """Errors of the momentum Z (n, 6), (2)."""
+        right, products = self._momenta(states, at)
+        own_right, own_products = self._momenta(self._own, self._own_pieces)
+        plain = _PlainFactors(columns_of(own_products).least_squares(own_right, with_later=True), self._wrench)
+        size = np.abs(right)
+        return EquationErrors(WRENCH_LETTERS, Z - right, size, products, plain.multiple, plain.occurs)
+
+    @cached_property
+    def _own_pieces(self) -> list[Pieces]:
+        return [reference.pieces(self._stand, state) for state in self._own]
+
+    @cached_property
+    def _wrench(self) -> Coefficients:
+        """Right coefficients of the products in the right-hand side of K V_r* = ..."""
+        right = _right_hand_sides(self._own, self._own_pieces) - np.array(
+            [_other_wrenches(p, self._stand) for p in self._own_pieces]
+        )
+        motion = Motion.of(self._own, self._own_pieces, np.array([s.V_dot for s in self._own]))
+        products = monomials(self._stand, motion)
+        factors = columns_of(products).least_squares(right, with_later=False)
+        return Coefficients(products, factors, motion, self._own_pieces, self._stand)
+
+    @cached_property
+    def _known_torques(self) -> Array | None:
+        """Right coefficients (m, N) of the products in the drive torques; None where these hold more."""
+        right, products = self._torques(self._own, self._own_pieces)
+        return columns_of(products).least_squares(right, with_later=True)
+
+    def _torques(self, states: Sequence[State], at: Sequence[Pieces]) -> tuple[Array, list[Monomial]]:
+        """Drive torques (n, N) of the reference, and the products at the states."""
+        V_r_dot = np.array([p.V_r_dot(np.array(s.V_dot)) for p, s in zip(at, states, strict=True)])
+        right = np.array([torque(p, np.array(s.V_dot), np.array(s.phi_ddot)) for p, s in zip(at, states, strict=True)])
+        return right, monomials(self._stand, Motion.of(states, at, V_r_dot))
+
+    def _momenta(self, states: Sequence[State], at: Sequence[Pieces]) -> tuple[Array, list[Monomial]]:
+        """Momentum (n, 6) of the reference, and the products at the states."""
+        motion = Motion.of(states, at, np.zeros((len(states), 6)))
+        streams = np.array([p.u for p in at]) if any(self._stand.stream or ()) else None
+        return np.array([momentum(p) for p in at]), momentum_monomials(self._stand, motion, streams)
+
+
+class _PlainFactors:
+    """Right factors (m, c) of products, or None: unknown; named by quantities of the stand if these are given."""
+
+    def __init__(self, right: Array | None, names: Coefficients | None = None) -> None:
+        self._right, self._names = right, names
+
+    def multiple(self, component: int, k: int, error: float) -> Multiple:
+        """The factor of product k, whose coefficient has this error."""
+        if self._right is None:
+            return Multiple(error, None, "")
+        expected = float(self._right[k, component])
+        if self._names is None:
+            return Multiple(expected + error, expected, "")
+        return self._names.named(expected if self.occurs(component, k) else 0.0, error)
+
+    def occurs(self, component: int, k: int) -> bool:
+        """Whether the right equations have product k in a component."""
+        return self._right is not None and is_there(float(self._right[k, component]), self._right[:, component])
+
+
+def columns_of(products: Sequence[Monomial]) -> Columns:
+    """Values of products as columns."""
+    return Columns(
+        np.column_stack([each.values for each in products]), np.array([each.accelerates for each in products])
+    )
+
+
+def _right_hand_sides(states: Sequence[State], at: Sequence[Pieces]) -> Array:
+    """F - M V_r - J phi' - I phi'' (n, 6)."""
+    return np.array([p.F - bias(p) - p.I @ np.array(s.phi_ddot) for p, s in zip(at, states, strict=True)])
+
+
+def _other_wrenches(at: Pieces, stand: Stand) -> Array:
+    """Wrenches (6, in E1 about O1) that are no sum of these products: laws between E0 and the carrier, damping of
+    bodies with axes of their own."""
+    found = np.zeros(6)
+    bodies: tuple[PlacedBody, ...] = (*at.fixed, *at.flywheels)
+    for k in bodies:
+        own = body_wrenches(k.body, np.zeros(3), np.zeros(6), np.zeros(6))
+        for kind, wrench in at.terms[k.body.name].items():
+            if kind not in own or ("damping" in kind and k.body.name != stand.carrier.name):
+                found += k.L @ wrench
+    return found

@@ -1,0 +1,193 @@
+"""The file that says which variable of an FMU is which number of `eval`, as TOML.
+
+    [state]                                # what the FMU is given
+    V = "carrier.V[{i}]"                   # {i}: 1, 2, ...; {name}: each flywheel
+    phi = "{name}.phi"
+    phi_dot = ["wheel.w", { variable = "wheel2.w", factor = -1 }]
+    [state.wrench]
+    carrier = ["X", "Y", "Z", "K", "M", "N"]
+    [forward]                              # what it answers: a table for each want
+    V_dot = "carrier.V_dot[{i}]"
+
+`factor`: SI units of one unit of the variable, with a sign.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from mahovik.core.stand.content import readable
+from mahovik.core.stand.model import Stand
+from mahovik.errors import DataError
+from mahovik.nearest import suggestion
+from mahovik.proof.verify.dependence import depends_on
+
+INPUTS = {
+    "position": 3, "quaternion": 4, "angles": 3, "V": 6, "V_dot": 6, "phi": 0, "phi_dot": 0, "phi_ddot": 0, "tau": 0,
+}  # fmt: skip
+"""Keys of a state and their lengths; 0: one number for each flywheel."""
+
+ANSWERS: Mapping[str, Mapping[str, int]] = {
+    "forward": {"V_dot": 6},
+    "torque": {"tau": 0},
+    "coupled": {"V_dot": 6, "phi_ddot": 0},
+    "mounts": {"mount_wrench": -6},
+    "momentum": {"Z": 6, "Z0": 6, "energy": 1, "center_of_mass": 3},
+}
+"""Quantities of each want and their lengths; -6: six numbers for each flywheel."""
+
+NEEDS = {
+    "forward": ("phi_ddot",),
+    "torque": ("V_dot", "phi_ddot"),
+    "coupled": ("tau",),
+    "mounts": ("V_dot", "phi_ddot"),
+    "momentum": (),
+}
+"""Inputs of each want besides the state."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """A variable of an FMU; `factor`: SI units of one of its units."""
+
+    variable: str
+    factor: float = 1.0
+
+
+@dataclass(frozen=True)
+class FmuMap:
+    """Variables of an FMU by keys of a state, by bodies with a run-time wrench, and by wants and quantities."""
+
+    inputs: Mapping[str, tuple[Place, ...]]
+    wrenches: Mapping[str, tuple[Place, ...]]
+    answers: Mapping[str, Mapping[str, tuple[Place, ...]]]
+
+    def given(self) -> Iterator[Place]:
+        """Variables that are set."""
+        for places in (*self.inputs.values(), *self.wrenches.values()):
+            yield from places
+
+    def answered(self) -> Iterator[Place]:
+        """Variables that are read."""
+        for quantities in self.answers.values():
+            for places in quantities.values():
+                yield from places
+
+
+def read_map(path: Path, stand: Stand) -> FmuMap:
+    """The map of a file. Raises DataError with a line for each fault."""
+    try:
+        raw = tomllib.loads(readable(path, "a map of variables").decode("utf-8"))
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise DataError([f"{path}: no TOML: {error}"]) from None
+    except ValueError as error:
+        raise DataError([str(error)]) from None
+    reader = _Reader(stand, raw)
+    found = reader.map()
+    if reader.problems:
+        raise DataError([f"{path}: {problem}" for problem in reader.problems])
+    return found
+
+
+class _Reader:
+    """Reads the tables of a map, and collects what is wrong."""
+
+    def __init__(self, stand: Stand, raw: Mapping[str, Any]) -> None:
+        self._stand, self._raw = stand, raw
+        self._names = [each.name for each in stand.flywheels]
+        self.problems: list[str] = []
+
+    def map(self) -> FmuMap:
+        """The map; `problems` are then known."""
+        for key in self._raw:
+            if key not in ("state", *ANSWERS):
+                self.problems.append(f'unknown key "{key}"{suggestion(key, ("state", *ANSWERS))}')
+        state = self._table("state", self._raw)
+        wrenches = self._table("wrench", state)
+        takes = [body.name for body in self._stand.bodies if body.wrench_input]
+        found = FmuMap(
+            self._group("state", {key: value for key, value in state.items() if key != "wrench"}, INPUTS),
+            self._group("state.wrench", wrenches, dict.fromkeys(takes, 6)),
+            {
+                want: self._group(want, self._table(want, self._raw), ANSWERS[want])
+                for want in ANSWERS
+                if want in self._raw
+            },
+        )
+        if not self.problems:
+            self._check(found, takes)
+        return found
+
+    def _table(self, key: str, of: Mapping[str, Any]) -> Mapping[str, Any]:
+        table = of.get(key, {})
+        if not isinstance(table, dict):
+            self.problems.append(f"{key}: expected a table")
+            return {}
+        return table
+
+    def _group(self, where: str, table: Mapping[str, Any], known: Mapping[str, int]) -> dict[str, tuple[Place, ...]]:
+        found = {}
+        for key, value in table.items():
+            if key not in known:
+                self.problems.append(f'{where}: unknown key "{key}"{suggestion(key, list(known)) if known else ""}')
+                continue
+            texts = self._expanded(value, known[key])
+            places = [self._place(f"{where}.{key}", each) for each in texts]
+            length = self._length(known[key])
+            if len(places) != length:
+                self.problems.append(f"{where}.{key}: {len(places)} variables, expected {length}")
+            found[key] = tuple(place for place in places if place is not None)
+        return found
+
+    def _length(self, length: int) -> int:
+        return {0: len(self._names), -6: 6 * len(self._names)}.get(length, length)
+
+    def _expanded(self, value: Any, length: int) -> list[Any]:
+        """The list of variables that a pattern stands for."""
+        if not isinstance(value, str):
+            return value if isinstance(value, list) else [value]
+        if length > 0:
+            return [value.replace("{i}", str(i + 1)) for i in range(length)]
+        places = [("", 0)] if length == 0 else [("", i) for i in range(6)]
+        return [value.replace("{name}", name).replace("{i}", str(i + 1)) for name in self._names for _, i in places]
+
+    def _place(self, where: str, value: Any) -> Place | None:
+        if isinstance(value, str):
+            return Place(value)
+        if isinstance(value, dict) and isinstance(value.get("variable"), str) and set(value) <= {"variable", "factor"}:
+            factor = value.get("factor", 1.0)
+            if isinstance(factor, int | float) and not isinstance(factor, bool) and factor:
+                return Place(value["variable"], float(factor))
+        self.problems.append(
+            f"{where}: found {value!r:.60}, expected the name of a variable or "
+            '{ variable = "NAME", factor = NUMBER }, the factor not zero'
+        )
+        return None
+
+    def _check(self, found: FmuMap, takes: list[str]) -> None:
+        """Collect what is missing."""
+        if not found.answers:
+            self.problems.append(f"no answers, expected a table for a want: {', '.join(ANSWERS)}")
+        wheels = ("phi", "phi_dot") if self._names else ()
+        for key in ("V", *wheels):
+            if key not in found.inputs:
+                self.problems.append(f"state.{key} is missing: every state has it")
+        for want, quantities in found.answers.items():
+            self.problems += [f"{want}.{name} is missing" for name in ANSWERS[want] if name not in quantities]
+            for key in NEEDS[want]:
+                if key not in found.inputs and (self._names or key == "V_dot"):
+                    self.problems.append(f"state.{key} is missing: {want} needs it as an input of the FMU")
+        if "quaternion" in found.inputs and "angles" in found.inputs:
+            self.problems.append("state: quaternion and angles, expected one of them")
+        posed = {"quaternion": ("quaternion", "angles"), "position": ("position",)}
+        for key in ("quaternion", "position"):
+            lacking = not any(each in found.inputs for each in posed[key])
+            if lacking and not self.problems and depends_on(self._stand, list(found.answers), key):  # type: ignore[arg-type]
+                self.problems.append(f"state.{key} is missing: answers of this stand depend on it")
+        for name in takes:
+            if name not in found.wrenches:
+                self.problems.append(f"state.wrench.{name} is missing: the stand has `wrench_input` there")

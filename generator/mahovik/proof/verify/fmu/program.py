@@ -1,0 +1,213 @@
+"""An FMU as a program: lines of states in, lines of results out, each state set before initialization and read after.
+
+Started in a process of its own, which an FMU may end: `python -m mahovik.proof.verify.fmu.program FMU MAP STAND`.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import shutil
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from mahovik.core.stand import read
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.errors import DataError, MahovikError, UsageError
+from mahovik.nearest import suggestion
+from mahovik.proof.reference.rotation import AXES, carrier_rotation
+from mahovik.proof.verify.fmu.mapping import FmuMap, Place, read_map
+from mahovik.proof.verify.foreign import Program
+from mahovik.proof.verify.states import Request, read_line
+
+KINDS = (("ModelExchange", "modelExchange"), ("CoSimulation", "coSimulation"))
+"""Kinds of FMU, the preferred one first, with their names in a description."""
+
+
+def program(fmu: Path, map_file: Path, stand: Stand, stand_file: str) -> Program:
+    """A program that answers states by an FMU; `map_file` names its variables.
+
+    Raises DataError where a file cannot be used, UsageError where fmpy is missing.
+    """
+    found = read_map(map_file, stand)
+    _check_variables(fmu, _description(fmu), found)
+    words = (sys.executable, "-m", __name__, str(fmu), str(map_file), stand_file)
+    return Program(str(fmu), words, tuple(found.answers))
+
+
+def _description(fmu: Path) -> Any:
+    try:
+        from fmpy import read_model_description
+    except ImportError:
+        raise UsageError(f'--fmu {fmu}: needs fmpy; `pip install "mahovik[fmi]"`') from None
+    if not fmu.is_file():
+        raise DataError([f"{fmu}: no such file"])
+    try:
+        found = read_model_description(str(fmu), validate=False)
+    except Exception as error:  # fmpy raises what zip, XML and schema raise
+        raise DataError(
+            [f"{fmu}: no FMU: {str(error).splitlines()[0] if str(error) else type(error).__name__}"]
+        ) from None
+    if found.fmiVersion not in ("2.0", "3.0"):
+        raise DataError([f"{fmu}: FMI {found.fmiVersion}, expected 2.0 or 3.0"])
+    return found
+
+
+def _check_variables(fmu: Path, description: Any, found: FmuMap) -> None:
+    """Raises DataError: a variable is not there, no number, or cannot be set."""
+    known = {variable.name: variable for variable in description.modelVariables}
+    problems = []
+    for place in dict.fromkeys((*found.given(), *found.answered())):
+        variable = known.get(place.variable)
+        if variable is None:
+            problems.append(f'{fmu}: no variable "{place.variable}"{suggestion(place.variable, known)}')
+        elif variable.type not in ("Real", "Float64") or getattr(variable, "dimensions", None):
+            problems.append(f'{fmu}: "{place.variable}" is no real scalar')
+    for place in dict.fromkeys(found.given()):
+        variable = known.get(place.variable)
+        if variable is not None and not _settable(variable):
+            problems.append(f'{fmu}: "{place.variable}" cannot be set: it is calculated')
+    if problems:
+        raise DataError(problems)
+
+
+def _settable(variable: Any) -> bool:
+    return variable.variability != "constant" and (
+        variable.causality in ("input", "parameter") or variable.start is not None
+    )
+
+
+class FmuProgram:
+    """An FMU that answers requests."""
+
+    def __init__(self, fmu: Path, found: FmuMap, stand: Stand) -> None:
+        from fmpy import extract
+
+        self._stand, self._map = stand, found
+        self.folder = extract(str(fmu))
+        self._description = _description(fmu)
+        self._variables = {v.name: v for v in self._description.modelVariables}
+        self._kind = next(kind for kind, name in KINDS if getattr(self._description, name) is not None)
+        self._instance: Any = None
+
+    def answer(self, request: Request) -> dict[str, Any]:
+        """Quantities of the one want of a request."""
+        (want,) = request.want
+        if want not in self._map.answers:
+            return {"error": f"{want}: not in the map"}
+        instance = self._fresh()
+        values = self._values(request.state)
+        own = {k: x for k, x in values.items() if self._variables[k].causality != "input"}
+        later = {k: x for k, x in values.items() if k not in own}
+        self._set(instance, own)
+        if self._description.fmiVersion == "2.0":
+            instance.setupExperiment(startTime=0.0)
+            instance.enterInitializationMode()
+        else:
+            instance.enterInitializationMode(startTime=0.0)
+        self._set(instance, later)
+        instance.exitInitializationMode()
+        quantities = self._map.answers[want].items()
+        return {name: self._shaped(name, self._get(instance, places)) for name, places in quantities}
+
+    def _fresh(self) -> Any:
+        """An instance that nothing was set in yet."""
+        from fmpy.simulation import instantiate_fmu
+
+        if self._instance is not None:
+            try:
+                self._instance.reset()
+                return self._instance
+            except Exception:  # it cannot be reset: take a new one
+                self._instance.freeInstance()
+        self._instance = instantiate_fmu(self.folder, self._description, self._kind)
+        return self._instance
+
+    def _values(self, state: State) -> dict[str, float]:
+        """Values of the variables that are set, by name."""
+        found: dict[str, float] = {}
+        for key, places in self._map.inputs.items():
+            given: Sequence[float]
+            if key == "quaternion":
+                given = quaternion_of(self._stand, state)
+            elif key == "angles":
+                given = angles_of(self._stand, state)
+            else:
+                given = getattr(state, key)
+            found |= {place.variable: float(x) / place.factor for place, x in zip(places, given, strict=True)}
+        for name, places in self._map.wrenches.items():
+            wrench = state.wrench.get(name, (0.0,) * 6)
+            found |= {place.variable: float(x) / place.factor for place, x in zip(places, wrench, strict=True)}
+        return found
+
+    def _set(self, instance: Any, values: Mapping[str, float]) -> None:
+        if not values:
+            return
+        references = [self._variables[name].valueReference for name in values]
+        put = instance.setReal if self._description.fmiVersion == "2.0" else instance.setFloat64
+        put(references, list(values.values()))
+
+    def _get(self, instance: Any, places: Sequence[Place]) -> list[float]:
+        references = [self._variables[place.variable].valueReference for place in places]
+        get = instance.getReal if self._description.fmiVersion == "2.0" else instance.getFloat64
+        return [float(x) * place.factor for x, place in zip(get(references), places, strict=True)]
+
+    def _shaped(self, name: str, values: list[float]) -> Any:
+        if name == "energy":
+            return values[0]
+        if name == "mount_wrench":
+            return np.reshape(values, (-1, 6)).tolist()
+        return values
+
+
+def quaternion_of(stand: Stand, state: State) -> Sequence[float]:
+    """Attitude of a state as a unit quaternion, w first."""
+    x, y, z, w = Rotation.from_matrix(carrier_rotation(stand, state)).as_quat()
+    return state.quaternion or (w, x, y, z)
+
+
+def angles_of(stand: Stand, state: State) -> Sequence[float]:
+    """Attitude of a state as psi, theta, phi of the stand's sequence."""
+    axes = "".join("XYZ"[k] for k in AXES[stand.angles])
+    psi, theta, phi = Rotation.from_matrix(carrier_rotation(stand, state)).as_euler(axes)
+    return state.angles or (psi, theta, phi)
+
+
+def main(fmu: str, map_file: str, stand_file: str) -> None:
+    """Answer the lines of standard input."""
+    output = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(2, 1)  # what the FMU prints is no answer
+    stand = read.load(stand_file)
+    found = FmuProgram(Path(fmu), read_map(Path(map_file), stand), stand)
+    try:
+        for line in sys.stdin:
+            if not line.strip():
+                continue
+            request = read_line(stand, line)
+            try:
+                result = found.answer(request)
+            except Exception as error:  # fmpy raises its own errors of calls, and those of ctypes
+                result = {"error": f"the FMU refused the state: {error}"}
+            if not all(math.isfinite(x) for x in _numbers(result)):
+                result = {"error": "the FMU answers numbers that are not finite"}
+            print(json.dumps({"id": request.id, **result}), file=output, flush=True)
+    finally:
+        shutil.rmtree(found.folder, ignore_errors=True)
+
+
+def _numbers(result: Mapping[str, Any]) -> list[float]:
+    return [float(x) for value in result.values() if not isinstance(value, str) for x in np.ravel(value)]
+
+
+if __name__ == "__main__":
+    try:
+        main(*sys.argv[1:])
+    except MahovikError as refusal:
+        sys.exit(str(refusal))

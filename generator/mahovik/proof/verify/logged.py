@@ -1,0 +1,42 @@
+"""Comparison of a log: the answers of its rows, whoever wrote it, against the reference and the second derivation."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.proof.second import Second
+from mahovik.proof.verify.bounds import DOUBLE, uniform
+from mahovik.proof.verify.compare import Judge, Row
+from mahovik.proof.verify.harness import report
+from mahovik.proof.verify.report import Report
+from mahovik.proof.verify.states import Request
+
+
+def verify_log(
+    stand: Stand,
+    source: str,
+    states: Sequence[tuple[str, State]],
+    answers: Mapping[str, Mapping[str, Mapping[str, Any]]],
+    *,
+    wants: Sequence[str] = (),
+    tolerance: float = DOUBLE.default,
+) -> Report:
+    """Judge the rows of a log, `answers` by want and by name of the state. `wants`: those it must answer."""
+    judge = Judge(stand, uniform(tolerance), Second(stand), "log")
+    for name, state in states:
+        for want in wants or answers:
+            if name in answers.get(want, {}):
+                judge.compare(Request(f"{name}, {want}", state, (want,)), want, answers[want][name])
+    rows = judge.rows()
+    rows += [
+        Row(want, want, verdict="MISSING", reason="no row of the log has it") for want in wants if not answers.get(want)
+    ]
+    return report(stand, source, 0, len(states), tolerance, rows)
+
+
+def by_request(answers: Mapping[str, Mapping[str, Mapping[str, Any]]]) -> dict[str, Mapping[str, Any]]:
+    """The answers of a log by the id of a request of one want."""
+    return {f"{name}, {want}": value for want, rows in answers.items() for name, value in rows.items()}

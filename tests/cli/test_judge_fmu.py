@@ -1,0 +1,140 @@
+"""judge --fmu: FMUs of right and of wrong stands as programs, and maps of variables that are refused."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import get_args
+
+import numpy as np
+import pytest
+
+from cli.run import refused, run
+from mahovik.core.stand.model import Sequence
+from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.read import load
+from mahovik.proof.reference.rotation import attitude, carrier_rotation, quaternion_rotation
+from mahovik.proof.verify.fmu.program import angles_of, quaternion_of
+from mahovik.stands import path
+
+STAND = """
+schema = 1
+name = "brick"
+gravity = [0, 0, 9.81]
+[carrier]
+mass = 4.0
+center_of_mass = [0.01, -0.02, 0.03]
+inertia = [0.2, 0.3, 0.4]
+inertia_about = "center_of_mass"
+wrench_input = true
+"""
+
+MAP = """
+[state]
+quaternion = "carrier.attitude[{i}]"
+V = "carrier.V[{i}]"
+[state.wrench]
+carrier = "carrier.wrench[{i}]"
+[forward]
+V_dot = "carrier.V_dot[{i}]"
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A stand, its FMU, the FMU of a stand with another inertia, and a map."""
+    found = tmp_path_factory.mktemp("fmu")
+    (found / "brick.toml").write_text(STAND, encoding="utf-8")
+    (found / "heavy.toml").write_text(STAND.replace("inertia = [0.2,", "inertia = [0.25,"), encoding="utf-8")
+    (found / "map.toml").write_text(MAP, encoding="utf-8")
+    start = found / "start.json"
+    start.write_text("{}", encoding="utf-8")
+    for stand, version, kind in (("brick", "2.0", "cs"), ("heavy", "3.0", "me")):
+        options = ("--version", version, "--kind", kind, "--start", str(start))
+        made = run("export", "fmu", str(found / f"{stand}.toml"), *options, "-o", str(found / f"{stand}.fmu"))
+        assert made.exit_code == 0, made.output
+    return found
+
+
+def judged(folder: Path, fmu: str, *more: str) -> tuple[str, ...]:
+    return ("judge", str(folder / "brick.toml"), "--fmu", str(folder / fmu), *more)
+
+
+def test_a_right_fmu_agrees(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(folder)
+    result = run(*judged(folder, "brick.fmu", "--map", "map.toml", "--states", "20", "--json"))
+    assert result.exit_code == 0
+    found = json.loads(result.stdout)
+    assert [(row["want"], row["states"]) for row in found["rows"]] == [("forward", 20)]
+
+
+def test_wrong_terms_of_an_fmu_are_named(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(folder)
+    result = run(*judged(folder, "heavy.fmu", "--map", "map.toml", "--states", "4", "--explain", "--json"))
+    assert result.exit_code == 1
+    found = json.loads(result.stdout)["diagnosis"]["found"]
+    # without moments about the centre of mass p_dot is a multiple of q r: another I_xx is another factor of q r as well
+    assert {(row["component"], row["term"]) for row in found} == {("K", "q r"), ("M", "p r"), ("N", "p q")}
+    errors = {row["component"]: row["factor"] - row["expected"] for row in found if not row["coefficient"]}
+    assert (errors["M"], errors["N"]) == (pytest.approx(-0.05), pytest.approx(0.05))
+
+
+def test_a_want_that_the_map_has_not_is_missing(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(folder)
+    result = run(*judged(folder, "brick.fmu", "--map", "map.toml", "--states", "3", "--want", "momentum", "--json"))
+    assert result.exit_code == 1
+    assert [row["verdict"] for row in json.loads(result.stdout)["rows"]] == ["MISSING"]
+
+
+BAD = {
+    "an unknown variable": (("carrier.V[", "carrier.W["), 'no variable "carrier.W[1]"'),
+    "a variable that is calculated": (
+        ('V = "carrier.V[', 'V = "carrier.V_dot['),
+        '"carrier.V_dot[1]" cannot be set',
+    ),
+    "too few": (('V = "carrier.V[{i}]"', 'V = ["a", "b"]'), "state.V: 2 variables, expected 6"),
+    "an unknown want": (("[forward]", "[foward]"), 'did you mean "forward"?'),
+    "an unknown key": (("quaternion =", "quaternio ="), 'did you mean "quaternion"?'),
+    "no attitude": (('quaternion = "carrier.attitude[{i}]"', ""), "state.quaternion is missing"),
+    "no wrench": (('carrier = "carrier.wrench[{i}]"', ""), "state.wrench.carrier is missing"),
+    "no answers": (('[forward]\nV_dot = "carrier.V_dot[{i}]"', ""), "no answers"),
+    "no name": (('V = "carrier.V[{i}]"', "V = [1, 2, 3, 4, 5, 6]"), "expected the name of a variable"),
+    "a factor of zero": (
+        ('V = "carrier.V[{i}]"', 'V = [{ variable = "a", factor = 0 }]'),
+        "the factor not zero",
+    ),
+    "no TOML": (("[state]", "[state"), "no TOML"),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_maps_that_are_refused(folder: Path, tmp_path: Path, name: str) -> None:
+    (old, new), words = BAD[name]
+    assert old in MAP
+    (tmp_path / "map.toml").write_text(MAP.replace(old, new), encoding="utf-8")
+    assert words in refused(*judged(folder, "brick.fmu", "--map", str(tmp_path / "map.toml")))
+
+
+def test_files_that_are_refused(folder: Path, tmp_path: Path) -> None:
+    given = str(folder / "map.toml")
+    assert "no such file" in refused(*judged(folder, "none.fmu", "--map", given))
+    assert "no FMU" in refused(*judged(folder, "brick.toml", "--map", given))
+    assert "no such file" in refused(*judged(folder, "brick.fmu", "--map", str(tmp_path / "none.toml")))
+    assert "--map" in refused(*judged(folder, "brick.fmu"))
+    assert "expected one of them" in refused(*judged(folder, "brick.fmu", "--map", given, "--with", "cat"))
+
+
+@pytest.mark.parametrize("sequence", get_args(Sequence))
+def test_attitudes_of_states(sequence: Sequence) -> None:
+    stand = replace(load(path("shaker2")), angles=sequence)
+    rng = np.random.default_rng(1)
+    for _ in range(20):
+        q = rng.normal(size=4)
+        w, x, y, z = (q / np.linalg.norm(q)).tolist()
+        state = replace(random_state(stand, rng), angles=None, quaternion=(w, x, y, z))
+        C = carrier_rotation(stand, state)
+        psi, theta, phi = angles_of(stand, state)
+        turned = replace(state, angles=(psi, theta, phi), quaternion=None)
+        assert np.allclose(attitude(sequence, psi, theta, phi), C, atol=1e-14)
+        assert np.allclose(quaternion_rotation(*quaternion_of(stand, turned)), C, atol=1e-14)
