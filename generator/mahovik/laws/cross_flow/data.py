@@ -3,20 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
-
-import numpy as np
 
 from mahovik.core.stand.model import LawData
-
-
-@dataclass(frozen=True)
-class Strip:
-    """A strip at x (m): force over the square of its velocity along y and along z (N s2/m2)."""
-
-    x: float
-    y: float
-    z: float
 
 
 @dataclass(frozen=True)
@@ -49,25 +37,3 @@ class CrossFlow(LawData):
     def has_kinks(self) -> bool:
         """True: it depends on magnitudes."""
         return True
-
-    @property
-    def count(self) -> int:
-        """Number of strips."""
-        return self.points * (len(self.x) - 1)
-
-    @property
-    def strips(self) -> tuple[Strip, ...]:
-        """The strips of the quadrature, from the first station on."""
-        nodes, weights = np.polynomial.legendre.leggauss(self.points)
-        found = []
-        for a, b in pairwise(self.x):
-            half = 0.5 * (b - a)
-            for node, weight in zip(nodes.tolist(), weights.tolist(), strict=True):
-                x = a + half * (1.0 + node)
-                height, breadth, drag_y, drag_z = (
-                    float(np.interp(x, self.x, table))
-                    for table in (self.height, self.breadth, self.drag_y, self.drag_z)
-                )
-                scale = 0.5 * self.density * half * weight
-                found.append(Strip(x, scale * drag_y * height, scale * drag_z * breadth))
-        return tuple(found)

@@ -17,6 +17,7 @@ from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.structure_facts import Structure
 from mahovik.laws.cross_flow.data import CrossFlow
+from mahovik.laws.cross_flow.strips import strips_of
 
 INT, REAL = Kind.INT, Kind.REAL
 
@@ -55,7 +56,7 @@ def table_fields(structure: Structure) -> list[Field]:
 
 
 def damper_fields(structure: Structure) -> list[Field]:
-    """Which strips a body has."""
+    """Members of the damper of a body: the range of its strips."""
     if not strip_count(structure):
         return []
     first = Field("first_strip", INT, (), "", "strips first_strip .. last_strip - 1 of the table")
@@ -63,19 +64,19 @@ def damper_fields(structure: Structure) -> list[Field]:
 
 
 def damper_values(body: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
-    """Its members of a damper; the strips of the body are appended to `rows` of "strip"."""
+    """The members of a damper; the strips of the body are appended to `rows` of "strip"."""
     if damper.field("first_strip") is None:
         return {}
     strips, law = rows.setdefault("strip", []), body.law(CrossFlow)
     first = len(strips)
-    for strip in law.strips if law else ():
+    for strip in strips_of(law) if law else ():
         strips.append({"x": strip.x, "y": strip.y, "z": strip.z, "together": int(law.together if law else False)})
     return {"first_strip": first, "last_strip": len(strips)}
 
 
 def strip_members(stand: Stand, rows: Any) -> Iterator[Member]:
     """The strips, in the order in which the table has them, counted from 1."""
-    own = [(body.name, k) for body in stand.bodies if (law := body.law(CrossFlow)) for k in range(law.count)]
+    own = [(body.name, k) for body in stand.bodies if (law := body.law(CrossFlow)) for k in range(len(strips_of(law)))]
     for number, ((body, k), row) in enumerate(zip(own, rows, strict=True)):
         for name, unit, what in (
             ("x", units.METRE, "place along its first axis"),
@@ -114,7 +115,7 @@ def add_strips(lib: FunctionSet) -> Function:
     count = strip_count(lib.layout.structure)
     with body.loop("k", damper.place.last_strip, start=damper.place.first_strip, most=count) as k:
         strip = table.place.strip[k]
-        v, w = _across(body, strip, V.place, "v", "w")
+        v, w = _velocity(body, strip, V.place, "v", "w")
         Y, Z = _force(body, -(strip.y * (v * magnitude(v))), -(strip.z * (w * magnitude(w))))
         if _together(lib.layout.structure):
             with body.when(strip.together > 0):
@@ -141,8 +142,8 @@ def add_strips_slope(lib: FunctionSet) -> Function:
     count = strip_count(lib.layout.structure)
     with body.loop("k", damper.place.last_strip, start=damper.place.first_strip, most=count) as k:
         strip = table.place.strip[k]
-        v, w = _across(body, strip, V.place, "v", "w")
-        dv, dw = _across(body, strip, change.place, "dv", "dw")
+        v, w = _velocity(body, strip, V.place, "v", "w")
+        dv, dw = _velocity(body, strip, change.place, "dv", "dw")
         Y, Z = _force(body, -(strip.y * (2 * magnitude(v) * dv)), -(strip.z * (2 * magnitude(w) * dw)))
         if _together(lib.layout.structure):
             with body.when(strip.together > 0):
@@ -162,7 +163,7 @@ def add_strips_slope(lib: FunctionSet) -> Function:
     )
 
 
-def _across(body: Statements, strip: Place, V: Place, along_y: str, along_z: str) -> tuple[Place, Place]:
+def _velocity(body: Statements, strip: Place, V: Place, along_y: str, along_z: str) -> tuple[Place, Place]:
     """Velocity of a strip along y and z: v + x r, w - x q."""
     return body.let(along_y, V[1] + strip.x * V[5]), body.let(along_z, V[2] - strip.x * V[4])
 

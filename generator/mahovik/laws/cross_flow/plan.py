@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.core.stand.model import Body
-from mahovik.laws.cross_flow.data import CrossFlow, Strip
+from mahovik.laws.cross_flow.data import CrossFlow
+from mahovik.laws.cross_flow.strips import Strip, strips_of
 from mahovik.use.plan.array import Array
 
 
@@ -57,4 +58,4 @@ def _map(strip: Strip) -> Array:
 def twist_law(body: Body) -> TwistLaw | None:
     """The cross-flow drag of a body; None where there is none."""
     law = body.law(CrossFlow)
-    return None if law is None else TwistLaw(law.strips, law.together)
+    return None if law is None else TwistLaw(strips_of(law), law.together)

@@ -66,7 +66,7 @@ class CrossFlowTable(Table):
 
     @model_validator(mode="after")
     def _tables_fit(self) -> CrossFlowTable:
-        """Stations rise, and every table has one number a station."""
+        """Stations rise, and every table has one number for each station."""
         if any(b <= a for a, b in pairwise(self.x)):
             raise refuse("expected stations that rise", "x")
         n = len(self.x)
@@ -75,7 +75,7 @@ class CrossFlowTable(Table):
             if key.startswith("drag") and len(values) == 2 and values[0] == values[1]:
                 object.__setattr__(self, key, values[:1] * n)
             elif len(values) != n:
-                raise refuse(f"expected {n} numbers, one a station of `x`, found {len(values)}", key)
+                raise refuse(f"expected {n} numbers, one for each station of `x`, found {len(values)}", key)
         return self
 
 
@@ -84,7 +84,8 @@ def read(given: CrossFlowTable) -> CrossFlow | None:
     law = CrossFlow(
         given.density, given.x, given.height, given.breadth, given.drag_y, given.drag_z, given.points, given.together
     )
-    return law if any(strip.y or strip.z for strip in law.strips) else None
+    along_y, along_z = any(law.height) and any(law.drag_y), any(law.breadth) and any(law.drag_z)
+    return law if along_y or along_z else None
 
 
 def lines(law: CrossFlow) -> list[str]:
@@ -95,7 +96,7 @@ def lines(law: CrossFlow) -> list[str]:
 def structure(stand: Stand) -> dict[str, Any]:
     """Body index, number of strips and kind of each cross-flow drag; nothing without, as other stands have it."""
     laws = [(i, law) for i, body in enumerate(stand.bodies) if (law := body.law(CrossFlow)) is not None]
-    return {"cross_flow": tuple((i, law.count, law.together) for i, law in laws)} if laws else {}
+    return {"cross_flow": tuple((i, law.points * (len(law.x) - 1), law.together) for i, law in laws)} if laws else {}
 
 
 SCHEMA = BodyLawSchema(CrossFlow, "cross_flow", CrossFlowTable, read, lines, structure, optional=True)

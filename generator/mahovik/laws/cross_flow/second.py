@@ -30,12 +30,12 @@ def _rows(law: CrossFlow) -> list[tuple[float, float, float]]:
         left, right = law.x[k - 1], law.x[k]
         for s, weight in zip((1 + roots) / 2, weights, strict=True):
 
-            def between(table: tuple[float, ...], k: int = k, s: float = s) -> float:
+            def value(table: tuple[float, ...], k: int = k, s: float = s) -> float:
                 return (1 - s) * table[k - 1] + s * table[k]
 
             length = weight * (right - left) / 2
-            side, flat = law.density * length * between(law.height) / 2, law.density * length * between(law.breadth) / 2
-            found.append((between(law.x), side * between(law.drag_y), flat * between(law.drag_z)))
+            side, flat = law.density * length * value(law.height) / 2, law.density * length * value(law.breadth) / 2
+            found.append((value(law.x), side * value(law.drag_y), flat * value(law.drag_z)))
     return found
 
 

@@ -59,7 +59,7 @@ def damper_fields(structure: Structure) -> list[Field]:
 
 
 def damper_values(body: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
-    """Its members of a damper; the hydrodynamic derivatives of the body are appended to `rows` of "term"."""
+    """The members of a damper; the hydrodynamic derivatives of the body are appended to `rows` of "term"."""
     damping, zero = body.law(Damping), ((0.0,) * 6,) * 6
     found: dict[str, Any] = {}
     if damper.field("linear") is not None:
