@@ -29,10 +29,12 @@ LAW_PARTS = {
     "plan": ("core.stand", "errors", "use.plan"),
     "mismatch": ("core.stand", "use.control"),
     "loads": ("core.stand", "out.campaign"),
+    "strips": ("core.stand",),
     "report": ("core.stand", "out.report"),
 }
 """Parts of a law: the stage that asks for each comes last, before it those whose words the stage itself uses. Every
-part may import the law's own `data`; `faults` its `reference` and `lower` its `derive` as well."""
+part may import the law's own `data`; `faults` its `reference`,
+`lower` its `derive`, `lower` and `plan` the `strips` of a quadrature as well."""
 
 
 def imports_of_package() -> dict[str, set[str]]:
@@ -51,7 +53,7 @@ def iterating(graph: Mapping[str, set[str]]) -> set[str]:
 def beyond_vocabulary(path: Path, graph: Mapping[str, set[str]]) -> set[str]:
     """Imports of a law's part that lie in no stage of its own, or reach a module that iterates over the laws."""
     own = f"mahovik.laws.{path.parent.name}"
-    parts = ("data", *{"faults": ("reference",), "lower": ("derive",)}.get(path.stem, ()))
+    parts = ("data", *{"faults": ("reference",), "lower": ("derive", "strips"), "plan": ("strips",)}.get(path.stem, ()))
     stages = tuple(f"mahovik.{stage}." for stage in LAW_PARTS[path.stem])
     imports = graph[module_name(path)] - {f"{own}.{part}" for part in parts}
     return {name for name in imports if not f"{name}.".startswith(stages)} | imports & iterating(graph)

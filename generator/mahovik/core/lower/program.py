@@ -241,8 +241,8 @@ def _add_wrenches(lib: Library) -> None:
     if not layout.wrenches:
         return
     if layout.damped:
-        for damp in of_bodies("lower", "damp"):
-            lib.add(damp(lib))
+        for add_functions in of_bodies("lower", "add_functions"):
+            add_functions(lib)
     if layout.own:
         lib.add(wrenches.own_wrench(lib))
     for law in lib.layout.law_tables:
@@ -254,8 +254,8 @@ def _add_jacobians(lib: Library) -> None:
     """Derivatives of forward and coupled."""
     layout = lib.layout
     if layout.damped:
-        for damp_slope in of_bodies("lower", "damp_slope"):
-            lib.add(damp_slope(lib))
+        for add_slopes in of_bodies("lower", "add_slopes"):
+            add_slopes(lib)
     if layout.own:
         lib.add(sensitivity.own_slope(lib))
     for law in lib.layout.law_tables:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from mahovik.contract.laws import of_bodies
 from mahovik.core.derive.order import WEIGHTS
 from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import sensitivity as derived
@@ -56,9 +57,11 @@ def own_slope(lib: Library) -> Function:
             body.add(change[3], speed_by.place)
     if layout.own_damped:
         named = {"table": table.place, "damper": frame.place.damper, "V": twist, "P": P}
-        body.call(lib["damp"], *lib.passed("damp", **named))
-        named |= {"change": change, "P": P_change}
-        body.call(lib["damp_slope"], *lib.passed("damp_slope", **named))
+        slopes = named | {"change": change, "P": P_change}
+        for name, slope in of_bodies("lower", "BY_TWIST"):
+            if name in lib:
+                body.call(lib[name], *lib.passed(name, **named))
+                body.call(lib[slope], *lib.passed(slope, **slopes))
     if layout.own_inputs:
         with body.when(frame.place.wrench >= 0), body.loop("i", 6) as i:
             body.add(P[i], wrench[0].place[frame.place.wrench * integer(6) + i])
@@ -194,7 +197,9 @@ def _add_slopes(lib: Library, body: Body, everything: dict[str, Any], axial: Pla
     layout, table, F = lib.layout, everything["table"], everything["F"]
     if layout.carrier_damped:
         named = everything | {"damper": table.damper, "P": F}
-        body.call(lib["damp_slope"], *lib.passed("damp_slope", **named))
+        for _, slope in of_bodies("lower", "BY_TWIST"):
+            if slope in lib:
+                body.call(lib[slope], *lib.passed(slope, **named))
     if layout.own_damped:
         with body.loop("k", len(layout.own)) as k:
             part = body.local("part", (6,))

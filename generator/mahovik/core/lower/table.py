@@ -167,9 +167,8 @@ class Tables(Features):
     @cached_property
     def damper(self) -> Struct:
         """Data of one body for the laws of its own twist."""
-        (struct,) = of_bodies("lower", "damper_struct")
-        found: Struct = struct(self.structure)
-        return found
+        fields = [field for own in of_bodies("lower", "damper_fields") for field in own(self.structure)]
+        return Struct("damper", "Damping of one body, in its own frame.", tuple(fields))
 
     @cached_property
     def frame(self) -> Struct:

@@ -165,9 +165,9 @@ class _Laws:
             laws["gravity"] = list(stand.gravity)
         if stand.stream is not None:
             laws["stream"] = list(stand.stream)
-        terms: list[dict[str, Any]] = []
+        rows: dict[str, list[dict[str, Any]]] = {}
         if layout.carrier_damped:
-            laws["damper"] = self._damper(stand.carrier, terms)
+            laws["damper"] = self._damper(stand.carrier, rows)
         for k, own in enumerate(layout.own):
             frame = table.frame[k]
             for name, value in (("flywheel", own.flywheel), ("instrument", own.instrument), ("wrench", own.input)):
@@ -175,11 +175,10 @@ class _Laws:
                     setattr(frame, name, value)
             if layout.own_damped:
                 body = stand.bodies[own.index]
-                damper = self._damper(body, terms)
+                damper = self._damper(body, rows)
                 _check_range(stand, layout, f"{body.name}.damping", damper)
                 frame.damper = self._program.filled(layout.damper, damper)
-        if terms:
-            laws["term"] = terms
+        laws |= rows
         for law in layout.law_tables:
             laws |= law.values(stand, self._program.run)
         for name, value in laws.items():
@@ -189,10 +188,11 @@ class _Laws:
             setattr(table, name, self._program.filled(field.type, value, field.shape))
         return table
 
-    def _damper(self, body: StandBody, terms: list[dict[str, Any]]) -> dict[str, Any]:
-        """One damper; its hydrodynamic derivatives are appended to the table of terms."""
-        (values,) = of_bodies("lower", "damper_values")
-        found: dict[str, Any] = values(body, self._layout.damper, terms)
+    def _damper(self, body: StandBody, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
+        """One damper; the rows that it has in arrays of the table are appended to `rows`, by name of the array."""
+        found: dict[str, Any] = {}
+        for values in of_bodies("lower", "damper_values"):
+            found |= values(body, self._layout.damper, rows)
         return found
 
 

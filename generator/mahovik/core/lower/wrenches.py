@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.contract.laws import part
+from mahovik.contract.laws import of_bodies, part
 from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower.flywheels import Turns, let_turn, named_turns, places_of, turn_of
 from mahovik.core.lower.lanes import row_of
@@ -121,7 +121,9 @@ def _weight(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums
 
 
 def _damp(lib: Library, body: Body, table: Place, damper: Place, V: Place, P: Place) -> None:
-    body.call(lib["damp"], *lib.passed("damp", table=table, damper=damper, V=V, P=P))
+    for name, _ in of_bodies("lower", "BY_TWIST"):
+        if name in lib:
+            body.call(lib[name], *lib.passed(name, table=table, damper=damper, V=V, P=P))
 
 
 def own_wrench(lib: Library) -> Function:

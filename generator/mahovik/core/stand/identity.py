@@ -43,7 +43,7 @@ def identities(stand: Stand) -> Identities:
     for body in (numbers["carrier"], *numbers["instruments"], *numbers["flywheels"]):
         given = {type(law): asdict(law) for law in body_of[body["name"]].laws}
         del body["laws"]
-        body |= {law.key: given.get(law.data) for law in body_schemas()}
+        body |= {law.key: given.get(law.data) for law in body_schemas() if law.data in given or not law.optional}
         if not any(body["center_of_mass"]):
             body["inertia_about"] = "origin"  # the two are one point
     return Identities(_digest(form), _digest({"structure": form, "numbers": numbers}))

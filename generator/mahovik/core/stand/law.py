@@ -50,6 +50,7 @@ class BodyLawSchema:
     lines      the data as lines of a stand file: what stands in the table of the key
     structure  what of all bodies decides the text of the C, by key
     limited    members that the emitted C takes up to a largest size only
+    optional   is the key missing in the identity of a stand's physics where no body has the law?
     """
 
     data: type[LawData]
@@ -59,3 +60,4 @@ class BodyLawSchema:
     lines: Callable[[Any], list[str]]
     structure: Callable[[Stand], dict[str, Any]]
     limited: tuple[str, ...] = ()
+    optional: bool = False

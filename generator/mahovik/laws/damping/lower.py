@@ -45,8 +45,8 @@ def table_fields(structure: Structure) -> list[Field]:
     return [Field("term", Struct("term", "A hydrodynamic derivative.", fields), (count,))] if count else []
 
 
-def damper_struct(structure: Structure) -> Struct:
-    """Damping of one body, with those members only that some body has."""
+def damper_fields(structure: Structure) -> list[Field]:
+    """Members of the damper of a body: those only that some body has."""
     fields = []
     if structure.law("linear_damping"):
         fields.append(Field("linear", Kind.REAL, (6, 6), "SI", "wrench -= linear V"))
@@ -55,11 +55,11 @@ def damper_struct(structure: Structure) -> Struct:
     if term_count(structure):
         fields.append(Field("first_term", INT, (), "", "terms first_term .. last_term - 1 of the table"))
         fields.append(Field("last_term", INT))
-    return Struct("damper", "Damping of one body, in its own frame.", tuple(fields))
+    return fields
 
 
-def damper_values(body: Body, damper: Struct, terms: list[dict[str, Any]]) -> dict[str, Any]:
-    """One damper; its hydrodynamic derivatives are appended to the table of terms."""
+def damper_values(body: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
+    """The members of a damper; the hydrodynamic derivatives of the body are appended to `rows` of "term"."""
     damping, zero = body.law(Damping), ((0.0,) * 6,) * 6
     found: dict[str, Any] = {}
     if damper.field("linear") is not None:
@@ -67,6 +67,7 @@ def damper_values(body: Body, damper: Struct, terms: list[dict[str, Any]]) -> di
     if damper.field("quadratic") is not None:
         found["quadratic"] = damping.quadratic if damping and damping.quadratic else zero
     if damper.field("first_term") is not None:
+        terms = rows.setdefault("term", [])
         found["first_term"] = len(terms)
         for term in damping.terms if damping else ():
             first, second = (f.component + 6 * f.absolute for f in term.of)
@@ -97,6 +98,25 @@ def term_members(stand: Stand, rows: Any) -> Iterator[Member]:
         text = f"{body}: hydrodynamic derivative, {WRENCH_LETTERS[term.wrench]} += value {factors}"
         unit = units.law(term.wrench, tuple(f.component for f in term.of))
         yield Member(f"derivative[{k + 1}]", unit, text, float(member(row, "value")))
+
+
+ARRAY_MEMBERS = {"term": term_members}
+"""Reals of the arrays of the table, by name."""
+
+BY_TWIST = ("damp", "damp_slope")
+"""Functions that add the wrench of a body's own twist, and its change."""
+
+
+def add_functions(lib: FunctionSet) -> None:
+    """The damping of one body, where any body is damped."""
+    if damped(lib.layout.structure):
+        lib.add(damp(lib))
+
+
+def add_slopes(lib: FunctionSet) -> None:
+    """The change of one body's damping."""
+    if damped(lib.layout.structure):
+        lib.add(damp_slope(lib))
 
 
 def damp(lib: FunctionSet) -> Function:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from mahovik.contract.laws import of_bodies
 from mahovik.core.lower import units
@@ -36,20 +37,26 @@ def parameters(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]
 def laws(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]:
     """All reals of the table that `prepare` does not touch, depth first."""
     table = values.table
-    (damper_members,), (term_members,) = (of_bodies("lower", f"{name}_members") for name in ("damper", "term"))
+    of_arrays = {name: members for each in of_bodies("lower", "ARRAY_MEMBERS") for name, members in each.items()}
     for k, own in enumerate(layout.own if layout.own_damped else ()):
         assert layout.frame.field("damper") is not None
         name = stand.bodies[own.index].name
-        yield from damper_members(name, layout.damper, member(member(table, "frame")[k], "damper"))
+        yield from _damper_members(name, layout, member(member(table, "frame")[k], "damper"))
     for f in layout.laws:
         given = member(table, f.name)
         if f.name in ("gravity", "stream"):
             what = {"gravity": "gravity in E0", "stream": "velocity of the fluid in E0"}[f.name]
             yield from vector(f.name, f, given, what)
         elif f.name == "damper":
-            yield from damper_members("carrier", layout.damper, given)
-        elif f.name == "term":
-            yield from term_members(stand, given)
+            yield from _damper_members("carrier", layout, given)
+        elif f.name in of_arrays:
+            yield from of_arrays[f.name](stand, given)
         else:
             law = next(law for law in layout.law_tables if f in law.fields(layout.structure))
             yield from law.members(f, given)
+
+
+def _damper_members(body: str, layout: Layout, value: Any) -> Iterator[Member]:
+    """All reals of one damper."""
+    for of_law in of_bodies("lower", "damper_members"):
+        yield from of_law(body, layout.damper, value)

@@ -1,0 +1,1 @@
+"""Cross-flow drag of a slender body, strip by strip along its first axis."""

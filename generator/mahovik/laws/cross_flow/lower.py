@@ -1,0 +1,191 @@
+"""Cross-flow drag in the program of a stand: the strips of all bodies, one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from mahovik.core.lower import units
+from mahovik.core.lower.function_set import FunctionSet
+from mahovik.core.lower.member import Member, member
+from mahovik.core.program.build import Body as Statements
+from mahovik.core.program.build import call
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Expr, Place, magnitude, real, select
+from mahovik.core.program.function import Function
+from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.stand.model import Body, Stand
+from mahovik.core.stand.structure_facts import Structure
+from mahovik.laws.cross_flow.data import CrossFlow
+from mahovik.laws.cross_flow.strips import strips_of
+
+INT, REAL = Kind.INT, Kind.REAL
+
+
+def damped(structure: Structure) -> set[int]:
+    """Indices of the bodies that have cross-flow drag."""
+    return {index for index, _, _ in structure.law("cross_flow") or ()}
+
+
+def strip_count(structure: Structure) -> int:
+    """Number of strips of all bodies."""
+    return sum(count for _, count, _ in structure.law("cross_flow") or ())
+
+
+def _together(structure: Structure) -> bool:
+    """Whether on any body both directions act together."""
+    return any(together for _, _, together in structure.law("cross_flow") or ())
+
+
+def strip_struct(structure: Structure) -> Struct:
+    """One strip; `together` only where any body has it."""
+    fields = [
+        Field("x", REAL, (), "m", "its place along the body's first axis"),
+        Field("y", REAL, (), "N s2/m2", "force over the square of its velocity along y"),
+        Field("z", REAL, (), "N s2/m2", "likewise along z"),
+    ]
+    if _together(structure):
+        fields.append(Field("together", INT, (), "", "1: the drag is along the whole velocity across; 0: y, z apart"))
+    return Struct("strip", "A strip of a slender body in cross flow.", tuple(fields))
+
+
+def table_fields(structure: Structure) -> list[Field]:
+    """The strips of all bodies, where there are any."""
+    count = strip_count(structure)
+    return [Field("strip", strip_struct(structure), (count,))] if count else []
+
+
+def damper_fields(structure: Structure) -> list[Field]:
+    """Members of the damper of a body: the range of its strips."""
+    if not strip_count(structure):
+        return []
+    first = Field("first_strip", INT, (), "", "strips first_strip .. last_strip - 1 of the table")
+    return [first, Field("last_strip", INT)]
+
+
+def damper_values(body: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
+    """The members of a damper; the strips of the body are appended to `rows` of "strip"."""
+    if damper.field("first_strip") is None:
+        return {}
+    strips, law = rows.setdefault("strip", []), body.law(CrossFlow)
+    first = len(strips)
+    for strip in strips_of(law) if law else ():
+        strips.append({"x": strip.x, "y": strip.y, "z": strip.z, "together": int(law.together if law else False)})
+    return {"first_strip": first, "last_strip": len(strips)}
+
+
+def strip_members(stand: Stand, rows: Any) -> Iterator[Member]:
+    """The strips, in the order in which the table has them, counted from 1."""
+    own = [(body.name, k) for body in stand.bodies if (law := body.law(CrossFlow)) for k in range(len(strips_of(law)))]
+    for number, ((body, k), row) in enumerate(zip(own, rows, strict=True)):
+        for name, unit, what in (
+            ("x", units.METRE, "place along its first axis"),
+            ("y", units.law(1, (1, 1)), "drag over the square of its velocity along y"),
+            ("z", units.law(1, (1, 1)), "drag over the square of its velocity along z"),
+        ):
+            text = f"{body}: strip {k + 1} in cross flow, {what}"
+            yield Member(f"strip[{number + 1}].{name}", unit, text, float(member(row, name)))
+
+
+ARRAY_MEMBERS = {"strip": strip_members}
+"""Reals of the arrays of the table, by name."""
+
+BY_TWIST = ("add_strips", "add_strips_slope")
+"""Functions that add the wrench of a body's own twist, and its change."""
+
+
+def add_functions(lib: FunctionSet) -> None:
+    """The drag of the strips of one body, where any body has strips."""
+    if strip_count(lib.layout.structure):
+        lib.add(add_strips(lib))
+
+
+def add_slopes(lib: FunctionSet) -> None:
+    """The change of that drag."""
+    if strip_count(lib.layout.structure):
+        lib.add(add_strips_slope(lib))
+
+
+def add_strips(lib: FunctionSet) -> Function:
+    """Cross-flow drag of one body in its own frame, added to a wrench."""
+    table, damper = lib.table_argument(), Argument("damper", lib.layout.damper)
+    V = Argument("V", REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
+    P = Argument("P", REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
+    body = Statements()
+    count = strip_count(lib.layout.structure)
+    with body.loop("k", damper.place.last_strip, start=damper.place.first_strip, most=count) as k:
+        strip = table.place.strip[k]
+        v, w = _velocity(body, strip, V.place, "v", "w")
+        Y, Z = _force(body, -(strip.y * (v * magnitude(v))), -(strip.z * (w * magnitude(w))))
+        if _together(lib.layout.structure):
+            with body.when(strip.together > 0):
+                drag, _ = _drag(lib, body, strip, v, w)
+                body.set(Y, -(drag * v))
+                body.set(Z, -(drag * w))
+        _add(body, strip, Y, Z, P.place)
+    return Function(
+        "add_strips",
+        "Adds the cross-flow drag of one body to its wrench, both in the body's own frame.",
+        (table, damper, V, P),
+        body.statements,
+        equation="(7)",
+    )
+
+
+def add_strips_slope(lib: FunctionSet) -> Function:
+    """Derivative of one body's cross-flow drag by its twist, times a twist."""
+    table, damper = lib.table_argument(), Argument("damper", lib.layout.damper)
+    V = Argument("V", REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
+    change = Argument("change", REAL, (6,), purpose="change of that twist")
+    P = Argument("P", REAL, (6,), "inout", purpose="change of the wrench; this change is added to it")
+    body = Statements()
+    count = strip_count(lib.layout.structure)
+    with body.loop("k", damper.place.last_strip, start=damper.place.first_strip, most=count) as k:
+        strip = table.place.strip[k]
+        v, w = _velocity(body, strip, V.place, "v", "w")
+        dv, dw = _velocity(body, strip, change.place, "dv", "dw")
+        Y, Z = _force(body, -(strip.y * (2 * magnitude(v) * dv)), -(strip.z * (2 * magnitude(w) * dw)))
+        if _together(lib.layout.structure):
+            with body.when(strip.together > 0):
+                drag, speed = _drag(lib, body, strip, v, w)
+                speed_by = body.let("speed_by", (v * dv + w * dw) / speed)
+                square_by = 2 * (strip.y * v * dv + strip.z * w * dw)
+                drag_by = body.let("drag_by", (square_by - drag * speed_by) / speed)
+                body.set(Y, -(drag_by * v + drag * dv))
+                body.set(Z, -(drag_by * w + drag * dw))
+        _add(body, strip, Y, Z, P.place)
+    return Function(
+        "add_strips_slope",
+        "Change of the cross-flow drag of one body with its twist.",
+        (table, damper, V, change, P),
+        body.statements,
+        equation="(7)",
+    )
+
+
+def _velocity(body: Statements, strip: Place, V: Place, along_y: str, along_z: str) -> tuple[Place, Place]:
+    """Velocity of a strip along y and z: v + x r, w - x q."""
+    return body.let(along_y, V[1] + strip.x * V[5]), body.let(along_z, V[2] - strip.x * V[4])
+
+
+def _force(body: Statements, along_y: Expr, along_z: Expr) -> tuple[Place, Place]:
+    """Locals of the force of a strip where y and z act apart."""
+    Y, Z = body.local("Y"), body.local("Z")
+    body.set(Y, along_y)
+    body.set(Z, along_z)
+    return Y, Z
+
+
+def _drag(lib: FunctionSet, body: Statements, strip: Place, v: Expr, w: Expr) -> tuple[Place, Place]:
+    """(y v^2 + z w^2)/speed, and the speed across; 1 in place of a speed of zero, where all forces are zero."""
+    across = body.let("across", call(lib["sqrt"], v * v + w * w))
+    speed = body.let("speed", select(across > 0, across, real(1)), "of the strip across the axis")
+    return body.let("drag", (strip.y * v * v + strip.z * w * w) / speed), speed
+
+
+def _add(body: Statements, strip: Place, Y: Expr, Z: Expr, P: Place) -> None:
+    """The force (0, Y, Z) at (x, 0, 0)."""
+    body.add(P[1], Y)
+    body.add(P[2], Z)
+    body.add(P[4], -(strip.x * Z))
+    body.add(P[5], strip.x * Y)

@@ -1,0 +1,41 @@
+"""Cross-flow drag of a body, literally, (7); `V_r` (6) is its twist relative to the fluid, all in the body's frame."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from mahovik.core.stand.model import Body
+from mahovik.laws.cross_flow.data import CrossFlow
+from mahovik.proof.reference.array import Array
+
+
+def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """Wrench (6; N, N m) of the cross-flow drag; none where there is none."""
+    law = body.law(CrossFlow)
+    return {} if law is None else {"cross-flow drag": cross_flow_drag(law, V_r)}
+
+
+def cross_flow_drag(law: CrossFlow, V_r: Array) -> Array:
+    """-(rho/2) integral (0, Y, Z, 0, -x Z, x Y) dx (6; N, N m), by Gauss and Legendre between stations.
+
+    Y = C_y h |v + x r| (v + x r) and Z = C_z b |w - x q| (w - x q); where both act together,
+    (Y, Z) = (C_y h (v + x r)^2 + C_z b (w - x q)^2) (v + x r, w - x q) over the length of the last vector.
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(law.points)
+    _, v, w, _, q, r = V_r
+    P = np.zeros(6)
+    for a, b in pairwise(law.x):
+        x = (a + b) / 2 + (b - a) / 2 * nodes
+        h, B, C_y, C_z = (np.interp(x, law.x, table) for table in (law.height, law.breadth, law.drag_y, law.drag_z))
+        across, down = v + x * r, w - x * q
+        if law.together:
+            speed = np.hypot(across, down)
+            drag = C_y * h * across**2 + C_z * B * down**2
+            Y, Z = (np.divide(drag * along, speed, out=np.zeros_like(x), where=speed > 0) for along in (across, down))
+        else:
+            Y, Z = C_y * h * np.abs(across) * across, C_z * B * np.abs(down) * down
+        dx = (b - a) / 2 * weights
+        P -= law.density / 2 * np.array([0.0, dx @ Y, dx @ Z, 0.0, -dx @ (x * Z), dx @ (x * Y)])
+    return P

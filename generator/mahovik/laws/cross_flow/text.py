@@ -1,0 +1,19 @@
+"""Words for cross-flow drag in checks and tables."""
+
+from __future__ import annotations
+
+from mahovik.core.stand.model import Stand
+from mahovik.laws.cross_flow.data import CrossFlow
+
+NAME = "cross-flow drag"
+CARRIES_WEIGHT = False
+
+
+def bearers(stand: Stand) -> list[str]:
+    """The bodies that have it."""
+    return [body.name for body in stand.bodies if body.law(CrossFlow) is not None]
+
+
+def short(stand: Stand) -> str:
+    """The law in a word; empty where no body has it."""
+    return NAME if bearers(stand) else ""
