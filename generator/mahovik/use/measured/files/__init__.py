@@ -1,0 +1,1 @@
+"""Formats of files of measured data, each read into tables of named columns."""
