@@ -35,6 +35,7 @@ help:
 	@echo "make math-campaign  accuracy of sine, cosine, sqrt, atan2: proofs and samples, into docs/results/arithmetic.md"
 	@echo "make fuzz       ten million executions of the C on arbitrary arguments, every file reader on arbitrary files"
 	@echo "make fuzz-quick  the same in two minutes"
+	@echo "make terms-campaign  one to four wrong terms in a program, and whether judge --explain names them: docs/results/terms.md"
 	@echo "make explain-campaign  planted faults, and which of them judge --explain names: into docs/results/diagnosis.md; minutes"
 	@echo "make flight     a flight on an emulated Cortex-M4, logged, and replayed here bit for bit"
 	@echo "make following-campaign  how well bench8 follows with mismatch, without and with trim: docs/results/following.md; minutes"
@@ -161,6 +162,9 @@ fuzz-quick: setup-test
 
 explain-campaign: setup-test
 	$(BIN)/python tools/explain_campaign.py --write
+
+terms-campaign: setup-test
+	$(BIN)/python tools/terms_campaign.py --write
 
 flight: setup-test
 	$(BIN)/python tools/flight.py

@@ -27,6 +27,7 @@ STAGES = (
     ("out.export",),
     ("out.foreign",),
     ("out.api",),
+    ("use.balance",),
     ("use.study",),
     ("use.design",),
     ("use.control",),

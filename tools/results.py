@@ -45,6 +45,7 @@ TOOLS = (
     "proofs",
     "math_campaign",
     "explain_campaign",
+    "terms_campaign",
     "rounding_campaign",
     "short_steps",
     "judges_table",

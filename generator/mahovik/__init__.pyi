@@ -16,6 +16,8 @@ from mahovik.out.api.stands import examples as examples
 from mahovik.out.api.stands import load as load
 from mahovik.out.api.states import States as States
 from mahovik.out.campaign.face import Campaign as Campaign
+from mahovik.out.functions.balancing import balance as balance
+from mahovik.out.functions.balancing import balance_stand as balance_stand
 from mahovik.out.functions.equilibrium import rest as rest
 from mahovik.out.functions.evidence import generate as generate
 from mahovik.out.functions.evidence import judge as judge

@@ -54,6 +54,10 @@ class CampaignError(FileError):
     """A campaign file was refused."""
 
 
+class BalanceError(FileError):
+    """Data for balancing were refused."""
+
+
 class DataError(FileError):
     """Files of measured data were refused."""
 

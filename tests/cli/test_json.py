@@ -62,6 +62,7 @@ GOOD_CASES = {
     "response": (SAT4, "--speed", "rw1=1000 rpm", "--at", "acc1"),
     "jitter": (SAT4, "--speed", "rw1=1000 rpm", "--at", "acc1"),
     "quiet": (SAT4, "--point", "acc1", "--band", *BAND, "--time", "0.5", "--backend", "none"),
+    "balance": ("--influence", "rotor.json"),
     "simulate": (DEMO3, "--until", "0.001", "--backend", "scipy", "-o", "run.csv"),
     "verify": (DEMO3, "--states", "2"),
     "evidence": (DEMO3, "--only", "good"),
@@ -101,6 +102,7 @@ def files(own_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(all_pieces, "PIECES", (GOOD, BAD))
     monkeypatch.delenv("CI", raising=False)
     (own_folder / "broken").mkdir()
+    (own_folder / "rotor.json").write_text('{"A": ["2@30"], "ALPHA": [["1@0"]]}', encoding="utf-8")
     (own_folder / "broken" / "SHA256SUMS").write_text(f"{'0' * 64}  c/demo3.c\n", encoding="utf-8")
     wheel = '[[flywheel]]\nname = "w1"\nmass = 1\ninertia = [1, 1, 1]\n'
     carrier = "[carrier]\nmass = 1\ninertia = [1, 1, 1]\n"

@@ -24,6 +24,8 @@ CALLS: dict[str, tuple[str, ...]] = {
     "response": ("--speed", "left=100rpm", "--at", "carrier"),
     "jitter": ("--speed", "left=100rpm", "--at", "carrier"),
     "quiet": ("--point", "base", "--band", "1..2Hz", "--momentum", "0 0 0"),
+    "balance": ("--influence", "rotor.json"),
+    "balance_stand": ("--data", "run.csv"),
     "rest": (),
     "modes": (),
     "linearize": ("-o", "model.json"),
@@ -37,8 +39,11 @@ CALLS: dict[str, tuple[str, ...]] = {
 }
 """Function: arguments of its command after the stand."""
 
-COMMANDS = {"follow": "simulate", "verify_programme": "verify-programme"}
+COMMANDS = {"balance_stand": "balance", "follow": "simulate", "verify_programme": "verify-programme"}
 """Commands of other names than their function's."""
+
+NO_STAND = ("balance",)
+"""Functions without a stand."""
 
 OTHERWISE = {
     "table": "table", "go_on": "seconds", "speeds": "speeds", "locked": "flywheels", "at": "point", "modes": "avoid",
@@ -61,7 +66,8 @@ def test_the_command_calls_the_function(name: str, monkeypatch: pytest.MonkeyPat
         raise UsageError(f"{name} was called")
 
     monkeypatch.setattr(importlib.import_module(function.__module__), name, reached)
-    assert f"error: {name} was called\n" in refused(COMMANDS.get(name, name), SHAKER2, *CALLS[name])
+    stand = () if name in NO_STAND else (SHAKER2,)
+    assert f"error: {name} was called\n" in refused(COMMANDS.get(name, name), *stand, *CALLS[name])
 
 
 @pytest.mark.parametrize("name", CALLS)

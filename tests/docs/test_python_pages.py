@@ -21,10 +21,10 @@ FOLDER = ROOT / "docs" / "python"
 PLACES: dict[str, str] = vars(mahovik)["_PLACES"]
 FUNCTIONS = tuple(name for name in PLACES if PLACES[name].startswith("out.functions.") and name.islower())
 
-COMMANDS = {"follow": "simulate"}
+COMMANDS = {"balance_stand": "balance", "follow": "simulate"}
 """Commands of another name than their function."""
 
-QUICK = ("jitter", "linearize", "modes", "quiet", "response", "rest")
+QUICK = ("balance", "jitter", "linearize", "modes", "quiet", "response", "rest")
 """Pages whose example takes about a second or less; the others plan, or need a compiler or a program."""
 
 each_function = pytest.mark.parametrize("name", FUNCTIONS)
@@ -58,7 +58,7 @@ def own_attributes(kind: type) -> set[str]:
 
 
 def test_every_function_has_a_page_and_every_page_is_linked() -> None:
-    assert len(FUNCTIONS) == 15
+    assert len(FUNCTIONS) == 17
     pages = {f"python/{path.name}" for path in FOLDER.glob("*.md")}
     assert pages == {f"python/{name}.md" for name in (*FUNCTIONS, "gallery")}
     linked = [target for target in links(ROOT / "docs" / "python.md") if target.startswith("python/")]

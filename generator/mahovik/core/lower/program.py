@@ -45,12 +45,17 @@ from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Precision, Struct
 from mahovik.core.program.validate import validate
 from mahovik.core.program.walk import reachable
+from mahovik.core.stand.hold import refuse_hold
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 
 
 def lower(stand: Stand, precision: Precision) -> Program:
-    """The program for a stand at a precision. Its text depends on the stand's structure only, not on its numbers."""
+    """The program for a stand at a precision. Its text depends on the stand's structure only, not on its numbers.
+
+    Raises StandError for a held carrier.
+    """
+    refuse_hold(stand, stand.name)
     return lower_layout(Layout(structure(stand), precision))
 
 

@@ -35,6 +35,8 @@ def identities(stand: Stand) -> Identities:
         del numbers["inverse_most"]  # as in a file without the key
     if not stand.tasks:
         del form["tasks"]
+    if stand.hold is None:
+        del form["hold"], numbers["hold"]
     for law in parts("schema"):
         numbers |= law.SCHEMA.content(stand.law(law.SCHEMA.data))
     body_of = {body.name: body for body in stand.bodies}

@@ -18,6 +18,7 @@ Mat6 = tuple[Vec6, Vec6, Vec6, Vec6, Vec6, Vec6]
 Sequence = Literal["ship", "aircraft", "euler"]
 About = Literal["origin", "center_of_mass"]
 PhaseInput = Literal["angle", "sincos"]
+FreedomKind = Literal["turn", "slide", "twist"]
 
 Component = Literal["vx", "vy", "vz", "wx", "wy", "wz"]
 COMPONENTS: tuple[Component, ...] = ("vx", "vy", "vz", "wx", "wy", "wz")
@@ -43,6 +44,11 @@ class LawData:
     def has_kinks(self) -> bool:
         """Whether a law of bodies depends on magnitudes of the twist, so that its derivatives jump."""
         return False
+
+    @property
+    def rows(self) -> tuple[int, ...] | None:
+        """Components that its wrench on the carrier can have, in E1 about O1; None where any."""
+        return None
 
 
 Law = TypeVar("Law", bound=LawData)
@@ -192,12 +198,41 @@ class Task:
 
 
 @dataclass(frozen=True)
+class Freedom:
+    """One way in which a held carrier can move at speed u, in E1: `turn` about the pivot, `slide`, or a `twist` of O1.
+
+    direction   of a turn or slide, of any length: u is in rad/s or m/s along its unit vector
+    twist       of a twist: V at u = 1, as written
+    """
+
+    kind: FreedomKind
+    direction: Vec3 = (0.0, 0.0, 0.0)
+    twist: Vec6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Hold:
+    """What holds the carrier: it moves as V = S u, a column of S (6 x m) for each freedom, constant in E1.
+
+    freedoms          m of them, independent; none: clamped
+    pivot             of E1, m: what turns, turns about it
+    position, angles  home pose in E0, where all freedoms are zero: place of O1 (m) and attitude (rad)
+    """
+
+    freedoms: tuple[Freedom, ...]
+    pivot: Vec3
+    position: Vec3
+    angles: Vec3
+
+
+@dataclass(frozen=True)
 class Stand(WithLaws):
     """A whole stand. `stream` is None where the file has no such key; bodies are in the file's order.
 
     `laws`: data of the laws between E0 and the carrier that the stand has.
     `phase_input`: "sincos" where the C has functions that take sines and cosines of the phases as well.
     `inverse_most`: rad/s2, phi'' of a flywheel without motor above which an answer of `inverse` is EXCESSIVE.
+    `hold`: what holds the carrier; None where it is free.
     """
 
     name: str
@@ -211,6 +246,7 @@ class Stand(WithLaws):
     phase_input: PhaseInput = "angle"
     tasks: tuple[Task, ...] = ()
     inverse_most: float = INVERSE_MOST
+    hold: Hold | None = None
 
     @property
     def bodies(self) -> tuple[Body, ...]:

@@ -11,6 +11,7 @@ from mahovik.contract.laws import parts
 from mahovik.core.stand import build, datasheet, physical
 from mahovik.core.stand.content import readable
 from mahovik.core.stand.fields import Table
+from mahovik.core.stand.hold import HoldTable, hold_of
 from mahovik.core.stand.law import LawSchema
 from mahovik.core.stand.law_schemas import AnyTable, with_laws
 from mahovik.core.stand.model import Flywheel, Instrument, LawData, Point, Stand, Task
@@ -103,6 +104,11 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
     flywheels: list[Flywheel] = [wheel for wheel in wheels if wheel is not None]
     points: list[Point] = [build.point(table) for _, table in point_tables]
     tasks = _tasks(problems, document)
+    in_order = len(problems.lines)
+    hold_table = _table(problems, document, "hold", HoldTable)
+    hold = hold_of(hold_table, problems) if hold_table and len(problems.lines) == in_order else None
+    if tasks and "hold" in document:
+        problems.add("task", "tasks of a carrier with [hold] are not there yet: expected one without the other")
     if physics:
         check_tasks(problems, tasks, tuple(instruments), tuple(points))
         if carrier is not None and carrier_table is not None:
@@ -128,6 +134,7 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
         phase_input=header.phase_input,
         tasks=tasks,
         inverse_most=header.inverse_most,
+        hold=hold,
         laws=tuple(law for law in laws if law is not None),
     )
     if physics:
@@ -142,7 +149,7 @@ def _header(document: dict[str, Any], problems: Problems) -> Header | None:
     own_keys = keys_of(Header)
     law_keys = [key for law in schemas for key in (*law.tables, *law.arrays)]
     law_keys += [key for law in schemas if law.header is not None for key in keys_of(law.header)]
-    known = [*own_keys, "carrier", *law_keys, *_ARRAYS, "task"]
+    known = [*own_keys, "carrier", *law_keys, *_ARRAYS, "task", "hold"]
     own = {key: value for key, value in document.items() if key in own_keys}
     for key in document:
         if key not in known:

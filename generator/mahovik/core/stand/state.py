@@ -24,6 +24,7 @@ class State:
     wrench      run-time wrench by body name, in the body's own frame about its origin (a flywheel's turns with phi_s)
     task        name of a task of the stand whose rows are demanded in place of V_dot; "" for none
     demand      what it demands, one a row, m/s2 or rad/s2
+    u, u_dot    speeds of the freedoms of a held carrier and their rates, m each, in place of V, V_dot
     """
 
     position: Vec3
@@ -38,10 +39,13 @@ class State:
     wrench: Mapping[str, Vec6] = field(default_factory=lambda: MappingProxyType({}))
     task: str = ""
     demand: tuple[float, ...] = ()
+    u: tuple[float, ...] = ()
+    u_dot: tuple[float, ...] = ()
 
 
 def rest_state(stand: Stand) -> State:
     """The state in which every input of `stand` is zero and the carrier is aligned with E0."""
     zeros = (0.0,) * len(stand.flywheels)
     zero6: Vec6 = (0.0,) * 6
-    return State((0.0, 0.0, 0.0), None, None, zero6, zeros, zeros, zeros, zero6, zeros)
+    free = (0.0,) * (len(stand.hold.freedoms) if stand.hold is not None else 0)
+    return State((0.0, 0.0, 0.0), None, None, zero6, zeros, zeros, zeros, zero6, zeros, u=free, u_dot=free)

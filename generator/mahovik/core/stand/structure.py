@@ -34,6 +34,7 @@ def structure(stand: Stand) -> Structure:
         wrench_inputs=where(lambda body: body.wrench_input),
         phase_input=stand.phase_input,
         tasks=stand.tasks,
+        hold=None if stand.hold is None else len(stand.hold.freedoms),
         laws=tuple(
             item
             for said in (

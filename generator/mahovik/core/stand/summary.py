@@ -10,6 +10,7 @@ from typing import Any
 from mahovik.contract.laws import body_parts, parts
 from mahovik.core.stand.balance import eccentric_velocity, grade, plane_velocity
 from mahovik.core.stand.capacity import Capacity, momentum_capacity, torque_capacity
+from mahovik.core.stand.hold import idle_laws, words
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Instrument, Mat3, Stand, Vec3
 from mahovik.core.stand.slips import slips
@@ -89,6 +90,7 @@ class Summary:
     principal_inertia  (3), rising, kg m2; principal_axes: a unit vector in E1 for each
     momentum, torque   capacity of the flywheels whose motors have a speed, N m s, or a torque, N m
     force              worst case, N: the unbalance forces of all flywheels in one line
+    hold               how a held carrier can move, in words; empty where it is free
     """
 
     name: str
@@ -104,10 +106,12 @@ class Summary:
     torque: Capacity
     warnings: tuple[str, ...]
     tasks: tuple[TaskSummary, ...] = ()
+    hold: str = ""
 
     def as_dict(self) -> dict[str, Any]:
-        """The figures as plain dicts and tuples, which `json` writes as objects and lists."""
-        return asdict(self)
+        """The figures as plain dicts and tuples, which `json` writes as objects and lists; `hold` if there is one."""
+        found = asdict(self)
+        return found if self.hold else {key: value for key, value in found.items() if key != "hold"}
 
 
 def summarize(
@@ -141,6 +145,7 @@ def summarize(
         torque=torque_capacity(stand),
         warnings=(*_warnings(stand), *slips(stand, [row.speed for row in unbalance], known, written)),
         tasks=tuple(TaskSummary(task.name, tuple(map(row_name, task.rows))) for task in stand.tasks),
+        hold="" if stand.hold is None else words(stand.hold),
     )
 
 
@@ -191,10 +196,10 @@ def _warnings(stand: Stand) -> list[str]:
             + (f' ("{better[0]}" has no such heading with this gravity)' if better else "")
         )
     texts = [law for law in (*parts("text"), *body_parts("text")) if law.CARRIES_WEIGHT]
-    if any(stand.gravity) and not any(law.short(stand) for law in texts):
+    if stand.hold is None and any(stand.gravity) and not any(law.short(stand) for law in texts):
         *names, last = (law.NAME for law in texts)
         found.append(f"nothing carries the weight (no {', '.join(names)} or {last}): the stand falls freely")
-    return found
+    return [*found, *idle_laws(stand)]
 
 
 def _heading_is_singular(angles: str, gravity: Vec3) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
 from mahovik.contract.laws import parts
+from mahovik.core.stand.hold import lines as hold_lines
 from mahovik.core.stand.law_schemas import body_schemas
 from mahovik.core.stand.model import (
     INVERSE_MOST,
@@ -43,6 +44,8 @@ def dumps(stand: Stand, comments: Mapping[str, Sequence[str]] = _NONE) -> str:
     lines += [line for header, _ in given for line in header]
     lines += [*head("[carrier]", "carrier"), *_body(stand.carrier)]
     lines += [line for _, tables in given for line in tables]
+    if stand.hold is not None:
+        lines += hold_lines(stand.hold)
     for instrument in stand.instruments:
         lines += [
             *head("[[instrument]]", instrument.name),

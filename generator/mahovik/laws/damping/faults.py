@@ -7,10 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from mahovik.core.stand.model import Body
 from mahovik.laws.damping.data import Damping
 from mahovik.laws.damping.reference import damping_terms, wrenches
 from mahovik.proof.diagnose.edits import Change, minus, wrench, zero
 from mahovik.proof.diagnose.fault import Edit, Fault
+from mahovik.proof.diagnose.terms.monomials import VELOCITIES, WRENCHES
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pieces import Pieces
@@ -91,3 +93,18 @@ FAULTS = (
           "Damping ignores the stream: it takes the twist relative to E0",
           "damping takes V_r = V - (C^T u, 0)"),
 )
+
+
+def coefficients(body: Body) -> dict[str, float]:
+    """Hydrodynamic derivatives of a body by their names, `X_u`, `N_|r|r`, SI: factors of products in its wrench."""
+    damping = body.law(Damping)
+    if damping is None:
+        return {}
+    found: dict[str, float] = {}
+    for matrix, spelling in ((damping.linear, "{}"), (damping.quadratic, "|{0}|{0}")):
+        for row, letter in zip(matrix or (), WRENCHES, strict=False):
+            found |= {f"{letter}_{spelling.format(v)}": -x for x, v in zip(row, VELOCITIES, strict=True)}
+    for term in damping.terms:
+        letters = (f"|{VELOCITIES[a.component]}|" if a.absolute else VELOCITIES[a.component] for a in term.of)
+        found[f"{WRENCHES[term.wrench]}_{''.join(letters)}"] = term.value
+    return found

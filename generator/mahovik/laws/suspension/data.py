@@ -18,3 +18,8 @@ class Suspension(LawData):
     damping: Mat6
     position: Vec3
     angles: Vec3
+
+    @property
+    def rows(self) -> tuple[int, ...]:
+        """Components of its wrench whose row of stiffness or damping is not zero."""
+        return tuple(i for i in range(6) if any(self.stiffness[i]) or any(self.damping[i]))

@@ -11,6 +11,7 @@ from typing import Any
 from mahovik import stands
 from mahovik.core.stand import toml
 from mahovik.core.stand import write as writing
+from mahovik.core.stand.hold import refuse_hold
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.read import load as load_file
 from mahovik.core.stand.read import read
@@ -39,6 +40,7 @@ class Stand(CoreStand):
         if isinstance(stand, Stand):
             return stand
         if isinstance(stand, CoreStand):
+            refuse_hold(stand, stand.name)
             return Stand(**vars(stand))
         return load(stand)
 

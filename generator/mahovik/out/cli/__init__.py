@@ -9,6 +9,7 @@ from __future__ import annotations
 import click
 
 from mahovik import __version__
+from mahovik.out.cli.balance import balance
 from mahovik.out.cli.campaign import campaign
 from mahovik.out.cli.check import check
 from mahovik.out.cli.completion import completion
@@ -41,7 +42,7 @@ from mahovik.out.cli.verify_programme import verify_programme
 SECTIONS = {
     "A stand": (new, import_model, check, derive, rest),
     "Its C, and the evidence": (generate, verify, judge, cost, evidence, judge_log),
-    "Motion, vibration": (evaluate, simulate, replay, modes, linearize, response, jitter, quiet, campaign),
+    "Motion, vibration": (evaluate, simulate, replay, modes, linearize, response, jitter, quiet, balance, campaign),
     "Programmes of the flywheels": (plan, design, verify_programme),
     "Interfaces and tools": (report, plot, export, doctor, completion),
 }
@@ -60,7 +61,6 @@ def main() -> None:
     Exact equations of motion of carrier and unbalanced flywheels, as verified C.
         mahovik new bench8               copy an example stand
         mahovik generate bench8.toml     C into ./bench8
-        mahovik verify bench8.toml       that C against the literal reference
     Exit status: 0 good, 1 a check failed, 2 bad input or usage, 130 Ctrl-C.
     """
 

@@ -53,7 +53,7 @@ def check(
     float would not resolve an unbalance, or would lose what short steps add; where (12) is singular in practice, so
     that a task should name the rows that are demanded; and of tasks that the flywheels do not reach.
     """
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     asked = None if speed is None else read_speed(speed)
     apart = None if planes is None else read_distance(planes)
     if asked is not None:
@@ -152,6 +152,8 @@ def _print(summary: Summary, names: Identities, short: list[str], written: list[
         _print_flywheels(summary)
     if summary.tasks:
         print_table(("task", "rows demanded>"), ((task.name, ", ".join(task.rows)) for task in summary.tasks))
+    if summary.hold:
+        print_line(f"held, {summary.hold}")
     _print_written(written)
     for warning in (*summary.warnings, *short):
         print_line(f"warning: {warning}", "yellow")

@@ -56,7 +56,7 @@ def judge(
 
     Starts a program, gives it states, and compares every quantity that it offers with the literal reference. With
     --explain a program that differs gets more states, which distinguish faults, and its error is compared with that of
-    each physical fault in a dictionary.
+    each physical fault in a dictionary. Where none is the cause, the few wrong terms are found whose sum is the error.
 
     Exit status: 0 it agrees, 1 it does not, 2 bad input.
     """

@@ -11,6 +11,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -117,11 +118,15 @@ PHASES = option("--phase", 'Set the phase at t = 0, "w1=90 deg"; default 0.', me
 JSON = json_option()
 
 
-def load_stand(stand_file: str) -> Stand:
-    """The stand of a file. Raises StandError."""
+def load_stand(stand_file: str, held: bool = False) -> Stand:
+    """The stand of a file. `held`: the command takes held carriers too. Raises StandError."""
     from mahovik.core.stand import load
+    from mahovik.core.stand.hold import refuse_hold
 
-    return load(stand_file)
+    stand = load(stand_file)
+    if not held:
+        refuse_hold(stand, Path(stand_file).name)
+    return stand
 
 
 def is_given(name: str) -> bool:

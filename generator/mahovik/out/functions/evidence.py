@@ -173,6 +173,7 @@ def judge(
 def _diagnosis(stand: CoreStand, command: str, stand_file: str, found: Report, seed: int, timeout: float) -> Diagnosis:
     """Diagnosis of a program that differs, for the wants that it offers."""
     from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
+    from mahovik.proof.diagnose.terms.search import WANTS, TermSearch
     from mahovik.proof.verify.foreign import answers_of
 
     if found.passed:
@@ -183,7 +184,13 @@ def _diagnosis(stand: CoreStand, command: str, stand_file: str, found: Report, s
     diagnoser = Diagnoser(stand, seed, offered)
     results = answers_of(command, stand_file, diagnoser.requests, timeout)
     answers = {request.id: result for request, result in zip(diagnoser.requests, results, strict=True)}
-    return diagnoser.diagnose(lambda request: answers[request.id])
+    diagnosed = diagnoser.diagnose(lambda request: answers[request.id])
+    if diagnosed.outcome != "unknown" or not set(offered) & set(WANTS):
+        return diagnosed
+    terms = TermSearch(stand, seed, offered)
+    results = answers_of(command, stand_file, terms.requests, timeout)
+    answers = {request.id: result for request, result in zip(terms.requests, results, strict=True)}
+    return replace(diagnosed, terms=terms.find(lambda request: answers[request.id]))
 
 
 class Generated(Table):

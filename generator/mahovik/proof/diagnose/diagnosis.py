@@ -14,6 +14,7 @@ from mahovik.proof.diagnose.answer_vector import answer_vector
 from mahovik.proof.diagnose.predict import Part, Predictions
 from mahovik.proof.diagnose.search import EXACT, Evidence, Finding, Search
 from mahovik.proof.diagnose.states import FIRST, separating_states
+from mahovik.proof.diagnose.terms.search import TermSearchResult
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.harness import applicable
@@ -52,6 +53,7 @@ class Diagnosis:
     others      the next best, for what they are worth
     unseen      names of faults that have no effect on this stand, in what the program offers
     wrong       quantities with an error, as want: quantity
+    terms       of an unknown error, the wrong terms that a sparse fit finds, see `terms`; None: not looked for
     """
 
     outcome: Outcome
@@ -60,6 +62,23 @@ class Diagnosis:
     others: tuple[Cause, ...] = ()
     unseen: tuple[str, ...] = ()
     wrong: tuple[str, ...] = ()
+    terms: TermSearchResult | None = None
+
+    @property
+    def verdict(self) -> Literal["none", "named", "unnamed"]:
+        """Whether there is an error, and whether it has a name: that of a fault, or those of wrong terms."""
+        if self.outcome in ("equal", "rounding"):
+            return "none"
+        return "named" if self.outcome == "named" or (self.terms is not None and self.terms.whole) else "unnamed"
+
+    @property
+    def unexplained(self) -> float:
+        """Part of the error that has no name, 0 to 1."""
+        if self.verdict == "none":
+            return 0.0
+        if self.terms is not None and self.terms.whole:
+            return self.terms.unexplained
+        return self.causes[0].score if self.causes else 1.0
 
 
 class Diagnoser:

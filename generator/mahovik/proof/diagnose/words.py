@@ -9,6 +9,8 @@ from mahovik.proof.diagnose.diagnosis import Cause, Diagnosis
 from mahovik.proof.diagnose.faults import DICTIONARY
 from mahovik.proof.diagnose.predict import Part
 from mahovik.proof.diagnose.search import EXACT
+from mahovik.proof.diagnose.terms.coefficients import Multiple
+from mahovik.proof.diagnose.terms.search import TermSearchResult
 
 SURE = 0.5
 """Least confidence of a fault that is not called a guess."""
@@ -37,11 +39,22 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
             return ["no fault found: the differences are not larger than rounding in float, and look like no fault"]
         case "nothing":
             return ["no diagnosis: the program answered nothing that can be compared"]
+        case "unknown" if diagnosis.terms is not None and diagnosis.terms.whole:
+            return _term_lines(diagnosis.terms)
         case "unknown":
             nearest = "".join(
                 f"; nearest: {short_text(each)} ({_explained_part(each)})" for each in diagnosis.others[:1]
             )
-            return [f"no fault of the {len(DICTIONARY)} in the dictionary explains it{nearest}", *_unseen(diagnosis)]
+            few = (
+                []
+                if diagnosis.terms is None
+                else [f"nor do a few wrong terms in {' and '.join(diagnosis.terms.wants)}"]
+            )
+            return [
+                f"no fault of the {len(DICTIONARY)} in the dictionary explains it{nearest}",
+                *few,
+                *_unseen(diagnosis),
+            ]
     best, *twins = diagnosis.causes
     what = "fault" if len(best.parts) == 1 else "two faults at once"
     lines = [what + (" found:" if diagnosis.confidence >= SURE else ", perhaps:")]
@@ -60,6 +73,9 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
     """The diagnosis for `--json`."""
     return {
         "outcome": diagnosis.outcome,
+        "verdict": diagnosis.verdict,
+        "unexplained": diagnosis.unexplained,
+        "found": _found(diagnosis),
         "causes": [_cause(each) for each in diagnosis.causes],
         "confidence": diagnosis.confidence,
         "others": [_cause(each) for each in diagnosis.others],
@@ -68,6 +84,56 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
         "dictionary": len(DICTIONARY),
         "words": sentences(diagnosis),
     }
+
+
+def _found(diagnosis: Diagnosis) -> list[dict[str, Any]]:
+    """Parts of the error by name: wrong terms, or faults of the dictionary; none where it has no name."""
+    if diagnosis.terms is not None and diagnosis.terms.whole:
+        return [
+            {
+                "want": each.want,
+                "component": each.component,
+                "term": each.term,
+                "factor": each.multiple.factor,
+                "expected": each.multiple.expected,
+                "coefficient": each.multiple.coefficient,
+                "share": each.share,
+            }
+            for each in diagnosis.terms.terms
+        ]
+    return [{"fault": name_of(part), "share": 1.0 - each.score} for each in diagnosis.causes[:1] for part in each.parts]
+
+
+def _term_lines(found: TermSearchResult) -> list[str]:
+    """A line for each wrong term."""
+    count = len(found.terms)
+    lines = ["wrong term found:" if count == 1 else f"{count} wrong terms found:"]
+    for each in found.terms:
+        place = f"{each.want}, {each.component}"
+        lines.append(f"  {place}: {_term_words(each.multiple, each.term)}; {_part(each.share)} of the error")
+    side = "factors are those on the right-hand side of K V* = ..., of force and moment about O1 in E1"
+    wants = {each.want for each in found.terms}
+    if "forward" in wants:
+        lines.append(f"  {side}; letters of SNAME")
+    lines.append(f"without {'it' if count == 1 else 'them'} nothing is left of the error beyond rounding")
+    return lines
+
+
+def _term_words(multiple: Multiple, term: str) -> str:
+    unit = f" {multiple.coefficient}" if multiple.coefficient else ""
+    if multiple.expected is None:
+        return f"{term} has a factor that is wrong by {multiple.factor:.6g}"
+    if multiple.expected == 0.0:
+        return f"{term} has the factor {multiple.factor:.6g}{unit}, and should not be there"
+    if multiple.factor == 0.0:
+        return f"{term} is missing, expected with the factor {multiple.expected:.6g}{unit}"
+    if abs(multiple.factor + multiple.expected) <= 1e-6 * abs(multiple.expected):
+        return f"{term} has the wrong sign: factor {multiple.factor:.6g}{unit}, expected {multiple.expected:.6g}{unit}"
+    return f"{term} has the factor {multiple.factor:.6g}{unit}, expected {multiple.expected:.6g}{unit}"
+
+
+def _part(share: float) -> str:
+    return f"{share:.0%}" if share >= 0.01 else "less than 1 %"
 
 
 def _cause(cause: Cause) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from mahovik.contract.functions import CONFLICTS, TASK_CONFLICTS, TASK_TAKERS, T
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference import task
+from mahovik.proof.reference import hold, task
 from mahovik.proof.reference.array import Values
 from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.inverse import CUTS, Cuts
@@ -28,6 +28,13 @@ OF_TASKS: Mapping[str, Callable[..., Values]] = {
     want: import_module(f"mahovik.proof.reference.{want}").answer for want in TASK_WANTS
 }
 """Likewise, of a state with a task."""
+
+OF_HELD: Mapping[str, Callable[..., Values]] = {
+    "forward": hold.answer_forward,
+    "coupled": hold.answer_coupled,
+    "inverse": hold.answer_inverse,
+}
+"""Wants that a held carrier answers in its freedoms; others are those of the free carrier at V = S u, V* = S u*."""
 
 
 def check_want(want: Sequence[str]) -> None:
@@ -68,6 +75,8 @@ def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None 
 
     `at`: the pieces of this stand and state, where the caller has them already. `cuts`: thresholds of `inverse`.
 
+    A held carrier moves with the state's u, u_dot, whatever its V, V_dot.
+
     StateError: `want` is empty, unknown, of a task without one, or gives one name two values; a law is undefined;
     `generalized` with a quaternion or at a singular attitude; `momentum` of a stand without mass; a result that is not
     finite.
@@ -75,8 +84,12 @@ def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None 
     check_want(want)
     values: Values = {}
     with np.errstate(all="ignore"):  # what overflows is not finite, and is reported below
+        state = hold.held_state(stand, state)
         at = at or pieces(stand, state)
         moved = state
+        if stand.hold is not None and "generalized" in want:
+            raise StateError('want: a held carrier has no "generalized" yet, ask for forward')
+        answers = ANSWERS if stand.hold is None else {**ANSWERS, **OF_HELD}
         check_task_want(want, state.task)
         asked = [name for name in want if name in OF_TASKS]
         if state.task:
@@ -86,9 +99,9 @@ def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None 
             if name in OF_TASKS or (name == "inverse" and state.task):
                 values |= found
             elif name == "inverse":
-                values |= ANSWERS[name](at, stand, state, cuts)
+                values |= answers[name](at, stand, state, cuts)
             else:
-                values |= ANSWERS[name](at, stand, moved if name in TASK_TAKERS else state)
+                values |= answers[name](at, stand, moved if name in TASK_TAKERS else state)
     for name, value in values.items():
         if not finite(value):
             raise StateError(f"{name}: not finite at this state")

@@ -14,7 +14,7 @@ from mahovik.contract.functions import CONFLICTS, wants_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.second import points, problems
+from mahovik.proof.second import hold, points, problems
 from mahovik.proof.second.chart import Expr
 from mahovik.proof.second.kinematics import generalized
 from mahovik.proof.second.rotation import Array, attitude
@@ -28,6 +28,9 @@ PROBLEMS: dict[str, Callable[[System], dict[str, Expr]]] = {
     "points": points.points,
 }
 """Wants that are CasADi functions of the state."""
+
+OF_HELD: dict[str, Callable[[System], dict[str, Expr]]] = {"forward": hold.forward, "coupled": hold.coupled}
+"""Wants that a held carrier answers in its freedoms."""
 
 WANTS = wants_of("second")
 """Wants of the second derivation: those of PROBLEMS, and `generalized`."""
@@ -55,7 +58,8 @@ class Second:
         Inputs by the names of `System.inputs`; results by theirs after the want's: `forward_V_dot`, `points_C`.
         """
         if want not in self._functions:
-            found = PROBLEMS[want](self.system)
+            problem = PROBLEMS[want] if self.stand.hold is None else OF_HELD.get(want, PROBLEMS[want])
+            found = problem(self.system)
             inputs = self.system.inputs
             self._functions[want] = ca.Function(
                 want, list(inputs.values()), list(found.values()), list(inputs), [f"{want}_{name}" for name in found]
@@ -71,6 +75,10 @@ class Second:
         check_want(want)
         if state.task:
             raise StateError("task: the second derivation has no tasks, ask the backends c or numpy")
+        if self.stand.hold is not None:
+            if "generalized" in want:
+                raise StateError('want: a held carrier has no "generalized" yet, ask for forward')
+            state = hold.held_state(self.stand.hold, state)
         self._check_state(state)
         with np.errstate(all="ignore"):  # what is not finite is found below
             inputs = self.arguments(state)

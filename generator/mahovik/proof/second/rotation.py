@@ -35,6 +35,12 @@ def by_angles(sequence: Sequence, angles: Expr) -> Expr:
     return elementary(first, angles[0]) @ elementary(second, angles[1]) @ elementary(third, angles[2])
 
 
+def by_axis(axis: Expr, angle: Expr) -> Expr:
+    """Rotation (3x3) about an axis of length 1 by an angle (rad)."""
+    outer = axis @ axis.T
+    return outer + ca.cos(angle) * (ca.DM.eye(3) - outer) + ca.sin(angle) * ca.skew(axis)
+
+
 def fixed_rotation(angles: Vec3) -> Array:
     """C3(psi) C2(theta) C1(phi) (3x3) of an instrument or a point."""
     return np.asarray(by_angles("ship", ca.DM(angles)).full())

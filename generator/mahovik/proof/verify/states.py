@@ -15,6 +15,7 @@ import numpy as np
 
 from mahovik.contract.functions import CONFLICTS, TASK_CONFLICTS, TASK_WANTS, WANTS
 from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH, Quantity
+from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import StateError
@@ -24,7 +25,19 @@ from mahovik.proof.verify.backends import Backend
 ROUNDING = 4 * 2.0**-52
 """Rounding of four squares and a root: a quaternion this near to unit length stays as it is, so that states replay."""
 
-KEYS = ("id", "quaternion", *(row.symbol for row in QUANTITIES.values() if row.input), "task", "demand", "want")
+KEYS = (
+    "id",
+    "quaternion",
+    *(row.symbol for row in QUANTITIES.values() if row.input),
+    "task",
+    "demand",
+    "u",
+    "u_dot",
+    "want",
+)
+
+HELD_KEYS = {"u": "V", "u_dot": "V_dot"}
+"""Keys of a state of a held carrier, and those that they stand for."""
 
 
 @dataclass(frozen=True)
@@ -81,6 +94,7 @@ def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> R
     given["angles"] = given["angles"] if "angles" in found else None
     quaternion = _quaternion(found) if "quaternion" in found else None
     task, demand = _task(stand, found, want, real)
+    given |= freedoms_of(stand, found, want, real)
     state = State(**given, quaternion=quaternion, wrench=_wrench(stand, found, real), task=task, demand=demand)
     return Request(identifier(found), state, want)
 
@@ -168,6 +182,29 @@ def _list_of(given: Any, where: str, count: int, limits: Sequence[float]) -> tup
         if abs(number) > limit:
             raise StateError(f"{where}[{i}]: {number:.9g} is out of range, at most {limit:g} in magnitude")
     return numbers
+
+
+def freedoms_of(stand: Stand, found: dict[str, Any], want: Sequence[str], real: str) -> dict[str, Any]:
+    """u, u_dot (m each) of a held carrier, and the V, V_dot they give; nothing of a free one. Raises StateError."""
+    if stand.hold is None:
+        for key, other in HELD_KEYS.items():
+            if key in found:
+                raise StateError(f"{key}: the stand has no [hold], expected {other}")
+        return {}
+    if "generalized" in want:
+        raise StateError('want: a held carrier has no "generalized" yet, ask for forward')
+    count, given = len(stand.hold.freedoms), {}
+    for key, other in HELD_KEYS.items():
+        if other in found:
+            raise StateError(f"{other}: the carrier is held, expected {key}, {count} numbers")
+        given[key] = _list_of(found.get(key, [0.0] * count), key, count, (math.inf,))
+        given[other] = twist_of(stand.hold, given[key])
+        for i, (number, limit) in enumerate(zip(given[other], cycle(QUANTITIES[other].limits(real)), strict=False)):
+            if not abs(number) <= limit:
+                raise StateError(
+                    f"{key}: gives {other}[{i}] = {number:.9g}, which is out of range, at most {limit:g} in magnitude"
+                )
+    return given
 
 
 def _number(given: Any, where: str) -> float:
@@ -323,8 +360,9 @@ def state_object(state: State) -> dict[str, Any]:
         found["angles"] = state.angles
     if state.quaternion is not None:
         found["quaternion"] = state.quaternion
-    for key in ("V", "phi", "phi_dot", "phi_ddot", "V_dot", "tau"):
-        if any(getattr(state, key)):
+    held = state.u or state.u_dot
+    for key in ("V", "phi", "phi_dot", "phi_ddot", "V_dot", "tau", "u", "u_dot"):
+        if any(getattr(state, key)) and not (held and key in HELD_KEYS.values()):
             found[key] = getattr(state, key)
     if state.task:
         found |= {"task": state.task, "demand": state.demand}

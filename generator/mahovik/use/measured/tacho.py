@@ -12,7 +12,7 @@ from mahovik.use.measured.recording import Array
 DOUBLE = 0.4
 """Part of the usual interval below which a pulse is a second one of the same turn."""
 
-NEIGHBOURS = 9
+NEIGHBOURS = 5
 """Intervals whose median is the usual one."""
 
 
@@ -68,8 +68,15 @@ def _count_turns(times: Array) -> Pulses | None:
     if len(found) < 2:
         return None
     intervals = np.diff(found)
-    steps = np.array([max(1, round(dt / _usual(intervals, k))) for k, dt in enumerate(intervals)])
+    steps = np.array([_turns(intervals, k) for k in range(len(intervals))])
     return Pulses(found, np.concatenate([[0.0], np.cumsum(steps)]), double, int((steps - 1).sum()))
+
+
+def _turns(intervals: Array, place: int) -> int:
+    """Whole turns in an interval: more than one only where it is long beside a neighbour, too."""
+    beside = np.delete(intervals[max(0, place - 1) : place + 2], min(place, 1))
+    turns = max(1, round(intervals[place] / _usual(intervals, place)))
+    return turns if beside.size and intervals[place] > 1.5 * beside.min() else 1
 
 
 def _usual(intervals: Array, place: int) -> float:

@@ -52,8 +52,11 @@ class Excess:
 
 
 def excess(stand: Stand) -> Excess | None:
-    """What (12) needs at most for a small demand, if this is more than there is in most positions; else None."""
-    if not stand.flywheels:
+    """What (12) needs at most for a small demand, if this is more than there is in most positions; else None.
+
+    None of a held carrier, which (12) does not ask for all six components.
+    """
+    if not stand.flywheels or stand.hold is not None:
         return None
     bodies = bodies_of(stand)
     rng = np.random.default_rng(_SEED)

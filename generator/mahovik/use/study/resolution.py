@@ -166,7 +166,12 @@ def balanced_flywheel(flywheel: Flywheel) -> Flywheel:
 
 
 def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
-    """Quantities that float does not resolve with flywheels at these speeds (rad/s); one per flywheel and want."""
+    """Quantities that float does not resolve with flywheels at these speeds (rad/s); one per flywheel and want.
+
+    None of a held carrier, which has no C in float yet.
+    """
+    if stand.hold is not None:
+        return []
     found: dict[tuple[int, str], Shortfall] = {}
     bodies = bodies_of(stand)
     exchanges = [Exchange.of(number, s, balanced_flywheel(s)) for number, s in enumerate(stand.flywheels)]

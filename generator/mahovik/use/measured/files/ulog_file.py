@@ -7,6 +7,7 @@ the one point of a stand that has one only; all else needs a name.
 from __future__ import annotations
 
 import io
+import struct
 import warnings
 from pathlib import Path
 
@@ -15,6 +16,11 @@ import numpy as np
 from mahovik.errors import DataError
 from mahovik.use.measured.files.table import Table, package
 
+MAGIC = b"ULog\x01\x12\x35"
+HEADER = 16
+DEFINITIONS = b"BFIMPQ"
+"""First bytes of a log, length of its header, types of the messages before the data."""
+
 TIMES = ("timestamp_sample", "timestamp")
 """Fields with the time in microseconds, the best first."""
 
@@ -22,6 +28,8 @@ TIMES = ("timestamp_sample", "timestamp")
 def read_ulog(path: Path, content: bytes) -> list[Table]:
     """The topics of a ULog file. Raises DataError; UsageError without pyulog."""
     pyulog = package("pyulog", "ulog", str(path))
+    if not _has_data(content):
+        raise DataError([f"{path}: cannot be read as ULog: no whole header, definitions and data"])
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -30,7 +38,7 @@ def read_ulog(path: Path, content: bytes) -> list[Table]:
         raise DataError([f"{path}: cannot be read as ULog: {str(error) or type(error).__name__}"]) from None
     lost = sum(dropout.duration for dropout in found.dropouts)
     notes = (f"{len(found.dropouts)} drops of the logger, {lost} ms in all",) if found.dropouts else ()
-    tables = []
+    tables: list[Table] = []
     for topic in found.data_list:
         label = topic.name if topic.multi_id == 0 else f"{topic.name}#{topic.multi_id}"
         time = next((field for field in TIMES if field in topic.data and np.any(topic.data[field])), None)
@@ -44,3 +52,19 @@ def read_ulog(path: Path, content: bytes) -> list[Table]:
         }
         tables.append(Table(f"{path}: {label}", columns, notes if not tables else ()))
     return tables
+
+
+def _has_data(content: bytes) -> bool:
+    """Whether definitions lead to data; pyulog would search without end in a file that stops before.
+
+    A message is its length (two bytes), its type and as many bytes; `A` begins the data.
+    """
+    at = HEADER
+    while content.startswith(MAGIC) and at + 3 <= len(content):
+        size, kind = struct.unpack_from("<HB", content, at)
+        if kind == ord("A"):
+            return True
+        if kind not in DEFINITIONS:
+            return False
+        at += 3 + size
+    return False

@@ -1,0 +1,226 @@
+"""`[hold]` of a stand file: how the carrier can move where it is not free, V = S u."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.stand.fields import ZERO3, Angle3, Direction, Length3, Table, validator
+from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Freedom, Hold, Stand, Vec3, Vec6
+from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.shapes import vector
+from mahovik.core.stand.toml import line_of, value_of
+from mahovik.core.stand.units import PLAIN, QuantityError, show
+from mahovik.errors import StandError
+from mahovik.nearest import suggestion
+
+Array = NDArray[np.float64]
+
+AXES: tuple[Vec3, Vec3, Vec3] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+FREEDOMS: dict[str, Freedom] = {
+    **{name: Freedom("slide", AXES[k]) for k, name in enumerate("xyz")},
+    **{name: Freedom("turn", AXES[k]) for k, name in enumerate(("roll", "pitch", "yaw"))},
+}
+"""Freedoms by their names in the file."""
+
+_NAMES = {freedom: name for name, freedom in FREEDOMS.items()}
+
+_WAYS = ("freedoms", "axis", "slide", "basis")
+"""Keys that say how the carrier can move; a hold has one of them."""
+
+DEPENDENT = 1e-9
+"""Sine of the angle of a column of S to those before it, below which it says nothing new; lengths by the arm."""
+
+
+def _freedoms(raw: Any) -> tuple[Freedom, ...]:
+    if not isinstance(raw, list):
+        raise QuantityError(f'expected a list of names such as ["yaw"], or [] for clamped, found {show(raw)}')
+    for i, name in enumerate(raw):
+        if not isinstance(name, str):
+            raise QuantityError(f"[{i}]: expected one of {', '.join(FREEDOMS)}, found {show(name)}")
+        if name not in FREEDOMS:
+            raise QuantityError(f"[{i}]: unknown freedom {show(name)}{suggestion(name, FREEDOMS)}")
+        if name in raw[:i]:
+            raise QuantityError(f"{name} is given twice")
+    return tuple(FREEDOMS[name] for name in raw)
+
+
+def _basis(raw: Any) -> tuple[Freedom, ...]:
+    if not isinstance(raw, list) or not raw:
+        found = "an empty list (freedoms = [] is clamped)" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f"expected rows of six numbers, u v w p q r at u = 1, found {found}")
+    rows = []
+    for i, row in enumerate(raw):
+        try:
+            rows.append(vector(row, (6,), PLAIN))
+        except QuantityError as error:
+            where = f"[{i}]" if str(error).startswith("[") else f"[{i}]: "
+            raise QuantityError(f"{where}{error}") from None
+        if not any(rows[-1]):
+            raise QuantityError(f"[{i}]: a row of zeros is no motion")
+    return tuple(Freedom("twist", twist=(a, b, c, d, e, f)) for a, b, c, d, e, f in rows)
+
+
+class HoldTable(Table):
+    """`[hold]`."""
+
+    freedoms: Annotated[tuple[Freedom, ...], validator(_freedoms)] | None = None
+    axis: Direction | None = None
+    slide: Direction | None = None
+    basis: Annotated[tuple[Freedom, ...], validator(_basis)] | None = None
+    pivot: Length3 | None = None
+    position: Length3 = ZERO3
+    angles: Angle3 = ZERO3
+
+
+def hold_of(table: HoldTable, problems: Problems) -> Hold | None:
+    """The hold of its table; None where that is not in order, which is noted."""
+    given = [key for key in _WAYS if getattr(table, key) is not None]
+    if len(given) != 1:
+        found = f"{', '.join(given)} given together" if given else "it is not said how the carrier can move"
+        problems.add("hold", f'{found}, expected one of {", ".join(_WAYS)}, such as freedoms = ["yaw"]')
+        return None
+    if table.pivot is not None and given[0] in ("slide", "basis"):
+        problems.add("hold", "pivot", f"given together with {given[0]}, where nothing turns about it: leave it out")
+        return None
+    if table.axis is not None:
+        freedoms: tuple[Freedom, ...] = (Freedom("turn", table.axis),)
+    elif table.slide is not None:
+        freedoms = (Freedom("slide", table.slide),)
+    else:
+        freedoms = table.freedoms if table.freedoms is not None else table.basis or ()
+    hold = Hold(freedoms, table.pivot or ZERO3, table.position, table.angles)
+    row = _first_dependent(twists(hold))
+    if row is not None:
+        others = "row 0" if row == 1 else f"rows 0 to {row - 1}"
+        problems.add("hold", "basis", f"row {row} follows from {others}: rows must be independent, leave it out")
+        return None
+    return hold
+
+
+def twists(hold: Hold) -> Array:
+    """S (6 x m): the twists of O1 in E1 at u = 1; m/s and rad/s for one of u."""
+    columns = [_twist(each, np.array(hold.pivot)) for each in hold.freedoms]
+    return np.array(columns, dtype=np.float64).reshape(-1, 6).T
+
+
+def _twist(freedom: Freedom, pivot: Array) -> Array:
+    if freedom.kind == "twist":
+        return np.array(freedom.twist)
+    scaled = np.array(freedom.direction) / max(map(abs, freedom.direction))  # squares neither overflow nor vanish
+    unit = scaled / np.linalg.norm(scaled)
+    if freedom.kind == "slide":
+        return np.concatenate([unit, np.zeros(3)])
+    return np.concatenate([np.cross(pivot, unit), unit])
+
+
+def _scaled(S: Array) -> Array:
+    """S with lengths divided by the largest arm, columns of length 1."""
+    turning = np.linalg.norm(S[3:], axis=0)
+    arms = np.linalg.norm(S[:3], axis=0)[turning > 0] / turning[turning > 0]
+    arm = max(1e-9, float(arms.max(initial=0.0)))
+    scaled = S / np.array([[arm]] * 3 + [[1.0]] * 3)
+    return np.asarray(scaled / np.linalg.norm(scaled, axis=0))
+
+
+def _first_dependent(S: Array) -> int | None:
+    """Number of the first column that those before it give; None where all are independent."""
+    scaled = _scaled(S)
+    for k in range(1, scaled.shape[1]):
+        if _distance(scaled[:, k], scaled[:, :k]) < DEPENDENT:
+            return k
+    return None
+
+
+def _distance(vector_: Array, columns: Array) -> float:
+    """Distance of a vector (6) from the span of columns."""
+    if not columns.shape[1]:
+        return float(np.linalg.norm(vector_))
+    share, *_ = np.linalg.lstsq(columns, vector_, rcond=None)
+    return float(np.linalg.norm(vector_ - columns @ share))
+
+
+def is_closed(hold: Hold) -> bool:
+    """Whether the twists are closed: the bracket of any two is one of them, so that poses have m coordinates.
+
+    The bracket of (v, omega) and (v', omega') is (omega x v' + v x omega', omega x omega').
+    """
+    S = _scaled(twists(hold))
+    for i in range(S.shape[1]):
+        for j in range(i):
+            v, omega, v2, omega2 = S[:3, i], S[3:, i], S[:3, j], S[3:, j]
+            bracket = np.concatenate([np.cross(omega, v2) + np.cross(v, omega2), np.cross(omega, omega2)])
+            if _distance(bracket, S) > DEPENDENT:
+                return False
+    return True
+
+
+def words(hold: Hold) -> str:
+    """How the carrier can move, in a line for people."""
+    if not hold.freedoms:
+        return "clamped: it does not move, and the reaction is what is asked for"
+    count = len(hold.freedoms)
+    closed = (
+        "a closed set: poses have as many coordinates"
+        if is_closed(hold)
+        else "not a closed set: poses have more coordinates than there are freedoms, and none belong to these alone"
+    )
+    return f"{count} freedom{'s' if count > 1 else ''}, {', '.join(map(_word, hold.freedoms))}; {closed}"
+
+
+def _word(freedom: Freedom) -> str:
+    if freedom in _NAMES:
+        return _NAMES[freedom]
+    if freedom.kind == "twist":
+        moved = (f"{x:+g} {letter}" for x, letter in zip(freedom.twist, TWIST_LETTERS, strict=True) if x)
+        return "twist " + " ".join(moved)
+    axis = ", ".join(f"{x:g}" for x in freedom.direction)
+    return f"turning about ({axis})" if freedom.kind == "turn" else f"sliding along ({axis})"
+
+
+def idle_laws(stand: Stand) -> list[str]:
+    """Warnings, a line for each law whose wrench acts on what the hold blocks: there it adds to the reaction alone."""
+    if stand.hold is None:
+        return []
+    S = twists(stand.hold)
+    found = []
+    for law in stand.laws:
+        idle = [WRENCH_LETTERS[i] for i in law.rows or () if not np.any(S[i])]
+        if idle:
+            name = type(law).__name__.lower()
+            found.append(
+                f"{name}: {', '.join(idle)} of its wrench act on what [hold] blocks; they do nothing but add to the "
+                "reaction"
+            )
+    return found
+
+
+def lines(hold: Hold) -> list[str]:
+    """The table in SI, from which the same Hold is read."""
+    kinds = [each.kind for each in hold.freedoms]
+    if kinds and kinds[0] == "twist":
+        own = [line_of("basis", [each.twist for each in hold.freedoms])]
+    elif len(kinds) == 1 and hold.freedoms[0] not in _NAMES:
+        own = [line_of("axis" if kinds[0] == "turn" else "slide", hold.freedoms[0].direction)]
+    else:
+        own = [f"freedoms = [{', '.join(value_of(_NAMES[each]) for each in hold.freedoms)}]"]
+    if kinds and kinds[0] != "twist" and any(hold.pivot):
+        own.append(line_of("pivot", hold.pivot))
+    return ["", "[hold]", *own, line_of("position", hold.position), line_of("angles", hold.angles)]
+
+
+def refuse_hold(stand: Stand, source: str) -> None:
+    """StandError for a held carrier, where only a free one can be taken."""
+    if stand.hold is not None:
+        taken = "only `mahovik check` and `mahovik eval --backend numpy|casadi` take a held carrier yet"
+        raise StandError([f"{source}: hold: {taken}; expected a stand without [hold]"])
+
+
+def twist_of(hold: Hold, u: Sequence[float]) -> Vec6:
+    """V = S u (6), of a V_dot = S u_dot as well."""
+    a, b, c, d, e, f = (twists(hold) @ np.array(u, dtype=np.float64)).tolist()
+    return (a, b, c, d, e, f)

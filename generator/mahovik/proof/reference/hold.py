@@ -1,0 +1,150 @@
+"""Held carrier: V = S u, S (6 x m) constant in E1; (8) with the wrench R of the hold, which does no work, S^T R = 0.
+
+K V_r* + M V_r + I phi'' + J phi' = F + R. The hold blocks what the rows of B (6 x (6 - m)) name: B^T V* = 0, R = B r.
+All unknowns, the multipliers r among them, are found together.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import cast
+
+import numpy as np
+
+from mahovik.core.stand.model import Freedom, Hold, Stand, Vec6
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof.reference.array import Array, Values, solve, vector
+from mahovik.proof.reference.coupled import spin_up_torque
+from mahovik.proof.reference.excess import motor_shares, with_excess
+from mahovik.proof.reference.forward import bias
+from mahovik.proof.reference.inverse import CUTS, Cuts, inverse_root, status_names
+from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.screw import E, wrench_to_parent, zero
+
+
+@dataclass(frozen=True, eq=False)
+class HeldMotion:
+    """u_dot (m), V_dot (6) in E1 and the reaction R (6; N, N m): wrench of the hold on the carrier, in E1 about O1."""
+
+    u_dot: Array
+    V_dot: Array
+    reaction: Array
+
+
+def twists(hold: Hold) -> Array:
+    """S (6 x m): a frame at the pivot r, with the axes of E1, has the twist L^T V of the carrier, L = T(r).
+
+    A turn is (0; axis) of that frame, so V = L^-T (0; axis); a slide is (direction; 0) of any frame.
+    """
+    to_frame = wrench_to_parent(vector(hold.pivot), E).T
+    columns = [_twist(freedom, to_frame) for freedom in hold.freedoms]
+    return np.column_stack(columns) if columns else np.zeros((6, 0))
+
+
+def _twist(freedom: Freedom, to_frame: Array) -> Array:
+    if freedom.kind == "twist":
+        return vector(freedom.twist)
+    d = vector(freedom.direction)
+    d = d / np.max(np.abs(d))
+    d = d / np.sqrt(d @ d)
+    own = np.concatenate([d, zero[0]] if freedom.kind == "slide" else [zero[0], d])
+    return np.asarray(np.linalg.solve(to_frame, own))
+
+
+def held_state(stand: Stand, state: State) -> State:
+    """The state with V = S u, V* = S u*; as it is where the carrier is free. StateError: u of another length."""
+    if stand.hold is None:
+        return state
+    S = twists(stand.hold)
+    for name, given in (("u", state.u), ("u_dot", state.u_dot)):
+        if len(given) != S.shape[1]:
+            raise StateError(f"{name}: expected {S.shape[1]} numbers, found {len(given)}")
+    V, V_dot = (cast(Vec6, tuple((S @ vector(given)).tolist())) for given in (state.u, state.u_dot))
+    return replace(state, V=V, V_dot=V_dot)
+
+
+def blocked(S: Array) -> Array:
+    """B (6 x (6 - m)): directions of wrenches that do no work in the columns of S, S^T B = 0."""
+    Q, _ = np.linalg.qr(S, mode="complete")
+    return np.asarray(Q[:, S.shape[1] :])
+
+
+def held_forward(at: Pieces, hold: Hold, phi_ddot: Array) -> HeldMotion:
+    """Motion and reaction for given phi_ddot (N): K V_r* - B r = F - M V_r - J phi' - I phi'', B^T V* = 0."""
+    S = twists(hold)
+    B = blocked(S)
+    none = np.zeros((B.shape[1], B.shape[1]))
+    system = np.block([[at.K, -B], [B.T, none]])
+    right = at.F - bias(at) - at.I @ phi_ddot - at.K @ at.stream_rate()
+    found = solve(system, np.concatenate([right, none[0] if len(none) else np.zeros(0)]))
+    return _motion(S, B, found[:6], found[6:])
+
+
+def held_coupled(at: Pieces, hold: Hold, tau: Array) -> tuple[HeldMotion, Array]:
+    """Motion, reaction and phi'' (N) for given drive torques tau (N): 6 + N + (6 - m) unknowns."""
+    S = twists(hold)
+    B = blocked(S)
+    N, count = len(at.flywheels), B.shape[1]
+    system = np.block(
+        [
+            [at.K, at.I, -B],
+            [at.I.T, at.Theta_ff, np.zeros((N, count))],
+            [B.T, np.zeros((count, N)), np.zeros((count, count))],
+        ]
+    )
+    drift = at.stream_rate()
+    right = [at.F - bias(at) - at.K @ drift, spin_up_torque(at, tau) - at.I.T @ drift, np.zeros(count)]
+    found = solve(system, np.concatenate(right))
+    return _motion(S, B, found[:6], found[6 + N :]), found[6 : 6 + N]
+
+
+def _motion(S: Array, B: Array, V_dot: Array, multipliers: Array) -> HeldMotion:
+    """u* of V* = S u*."""
+    u_dot = np.zeros(0)
+    if S.shape[1]:
+        u_dot = np.asarray(np.linalg.lstsq(S, V_dot, rcond=None)[0], dtype=np.float64)
+    return HeldMotion(u_dot, S @ u_dot, B @ multipliers)
+
+
+def held_inverse(at: Pieces, hold: Hold, V_dot: Array, cuts: Cuts = CUTS) -> Values:
+    """phi_ddot (N), residual (m), sigma (min(m, N)), rank, status for a demanded V_dot = S u_dot (6).
+
+    S^T I phi'' = S^T (F - K V_r* - M V_r - J phi'): least residual in the norm of (S^T K S)^-1, then least phi'' in the
+    norm of Theta_ff, by the singular values of (S^T K S)^-1/2 S^T I Theta_ff^-1/2.
+    """
+    S = twists(hold)
+    wanted = S.T @ (at.F - at.K @ at.V_r_dot(V_dot) - bias(at))
+    K_root, Theta_root = inverse_root(S.T @ at.K @ S), inverse_root(at.Theta_ff)
+    U, sigma, Vt = np.linalg.svd(K_root @ S.T @ at.I @ Theta_root.T, full_matrices=False)
+    rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
+    phi_ddot = Theta_root.T @ (Vt[:rank].T @ ((U[:, :rank].T @ K_root @ wanted) / sigma[:rank]))
+    residual = wanted - S.T @ at.I @ phi_ddot
+    least = min(S.shape[1], len(at.flywheels))
+    status = status_names(K_root @ wanted, K_root @ residual, sigma, rank, least, cuts)
+    return {"phi_ddot": phi_ddot, "status": status, "residual": residual, "sigma": sigma, "rank": rank}
+
+
+def answer_forward(at: Pieces, stand: Stand, state: State) -> Values:
+    """u_dot (m), V_dot, reaction (6)."""
+    return dict(vars(held_forward(at, _hold(stand), vector(state.phi_ddot))))
+
+
+def answer_coupled(at: Pieces, stand: Stand, state: State) -> Values:
+    """u_dot (m), V_dot, reaction (6), phi_ddot (N)."""
+    motion, phi_ddot = held_coupled(at, _hold(stand), vector(state.tau))
+    return dict(vars(motion)) | {"phi_ddot": phi_ddot}
+
+
+def answer_inverse(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
+    """phi_ddot (N), status, residual (m), sigma (min(m, N)), rank."""
+    hold = _hold(stand)
+    found = held_inverse(at, hold, vector(state.V_dot), cuts)
+    moved = held_forward(at, hold, found["phi_ddot"]).V_dot
+    needed = motor_shares(stand, at, moved, found["phi_ddot"])
+    return found | {"status": with_excess(found["status"], needed)}
+
+
+def _hold(stand: Stand) -> Hold:
+    assert stand.hold is not None
+    return stand.hold

@@ -1,0 +1,144 @@
+"""Corrections without trial weights: data of the full equations, read by the literal reference at the sensor."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mahovik
+from cli.run import refused, run
+from mahovik.core.stand import load
+from mahovik.core.stand.inertia import inertia_about_origin
+from mahovik.core.stand.model import Flywheel
+from mahovik.errors import BalanceError
+from mahovik.proof.reference import pieces
+from mahovik.proof.reference.points import points
+from mahovik.stands import path
+from mahovik.use.balance.by_model import WheelBalance
+from mahovik.use.study.jitter.balance import balance as steady
+
+SPEEDS = (150.0, -171.0)
+POINT = '\n[[point]]\nname = "imu"\nposition = [0.1, 0.05, 0.02]\nangles = [0.3, 0.2, 0.1]\n'
+ALPHABET = "xyz"
+PLANES = {"all": ["-10 mm", "10 mm"]}
+
+
+@pytest.fixture(scope="module")
+def bench(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A stand of the first two flywheels of bench8 with an IMU, and data of one second: two.toml, run.csv."""
+    folder = tmp_path_factory.mktemp("bench")
+    text = "[[flywheel]]".join(path("bench8").read_text(encoding="utf-8").split("[[flywheel]]")[:3])
+    (folder / "two.toml").write_text(text + POINT, encoding="utf-8")
+    stand = load(folder / "two.toml")
+    motion = steady(stand, SPEEDS)
+    t = np.arange(0.0, 1.0, 2e-3)
+    theta = np.array([0.3, 1.0]) + np.array(SPEEDS) * t[:, None]
+    _, rates = motion.states(theta)
+    rows = []
+    for i in range(len(t)):
+        seen = points(pieces(stand, motion.state(theta[i])), stand, rates[i, 6:])["imu"]
+        rows.append([t[i], *seen["specific_force"], *seen["twist"][3:], *theta[i]])
+    names = [
+        "time [s]",
+        *(f"imu.acceleration.{x} [m/s2]" for x in ALPHABET),
+        *(f"imu.rate.{x} [rad/s]" for x in ALPHABET),
+    ]
+    write(folder / "run.csv", [*names, "w1.phase [rad]", "w2.phase [rad]"], np.array(rows))
+    return folder
+
+
+def write(file: Path, names: list[str], values: np.ndarray) -> None:
+    lines = [",".join(names), *(",".join(repr(x) for x in row) for row in values.tolist())]
+    file.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def read(file: Path) -> tuple[list[str], np.ndarray]:
+    head, *lines = file.read_text(encoding="utf-8").splitlines()
+    return head.split(","), np.array([[float(x) for x in line.split(",")] for line in lines])
+
+
+def test_static_and_dynamic_unbalance_are_undone(bench: Path) -> None:
+    """First moments and products of inertia about Os, of flywheels that turn in both directions."""
+    stand = load(bench / "two.toml")
+    found = mahovik.balance_stand(stand, bench / "run.csv", planes=PLANES)
+    assert [each.name for each in found.wheels] == ["w1", "w2"]
+    for flywheel, wheel in zip(stand.flywheels, found.wheels, strict=True):
+        static = flywheel.mass * complex(*flywheel.center_of_mass[1:])
+        assert abs(wheel.static - static) < 2e-4 * abs(static)
+        J = inertia_about_origin(flywheel)
+        dynamic = -complex(J[0, 1], J[0, 2])
+        assert abs(-wheel.w @ np.array(wheel.positions) - dynamic) < 0.03 * abs(dynamic)
+        assert all(after < 1e-3 * before for _, before, after in wheel.vibration)
+
+
+@pytest.mark.slow
+def test_intervals_are_those_of_the_noise(bench: Path, tmp_path: Path) -> None:
+    """Pooled over 40 noisy copies the 95 % intervals hold the truth about as often."""
+    names, values = read(bench / "run.csv")
+    exact = mahovik.balance_stand(str(bench / "two.toml"), bench / "run.csv", planes=PLANES)
+    rng = np.random.default_rng(5)
+    inside = []
+    for _ in range(40):
+        noisy = values.copy()
+        noisy[:, 1:4] += 0.5 * rng.normal(size=(len(values), 3))
+        noisy[:, 4:7] += 0.02 * rng.normal(size=(len(values), 3))
+        write(tmp_path / "noisy.csv", names, noisy)
+        found = mahovik.balance_stand(str(bench / "two.toml"), tmp_path / "noisy.csv", planes=PLANES)
+        for a, b in zip(found.wheels, exact.wheels, strict=True):
+            off = (a.w - b.w) / (1.959963984540054 * a.error)
+            inside += [*(np.abs(off.real) <= 1.0), *(np.abs(off.imag) <= 1.0)]
+    assert 0.89 <= np.mean(inside) <= 0.99
+
+
+def test_command_and_refused_data(bench: Path, tmp_path: Path) -> None:
+    stand, data = str(bench / "two.toml"), str(bench / "run.csv")
+    done = run("balance", stand, "--data", data, "--plane", "all=-10mm,10mm", "-o", str(tmp_path / "c.json"))
+    assert done.exit_code == 0 and "w1" in done.stdout
+    figures = json.loads((tmp_path / "c.json").read_text(encoding="utf-8"))["flywheels"][0]
+    assert figures["static"]["before"] == pytest.approx(4842.5, rel=1e-3)
+    assert set(figures["planes"][0]) == {"position", "correction", "interval", "residual"}
+    assert 'unknown flywheel "w9"' in refused("balance", stand, "--data", data, "--plane", "w9=0")
+    assert "different positions" in refused("balance", stand, "--data", data, "--plane", "w1=0,0")
+    assert "--data is missing" in refused("balance", stand)
+    assert "either --influence" in refused("balance")
+
+
+def test_alike_speeds_and_changing_speeds_are_refused(bench: Path, tmp_path: Path) -> None:
+    names, values = read(bench / "run.csv")
+    for phase, words in (
+        (values[:, 7] + 0.5, "speeds differ by less than"),
+        (values[:, 8] * (1.0 + 0.1 * values[:, 0]), "w2: speed changes by"),
+    ):
+        write(tmp_path / "other.csv", names, np.column_stack([values[:, :8], phase]))
+        with pytest.raises(BalanceError, match=words):
+            mahovik.balance_stand(str(bench / "two.toml"), tmp_path / "other.csv")
+    with pytest.raises(BalanceError, match="w1: planes at 0 mm, 1 mm, 2 mm act alike on these channels"):
+        mahovik.balance_stand(str(bench / "two.toml"), bench / "run.csv", planes={"w1": [0, 0.001, 0.002]})
+
+
+def test_the_corrected_stand_is_quiet_by_the_full_equations(bench: Path) -> None:
+    """Weights of finite mass at 30 mm in both planes; the carrier's motion by (8), before and after."""
+    stand = load(bench / "two.toml")
+    found = mahovik.balance_stand(stand, bench / "run.csv", planes=PLANES)
+    corrected = tuple(with_weights(f, each) for f, each in zip(stand.flywheels, found.wheels, strict=True))
+    before, after = (
+        np.abs(steady(replace(stand, flywheels=each), SPEEDS).c[1:, 6:]).max() for each in (stand.flywheels, corrected)
+    )
+    assert after < 0.01 * before
+
+
+def with_weights(flywheel: Flywheel, wheel: WheelBalance) -> Flywheel:
+    """The flywheel with the corrections as point masses at 30 mm from the axis."""
+    radius, mass, J = 0.03, flywheel.mass, inertia_about_origin(flywheel)
+    moment = mass * np.array(flywheel.center_of_mass)
+    for x, w in zip(wheel.positions, wheel.w, strict=True):
+        m, at = abs(w) / radius, np.array([x, *(radius * np.array([w.real, w.imag]) / abs(w))])
+        mass, moment, J = mass + m, moment + m * at, J + m * (at @ at * np.eye(3) - np.outer(at, at))
+    a, b, c = (moment / mass).tolist()
+    (p, q, r), (s, t, u), (v, k, n) = J.tolist()
+    inertia = ((p, q, r), (s, t, u), (v, k, n))
+    return replace(flywheel, mass=mass, center_of_mass=(a, b, c), inertia=inertia, inertia_about="origin")

@@ -1,0 +1,140 @@
+"""`mahovik eval` of a held carrier, its error lines, and the commands that take free carriers only."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cli.run import refused, run
+from mahovik.core.stand import loads
+from mahovik.errors import StandError
+from mahovik.out.api.stands import Stand
+
+TEXT = """
+schema = 1
+name = "pendulum"
+gravity = [0, 0, -9.81]
+[hold]
+freedoms = ["pitch"]
+pivot = [0, 0, -0.2]
+[carrier]
+mass = 2
+inertia = [0.02, 0.02, 0.01]
+[[flywheel]]
+name = "w1"
+axis = [0, 1, 0]
+zero = [0, 0, 1]
+mass = 0.5
+spin_inertia = 0.001
+transverse_inertia = 0.0006
+[[point]]
+name = "tip"
+position = [0, 0, 0.1]
+"""
+INERTIA = 0.02 + 0.0006 + 2.5 * 0.2**2
+"""About the pivot, kg m2, less the flywheel's own about its axis."""
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> str:
+    path = tmp_path / "pendulum.toml"
+    path.write_text(TEXT)
+    return str(path)
+
+
+def answers(file: str, *lines: dict[str, Any], backend: str = "numpy", status: int = 0) -> list[dict[str, Any]]:
+    stdin = "\n".join(map(json.dumps, lines))
+    result = run("eval", file, "--backend", backend, stdin=stdin)
+    assert result.exit_code == status, result.output
+    return [json.loads(line) for line in result.stdout.splitlines() if line.startswith("{")]
+
+
+@pytest.mark.parametrize("backend", ["numpy", "casadi"])
+def test_a_pendulum_falls_as_it_should(file: str, backend: str) -> None:
+    angle, u = 0.3, 1.5
+    state = {"angles": [0, angle, 0], "u": [u], "phi_ddot": [40.0]}
+    (found,) = answers(file, {**state, "want": ["forward", "points"], "u_dot": [0.7]}, backend=backend)
+    moment = 2.5 * 9.81 * 0.2 * np.sin(angle)  # the mass centre is over the pivot at angle 0
+    spin = 0.001
+    expected = (moment - spin * 40.0) / (0.02 + 2.5 * 0.2**2 + spin)
+    assert found["u_dot"] == pytest.approx([expected], rel=1e-13)
+    assert found["V_dot"] == pytest.approx([0.2 * expected, 0, 0, 0, expected, 0], rel=1e-13)
+    # force of the pivot: mass times the acceleration of the mass centre, less the weight, in E1
+    weight = 2.5 * 9.81 * np.array([np.sin(angle), 0, -np.cos(angle)])
+    force = 2.5 * np.array([0.2 * expected, 0, -0.2 * u**2]) - weight
+    assert found["reaction"][:3] == pytest.approx(force, rel=1e-13, abs=1e-13)
+    assert found["points"]["tip"]["twist"] == pytest.approx([0.3 * u, 0, 0, 0, u, 0], rel=1e-13)
+
+
+def test_inverse_turns_the_demand_into_the_flywheel(file: str) -> None:
+    state = {"angles": [0, 0.3, 0], "u": [0.4], "u_dot": [2.0]}
+    (found,) = answers(file, {**state, "want": ["inverse", "torque"]})
+    assert found["rank"] == 1 and found["status"] == "OK" and len(found["sigma"]) == len(found["residual"]) == 1
+    back = {**state, "phi_ddot": found["phi_ddot"], "want": ["forward"]}
+    assert answers(file, back)[0]["u_dot"] == pytest.approx([2.0], rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("given", "reason"),
+    [
+        ({"V": [0, 0, 0, 0, 1, 0]}, "V: the carrier is held, expected u, 1 numbers"),
+        ({"V_dot": [0, 0, 0, 0, 1, 0]}, "V_dot: the carrier is held, expected u_dot, 1 numbers"),
+        ({"u": [1, 2]}, "u: expected 1 numbers, found 2"),
+        ({"u": [1e6]}, "out of range"),
+        ({"u_dot": [float("nan")]}, "u_dot[0]: NaN is not finite"),
+        ({"want": ["generalized"]}, 'no "generalized" yet'),
+        ({"want": ["forward", "coupled"]}, "ask for them in two states"),
+    ],
+)
+@pytest.mark.parametrize("backend", ["numpy", "casadi"])
+def test_a_state_that_does_not_fit_is_an_error_line(
+    file: str, given: dict[str, Any], reason: str, backend: str
+) -> None:
+    (found,) = answers(file, {"want": ["forward"], **given}, backend=backend, status=1)
+    assert reason in found["error"]
+
+
+def test_a_free_carrier_has_no_u(tmp_path: Path) -> None:
+    free = tmp_path / "free.toml"
+    free.write_text(TEXT.replace('[hold]\nfreedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', ""))
+    (found,) = answers(str(free), {"u": [1.0], "want": ["forward"]}, status=1)
+    assert found["error"] == "u: the stand has no [hold], expected V"
+
+
+TAKE_FREE_CARRIERS = (
+    "eval --backend c",
+    "generate",
+    "verify",
+    "evidence",
+    "report -o page.html",
+    "derive",
+    "rest",
+    "cost",
+    "simulate --until 1 -o run.csv",
+    "modes",
+    "jitter --speed w1=100 --at tip",
+)
+
+
+@pytest.mark.parametrize("command", TAKE_FREE_CARRIERS)
+def test_what_takes_free_carriers_says_so_in_one_line(file: str, command: str, tmp_path: Path) -> None:
+    before = sorted(tmp_path.iterdir())
+    name, *rest = command.split()
+    message = refused(name, file, *rest)
+    assert "hold: only `mahovik check`" in message and len(message.strip().splitlines()) == 1
+    assert sorted(tmp_path.iterdir()) == before
+
+
+def test_python_refuses_it_likewise() -> None:
+    with pytest.raises(StandError, match=r"hold: only"):
+        Stand.of(loads(TEXT))
+
+
+def test_check_says_how_it_moves(file: str) -> None:
+    assert "held, 1 freedom, pitch; a closed set" in run("check", file).output
+    found = json.loads(run("check", file, "--json").stdout)
+    assert found["hold"].startswith("1 freedom, pitch")

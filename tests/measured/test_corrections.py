@@ -1,0 +1,276 @@
+"""Faults of measured data: each is planted, and found in one line; corrected where that is safe."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from mahovik.errors import DataError
+from mahovik.use.measured import Recording, read_recordings
+from mahovik.use.measured.clock import clock_offset
+from mahovik.use.measured.counters import modulus_of, unwrap
+from mahovik.use.measured.recording import Array
+from mahovik.use.measured.tacho import find_pulses, phase_of
+from measured.stand_of_tests import STAND, clock, read_one, values, write_csv
+
+RATE = "acc1.rate.x [rad/s]"
+TURN = 2.0 * np.pi
+
+
+def wobble(t: Array) -> Array:
+    """A signal that changes with every sample."""
+    return np.asarray(np.sin(37.0 * t) + 0.3 * np.cos(211.0 * t))
+
+
+def lines(recording: Recording, text: str) -> list[str]:
+    """Notes with a text."""
+    return [note for note in recording.notes if text in note]
+
+
+def test_a_clean_file_has_no_notes(tmp_path: Path) -> None:
+    """Nothing is reported where nothing is wrong."""
+    t = clock()
+    found = read_one(tmp_path / "a.csv", {"time [s]": t, RATE: wobble(t), "w1.speed [rad/s]": 100 + t})
+    assert found.notes == ()
+    assert len(list(found.stretches())) == 1
+    assert found.complete.all()
+
+
+def test_gaps(tmp_path: Path) -> None:
+    """Reported with the longest and its place; not filled; stretches end at them."""
+    t = np.delete(clock(), np.r_[50:53, 200:300])
+    found = read_one(tmp_path / "a.csv", {"time [s]": t, RATE: wobble(t)})
+    (line,) = lines(found, "gap")
+    assert "2 gaps in time, the longest of 0.101 s at t = 0.199 s" in line
+    assert [s.stop - s.start for s in found.stretches()] == [50, 147, 100]
+
+
+def test_times_out_of_order_and_repeated(tmp_path: Path) -> None:
+    """Sorted; of equal times the first sample is kept."""
+    t = clock(100)
+    order = np.arange(100)
+    order[[10, 11]] = order[[11, 10]]
+    order = np.insert(order, 40, 39)
+    x = wobble(t)
+    found = read_one(tmp_path / "a.csv", {"time [s]": t[order], RATE: x[order]})
+    np.testing.assert_array_equal(found.t, t)
+    np.testing.assert_array_equal(values(found, "acc1.rate.x"), x)
+    assert lines(found, "out of order at 1 places: sorted")
+    assert lines(found, "1 repeated times")
+
+
+def test_runs_in_one_file(tmp_path: Path) -> None:
+    """The time begins again for each."""
+    t = clock(100)
+    path = write_csv(tmp_path / "a.csv", {"time [s]": np.tile(t, 3), RATE: wobble(clock(300))})
+    found = read_recordings([path], STAND)
+    assert [run.source.rpartition(", ")[2] for run in found] == ["run 1", "run 2", "run 3"]
+    np.testing.assert_array_equal(np.concatenate([values(run, "acc1.rate.x") for run in found]), wobble(clock(300)))
+
+
+def test_missing_and_stuck_samples(tmp_path: Path) -> None:
+    """Missing ones are NaN; a value that repeats in a channel that else changes is missing as well."""
+    t, x = clock(), wobble(clock())
+    x[[5, 6]] = np.nan
+    x[9] = np.inf
+    x[100:130] = x[100]
+    found = read_one(tmp_path / "a.csv", {"time [s]": t, RATE: x, "acc2.rate.x [rad/s]": wobble(t)})
+    missing = np.flatnonzero(np.isnan(values(found, "acc1.rate.x")))
+    np.testing.assert_array_equal(missing, [5, 6, 9, *range(101, 130)])
+    assert lines(found, "acc1.rate.x: 3 samples of 400 missing")
+    assert lines(found, "29 samples repeat the one before, first at t = 0.101 s")
+    assert not lines(found, "acc2")
+    assert int((~found.complete).sum()) == 32
+
+
+def test_a_coarse_channel_is_not_stuck(tmp_path: Path) -> None:
+    """Few levels repeat by nature."""
+    t = clock()
+    found = read_one(tmp_path / "a.csv", {"time [s]": t, RATE: np.round(wobble(t))})
+    assert found.notes == ()
+
+
+def test_an_empty_channel_is_left_out(tmp_path: Path) -> None:
+    """One line; the others stay."""
+    t = clock()
+    found = read_one(tmp_path / "a.csv", {"time [s]": t, RATE: wobble(t), "acc2.rate.x [rad/s]": np.nan * t})
+    assert len(found.channels) == 1
+    assert lines(found, "acc2.rate.x: no sample: left out")
+
+
+@given(
+    modulus=st.sampled_from([4096, 1 << 16, 1 << 32]),
+    signed=st.booleans(),
+    speed=st.floats(-0.45, 0.45),
+    start=st.integers(-(10**6), 10**6),
+)
+def test_wrapped_counters_go_on(modulus: int, signed: bool, speed: float, start: int) -> None:
+    """Registers of any size, signed or not, up to nearly half of a modulus between two samples."""
+    true = np.round(start + speed * modulus * np.arange(200.0))
+    low = -modulus // 2 if signed else 0
+    read = (true - low) % modulus + low
+    found = modulus_of(read, 4096)
+    if found is None:
+        np.testing.assert_array_equal(np.diff(read), np.diff(true))
+        return
+    if np.ptp(true) > modulus:
+        assert found == modulus
+    whole, _, unsure = unwrap(read, found)
+    if found == modulus:
+        np.testing.assert_array_equal(np.diff(whole), np.diff(true))
+        assert (unsure > 0) == (abs(speed) > 0.401) or 0.399 < abs(speed) < 0.401
+
+
+def test_a_speed_tells_whole_turns_between_samples(tmp_path: Path) -> None:
+    """Seven tenths of a turn between samples are not three tenths backwards."""
+    t = clock(200)
+    phase = 0.7 * TURN * 1e3 * t
+    columns = {"time [s]": t, "w1.phase [rad]": phase % TURN}
+    alone = read_one(tmp_path / "a.csv", columns)
+    assert values(alone, "w1.phase")[-1] < 0
+    told = read_one(tmp_path / "b.csv", {**columns, "w1.speed [rad/s]": np.gradient(phase, t)})
+    np.testing.assert_allclose(values(told, "w1.phase"), phase, atol=1e-9)
+
+
+@pytest.mark.parametrize("header", ["w1.count", "w1.count [1]", "w1.count [1/4096 turn]"])
+def test_counts_are_phases(tmp_path: Path, header: str) -> None:
+    """With the encoder of the stand: counts a turn and zero; wraps at a turn."""
+    t = clock()
+    phase = 300 * t
+    counts = np.floor(phase / TURN * 4096) + 10
+    found = read_one(tmp_path / "a.csv", {"time [s]": t, header: counts % 4096})
+    np.testing.assert_allclose(values(found, "w1.phase"), phase, atol=1.01 * TURN / 4096)
+    (line,) = found.notes
+    assert "wraps at 4096 counts, 19 times: unwrapped" in line
+
+
+def test_counts_a_turn_are_seen_between_pulses(tmp_path: Path) -> None:
+    """Of an encoder that the stand file does not have."""
+    t = clock(2000)
+    phase = 200 * t
+    columns = {"time [s]": t, "w2.count": np.floor(phase / TURN * 500), "acc1.rate.x [rad/s]": wobble(t)}
+    found = read_one(tmp_path / "a.csv", columns)
+    assert lines(found, "w2.count: counts a turn are not known")
+    pulses = (phase % TURN < 0.3).astype(float)
+    found = read_one(tmp_path / "b.csv", {**columns, "w2.tacho": pulses})
+    assert lines(found, "500 counts a turn, as seen between pulses")
+    np.testing.assert_allclose(values(found, "w2.phase"), phase, atol=0.02)
+
+
+def test_counts_a_turn_of_a_file_of_names(tmp_path: Path) -> None:
+    """Named for a flywheel; another name is refused."""
+    t = clock()
+    path = write_csv(tmp_path / "a.csv", {"time [s]": t, "w2.count": np.floor(5e4 * t)})
+    names = tmp_path / "names.toml"
+    names.write_text("[counts]\nw2 = -1000\n", encoding="utf-8")
+    (found,) = read_recordings([path, names], STAND)
+    np.testing.assert_allclose(values(found, "w2.phase"), -np.floor(5e4 * t) * TURN / 1000)
+    names.write_text("[counts]\nw3 = 1000\n", encoding="utf-8")
+    with pytest.raises(DataError, match='did you mean "w1"'):
+        read_recordings([path, names], STAND)
+
+
+@given(st.floats(20.0, 300.0), st.floats(-30.0, 30.0), st.floats(0.0, 1.0), st.booleans())
+def test_pulses_are_a_phase(speed: float, acceleration: float, at: float, analogue: bool) -> None:
+    """Speed that changes, pulses at any angle; up to the step of time, and a constant."""
+    t = clock(4000)
+    phase = speed * t + 0.5 * acceleration * t**2
+    if (speed + acceleration * t).min() < 20.0:
+        return
+    turn = (phase / TURN + at) % 1.0
+    signal = np.exp(-(((turn - 0.5) / 0.1) ** 2)) if analogue else (turn < 0.3).astype(float)
+    pulses = find_pulses(t, signal)
+    assert pulses is not None
+    assert (pulses.double, pulses.lost) == (0, 0)
+    found = phase_of(pulses, t, 1.0)
+    inside = np.isfinite(found)
+    error = (found - phase)[inside]
+    # bend of the phase between two pulses, besides the place of a pulse in a step of time
+    bend = abs(acceleration) * (TURN / (speed + acceleration * t).min()) ** 2 / 8
+    assert np.ptp(error) < 2.2e-3 * (speed + abs(acceleration) * 4) + 2 * bend
+
+
+def test_lost_and_double_pulses(tmp_path: Path) -> None:
+    """A lost one is a turn; a double one is left out."""
+    t = clock(3000)
+    phase = 100 * t
+    turns, angle = np.divmod(phase, TURN)
+    good = angle < 1.0
+    signal = good & (turns != 20) & (turns != 31)
+    signal |= (turns == 10) & (angle > 1.6) & (angle < 2.0)
+    found = read_one(tmp_path / "a.csv", {"time [s]": t, "w2.tacho": signal.astype(float)})
+    assert lines(found, "1 double pulse: left out")
+    assert lines(found, "2 lost pulses: a whole turn each")
+    error = values(found, "w2.phase") - phase
+    assert np.nanmax(error) - np.nanmin(error) < 0.25
+
+
+@given(st.floats(-0.5, 0.5), st.integers(0, 2**32 - 1))
+def test_the_offset_of_a_clock_is_found(offset: float, seed: int) -> None:
+    """To a fifth of a step, from a signal that does not repeat, with noise on both sides."""
+    rng = np.random.default_rng(seed)
+    t = clock(3000)
+    parts = [(rng.uniform(2, 40), rng.uniform(0, TURN), rng.uniform(0.3, 1)) for _ in range(12)]
+
+    def signal(time: Array) -> Array:
+        chirp = np.sin(20 * time + 15 * time**2)
+        return np.asarray(chirp + sum(a * np.sin(w * time + p) for w, p, a in parts))
+
+    other = t[::2] - offset  # the second clock shows less by the offset
+    noise = [0.1 * rng.normal(size=len(x)) for x in (t, other)]
+    found = clock_offset(t, signal(t) + noise[0], other, signal(t[::2]) + noise[1])
+    assert found is not None
+    if found.safe:
+        assert abs(found.seconds - offset) < 4e-4
+
+
+def test_a_hum_shows_no_offset() -> None:
+    """It fits at every period."""
+    t = clock(3000)
+    found = clock_offset(t, np.sin(100 * t), t, np.sin(100 * (t + 0.01)))
+    assert found is not None
+    assert not found.safe
+    assert clock_offset(t, 0 * t, t, np.sin(t)) is None
+
+
+def test_two_files_of_one_run(tmp_path: Path) -> None:
+    """Sensors and flywheels of two loggers: the offset by what both have, the flywheels at the times of the sensors."""
+    t = clock(4000)
+    speed = 200 + 20 * np.sin(3 * t) + 10 * np.sin(17 * t**1.3)
+    rate = wobble(t)
+    slow = slice(None, None, 5)
+    a = write_csv(tmp_path / "a.csv", {"time [s]": t, RATE: rate, "w1.speed [rad/s]": speed})
+    columns = {"time [s]": t[slow] + 0.25, "w1.speed [rad/s]": speed[slow], "w2.speed [rad/s]": -speed[slow]}
+    b = write_csv(tmp_path / "b.csv", columns)
+    (found,) = read_recordings([a, b], STAND)
+    assert lines(found, "0.25 s ahead by w1.speed: corrected")
+    other = values(found, "w2.speed")
+    assert np.isfinite(other).mean() > 0.99
+    np.testing.assert_allclose(other[np.isfinite(other)], -speed[np.isfinite(other)], atol=0.05)
+    np.testing.assert_array_equal(values(found, "acc1.rate.x"), rate)
+
+
+def test_two_files_without_a_common_channel(tmp_path: Path) -> None:
+    """Their clocks are taken as equal, and that is said."""
+    t = clock()
+    a = write_csv(tmp_path / "a.csv", {"time [s]": t, RATE: wobble(t)})
+    b = write_csv(tmp_path / "b.csv", {"time [s]": t[::4], "w1.phase [rad]": 50 * t[::4] ** 2})
+    (found,) = read_recordings([a, b], STAND)
+    assert lines(found, "no channel is in both that shows an offset: taken as equal")
+    inside = found.t <= t[::4][-1]
+    np.testing.assert_allclose(values(found, "w1.phase")[inside], (50 * t**2)[inside], atol=1e-9)
+    assert np.isnan(values(found, "w1.phase")[~inside]).all()
+
+
+def test_files_of_several_runs_go_in_pairs(tmp_path: Path) -> None:
+    """The k-th file of sensors with the k-th of flywheels."""
+    t = clock()
+    paths = [write_csv(tmp_path / f"imu{k}.csv", {"time [s]": t, RATE: k + wobble(t)}) for k in (1, 2)]
+    paths += [write_csv(tmp_path / f"w{k}.csv", {"time [s]": t, "w1.speed [rad/s]": 0 * t + k}) for k in (1, 2)]
+    found = read_recordings(paths, STAND)
+    assert [float(values(run, "w1.speed")[0]) for run in found] == [1.0, 2.0]
+    assert [round(float(values(run, "acc1.rate.x")[0])) for run in found] == [1, 2]

@@ -1,0 +1,228 @@
+"""What is written in any unit and format is read back in SI."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from mahovik.errors import DataError
+from mahovik.use.measured import Recording, read_recordings
+from mahovik.use.measured.quantities import HeaderError, name_of, split_header
+from measured.stand_of_tests import STAND, clock, read_one, values, write_csv
+from measured.ulog_writer import ulog
+
+UNITS = {
+    "acceleration.x": {"m/s2": 1.0, "m/s^2": 1.0, "mm/s²": 1e-3, "g": 9.80665, "mg": 9.80665e-3, "cm/s^2": 1e-2},
+    "rate.z": {"rad/s": 1.0, "deg/s": np.pi / 180, "rpm": np.pi / 30, "mrad/s": 1e-3},
+}
+WHEEL_UNITS = {
+    "phase": {"rad": 1.0, "deg": np.pi / 180, "turn": 2 * np.pi},
+    "speed": {"rad/s": 1.0, "rpm": np.pi / 30, "deg/s": np.pi / 180},
+    "torque": {"N m": 1.0, "mN m": 1e-3, "mNm": 1e-3, "N cm": 1e-2},
+    "mount.x": {"N": 1.0, "mN": 1e-3},
+    "mount.k": {"N m": 1.0, "mN m": 1e-3},
+}
+
+
+@st.composite
+def columns(draw: st.DrawFn) -> dict[str, tuple[str, float]]:
+    """Labels of some channels, each with a unit and its size in SI."""
+    known = {f"{name}.{q}": units for name in ("acc1", "acc2", "gyro") for q, units in UNITS.items()}
+    known |= {f"{name}.{q}": units for name in ("w1", "w2") for q, units in WHEEL_UNITS.items()}
+    labels = draw(st.lists(st.sampled_from(sorted(known)), min_size=1, max_size=6, unique=True))
+    return {label: draw(st.sampled_from(sorted(known[label].items()))) for label in labels}
+
+
+@settings(max_examples=25)
+@given(
+    columns(),
+    st.sampled_from([("s", 1.0), ("ms", 1e-3), ("us", 1e-6)]),
+    st.sampled_from([".csv", ".parquet"]),
+    st.data(),
+)
+def test_what_is_written_is_read(
+    chosen: dict[str, tuple[str, float]], time: tuple[str, float], form: str, data: st.DataObject
+) -> None:
+    """Any channels, in any unit of the right kind, in any order, by CSV and Parquet."""
+    seed = data.draw(st.integers(0, 2**32 - 1))
+    made = {label: 0.3 * np.random.default_rng(seed + k).uniform(-1, 1, 60) for k, label in enumerate(chosen)}
+    t = clock(60)
+    table = {f"{label} [{unit}]": made[label] / size for label, (unit, size) in chosen.items()}
+    table = {f"time [{time[0]}]": t / time[1], **table}
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / f"data{form}"
+        if form == ".csv":
+            write_csv(path, table)
+        else:
+            write_parquet(path, table)
+        (found,) = read_recordings([path], STAND)
+    np.testing.assert_allclose(found.t, t, rtol=1e-12, atol=1e-15)
+    assert {channel.label for channel in found.channels} == set(chosen)
+    for channel in found.channels:
+        np.testing.assert_allclose(channel.values, made[channel.label], rtol=1e-12)
+        assert channel.unit == chosen[channel.label][0]
+
+
+def write_parquet(path: Path, table: dict[str, np.ndarray[Any, Any]]) -> None:
+    """Write columns under their headers."""
+    import pyarrow
+    import pyarrow.parquet
+
+    pyarrow.parquet.write_table(pyarrow.table(table), path)
+
+
+def test_tdms(tmp_path: Path) -> None:
+    """Groups are tables; units are in names or properties, times in a channel or in the waveforms."""
+    import nptdms
+
+    t = clock(200)
+    x, speed = np.sin(60 * t), 100 + 5 * t
+    wave = {"wf_increment": 1e-3, "wf_start_offset": 0.0, "unit_string": "g"}
+    slow = {"wf_increment": 4e-3, "wf_start_offset": 0.0, "unit_string": "rpm"}
+    path = tmp_path / "data.tdms"
+    with nptdms.TdmsWriter(str(path)) as file:
+        file.write_segment(
+            [
+                nptdms.ChannelObject("vibration", "acc1.acceleration.x", x / 9.80665, wave),
+                nptdms.ChannelObject("vibration", "w1.speed", speed[::4] * 30 / np.pi, slow),
+                nptdms.ChannelObject("other", "acc2.acceleration.x [m/s2]", x),
+            ]
+        )
+    (found,) = read_recordings([path], STAND)
+    np.testing.assert_allclose(values(found, "acc1.acceleration.x"), x, atol=1e-12)
+    inside = found.t <= t[::4][-1]
+    np.testing.assert_allclose(values(found, "w1.speed")[inside], speed[inside], rtol=1e-12)
+    assert any("acc2" in note and "no time" in note for note in found.notes)
+
+
+def test_ulog(tmp_path: Path) -> None:
+    """Fields of topics get names from a file of names; topics of other rates join; all else is counted."""
+    t = clock(200, 4e-3)
+    gyro = np.sin(8 * t)
+    speed = 2000 + 100 * t[::2]
+    path = tmp_path / "log.ulg"
+    path.write_bytes(
+        ulog(
+            {
+                "sensor_combined": (t, {"gyro_rad[0]": gyro, "temperature": 20 + 0 * t}),
+                "esc_status": (t[::2], {"rpm": speed}),
+            }
+        )
+    )
+    names = tmp_path / "names.toml"
+    names.write_text(
+        '[names]\n"sensor_combined.gyro_rad[0]" = "acc1.rate.x [rad/s]"\n"esc_status.rpm" = "w1.speed [rpm]"\n',
+        encoding="utf-8",
+    )
+    (found,) = read_recordings([path, names], STAND)
+    np.testing.assert_allclose(values(found, "acc1.rate.x"), gyro, atol=1e-6)
+    inside = found.t - found.t[0] <= t[::2][-1]
+    expected = (2000 + 100 * (found.t - found.t[0])) * np.pi / 30
+    np.testing.assert_allclose(values(found, "w1.speed")[inside], expected[inside], rtol=1e-6)
+    assert any("1 other columns" in note for note in found.notes)
+
+
+def test_semicolons_and_decimal_commas(tmp_path: Path) -> None:
+    """As many European programs write."""
+    path = tmp_path / "data.csv"
+    rows = "\n".join(f"0,{k:03d};{k},5" for k in range(20))
+    path.write_text(f"\ufeff# a comment\ntime [s];acc1.rate.x [deg/s]\n{rows}\n", encoding="utf-8")
+    (found,) = read_recordings([path], STAND)
+    np.testing.assert_allclose(values(found, "acc1.rate.x"), np.deg2rad(np.arange(20) + 0.5))
+
+
+CHANNELS = {
+    "acc3.rate.x [rad/s]": 'no point, instrument or flywheel "acc3", did you mean "acc1"?',
+    "acc1.accelration.x [m/s2]": 'did you mean "acceleration"?',
+    "acc1.rate.q [rad/s]": "expected x, y, z",
+    "acc1.rate.x [m/s2]": "expected an angular speed",
+    "acc1.rate.x": "has no unit",
+    "w1.speed [Hz]": "write rpm or rad/s",
+    "w1.count [rad]": "expected [1] or, of a count, [1/4096 turn]",
+    "hold.reaction.x [N]": "held carriers are not there yet",
+    "carrier.rate.x [rad/s]": "name a [[point]]",
+    "[rad/s]": "expected a name and a unit",
+}
+
+
+@pytest.mark.parametrize("header", CHANNELS)
+def test_a_channel_that_cannot_be_used_is_one_line(tmp_path: Path, header: str) -> None:
+    """Not fatal while another is left; fatal without."""
+    with pytest.raises(HeaderError) as error:
+        name_of(header, STAND)
+    assert CHANNELS[header] in str(error.value)
+    t = clock()
+    found = read_one(tmp_path / "data.csv", {"time [s]": t, "acc1.rate.z [rad/s]": np.sin(t), header: t})
+    assert [channel.label for channel in found.channels] == ["acc1.rate.z"]
+    assert len([note for note in found.notes if CHANNELS[header] in note]) == 1
+    with pytest.raises(DataError, match="no channel of the stand bench is left") as refused:
+        read_one(tmp_path / "data.csv", {"time [s]": t, header: t})
+    assert CHANNELS[header] in str(refused.value)
+
+
+FILES = {
+    "a.txt": (b"time", 'unknown format ".txt"'),
+    "a.csv": (b"", "expected a line of headers"),
+    "b.csv": (b"time [s],time [s]\n1,2\n", "stands twice"),
+    "c.csv": (b"time [s],acc1.rate.x [rad/s]\nx\ny\n", "no line has 2 cells"),
+    "d.csv": (b"acc1.rate.x [rad/s]\n1\n2\n", "no column of time"),
+    "e.csv": (b"time [kg],acc1.rate.x [rad/s]\n1,2\n2,3\n", "expected a time"),
+    "f.csv": (b"time [s],acc1.rate.x [rad/s]\n1,2\n2,3\n", "2 samples, expected 4 or more"),
+    "g.csv": (b"a\0b\n1\n", "zero bytes"),
+    "a.parquet": (b"PAR1", "cannot be read as Parquet"),
+    "a.tdms": (b"not tdms at all, but long enough to be read", "cannot be read as TDMS"),
+    "a.ulg": (b"not a log", "cannot be read as ULog"),
+    "a.toml": (b"[name]\n", 'unknown key "name", did you mean "names"?'),
+    "b.toml": (b"[counts]\nw1 = 0\n", "expected a whole number"),
+    "c.toml": (b"[counts]\n", "no file of data"),
+}
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_a_file_that_cannot_be_read_is_one_line(tmp_path: Path, name: str) -> None:
+    """It names the file, what was found and what was expected."""
+    content, said = FILES[name]
+    path = tmp_path / name
+    path.write_bytes(content)
+    with pytest.raises(DataError) as error:
+        read_recordings([path], STAND)
+    assert said in str(error.value)
+    assert all(len(line) < 400 for line in error.value.problems)
+
+
+def test_a_missing_file(tmp_path: Path) -> None:
+    """Named in the message."""
+    with pytest.raises(DataError, match=r"gone\.csv: no such file"):
+        read_recordings([tmp_path / "gone.csv"], STAND)
+
+
+@given(st.text(max_size=40))
+def test_any_header_is_a_channel_or_one_line(text: str) -> None:
+    """No other error for any text."""
+    try:
+        split_header(text)
+        name_of(text, STAND)
+    except HeaderError as error:
+        assert str(error)
+
+
+@settings(max_examples=30)
+@given(st.binary(max_size=300), st.sampled_from([".csv", ".parquet", ".tdms", ".ulg", ".toml"]))
+def test_arbitrary_bytes(content: bytes, form: str) -> None:
+    """Refused in words, never by another error."""
+    head = {".csv": b"time [s],acc1.rate.x [rad/s]\n", ".tdms": b"TDSm", ".ulg": b"ULog\x01\x12\x35\x01"}.get(form, b"")
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / f"data{form}"
+        path.write_bytes(head + content)
+        try:
+            found: tuple[Recording, ...] = read_recordings([path], STAND)
+        except DataError as error:
+            assert error.problems
+        else:
+            assert found
