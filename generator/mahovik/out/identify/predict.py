@@ -127,6 +127,26 @@ class Predictor:
             self._run(block, found[:, :, own])
         return found
 
+    def states(self) -> tuple[Array, Array]:
+        """States (count, 13 + 2 N) and V_dot (count, 6) of the stand itself, from its nominal initial state.
+
+        Raises StateError.
+        """
+        tables = build(self.stand).tables({}, 1)
+        block = Block(self.stand, self._made, tables, 0, 1)
+        self._begin(block, np.zeros((START, 1)))
+        states, rates = [], []
+
+        def consume(chunk: Chunk) -> None:
+            states.append(chunk.state[:, :, 0].copy())
+            rates.append(chunk.V_dot[:, :, 0].copy())
+
+        observer = Observer(block, {"V_dot", "speeds"}, consume)
+        self._course.run(block, observer)
+        observer.flush()
+        self._require_in_range(block)
+        return np.concatenate(states), np.concatenate(rates)
+
     def _begin(self, block: Block, deviation: Array) -> None:
         start = self._case.start
         block.x[:3] = np.array(start.position)[:, None] + deviation[:3]
@@ -153,6 +173,9 @@ class Predictor:
         observer = Observer(block, {"V_dot"}, consume)
         self._course.run(block, observer)
         observer.flush()
+        self._require_in_range(block)
+
+    def _require_in_range(self, block: Block) -> None:
         for j in np.flatnonzero(block.status < 0).tolist():
             raise StateError(f"{self.stand.name}: variant {block.first + j}: {block.reason(j)}")
 
