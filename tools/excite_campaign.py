@@ -11,15 +11,17 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from random import Random
+from typing import Any
 
 import campaign
 from kept import Campaign, Columns, Figures, Measured
 
 import mahovik
 from mahovik.out.identify.excite.face import Excitation
+from mahovik.out.identify.excite.information import Criterion
 
 IMU = {"name": "imu", "position": [0.15, 0.12, 0.08], "angles": [0.3, -0.2, 0.1]}
-SPEEDS = {"speed_min": "500 rpm", "speed": "1500 rpm", "acceleration": "200 rad/s^2"}
+SPEEDS: dict[str, Any] = {"speed_min": "500 rpm", "speed": "1500 rpm", "acceleration": "200 rad/s^2"}
 LEAST = 3.0
 """Factor by which the mean variance of unbalances is lowered at least."""
 
@@ -34,13 +36,13 @@ class Row:
     free: str
     duration: float
     harmonics: int
-    criterion: str
+    criterion: Criterion
     least: float
 
     def run(self) -> Excitation:
         """The experiment that is found."""
         return mahovik.excite(
-            bench8(), free=self.free, duration=self.duration, harmonics=self.harmonics, criterion=self.criterion,  # type: ignore[arg-type]
+            bench8(), free=self.free, duration=self.duration, harmonics=self.harmonics, criterion=self.criterion,
             **SPEEDS,
         )  # fmt: skip
 
@@ -85,7 +87,7 @@ def page(found: Figures) -> str:
 def sample(found: Figures, rng: Random) -> Iterator[Measured]:
     """The short experiment again, its constant speeds alone: these need no search."""
     kept = next(row for row in found["rows"] if row["s"] == 1.0)
-    excited = mahovik.excite(bench8(), duration=1.0, seconds=1e-3, **SPEEDS)  # type: ignore[arg-type]
+    excited = mahovik.excite(bench8(), duration=1.0, seconds=1e-3, **SPEEDS)
     yield Measured("mean variance at constant speeds", kept["at constant speeds"], excited.even.quality.mean_variance,
                    1.001)  # fmt: skip
 

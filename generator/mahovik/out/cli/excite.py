@@ -27,20 +27,28 @@ if TYPE_CHECKING:
     from mahovik.out.identify.excite.face import Excitation
 
 
-def _bound(_option: str, text: str) -> Any:
+def _number(_name: str, text: str) -> float | str:
+    """A number without unit, or a text with one."""
+    try:
+        return float(text)
+    except ValueError:
+        return text.strip()
+
+
+def _bound(name: str, text: str) -> Any:
     """One number for all flywheels, numbers between commas, or NAME=NUMBER between commas."""
-    parts = [part.strip() for part in text.split(",")]
+    parts = text.split(",")
     if "=" in text:
-        return dict(_pair(_option, part) for part in parts)
-    return parts if len(parts) > 1 else text
+        return dict(_pair(name, part) for part in parts)
+    return [_number(name, part) for part in parts] if len(parts) > 1 else _number(name, text)
 
 
-def _pair(name: str, text: str) -> tuple[str, str]:
+def _pair(name: str, text: str) -> tuple[str, float | str]:
     """Raises UsageError."""
     key, equals, value = text.partition("=")
     if not (equals and key.strip() and value.strip()):
         raise UsageError(f"{name} {text}: expected NAME=VALUE")
-    return key.strip(), value.strip()
+    return key.strip(), _number(name, value)
 
 
 @command(short_help="Find a programme that determines free numbers well.")
@@ -53,7 +61,9 @@ def excite(
         metavar="KEYS|FREE.toml",
         default="*.unbalance",
     ),
-    duration: str = option("--duration", "Let the experiment last for this time, s.", metavar="S", default="10"),
+    duration: Any = option(
+        "--duration", "Let the experiment last for this time, s.", metavar="S", default="10", parse=_number
+    ),
     speed: Any = option(
         "--speed", "Bound the speed of all flywheels, or of each; default: by motors.", metavar="SPEED", parse=_bound
     ),
@@ -110,7 +120,7 @@ def excite(
     for line in found.words:
         click.echo(line, err=True)
     if found.unseen:
-        click.echo(f"warning: hardly anything is told of {_some(found.unseen)}", err=True)
+        click.echo(f"warning: the programme hardly shows {_some(found.unseen)}", err=True)
     end_of_search(found, ("OK",), True)
 
 

@@ -15,7 +15,7 @@ UNBALANCES = "*.unbalance"
 
 
 def free_paths(given: str | Path | Sequence[str]) -> tuple[str, ...]:
-    """The paths. A file has `free`, a list of them. Raises UsageError, DesignError: what cannot be read."""
+    """The paths. A file has `schema = 1` and `free`, a list of them. Raises UsageError, DesignError."""
     if isinstance(given, str | Path) and str(given).endswith(".toml"):
         return _of_file(Path(given))
     paths = str(given).split(",") if isinstance(given, str | Path) else list(given)
@@ -27,7 +27,6 @@ def free_paths(given: str | Path | Sequence[str]) -> tuple[str, ...]:
 
 def _of_file(path: Path) -> tuple[str, ...]:
     document = document_of(text_of(path, TEXT, DesignError), path.name, DesignError, is_json=False)
-    document.pop("schema", None)
     paths = document.pop("free", None)
     if document:
         raise DesignError([f"{path.name}: unknown key {show(next(iter(document)))}; expected free"])

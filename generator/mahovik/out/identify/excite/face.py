@@ -46,7 +46,7 @@ MOST_SAMPLES = 200_000
 
 @dataclass(frozen=True, eq=False)
 class Tried:
-    """A programme, how well it determines the free numbers, and what it asks of the flywheels."""
+    """A programme with its accuracy of the free numbers and its peaks."""
 
     programme: CoreProgramme
     quality: Quality
@@ -121,7 +121,7 @@ class Excitation(Table):
 
     @property
     def unseen(self) -> tuple[str, ...]:
-        """Free numbers of which the programme tells hardly anything."""
+        """Free numbers that the programme hardly shows."""
         return tuple(path for path, no in zip(self.free.paths, self.found.quality.unseen, strict=True) if no)
 
     @property
@@ -213,7 +213,7 @@ def excite(
     speed, ...    bounds: numbers in SI or texts with a unit, one for all flywheels, one for each, or by their names;
                   None: those of the motors
     noise         standard deviations of samples by channel, as {"rate": 0.002, "imu.acceleration": "0.01 m/s2"}
-    rate          samples a second
+    rate          samples per second
     criterion     "A": least mean variance; "D": least volume of the ellipsoid of confidence
     harmonics     of the speed, whole multiples of 1/duration
     seconds       limits the search; None: a number of programmes alone
@@ -252,7 +252,8 @@ def excite(
         found = _tried(experiment, courses, bounds, best.numbers, share, start)
         if not found.peaks.exceeded:
             break
-    if found.quality.value(criterion) > even.quality.value(criterion) and not even.peaks.exceeded:
+    worse = found.peaks.exceeded or found.quality.value(criterion) > even.quality.value(criterion)
+    if worse and not even.peaks.exceeded:
         found = even
     return Excitation(own, unknown, found, even, effort)
 
@@ -274,7 +275,7 @@ def _start(stand: Stand) -> State | None:
 
 
 def _require_experiment(stand: Stand, span: float, rate: float, criterion: str, harmonics: int) -> None:
-    """Raise UsageError for what no experiment can be made of."""
+    """Raise UsageError where no experiment is possible."""
     if not sensors(stand):
         raise UsageError(
             f"{stand.name}: has no instrument or point, so nothing is measured; give its file a [[point]] where the "
@@ -283,7 +284,7 @@ def _require_experiment(stand: Stand, span: float, rate: float, criterion: str, 
     if not (math.isfinite(span) and span > 0.0):
         raise UsageError(f"--duration {span:g}: expected a time above 0, in s")
     if not (math.isfinite(rate) and rate > 0.0):
-        raise UsageError(f"--rate {rate:g}: expected a number above 0, in samples a second")
+        raise UsageError(f"--rate {rate:g}: expected a number above 0, in samples per second")
     if not 10 <= span * rate <= MOST_SAMPLES:
         raise UsageError(f"--duration {span:g}, --rate {rate:g}: {span * rate:.6g} samples, expected 10 to 200000")
     if criterion not in ("A", "D"):

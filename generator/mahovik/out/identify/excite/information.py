@@ -1,4 +1,4 @@
-"""How well an experiment determines free numbers: information of its channels, and the covariance that is left."""
+"""Information that an experiment gives on free numbers, and their covariance."""
 
 from __future__ import annotations
 
@@ -26,14 +26,15 @@ Array = NDArray[np.float64]
 Criterion = Literal["A", "D"]
 """A: least mean variance. D: least volume of the ellipsoid of confidence."""
 
-A_TURN = 8.0
-"""Samples a turn of the fastest flywheel has at least in the search."""
+PER_TURN = 8.0
+"""Least number of samples per turn of the fastest flywheel in the search."""
 
 
 @dataclass(frozen=True, eq=False)
 class Quality:
-    """What an experiment tells of theta: the information (k, k) in natural sizes, with initial states and constant
-    offsets of the channels unknown, and with the weak priors of the estimation.
+    """Accuracy of theta from one experiment: its information (k, k), in natural sizes.
+
+    Initial states and constant offsets of the channels are unknown too; the priors are those of the estimation.
     """
 
     information: Array
@@ -59,12 +60,12 @@ class Quality:
         return math.exp(-float(np.linalg.slogdet(self.information)[1]) / len(self.scale))
 
     def value(self, criterion: Criterion) -> float:
-        """What is to be small; see Criterion."""
+        """The value that a search makes small; see Criterion."""
         return self.mean_variance if criterion == "A" else self.volume
 
     @property
     def unseen(self) -> NDArray[np.bool_]:
-        """Numbers (k) of which the experiment tells hardly anything."""
+        """Numbers (k) that the experiment hardly shows."""
         return np.asarray(np.sqrt(np.diag(self._inverse)) > 0.5 * PRIOR)
 
 
@@ -83,8 +84,8 @@ def quality_of(jacobian: Array, starts: Array, free: Free, weight: float) -> Qua
 class Experiment:
     """Sensors that are read while the flywheels follow a programme once.
 
-    channels, noise   what is read (C), and its standard deviation in each sample, SI
-    rate              samples a second
+    channels, noise   channels that are read (C), and the standard deviation of each sample, SI
+    rate              samples per second
     fastest           largest speed of a flywheel, rad/s
     start             nominal state of the carrier
     """
@@ -98,10 +99,10 @@ class Experiment:
     start: State | None = None
 
     def quality(self, programme: Programme, fine: bool = False) -> Quality:
-        """How well the programme determines theta. `fine`: by every sample; otherwise by fewer rows."""
+        """Accuracy of theta by the programme. `fine`: from every sample, else from fewer rows of the same weight."""
         every = 1.0 / self.rate
         if not fine:
-            every = max(every, 2.0 * math.pi / self.fastest / A_TURN)
+            every = max(every, 2.0 * math.pi / self.fastest / PER_TURN)
         count = max(math.ceil(programme.span / every), 2)
         every = programme.span / count
         regime = programme_regime(programme)

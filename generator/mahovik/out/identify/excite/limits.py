@@ -1,4 +1,4 @@
-"""What an experiment asks of flywheels and motors, simulated by the C, against the bounds."""
+"""Speeds, accelerations and torques of an experiment, simulated by the C, against the bounds."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from mahovik.out.identify.predict import Predictor
 Array = NDArray[np.float64]
 
 ROWS = 24
-"""Rows a turn of the fastest flywheel."""
+"""Rows per turn of the fastest flywheel."""
 
 SLACK = 1e-9
 """Part of a bound that rounding may exceed."""
