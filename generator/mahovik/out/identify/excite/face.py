@@ -231,6 +231,8 @@ def excite(
     start = _start(own)
     experiment = Experiment(own, unknown, channels, noises, rate, float(bounds.speed.max()), start)
     courses = Courses(own, bounds, span, harmonics)
+    tell(progress, Progress("compiling"))
+    even = _tried(experiment, courses, bounds, courses.even(), 0.0, start)
     budget = Budget(EVALUATIONS, seconds)
 
     def value(numbers: Array) -> float:
@@ -247,7 +249,6 @@ def excite(
         "tried": best.tried, "seed": seed, "criterion": criterion, "seconds": budget.elapsed,
         "cut_by_time": budget.cut, "interrupted": budget.interrupted,
     }  # fmt: skip
-    even = _tried(experiment, courses, bounds, courses.even(), 0.0, start)
     for share in SHARES:
         found = _tried(experiment, courses, bounds, best.numbers, share, start)
         if not found.peaks.exceeded:

@@ -46,7 +46,7 @@ class Quality:
 
     @property
     def covariance(self) -> Array:
-        """Of theta (k, k), SI."""
+        """Covariance of theta (k, k), SI."""
         return np.asarray(self.scale[:, None] * self._inverse * self.scale)
 
     @property
