@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -89,3 +90,23 @@ def test_bad_input_writes_nothing(folder: Path, options: tuple[str, ...], words:
 def test_a_stand_without_sensors_or_bounds(folder: Path) -> None:
     assert "has no instrument or point" in refused("excite", BENCH8, *QUICK)
     assert "nothing bounds the speed of w1" in refused("excite", "a.toml", "-o", "p.json")
+
+
+def test_ctrl_c_writes_the_best_so_far(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = face.search
+
+    def pressed(value: Any, courses: Any, budget: Any, seed: int) -> Any:
+        budget.interrupt()
+        return whole(value, courses, budget, seed)
+
+    monkeypatch.setattr(face, "search", pressed)
+    result = run("excite", "a.toml", *QUICK)
+    assert result.exit_code == 130 and "interrupted: this is the best so far" in result.stderr
+    assert load_programme(folder / "p.json").motion == "excite"
+
+
+def test_numbers_that_noise_hides_are_named() -> None:
+    loud = ("--noise", "acceleration=1e9", "--noise", "rate=1e9")
+    result = run("excite", "a.toml", *QUICK, *loud, "--free", "w1.mass,carrier.mass")
+    assert result.exit_code == 0
+    assert "warning: the programme hardly shows w1.mass, carrier.mass\n" in result.stderr

@@ -137,7 +137,7 @@ def test_a_search_lowers_the_variance_inside_the_bounds(tmp_path: Path) -> None:
 
 @pytest.mark.usefixtures("few")
 def test_a_moment_of_inertia_needs_changing_speeds() -> None:
-    """The moment about its axis acts by the acceleration of a flywheel alone."""
+    """The moment about its axis acts mostly by the acceleration of the flywheel."""
     found = moderate(1, free="w1.inertia.J11", speed="300 rpm", speed_min=None)
     assert found.gain > 100.0
     assert found.found.peaks.acceleration.max() > 1.0 and found.even.peaks.acceleration.max() == 0.0
