@@ -12,6 +12,7 @@ from cli.run import BENCH8, refused, run
 from identify.stands import bench8
 from mahovik.core.motion.programme import load_programme
 from mahovik.out.identify.excite import face
+from mahovik.out.identify.excite.search import search
 
 QUICK = ("--speed", "1000 rpm", "--duration", "0.5", "--rate", "500", "-o", "p.json")
 
@@ -93,11 +94,9 @@ def test_a_stand_without_sensors_or_bounds(folder: Path) -> None:
 
 
 def test_ctrl_c_writes_the_best_so_far(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = face.search
-
     def pressed(value: Any, courses: Any, budget: Any, seed: int) -> Any:
         budget.interrupt()
-        return whole(value, courses, budget, seed)
+        return search(value, courses, budget, seed)
 
     monkeypatch.setattr(face, "search", pressed)
     result = run("excite", "a.toml", *QUICK)
