@@ -58,6 +58,7 @@ help:
 	@echo "make traceability-page  the same page with the lines of generated/ as they are now"
 	@echo "make programme-picture  plans bench8's motion and draws it: docs/programme.svg"
 	@echo "make design-campaign  how often few flywheels are found for simple motions: docs/results/design.md; a quarter of an hour"
+	@echo "make excite-campaign  how much better excite determines free numbers: docs/results/excite.md; ten minutes"
 	@echo "make plan-campaign  how often and how fast programmes are found: docs/results/planning.md, run-ups too; hours"
 	@echo "make ocp-campaign  (13) by IPOPT on bench8 and random stands: docs/results/optimal-control.md; minutes"
 	@echo "make jitter-campaign  jitter against the C, time of a sweep: docs/results/jitter.md, docs/results/jitter-sweep.md"
@@ -267,6 +268,10 @@ design-campaign: setup-test
 balance-campaign: setup-test
 	$(BIN)/python tools/balance_campaign.py
 	$(BIN)/python tools/measured_speed.py
+
+excite-campaign: setup-test
+	$(BIN)/python tools/excite_campaign.py --write
+
 quiet-campaign: setup-test
 	$(BIN)/python tools/quiet_campaign.py --write
 

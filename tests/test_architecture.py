@@ -20,6 +20,7 @@ STAGES = (
     ("laws",),
     ("__main__",),
     ("out.cli",),
+    ("out.identify",),
     ("out.campaign",),
     ("out.functions",),
     ("out.report",),

@@ -26,6 +26,7 @@ TOOLS = (
     "runup_campaign",
     "ocp_campaign",
     "design_campaign",
+    "excite_campaign",
     "quiet_campaign",
     "balance_campaign",
     "measured_speed",

@@ -30,6 +30,7 @@ CALLS: dict[str, tuple[str, ...]] = {
     "modes": (),
     "linearize": ("-o", "model.json"),
     "plan": ("--motion", SPIN, "-o", "p.json"),
+    "excite": ("-o", "p.json"),
     "verify_programme": ("--motion", SPIN, "--programme", "p.json"),
     "design": ("--motion", SPIN, "--free", "unbalance", "-o", "out.toml"),
     "generate": (),

@@ -1,4 +1,4 @@
-"""Regime file (TOML or JSON) -> Regime. All problems of the file are found before any is reported."""
+"""Regime file (TOML or JSON) or programme file -> Regime. All problems are found before any is reported."""
 
 from __future__ import annotations
 
@@ -64,6 +64,8 @@ def loads_regime(
 ) -> Regime:
     """Read and check a regime given as text; its tables are in `folder`. Raises RegimeError."""
     document = document_of(text, source, RegimeError, is_json)
+    if is_json and "flywheels" in document and "stand" in document:
+        return _of_programme(text, stand, until, source)
     problems = Problems(source)
     tables = {key: document[key] for key in ("default", "flywheel", "wrench") if isinstance(document.get(key), dict)}
     given = validate_table(RegimeTable, document, problems) or RegimeTable.model_construct(**tables)
@@ -74,6 +76,21 @@ def loads_regime(
     if problems.lines:
         raise RegimeError(problems.lines)
     return Regime(given.name or Path(source).stem, flywheels, {body: w for body, w in wrenches.items() if w})
+
+
+def _of_programme(text: str, stand: Stand, until: float, source: str) -> Regime:
+    """The regime that a programme file gives. Raises ProgrammeError, RegimeError."""
+    from mahovik.core.motion.programme import read_programme
+    from mahovik.core.motion.programme.regime import programme_regime
+
+    programme = read_programme(text, source)
+    names = [wheel.name for wheel in stand.flywheels]
+    if list(programme.flywheels) != names:
+        own, others = ", ".join(programme.flywheels), ", ".join(names) or "none"
+        raise RegimeError([f"{source}: is a programme of the flywheels {own}; the stand has {others}"])
+    if not programme.periodic and until > programme.span * (1 + 1e-9):
+        raise RegimeError([f"{source}: the programme ends at {programme.span:g} s, expected at least {until:g} s"])
+    return programme_regime(programme)
 
 
 def _known_tables(problems: Problems, key: str, given: dict[str, Any], names: list[str], what: str) -> dict[str, Any]:

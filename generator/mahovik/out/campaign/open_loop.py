@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, cast
 
 import numpy as np
 
-from mahovik.core.motion.laws import Motion
 from mahovik.core.motion.programme import Programme
-from mahovik.core.motion.regime import FlywheelRegime, Regime
+from mahovik.core.motion.programme.regime import programme_regime
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.out.campaign.in_time import TimeRunner, course_of
 from mahovik.out.campaign.over import DT, EVERY, ORDER, OverTable
-from mahovik.out.campaign.pose import Array
 from mahovik.out.campaign.quantities import Quantity
 from mahovik.out.campaign.required import Required
 from mahovik.out.campaign.start import Start
@@ -34,22 +31,6 @@ PERIODS = 1
 """Periods of a periodic programme, where the file does not say."""
 
 
-@dataclass(frozen=True, eq=False)
-class Programmed:
-    """Law of one flywheel: the angle that a programme gives it, counted from that at t = 0."""
-
-    programme: Programme
-    number: int
-
-    breaks: tuple[float, ...] = ()
-
-    def motion(self, t: Array) -> Motion:
-        """Motion at the times t (s)."""
-        begin = self.programme.at(np.zeros(1)).phi[0, self.number]
-        phi, phi_dot, phi_ddot = self.programme.at(t)
-        return phi[:, self.number] - begin, phi_dot[:, self.number], phi_ddot[:, self.number]
-
-
 def programme_runner(stand: Stand, over: OverTable, quantities: Sequence[Quantity], folder: Path) -> TimeRunner:
     """Over a programme, from the required state at its t = 0. Raises UsageError and what the files raise."""
     for key, value in (("begin", over.begin), ("table", over.table)):
@@ -59,14 +40,9 @@ def programme_runner(stand: Stand, over: OverTable, quantities: Sequence[Quantit
     if not programme.periodic and over.periods not in (None, 1):
         raise UsageError(f"periods: {over.periods}: the programme is finite and is run once")
     until = motion.span * (over.periods or PERIODS)
-    begin = programme.at(np.zeros(1)).phi[0]
-    driven = tuple(
-        FlywheelRegime(wheel.name, cast(Any, Programmed(programme, s)), float(begin[s]))
-        for s, wheel in enumerate(stand.flywheels)
-    )
     start = required_state(stand, motion, programme)
     case = Case(
-        stand, Regime(programme.motion, driven, {}), start, until,
+        stand, programme_regime(programme), start, until,
         over.every or EVERY, over.dt or DT, over.order or ORDER,
     )  # fmt: skip
     required = Required.of(stand, motion, programme)

@@ -19,6 +19,7 @@ from mahovik.out.cli.design import design
 from mahovik.out.cli.doctor import doctor
 from mahovik.out.cli.evaluate import evaluate
 from mahovik.out.cli.evidence import evidence
+from mahovik.out.cli.excite import excite
 from mahovik.out.cli.export import export
 from mahovik.out.cli.generate import generate
 from mahovik.out.cli.group import Commands
@@ -43,7 +44,7 @@ SECTIONS = {
     "A stand": (new, import_model, check, derive, rest),
     "Its C, and the evidence": (generate, verify, judge, cost, evidence, judge_log),
     "Motion, vibration": (evaluate, simulate, replay, modes, linearize, response, jitter, quiet, balance, campaign),
-    "Programmes of the flywheels": (plan, design, verify_programme),
+    "Programmes of the flywheels": (plan, excite, design, verify_programme),
     "Interfaces and tools": (report, plot, export, doctor, completion),
 }
 """Commands under the headings of `--help`, in the order of use; all fit on a screen of 40 lines."""
@@ -59,8 +60,7 @@ SECTIONS = {
 def main() -> None:
     """\b
     Exact equations of motion of carrier and unbalanced flywheels, as verified C.
-        mahovik new bench8               copy an example stand
-        mahovik generate bench8.toml     C into ./bench8
+        mahovik new bench8 && mahovik generate bench8.toml     C into ./bench8
     Exit status: 0 good, 1 a check failed, 2 bad input or usage, 130 Ctrl-C.
     """
 

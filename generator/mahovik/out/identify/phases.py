@@ -1,0 +1,108 @@
+"""Smooth motion of flywheels from measured phases: encoder counts are fitted, never differentiated."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import BSpline, make_lsq_spline
+
+from mahovik.core.motion.laws import Constant, Motion
+from mahovik.core.motion.regime import FlywheelRegime, Regime
+from mahovik.core.stand.model import Flywheel
+from mahovik.errors import UsageError
+from mahovik.out.api.stands import Stand
+from mahovik.use.measured.recording import Recording
+
+Array = NDArray[np.float64]
+
+DEGREE = 5
+"""Of splines: the acceleration of a flywheel is smooth, too."""
+
+FEWEST = 10
+"""Samples an interval of a spline has at least."""
+
+LEAST = 50
+"""Samples of a phase that a fit needs."""
+
+
+@dataclass(frozen=True, eq=False)
+class Fitted:
+    """Law of a flywheel by a spline of its phase (rad) over time."""
+
+    phase: BSpline
+
+    breaks: tuple[float, ...] = ()
+
+    def motion(self, t: Array) -> Motion:
+        """Motion at the times t (s); the phase is counted from t = 0."""
+        begin = self.phase(np.zeros(1))
+        rates = self.phase.derivative(), self.phase.derivative(2)
+        return self.phase(t) - begin, *(np.asarray(rate(t)) for rate in rates)
+
+
+def motion_of(recording: Recording, stand: Stand) -> Regime:
+    """Motion of all flywheels in a recording; t = 0 is its first time. Raises UsageError: a phase is missing."""
+    t = recording.t - recording.t[0]
+    return Regime(recording.source, tuple(_flywheel(recording, wheel, t) for wheel in stand.flywheels), {})
+
+
+def _flywheel(recording: Recording, wheel: Flywheel, t: Array) -> FlywheelRegime:
+    channel = recording.find(wheel.name, "phase")
+    if channel is None:
+        hint = "; a speed does not tell where its unbalance is" if recording.find(wheel.name, "speed") else ""
+        raise UsageError(
+            f"{recording.source}: nothing tells the phase of {wheel.name}{hint}; expected a column "
+            f"{wheel.name}.count, {wheel.name}.phase [rad] or {wheel.name}.tacho"
+        )
+    there = np.isfinite(channel.values)
+    if np.count_nonzero(there) < LEAST:
+        raise UsageError(
+            f"{recording.source}: {channel.label} has {np.count_nonzero(there)} samples, expected at least {LEAST}"
+        )
+    latency = wheel.encoder.latency if wheel.encoder is not None and channel.source == "count" else 0.0
+    return fitted(wheel.name, t[there] - latency, channel.values[there])
+
+
+def fitted(name: str, t: Array, phi: Array) -> FlywheelRegime:
+    """The motion of a flywheel whose phases phi (rad, not wrapped) were seen at the times t (s).
+
+    Of a straight line, a parabola and splines of more and more intervals the one of least Bayesian information
+    criterion, n ln(sum of squares / n) + p ln n: what is left is then rounding of counts and noise.
+    """
+    n = len(t)
+    slope, begin = np.polyfit(t, phi, 1)
+    best = FlywheelRegime(name, Constant(float(slope)), float(begin))
+    least = _criterion(phi - begin - slope * t, 2)
+    intervals, worse = 1, 0
+    while n / intervals >= FEWEST and worse < 3:
+        inner = np.linspace(t[0], t[-1], intervals + 1)[1:-1]
+        knots = np.concatenate([np.full(DEGREE + 1, t[0]), inner, np.full(DEGREE + 1, t[-1])])
+        try:
+            spline = make_lsq_spline(t, phi, knots, k=DEGREE)
+        except (ValueError, np.linalg.LinAlgError):  # a gap without a sample in an interval
+            break
+        found = _criterion(phi - spline(t), intervals + DEGREE)
+        if found < least:
+            least, worse = found, 0
+            best = FlywheelRegime(name, cast(Any, Fitted(spline)), float(spline(np.zeros(1))[0]))
+        else:
+            worse += 1
+        intervals *= 2
+    return best
+
+
+def _criterion(residual: Array, numbers: int) -> float:
+    """Bayesian information criterion; rounding of a double is the least noise."""
+    n = len(residual)
+    mean = max(float(np.mean(residual**2)), 1e-24)
+    return n * math.log(mean) + numbers * math.log(n)
+
+
+def speeds(regime: Regime, until: float) -> tuple[Array, Array]:
+    """Least and largest speed of each flywheel in 0..until s, rad/s."""
+    found = regime.motion(np.linspace(0.0, until, 200))[1]
+    return found.min(axis=0), found.max(axis=0)

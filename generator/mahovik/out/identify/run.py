@@ -1,0 +1,115 @@
+"""One run of measured data beside what the stand predicts for it: samples, gaps, delays, noise."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.stand.state import State
+from mahovik.errors import UsageError
+from mahovik.out.api.stands import Stand
+from mahovik.out.campaign.signals import sensors
+from mahovik.out.identify.channels import AXES, KINDS, Channel
+from mahovik.out.identify.phases import motion_of
+from mahovik.out.identify.predict import Predictor
+from mahovik.use.measured.recording import Recording
+
+Array = NDArray[np.float64]
+
+PAD = 8
+"""Steps that a prediction begins before the first sample and ends after the last: delays reach there."""
+
+ON_GRID = 1e-3
+"""Samples so near to evenly spaced times, in steps, are taken to be there."""
+
+FEWEST = 100
+"""Samples that a run has at least."""
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """Samples of the channels of a stand's sensors in one run.
+
+    measured  (T, C) SI; NaN where there is no sample
+    places    (T,) of the samples among the predicted times, in steps; with the known delays of channels (T, C)
+    """
+
+    source: str
+    predictor: Predictor
+    measured: Array
+    places: Array
+    duration: float
+
+    @property
+    def channels(self) -> tuple[Channel, ...]:
+        """What is measured."""
+        return self.predictor.channels
+
+    @property
+    def there(self) -> NDArray[np.bool_]:
+        """Whether there is a sample (T, C)."""
+        return np.isfinite(self.measured)
+
+    def at_samples(self, course: Array) -> Array:
+        """Predicted channels (G, C, n) at the times of the samples (T, C, n)."""
+        from scipy.interpolate import make_interp_spline
+
+        found = np.empty((len(self.places), *course.shape[1:]))
+        for place in np.unique(self.places[0]):
+            own = np.flatnonzero(self.places[0] == place)
+            rows = self.places[:, own[0]]
+            whole = np.round(rows)
+            if np.abs(rows - whole).max() < ON_GRID:
+                found[:, own] = course[whole.astype(int)][:, own]
+            else:
+                found[:, own] = make_interp_spline(np.arange(len(course), dtype=float), course[:, own], k=5)(rows)
+        return found
+
+
+def run_of(recording: Recording, stand: Stand, start: State | None, delays: Mapping[str, float]) -> Run:
+    """The run of a recording. `delays`: known ones of points, s. Raises UsageError."""
+    t, every = recording.t, recording.step
+    channels, columns = [], []
+    for point in sensors(stand):
+        for kind in KINDS:
+            for axis, letter in enumerate(AXES):
+                found = recording.find(point, kind, letter)
+                if found is not None and np.isfinite(found.values).any():
+                    channels.append(Channel(point, kind, axis))
+                    columns.append(found.values)
+    if not channels:
+        points = sensors(stand)
+        example = f"{points[0] if points else 'acc1'}.acceleration.x [m/s2]"
+        hint = "" if points else f"; {stand.name} has no [[point]]: give it the places of its sensors"
+        raise UsageError(f"{recording.source}: no channel of a sensor, expected such as {example}{hint}")
+    measured = np.column_stack(columns)
+    samples = int(np.isfinite(measured).any(axis=1).sum())
+    if samples < FEWEST:
+        raise UsageError(f"{recording.source}: {samples} samples of sensors, expected at least {FEWEST}")
+    late = np.array([delays.get(channel.point, 0.0) for channel in channels])
+    begin = -PAD * every - float(late.max())
+    places = ((t - t[0])[:, None] - late - begin) / every
+    count = int(np.ceil(places.max())) + PAD + 1
+    predictor = Predictor(stand, motion_of(recording, stand), channels, begin, every, count, start)
+    return Run(recording.source, predictor, measured, places, float(t[-1] - t[0]))
+
+
+def runs_of(
+    recordings: Sequence[Recording], stand: Stand, start: State | None, delays: Mapping[str, float]
+) -> tuple[Run, ...]:
+    """The runs of some recordings."""
+    return tuple(run_of(each, stand, start, delays) for each in recordings)
+
+
+def noise_of(measured: Array) -> Array:
+    """Noise (C) of channels (T, C) by their fourth differences, which motion hardly has."""
+    found: list[Any] = []
+    for column in measured.T:
+        values = np.diff(column[np.isfinite(column)], 4)
+        found.append(1.4826 * np.median(np.abs(values)) / np.sqrt(70.0) if len(values) else 0.0)
+    least = 1e-6 * np.nanstd(measured, axis=0) + 1e-12
+    return np.maximum(np.array(found), least)
