@@ -238,6 +238,8 @@ class Tables(Features):
             laws.append(Field("gravity", REAL, (3,), "m/s2", "in E0"))
         if self.stream:
             laws.append(Field("stream", REAL, (3,), "m/s", "velocity of the fluid, in E0"))
+        if self.freedoms:
+            laws.append(Field("S", REAL, (6, self.freedoms), "", "twists of the hold's freedoms, V = S u"))
         if self.carrier_damped:
             laws.append(Field("damper", self.damper, (), "", "of the carrier"))
         laws += [field for fields in of_bodies("lower", "table_fields") for field in fields(self.structure)]

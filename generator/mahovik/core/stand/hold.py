@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Annotated, Any
 
@@ -112,7 +113,8 @@ def _twist(freedom: Freedom, pivot: Array) -> Array:
     if freedom.kind == "twist":
         return np.array(freedom.twist)
     scaled = np.array(freedom.direction) / max(map(abs, freedom.direction))  # squares neither overflow nor vanish
-    unit = scaled / np.linalg.norm(scaled)
+    x, y, z = scaled.tolist()
+    unit = scaled / math.sqrt(x * x + y * y + z * z)  # the same bits on every machine
     if freedom.kind == "slide":
         return np.concatenate([unit, np.zeros(3)])
     return np.concatenate([np.cross(pivot, unit), unit])
@@ -216,7 +218,7 @@ def lines(hold: Hold) -> list[str]:
 def refuse_hold(stand: Stand, source: str) -> None:
     """StandError for a held carrier, where only a free one can be taken."""
     if stand.hold is not None:
-        taken = "only `mahovik check` and `mahovik eval --backend numpy|casadi` take a held carrier yet"
+        taken = "only `mahovik check`, `mahovik eval` and `mahovik generate` take a held carrier yet"
         raise StandError([f"{source}: hold: {taken}; expected a stand without [hold]"])
 
 

@@ -240,7 +240,7 @@ def generate(
     from mahovik.core.emit.delivery import delivery
     from mahovik.proof.verify.delivery import deliver
 
-    own: CoreStand = Stand.of(stand)
+    own: CoreStand = Stand.of(stand, held=True)
     if prefix is not None:
         own = _rename_stand(own, prefix)
     count = lanes_of(own, lanes, fast)

@@ -1,0 +1,85 @@
+"""The C of a held carrier against the literal reference and the second derivation; its self-test, its bad input."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cli.test_eval_held import TEXT
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.stand.hold import FREEDOMS, twist_of
+from mahovik.core.stand.model import Freedom, Hold, Stand
+from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
+from mahovik.core.stand.read import loads
+from mahovik.core.stand.state import State, rest_state
+from mahovik.proof.second import Second
+from mahovik.proof.verify.backends import NumpyBackend
+from mahovik.proof.verify.c_backend import InterpreterBackend
+from verify.test_held_judges import worst
+
+PIVOT = (0.3, -0.2, 0.15)
+HOLDS: dict[str, tuple[Freedom, ...]] = {
+    "clamped": (),
+    "hinge": (Freedom("turn", (1.0, -2.0, 0.5)),),
+    "knife edge": (Freedom("twist", twist=(1.0, 0.2, 0.0, 0.0, 0.0, 0.3)), FREEDOMS["yaw"]),
+    "ball joint": (FREEDOMS["roll"], FREEDOMS["pitch"], FREEDOMS["yaw"]),
+    "all but one": tuple(FREEDOMS[name] for name in ("z", "x", "y", "pitch", "roll")),
+    "free": tuple(FREEDOMS.values()),
+}
+DRY = replace(BARE, gravity=True, instruments=1, points=1, wrench_inputs=True)
+WET = replace(EVERYTHING, tasks=0)
+WANTS = ("forward", "coupled", "torque", "mounts", "points", "momentum", "matrices")
+
+
+def stand_of(name: str, seed: int, features: Features = DRY, flywheels: int = 3) -> Stand:
+    stand = random_stand(np.random.default_rng(seed), flywheels, features)
+    return replace(stand, hold=Hold(HOLDS[name], PIVOT, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)))
+
+
+def state_of(stand: Stand, seed: int) -> State:
+    assert stand.hold is not None
+    rng = np.random.default_rng(seed)
+    u, u_dot = (tuple(rng.normal(size=len(stand.hold.freedoms)).tolist()) for _ in range(2))
+    state = replace(random_state(stand, rng, phase_limit=3.0), u=u, u_dot=u_dot)
+    return replace(state, V=twist_of(stand.hold, u), V_dot=twist_of(stand.hold, u_dot))
+
+
+def agree(stand: Stand, state: State, own: Any, judge: Any, want: str, most: float) -> None:
+    """Both answers to a want are equal; a reaction by what it balances, which may be far larger: K V*."""
+    found, other = own.evaluate(state, [want]), judge.evaluate(state, [want])
+    assert found.keys() == other.keys()
+    for name, reading in found.pop("points", {}).items():
+        assert worst(reading, other["points"][name]) < most
+    if "reaction" in found:
+        K = NumpyBackend(stand).evaluate(state, ["matrices"])["K"]
+        left = found.pop("reaction") - np.array(other.pop("reaction"))
+        for half in (slice(0, 3), slice(3, 6)):
+            scale = float(np.abs(K[half]) @ np.abs(other["V_dot"]) @ np.ones(3))
+            assert np.abs(left[half]).max() <= most * max(scale, 1.0), (want, "reaction")
+    assert worst(found, other) < most, want
+
+
+@pytest.mark.parametrize("name", HOLDS)
+@pytest.mark.parametrize("features", [DRY, WET], ids=["dry", "in a stream"])
+def test_the_program_agrees_with_both_derivations(name: str, features: Features) -> None:
+    stand = stand_of(name, 3, features)
+    own = InterpreterBackend(generate_all(stand))
+    for seed in range(2):
+        state = state_of(stand, seed)
+        for want in WANTS:
+            agree(stand, state, own, NumpyBackend(stand), want, 1e-11)
+    for want in ("forward", "coupled"):
+        given = replace(state, wrench={})
+        agree(stand, given, own, Second(stand), want, 1e-10)
+
+
+def test_a_blocked_direction_moves_nothing_and_the_reaction_bears_it() -> None:
+    """A weight on a hinge: turned about the vertical it does not fall, and the hinge bears weight and its moment."""
+    text = TEXT.replace('freedoms = ["pitch"]', 'freedoms = ["yaw"]')
+    stand = loads(text)
+    found = InterpreterBackend(generate_all(stand)).evaluate(rest_state(stand), ["forward"])
+    assert found["u_dot"] == [0.0]
+    assert found["reaction"] == pytest.approx([0, 0, 2.5 * 9.81, 0, 0, 0], rel=1e-14)
