@@ -10,14 +10,16 @@ import pytest
 
 from cli.test_eval_held import TEXT
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.lower.hold import OF_FREE_CARRIERS
 from mahovik.core.stand.hold import FREEDOMS, twist_of
 from mahovik.core.stand.model import Freedom, Hold, Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
 from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import State, rest_state
+from mahovik.errors import StateError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
-from mahovik.proof.verify.c_backend import InterpreterBackend
+from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
 from verify.test_held_judges import worst
 
 PIVOT = (0.3, -0.2, 0.15)
@@ -62,8 +64,7 @@ def agree(stand: Stand, state: State, own: Any, judge: Any, want: str, most: flo
     assert worst(found, other) < most, want
 
 
-@pytest.mark.parametrize("name", HOLDS)
-@pytest.mark.parametrize("features", [DRY, WET], ids=["dry", "in a stream"])
+@pytest.mark.parametrize(("name", "features"), [(name, (DRY, WET)[k % 2]) for k, name in enumerate(HOLDS)])
 def test_the_program_agrees_with_both_derivations(name: str, features: Features) -> None:
     stand = stand_of(name, 3, features)
     own = InterpreterBackend(generate_all(stand))
@@ -83,3 +84,48 @@ def test_a_blocked_direction_moves_nothing_and_the_reaction_bears_it() -> None:
     found = InterpreterBackend(generate_all(stand)).evaluate(rest_state(stand), ["forward"])
     assert found["u_dot"] == [0.0]
     assert found["reaction"] == pytest.approx([0, 0, 2.5 * 9.81, 0, 0, 0], rel=1e-14)
+
+
+def test_what_the_c_has_not_is_an_error_line_and_no_function() -> None:
+    stand = loads(TEXT)
+    own = InterpreterBackend(generate_all(stand))
+    assert OF_FREE_CARRIERS.isdisjoint(f.name for f in own.program.functions)
+    with pytest.raises(StateError, match='no "inverse" yet, ask the backend numpy'):
+        own.evaluate(rest_state(stand), ["inverse"])
+
+
+def test_one_freedom_takes_no_solve_of_six() -> None:
+    names = {f.name for f in generate_all(loads(TEXT)).program.functions}
+    assert "solve_freedoms" in names
+    assert names.isdisjoint({"factor3", "solve3", "factor_carrier", "solve_carrier", "factor_schur", "solve_schur"})
+
+
+def test_flywheels_side_by_side_give_the_same_motion() -> None:
+    stand = stand_of("ball joint", 5, WET, flywheels=5)
+    own = InterpreterBackend(generate_all(stand, lanes=4))
+    for want in ("forward", "coupled"):
+        agree(stand, state_of(stand, 1), own, NumpyBackend(stand), want, 1e-11)
+
+
+@pytest.mark.parametrize("name", ["clamped", "knife edge"])
+def test_a_lock_leaves_a_flywheel_as_part_of_the_carrier(name: str) -> None:
+    """phi'' of a locked flywheel is zero, and the others and the carrier move as for this given acceleration."""
+    stand = stand_of(name, 6, WET)
+    own, state = InterpreterBackend(generate_all(stand)), replace(state_of(stand, 2), wrench={})
+    inputs = own.arguments(state)
+    _, found = own.call("coupled", {**inputs, "locked": [0, 1, 0]})
+    assert found["phi_ddot"][1] == 0.0 and all(found["phi_ddot"][i] for i in (0, 2))
+    _, given = own.call("forward", {**inputs, "phi_ddot": found["phi_ddot"]})
+    assert np.allclose(given["V_dot"], found["V_dot"], rtol=0, atol=1e-11 * np.abs(found["V_dot"]).max())
+    _, torque = own.call("torque", {**inputs, "V_dot": found["V_dot"], "phi_ddot": found["phi_ddot"]})
+    assert np.array(torque["tau"])[[0, 2]] == pytest.approx(np.array(state.tau)[[0, 2]], rel=1e-9)
+
+
+def test_compiled_c_gives_the_bits_of_the_interpreter_and_float_its_digits() -> None:
+    stand = stand_of("knife edge", 8, DRY)
+    state, made = replace(state_of(stand, 3), wrench={}), generate_all(stand)
+    found, same = (
+        backend.evaluate(state, ["forward"]) for backend in (CBackend(stand, generated=made), InterpreterBackend(made))
+    )
+    assert found == same
+    agree(stand, state, CBackend(stand, "float"), NumpyBackend(stand), "forward", 1e-4)

@@ -323,13 +323,6 @@ def _forms() -> Iterator[PublicFunction]:
 FUNCTIONS = {row.name: row for row in _forms() if row.needs != "tasks"}
 """Rows by name, forms of given sines and cosines included; a program contains those that its stand needs."""
 
-OF_FREE_CARRIERS = frozenset(
-    name
-    for name in FUNCTIONS
-    if name.startswith(("inverse", "step", "generalized", "state_from_coordinates")) or name.endswith("_jacobian")
-)
-"""Names of functions that the C of a held carrier does not have yet."""
-
 OF_TASKS = {row.name: row for row in _ROWS if row.needs == "tasks"}
 """Rows of functions that tasks alone have."""
 

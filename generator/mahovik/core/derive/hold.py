@@ -24,6 +24,6 @@ def mass_times_drift(added_mass: bool) -> sp.Matrix:
     return mass_matrix(added_mass) * vector("drift").col_join(sp.zeros(3, 1))
 
 
-def along() -> sp.Expr:
+def power_at_one() -> sp.Expr:
     """A column of S times a wrench, `column . wrench`: its power at u = 1."""
     return vector("column", 6).dot(vector("wrench", 6))

@@ -273,7 +273,8 @@ def coupled(lib: Library, at: bool = False) -> Function:
         body.set(phi_ddot.place[s], spins[s])
     return body.checked(
         "coupled_at" if at else "coupled",
-        "Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first.",
+        "Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first"
+        + (", along the freedoms of the hold." if held else "."),
         arguments,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
         notes=AT_NOTES if at else (),

@@ -216,7 +216,9 @@ def forward(lib: Library, at: bool = False) -> Function:
         body.copy_array(argument.place, found)
     return body.checked(
         "forward_at" if at else "forward",
-        "Acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I phi'' + J phi').",
+        "Acceleration of the carrier for given accelerations of the flywheels: "
+        + ("along its freedoms, and the reaction of the hold R: K V* = F + R" if held else "K V* = F")
+        + " - M V - sum(I phi'' + J phi').",
         (table, x, *turns, *phi_ddot, *wrench, V_dot, *held),
         equation="(8)",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),

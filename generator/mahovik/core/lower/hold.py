@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.formula.derived import hold as derived
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import carrier_binding
@@ -18,6 +19,13 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 HELD_STATUSES = ("OK", "NOT_POSITIVE_DEFINITE")
+
+OF_FREE_CARRIERS = frozenset(
+    name
+    for name in FUNCTIONS
+    if name.startswith(("inverse", "step", "generalized", "state_from_coordinates")) or name.endswith("_jacobian")
+)
+"""Names of functions that the C of a held carrier does not have yet."""
 
 
 def add_all(lib: Library) -> None:
@@ -33,7 +41,7 @@ def add_all(lib: Library) -> None:
 
 
 def results(lib: Library) -> tuple[Argument, ...]:
-    """u_dot, where there are freedoms, and reaction: what `forward` and `coupled` give besides; none of a free carrier."""
+    """u_dot, where there are freedoms, and reaction, which `forward` and `coupled` of a held carrier give besides."""
     if not lib.layout.held:
         return ()
     rates = Argument("u_dot", Kind.REAL, (lib.layout.freedoms,), "out", "SI", "rates of the freedoms")
@@ -49,7 +57,7 @@ def column(table: Place, k: int) -> list[Expr]:
 
 def along(one: Sequence[Expr], wrench: Sequence[Expr]) -> Expr:
     """A column of S times a wrench or a column of I."""
-    return translate(derived.along(), {"column": one, "wrench": list(wrench)})
+    return translate(derived.power_at_one(), {"column": one, "wrench": list(wrench)})
 
 
 def place_of(i: int, j: int) -> int:
@@ -74,7 +82,7 @@ def project_mass(lib: Library) -> Function:
         six = column(table.place, j)
         assign(body, list(moved), derived.mass_times(lib.layout.added_mass), binding | {"twist": six})
         for i in range(j, lib.layout.freedoms):
-            body.set(P.place[place_of(i, j)], along(column(table.place, i), moved))
+            body.set(P.place[place_of(i, j)], along(column(table.place, i), list(moved)))
     return body.function("project_mass", "S^T K S: the mass matrix along the freedoms.", (table, sums, P))
 
 
@@ -84,7 +92,7 @@ def project_wrench(lib: Library) -> Function:
     y = Argument("y", Kind.REAL, (lib.layout.freedoms,), "out", "SI")
     body = Body()
     for k in range(lib.layout.freedoms):
-        body.set(y.place[k], along(column(table.place, k), F.place))
+        body.set(y.place[k], along(column(table.place, k), list(F.place)))
     return body.function("project_wrench", "S^T F: a wrench along the freedoms.", (table, F, y))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from importlib import import_module
 from importlib.util import find_spec
 
-from mahovik.contract.functions import FUNCTIONS, OF_FREE_CARRIERS
+from mahovik.contract.functions import FUNCTIONS
 from mahovik.contract.laws import of_bodies
 from mahovik.core import routines
 from mahovik.core.lower import (
@@ -226,7 +226,7 @@ def _add_others(lib: Library) -> None:
     """Functions of the contract that are not added above: each is a file of its name in this folder."""
     for name, row in FUNCTIONS.items():
         here = not row.needs or bool(getattr(lib.layout, row.needs))
-        here &= not (lib.layout.held and name in OF_FREE_CARRIERS)
+        here &= not (lib.layout.held and name in hold.OF_FREE_CARRIERS)
         if name not in lib and here and find_spec(f"mahovik.core.lower.{name}"):
             lib.add(getattr(import_module(f"mahovik.core.lower.{name}"), name)(lib))
 

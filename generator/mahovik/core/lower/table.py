@@ -20,7 +20,13 @@ class Tables(Features):
         fields = [
             Field("position", REAL, (3,), "m", "position of O1, in E0"),
             Field("attitude", REAL, (4,), "", "unit quaternion, w first: x0 = C x1"),
-            Field("V", REAL, (6,), "m/s, rad/s", "twist of the carrier relative to E0, in E1"),
+            Field(
+                "V",
+                REAL,
+                (6,),
+                "m/s, rad/s",
+                "twist of the carrier relative to E0, in E1" + (", V = S u of its freedoms" if self.held else ""),
+            ),
         ]
         if self.flywheels:
             fields += [

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mahovik.contract.functions import FUNCTIONS, OF_FREE_CARRIERS, TASK_TAKERS, TASK_WANTS, WANTS
+from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, TASK_WANTS, WANTS
 from mahovik.contract.status import refusal_reason, status_words
+from mahovik.core.lower.hold import OF_FREE_CARRIERS
 from mahovik.core.lower.test_inputs import first_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
@@ -101,7 +102,7 @@ class FunctionBackend(ABC):
         return self._of_hold() | self._call("forward", inputs)
 
     def _of_hold(self) -> dict[str, Any]:
-        """What a clamped carrier has in place of rates of freedoms."""
+        """The rates of no freedoms, which the C of a clamped carrier leaves out."""
         return {"u_dot": []} if self.layout.held and not self.layout.freedoms else {}
 
     def arguments(self, state: State) -> dict[str, Any]:
