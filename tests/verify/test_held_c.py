@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from cli.test_eval_held import TEXT
 from mahovik.core.emit.generate import generate_all
@@ -129,3 +130,46 @@ def test_compiled_c_gives_the_bits_of_the_interpreter_and_float_its_digits() -> 
     )
     assert found == same
     agree(stand, state, CBackend(stand, "float"), NumpyBackend(stand), "forward", 1e-4)
+
+
+def run_steps(stand: Stand, x: dict[str, Any], dt: float, count: int, order: int = 4) -> dict[str, Any]:
+    """The state after steps without drive torque."""
+    own = InterpreterBackend(generate_all(stand))
+    inputs = own.arguments(rest_state(stand))
+    for _ in range(count):
+        status, found = own.call("step", {**inputs, "x": x, "dt": dt, "order": order})
+        assert status == 0
+        x = found["next"]
+    return x
+
+
+def test_steps_swing_as_the_pendulum_does_about_a_pivot_that_stays() -> None:
+    """The physical pendulum with a wheel that turns freely about its axis, by its own equation in the angle."""
+    stand, angle = loads(TEXT), 2.0
+    x = {"position": [-0.1, 0.2, 0.3], "attitude": [np.cos(1.0), 0, np.sin(1.0), 0], "V": [0.0] * 6}
+    found = run_steps(stand, {**x, "phi": [0.0], "phi_dot": [0.0]}, 1e-3, 400)
+    inertia, weight = 0.02 + 2.5 * 0.2**2, 2.5 * 9.81 * 0.2
+
+    def fall(_: float, y: Any) -> list[float]:
+        return [y[1], weight * np.sin(y[0]) / inertia]
+
+    swung = solve_ivp(fall, (0.0, 0.4), [angle, 0.0], method="DOP853", rtol=1e-13, atol=1e-13).y[:, -1]
+    w, _, y, _ = found["attitude"]
+    assert 2 * np.arctan2(y, w) == pytest.approx(swung[0], abs=1e-9)
+    assert found["V"] == pytest.approx([-0.2 * -swung[1], 0, 0, 0, swung[1], 0], abs=1e-8)
+    arm = [np.array([np.sin(a), 0, np.cos(a)]) * -0.2 for a in (angle, 2 * np.arctan2(y, w))]
+    assert np.array(found["position"]) + arm[1] == pytest.approx(np.array(x["position"]) + arm[0], abs=1e-14)
+
+
+def test_a_plane_lets_the_pivot_slide_in_it_alone() -> None:
+    stand = replace(
+        loads(TEXT), hold=Hold(tuple(FREEDOMS[n] for n in ("x", "z", "pitch")), PIVOT, (0.0,) * 3, (0.0,) * 3)
+    )
+    assert stand.hold is not None
+    V = twist_of(stand.hold, (0.5, -0.3, 2.0))
+    x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": V, "phi": [0.0], "phi_dot": [50.0]}
+    found = run_steps(stand, x, 1e-3, 100)
+    assert found["position"][1] == 0.0 and found["attitude"][1] == found["attitude"][3] == 0.0
+    # the mass centre is at O1 and falls freely
+    start = np.array(V[:3])
+    assert found["position"] == pytest.approx(start * 0.1 - np.array([0, 0, 9.81 * 0.01 / 2]), abs=1e-12)

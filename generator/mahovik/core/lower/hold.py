@@ -9,6 +9,7 @@ from collections.abc import Sequence
 
 from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.formula.derived import hold as derived
+from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import carrier_binding
 from mahovik.core.lower.symbolic import assign, translate
@@ -23,7 +24,7 @@ HELD_STATUSES = ("OK", "NOT_POSITIVE_DEFINITE")
 OF_FREE_CARRIERS = frozenset(
     name
     for name in FUNCTIONS
-    if name.startswith(("inverse", "step", "generalized", "state_from_coordinates")) or name.endswith("_jacobian")
+    if name.startswith(("inverse", "generalized", "state_from_coordinates")) or name.endswith(("_jacobian", "_carried"))
 )
 """Names of functions that the C of a held carrier does not have yet."""
 
@@ -38,6 +39,7 @@ def add_all(lib: Library) -> None:
     if lib.layout.stream:
         lib.add(subtract_drift(lib))
     lib.add(react(lib))
+    lib.add(keep_pivot(lib))
 
 
 def results(lib: Library) -> tuple[Argument, ...]:
@@ -163,6 +165,35 @@ def react(lib: Library) -> Function:
     for k in range(6):
         body.set(R.place[k], moved[k] - F.place[k])
     return body.function("react", "Wrench of the hold on the carrier: K V* - F.", (table, sums, V_dot, F, R))
+
+
+def keep_pivot(lib: Library) -> Function:
+    """Takes from a step what moved the pivot where the hold does not let it go."""
+    table, x = lib.table_argument(), lib.state_argument()
+    after = Argument("y", lib.layout.state, (), "inout", purpose="state after the step")
+    body = Body()
+    rotated = derived_wrench.rotated()
+    C = body.local("C", (9,), comment="attitude before the step")
+    place = body.local("place", (3,), comment="of the pivot before the step, in E0")
+    arm = body.local("arm", (3,), comment="from O1 to the pivot after the step, in E0")
+    way = body.local("way", (3,), comment="how the pivot went; in E0, then in E1")
+    slid = body.local("slid", (3,), comment="its part along what slides, in E1")
+    end = body.local("end", (9,), comment="attitude after the step")
+    body.call(lib["rotation"], x.place.attitude, C)
+    body.call(lib["rotation"], after.place.attitude, end)
+    pivot = table.place.pivot
+    assign(body, list(place), rotated, {"C": C, "a": pivot})
+    assign(body, list(arm), rotated, {"C": end, "a": pivot})
+    for i in range(3):
+        body.add(place[i], x.place.position[i])
+        body.set(way[i], after.place.position[i] + arm[i] - place[i])
+    own = body.local("own", (3,), comment="in E1")
+    body.call(lib["rotate_back"], C, way, own)
+    assign(body, list(slid), rotated, {"C": table.place.sliding, "a": own})
+    assign(body, list(way), rotated, {"C": C, "a": slid})
+    for i in range(3):
+        body.set(after.place.position[i], place[i] + way[i] - arm[i])
+    return body.function("keep_pivot", "Puts the pivot of the hold back to where it can slide.", (table, x, after))
 
 
 class Freedoms:

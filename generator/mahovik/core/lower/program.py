@@ -117,8 +117,7 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(drive.coupled(lib))
         if layout.sine_input:
             lib.add(drive.coupled(lib, at=True))
-    if not layout.held:
-        step.add_all(lib)
+    step.add_all(lib)
     if layout.flywheels:
         lib.add(phases.wrap(lib))
         lib.add(phases.phase_of_counts(lib))

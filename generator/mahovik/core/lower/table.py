@@ -246,6 +246,9 @@ class Tables(Features):
             laws.append(Field("stream", REAL, (3,), "m/s", "velocity of the fluid, in E0"))
         if self.freedoms:
             laws.append(Field("S", REAL, (6, self.freedoms), "", "twists of the hold's freedoms, V = S u"))
+        if self.held:
+            laws.append(Field("pivot", REAL, (3,), "m", "point that steps keep where the hold does, in E1"))
+            laws.append(Field("sliding", REAL, (9,), "", "projector to the directions in which it slides, row by row"))
         if self.carrier_damped:
             laws.append(Field("damper", self.damper, (), "", "of the carrier"))
         laws += [field for fields in of_bodies("lower", "table_fields") for field in fields(self.structure)]

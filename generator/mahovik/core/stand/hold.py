@@ -161,6 +161,18 @@ def is_closed(hold: Hold) -> bool:
     return True
 
 
+def carried_point(hold: Hold) -> tuple[Vec3, list[list[float]]]:
+    """A point of E1, and the projector (3x3) to the directions in which a motion carries it, both in E1.
+
+    Of a closed set it is the pivot, carried by what slides alone. Of other sets it is O1, which goes anywhere.
+    """
+    whole = [[float(i == j) for j in range(3)] for i in range(3)]
+    if any(freedom.kind == "twist" for freedom in hold.freedoms) or not is_closed(hold):
+        return (0.0, 0.0, 0.0), whole
+    slides = [_twist(f, np.zeros(3))[:3].tolist() for f in hold.freedoms if f.kind == "slide"]
+    return hold.pivot, [[sum(d[i] * d[j] for d in slides) for j in range(3)] for i in range(3)]
+
+
 def words(hold: Hold) -> str:
     """How the carrier can move, in a line for people."""
     if not hold.freedoms:
