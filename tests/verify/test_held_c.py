@@ -91,8 +91,25 @@ def test_what_the_c_has_not_is_an_error_line_and_no_function() -> None:
     stand = loads(TEXT)
     own = InterpreterBackend(generate_all(stand))
     assert OF_FREE_CARRIERS.isdisjoint(f.name for f in own.program.functions)
-    with pytest.raises(StateError, match='no "inverse" yet, ask the backend numpy'):
-        own.evaluate(rest_state(stand), ["inverse"])
+    with pytest.raises(StateError, match='no "generalized" yet'):
+        own.evaluate(rest_state(stand), ["generalized"])
+    clamped = replace(stand, hold=Hold((), PIVOT, (0.0,) * 3, (0.0,) * 3))
+    with pytest.raises(StateError, match='no "inverse" of a carrier without freedoms'):
+        InterpreterBackend(generate_all(clamped)).evaluate(rest_state(clamped), ["inverse"])
+
+
+@pytest.mark.parametrize(("name", "flywheels"), [("hinge", 1), ("hinge", 3), ("ball joint", 2), ("all but one", 6)])
+def test_inverse_has_a_row_for_each_freedom(name: str, flywheels: int) -> None:
+    stand = stand_of(name, 11, DRY if flywheels == 3 else WET, flywheels)
+    own, judge = InterpreterBackend(generate_all(stand)), NumpyBackend(stand)
+    for seed in range(2):
+        state = replace(state_of(stand, seed), wrench={})
+        found, other = (backend.evaluate(state, ["inverse"]) for backend in (own, judge))
+        assert (found.pop("status"), found.pop("rank")) == (other.pop("status"), other.pop("rank"))
+        left, rest = np.array(found.pop("residual")), np.array(other.pop("residual"))
+        at = judge.evaluate(replace(state, V_dot=(0.0,) * 6), ["matrices"])
+        assert np.abs(left - rest).max() <= 1e-10 * max(np.abs(at["K"]).max() * np.abs(state.V_dot).max(), 1.0)
+        assert worst(found, other) < 1e-10
 
 
 def test_one_freedom_takes_no_solve_of_six() -> None:

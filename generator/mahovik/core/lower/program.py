@@ -19,6 +19,7 @@ from mahovik.core.lower import (
     flywheels,
     forward,
     generalized,
+    held_inverse,
     hold,
     inverse,
     inverse_fast,
@@ -126,6 +127,8 @@ def lower_layout(layout: Layout) -> Program:
     if not layout.held:
         _add_jacobians(lib)
         _add_inverse(lib)
+    elif layout.freedoms and layout.flywheels:
+        held_inverse.add_inverse(lib)
     if layout.sensors:
         lib.add(points.sense(lib))
         lib.add(points.points(lib))
@@ -225,7 +228,7 @@ def _add_others(lib: Library) -> None:
     """Functions of the contract that are not added above: each is a file of its name in this folder."""
     for name, row in FUNCTIONS.items():
         here = not row.needs or bool(getattr(lib.layout, row.needs))
-        here &= not (lib.layout.held and name in hold.OF_FREE_CARRIERS)
+        here &= not (lib.layout.held and name in (*hold.OF_FREE_CARRIERS, "inverse"))
         if name not in lib and here and find_spec(f"mahovik.core.lower.{name}"):
             lib.add(getattr(import_module(f"mahovik.core.lower.{name}"), name)(lib))
 

@@ -67,7 +67,9 @@ class FunctionBackend(ABC):
             if name in TASK_WANTS and not state.task:
                 raise StateError(f'want: "{name}" needs a task and its demand')
             if self.layout.held and name in OF_FREE_CARRIERS:
-                raise StateError(f'want: the C of a held carrier has no "{name}" yet, ask the backend numpy')
+                raise StateError(f'want: the C of a held carrier has no "{name}" yet')
+            if self.layout.held and name == "inverse" and not (self.layout.freedoms and self.layout.flywheels):
+                raise StateError('want: no "inverse" of a carrier without freedoms or flywheels, ask for forward')
         missing = [body for body in state.wrench if body not in self.inputs]
         if missing:
             raise StateError(f'wrench: the C takes none on "{missing[0]}": set `wrench_input = true` in the stand file')
