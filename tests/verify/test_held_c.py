@@ -10,6 +10,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from cli.test_eval_held import TEXT
+from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.hold import OF_FREE_CARRIERS
 from mahovik.core.stand.hold import FREEDOMS, twist_of
@@ -21,6 +22,7 @@ from mahovik.errors import StateError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
+from mahovik.proof.verify.program_backend import with_all_inputs
 from verify.test_held_judges import worst
 
 PIVOT = (0.3, -0.2, 0.15)
@@ -190,3 +192,12 @@ def test_a_plane_lets_the_pivot_slide_in_it_alone() -> None:
     # the mass centre is at O1 and falls freely
     start = np.array(V[:3])
     assert found["position"] == pytest.approx(start * 0.1 - np.array([0, 0, 9.81 * 0.01 / 2]), abs=1e-12)
+
+
+def test_the_functions_have_the_rows_of_the_contract() -> None:
+    stand = replace(with_all_inputs(loads(TEXT)), phase_input="sincos")
+    functions = [f for f in generate_all(stand).program.functions if f.public]
+    for f in functions:
+        taken = [a.name for a in f.arguments if a.direction != "out"]
+        assert [name for name in FUNCTIONS[f.name].takes if name in taken] == taken, f.name
+    assert {"forward_at", "coupled_at", "torque_at", "step", "inverse"} <= {f.name for f in functions}
