@@ -35,15 +35,14 @@ class Stand(CoreStand):
         return _read(exact(document), source)
 
     @staticmethod
-    def of(stand: CoreStand | str | Path, held: bool = False) -> Stand:
-        """A stand as it is, or the one of a file. `held`: of a held carrier too. Raises StandError."""
+    def of(stand: CoreStand | str | Path) -> Stand:
+        """A stand as it is, or the one of a file. Raises StandError."""
         if isinstance(stand, Stand):
             return stand
         if isinstance(stand, CoreStand):
-            if not held:
-                refuse_hold(stand, stand.name)
+            refuse_hold(stand, stand.name)
             return Stand(**vars(stand))
-        return _load(stand, held)
+        return load(stand)
 
     def to_dict(self) -> dict[str, Any]:
         """The keys of its file, as they were given; of a stand that Python code made, all in SI."""
@@ -77,11 +76,7 @@ class Stand(CoreStand):
 
 def load(path: str | Path) -> Stand:
     """The stand of a stand file, checked and in SI. Raises StandError with every problem of the file."""
-    return _load(path)
-
-
-def _load(path: str | Path, held: bool = False) -> Stand:
-    stand = Stand.of(load_file(path), held)
+    stand = Stand.of(load_file(path))
     # read once more only for its keys: the file was in order a moment ago
     return _with_document(stand, toml.parse(Path(path).read_text(encoding="utf-8-sig")))
 
