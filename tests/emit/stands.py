@@ -14,7 +14,8 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Program
 from mahovik.core.stand import load
-from mahovik.core.stand.model import Body, Carrier, Instrument, LawData, Stand
+from mahovik.core.stand.hold import FREEDOMS
+from mahovik.core.stand.model import Body, Carrier, Hold, Instrument, LawData, Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
 from mahovik.laws.buoyancy.data import Buoyancy
 from mahovik.laws.damping.data import Damping
@@ -40,12 +41,19 @@ GENERAL = {
 }
 """Random general stands: name to flywheels and features. The name is the stand's as well."""
 
+HELD = {"held3": (3, Hold((FREEDOMS["yaw"], FREEDOMS["z"]), (0.1, 0.2, 0.3), (0.0,) * 3, (0.0,) * 3))}
+"""Random general stands whose carrier is held: name to flywheels and hold."""
+
 NAMES = (*examples.names(), *GENERAL)
 
 
 @cache
 def stand(name: str) -> Stand:
-    """An example stand, or one of GENERAL."""
+    """An example stand, one of GENERAL, or one of HELD."""
+    if name in HELD:
+        flywheels, hold = HELD[name]
+        given = random_stand(np.random.default_rng(3), flywheels, replace(EVERYTHING, fluid=False, stream=False, tasks=0), name)
+        return replace(given, hold=hold)
     if name in GENERAL:
         flywheels, features = GENERAL[name]
         return random_stand(np.random.default_rng(list(name.encode())), flywheels, features, name)

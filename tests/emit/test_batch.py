@@ -18,7 +18,7 @@ from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.batch import Batch
 from toolchain.tools import compile_c, require, run
 
-KINDS = ("bench8", "demo3", "remus6", "auv6", "shaker2", "everything0", "everything1", "wet7")
+KINDS = ("bench8", "demo3", "remus6", "auv6", "shaker2", "everything0", "everything1", "wet7", "held3")
 LENGTHS = (1, 7, 8, 9, 41)
 
 

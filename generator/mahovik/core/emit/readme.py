@@ -39,6 +39,13 @@ def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
         proofs=provable(generated),
         flywheel=stand.flywheels[0].name if stand.flywheels else "",
         declarations=[(names.declaration(a.name, a.type, a.shape), a.unit) for a in zeroed],
+        others=[
+            (names.declaration(a.name, a.type, a.shape), a.unit)
+            for a in arguments
+            if a.direction == "out" and a.name != "V_dot"
+        ],
+        held=generated.layout.held,
+        freedoms=generated.layout.freedoms,
         call=call(names, called[0], given) if called else "",
         only=generated.only,
         recorded=recorded(generated),

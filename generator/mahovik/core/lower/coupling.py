@@ -194,6 +194,6 @@ def _passed(table: Place, b: Place, first: Expr, seen: Scene, by: Carried) -> di
     return named | {"origin_acceleration": by.origin_acceleration, "spun": by.spun, "g": seen.g}
 
 
-def along(column: Sequence[Expr], V_dot: Place) -> Expr:
+def along(column: Sequence[Expr], V_dot: Place | Sequence[Expr]) -> Expr:
     """I_s . V*."""
     return translate(derived_wrench.row_times("column", "V_dot"), {"column": column, "V_dot": V_dot})

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mahovik.core.lower import lanes
+from mahovik.core.lower import hold, lanes
 from mahovik.core.lower.checks import check_within
 from mahovik.core.lower.coupling import (
     Carried,
@@ -23,7 +23,9 @@ from mahovik.core.lower.forward import (
     relative_rate,
     scene,
     sum_up,
+    without_drift,
 )
+from mahovik.core.lower.held_drive import solve_held
 from mahovik.core.lower.lanes import entry
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.schur import start_schur
@@ -131,6 +133,7 @@ def _coupled_arguments(lib: Library, turns: tuple[Argument, ...]) -> tuple[Argum
         *lib.wrench_arguments(),
         Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V"),
         Argument("phi_ddot", Kind.REAL, (count,), "out", "rad/s2", "flywheel accelerations"),
+        *hold.results(lib),
     )
 
 
@@ -140,7 +143,9 @@ def solve_coupled(lib: Library) -> Function:
     turns = lib.turn_arguments()
     arguments = _coupled_arguments(lib, turns)
     table, x = arguments[:2]
-    tau, locked, *wrench, V_dot, phi_ddot = arguments[2 + len(turns) :]
+    held = len(hold.results(lib))
+    given, results = arguments[2 + len(turns) : -2 - held], places_of(arguments[-2 - held :])
+    tau, locked, *wrench = given
     body = Body()
     lib.begin(body)
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns_in(arguments)))
@@ -148,11 +153,15 @@ def solve_coupled(lib: Library) -> Function:
     F = body.local("F", (6,), comment="wrench (7); then the right-hand side of K V* + I phi'' = F")
     external_wrench(lib, body, table.place, x.place, seen, tuple(wrench), F)
     body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
-    K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
-    start_schur(lib, body, table.place, seen.sums, K)
-    solve = _solve if layout.lanes == 1 else _solve_blocks
-    solve(lib, body, table.place, seen, (tau.place, locked.place), (K, F), (V_dot.place, phi_ddot.place))
-    from_stream(body, x.place, seen, V_dot.place)
+    if layout.held:
+        drift = without_drift(lib, body, table.place, x.place, seen, F)
+        solve_held(lib, body, table.place, seen, (tau.place, locked.place), F, drift, results)
+    else:
+        K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
+        start_schur(lib, body, table.place, seen.sums, K)
+        solve = _solve if layout.lanes == 1 else _solve_blocks
+        solve(lib, body, table.place, seen, (tau.place, locked.place), (K, F), (results[0], results[1]))
+        from_stream(body, x.place, seen, results[0])
     return body.checked(
         "solve_coupled",
         "V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK.",
@@ -245,22 +254,27 @@ def coupled(lib: Library, at: bool = False) -> Function:
     """V*, phi'' for given tau; `at`: coupled_at, of given sines and cosines of the phases."""
     layout = lib.layout
     arguments = _coupled_arguments(lib, lib.given_turns() if at else ())
-    V_dot, phi_ddot = arguments[-2:]
+    held = len(hold.results(lib))
+    V_dot, phi_ddot, *others = arguments[-2 - held :]
     body = Body()
     check_drive(lib, body, arguments)
     motion = body.local("V_result", (6,))
     spins = body.local("phi_result", (layout.count,))
     table, x = places_of(arguments[:2])
     turns = turns_in(arguments)
-    others = places_of([a for a in arguments[2:-2] if a not in turns])
-    inputs = [*all_turns(lib, body, x, turns), *others]
-    lib.check(body, "solve_coupled", table, x, *inputs, motion, spins)
+    given = places_of([a for a in arguments[2 : -2 - held] if a not in turns])
+    inputs = [*all_turns(lib, body, x, turns), *given]
+    found = [body.local(f"{a.name}_result", a.shape) for a in others]
+    lib.check(body, "solve_coupled", table, x, *inputs, motion, spins, *found)
     body.copy_array(V_dot.place, motion)
+    for argument, value in zip(others, found, strict=True):
+        body.copy_array(argument.place, value)
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot.place[s], spins[s])
     return body.checked(
         "coupled_at" if at else "coupled",
-        "Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first.",
+        "Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first"
+        + (", along the freedoms of the hold." if held else "."),
         arguments,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
         notes=AT_NOTES if at else (),

@@ -68,6 +68,16 @@ class Features:
         return bool(self.structure.flywheels)
 
     @property
+    def held(self) -> bool:
+        """The carrier is held."""
+        return self.structure.hold is not None
+
+    @property
+    def freedoms(self) -> int:
+        """Freedoms of a held carrier; 0 of a clamped one, and of a free one."""
+        return self.structure.hold or 0
+
+    @property
     def instruments(self) -> int:
         return len(self.structure.instruments)
 

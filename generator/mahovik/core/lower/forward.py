@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mahovik.core.formula.derived import wrench as derived
-from mahovik.core.lower import flywheels, lanes
+from mahovik.core.lower import flywheels, hold, lanes
 from mahovik.core.lower.checks import check_within
 from mahovik.core.lower.flywheels import AT_NOTES, Turns, named_turns, places_of, turns_of
 from mahovik.core.lower.library import Library
@@ -151,21 +151,28 @@ def accelerate(lib: Library) -> Function:
     table, x = lib.table_argument(), lib.state_argument()
     turns, phi_ddot, wrench = lib.turn_arguments(), lib.phi_ddot_arguments(), lib.wrench_arguments()
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
+    held = hold.results(lib)
     body = Body()
     lib.begin(body)
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
     sum_up(lib, body, table.place, x.place, seen, phi_ddot[0].place if phi_ddot else None)
     F = body.local("F", (6,), comment="wrench (7); then the right-hand side of (8)")
-    K = body.local("K", (), lib.layout.carrier_factor)
+    K = None if held else body.local("K", (), lib.layout.carrier_factor)
     external_wrench(lib, body, table.place, x.place, seen, wrench, F)
     body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
-    lib.check(body, "factor_carrier", table.place, seen.sums, K)
-    body.call(lib["solve_carrier"], table.place, K, F, V_dot.place)
-    from_stream(body, x.place, seen, V_dot.place)
+    if K is None:
+        without_drift(lib, body, table.place, x.place, seen, F)
+        along = hold.Freedoms(lib, body, table.place, seen.sums, F)
+        along.solve()
+        along.write(V_dot.place, places_of(held))
+    else:
+        lib.check(body, "factor_carrier", table.place, seen.sums, K)
+        body.call(lib["solve_carrier"], table.place, K, F, V_dot.place)
+        from_stream(body, x.place, seen, V_dot.place)
     return body.checked(
         "accelerate",
         "K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK.",
-        (table, x, *turns, *phi_ddot, *wrench, V_dot),
+        (table, x, *turns, *phi_ddot, *wrench, V_dot, *held),
         equation="(8)",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )
@@ -181,6 +188,15 @@ def from_stream(body: Body, x: Place, seen: Scene, V_dot: Place) -> None:
         body.set(V_dot[i], V_dot[i] - drift[i])
 
 
+def without_drift(lib: Library, body: Body, table: Place, x: Place, seen: Scene, F: Place) -> Place | None:
+    """Takes K (omega x C^T u, 0) from F, where there is a stream, so that F belongs to V*; returns omega x C^T u."""
+    if seen.stream is None:
+        return None
+    drift = drift_of(body, x, seen.stream)
+    body.call(lib["subtract_drift"], table, seen.sums, drift, F)
+    return drift
+
+
 def forward(lib: Library, at: bool = False) -> Function:
     """V* for given phi'' by (8); `at`: forward_at, of given sines and cosines of the phases."""
     table, x = lib.table_argument(), lib.state_argument()
@@ -190,14 +206,20 @@ def forward(lib: Library, at: bool = False) -> Function:
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", purpose)
     body = Body()
     check_inputs(lib, body, table, x, phi_ddot, wrench, turns)
+    held = hold.results(lib)
     result = body.local("result", (6,))
+    others = [body.local(f"{a.name}_result", a.shape) for a in held]
     inputs = [*all_turns(lib, body, x.place, turns), *places_of((*phi_ddot, *wrench))]
-    lib.check(body, "accelerate", table.place, x.place, *inputs, result)
+    lib.check(body, "accelerate", table.place, x.place, *inputs, result, *others)
     body.copy_array(V_dot.place, result)
+    for argument, found in zip(held, others, strict=True):
+        body.copy_array(argument.place, found)
     return body.checked(
         "forward_at" if at else "forward",
-        "Acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I phi'' + J phi').",
-        (table, x, *turns, *phi_ddot, *wrench, V_dot),
+        "Acceleration of the carrier for given accelerations of the flywheels: "
+        + ("along its freedoms, and the reaction of the hold R: K V* = F + R" if held else "K V* = F")
+        + " - M V - sum(I phi'' + J phi').",
+        (table, x, *turns, *phi_ddot, *wrench, V_dot, *held),
         equation="(8)",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
         notes=AT_NOTES if at else (),

@@ -188,20 +188,25 @@ class Layout(Tables):
 
     @cached_property
     def inverse_result(self) -> Struct:
-        least = min(6, int(self.count))
+        rows = self.freedoms if self.held else 6
+        least = min(rows, int(self.count))
+        left, matrix = "F - K V* - M V - J phi' - I phi''", "K^-1/2 I Theta_ff^-1/2"
+        if self.held:
+            left, matrix = f"S^T ({left})", "(S^T K S)^-1/2 S^T I Theta_ff^-1/2"
         fields: tuple[Field, ...] = (
             Field("phi_ddot", REAL, (self.count,), "rad/s2", "flywheel accelerations"),
-            Field("residual", REAL, (6,), "N, N m", "F - K V* - M V - J phi' - I phi''"),
-            Field("sigma", REAL, (least,), "", "singular values of K^-1/2 I Theta_ff^-1/2, descending"),
+            Field("residual", REAL, (rows,), "N, N m", left),
+            Field("sigma", REAL, (least,), "", f"singular values of {matrix}, descending"),
             Field("rank", INT, (), "", "number of singular values above the rank threshold"),
             Field("damped_by", REAL, (), "", "largest damping lambda applied, in units of sigma; 0: none"),
             Field("limited", INT, (self.count,), "", "1 if the flywheel reached its limit"),
             Field(
                 "hardest",
                 REAL,
-                (6,),
+                (rows,),
                 "",
-                "the unreachable wrench, or the one hardest to reach; a unit vector in the norm of K^-1",
+                "the unreachable wrench, or the one hardest to reach; a unit vector in the norm of "
+                + ("(S^T K S)^-1" if self.held else "K^-1"),
             ),
         )
         if not self.flywheels:

@@ -19,6 +19,8 @@ from mahovik.core.lower import (
     flywheels,
     forward,
     generalized,
+    held_inverse,
+    hold,
     inverse,
     inverse_fast,
     jacobian,
@@ -42,20 +44,16 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.task.functions import add_tasks
 from mahovik.core.program.function import Function, Program
+from mahovik.core.program.restrict import restrict_program
 from mahovik.core.program.types import Precision, Struct
 from mahovik.core.program.validate import validate
 from mahovik.core.program.walk import reachable
-from mahovik.core.stand.hold import refuse_hold
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 
 
 def lower(stand: Stand, precision: Precision) -> Program:
-    """The program for a stand at a precision. Its text depends on the stand's structure only, not on its numbers.
-
-    Raises StandError for a held carrier.
-    """
-    refuse_hold(stand, stand.name)
+    """The program for a stand at a precision. Its text depends on the stand's structure only, not on its numbers."""
     return lower_layout(Layout(structure(stand), precision))
 
 
@@ -91,6 +89,8 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(solve.solve3(lib))
     lib.add(solve.factor_carrier(lib))
     lib.add(solve.solve_carrier(lib))
+    if layout.held:
+        hold.add_all(lib)
     lib.add(forward.accelerate(lib))
     lib.add(forward.forward(lib))
     if layout.sine_input:
@@ -124,7 +124,34 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(phases.phase_of_counts(lib))
         lib.add(phases.speed_of_counts(lib))
         lib.add(phases.accumulate(lib))
-    _add_jacobians(lib)
+    if not layout.held:
+        _add_jacobians(lib)
+        _add_inverse(lib)
+    elif layout.freedoms and layout.flywheels:
+        held_inverse.add_inverse(lib)
+    if layout.sensors:
+        lib.add(points.sense(lib))
+        lib.add(points.points(lib))
+    lib.add(generalized.quaternion(lib))
+    if not layout.held:
+        lib.add(coordinates.state_from_coordinates(lib))
+        lib.add(generalized.products(lib))
+        lib.add(generalized.generalized(lib))
+    _add_prepare(lib)
+    if layout.flywheels:
+        lib.add(mounts.carry_twist(lib))
+        lib.add(mounts.mount_wrench(lib))
+        lib.add(mounts.mounts(lib))
+        lib.add(mounts.prepare_mounts(lib))
+    if not layout.held:
+        step_carried.add_all(lib)
+    _add_others(lib)
+    return _program(lib)
+
+
+def _add_inverse(lib: Library) -> None:
+    """(12), and the tasks."""
+    layout, precision = lib.layout, lib.layout.precision
     if layout.flywheels:
         square_root = lib["sqrt"]
         lib.add(routines.orthogonalise(layout.inverse_work, layout.count, square_root, precision.name))
@@ -143,22 +170,6 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(demand.factor(lib))
         lib.add(demand.demand(lib))
         lib.add(inverse.inverse_alone(lib))
-    if layout.sensors:
-        lib.add(points.sense(lib))
-        lib.add(points.points(lib))
-    lib.add(generalized.quaternion(lib))
-    lib.add(coordinates.state_from_coordinates(lib))
-    lib.add(generalized.products(lib))
-    lib.add(generalized.generalized(lib))
-    _add_prepare(lib)
-    if layout.flywheels:
-        lib.add(mounts.carry_twist(lib))
-        lib.add(mounts.mount_wrench(lib))
-        lib.add(mounts.mounts(lib))
-        lib.add(mounts.prepare_mounts(lib))
-    step_carried.add_all(lib)
-    _add_others(lib)
-    return _program(lib)
 
 
 def lower_numbers(layout: Layout) -> Program:
@@ -186,6 +197,9 @@ def _program(lib: Library) -> Program:
         spare = (flywheels.sum_mass(lib, apart=True), *turning)
     functions = reachable(lib.functions)
     program = Program(layout.structure.name, layout.precision, counts, _structs(layout), functions, spare)
+    if layout.held:  # without the structs of what only a free carrier has
+        public = [f.name for f in functions if f.public]
+        program = restrict_program(program, public, ("state", "parameters", "table"))
     validate(program)
     return program
 
@@ -214,6 +228,7 @@ def _add_others(lib: Library) -> None:
     """Functions of the contract that are not added above: each is a file of its name in this folder."""
     for name, row in FUNCTIONS.items():
         here = not row.needs or bool(getattr(lib.layout, row.needs))
+        here &= not (lib.layout.held and name in (*hold.OF_FREE_CARRIERS, "inverse"))
         if name not in lib and here and find_spec(f"mahovik.core.lower.{name}"):
             lib.add(getattr(import_module(f"mahovik.core.lower.{name}"), name)(lib))
 

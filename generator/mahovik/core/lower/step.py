@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from mahovik.core.formula.derived import motion as derived
+from mahovik.core.lower import hold
 from mahovik.core.lower.drive import check_drive
 from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs
@@ -51,10 +52,11 @@ def _rate(lib: Library, torques: bool) -> Function:
     C = body.local("C", (9,), comment="attitude")
     inputs = [*turns_of(lib, body, x.place), *(a.place for a in drive)]
     out = rate.place
+    others = [body.local(a.name, a.shape) for a in hold.results(lib)]
     if torques:
-        lib.check(body, "solve_coupled", table.place, x.place, *inputs, out.V, out.phi_dot)
+        lib.check(body, "solve_coupled", table.place, x.place, *inputs, out.V, out.phi_dot, *others)
     else:
-        lib.check(body, "accelerate", table.place, x.place, *inputs, out.V)
+        lib.check(body, "accelerate", table.place, x.place, *inputs, out.V, *others)
     body.call(lib["rotation"], x.place.attitude, C)
     bound = parts_of_twist(x.place.V) | {"C": C, "q": x.place.attitude}
     assign(body, list(out.position), derived.position_rate(), bound)
@@ -257,6 +259,8 @@ def _step(lib: Library, torques: bool) -> Function:
     turning = fastest(lib, body, x.place)
     body.call(lib["advance"], x.place, total, over, y)
     lib.check_as(body, "RANGE", "finish", y)
+    if lib.layout.held:
+        body.call(lib["keep_pivot"], arguments[0].place, x.place, y)
     finish_step(lib, body, arguments, turning, ((out.place, y),))
     what = "drive torques" if torques else "given flywheel accelerations"
     return body.checked(

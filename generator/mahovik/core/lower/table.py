@@ -20,7 +20,13 @@ class Tables(Features):
         fields = [
             Field("position", REAL, (3,), "m", "position of O1, in E0"),
             Field("attitude", REAL, (4,), "", "unit quaternion, w first: x0 = C x1"),
-            Field("V", REAL, (6,), "m/s, rad/s", "twist of the carrier relative to E0, in E1"),
+            Field(
+                "V",
+                REAL,
+                (6,),
+                "m/s, rad/s",
+                "twist of the carrier relative to E0, in E1" + (", V = S u of its freedoms" if self.held else ""),
+            ),
         ]
         if self.flywheels:
             fields += [
@@ -237,6 +243,11 @@ class Tables(Features):
             laws.append(Field("gravity", REAL, (3,), "m/s2", "in E0"))
         if self.stream:
             laws.append(Field("stream", REAL, (3,), "m/s", "velocity of the fluid, in E0"))
+        if self.freedoms:
+            laws.append(Field("S", REAL, (6, self.freedoms), "", "twists of the hold's freedoms, V = S u"))
+        if self.held:
+            laws.append(Field("pivot", REAL, (3,), "m", "point that steps keep where the hold does, in E1"))
+            laws.append(Field("sliding", REAL, (9,), "", "projector to the directions in which it slides, row by row"))
         if self.carrier_damped:
             laws.append(Field("damper", self.damper, (), "", "of the carrier"))
         laws += [field for fields in of_bodies("lower", "table_fields") for field in fields(self.structure)]

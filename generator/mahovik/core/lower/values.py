@@ -22,6 +22,7 @@ from mahovik.core.program.function import Function, Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, Kind
 from mahovik.core.stand.columns import Column
+from mahovik.core.stand.hold import carried_point, twists
 from mahovik.core.stand.model import Body as StandBody
 from mahovik.core.stand.model import Flywheel, Instrument, MountingAngles, Point, Stand
 from mahovik.errors import StandError
@@ -165,6 +166,11 @@ class _Laws:
             laws["gravity"] = list(stand.gravity)
         if stand.stream is not None:
             laws["stream"] = list(stand.stream)
+        if stand.hold is not None:
+            pivot, sliding = carried_point(stand.hold)
+            laws |= {"pivot": list(pivot), "sliding": [x for row in sliding for x in row]}
+            if layout.freedoms:
+                laws["S"] = twists(stand.hold).tolist()
         rows: dict[str, list[dict[str, Any]]] = {}
         if layout.carrier_damped:
             laws["damper"] = self._damper(stand.carrier, rows)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Annotated, Any
 
@@ -112,7 +113,8 @@ def _twist(freedom: Freedom, pivot: Array) -> Array:
     if freedom.kind == "twist":
         return np.array(freedom.twist)
     scaled = np.array(freedom.direction) / max(map(abs, freedom.direction))  # squares neither overflow nor vanish
-    unit = scaled / np.linalg.norm(scaled)
+    x, y, z = scaled.tolist()
+    unit = scaled / math.sqrt(x * x + y * y + z * z)  # the same bits on every machine
     if freedom.kind == "slide":
         return np.concatenate([unit, np.zeros(3)])
     return np.concatenate([np.cross(pivot, unit), unit])
@@ -157,6 +159,18 @@ def is_closed(hold: Hold) -> bool:
             if _distance(bracket, S) > DEPENDENT:
                 return False
     return True
+
+
+def carried_point(hold: Hold) -> tuple[Vec3, list[list[float]]]:
+    """A point of E1, and the projector (3x3) to the directions in which a motion carries it, both in E1.
+
+    Of a closed set it is the pivot, carried by what slides alone. Of other sets it is O1, which goes anywhere.
+    """
+    whole = [[float(i == j) for j in range(3)] for i in range(3)]
+    if any(freedom.kind == "twist" for freedom in hold.freedoms) or not is_closed(hold):
+        return (0.0, 0.0, 0.0), whole
+    slides = [_twist(f, np.zeros(3))[:3].tolist() for f in hold.freedoms if f.kind == "slide"]
+    return hold.pivot, [[sum(d[i] * d[j] for d in slides) for j in range(3)] for i in range(3)]
 
 
 def words(hold: Hold) -> str:
@@ -216,7 +230,7 @@ def lines(hold: Hold) -> list[str]:
 def refuse_hold(stand: Stand, source: str) -> None:
     """StandError for a held carrier, where only a free one can be taken."""
     if stand.hold is not None:
-        taken = "only `mahovik check` and `mahovik eval --backend numpy|casadi` take a held carrier yet"
+        taken = "only `mahovik check`, `eval`, `generate` and `judge-log` take a held carrier yet"
         raise StandError([f"{source}: hold: {taken}; expected a stand without [hold]"])
 
 

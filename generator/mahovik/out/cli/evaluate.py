@@ -37,13 +37,13 @@ def evaluate(
     torques within what the motors have.
 
     A state of a held carrier has "u" and "u_dot" in place of "V" and "V_dot": speeds of its freedoms in the order of
-    the file, and their rates; `forward` and `coupled` answer `u_dot`, `V_dot` and `reaction`. By numpy and casadi.
+    the file, and their rates; `forward` and `coupled` answer `u_dot`, `V_dot` and `reaction`.
 
     A state that cannot be evaluated gives an error line in its place; the exit status is then 1.
     """
     if real == "float" and backend != "c":
         raise UsageError(f"--real float: only --backend c has it, not {backend}")
-    stand = load_stand(stand_file, held=backend != "c")
+    stand = load_stand(stand_file, held=True)
     chosen = _backend(stand, backend, real)
     from mahovik.proof.verify.states import evaluate_lines, split_lines
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from mahovik.core.stand import load as load_file
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
@@ -181,7 +182,7 @@ def generate(
     from mahovik.core.emit.delivery import delivery
     from mahovik.proof.verify.delivery import deliver
 
-    own: CoreStand = Stand.of(stand)
+    own = load_file(stand) if isinstance(stand, str | Path) else stand  # of a held carrier too
     if prefix is not None:
         own = _rename_stand(own, prefix)
     count = lanes_of(own, lanes, fast)

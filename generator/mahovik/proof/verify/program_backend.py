@@ -12,6 +12,7 @@ import numpy as np
 
 from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, TASK_WANTS, WANTS
 from mahovik.contract.status import refusal_reason, status_words
+from mahovik.core.lower.hold import OF_FREE_CARRIERS
 from mahovik.core.lower.test_inputs import first_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
@@ -65,6 +66,10 @@ class FunctionBackend(ABC):
                 raise StateError(f'want: unknown "{name}", expected one of {", ".join((*WANTS, *TASK_WANTS))}')
             if name in TASK_WANTS and not state.task:
                 raise StateError(f'want: "{name}" needs a task and its demand')
+            if self.layout.held and name in OF_FREE_CARRIERS:
+                raise StateError(f'want: the C of a held carrier has no "{name}" yet')
+            if self.layout.held and name == "inverse" and not (self.layout.freedoms and self.layout.flywheels):
+                raise StateError('want: no "inverse" of a carrier without freedoms or flywheels, ask for forward')
         missing = [body for body in state.wrench if body not in self.inputs]
         if missing:
             raise StateError(f'wrench: the C takes none on "{missing[0]}": set `wrench_input = true` in the stand file')
@@ -94,6 +99,13 @@ class FunctionBackend(ABC):
         outputs = self._call(function, inputs)
         found: dict[str, Any] = outputs.get("out", outputs)
         return found
+
+    def _forward(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        return self._of_hold() | self._call("forward", inputs)
+
+    def _of_hold(self) -> dict[str, Any]:
+        """The rates of no freedoms, which the C of a clamped carrier leaves out."""
+        return {"u_dot": []} if self.layout.held and not self.layout.freedoms else {}
 
     def arguments(self, state: State) -> dict[str, Any]:
         """A state as arguments of the program's functions, by name."""
@@ -164,8 +176,8 @@ class FunctionBackend(ABC):
 
     def _coupled(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         if not self.layout.flywheels:
-            return {**self._call("forward", inputs), "phi_ddot": []}
-        return self._call("coupled", inputs)
+            return {**self._forward(state, inputs), "phi_ddot": []}
+        return self._of_hold() | self._call("coupled", inputs)
 
     def _inverse(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         status, outputs = self.call("inverse", inputs)

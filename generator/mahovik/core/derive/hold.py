@@ -1,0 +1,29 @@
+"""Held carrier, V_r* = S u* + d: (8) along the freedoms, S^T K S u* = S^T (b - K d), and what the hold exerts.
+
+b = F - M V_r - J phi' - I phi'', d = (omega x C^T u, 0) of a stream. A column of S is a twist of O1 at u = 1, constant
+in E1; the reaction is R = K V_r* - b.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mahovik.core.derive.carrier import mass_matrix
+from mahovik.core.derive.symbols import vector
+
+twist = vector("twist", 6)
+
+
+def mass_times(added_mass: bool) -> sp.Matrix:
+    """K times a twist or its rate, `twist` (6), in the sums A (or m), mu, G, J."""
+    return mass_matrix(added_mass) * twist
+
+
+def mass_times_drift(added_mass: bool) -> sp.Matrix:
+    """K d, d = (drift, 0)."""
+    return mass_matrix(added_mass) * vector("drift").col_join(sp.zeros(3, 1))
+
+
+def power_at_one() -> sp.Expr:
+    """A column of S times a wrench, `column . wrench`: its power at u = 1."""
+    return vector("column", 6).dot(vector("wrench", 6))

@@ -1,0 +1,79 @@
+"""V*, phi'' and the reaction of a held carrier under drive torques: flywheels eliminated along the freedoms."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from mahovik.core.lower import lanes
+from mahovik.core.lower.coupling import along, carried, couple_blocks, couple_flywheel
+from mahovik.core.lower.forward import Scene
+from mahovik.core.lower.hold import Freedoms, of_flywheel, room_for_projected
+from mahovik.core.lower.lanes import entry
+from mahovik.core.lower.library import Library
+from mahovik.core.program.build import Body
+from mahovik.core.program.expression import Expr, Place, equal, integer, real, select
+
+
+def solve_held(
+    lib: Library,
+    body: Body,
+    table: Place,
+    seen: Scene,
+    given: tuple[Place, Place],
+    F: Place,
+    drift: Place | None,
+    results: Sequence[Place],
+) -> None:
+    """Writes V*, phi'', u*, reaction, for given tau and locks.
+
+    F is the right-hand side for phi'' = 0 and V* alone; `drift`: omega x C^T u of a stream.
+    """
+    layout = lib.layout
+    (tau, locked), (V_dot, phi_ddot, *others) = given, results
+    freedoms = Freedoms(lib, body, table, seen.sums, F)
+    bias = body.local("bias", (layout.count,), comment="drive torques at V* = 0, phi'' = 0")
+    inverse = body.local("inverse", (layout.count,), comment="1 / Theta_ff; 0 where a lock holds")
+    columns = body.local("columns", (layout.count, 6), comment="columns of I")
+    rate = body.local("rate", (layout.count,), comment="accelerations at V* = 0")
+    projected = room_for_projected(lib, body)
+    _couple(lib, body, table, seen, columns, bias)
+    with body.loop("s", layout.count) as s:
+        body.set(inverse[s], select(equal(locked[s], integer(0)), entry(lib, table, s, "spin_inv"), real(0)))
+        demand: Expr = tau[s] - bias[s] if seen.own is None else tau[s] - bias[s] + seen.own[s * integer(6) + 3]
+        if drift is not None:
+            demand = demand - _linear(columns[s], drift)
+        body.set(rate[s], demand * inverse[s])
+        freedoms.eliminate(list(columns[s]), rate[s], inverse[s], of_flywheel(projected, s))
+    freedoms.solve()
+    with body.loop("s", layout.count) as s:
+        back = freedoms.back(of_flywheel(projected, s))
+        body.set(phi_ddot[s], rate[s] - back * inverse[s] if projected is not None else rate[s])
+        for element, of_spin in zip(F, columns[s], strict=True):
+            body.add(element, -(of_spin * phi_ddot[s]))
+    freedoms.write(V_dot, others)
+
+
+def _linear(coupling: Place, drift: Place) -> Expr:
+    """I_s . (drift, 0)."""
+    return along(list(coupling), [*drift, real(0), real(0), real(0)])
+
+
+def _couple(lib: Library, body: Body, table: Place, seen: Scene, columns: Place, bias: Place) -> None:
+    """Columns of I and bias torques of all flywheels, one by one or by blocks."""
+    layout = lib.layout
+    alike = carried(lib, body, seen)
+    if layout.lanes == 1:
+        drive = body.local("drive", (), layout.coupling)
+        with body.loop("s", layout.count) as s:
+            couple_flywheel(lib, body, table, s, seen, alike, drive)
+            body.copy_array(columns[s], drive.I)
+            body.set(bias[s], drive.bias)
+        return
+    drives = body.local("drives", (layout.blocks,), layout.lane_coupling)
+    with lanes.blocks(lib, body) as (b, first):
+        couple_blocks(lib, body, table, b, first, seen, alike, drives[b])
+    count = integer(layout.lane_count)
+    with body.loop("s", layout.count) as s:
+        for target, value in zip(columns[s], lanes.lane(drives[s / count].I, s % count), strict=True):
+            body.set(target, value)
+        body.set(bias[s], drives[s / count].bias[s % count])

@@ -1,0 +1,259 @@
+"""Held carrier: (8) projected to its m freedoms, V* = S u*, and the reaction of the hold, by an m x m solve.
+
+S^T K S u* = S^T b and R = K V_r* - b; with a stream, K d is taken from b first, and then V* stands in place of V_r*.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from mahovik.contract.functions import FUNCTIONS
+from mahovik.core.formula.derived import hold as derived
+from mahovik.core.formula.derived import wrench as derived_wrench
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.solve import carrier_binding
+from mahovik.core.lower.symbolic import assign, translate
+from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Expr, Not, Place, real
+from mahovik.core.program.function import Function
+from mahovik.core.program.types import Kind
+
+HELD_STATUSES = ("OK", "NOT_POSITIVE_DEFINITE")
+
+OF_FREE_CARRIERS = frozenset(
+    name
+    for name in FUNCTIONS
+    if name.startswith(("inverse_fast", "generalized", "state_from_coordinates"))
+    or name.endswith(("_jacobian", "_carried"))
+)
+"""Names of functions that the C of a held carrier does not have yet."""
+
+
+def add_all(lib: Library) -> None:
+    """Adds the functions of a held carrier; clamped, it has the reaction alone."""
+    if lib.layout.freedoms:
+        lib.add(project_mass(lib))
+        lib.add(project_wrench(lib))
+        lib.add(solve_freedoms(lib))
+        lib.add(twist_of_freedoms(lib))
+    if lib.layout.stream:
+        lib.add(subtract_drift(lib))
+    lib.add(react(lib))
+    lib.add(keep_pivot(lib))
+
+
+def results(lib: Library) -> tuple[Argument, ...]:
+    """u_dot, where there are freedoms, and reaction, which `forward` and `coupled` of a held carrier give besides."""
+    if not lib.layout.held:
+        return ()
+    rates = Argument("u_dot", Kind.REAL, (lib.layout.freedoms,), "out", "SI", "rates of the freedoms")
+    purpose = "wrench of the hold on the carrier, in E1 about O1"
+    reaction = Argument("reaction", Kind.REAL, (6,), "out", "N, N m", purpose)
+    return (*((rates,) if lib.layout.freedoms else ()), reaction)
+
+
+def column(table: Place, k: int) -> list[Expr]:
+    """Column k of S."""
+    return [table.S[i][k] for i in range(6)]
+
+
+def along(one: Sequence[Expr], wrench: Sequence[Expr]) -> Expr:
+    """A column of S times a wrench or a column of I."""
+    return translate(derived.power_at_one(), {"column": one, "wrench": list(wrench)})
+
+
+def place_of(i: int, j: int) -> int:
+    """Where element (i, j), j <= i, of a symmetric matrix of the freedoms is stored: row by row."""
+    return i * (i + 1) // 2 + j
+
+
+def _system(lib: Library) -> tuple[Argument, Argument]:
+    m = lib.layout.freedoms
+    P = Argument("P", Kind.REAL, (m * (m + 1) // 2,), "inout", "SI", "lower triangle, row by row")
+    return P, Argument("y", Kind.REAL, (m,), "inout", "SI")
+
+
+def project_mass(lib: Library) -> Function:
+    """S^T K S."""
+    table, sums = lib.table_argument(), Argument("sum", lib.layout.sums)
+    P = Argument("P", Kind.REAL, (place_of(lib.layout.freedoms, 0),), "out", "SI", "lower triangle, row by row")
+    body = Body()
+    binding = carrier_binding(lib, table.place, sums.place)
+    moved = body.local("moved", (6,), comment="K times a column of S")
+    for j in range(lib.layout.freedoms):
+        six = column(table.place, j)
+        assign(body, list(moved), derived.mass_times(lib.layout.added_mass), binding | {"twist": six})
+        for i in range(j, lib.layout.freedoms):
+            body.set(P.place[place_of(i, j)], along(column(table.place, i), list(moved)))
+    return body.function("project_mass", "S^T K S: the mass matrix along the freedoms.", (table, sums, P))
+
+
+def project_wrench(lib: Library) -> Function:
+    """S^T of a wrench."""
+    table, F = lib.table_argument(), Argument("F", Kind.REAL, (6,), unit="N, N m")
+    y = Argument("y", Kind.REAL, (lib.layout.freedoms,), "out", "SI")
+    body = Body()
+    for k in range(lib.layout.freedoms):
+        body.set(y.place[k], along(column(table.place, k), list(F.place)))
+    return body.function("project_wrench", "S^T F: a wrench along the freedoms.", (table, F, y))
+
+
+def solve_freedoms(lib: Library) -> Function:
+    """P u* = y by L D L^T."""
+    P, y = _system(lib)
+    least = real(lib.layout.precision.smallest)
+    m, p, x = lib.layout.freedoms, P.place, y.place
+    body = Body()
+    for j in range(m):
+        lib.guard(body, Not(p[place_of(j, j)] >= least), "NOT_POSITIVE_DEFINITE")
+        if j + 1 < m:
+            body.note(f"column {j + 1} of L, and what is left of the others")
+        for i in range(j + 1, m):
+            share = body.let(f"l{i + 1}{j + 1}", p[place_of(i, j)] / p[place_of(j, j)])
+            for k in range(j + 1, i + 1):
+                body.add(p[place_of(i, k)], -(share * p[place_of(k, j)]))
+            body.add(x[i], -(share * x[j]))
+    for j in reversed(range(m)):
+        rest: Expr = x[j]
+        for i in range(j + 1, m):
+            rest = rest - p[place_of(i, j)] * x[i]
+        body.set(x[j], rest / p[place_of(j, j)])
+    return body.checked(
+        "solve_freedoms",
+        "Solves P x = y, P symmetric and positive definite, by L D L^T; x is written to y.",
+        (P, y),
+        statuses=HELD_STATUSES,
+    )
+
+
+def twist_of_freedoms(lib: Library) -> Function:
+    """V = S u."""
+    table = lib.table_argument()
+    u = Argument("u", Kind.REAL, (lib.layout.freedoms,), unit="SI")
+    V = Argument("V", Kind.REAL, (6,), "out")
+    body = Body()
+    for i in range(6):
+        total: Expr = table.place.S[i][0] * u.place[0]
+        for k in range(1, lib.layout.freedoms):
+            total = total + table.place.S[i][k] * u.place[k]
+        body.set(V.place[i], total)
+    return body.function("twist_of_freedoms", "V = S u.", (table, u, V))
+
+
+def subtract_drift(lib: Library) -> Function:
+    """b - K d."""
+    table, sums = lib.table_argument(), Argument("sum", lib.layout.sums)
+    drift = Argument("drift", Kind.REAL, (3,), unit="m/s2", purpose="omega x C^T u")
+    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m")
+    body = Body()
+    binding = carrier_binding(lib, table.place, sums.place) | {"drift": drift.place}
+    for target, value in zip(F.place, derived.mass_times_drift(lib.layout.added_mass), strict=True):
+        body.add(target, -translate(value, binding))
+    return body.function("subtract_drift", "F less K (omega x C^T u, 0).", (table, sums, drift, F))
+
+
+def react(lib: Library) -> Function:
+    """R = K V* - F."""
+    table, sums = lib.table_argument(), Argument("sum", lib.layout.sums)
+    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2")
+    F = Argument("F", Kind.REAL, (6,), unit="N, N m", purpose="right-hand side of (8), of all that turns as well")
+    R = Argument("reaction", Kind.REAL, (6,), "out", "N, N m", "must not overlap F")
+    body = Body()
+    binding = carrier_binding(lib, table.place, sums.place) | {"twist": list(V_dot.place)}
+    moved = body.local("moved", (6,), comment="K V*")
+    assign(body, list(moved), derived.mass_times(lib.layout.added_mass), binding)
+    for k in range(6):
+        body.set(R.place[k], moved[k] - F.place[k])
+    return body.function("react", "Wrench of the hold on the carrier: K V* - F.", (table, sums, V_dot, F, R))
+
+
+def keep_pivot(lib: Library) -> Function:
+    """Takes from a step what moved the pivot where the hold does not let it go."""
+    table, x = lib.table_argument(), lib.state_argument()
+    after = Argument("y", lib.layout.state, (), "inout", purpose="state after the step")
+    body = Body()
+    rotated = derived_wrench.rotated()
+    C = body.local("C", (9,), comment="attitude before the step")
+    place = body.local("place", (3,), comment="of the pivot before the step, in E0")
+    arm = body.local("arm", (3,), comment="from O1 to the pivot after the step, in E0")
+    way = body.local("way", (3,), comment="how the pivot went; in E0, then in E1")
+    slid = body.local("slid", (3,), comment="its part along what slides, in E1")
+    end = body.local("end", (9,), comment="attitude after the step")
+    body.call(lib["rotation"], x.place.attitude, C)
+    body.call(lib["rotation"], after.place.attitude, end)
+    pivot = table.place.pivot
+    assign(body, list(place), rotated, {"C": C, "a": pivot})
+    assign(body, list(arm), rotated, {"C": end, "a": pivot})
+    for i in range(3):
+        body.add(place[i], x.place.position[i])
+        body.set(way[i], after.place.position[i] + arm[i] - place[i])
+    own = body.local("own", (3,), comment="in E1")
+    body.call(lib["rotate_back"], C, way, own)
+    assign(body, list(slid), rotated, {"C": table.place.sliding, "a": own})
+    assign(body, list(way), rotated, {"C": C, "a": slid})
+    for i in range(3):
+        body.set(after.place.position[i], place[i] + way[i] - arm[i])
+    return body.function("keep_pivot", "Puts the pivot of the hold back to where it can slide.", (table, x, after))
+
+
+class Freedoms:
+    """The equations along the freedoms while they are set up: P = S^T K S, y = S^T b, less what flywheels take."""
+
+    def __init__(self, lib: Library, body: Body, table: Place, sums: Place, F: Place) -> None:
+        self._lib, self._body, self._table, self._sums, self._F = lib, body, table, sums, F
+        self.count = lib.layout.freedoms
+        if self.count:
+            self.P = body.local("P", (place_of(self.count, 0),), comment="mass matrix along the freedoms")
+            self.y = body.local("y", (self.count,), comment="wrench along the freedoms; then u*")
+            body.call(lib["project_mass"], table, sums, self.P)
+            body.call(lib["project_wrench"], table, F, self.y)
+
+    def eliminate(self, coupling: Sequence[Expr], rate: Expr, inverse: Expr, projected: Place | None) -> None:
+        """Takes one free flywheel away by its column of I; `projected` (m) gets S^T I."""
+        if projected is None:
+            return
+        for k in range(self.count):
+            self._body.set(projected[k], along(column(self._table, k), coupling))
+        for i in range(self.count):
+            self._body.add(self.y[i], -(projected[i] * rate))
+            scaled = self._body.let(f"scaled{i + 1}", projected[i] * inverse)
+            for j in range(i + 1):
+                self._body.add(self.P[place_of(i, j)], -(scaled * projected[j]))
+
+    def back(self, projected: Place | None) -> Expr:
+        """I_s . V* of a flywheel by S^T I_s."""
+        if projected is None:
+            return real(0)
+        total: Expr = projected[0] * self.y[0]
+        for k in range(1, self.count):
+            total = total + projected[k] * self.y[k]
+        return total
+
+    def solve(self) -> None:
+        """u* into y; the caller returns where the mass along the freedoms is not positive."""
+        if self.count:
+            self._lib.check(self._body, "solve_freedoms", self.P, self.y)
+
+    def write(self, V_dot: Place, found: Sequence[Place]) -> None:
+        """V*, u* and the reaction of the right-hand side F, which has all terms of the flywheels by now."""
+        *rates, reaction = found
+        if rates:
+            self._body.call(self._lib["twist_of_freedoms"], self._table, self.y, V_dot)
+            self._body.copy_array(rates[0], self.y)
+        else:
+            for element in V_dot:
+                self._body.set(element, real(0))
+        self._body.call(self._lib["react"], self._table, self._sums, V_dot, self._F, reaction)
+
+
+def room_for_projected(lib: Library, body: Body) -> Place | None:
+    """S^T I of all flywheels, m numbers each; none of a clamped carrier."""
+    if not lib.layout.freedoms:
+        return None
+    return body.local("projected", (lib.layout.count, lib.layout.freedoms), comment="S^T I, flywheel by flywheel")
+
+
+def of_flywheel(projected: Place | None, s: Expr) -> Place | None:
+    """S^T I of one flywheel."""
+    return None if projected is None else projected[s]
