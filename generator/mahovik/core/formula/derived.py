@@ -31,19 +31,30 @@ class FormulaModule:
         return partial(_recall, self._module, name)
 
 
-MODULES = ("accumulate", "attitude", "carrier", "carrying", "drive", "motion", "point", "sensitivity", "wrench")
+MODULES = ("accumulate", "attitude", "carrier", "carrying", "drive", "motion", "point", "regressor", "sensitivity", "wrench")
 """Modules of derive/ that give formulas."""
 
 if TYPE_CHECKING:
-    from mahovik.core.derive import accumulate, attitude, carrier, carrying, drive, motion, point, sensitivity, wrench
+    from mahovik.core.derive import (
+        accumulate,
+        attitude,
+        carrier,
+        carrying,
+        drive,
+        motion,
+        point,
+        regressor,
+        sensitivity,
+        wrench,
+    )
 else:  # without SymPy, until a formula has to be derived
-    accumulate, attitude, carrier, carrying, drive, motion, point, sensitivity, wrench = (
+    accumulate, attitude, carrier, carrying, drive, motion, point, regressor, sensitivity, wrench = (
         FormulaModule(f"core.derive.{name}") for name in MODULES
     )
 
 __all__ = [
     "FormulaModule", "accumulate", "attitude", "carrier", "carrying", "drive", "formula_cache", "leave_cache", "motion",
-    "point", "sensitivity", "use_cache", "without_cache", "wrench",
+    "point", "regressor", "sensitivity", "use_cache", "without_cache", "wrench",
 ]  # fmt: skip
 
 
