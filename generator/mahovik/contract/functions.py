@@ -42,6 +42,7 @@ class PublicFunction:
     claimed   sets of inputs on which Frama-C Eva must raise no alarm; on the others it is only run
     unread    a real among the arguments that may be NaN or infinite in a call that succeeds; see the fuzz harness
     judges    its independent checks, by name of JUDGES
+    chosen    whether the C has it only where `generate --only` names it
     ignores   arguments, or members of them, that it does not look at, or that change no more than a bit of the status
     """
 
@@ -59,6 +60,7 @@ class PublicFunction:
     form_of: str = ""
     claimed: tuple[str, ...] = ()
     unread: str = ""
+    chosen: bool = False
     ignores: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
@@ -296,6 +298,14 @@ _ROWS = (
         python=False,
         form_of="step_driven",
     ),
+    PublicFunction(
+        "regressor",
+        "",
+        ("table", "mounting", "x", "V_dot", "phi_ddot"),
+        ("Y_carrier", "Y_flywheel", "Y_drive", "Y_added_mass", "Y_linear", "Y_quadratic"),
+        ("reference",),
+        chosen=True,
+    ),
 )
 """At extreme inputs, numbers inside `step` and `prepare` may overflow and are then refused: Eva's claim is for `bits`,
 where this is no alarm. Intervals grow over the stages of a step, too wide to show more for most stands."""
@@ -320,8 +330,11 @@ def _forms() -> Iterator[PublicFunction]:
             )
 
 
-FUNCTIONS = {row.name: row for row in _forms() if row.needs != "tasks"}
+FUNCTIONS = {row.name: row for row in _forms() if row.needs != "tasks" and not row.chosen}
 """Rows by name, forms of given sines and cosines included; a program contains those that its stand needs."""
+
+CHOSEN = {row.name: row for row in _ROWS if row.chosen}
+"""Rows of functions that the C has only where `generate --only` names them."""
 
 OF_TASKS = {row.name: row for row in _ROWS if row.needs == "tasks"}
 """Rows of functions that tasks alone have."""
@@ -363,7 +376,7 @@ def task_of(function: str) -> str:
 
     No task has a name that would make that of another function.
     """
-    if function in FUNCTIONS:
+    if function in FUNCTIONS or function in CHOSEN:
         return ""
     for row in reversed([row for row in _ROWS if row.tasks]):  # the longer names first
         if function.startswith(f"{row.name}_"):
@@ -374,14 +387,14 @@ def task_of(function: str) -> str:
 
 def is_public(name: str) -> bool:
     """Whether some stand has a public function of this name."""
-    return name in FUNCTIONS or bool(task_of(name))
+    return name in FUNCTIONS or name in CHOSEN or bool(task_of(name))
 
 
 def row_of(function: str) -> PublicFunction:
     """The row of a public function of a stand; for a task, of the function whose form it is. Raises KeyError."""
     task = task_of(function)
     if not task:
-        return FUNCTIONS[function]
+        return (FUNCTIONS | CHOSEN)[function]
     name = function.replace(f"_{task}", "", 1)
     row = OF_TASKS[name] if name in OF_TASKS else FUNCTIONS[name]
     inverts = row.want and name in FUNCTIONS

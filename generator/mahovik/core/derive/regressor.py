@@ -68,6 +68,12 @@ def flywheel_acceleration() -> sp.Matrix:
     return a - sp.Symbol("phi_dot") * cross(e1) * w + sp.Symbol("phi_ddot") * e1
 
 
+def origin_acceleration(weight: bool) -> sp.Matrix:
+    """v* + omega x v - g: proper acceleration d of O1, in E1."""
+    found = vector("v_dot") + cross(vector("omega")) * vector("v")
+    return found - vector("g") if weight else found
+
+
 def first_moment_columns() -> sp.Matrix:
     """6x1: wrench about O1 of a first moment of 1 kg m along the unit vector `e`, in E1, of a body whose origin is O.
 

@@ -80,6 +80,20 @@ class Layout(Tables):
         return Struct("mount_table", "Second table, which the function mounts needs. Made by prepare_mounts.", fields)
 
     @cached_property
+    def regressor_result(self) -> Struct:
+        body = "by mass, first moment (m rc) and J about the origin: 11 22 33 12 13 23, in the body's frame"
+        fields = [Field("Y_carrier", REAL, (6, 10), "SI", f"wrench in E1 about O1 {body}")]
+        if self.flywheels:
+            fields.append(Field("Y_flywheel", REAL, (self.count, 6, 10), "SI", "likewise, of each flywheel"))
+            fields.append(Field("Y_drive", REAL, (self.count, 10), "SI", "drive torque of each, by its own ten"))
+        if self.added_mass:
+            text = "wrench by Lambda of all bodies: its upper half, row by row"
+            fields.append(Field("Y_added_mass", REAL, (6, 21), "SI", text))
+        fields.append(Field("Y_linear", REAL, (6,), "SI", "j: row i of the column of linear[i][j] of the carrier"))
+        fields.append(Field("Y_quadratic", REAL, (6,), "SI", "j: row i of the column of quadratic[i][j] of the carrier"))
+        return Struct("regressor_result", "Columns of parameters; rows X Y Z K M N.", tuple(fields))
+
+    @cached_property
     def factors3(self) -> Struct:
         fields = [Field(name, REAL, (), "", "") for name in ("r1", "r2", "d3", "l21", "l31", "l32")]
         fields[0] = Field("r1", REAL, (), "", "1 / D, of the last D itself")
