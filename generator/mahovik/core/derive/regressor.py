@@ -24,7 +24,10 @@ d, a, w = vector("d"), vector("a"), vector("w")
 
 
 def body_columns() -> sp.Matrix:
-    """6x10: wrench (about the body's origin, in its axes) by each of BODY; by d, a, w. Raises ValueError if v is left."""
+    """6x10: wrench (about the body's origin, in its axes) by each of BODY, in d, a, w.
+
+    Raises ValueError if the velocity is left in it.
+    """
     v = vector("v")
     V, rate = v.col_join(w), (d - cross(w) * v).col_join(a)
     inertia = Theta(sp.Symbol("m"), vector("b"), symmetric("J"))
@@ -36,7 +39,7 @@ def body_columns() -> sp.Matrix:
 
 
 def added_mass_columns() -> sp.Matrix:
-    """6x21: Lambda V_r* + Phi(V_r) Lambda V_r by each of UPPER, both halves alike; V_r by `v`, `w`, V_r* by `d`, `a`."""
+    """6x21: Lambda V_r* + Phi(V_r) Lambda V_r by each of UPPER, both halves alike. V_r = (v, w), V_r* = (d, a)."""
     V, rate = vector("v").col_join(w), d.col_join(a)
     columns = []
     for i, j in UPPER:
@@ -83,4 +86,3 @@ def first_moment_columns() -> sp.Matrix:
     turn = cross(w) * e
     force = cross(a) * e + cross(w) * turn
     return force.col_join(cross(e) * d + cross(O) * force)
-

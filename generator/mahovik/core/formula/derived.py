@@ -31,7 +31,10 @@ class FormulaModule:
         return partial(_recall, self._module, name)
 
 
-MODULES = ("accumulate", "attitude", "carrier", "carrying", "drive", "motion", "point", "regressor", "sensitivity", "wrench")
+MODULES = (
+    *("accumulate", "attitude", "carrier", "carrying", "drive", "motion", "point", "regressor", "sensitivity"),
+    "wrench",
+)
 """Modules of derive/ that give formulas."""
 
 if TYPE_CHECKING:

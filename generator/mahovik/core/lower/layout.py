@@ -89,8 +89,9 @@ class Layout(Tables):
         if self.added_mass:
             text = "wrench by Lambda of all bodies: its upper half, row by row"
             fields.append(Field("Y_added_mass", REAL, (6, 21), "SI", text))
-        fields.append(Field("Y_linear", REAL, (6,), "SI", "j: row i of the column of linear[i][j] of the carrier"))
-        fields.append(Field("Y_quadratic", REAL, (6,), "SI", "j: row i of the column of quadratic[i][j] of the carrier"))
+        for name in ("linear", "quadratic"):
+            text = f"j: row i of the column of {name}[i][j], damping of the carrier; its other rows are 0"
+            fields.append(Field(f"Y_{name}", REAL, (6,), "SI", text))
         return Struct("regressor_result", "Columns of parameters; rows X Y Z K M N.", tuple(fields))
 
     @cached_property

@@ -1,4 +1,4 @@
-"""regressor: what (8) and the drive torques take of each mass, first moment and moment of inertia. A chosen function."""
+"""regressor: what (8) and the drive torques take of each mass, first moment and moment of inertia."""
 
 from __future__ import annotations
 
@@ -70,7 +70,12 @@ def proper_acceleration(lib: Library) -> Function:
     bound: dict[str, Any] = parts_of_twist(V.place) | {"O": O.place, "v_dot": rates[:3], "omega_dot": rates[3:]}
     velocity = body.local("velocity", (3,))
     assign(body, list(velocity), derived_wrench.twist_at(), bound)
-    assign(body, list(d.place), derived_point.specific_force(lib.layout.weight), bound | {"velocity": velocity, "g": g.place})
+    assign(
+        body,
+        list(d.place),
+        derived_point.specific_force(lib.layout.weight),
+        bound | {"velocity": velocity, "g": g.place},
+    )
     return body.function("proper_acceleration", "Acceleration of a point of E1, less gravity.", (O, V, V_dot, g, d))
 
 
@@ -131,7 +136,7 @@ def regressor(lib: Library) -> Function:
     """All columns at a state and a motion."""
     layout = lib.layout
     table, x = lib.table_argument(), lib.state_argument()
-    mounting = Argument("mounting", layout.mount_table, purpose="made once by prepare_mounts; its places alone are used")
+    mounting = Argument("mounting", layout.mount_table, purpose="made once by prepare_mounts; only its places are used")
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V")
     phi_ddot = lib.phi_ddot_arguments()
     out = Argument("out", layout.regressor_result, (), "out", purpose="columns")
@@ -163,12 +168,12 @@ def regressor(lib: Library) -> Function:
             body.call(lib["flywheel_columns"], *lib.passed("flywheel_columns", **named))
     return body.checked(
         "regressor",
-        "What (8) and the drive torques take of each mass, first moment and moment of inertia, all of which are linear.",
+        "What (8) and the drive torques take of each mass, first moment and moment of inertia: they are linear in them.",
         (table, *((mounting,) if layout.flywheels else ()), x, V_dot, *phi_ddot, out),
         statuses=STATE_STATUSES,
         notes=(
-            "The sum of columns times parameters is F of the laws that have no columns, and tau plus what these laws do "
-            "about the spin axis. The carrier's columns are those of all that is fixed in E1, instruments among it.",
+            "The sum of columns times parameters is F of the laws that have no columns, and tau plus what these laws "
+            "do about the spin axis. The carrier's columns are those of all that is fixed in E1, instruments among it.",
         ),
         public=True,
     )

@@ -66,7 +66,8 @@ class CBackend(ProgramBackend):
         pool: ThreadPoolExecutor | None = None,
     ) -> None:
         self._stand, self._precision_name, self._folder = stand, precision_name, folder
-        says_fast, chosen = fast, ()
+        says_fast = fast
+        chosen: tuple[str, ...] = ()
         if folder is not None:
             chosen = tuple(name for name in CHOSEN if name in declared_functions(folder, stand.name))
             header = _check_folder(folder, stand, precision_name, lanes)
