@@ -33,6 +33,7 @@ STAGES = (
     ("use.plan",),
     ("use.simulate",),
     ("use.measured",),
+    ("use.regressor",),
     ("proof.evidence",),
     ("proof.diagnose",),
     ("proof.cost",),

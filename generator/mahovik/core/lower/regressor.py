@@ -168,7 +168,7 @@ def regressor(lib: Library) -> Function:
             body.call(lib["flywheel_columns"], *lib.passed("flywheel_columns", **named))
     return body.checked(
         "regressor",
-        "What (8) and the drive torques take of each mass, first moment and moment of inertia: they are linear in them.",
+        "What (8) and the drive torques take of each mass, first moment and moment of inertia: they are linear in all.",
         (table, *((mounting,) if layout.flywheels else ()), x, V_dot, *phi_ddot, out),
         statuses=STATE_STATUSES,
         notes=(

@@ -127,7 +127,7 @@ def answer(at: Pieces, stand: Stand, state: State) -> Values:
         own = [body_columns(stand, state, s.name) for s in stand.flywheels]
         values["Y_flywheel"] = np.stack([wrenches(columns) for columns in own])
         values["Y_drive"] = np.array([[column.tau[s] for column in columns] for s, columns in enumerate(own)])
-    if any(body.added_mass is not None for body in (stand.carrier, *stand.instruments)):
+    if stand.carrier.added_mass is not None or any(p.added_mass is not None for p in stand.instruments):
         values["Y_added_mass"] = wrenches(added_mass_columns(stand, state))
     return values | {"Y_linear": at.V_r, "Y_quadratic": at.V_r * np.abs(at.V_r)}
 
