@@ -12,6 +12,15 @@ _ROWS = (
         ("Y_carrier", "Y_flywheel", "Y_drive", "Y_added_mass", "Y_linear", "Y_quadratic"),
         ("reference",),
     ),
+    PublicFunction(
+        "identify_step",
+        "",
+        ("table", "mounting", "x", "V_dot", "phi_ddot", "wrench", "noise", "forget", "estimate"),
+        ("estimate",),
+        ("reference",),
+        needs="flywheels",
+        python=False,
+    ),
 )
 
 CHOSEN = {row.name: row for row in _ROWS}

@@ -94,6 +94,22 @@ class Layout(Tables):
             fields.append(Field(f"Y_{name}", REAL, (6,), "SI", text))
         return Struct("regressor_result", "Columns of parameters; rows X Y Z K M N.", tuple(fields))
 
+    @property
+    def unbalances(self) -> int:
+        """Numbers that identify_step estimates."""
+        return 2 * int(self.count)
+
+    @cached_property
+    def estimate(self) -> Struct:
+        n = self.unbalances
+        fields = (
+            Field("unbalance", REAL, (n,), "kg m", "to be added to m rc of each flywheel along its axes 2 and 3"),
+            Field("variance", REAL, (n,), "kg2 m2", "D"),
+            Field("factor", REAL, (n * (n - 1) // 2,), "", "U above its diagonal, column by column"),
+            Field("largest", REAL, (), "kg2 m2", "variances never grow beyond this"),
+        )
+        return Struct("estimate", "Unbalances found so far, with their covariance U D U^T.", fields)
+
     @cached_property
     def factors3(self) -> Struct:
         fields = [Field(name, REAL, (), "", "") for name in ("r1", "r2", "d3", "l21", "l31", "l32")]

@@ -19,6 +19,7 @@ from mahovik.core.lower import (
     flywheels,
     forward,
     generalized,
+    identify_step,
     inverse,
     inverse_fast,
     jacobian,
@@ -161,6 +162,8 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
     _add_others(lib)
     if "regressor" in chosen:
         regressor.add_all(lib)
+    if "identify_step" in chosen and layout.flywheels:
+        identify_step.add_all(lib)
     return _program(lib)
 
 
@@ -307,6 +310,7 @@ def _structs(lib: Library) -> tuple[Struct, ...]:
         *((layout.coupled_jacobian_result,) if layout.flywheels else ()),
         layout.forward_jacobian_result,
         *((layout.regressor_result,) if "regressor" in lib else ()),
+        *((layout.estimate,) if "identify_step" in lib else ()),
     ):
         visit(struct)
     return tuple(found)
