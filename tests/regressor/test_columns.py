@@ -38,12 +38,13 @@ from strategies import stands as some_stands
 from strategies import states
 
 AnyBody = TypeVar("AnyBody", bound=Body)
-NAMED = ("regressor", "torque", "forward")
 
 
-def case_of(stand: Stand, folder: Path, real: str = "double", fault: tuple[str, str] | None = None) -> Case:
-    """The C of a stand with its regressor, in a folder, with one place of it changed."""
-    files = dict(generate_all(stand, real, only=NAMED).files)
+def case_of(
+    stand: Stand, folder: Path, real: str = "double", fault: tuple[str, str] | None = None, named: str = "regressor"
+) -> Case:
+    """The C of a stand with a chosen function, in a folder, with one place of it changed."""
+    files = dict(generate_all(stand, real, only=(named,)).files)
     if fault is not None:
         source = f"{stand.name}.c"
         files[source], count = re.subn(*fault, files[source], count=1)

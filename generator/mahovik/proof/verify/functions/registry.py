@@ -17,6 +17,7 @@ from mahovik.proof.verify.functions import (
     columns,
     encoders,
     external,
+    identification,
     jacobians,
     locks,
     parameters,
@@ -54,6 +55,7 @@ JUDGES: dict[str, Callable[[Case], Iterable[Row]]] = {
     "prepare": parameters.prepare_rows,
     "prepare_mounts": parameters.prepare_mounts_rows,
     "regressor": columns.column_rows,
+    "identify_step": identification.identification_rows,
 }
 """Functions that answer no want, and those of a want with arguments that `eval` does not set."""
 
