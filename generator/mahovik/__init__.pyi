@@ -7,6 +7,7 @@ from mahovik.errors import StandError as StandError
 from mahovik.errors import StateError as StateError
 from mahovik.errors import ToolchainError as ToolchainError
 from mahovik.errors import UsageError as UsageError
+from mahovik.out.api.identifying import identifiable as identifiable
 from mahovik.out.api.model import Model as Model
 from mahovik.out.api.model import build as build
 from mahovik.out.api.results import Result as Result
@@ -24,7 +25,6 @@ from mahovik.out.functions.evidence import judge as judge
 from mahovik.out.functions.evidence import report as report
 from mahovik.out.functions.evidence import verify as verify
 from mahovik.out.functions.following import follow as follow
-from mahovik.out.functions.identifying import identifiable as identifiable
 from mahovik.out.functions.jitter import jitter as jitter
 from mahovik.out.functions.linear import linearize as linearize
 from mahovik.out.functions.linear import modes as modes

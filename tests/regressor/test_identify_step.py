@@ -1,4 +1,4 @@
-"""`identify_step`: against the literal covariance form, and unbalances that it finds in motion made by the reference."""
+"""`identify_step`: against the literal covariance form, and unbalances found in motion made by the reference."""
 
 from __future__ import annotations
 
@@ -66,13 +66,13 @@ class Firmware:
     def take(self, state: State, noise: float) -> int:
         attitude = (1.0, 0.0, 0.0, 0.0)
         x = {"position": state.position, "attitude": attitude, "V": state.V, "phi": state.phi, "phi_dot": state.phi_dot}
-        given = {**self._tables, "x": x, "V_dot": state.V_dot, "phi_ddot": state.phi_ddot, "wrench": []}
+        given: dict[str, Any] = {**self._tables, "x": x, "V_dot": state.V_dot, "phi_ddot": state.phi_ddot, "wrench": []}
         status, found = self._run(
             "identify_step", {**given, "noise": [noise] * 6, "forget": 0.0, "estimate": self.estimate}
         )
         if status == 0:
             self.estimate = {name: found["estimate"][name] for name in self.estimate}
-        return status
+        return int(status)
 
 
 def moved(stand: Stand, unbalance: np.ndarray) -> Stand:
@@ -106,8 +106,7 @@ def samples(stand: Stand, true: Stand, count: int, seed: int) -> list[State]:
 def test_planted_unbalances_are_found(precision: Precision, error: float) -> None:
     """12 numbers of six flywheels from 40 samples without noise, to the digits that the motion leaves."""
     stand = load(stands.path("bench8"))
-    about = "origin"
-    stand = replace(stand, flywheels=tuple(replace(s, inertia_about=about) for s in stand.flywheels[:6]))
+    stand = replace(stand, flywheels=tuple(replace(s, inertia_about="origin") for s in stand.flywheels[:6]))
     planted = 2e-4 * np.random.default_rng(1).normal(size=12)
     firmware = Firmware(stand, precision)
     for state in samples(stand, moved(stand, planted), 40, 2):

@@ -176,10 +176,10 @@ def identify_step(lib: Library) -> Function:
             for i in range(6):
                 body.set(slopes[i][s * integer(2) + integer(k)], -y[i])
     _grow(body, at, forget.place, n)
-    with body.loop("i", 6) as i:
-        variance = body.let("noise_variance", noise.place[i] * noise.place[i])
+    with body.loop("i", 6) as channel:
+        variance = body.let("noise_variance", noise.place[channel] * noise.place[channel])
         with body.when(variance >= real(layout.precision.smallest)):
-            body.call(lib["take_channel"], slopes[i], V_dot.place[i] - model[i], variance, at)
+            body.call(lib["take_channel"], slopes[channel], V_dot.place[channel] - model[channel], variance, at)
     return body.checked(
         "identify_step",
         "Static unbalances of all flywheels from the motion of the carrier: one sample of recursive least squares.",

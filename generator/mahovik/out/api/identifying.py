@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,7 +19,6 @@ from mahovik.out.api.inputs import Given
 from mahovik.out.api.regressor import Regressor, regressor_of
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.states import States
-from mahovik.out.functions.given import StandGiven
 from mahovik.use.regressor.combinations import base
 from mahovik.use.regressor.parameters import Parameter
 
@@ -93,7 +93,7 @@ class Identifiable:
 
 
 def identifiable(
-    stand: StandGiven,
+    stand: CoreStand | str | Path,
     x: States | ArrayLike | None = None,
     V_dot: Given = 0.0,
     phi_ddot: Given = 0.0,
