@@ -24,7 +24,7 @@ def bind(name: str, values: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
 
 
 def proper_acceleration(O: sp.Matrix) -> sp.Matrix:
-    """Of the point O, in E1, by the formula that the C uses."""
+    """Proper acceleration of the point O, in E1, by the formula of the C."""
     known = bind("O", O) | bind("velocity", carrier.v + cross(carrier.omega) * O)
     return point.specific_force(weight=True).xreplace(known)
 

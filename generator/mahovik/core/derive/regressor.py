@@ -12,7 +12,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mahovik.core.derive.screw import Phi, Theta, cross
-from mahovik.core.derive.symbols import symmetric, vector
+from mahovik.core.derive.symbols import matrix, symmetric, vector
 
 BODY = (sp.Symbol("m"), *vector("b"), *vector("J", 6))
 """The ten parameters of a body: mass, first moment b = m rc, and J about its origin: 11, 22, 33, 12, 13, 23."""
@@ -52,12 +52,8 @@ def added_mass_columns() -> sp.Matrix:
 def turned_axes() -> sp.Matrix:
     """R C1: axes of a flywheel in E1 at the phase of c, s, 9 numbers; R are those at phase 0."""
     c, s = sp.symbols("c s")
-    return sp.Matrix.hstack(*_turned(c, s))
-
-
-def _turned(c: sp.Symbol, s: sp.Symbol) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix]:
-    R = sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"R[{3 * i + j}]"))
-    return R[:, 0], R[:, 1] * c + R[:, 2] * s, R[:, 2] * c - R[:, 1] * s
+    R = matrix("R")
+    return sp.Matrix.hstack(R[:, 0], R[:, 1] * c + R[:, 2] * s, R[:, 2] * c - R[:, 1] * s)
 
 
 def flywheel_velocity() -> sp.Matrix:

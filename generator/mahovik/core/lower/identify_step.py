@@ -150,7 +150,7 @@ def identify_step(lib: Library) -> Function:
     sum_up(lib, body, table.place, x.place, seen, phi_ddot[0].place)
     F = body.local("F", (6,), comment="wrench (7); then the right-hand side of (8)")
     K = body.local("K", (), layout.carrier_factor)
-    model = body.local("model", (6,), comment="V* of the stand as the table has it")
+    model = body.local("model", (6,), comment="V* of the stand in the table")
     external_wrench(lib, body, table.place, x.place, seen, wrench, F)
     body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
     lib.check(body, "factor_carrier", table.place, seen.sums, K)

@@ -56,7 +56,7 @@ def _factor(size: float) -> str:
 
 @dataclass(frozen=True)
 class Identifiable:
-    """What the rows can tell apart: `combinations`, each a parameter alone or a sum; `unseen` parameters change no row.
+    """Combinations that rows of Y determine, each a parameter alone or a sum; `unseen` parameters change no row.
 
     rank   number of combinations
     total  number of parameters looked at
@@ -82,9 +82,9 @@ class Identifiable:
 
     def __getitem__(self, name: str) -> Combination:
         for each in self.combinations:
-            if name == each.name or name in each.others:
+            if name == each.name:
                 return each
-        known = [n for c in self.combinations for n in (c.name, *c.others)]
+        known = [c.name for c in self.combinations]
         raise InputError(f"{show(name)}: in no combination{suggestion(str(name), known)}")
 
     def __repr__(self) -> str:
@@ -102,7 +102,7 @@ def identifiable(
     known: Sequence[str] = (),
     still: bool = False,
 ) -> Identifiable:
-    """Which combinations of masses, first moments, moments of inertia, added mass and damping motion can show.
+    """Name the combinations of masses, first moments, moments of inertia, added mass and damping that motion shows.
 
     x, V_dot, phi_ddot  the motion that is measured, as `Model.regressor` takes it; by default random motion
     rows                what is known of the wrench (X Y Z K M N) and of drive torques (tau NAME); by default all
