@@ -30,6 +30,7 @@ def everything() -> Stand:
     )
 
 
+@pytest.mark.slow
 def test_y_times_the_values_of_the_file_is_what_the_motion_takes(everything: Stand) -> None:
     """With drive torques of `torque` and the motion of `forward`, Y pi is zero in the carrier's rows, and tau."""
     rng = np.random.default_rng(2)
@@ -75,11 +76,11 @@ def test_a_still_carrier_shows_unbalance_and_products_only() -> None:
     assert "w1.inertia.J22" in found.unseen
 
 
-def test_two_wheels_at_one_speed_are_not_told_apart() -> None:
-    """A single state is six equations: no more than six combinations."""
-    stand = mahovik.example("demo3")
-    model = mahovik.build(stand)
-    found = mahovik.identifiable(stand, model.state(phi_dot=50.0), rows=list("XYZKMN"))
+def test_a_single_state_is_six_equations() -> None:
+    """It shows no more than six combinations."""
+    x = np.zeros(19)
+    x[3], x[16:] = 1.0, 50.0
+    found = mahovik.identifiable(mahovik.example("demo3"), x, rows=list("XYZKMN"))
     assert 0 < found.rank <= 6
 
 
