@@ -23,8 +23,8 @@ NOISE = 0.1
 
 FORGET = 0.1
 
-ERRORS = 512
-"""Roundings that a step may make: six channels, each of which takes what the others have left, to a hundredth."""
+ERRORS = 256
+"""Roundings that both may make: six channels, each of which leaves a hundredth of what it sees."""
 
 
 def identification_rows(case: Case) -> Iterator[Row]:
