@@ -34,6 +34,7 @@ STAGES = (
     ("use.plan",),
     ("use.simulate",),
     ("use.measured",),
+    ("use.regressor",),
     ("proof.evidence",),
     ("proof.diagnose",),
     ("proof.cost",),

@@ -28,6 +28,7 @@ LAW_PARTS = {
     "faults": ("core.stand", "proof.reference", "proof.diagnose"),
     "plan": ("core.stand", "errors", "use.plan"),
     "mismatch": ("core.stand", "use.control"),
+    "regressor": ("core.stand", "use.regressor"),
     "loads": ("core.stand", "out.campaign"),
     "strips": ("core.stand",),
     "report": ("core.stand", "out.report"),

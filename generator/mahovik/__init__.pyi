@@ -7,6 +7,7 @@ from mahovik.errors import StandError as StandError
 from mahovik.errors import StateError as StateError
 from mahovik.errors import ToolchainError as ToolchainError
 from mahovik.errors import UsageError as UsageError
+from mahovik.out.api.identifying import identifiable as identifiable
 from mahovik.out.api.model import Model as Model
 from mahovik.out.api.model import build as build
 from mahovik.out.api.results import Result as Result

@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from mahovik.contract.functions import FUNCTIONS, row_of, task_of
+from mahovik.contract.functions import CHOSEN, FUNCTIONS, row_of, task_of
 from mahovik.contract.quantities import is_shared
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.calls import call, declaration
@@ -112,7 +112,8 @@ def _course(generated: Generated) -> dict[str, Any] | None:
 
 def _functions(generated: Generated) -> list[Function]:
     public = {f.name: f for f in generated.program.functions if f.public}
-    found = [public[name] for name, row in FUNCTIONS.items() if (row.python or row.form_of) and name in public]
+    rows = FUNCTIONS | CHOSEN
+    found = [public[name] for name, row in rows.items() if (row.python or row.form_of) and name in public]
     return [*found, *(f for name, f in public.items() if task_of(name) and row_of(name).python)]
 
 

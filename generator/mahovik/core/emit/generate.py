@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from mahovik.contract.functions import CHOSEN, row_of
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.layout import comment_lines, wrapped
 from mahovik.core.emit.link import link
@@ -68,18 +69,23 @@ def generate(stand: Stand, precision_name: str = "double", lanes: int = 1, fast:
 
 
 def generate_all(
-    stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False, only: tuple[str, ...] = ()
+    stand: Stand,
+    precision_name: str = "double",
+    lanes: int = 1,
+    fast: bool = False,
+    only: tuple[str, ...] = (),
+    chosen: tuple[str, ...] = (),
 ) -> Generated:
     """Return the files of `generate`, with the program and its numbers. `fast` changes what the header says.
 
-    `only`: public functions to emit, with what they need; empty: all.
+    `only`: public functions to emit, with what they need; empty: all, and those of CHOSEN that `chosen` names.
     """
     if precision_name not in PRECISIONS:
         raise UsageError(f"--real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
     if lanes not in LANES:
         raise UsageError(f"--lanes {lanes}: only {', '.join(map(str, LANES))} can be generated")
     layout = Layout(structure(stand), PRECISIONS[precision_name], lanes if stand.flywheels else 1)
-    program = lower_layout(layout)
+    program = lower_layout(layout, tuple(name for name in CHOSEN if name in (*only, *chosen)))
     values = Values(stand, layout, program)
     if only:
         program = restrict_program(program, _public_names(program, only, stand.name), ("state", "parameters", "table"))
@@ -91,11 +97,12 @@ def generate_all(
 
 def _public_names(program: Program, only: tuple[str, ...], name: str) -> tuple[str, ...]:
     """The names. Raises UsageError for one that is no public function of the program."""
-    public = [f.name for f in program.functions if f.public]
+    public = [*(f.name for f in program.functions if f.public), *CHOSEN]
     for each in only:
         if each not in public:
             raise UsageError(f"--only {each}: the C of {name} has no such function{suggestion(each, public)}")
-    return (*only, *(("prepare_mounts",) if "mounts" in only else ()))  # which makes the table of mounts
+    mounted = any("mounting" in row_of(each).takes for each in only)
+    return (*only, *(("prepare_mounts",) if mounted else ()))  # which makes the table of mounts
 
 
 def internal(layout: Layout, struct: Struct) -> bool:

@@ -31,7 +31,10 @@ class FormulaModule:
         return partial(_recall, self._module, name)
 
 
-MODULES = ("accumulate", "attitude", "carrier", "carrying", "drive", "hold", "motion", "point", "sensitivity", "wrench")
+MODULES = (
+    *("accumulate", "attitude", "carrier", "carrying", "drive", "hold", "motion", "point", "regressor", "sensitivity"),
+    "wrench",
+)
 """Modules of derive/ that give formulas."""
 
 if TYPE_CHECKING:
@@ -44,17 +47,18 @@ if TYPE_CHECKING:
         hold,
         motion,
         point,
+        regressor,
         sensitivity,
         wrench,
     )
 else:  # without SymPy, until a formula has to be derived
-    accumulate, attitude, carrier, carrying, drive, hold, motion, point, sensitivity, wrench = (
+    accumulate, attitude, carrier, carrying, drive, hold, motion, point, regressor, sensitivity, wrench = (
         FormulaModule(f"core.derive.{name}") for name in MODULES
     )
 
 __all__ = [
     "FormulaModule", "accumulate", "attitude", "carrier", "carrying", "drive", "formula_cache", "hold", "leave_cache",
-    "motion", "point", "sensitivity", "use_cache", "without_cache", "wrench",
+    "motion", "point", "regressor", "sensitivity", "use_cache", "without_cache", "wrench",
 ]  # fmt: skip
 
 

@@ -80,6 +80,37 @@ class Layout(Tables):
         return Struct("mount_table", "Second table, which the function mounts needs. Made by prepare_mounts.", fields)
 
     @cached_property
+    def regressor_result(self) -> Struct:
+        body = "by mass, first moment (m rc) and J about the origin: 11 22 33 12 13 23, in the body's frame"
+        fields = [Field("Y_carrier", REAL, (6, 10), "SI", f"wrench in E1 about O1 {body}")]
+        if self.flywheels:
+            fields.append(Field("Y_flywheel", REAL, (self.count, 6, 10), "SI", "likewise, of each flywheel"))
+            fields.append(Field("Y_drive", REAL, (self.count, 10), "SI", "drive torque of each, by its own ten"))
+        if self.added_mass:
+            text = "wrench by Lambda of all bodies: its upper half, row by row"
+            fields.append(Field("Y_added_mass", REAL, (6, 21), "SI", text))
+        for name in ("linear", "quadratic"):
+            text = f"j: row i of the column of {name}[i][j], damping of the carrier; its other rows are 0"
+            fields.append(Field(f"Y_{name}", REAL, (6,), "SI", text))
+        return Struct("regressor_result", "Columns of parameters; rows X Y Z K M N.", tuple(fields))
+
+    @property
+    def unbalances(self) -> int:
+        """Numbers that identify_step estimates."""
+        return 2 * int(self.count)
+
+    @cached_property
+    def estimate(self) -> Struct:
+        n = self.unbalances
+        fields = (
+            Field("unbalance", REAL, (n,), "kg m", "to be added to m rc of each flywheel along its axes 2 and 3"),
+            Field("variance", REAL, (n,), "kg2 m2", "D"),
+            Field("factor", REAL, (n * (n - 1) // 2,), "", "U above its diagonal, column by column"),
+            Field("largest", REAL, (), "kg2 m2", "variances never grow beyond this"),
+        )
+        return Struct("estimate", "Unbalances found so far, with their covariance U D U^T.", fields)
+
+    @cached_property
     def factors3(self) -> Struct:
         fields = [Field(name, REAL, (), "", "") for name in ("r1", "r2", "d3", "l21", "l31", "l32")]
         fields[0] = Field("r1", REAL, (), "", "1 / D, of the last D itself")

@@ -21,6 +21,7 @@ from mahovik.core.lower import (
     generalized,
     held_inverse,
     hold,
+    identify_step,
     inverse,
     inverse_fast,
     jacobian,
@@ -32,6 +33,7 @@ from mahovik.core.lower import (
     placement,
     points,
     prepare,
+    regressor,
     rotation,
     schur,
     sensitivity,
@@ -57,8 +59,8 @@ def lower(stand: Stand, precision: Precision) -> Program:
     return lower_layout(Layout(structure(stand), precision))
 
 
-def lower_layout(layout: Layout) -> Program:
-    """The program for a layout."""
+def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
+    """The program for a layout. `chosen`: functions of CHOSEN that it has besides; by default none."""
     lib = Library(layout)
     precision = layout.precision
     lib.add(routines.sincos(precision))
@@ -146,6 +148,10 @@ def lower_layout(layout: Layout) -> Program:
     if not layout.held:
         step_carried.add_all(lib)
     _add_others(lib)
+    if "regressor" in chosen:
+        regressor.add_all(lib)
+    if "identify_step" in chosen and layout.flywheels:
+        identify_step.add_all(lib)
     return _program(lib)
 
 
@@ -196,7 +202,7 @@ def _program(lib: Library) -> Program:
         turning = (flywheels.sum_spin(lib, steady, apart=True) for steady in (True, False))
         spare = (flywheels.sum_mass(lib, apart=True), *turning)
     functions = reachable(lib.functions)
-    program = Program(layout.structure.name, layout.precision, counts, _structs(layout), functions, spare)
+    program = Program(layout.structure.name, layout.precision, counts, _structs(lib), functions, spare)
     if layout.held:  # without the structs of what only a free carrier has
         public = [f.name for f in functions if f.public]
         program = restrict_program(program, public, ("state", "parameters", "table"))
@@ -283,9 +289,10 @@ def _add_jacobians(lib: Library) -> None:
         lib.add(jacobian.coupled_jacobian(lib))
 
 
-def _structs(layout: Layout) -> tuple[Struct, ...]:
+def _structs(lib: Library) -> tuple[Struct, ...]:
     """Struct types in an order in which each comes after those it holds."""
     found: list[Struct] = []
+    layout = lib.layout
 
     def visit(struct: Struct) -> None:
         if struct in found:
@@ -317,6 +324,8 @@ def _structs(layout: Layout) -> tuple[Struct, ...]:
         *(layout.torque_for_result(task) for task in layout.structure.tasks),
         *((layout.coupled_jacobian_result,) if layout.flywheels else ()),
         layout.forward_jacobian_result,
+        *((layout.regressor_result,) if "regressor" in lib else ()),
+        *((layout.estimate,) if "identify_step" in lib else ()),
     ):
         visit(struct)
     return tuple(found)

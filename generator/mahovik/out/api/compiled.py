@@ -95,12 +95,16 @@ class Compiled:
 
 @dataclass(frozen=True, eq=False)
 class Source:
-    """Origin of a library: a stand, an element type, the command of a compiler; `parallel`: with OpenMP."""
+    """Origin of a library: a stand, an element type, the command of a compiler; `parallel`: with OpenMP.
+
+    `only`: functions that it has; empty: all but those that are chosen by name.
+    """
 
     stand: Stand
     real: str
     command: tuple[str, ...]
     parallel: bool
+    only: tuple[str, ...] = ()
 
 
 def compiled(
@@ -110,12 +114,15 @@ def compiled(
     compiler: str | None,
     parallel: bool,
     kind: Literal["states", "batches"] = "batches",
+    only: tuple[str, ...] = (),
 ) -> Compiled:
     """The library of a stand with its numbers; with "states" it takes state by state, and is compiled sooner.
 
+    `only`: functions that it has; empty: all but those that are chosen by name.
+
     Raises ToolchainError, UsageError, StandError.
     """
-    source = Source(stand, real, tuple(find_compiler(compiler)), parallel)
+    source = Source(stand, real, tuple(find_compiler(compiler)), parallel, only)
 
     def load(library: Path, facts: Mapping[str, Any]) -> Compiled:
         return _load(source, library, facts, _kept_numbers(stand, real), element)
@@ -125,7 +132,7 @@ def compiled(
 
 def _found_or_made(source: Source, kind: LibraryKind, load: Callable[[Path, Mapping[str, Any]], Loaded]) -> Loaded:
     """Load a library of the store; where it is missing or damaged, compile it, and keep it for others."""
-    key = store.library_key(structure(source.stand), source.real, source.command, source.parallel, kind)
+    key = store.library_key(structure(source.stand), source.real, source.command, source.parallel, kind, source.only)
     found = store.find(key)
     if found is not None:
         with contextlib.suppress(ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is rebuilt
@@ -179,8 +186,9 @@ def _compile(source: Source, kind: LibraryKind, scratch: Path) -> tuple[Path, di
     from mahovik.core.emit.generate import generate_all
 
     stand = source.stand
-    generated = generate_all(stand, source.real)
-    _remember(structure(stand), source.real, (generated.layout, generated.program))
+    generated = generate_all(stand, source.real, only=source.only)
+    if not source.only:
+        _remember(structure(stand), source.real, (generated.layout, generated.program))
 
     def parts() -> Iterator[dict[str, str]]:
         yield generated.files

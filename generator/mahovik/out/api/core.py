@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -50,15 +50,18 @@ class Offered:
 class Built:
     """A stand with its compiled C: its states, and calls by the names of arguments."""
 
-    def __init__(self, stand: Stand, real: Real, compiler: str | None, threads: int) -> None:
-        """Raises ToolchainError, UsageError, StandError."""
+    def __init__(
+        self, stand: Stand, real: Real, compiler: str | None, threads: int, only: tuple[str, ...] = ()
+    ) -> None:
+        """`only`: functions that it has, state by state. Raises ToolchainError, UsageError, StandError."""
         self._stand = stand
         self._real = real
         self._given = (compiler, threads)
-        self._made = compiled(stand, real, ELEMENT[real], compiler, threads > 1)
+        kind: Literal["states", "batches"] = "states" if only else "batches"
+        self._made = compiled(stand, real, ELEMENT[real], compiler, threads > 1, kind, only)
         self._element = ELEMENT[real]
         self._call = Caller(stand, self._made, self._element, threads)
-        state = next(a for a in self._made.functions["forward"].arguments if a.name == "x")
+        state = next(a for f in self._made.functions.values() for a in f.arguments if a.name == "x")
         self._state = tuple(field(m, stand, ()) for m in state.members)
         self._components = state.components
         self._flywheels = tuple(s.name for s in stand.flywheels)

@@ -26,6 +26,7 @@ Labels = tuple[str, ...]
 
 _AXES = ("x", "y", "z")
 _RATES = ("x", "y", "z", "psi", "theta", "phi")
+_BODY = ("mass", "x", "y", "z", "J11", "J22", "J33", "J12", "J13", "J23")
 _BY_NAME: Mapping[str, tuple[Labels, ...]] = {
     "position": (_AXES,),
     "attitude": (("w", "x", "y", "z"),),
@@ -49,6 +50,12 @@ _BY_NAME: Mapping[str, tuple[Labels, ...]] = {
     "V_dot_phi_dot": (TWIST_LETTERS,),
     "V_dot_phi_ddot": (TWIST_LETTERS,),
     "V_dot_tau": (TWIST_LETTERS,),
+    "Y_carrier": (WRENCH_LETTERS, _BODY),
+    "Y_flywheel": (WRENCH_LETTERS, _BODY),
+    "Y_drive": (_BODY,),
+    "Y_added_mass": (WRENCH_LETTERS,),
+    "Y_linear": (TWIST_LETTERS,),
+    "Y_quadratic": (TWIST_LETTERS,),
 }
 """Names along the axes of a field, one after another; flywheels and sensors are known by what the axis counts."""
 

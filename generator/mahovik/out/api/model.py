@@ -20,6 +20,7 @@ from mahovik.out.api.compiled import ELEMENT, Real
 from mahovik.out.api.core import Built, Locks, Wrenches
 from mahovik.out.api.fields import Array
 from mahovik.out.api.inputs import Given
+from mahovik.out.api.regressor import WithRegressor
 from mahovik.out.api.results import Result
 from mahovik.out.api.states import States
 from mahovik.out.api.tables import Tables
@@ -74,7 +75,7 @@ def build(stand: Stand, *, real: Real = "double", compiler: str | None = None, t
     return Model(stand, real, compiler, threads)
 
 
-class Model(Built):
+class Model(WithRegressor):
     """Functions of a stand for one state or many; made by `mahovik.build`.
 
     `x` is `States` or an array of shape (n, 13 + 2 N), or (13 + 2 N,) of one state. Other inputs are arrays of shape

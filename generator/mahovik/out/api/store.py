@@ -40,11 +40,16 @@ _TEMPLATES = ("arrays.c.j2", "batch.c.j2", "batch.h.j2", "stand.c.j2", "stand.h.
 
 
 def library_key(
-    of: Structure, real: str, compiler: Sequence[str], parallel: bool, kind: LibraryKind = "batches"
+    of: Structure,
+    real: str,
+    compiler: Sequence[str],
+    parallel: bool,
+    kind: LibraryKind = "batches",
+    only: Sequence[str] = (),
 ) -> str:
     """Structure, element type, compiler, with batches this processor, generator. Raises ToolchainError, OSError."""
     target = program_file(tuple(compiler)) if kind == "states" else machine(tuple(compiler))
-    return _key(repr(of), real, repr(list(compiler)), target, str(parallel), kind)
+    return _key(repr(of), real, repr(list(compiler)), target, str(parallel), kind, *only)
 
 
 def numbers_key(stand: Stand, real: str) -> str:

@@ -9,6 +9,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from mahovik.contract.functions import CHOSEN
 from mahovik.core.emit.generate import PRECISIONS, Generated, generate_all, host_lanes
 from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.emit.reading import Header, read_header
@@ -66,13 +67,17 @@ class CBackend(ProgramBackend):
     ) -> None:
         self._stand, self._precision_name, self._folder = stand, precision_name, folder
         says_fast = fast
+        chosen: tuple[str, ...] = ()
         if folder is not None:
+            chosen = tuple(name for name in CHOSEN if name in declared_functions(folder, stand.name))
             header = _check_folder(folder, stand, precision_name, lanes)
             lanes, says_fast = header.lanes, header.fast
         elif lanes is None:
             lanes = host_lanes(len(stand.flywheels)) if fast else 1
         self.fast = fast or says_fast
-        self.complete = self.generated = generated or generate_all(stand, precision_name, lanes, says_fast)
+        self.complete = self.generated = generated or generate_all(
+            stand, precision_name, lanes, says_fast, chosen=chosen
+        )
         if folder is not None and (only := _part(folder, stand, self.complete.program)):
             self.generated = generate_all(stand, precision_name, lanes, says_fast, only)
         self._full: Future[CBackend] | None = None if pool is None else pool.submit(self._made_full)

@@ -14,8 +14,10 @@ from mahovik.proof.verify.functions import (
     allocation,
     attitudes,
     carries,
+    columns,
     encoders,
     external,
+    identification,
     jacobians,
     locks,
     parameters,
@@ -52,6 +54,8 @@ JUDGES: dict[str, Callable[[Case], Iterable[Row]]] = {
     "accumulate": encoders.accumulate_rows,
     "prepare": parameters.prepare_rows,
     "prepare_mounts": parameters.prepare_mounts_rows,
+    "regressor": columns.column_rows,
+    "identify_step": identification.identification_rows,
 }
 """Functions that answer no want, and those of a want with arguments that `eval` does not set."""
 

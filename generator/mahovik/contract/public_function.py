@@ -1,0 +1,68 @@
+"""A row of the contract: one public function of a stand's C, and the judges that there are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+NORMAL, ANY, BITS = "normal", "any", "bits"
+"""Sets of inputs under Frama-C Eva: ordinary magnitudes; any finite numbers; any bits, NaN and infinity among them."""
+
+JUDGES = {
+    "reference": "the literal reference of (1)-(13), in NumPy",
+    "second": "the second derivation, by Lagrange's equations, in CasADi",
+    "rigorous": "enclosures of the exact answer, in ball arithmetic",
+    "trajectory": "an integrator of high order over the literal reference",
+    "derivatives": "automatic differentiation of the second derivation",
+    "allocation": "least squares with weights and damping, literally, and SciPy's with limits",
+    "exact": "exact integers and many digits",
+    "parameters": "the literal reference on stands with other masses, inertias and mountings",
+}
+"""Independent checks of a function, by name."""
+
+REFEREES = ("reference", "second", "rigorous")
+"""Judges that can answer a want of `eval`."""
+
+
+@dataclass(frozen=True)
+class PublicFunction:
+    """A row of the contract: one public function.
+
+    equation  numbers of the paper
+    takes     arguments in order; those that a stand does not need are left out
+    gives     results, by name
+    want      whether `eval` answers it, by the name of the function
+    needs     parts that a stand must have: "flywheels", "sensors" (instruments or points), "wrenches" (any), "tasks";
+              or nothing
+    tasks     whether each task of the stand has a form of its own, `NAME_TASK`, with its demand in place of V_dot
+    sines     whether it has a form `NAME_at` that takes sines and cosines of the phases
+    batch     whether it has a batch, many states in a register; others run state by state
+    python    whether a model has a method of its name
+    form_of   method of a model that offers it by an argument; empty: none
+    claimed   sets of inputs on which Frama-C Eva must raise no alarm; on the others it is only run
+    unread    a real among the arguments that may be NaN or infinite in a call that succeeds; see the fuzz harness
+    judges    its independent checks, by name of JUDGES
+    ignores   arguments, or members of them, that it does not look at, or that change no more than a bit of the status
+    """
+
+    name: str
+    equation: str
+    takes: tuple[str, ...]
+    gives: tuple[str, ...]
+    judges: tuple[str, ...]
+    want: bool = False
+    needs: str = ""
+    tasks: bool = False
+    sines: bool = False
+    batch: bool = False
+    python: bool = True
+    form_of: str = ""
+    claimed: tuple[str, ...] = ()
+    unread: str = ""
+    ignores: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Raises ValueError for a want without a referee, and for a judge that is unknown."""
+        if not self.judges or not set(self.judges) <= set(JUDGES):
+            raise ValueError(f"{self.name}: expected judges among {', '.join(JUDGES)}, found {self.judges}")
+        if self.want and not set(self.judges) & set(REFEREES):
+            raise ValueError(f"{self.name}: a want needs a judge among {', '.join(REFEREES)}")

@@ -1,0 +1,106 @@
+"""Columns of the regressor: what (8) and the drive torques take of each mass, first moment and moment of inertia.
+
+Both are linear in them. Of one rigid body, in a frame fixed in it, (4) reads
+  wrench = Theta V* + Phi(V) Theta V - (m g, mu x g),
+and in the proper acceleration d = v* + omega x v - g of the body's origin the velocity v of that origin drops out: the
+columns depend on d, the angular acceleration a and the angular velocity w alone. `tests/derive` proves that the sum of
+columns times parameters is the literal (8) and the literal drive torque.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mahovik.core.derive.screw import Phi, Theta, cross
+from mahovik.core.derive.symbols import matrix, symmetric, vector
+
+BODY = (sp.Symbol("m"), *vector("b"), *vector("J", 6))
+"""The ten parameters of a body: mass, first moment b = m rc, and J about its origin: 11, 22, 33, 12, 13, 23."""
+
+UPPER = tuple((i, j) for i in range(6) for j in range(i, 6))
+"""Places of the 21 numbers of a symmetric 6x6 matrix, row by row."""
+
+d, a, w = vector("d"), vector("a"), vector("w")
+
+
+def body_columns() -> sp.Matrix:
+    """6x10: wrench (about the body's origin, in its axes) by each of BODY, in d, a, w.
+
+    Raises ValueError if the velocity is left in it.
+    """
+    v = vector("v")
+    V, rate = v.col_join(w), (d - cross(w) * v).col_join(a)
+    inertia = Theta(sp.Symbol("m"), vector("b"), symmetric("J"))
+    wrench = inertia * rate + Phi(V) * inertia * V
+    found = wrench.jacobian(sp.Matrix(BODY)).applyfunc(sp.expand)
+    if found.free_symbols & v.free_symbols:
+        raise ValueError("the wrench of a body depends on the velocity of its origin")
+    return found
+
+
+def added_mass_columns() -> sp.Matrix:
+    """6x21: Lambda V_r* + Phi(V_r) Lambda V_r by each of UPPER, both halves alike. V_r = (v, w), V_r* = (d, a)."""
+    V, rate = vector("v").col_join(w), d.col_join(a)
+    columns = []
+    for i, j in UPPER:
+        unit = sp.zeros(6)
+        unit[i, j] = unit[j, i] = 1
+        columns.append((unit * rate + Phi(V) * unit * V).applyfunc(sp.expand))
+    return sp.Matrix.hstack(*columns)
+
+
+def turned_axes() -> sp.Matrix:
+    """R C1: axes of a flywheel in E1 at the phase of c, s, 9 numbers; R are those at phase 0."""
+    c, s = sp.symbols("c s")
+    R = matrix("R")
+    return sp.Matrix.hstack(R[:, 0], R[:, 1] * c + R[:, 2] * s, R[:, 2] * c - R[:, 1] * s)
+
+
+def flywheel_velocity() -> sp.Matrix:
+    """omega + phi' e1, in Es; the carrier's omega in Es by `w`."""
+    return w + sp.Matrix([sp.Symbol("phi_dot"), 0, 0])
+
+
+def flywheel_acceleration() -> sp.Matrix:
+    """omega* - phi' <e1> omega + phi'' e1, in Es; the carrier's omega and omega* in Es by `w`, `a`."""
+    e1 = sp.Matrix([1, 0, 0])
+    return a - sp.Symbol("phi_dot") * cross(e1) * w + sp.Symbol("phi_ddot") * e1
+
+
+def origin_acceleration(weight: bool) -> sp.Matrix:
+    """v* + omega x v - g: proper acceleration d of O1, in E1."""
+    found = vector("v_dot") + cross(vector("omega")) * vector("v")
+    return found - vector("g") if weight else found
+
+
+def first_moment_columns() -> sp.Matrix:
+    """6x1: wrench about O1 of a first moment of 1 kg m along the unit vector `e`, in E1, of a body whose origin is O.
+
+    d, a, w as of `body_columns`, but in E1.
+    """
+    e, O = vector("e"), vector("O")
+    turn = cross(w) * e
+    force = cross(a) * e + cross(w) * turn
+    return force.col_join(cross(e) * d + cross(O) * force)
+
+
+def first_moment_force() -> sp.Matrix:
+    """The force of `first_moment_columns`."""
+    return first_moment_columns()[:3, :]
+
+
+def first_moment_moment() -> sp.Matrix:
+    """The moment of `first_moment_columns`, with the force by the symbols f."""
+    return cross(vector("e")) * d + cross(vector("O")) * vector("f")
+
+
+def spinning_velocity() -> sp.Matrix:
+    """omega + phi' axis: angular velocity of a flywheel, in E1."""
+    return vector("omega") + sp.Symbol("phi_dot") * vector("axis")
+
+
+def spinning_acceleration() -> sp.Matrix:
+    """omega* + phi'' axis + phi' omega x axis: angular acceleration of a flywheel, in E1."""
+    axis = vector("axis")
+    turned = cross(vector("omega")) * axis
+    return vector("omega_dot") + sp.Symbol("phi_ddot") * axis + sp.Symbol("phi_dot") * turned

@@ -1,0 +1,101 @@
+"""The columns of the regressor are the literal (8) and the literal drive torque, for a general body on a general mount.
+
+Modulo c^2 + s^2 = 1 and R in SO(3), as in test_table_is_literal.
+"""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from derive.exact import circle, remainders, rotation, trigonometric
+from mahovik.core.derive import carrier, drive, flywheel, point, regressor
+from mahovik.core.derive.screw import L, Phi, Theta, cross, f
+from mahovik.core.derive.symbols import symmetric, vector
+
+W = flywheel.generic()
+SO3 = (*circle(sp.Symbol("c"), sp.Symbol("s")), *rotation(W.R))
+G = vector("g")
+PARAMETERS = sp.Matrix(regressor.BODY)
+
+
+def bind(name: str, values: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
+    return dict(zip(vector(name), values, strict=True))
+
+
+def proper_acceleration(O: sp.Matrix) -> sp.Matrix:
+    """Proper acceleration of the point O, in E1, by the formula of the C."""
+    known = bind("O", O) | bind("velocity", carrier.v + cross(carrier.omega) * O)
+    return point.specific_force(weight=True).xreplace(known)
+
+
+def by_columns() -> sp.Matrix:
+    """The wrench of one flywheel in its own frame: columns times parameters."""
+    N = regressor.turned_axes()
+    turned = bind("w", N.T * carrier.omega) | bind("a", N.T * drive.V_dot[3:, :])
+    known = bind("d", N.T * proper_acceleration(W.O))
+    known |= bind("w", regressor.flywheel_velocity().xreplace(turned))
+    known |= bind("a", regressor.flywheel_acceleration().xreplace(turned))
+    return regressor.body_columns().xreplace(known) * PARAMETERS
+
+
+def literal() -> sp.Matrix:
+    """Theta_s V_s* + Phi(V_s) Z_s less the weight, in Es; row 3 is the drive torque."""
+    in_Es = trigonometric(drive.literal_torque(W, carrier.V), W.phi)
+    g = regressor.turned_axes().T * G
+    return in_Es - (W.m * g).col_join(cross(W.b) * g)
+
+
+@pytest.mark.parametrize("row", range(6))
+def test_one_flywheel_in_its_own_frame(row: int) -> None:
+    assert remainders([literal()[row] - by_columns()[row]], SO3) == []
+
+
+def test_a_missing_gyroscopic_term_is_found() -> None:
+    planted = by_columns().subs(sp.Symbol("phi_dot"), 0)
+    assert remainders([literal()[4] - planted[4]], SO3) != []
+
+
+def test_the_carrier_rows_are_the_literal_equation() -> None:
+    """K V* + M V + I phi'' + J phi' of one flywheel, (8), is L times its wrench; the force rows and the moment rows."""
+    terms = flywheel.literal(W, carrier.V)
+    M = Phi(carrier.V) * terms.K + terms.K_dot
+    equation = terms.K * drive.V_dot + M * carrier.V + terms.I * drive.phi_ddot + terms.J * W.phi_dot
+    weight = (W.m * G).col_join(cross(W.m * W.O) * G)
+    N = regressor.turned_axes()
+    moment = N * W.b
+    weight += sp.zeros(3, 1).col_join(cross(moment) * G)
+    numbers = {**dict(zip(W.O, (2, -1, 3), strict=True)), W.phi_dot: 5}
+    left = trigonometric(equation, W.phi) - weight
+    right = L(W.O, N) * by_columns()
+    assert remainders((left - right).xreplace(numbers), SO3) == []
+
+
+def test_a_first_moment_in_E1_is_the_same_column() -> None:
+    """`first_moment_columns` in E1 is L times the column in the body's frame, for each of its three directions."""
+    N, O = W.R, W.O
+    own = bind("d", N.T * vector("d")) | bind("a", N.T * vector("a")) | bind("w", N.T * vector("w"))
+    columns = L(O, N) * regressor.body_columns().xreplace(own)
+    for k in range(3):
+        inside = regressor.first_moment_columns().xreplace(bind("e", N[:, k]))
+        assert remainders(inside - columns[:, 1 + k], rotation(N)) == []
+
+
+def test_added_mass_is_the_literal_equation() -> None:
+    """Lambda V* + Phi(V) Lambda V for a general symmetric Lambda."""
+    numbers = sp.Matrix([sp.Symbol(f"L[{k}]") for k in range(21)])
+    Lambda = sp.zeros(6)
+    for number, (i, j) in zip(numbers, regressor.UPPER, strict=True):
+        Lambda[i, j] = Lambda[j, i] = number
+    V = vector("v").col_join(vector("w"))
+    literal_wrench = Lambda * vector("d").col_join(vector("a")) + Phi(V) * Lambda * V
+    assert remainders(literal_wrench - regressor.added_mass_columns() * numbers) == []
+
+
+def test_a_body_at_rest_weighs_its_mass() -> None:
+    """With d = -g alone, Theta (d, 0) is what is left."""
+    at_rest = {**bind("a", sp.zeros(3, 1)), **bind("w", sp.zeros(3, 1))}
+    held = regressor.body_columns().xreplace(at_rest) * PARAMETERS
+    inertia = Theta(sp.Symbol("m"), vector("b"), symmetric("J"))
+    assert held - (inertia * vector("d").col_join(sp.zeros(3, 1))).applyfunc(sp.expand) == sp.zeros(6, 1)
+    assert f.dot(held) == held[3]

@@ -1,0 +1,157 @@
+"""Columns of the C against the literal reference, their sum against the equations, and planted faults."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import TypeVar
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from mahovik import stands
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.program import lower_layout
+from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Body, Stand
+from mahovik.core.stand.random import EVERYTHING, random_stand
+from mahovik.core.stand.state import State
+from mahovik.core.stand.structure import structure
+from mahovik.laws.damping.data import Damping
+from mahovik.proof.reference import regressor as literal
+from mahovik.proof.reference.assembly import pieces
+from mahovik.proof.reference.bodies import fixed_bodies, spatial_inertia
+from mahovik.proof.second import Second
+from mahovik.proof.verify.bounds import BOUNDS
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.functions.case import Case, ordinary
+from mahovik.proof.verify.functions.registry import rows_of
+from strategies import stands as some_stands
+from strategies import states
+
+AnyBody = TypeVar("AnyBody", bound=Body)
+
+
+def case_of(
+    stand: Stand, folder: Path, real: str = "double", fault: tuple[str, str] | None = None, named: str = "regressor"
+) -> Case:
+    """The C of a stand with a chosen function, in a folder, with one place of it changed."""
+    files = dict(generate_all(stand, real, only=(named,)).files)
+    if fault is not None:
+        source = f"{stand.name}.c"
+        files[source], count = re.subn(*fault, files[source], count=1)
+        assert count == 1
+    for file, content in files.items():
+        (folder / file).write_text(content, encoding="ascii", newline="\n")
+    backend = CBackend(stand, real, folder)
+    given_states = ordinary(draw(stand, 3, 20, real), backend.inputs, 4)
+    return Case(stand, backend, given_states, BOUNDS[real], Second(stand), 3)
+
+
+def failures(rows: list[Row]) -> dict[str, float]:
+    return {row.quantity: row.worst for row in rows if row.failed}
+
+
+@pytest.fixture(scope="module")
+def everything() -> Stand:
+    """A stand with every law, instruments, added mass, a stream and three flywheels."""
+    return random_stand(np.random.default_rng(5), 3, EVERYTHING)
+
+
+@pytest.mark.parametrize("real", ["double", "float"])
+def test_columns_are_those_of_the_reference(everything: Stand, tmp_path: Path, real: str) -> None:
+    rows = rows_of(case_of(everything, tmp_path, real), "regressor")
+    assert {row.quantity for row in rows} == {
+        "Y_carrier", "Y_flywheel", "Y_drive", "Y_added_mass", "Y_linear", "Y_quadratic"
+    }  # fmt: skip
+    assert failures(rows) == {}
+
+
+@pytest.mark.parametrize(
+    ("fault", "groups"),
+    [
+        ((r"w\[0\] \* w\[1\] - a\[2\]", "w[0] * w[1] + a[2]"), {"Y_carrier", "Y_flywheel"}),
+        ((r"drive\[k\] = inside\[3\]\[k\]", "drive[k] = inside[4][k]"), {"Y_drive"}),
+        ((r"(Y\[5\]\[k\] \+= mount->origin\[0\])", r"Y[5][k] += mount->origin[1]"), {"Y_flywheel"}),
+    ],
+)
+def test_planted_faults_are_found(tmp_path: Path, fault: tuple[str, str], groups: set[str]) -> None:
+    case = case_of(load(stands.path("demo3")), tmp_path, fault=fault)
+    assert failures(rows_of(case, "regressor")).keys() == groups
+
+
+def test_only_a_named_function_is_in_the_c() -> None:
+    """A stand whose author does not name it has the same C as before."""
+    stand = load(stands.path("demo3"))
+    layout = Layout(structure(stand), DOUBLE)
+    plain, chosen = lower_layout(layout), lower_layout(layout, ("regressor",))
+    before = [f.name for f in plain.functions]
+    assert "regressor" not in before
+    assert [f.name for f in chosen.functions if f.name in before] == before
+    assert "regressor" not in generate_all(stand).files["demo3.h"]
+
+
+def parameters(stand: Stand) -> Iterator[tuple[str, np.ndarray]]:
+    """Parameters by the names of the groups: all that is fixed in E1 for the carrier, damping of the carrier."""
+
+    def ten(Theta: np.ndarray) -> list[float]:
+        J = Theta[3:, 3:]
+        moments = [J[0, 0], J[1, 1], J[2, 2], J[0, 1], J[0, 2], J[1, 2]]
+        return [Theta[0, 0], Theta[5, 1], Theta[3, 2], Theta[4, 0], *moments]
+
+    fixed = fixed_bodies(stand)
+    yield "Y_carrier", np.array(ten(sum((k.L @ k.Theta @ k.L.T for k in fixed), np.zeros((6, 6)))))
+    yield "Y_flywheel", np.array([ten(spatial_inertia(s)) for s in stand.flywheels])
+    Lambda = sum((k.Lambda for k in fixed), np.zeros((6, 6)))
+    yield "Y_added_mass", Lambda[np.triu_indices(6)]
+    damping = stand.carrier.law(Damping)
+    for name in ("linear", "quadratic"):
+        given_matrix = getattr(damping, name, None)
+        yield f"Y_{name}", np.zeros((6, 6)) if given_matrix is None else np.array(given_matrix)
+
+
+def with_columns_alone(stand: Stand) -> Stand:
+    """The stand with those laws only that have columns: weight, and the damping matrices of the carrier."""
+
+    def bare(body: AnyBody) -> AnyBody:
+        return replace(body, laws=(), wrench_input=False)
+
+    damping = stand.carrier.law(Damping)
+    kept = () if damping is None else (replace(damping, terms=()),)
+    return replace(
+        stand,
+        laws=(),
+        carrier=replace(bare(stand.carrier), laws=kept),
+        instruments=tuple(map(bare, stand.instruments)),
+        flywheels=tuple(map(bare, stand.flywheels)),
+    )
+
+
+@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(st.data())
+def test_columns_times_parameters_are_the_equations(data: st.DataObject) -> None:
+    """Y pi is K V* + M V + I phi'' + J phi' - F and tau, of the literal reference, for any stand and state."""
+    stand = with_columns_alone(data.draw(some_stands(max_flywheels=3)))
+    state: State = replace(data.draw(states(stand)), wrench={})
+    at = pieces(stand, state)
+    Y, pi = literal.answer(at, stand, state), dict(parameters(stand))
+    expected = literal.needed(stand, state)
+    terms = [Y["Y_carrier"] * pi["Y_carrier"]]
+    if stand.flywheels:
+        terms += list(Y["Y_flywheel"] * pi["Y_flywheel"][:, None, :])
+        drive = Y["Y_drive"] * pi["Y_flywheel"]
+        assert np.all(np.abs(drive.sum(axis=1) - expected.tau) <= 1e-9 * (np.abs(drive).sum(axis=1) + 1e-12))
+    if "Y_added_mass" in Y:
+        terms.append(Y["Y_added_mass"] * pi["Y_added_mass"])
+    terms += [pi["Y_linear"] * Y["Y_linear"], pi["Y_quadratic"] * Y["Y_quadratic"]]
+    wrench = sum(term.sum(axis=1) for term in terms)
+    size = sum(np.abs(term).sum(axis=1) for term in terms)
+    assert np.all(np.abs(wrench - expected.wrench) <= 1e-9 * (size.max() + 1e-12))
