@@ -52,7 +52,9 @@ def stand(name: str) -> Stand:
     """An example stand, one of GENERAL, or one of HELD."""
     if name in HELD:
         flywheels, hold = HELD[name]
-        given = random_stand(np.random.default_rng(3), flywheels, replace(EVERYTHING, fluid=False, stream=False, tasks=0), name)
+        given = random_stand(
+            np.random.default_rng(3), flywheels, replace(EVERYTHING, fluid=False, stream=False, tasks=0), name
+        )
         return replace(given, hold=hold)
     if name in GENERAL:
         flywheels, features = GENERAL[name]
