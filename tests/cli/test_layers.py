@@ -56,7 +56,7 @@ OTHERWISE = {
 
 def test_every_function_of_a_command_is_listed() -> None:
     functions = {name for name in vars(mahovik)["__all__"] if inspect.isfunction(getattr(mahovik, name))}
-    assert functions - set(CALLS) == {"build", "example", "examples", "load"}
+    assert functions - set(CALLS) == {"build", "example", "examples", "identifiable", "load"}
 
 
 @pytest.mark.parametrize("name", CALLS)
