@@ -24,6 +24,7 @@ from mahovik.out.functions.evidence import judge as judge
 from mahovik.out.functions.evidence import report as report
 from mahovik.out.functions.evidence import verify as verify
 from mahovik.out.functions.following import follow as follow
+from mahovik.out.functions.identifying import identify as identify
 from mahovik.out.functions.jitter import jitter as jitter
 from mahovik.out.functions.linear import linearize as linearize
 from mahovik.out.functions.linear import modes as modes
