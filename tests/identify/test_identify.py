@@ -50,9 +50,7 @@ def files(tmp_path: Path, exact: Array, monkeypatch: pytest.MonkeyPatch) -> Path
     return tmp_path
 
 
-def test_unbalances_are_found_within_their_standard_errors(
-    files: Path, truth: mahovik.Stand
-) -> None:
+def test_unbalances_are_found_within_their_standard_errors(files: Path, truth: mahovik.Stand) -> None:
     wanted = mahovik.identify(truth, files / "run.csv", "w*.unbalance")
     found = mahovik.identify(truth.replace(CHANGED), files / "run.csv", "w*.unbalance")
     assert not found.unobservable
@@ -97,9 +95,7 @@ def test_numbers_that_constant_speeds_do_not_show_are_named_and_stay(files: Path
     assert not found.unobservable
 
 
-@pytest.mark.parametrize(
-    ("channel", "words"), [(2, "imu.acceleration: .*y = -y"), (5, "imu.rate: .*y = -y")]
-)
+@pytest.mark.parametrize(("channel", "words"), [(2, "imu.acceleration: .*y = -y"), (5, "imu.rate: .*y = -y")])
 def test_a_wrong_sign_is_told(tmp_path: Path, exact: Array, truth: mahovik.Stand, channel: int, words: str) -> None:
     rows = with_noise(exact, 10.0, 3)
     rows[:, channel] *= -1.0
@@ -109,9 +105,7 @@ def test_a_wrong_sign_is_told(tmp_path: Path, exact: Array, truth: mahovik.Stand
     assert any(re.search(words, note) for note in found.notes), found.notes
 
 
-def test_exchanged_axes_are_told_and_right_ones_are_not(
-    tmp_path: Path, exact: Array, truth: mahovik.Stand
-) -> None:
+def test_exchanged_axes_are_told_and_right_ones_are_not(tmp_path: Path, exact: Array, truth: mahovik.Stand) -> None:
     rows = with_noise(exact, 10.0, 3)
     rows[:, [1, 2]] = rows[:, [2, 1]]
     found = mahovik.identify(truth, write_csv(tmp_path / "wrong.csv", rows), "w*.unbalance")

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from mahovik.errors import StandError, StateError, UsageError
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.identify.free import Free
-from mahovik.out.identify.gauss_newton import Loss, minimise, weights_of
+from mahovik.out.identify.gauss_newton import Loss, minimise, triangle, weights_of
 from mahovik.out.identify.jacobian import START_SCALE, slopes, values
 from mahovik.out.identify.predict import START
 from mahovik.out.identify.run import Run, noise_of
@@ -229,7 +229,7 @@ def _information(problem: Problem, z: Array, loss: Loss) -> Array:
     data = (J * np.sqrt(weights_of(problem.residuals(z), loss))[:, None])[: -len(problem.prior_rows)]
     nuisance = np.concatenate([data[:, k:], problem.prior_rows[k : problem.size, k:]])
     whole = np.concatenate([nuisance, np.concatenate([data[:, :k], np.zeros((extra, k))])], axis=1)
-    return np.asarray(np.linalg.qr(whole, mode="r"))[extra:, extra:]
+    return triangle(whole)[extra:, extra:]
 
 
 def _result(problem: Problem, z: Array, information: Array) -> Fit:

@@ -16,6 +16,9 @@ LOSSES: tuple[Loss, ...] = ("linear", "soft_l1", "huber")
 ENOUGH = 1e-10
 """A step that promises less than this share of the cost ends the search."""
 
+PASSES, SHIFT = 3, 1e-13
+"""Passes of the QR factorisation, and the shift of its first Gram matrix, of the trace."""
+
 STEPS, HALVINGS = 40, 12
 """Most steps, and most halvings of one."""
 
@@ -42,8 +45,27 @@ def cost_of(residuals: Array, loss: Loss) -> float:
 
 
 def triangle_of(J: Array, residuals: Array) -> Array:
-    """Triangular factor (p + 1, p + 1) of [J r]: all of a linear least-squares problem."""
-    return np.asarray(np.linalg.qr(np.column_stack([J, residuals]), mode="r"))
+    """Triangular factor (p + 1, p + 1) of [J r], by one pass: a step that is a little off is mended by the next."""
+    return triangle(np.column_stack([J, residuals]), 1)
+
+
+def triangle(matrix: Array, passes: int = PASSES) -> Array:
+    """Triangular factor R (p, p) of a tall matrix (n, p), R^T R = matrix^T matrix, by shifted Cholesky QR.
+
+    As accurate as Householder's; its work is matrix products. (Fukaya et al., Shifted Cholesky QR, 2020.)
+    """
+    size = np.sqrt(np.einsum("ij,ij->j", matrix, matrix))
+    size[size == 0.0] = 1.0
+    found, rest = np.diag(size), matrix / size
+    identity = np.eye(matrix.shape[1])
+    for k in range(passes):
+        gram = rest.T @ rest
+        shift = SHIFT if k == 0 else np.finfo(float).eps
+        R = np.linalg.cholesky(gram + shift * max(float(np.trace(gram)), 1e-300) * identity).T
+        found = R @ found
+        if k < passes - 1:
+            rest = rest @ np.linalg.inv(R)
+    return np.asarray(found)
 
 
 def minimise(
