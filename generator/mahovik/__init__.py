@@ -69,7 +69,7 @@ _PLACES = {
     "examples": "out.api.stands",
     "follow": "out.functions.following",
     "generate": "out.functions.evidence",
-    "identify": "out.functions.identifying",
+    "identify": "out.identify.face",
     "jitter": "out.functions.jitter",
     "judge": "out.functions.evidence",
     "linearize": "out.functions.linear",

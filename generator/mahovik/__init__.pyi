@@ -24,7 +24,6 @@ from mahovik.out.functions.evidence import judge as judge
 from mahovik.out.functions.evidence import report as report
 from mahovik.out.functions.evidence import verify as verify
 from mahovik.out.functions.following import follow as follow
-from mahovik.out.functions.identifying import identify as identify
 from mahovik.out.functions.jitter import jitter as jitter
 from mahovik.out.functions.linear import linearize as linearize
 from mahovik.out.functions.linear import modes as modes
@@ -36,5 +35,6 @@ from mahovik.out.functions.programmes import verify_programme as verify_programm
 from mahovik.out.functions.simulation import simulate as simulate
 from mahovik.out.functions.vibration import quiet as quiet
 from mahovik.out.functions.vibration import response as response
+from mahovik.out.identify.face import identify as identify
 
 __version__: str

@@ -48,6 +48,7 @@ WITHOUT = {
 ELSEWHERE = {
     **dict.fromkeys(("campaign run", "campaign status", "campaign resume"), "test_campaign.py"),
     "cost": "test_cost.py",
+    "identify": "../identify/test_identify.py",
     "judge-log": "test_judge_log.py",
     "replay": "test_replay.py",
 }

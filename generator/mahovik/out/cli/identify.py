@@ -11,20 +11,23 @@ from mahovik.out.cli.options import JSON, STAND_FILE, choice, command, file_opti
 from mahovik.out.cli.output import print_json, print_line, print_table, require_other_file
 
 if TYPE_CHECKING:
-    from mahovik.out.functions.identifying import Identification
+    from mahovik.out.identify.face import Identification
 
 
 @command()
 def identify(
     stand_file: str = STAND_FILE,
     data: tuple[str, ...] = file_option("--data", "FILE", "Read measured data of the stand.", multiple=True),
-    free: str = option(
-        "--free", "Estimate these numbers, such as w*.unbalance.", metavar="KEYS|FREE.toml", required=True
-    ),
+    free: str = option("--free", "Free these numbers, such as w*.unbalance.", metavar="KEYS|FREE.toml", required=True),
     output: str = file_option("-o", "NEW.toml", "Write the stand file with the estimated numbers.", required=True),
-    check: tuple[str, ...] = file_option("--check", "FILE", "Predict these data, which are not used.", multiple=True),
+    check: tuple[str, ...] = file_option(
+        "--check", "FILE", "Read data that are only predicted, to check the result.", multiple=True
+    ),
     loss: str = choice(
         "--loss", ["linear", "soft_l1", "huber"], "Choose the loss; the last two bear outliers.", default="linear"
+    ),
+    delay: tuple[str, ...] = option(
+        "--delay", 'Set the known delay of a sensor, "imu=2 ms".', metavar="NAME=TIME", multiple=True
     ),
     as_json: bool = JSON,
 ) -> None:
@@ -41,17 +44,34 @@ def identify(
     read = [stand_file, *data, *check, *([free] if free.endswith(".toml") else [])]
     require_other_file(Path(output), read, f"-o {output}", "stand file")
     from mahovik.out.cli.progress import progress
-    from mahovik.out.functions.identifying import identify as estimate
+    from mahovik.out.identify.face import identify as estimate
     from mahovik.writing import probe, write
 
     probe(Path(output))
     with progress("estimating") as stage:
-        found = estimate(load_stand(stand_file), data, free, check=check, loss=loss, progress=stage.show)
+        found = estimate(
+            load_stand(stand_file), data, free, check=check, delay=_delays(delay), loss=loss, progress=stage.show
+        )
     write(Path(output), found.text(stand_file))
     if as_json:
         print_json(found.to_dict())
     else:
         _print(found)
+
+
+def _delays(given: tuple[str, ...]) -> dict[str, float | str]:
+    """Delays by point. Raises UsageError."""
+    found: dict[str, float | str] = {}
+    for text in given:
+        name, equal, value = text.partition("=")
+        if not equal or name in found:
+            what = "given twice" if equal else 'expected NAME=TIME, such as "imu=2 ms"'
+            raise UsageError(f"--delay {text}: {what}")
+        try:
+            found[name] = float(value)
+        except ValueError:
+            found[name] = value
+    return found
 
 
 def _print(found: Identification) -> None:

@@ -51,7 +51,7 @@ def _of_run(fit: Fit, r: int, run: Run) -> list[str]:
         groups.setdefault((channel.point, channel.kind), []).append(c)
     grams = _Grams(measured, predicted, J, spread)
     n = len(run.channels)
-    as_given = grams.left(list(range(n)), [1.0] * n)
+    as_given = grams.misfit(list(range(n)), [1.0] * n)
     lines = []
     for (point, kind), own in groups.items():
         best = (as_given, tuple(own), (1.0,) * len(own))
@@ -60,7 +60,7 @@ def _of_run(fit: Fit, r: int, run: Run) -> list[str]:
                 places, whole = list(range(n)), [1.0] * n
                 for c, taken, sign in zip(own, order, signs, strict=True):
                     places[c], whole[c] = taken, sign
-                cost = grams.left(places, whole)
+                cost = grams.misfit(places, whole)
                 if cost < best[0] * (1.0 - 1e-9):
                     best = (cost, order, signs)
         if best[0] < BETTER * as_given:
@@ -91,7 +91,7 @@ class _Grams:
         self.PM = predicted.T @ measured / T
         self.MM = np.mean(measured**2, axis=0)
 
-    def left(self, places: list[int], signs: list[float]) -> float:
+    def misfit(self, places: list[int], signs: list[float]) -> float:
         """Least sum over the channels of mean squares of residuals, each of the spread squared."""
         weights = 1.0 / self.spread[places] ** 2
         H = np.tensordot(weights, self.JJ, 1)

@@ -27,10 +27,10 @@ PRIOR = 100.0
 """Standard deviation of the priors of free numbers, in natural sizes."""
 
 HELD = 1e-6
-"""The same of combinations that no channel tells."""
+"""Standard deviation of the priors of combinations that no channel tells, in natural sizes."""
 
 PRIOR_START = 10.0
-"""The same of initial states."""
+"""Standard deviation of the priors of initial states, in natural sizes."""
 
 LINEAR = 0.02
 """A jacobian is kept while its prediction of a change of residuals is as good as this share of the change."""

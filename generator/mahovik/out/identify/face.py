@@ -199,7 +199,7 @@ def _stand_of(free: Free, fit: Fit) -> Stand:
 
 
 def _covariance(free: Free, fit: Fit) -> Array:
-    """Of the values of the paths (k, k)."""
+    """Covariance of the values of the paths (k, k)."""
     slopes = free.slopes(fit.theta)
     found: Array = slopes @ fit.covariance @ slopes.T
     return found
