@@ -248,5 +248,5 @@ def _result(problem: Problem, z: Array, information: Array) -> Fit:
 
 
 def _there(array: Array, run: Run) -> Array:
-    """Rows of samples that are there, (n) or (n, k)."""
+    """Rows of the samples that exist, (n) or (n, k)."""
     return array[run.there]

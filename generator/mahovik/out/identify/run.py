@@ -46,7 +46,7 @@ class Run:
 
     @property
     def channels(self) -> tuple[Channel, ...]:
-        """What is measured."""
+        """Measured channels."""
         return self.predictor.channels
 
     @property

@@ -1,4 +1,4 @@
-"""What the data cannot tell: combinations of free numbers without information, and motion that would show them."""
+"""Combinations of free numbers that the data cannot tell, and motion that would show them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is to be estimated: `--free KEYS|FREE.toml`, paths of the stand file and known delays of sensors."""
+"""Free numbers and known delays: `--free KEYS|FREE.toml`, paths of the stand file and known delays of sensors."""
 
 from __future__ import annotations
 
