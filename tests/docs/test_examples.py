@@ -39,7 +39,6 @@ SLOW = {
     "docs/howto/field-log.md",
     "docs/howto/own-stand.md",
     "docs/howto/vibration-table.md",
-    "docs/identification.md",
     "docs/other-programs.md",
     "docs/planning.md",
     "docs/programmes.md",
