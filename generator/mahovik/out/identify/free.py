@@ -33,7 +33,7 @@ SHARE = 0.02
 SMALL_LENGTH, SMALL_ANGLE = 0.01, 0.02
 """Sizes of places (m) and directions (rad) that are zero in the file."""
 
-STEP = 1e-3
+STEP = 1e-4
 """Step of central differences, of the scale of a number."""
 
 DELAY = "delay"
