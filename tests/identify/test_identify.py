@@ -102,6 +102,22 @@ def test_a_number_that_no_channel_tells_is_named_and_stays(files: Path, truth: m
     assert abs(static.value - static.before) < 4.0 * static.standard_error
 
 
+def test_motion_that_would_show_a_number_is_named(files: Path, truth: mahovik.Stand) -> None:
+    """Torques of changing speeds tell the moments about the axes of the flywheels, constant speeds hardly do."""
+    found = mahovik.identify(truth, files / "run.csv", ["w1.inertia.J11", "w2.inertia.J11"])
+    (line,) = found.unobservable
+    assert "w1.inertia.J11" in line and "w2.inertia.J11" in line
+    assert "add a run in which the speeds of the flywheels change" in line
+
+
+def test_an_estimate_stays_a_body(files: Path, truth: mahovik.Stand) -> None:
+    """The flywheels are nearly flat: noise asks for moments that break the triangle inequality."""
+    found = mahovik.identify(truth, files / "run.csv", ["w1.unbalance", "w1.inertia.J11"])
+    (J,) = (np.array(each.inertia) for each in found.stand.flywheels if each.name == "w1")
+    low, middle, high = np.linalg.eigvalsh(J)
+    assert low > 0.0 and low + middle > 0.99 * high
+
+
 @pytest.mark.parametrize(("channel", "words"), [(2, "imu.acceleration: .*y = -y"), (5, "imu.rate: .*y = -y")])
 def test_a_wrong_sign_is_told(tmp_path: Path, exact: Array, truth: mahovik.Stand, channel: int, words: str) -> None:
     rows = with_noise(exact, 10.0, 3)

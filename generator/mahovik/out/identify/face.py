@@ -178,7 +178,7 @@ def identify(
         new,
         _parameters(numbers, fit),
         _correlation(_covariance(numbers, fit)),
-        tuple(unobservable(numbers, runs, fit.information)),
+        tuple(unobservable(numbers, runs, fit.theta, fit.information, fit.noise)),
         {run.source: _channels(run, fit, r) for r, run in enumerate(runs)},
         _share(runs, fit),
         None if checked is None else (checked[0], checked[1]),

@@ -8,8 +8,13 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.core.motion.laws import Harmonic
+from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.out.identify.free import Free
+from mahovik.out.identify.gauss_newton import triangle
+from mahovik.out.identify.jacobian import START_SCALE, slopes
 from mahovik.out.identify.phases import speeds
+from mahovik.out.identify.predict import START, Predictor
 from mahovik.out.identify.run import Run
 
 Array = NDArray[np.float64]
@@ -27,8 +32,17 @@ TURNS = 2.0
 """Flywheels whose angles differ by fewer turns than this in all runs count as of one speed."""
 
 
-def unobservable(free: Free, runs: Sequence[Run], information: Array) -> list[str]:
-    """Lines about combinations that the data cannot tell. `information`: see `Fit`."""
+SWING, LEAST_SWING = 0.3, 5.0
+"""Amplitude of the speeds of a trial motion: share of the speed, and least, rad/s."""
+
+TRIAL = 2000
+"""Samples of a trial motion."""
+
+
+def unobservable(
+    free: Free, runs: Sequence[Run], theta: Array, information: Array, noise: Sequence[Array]
+) -> list[str]:
+    """Lines about combinations that the data cannot tell. `information`, `noise`: see `Fit`."""
     ranges = [speeds(run.predictor._case.regime, run.duration) for run in runs]
     same = _of_one_speed(free, runs, ranges)
     lines = []
@@ -39,11 +53,17 @@ def unobservable(free: Free, runs: Sequence[Run], information: Array) -> list[st
         )
     constant = all(bool(np.all(high - low <= STEADY * np.abs(high) + 1e-6)) for low, high in ranges)
     together = {name for a, b, *_ in same for name in (a, b)}
-    for direction in weak_directions(information):
+    weak = weak_directions(information)
+    shown = _shown_by_swing(free, runs[0], theta, noise[0], weak) if weak and constant else [False] * len(weak)
+    told: set[frozenset[str]] = set()
+    for direction, changing in zip(weak, shown, strict=True):
         names = _named(free, direction)
+        if frozenset(names) in told:
+            continue
+        told.add(frozenset(names))
         if names and all(".unbalance." in name and name.split(".")[0] in together for name in names):
             continue
-        lines.append(f"{', '.join(names)}: {_advice(names, constant, ranges, free)}")
+        lines.append(f"{', '.join(names)}: {_advice(names, constant, changing, ranges, free)}")
     return lines
 
 
@@ -68,7 +88,27 @@ def _named(free: Free, direction: Array) -> list[str]:
     return list(found)
 
 
-def _advice(names: Sequence[str], constant: bool, ranges: Sequence[tuple[Array, Array]], free: Free) -> str:
+def _shown_by_swing(free: Free, run: Run, theta: Array, noise: Array, directions: Sequence[Array]) -> list[bool]:
+    """Whether a run as long, in which all speeds swing about their means, would tell the combinations."""
+    low, high = speeds(run.predictor._case.regime, run.duration)
+    wheels = []
+    for i, wheel in enumerate(free.stand.flywheels):
+        mean = 0.5 * float(low[i] + high[i])
+        swing = max(SWING * abs(mean), LEAST_SWING)
+        wheels.append(FlywheelRegime(wheel.name, Harmonic(mean, swing, 3.0 + 0.7 * i, 0.5 * i), 0.3 * i))
+    count = min(TRIAL, run.predictor.count)
+    regime = Regime("trial", tuple(wheels), {})
+    predictor = Predictor(free.stand, regime, run.channels, 0.0, run.predictor.every, count)
+    found = slopes(predictor, free, theta, np.zeros(START))
+    J = np.concatenate([found.by_start * START_SCALE, found.by_theta * free.scale], axis=2)
+    J = (J - J.mean(axis=0)) / noise[:, None]
+    R = triangle(J.reshape(-1, J.shape[2]))[START:, START:] * math.sqrt(run.predictor.count / count)
+    return [bool(LARGE * np.linalg.norm(R @ each) > 1.0) for each in directions]
+
+
+def _advice(
+    names: Sequence[str], constant: bool, changing: bool, ranges: Sequence[tuple[Array, Array]], free: Free
+) -> str:
     many = "their combination is" if len(names) > 1 else "is"
     still = [
         wheel.name
@@ -78,8 +118,13 @@ def _advice(names: Sequence[str], constant: bool, ranges: Sequence[tuple[Array, 
     own = [name.split(".")[0] for name in names if name.split(".")[0] in still]
     if own:
         return f"{many} not seen in the data: {', '.join(dict.fromkeys(own))} stands still, let it turn"
-    if constant:
+    if constant and changing:
         return f"{many} not seen at constant speeds: add a run in which the speeds of the flywheels change"
+    if constant:
+        return (
+            f"{many} not seen at constant speeds, nor would it be if they changed: keep it as it is, or add a "
+            "sensor at another place"
+        )
     return (
         f"{many} not seen in this motion: add a run with other speeds, or a sensor at another place; or keep one fixed"
     )
