@@ -178,10 +178,10 @@ def page(found: Figures) -> str:
         f"{found['trials']} trials of {found['truths']} true stands with different seeds of noise. Each: bench8 on its "
         f"suspension, eight constant speeds from {min(map(abs, SPEEDS)):g} to {max(map(abs, SPEEDS)):g} rad/s, "
         f"{DURATION:g} s at {1 / EVERY:g} Hz of one six-axis IMU with white noise of 1/{RATIO:g} of the rms of each "
-        f"channel and a known delay of {1e6 * DELAY:g} us, encoders of {COUNTS} counts. True static unbalances are of "
+        f"channel, known delay of {DELAY / EVERY:g} samples, encoders of {COUNTS} counts. True static unbalances are "
         f"{1e6 * STATIC[0]:g} to {1e6 * STATIC[1]:g} g mm, dynamic ones of {1e9 * DYNAMIC[0]:g} to "
         f"{1e9 * DYNAMIC[1]:g} g mm2, at any angles. The estimation begins at the numbers of bench8, whose own dynamic "
-        "unbalances are a tenth of these and below: at this noise they would not be told within 5 %.\n\n"
+        "unbalances are a tenth of these and below: at this noise 5 % of them cannot be promised.\n\n"
         f"{TABLE.text(judged(found))}"
     )
 
@@ -190,7 +190,7 @@ CAMPAIGN = Campaign(
     "identification",
     campaign.Block("docs/results/identification.md", "campaign: tools/identify_campaign.py --write"),
     page,
-    ("out/identify", "use/measured", "use/study", "identify_campaign.py"),
+    ("out/identify", "proof/reference", "use/measured", "use/study", "identify_campaign.py"),
 )
 
 
