@@ -62,6 +62,7 @@ help:
 	@echo "make plan-campaign  how often and how fast programmes are found: docs/results/planning.md, run-ups too; hours"
 	@echo "make ocp-campaign  (13) by IPOPT on bench8 and random stands: docs/results/optimal-control.md; minutes"
 	@echo "make jitter-campaign  jitter against the C, time of a sweep: docs/results/jitter.md, docs/results/jitter-sweep.md"
+	@echo "make identify-campaign  unbalances of eight flywheels from data of the reference: docs/results/identification.md; half an hour"
 	@echo "make linear-campaign  linear models against CasADi, steady states against the C: docs/results/linear.md, docs/results/response.md"
 	@echo "make jitter-picture  the sweep that the README shows: docs/jitter.svg"
 	@echo "make satellite-picture  the jitter of the satellite's tutorial: docs/satellite-jitter.svg"
@@ -232,6 +233,9 @@ traceability-page: setup-test
 
 commands-page: setup-test
 	$(BIN)/python tools/commands_page.py
+
+identify-campaign: setup-test
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python tools/identify_campaign.py --write
 
 jitter-campaign: setup-test
 	$(BIN)/python tools/jitter_campaign.py --write

@@ -36,6 +36,7 @@ NOT_SAMPLED = {
     "profile": "wall-clock times of one machine",
     "install": "times of one machine and its network",
     "jitter-sweep": "wall-clock times of one machine",
+    "identification": "minutes of the literal reference; tests identify two flywheels from its data",
     "fuzzing": "its inputs grow from campaign to campaign; `make fuzz-quick` runs the same harnesses",
     "benchmarks": "times of one machine beside those of peers; `make bench-gate` counts our instructions again",
     "proofs": "a quarter of an hour of Frama-C; `make proofs-quick` repeats some",

@@ -20,6 +20,7 @@ TOOLS = (
     "verify_campaign",
     "float_bounds",
     "jitter_campaign",
+    "identify_campaign",
     "linear_campaign",
     "plan_campaign",
     "refusal_campaign",

@@ -49,6 +49,7 @@ ELSEWHERE = {
     **dict.fromkeys(("campaign run", "campaign status", "campaign resume"), "test_campaign.py"),
     "cost": "test_cost.py",
     "excite": "test_excite.py",
+    "identify": "../identify/test_identify.py",
     "judge-log": "test_judge_log.py",
     "replay": "test_replay.py",
 }

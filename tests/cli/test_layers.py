@@ -26,6 +26,7 @@ CALLS: dict[str, tuple[str, ...]] = {
     "quiet": ("--point", "base", "--band", "1..2Hz", "--momentum", "0 0 0"),
     "balance": ("--influence", "rotor.json"),
     "balance_stand": ("--data", "run.csv"),
+    "identify": ("--data", "run.csv", "--free", "carrier.mass", "-o", "new.toml"),
     "rest": (),
     "modes": (),
     "linearize": ("-o", "model.json"),

@@ -23,6 +23,7 @@ from mahovik.out.cli.excite import excite
 from mahovik.out.cli.export import export
 from mahovik.out.cli.generate import generate
 from mahovik.out.cli.group import Commands
+from mahovik.out.cli.identify import identify
 from mahovik.out.cli.import_model import import_model
 from mahovik.out.cli.jitter import jitter
 from mahovik.out.cli.judge import judge
@@ -43,10 +44,12 @@ from mahovik.out.cli.verify_programme import verify_programme
 SECTIONS = {
     "A stand": (new, import_model, check, derive, rest),
     "Its C, and the evidence": (generate, verify, judge, cost, evidence, judge_log),
-    "Motion, vibration": (evaluate, simulate, replay, modes, linearize, response, jitter, quiet, balance, campaign),
+    "Motion, vibration": (
+        evaluate, simulate, replay, modes, linearize, response, jitter, quiet, balance, identify, campaign,
+    ),
     "Programmes of the flywheels": (plan, excite, design, verify_programme),
     "Interfaces and tools": (report, plot, export, doctor, completion),
-}
+}  # fmt: skip
 """Commands under the headings of `--help`, in the order of use; all fit on a screen of 40 lines."""
 
 

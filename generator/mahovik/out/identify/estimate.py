@@ -1,4 +1,4 @@
-"""Least squares of free numbers over runs: Gauss-Newton in a trust region, with exact model and weighted channels.
+"""Least squares of free numbers over runs, with the exact model and channels weighted by their noise.
 
 Unknown besides the free numbers are the initial state of each run and a constant offset of each channel; offsets are
 eliminated by centring. Weak priors of PRIOR natural sizes keep what no channel tells at its value in the stand file.
@@ -8,30 +8,38 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import least_squares
 
 from mahovik.errors import StandError, StateError, UsageError
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.identify.free import Free
+from mahovik.out.identify.gauss_newton import Loss, minimise, triangle, weights_of
 from mahovik.out.identify.jacobian import START_SCALE, slopes, values
 from mahovik.out.identify.predict import START
 from mahovik.out.identify.run import Run, noise_of
+from mahovik.out.identify.sight import weak_directions
 
 Array = NDArray[np.float64]
-Loss = Literal["linear", "soft_l1", "huber"]
 
 PRIOR = 100.0
 """Standard deviation of the priors of free numbers, in natural sizes."""
 
+HELD = 1e-6
+"""Standard deviation of the priors of combinations that no channel tells, in natural sizes."""
+
 PRIOR_START = 10.0
-"""The same of initial states."""
+"""Standard deviation of the priors of initial states, in natural sizes."""
 
 LINEAR = 0.02
 """A jacobian is kept while its prediction of a change of residuals is as good as this share of the change."""
+
+SIGMA = 1.4826
+"""Standard deviation of a normal distribution over its median absolute deviation."""
+
+LEAST_NOISE = 1e-9
+"""Least noise of a channel, of 1 SI and its spread."""
 
 ROUNDS = 2
 """Fits with weights by the residuals of the fit before."""
@@ -70,9 +78,21 @@ class Problem:
         self.scale = free.scale
         self.k = 0 if fixed else len(theta)
         self.noise = [noise_of(run.measured) for run in runs]
-        self._kept: tuple[Array, Array, Array] | None = None
-        self._seen: dict[bytes, Array] = {}
+        self._kept: tuple[Array, Array, list[Array]] | None = None
+        self._units = [noise.copy() for noise in self.noise]
+        self._seen: dict[bytes, list[tuple[Array, Array]]] = {}
         self.slopes: list[tuple[Array, Array]] = []
+        self._held = np.zeros((0, self.k))
+
+    def hold(self, directions: Sequence[Array]) -> None:
+        """Keep these combinations of free numbers, unit vectors in natural sizes, as in the stand file."""
+        self._held = np.array(directions).reshape(-1, self.k)
+
+    def without_held(self, z: Array) -> Array:
+        """z with the held combinations at their values in the stand file."""
+        found = z.copy()
+        found[: self.k] -= self._held.T @ (self._held @ z[: self.k])
+        return found
 
     @property
     def size(self) -> int:
@@ -85,13 +105,19 @@ class Problem:
         theta[: self.k] += self.scale[: self.k] * z[: self.k]
         return theta, z[self.k :].reshape(-1, START) * START_SCALE
 
-    def reweigh(self, z: Array) -> None:
-        """Take the noise of each channel from its residuals."""
-        self.noise = [np.maximum(np.sqrt(np.nanmean(r**2, axis=0)), 1e-12) for r, _ in self.differences(z)]
-        self._kept, self._seen = None, {}
+    def reweigh(self, z: Array, loss: Loss) -> None:
+        """Take the noise of each channel from its residuals; with a robust loss by their median, as outliers are in."""
+        found = []
+        for (r, _), run in zip(self.differences(z), self.runs, strict=True):
+            size = np.sqrt(np.nanmean(r**2, axis=0)) if loss == "linear" else SIGMA * np.nanmedian(np.abs(r), axis=0)
+            found.append(np.maximum(size, LEAST_NOISE * (1.0 + np.nanstd(run.measured, axis=0))))
+        self.noise = found
 
     def differences(self, z: Array) -> list[tuple[Array, Array]]:
-        """Measured minus predicted, centred (T, C), and offsets (C), of each run."""
+        """Measured minus predicted, centred (T, C), and offsets (C), of each run. Raises StandError, StateError."""
+        key = z.tobytes()
+        if key in self._seen:
+            return self._seen[key]
         theta, starts = self.split(z)
         found = []
         for run, start in zip(self.runs, starts, strict=True):
@@ -99,50 +125,72 @@ class Problem:
             difference = run.measured - run.at_samples(course[:, :, None])[:, :, 0]
             offset = np.nanmean(difference, axis=0)
             found.append((difference - offset, offset))
+        self._seen = {key: found}
         return found
 
     def residuals(self, z: Array) -> Array:
         """Weighted residuals, then priors; NaN for a stand that cannot be, from which the search turns back."""
-        key = z.tobytes()
-        if key not in self._seen:
-            try:
-                parts = [
-                    _there(difference / noise, run)
-                    for (difference, _), noise, run in zip(self.differences(z), self.noise, self.runs, strict=True)
-                ]
-                self._seen = {key: np.concatenate([*parts, self._priors * z])}
-            except (StandError, StateError):
-                return np.full(sum(int(run.there.sum()) for run in self.runs) + self.size, np.nan)
-        return self._seen[key]
+        try:
+            found = self.differences(z)
+        except (StandError, StateError):
+            return np.full(sum(int(run.there.sum()) for run in self.runs) + len(self.prior_rows), np.nan)
+        parts = [_there(r / noise, run) for (r, _), noise, run in zip(found, self.noise, self.runs, strict=True)]
+        return np.concatenate([*parts, self.prior_rows @ z])
 
     @property
     def _priors(self) -> Array:
         return np.concatenate([np.full(self.k, 1.0 / PRIOR), np.full(START * len(self.runs), 1.0 / PRIOR_START)])
 
-    def jacobian(self, z: Array) -> Array:
-        """Derivatives of the residuals; those of a z before, while the residuals change as they say."""
-        now = self.residuals(z)
-        if self._kept is not None:
-            at, before, J = self._kept
-            change = now - before
-            if np.linalg.norm(change - J @ (z - at)) <= LINEAR * np.linalg.norm(change):
-                return J
+    @property
+    def prior_rows(self) -> Array:
+        """Priors, then held combinations, as rows of the residuals."""
+        held = np.zeros((len(self._held), self.size))
+        held[:, : self.k] = self._held / HELD
+        return np.concatenate([np.diag(self._priors), held])
+
+    def jacobian(self, z: Array, exact: bool = False) -> Array:
+        """Derivatives of the residuals; those of a z before, while the channels change as they say, unless exact."""
+        found = self._kept_slopes(z, exact)
+        rows = []
+        for r, (run, own) in enumerate(zip(self.runs, found, strict=True)):
+            whole = np.zeros((len(own), self.size))
+            noise = np.broadcast_to(self.noise[r], run.measured.shape)[run.there][:, None]
+            whole[:, : self.k] = -own[:, : self.k] / noise
+            whole[:, self.k + START * r : self.k + START * (r + 1)] = -own[:, self.k :] / noise
+            rows.append(whole)
+        return np.concatenate([*rows, self.prior_rows])
+
+    def _kept_slopes(self, z: Array, exact: bool) -> list[Array]:
+        """Derivatives of the centred channels at the samples (n, k + 12) of each run, in natural sizes."""
+        rows = zip(self.differences(z), self._units, self.runs, strict=True)
+        now = np.concatenate([_there(difference / units, run) for (difference, _), units, run in rows])
+        if self._kept is not None and not (exact and not np.array_equal(self._kept[0], z)):
+            at, before, found = self._kept
+            if self._is_near(z - at, now - before, found):
+                return found
         theta, starts = self.split(z)
-        rows, self.slopes = [], []
-        for r, (run, start) in enumerate(zip(self.runs, starts, strict=True)):
-            found = slopes(run.predictor, self.free, theta, start)
-            by_theta = run.at_samples(found.by_theta)[:, :, : self.k]
-            by_start = run.at_samples(found.by_start)
+        found, self.slopes = [], []
+        for run, start in zip(self.runs, starts, strict=True):
+            at_start = slopes(run.predictor, self.free, theta, start)
+            by_theta = run.at_samples(at_start.by_theta)[:, :, : self.k]
+            by_start = run.at_samples(at_start.by_start)
             self.slopes.append((by_theta, by_start))
-            own = np.zeros((*run.measured.shape, self.size))
-            own[:, :, : self.k] = by_theta * self.scale[: self.k]
-            own[:, :, self.k + START * r : self.k + START * (r + 1)] = by_start * START_SCALE
-            own = np.where(run.there[:, :, None], own, np.nan)
+            own = np.concatenate([by_theta * self.scale[: self.k], by_start * START_SCALE], axis=2)
+            own[~run.there] = np.nan
             own -= np.nanmean(own, axis=0)
-            rows.append(-_there(own / self.noise[r][:, None], run))
-        J = np.concatenate([*rows, np.diag(self._priors)])
-        self._kept = z.copy(), now, J
-        return J
+            found.append(own[run.there])
+        self._kept = z.copy(), now, found
+        return found
+
+    def _is_near(self, by: Array, change: Array, found: list[Array]) -> bool:
+        """Whether kept derivatives predict a change of the channels to the share LINEAR of it."""
+        row, left = 0, 0.0
+        for r, (run, own) in enumerate(zip(self.runs, found, strict=True)):
+            part = np.concatenate([by[: self.k], by[self.k + START * r : self.k + START * (r + 1)]])
+            units = np.broadcast_to(self._units[r], run.measured.shape)[run.there]
+            left += float(np.sum((change[row : row + len(own)] + own @ part / units) ** 2))
+            row += len(own)
+        return left <= LINEAR**2 * float(change @ change)
 
 
 def estimate(
@@ -162,25 +210,31 @@ def estimate(
     z = np.zeros(problem.size)
     for k in range(1 + ROUNDS):
         tell(progress, Progress("fit", k, 1 + ROUNDS))
-        first: Any = least_squares(
-            problem.residuals, z, problem.jacobian, method="trf", loss=loss, x_scale=1.0, xtol=1e-9, ftol=1e-9,
-            gtol=1e-12, max_nfev=60,
-        )  # fmt: skip
-        z = first.x
-        problem.reweigh(z)
-    return _result(problem, z, loss)
+        z = minimise(problem.residuals, problem.jacobian, z, loss)
+        problem.reweigh(z, loss)
+    information = _information(problem, z, loss)
+    weak = weak_directions(information)
+    if weak:
+        problem.hold(weak)
+        z = minimise(problem.residuals, problem.jacobian, problem.without_held(z), loss)
+        problem.reweigh(z, loss)
+        information = _information(problem, z, loss)
+    return _result(problem, z, information)
 
 
-def _result(problem: Problem, z: Array, loss: Loss) -> Fit:
-    """The estimate at z, with its covariance by the weights of its own residuals."""
+def _information(problem: Problem, z: Array, loss: Loss) -> Array:
+    """Triangular factor (k, k) of the inverse covariance, in natural sizes, with unknown starts, without priors."""
+    k, extra = problem.k, problem.size - problem.k
     J = problem.jacobian(z)
+    data = (J * np.sqrt(weights_of(problem.residuals(z), loss))[:, None])[: -len(problem.prior_rows)]
+    nuisance = np.concatenate([data[:, k:], problem.prior_rows[k : problem.size, k:]])
+    whole = np.concatenate([nuisance, np.concatenate([data[:, :k], np.zeros((extra, k))])], axis=1)
+    return triangle(whole)[extra:, extra:]
+
+
+def _result(problem: Problem, z: Array, information: Array) -> Fit:
+    """The estimate at z, with its covariance by the weights of its own residuals."""
     k = problem.k
-    if loss != "linear":
-        J = J * np.sqrt(_weights(problem.residuals(z), loss))[:, None]
-    data = J[: len(J) - problem.size]
-    nuisance = np.concatenate([data[:, k:], np.diag(problem._priors[k:])])
-    R = np.linalg.qr(np.block([[nuisance, np.concatenate([data[:, :k], np.zeros((problem.size - k, k))])]]), mode="r")
-    information = R[problem.size - k :, problem.size - k :]
     scale = problem.scale[:k]
     whole = np.concatenate([information, np.eye(k) / PRIOR])
     inverse = np.linalg.pinv(whole.T @ whole) if k else np.zeros((0, 0))
@@ -193,14 +247,6 @@ def _result(problem: Problem, z: Array, loss: Loss) -> Fit:
     )  # fmt: skip
 
 
-def _weights(residuals: Array, loss: Loss) -> Array:
-    """Weights of residuals, as the robust loss has them at its scale 1."""
-    squares = residuals**2
-    if loss == "huber":
-        return np.asarray(1.0 / np.maximum(1.0, np.sqrt(squares)))
-    return np.asarray(1.0 / np.sqrt(1.0 + squares))
-
-
 def _there(array: Array, run: Run) -> Array:
-    """Rows of samples that are there, (n) or (n, k)."""
+    """Rows of the samples that exist, (n) or (n, k)."""
     return array[run.there]

@@ -17,7 +17,7 @@ from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.units import TIME, Dimension
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
-from mahovik.out.api.model import Model
+from mahovik.out.api.model import Model, build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
 from mahovik.out.campaign.distributions import Fixed
@@ -33,7 +33,7 @@ SHARE = 0.02
 SMALL_LENGTH, SMALL_ANGLE = 0.01, 0.02
 """Sizes of places (m) and directions (rad) that are zero in the file."""
 
-STEP = 1e-3
+STEP = 1e-4
 """Step of central differences, of the scale of a number."""
 
 DELAY = "delay"
@@ -90,7 +90,7 @@ class Free:
 
     def __init__(self, model: Model, paths: Sequence[str]) -> None:
         """`paths`: as `Places.found` takes them; also `NAME.unbalance`, all of it, and `POINT.delay`."""
-        self.model, self.stand = model, Stand.of(model.stand)
+        self.stand = Stand.of(model.stand)
         places = Places(self.stand)
         found: dict[str, Place] = {}
         delays: list[str] = []
@@ -105,6 +105,8 @@ class Free:
                 found |= {place.path: place for place in places.found(each)}
         if not found and not delays:
             raise UsageError("--free: expected at least one path, such as w*.unbalance")
+        self.stand = places.stand()  # its lists are numbers, so that one element can be set
+        self.model = build(self.stand)
         self.delays = tuple(dict.fromkeys(delays))
         self.entries = tuple(_entries(found, self.stand))
         self._draw = Draw(tuple(Parameter(place, Fixed(place.nominal), None) for place in found.values()), (), None,

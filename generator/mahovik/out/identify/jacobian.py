@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.errors import StandError
 from mahovik.out.identify.free import STEP, Free
 from mahovik.out.identify.predict import START, Predictor
 
@@ -51,10 +52,36 @@ def slopes(predictor: Predictor, free: Free, theta: Array, start: Array, with_st
                 thetas[i, j] += sign * steps[i]
             else:
                 starts[j, i - k] += sign * steps[i]
-    found = predictor(free.tables(thetas), starts)
+    try:
+        tables = free.tables(thetas)
+    except StandError:
+        thetas = _possible(free, thetas)
+        tables = free.tables(thetas)
+    found = predictor(tables, starts)
     found, by_delay = _delayed(predictor, free, found, theta[k:])
-    rates = (found[:, :, 1::2] - found[:, :, 2::2]) / (2.0 * steps)
+    between = 2.0 * steps
+    between[:k] = [thetas[i, 1 + 2 * i] - thetas[i, 2 + 2 * i] for i in range(k)]
+    rates = (found[:, :, 1::2] - found[:, :, 2::2]) / between
     return Slopes(found[:, :, 0], np.concatenate([rates[:, :, :k], by_delay], axis=2), rates[:, :, k:])
+
+
+def _possible(free: Free, thetas: Array) -> Array:
+    """The thetas, those of stands that cannot be replaced by the first: at a bound differences are one-sided.
+
+    Raises StandError: the first cannot be, or neither side of a number.
+    """
+    found = thetas.copy()
+    for i in range(len(thetas)):
+        refusals = []
+        for j in (1 + 2 * i, 2 + 2 * i):
+            try:
+                free.tables(thetas[:, j : j + 1])
+            except StandError as error:
+                refusals.append(error)
+                found[:, j] = thetas[:, 0]
+        if len(refusals) == 2:
+            raise refusals[0]
+    return found
 
 
 def _delayed(predictor: Predictor, free: Free, course: Array, delays: Array) -> tuple[Array, Array]:

@@ -20,7 +20,7 @@ from mahovik.use.measured.recording import Recording
 Array = NDArray[np.float64]
 
 DEGREE = 5
-"""Of splines: the acceleration of a flywheel is smooth, too."""
+"""Degree of the splines: the acceleration of a flywheel is smooth, too."""
 
 FEWEST = 10
 """Samples an interval of a spline has at least."""

@@ -46,7 +46,7 @@ class Run:
 
     @property
     def channels(self) -> tuple[Channel, ...]:
-        """What is measured."""
+        """Measured channels."""
         return self.predictor.channels
 
     @property
@@ -112,4 +112,4 @@ def noise_of(measured: Array) -> Array:
         values = np.diff(column[np.isfinite(column)], 4)
         found.append(1.4826 * np.median(np.abs(values)) / np.sqrt(70.0) if len(values) else 0.0)
     least = 1e-6 * np.nanstd(measured, axis=0) + 1e-12
-    return np.maximum(np.array(found), least)
+    return np.asarray(np.maximum(np.array(found), least))

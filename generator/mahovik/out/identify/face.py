@@ -1,0 +1,244 @@
+"""`identify`: numbers of a stand from measured data."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from mahovik.errors import UsageError
+from mahovik.nearest import suggestion
+from mahovik.out.api.stands import Stand
+from mahovik.out.functions.given import Number, StandGiven, quantity
+from mahovik.out.functions.notices import OnProgress
+from mahovik.out.functions.table import Column, Table
+
+if TYPE_CHECKING:
+    from mahovik.core.stand.units import Dimension
+    from mahovik.out.api.fields import Array
+    from mahovik.out.campaign.places import Place
+    from mahovik.out.identify.estimate import Fit
+    from mahovik.out.identify.free import Free
+    from mahovik.out.identify.run import Run
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """An estimated number in SI, its standard error (NaN where it has none), and its value in the stand file."""
+
+    path: str
+    value: float
+    unit: str
+    standard_error: float
+    before: float
+
+
+@dataclass(frozen=True)
+class ChannelFit:
+    """One channel: rms of what is left, SI; its share of the rms of the data; its constant offset, SI."""
+
+    unit: str
+    residual: float
+    share: float
+    offset: float
+
+
+@dataclass(frozen=True, eq=False)
+class Identification(Table):
+    """Estimated numbers of a stand: a row per number.
+
+    stand         with the estimated numbers
+    parameters    by path
+    correlation   of the parameters (k, k); NaN where a number has no standard error
+    unobservable  one line each: numbers that the data cannot tell, and what would show them
+    channels      what is left of each channel, by run and name
+    residual      rms of what is left, as a share of the rms of the data; mean over the channels
+    check         the same of data that were not used, with the estimated numbers and with those of the file; None
+    notes         what was found in the data, and corrected
+    """
+
+    stand: Stand
+    parameters: Mapping[str, Parameter]
+    correlation: Array
+    unobservable: tuple[str, ...]
+    channels: Mapping[str, Mapping[str, ChannelFit]]
+    residual: float
+    check: tuple[float, float] | None
+    notes: tuple[str, ...]
+    _places: tuple[Place, ...] = field(repr=False)
+
+    index = "path"
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        rows = list(self.parameters.values())
+        return (
+            Column("path", "", np.array([each.path for each in rows], dtype=object)),
+            Column("value", "SI", np.array([each.value for each in rows])),
+            Column("standard error", "SI", np.array([each.standard_error for each in rows])),
+            Column("before", "SI", np.array([each.before for each in rows])),
+        )
+
+    def text(self, file: str | Path) -> str:
+        """The text of a stand file with the estimated numbers: comments, order and units stay. Raises UsageError."""
+        from mahovik.out.identify.document import with_numbers
+
+        try:
+            return with_numbers(Path(file).read_text(encoding="utf-8-sig"), self.stand, self._places)
+        except (OSError, UnicodeDecodeError) as error:
+            raise UsageError(f"{file}: cannot be read: {error}") from None
+
+    def to_dict(self) -> dict[str, Any]:
+        """All figures, as `mahovik identify --json` prints them."""
+        found: dict[str, Any] = {
+            "stand": self.stand.name,
+            "parameters": {
+                each.path: {"value": each.value, "unit": each.unit, "standard_error": _finite(each.standard_error)}
+                | {"before": each.before}
+                for each in self.parameters.values()
+            },
+            "correlation": [[_finite(x) for x in row] for row in self.correlation.tolist()],
+            "unobservable": list(self.unobservable),
+            "residual": self.residual,
+            "channels": {
+                run: {name: dict(vars(each)) for name, each in channels.items()}
+                for run, channels in self.channels.items()
+            },
+            "notes": list(self.notes),
+        }
+        if self.check is not None:
+            found["check"] = {"residual": self.check[0], "before": self.check[1]}
+        return found
+
+    def __repr__(self) -> str:
+        lost = f", {len(self.unobservable)} unobservable" if self.unobservable else ""
+        return f"<Identification of {self.stand.name}: {len(self)} numbers{lost}, residual {100 * self.residual:.3g} %>"
+
+
+def identify(
+    stand: StandGiven,
+    data: str | Path | Sequence[str | Path],
+    free: str | Sequence[str],
+    *,
+    check: Sequence[str | Path] = (),
+    delay: Mapping[str, Number] | None = None,
+    loss: str = "linear",
+    progress: OnProgress | None = None,
+) -> Identification:
+    """Estimate numbers of a stand from measured data, by least squares with the exact model.
+
+    stand  with the sensors as points
+    data   files of measured data: channels of sensors, and phases of all flywheels
+    free   paths of the stand file, such as "w*.unbalance", or a file that names them and ends in .toml
+    check  files of data that are only predicted
+    delay  known delays of sensors, by point, s or texts with a unit
+    loss   "linear"; "soft_l1" or "huber" where samples are outliers
+
+    Raises DataError, StandError, StateError, UsageError.
+    """
+    from mahovik.core.stand.units import TIME
+    from mahovik.out.api.model import build
+    from mahovik.out.campaign.signals import sensors
+    from mahovik.out.identify.arrangement import wrong_axes
+    from mahovik.out.identify.estimate import estimate
+    from mahovik.out.identify.free import Free
+    from mahovik.out.identify.gauss_newton import LOSSES
+    from mahovik.out.identify.run import runs_of
+    from mahovik.out.identify.sight import unobservable
+    from mahovik.out.identify.wanted import Wanted, wanted_of
+    from mahovik.use.measured import read_recordings
+
+    if loss not in LOSSES:
+        raise UsageError(f'loss: unknown "{loss}"{suggestion(loss, LOSSES)}, expected {", ".join(LOSSES)}')
+    own = Stand.of(stand)
+    wanted = wanted_of(free) if isinstance(free, str) else Wanted(tuple(free))
+    delays = wanted.delays | {name: quantity(f"delay of {name}", each, TIME) for name, each in (delay or {}).items()}
+    for name in delays:
+        if name not in sensors(own):
+            raise UsageError(f'delay: {own.name} has no point or instrument "{name}"{suggestion(name, sensors(own))}')
+    numbers = Free(build(own), wanted.paths)
+    recordings = read_recordings(_files(data), own)
+    others = read_recordings(_files(check), own) if check else ()
+    runs = runs_of(recordings, own, None, delays)
+    fit = estimate(numbers, runs, loss, progress=progress)
+    new = _stand_of(numbers, fit)
+    checked = None
+    if others:
+        tests = runs_of(others, own, None, delays)
+        checked = tuple(
+            _share(tests, estimate(numbers, tests, loss, theta=theta, fixed=True))
+            for theta in (fit.theta, numbers.nominal)
+        )
+    notes = [note for each in (*recordings, *others) for note in each.notes]
+    return Identification(
+        new,
+        _parameters(numbers, fit),
+        _correlation(_covariance(numbers, fit)),
+        tuple(unobservable(numbers, runs, fit.theta, fit.information, fit.noise)),
+        {run.source: _channels(run, fit, r) for r, run in enumerate(runs)},
+        _share(runs, fit),
+        None if checked is None else (checked[0], checked[1]),
+        (*notes, *wrong_axes(fit, runs)),
+        tuple(place for entry in numbers.entries for place in entry.places),
+    )
+
+
+def _files(given: str | Path | Sequence[str | Path]) -> list[Path]:
+    return [Path(given)] if isinstance(given, str | Path) else [Path(each) for each in given]
+
+
+def _stand_of(free: Free, fit: Fit) -> Stand:
+    """The stand with the estimated numbers. Raises StandError."""
+    if not free.size:
+        return free.stand
+    return free.stand.replace({put: values[0] for put, values in free.changes(fit.theta[:, None]).items()})
+
+
+def _covariance(free: Free, fit: Fit) -> Array:
+    """Covariance of the values of the paths (k, k)."""
+    slopes = free.slopes(fit.theta)
+    found: Array = slopes @ fit.covariance @ slopes.T
+    return found
+
+
+def _correlation(covariance: Array) -> Array:
+    size = np.sqrt(np.diag(covariance))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        found: Array = covariance / np.outer(size, size)
+    return found
+
+
+def _parameters(free: Free, fit: Fit) -> dict[str, Parameter]:
+    values, before = (free.values(theta[:, None])[:, 0].tolist() for theta in (fit.theta, free.nominal))
+    errors = np.sqrt(np.diag(_covariance(free, fit))).tolist()
+    rows = zip(free.paths, values, free.dimensions, errors, before, strict=True)
+    return {path: Parameter(path, value, _unit(of), error, old) for path, value, of, error, old in rows}
+
+
+def _unit(dimension: Dimension) -> str:
+    return dimension.si or "1"
+
+
+def _channels(run: Run, fit: Fit, r: int) -> dict[str, ChannelFit]:
+    left, spread = _sizes(run, fit, r)
+    rows = zip(run.channels, left.tolist(), (left / spread).tolist(), fit.offsets[r].tolist(), strict=True)
+    return {channel.name: ChannelFit(channel.unit, size, share, offset) for channel, size, share, offset in rows}
+
+
+def _sizes(run: Run, fit: Fit, r: int) -> tuple[Array, Array]:
+    """Rms of what is left of the channels, and of their data without mean (C)."""
+    left = np.sqrt(np.nanmean(fit.residuals[r] ** 2, axis=0))
+    return left, np.maximum(np.nanstd(run.measured, axis=0), 1e-300)
+
+
+def _share(runs: Sequence[Run], fit: Fit) -> float:
+    shares = [left / spread for left, spread in (_sizes(run, fit, r) for r, run in enumerate(runs))]
+    return float(np.sqrt(np.mean(np.concatenate(shares) ** 2)))
+
+
+def _finite(x: float) -> float | None:
+    return x if math.isfinite(x) else None

@@ -1,0 +1,152 @@
+"""Combinations of free numbers that the data cannot tell, and motion that would show them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.motion.laws import Harmonic
+from mahovik.core.motion.regime import FlywheelRegime, Regime
+from mahovik.out.identify.free import Free
+from mahovik.out.identify.gauss_newton import triangle
+from mahovik.out.identify.jacobian import START_SCALE, slopes
+from mahovik.out.identify.phases import speeds
+from mahovik.out.identify.predict import START, Predictor
+from mahovik.out.identify.run import Run
+
+Array = NDArray[np.float64]
+
+LARGE = 0.5
+"""A combination whose standard deviation is above this, in natural sizes of its numbers, is unobservable."""
+
+PART = 0.3
+"""Numbers with at least this part of the largest one in a combination are named."""
+
+STEADY = 0.01
+"""A speed that changes by less than this share of its size counts as constant."""
+
+TURNS = 2.0
+"""Flywheels whose angles differ by fewer turns than this in all runs count as of one speed."""
+
+
+SWING, LEAST_SWING = 0.3, 5.0
+"""Amplitude of the speeds of a trial motion: share of the speed, and least, rad/s."""
+
+TRIAL = 2000
+"""Samples of a trial motion."""
+
+
+def unobservable(
+    free: Free, runs: Sequence[Run], theta: Array, information: Array, noise: Sequence[Array]
+) -> list[str]:
+    """Lines about combinations that the data cannot tell. `information`, `noise`: see `Fit`."""
+    ranges = [speeds(run.predictor._case.regime, run.duration) for run in runs]
+    same = _of_one_speed(free, runs, ranges)
+    lines = []
+    for a, b, speed, apart in same:
+        lines.append(
+            f"{a}.unbalance, {b}.unbalance: {a} and {b} turn at one speed, {speed:.4g} rad/s, in all data, so their "
+            f"vibration is of one frequency: let the speeds differ by {apart:.2g} rad/s or more, or add a run that does"
+        )
+    constant = all(bool(np.all(high - low <= STEADY * np.abs(high) + 1e-6)) for low, high in ranges)
+    together = {name for a, b, *_ in same for name in (a, b)}
+    weak = weak_directions(information)
+    shown = _shown_by_swing(free, runs[0], theta, noise[0], weak) if weak and constant else [False] * len(weak)
+    told: set[frozenset[str]] = set()
+    for direction, changing in zip(weak, shown, strict=True):
+        names = _named(free, direction)
+        if frozenset(names) in told:
+            continue
+        told.add(frozenset(names))
+        if names and all(".unbalance." in name and name.split(".")[0] in together for name in names):
+            continue
+        lines.append(f"{', '.join(names)}: {_advice(names, constant, changing, ranges, free)}")
+    return lines
+
+
+def weak_directions(information: Array) -> list[Array]:
+    """Unit vectors (k), in natural sizes, along which the standard deviation is above LARGE."""
+    if not information.size:
+        return []
+    _, sigma, rows = np.linalg.svd(information, full_matrices=True)
+    size = np.concatenate([sigma, np.zeros(len(rows) - len(sigma))])
+    return [row for row, s in zip(rows, size.tolist(), strict=True) if s * LARGE < 1.0]
+
+
+def _named(free: Free, direction: Array) -> list[str]:
+    """Paths of a combination, the largest parts first; an unbalance is named by its amount."""
+    most = float(np.abs(direction).max())
+    found: dict[str, None] = {}
+    names = [path for entry in free.entries for path in ([entry.paths[0]] * len(entry.paths))]
+    names += [f"{point}.delay" for point in free.delays]
+    for i in np.argsort(-np.abs(direction)).tolist():
+        if abs(float(direction[i])) >= PART * most:
+            found.setdefault(names[i])
+    return list(found)
+
+
+def _shown_by_swing(free: Free, run: Run, theta: Array, noise: Array, directions: Sequence[Array]) -> list[bool]:
+    """Whether a run as long, in which all speeds swing about their means, would tell the combinations."""
+    low, high = speeds(run.predictor._case.regime, run.duration)
+    wheels = []
+    for i, wheel in enumerate(free.stand.flywheels):
+        mean = 0.5 * float(low[i] + high[i])
+        swing = max(SWING * abs(mean), LEAST_SWING)
+        wheels.append(FlywheelRegime(wheel.name, Harmonic(mean, swing, 3.0 + 0.7 * i, 0.5 * i), 0.3 * i))
+    count = min(TRIAL, run.predictor.count)
+    regime = Regime("trial", tuple(wheels), {})
+    predictor = Predictor(free.stand, regime, run.channels, 0.0, run.predictor.every, count)
+    found = slopes(predictor, free, theta, np.zeros(START))
+    J = np.concatenate([found.by_start * START_SCALE, found.by_theta * free.scale], axis=2)
+    J = (J - J.mean(axis=0)) / noise[:, None]
+    R = triangle(J.reshape(-1, J.shape[2]))[START:, START:] * math.sqrt(run.predictor.count / count)
+    return [bool(LARGE * np.linalg.norm(R @ each) > 1.0) for each in directions]
+
+
+def _advice(
+    names: Sequence[str], constant: bool, changing: bool, ranges: Sequence[tuple[Array, Array]], free: Free
+) -> str:
+    many = "their combination is" if len(names) > 1 else "is"
+    still = [
+        wheel.name
+        for i, wheel in enumerate(free.stand.flywheels)
+        if all(max(abs(low[i]), abs(high[i])) < 1e-3 for low, high in ranges)
+    ]
+    own = [name.split(".")[0] for name in names if name.split(".")[0] in still]
+    if own:
+        return f"{many} not seen in the data: {', '.join(dict.fromkeys(own))} stands still, let it turn"
+    if constant and changing:
+        return f"{many} not seen at constant speeds: add a run in which the speeds of the flywheels change"
+    if constant:
+        return (
+            f"{many} not seen at constant speeds, nor would it be if they changed: keep it as it is, or add a "
+            "sensor at another place"
+        )
+    return (
+        f"{many} not seen in this motion: add a run with other speeds, or a sensor at another place; or keep one fixed"
+    )
+
+
+def _of_one_speed(
+    free: Free, runs: Sequence[Run], ranges: Sequence[tuple[Array, Array]]
+) -> list[tuple[str, str, float, float]]:
+    """Pairs of flywheels with free unbalances that no run tells apart, their speed, and the speed between that does."""
+    names = [wheel.name for wheel in free.stand.flywheels]
+    asked = {path.split(".")[0] for entry in free.entries for path in entry.paths if ".unbalance." in path}
+    found = []
+    for i, a in enumerate(names):
+        for j in range(i + 1, len(names)):
+            if a not in asked or names[j] not in asked:
+                continue
+            apart = 0.0
+            for run in runs:
+                ends = run.predictor._case.regime.motion(np.linspace(0.0, run.duration, 200))[0]
+                between = np.minimum(np.ptp(ends[:, i] - ends[:, j]), np.ptp(ends[:, i] + ends[:, j]))
+                apart = max(apart, float(between))
+            if apart < TURNS * 2.0 * math.pi:
+                longest = max(run.duration for run in runs)
+                found.append((a, names[j], float(ranges[0][1][i]), TURNS * 2.0 * math.pi / longest))
+    return found

@@ -1,0 +1,73 @@
+"""Measured data for tests of identification: full equations in the steady state, read by the literal reference."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.out.api.stands import Stand
+from mahovik.proof.reference import pieces
+from mahovik.proof.reference.points import points
+from mahovik.stands import path
+from mahovik.use.study.jitter.balance import balance as steady
+
+Array = NDArray[np.float64]
+
+SPEEDS = (150.0, -171.0)
+AXES = "xyz"
+POINT = """
+[[point]]
+name = "imu"  # six axes
+position = ["10 cm", "5 cm", "2 cm"]
+angles = [0.3, 0.2, 0.1]
+"""
+COUNTS = 4096
+
+HEADER = (
+    "time [s]",
+    *(f"imu.acceleration.{x} [m/s2]" for x in AXES),
+    *(f"imu.rate.{x} [rad/s]" for x in AXES),
+)
+
+
+@cache
+def stand_text(flywheels: int = 2) -> str:
+    """Text of bench8 with its first flywheels, encoders and an IMU."""
+    parts = path("bench8").read_text(encoding="utf-8").split("[[flywheel]]")[: flywheels + 1]
+    encoder = f"[flywheel.encoder]\ncounts = {COUNTS}\n\n"
+    return "[[flywheel]]".join([parts[0], *(f"{part.rstrip()}\n{encoder}" for part in parts[1:])]) + POINT
+
+
+def recorded(stand: Stand, speeds: Sequence[float] = SPEEDS, duration: float = 1.0, every: float = 2e-3) -> Array:
+    """Time, six channels and phases (T, 7 + N), without noise, in the periodic steady state of constant speeds."""
+    motion = steady(stand, tuple(speeds))
+    t = np.arange(0.0, duration, every)
+    theta = 0.3 + 0.7 * np.arange(len(speeds)) + np.array(speeds) * t[:, None]
+    _, rates = motion.states(theta)
+    rows = []
+    for i in range(len(t)):
+        seen = points(pieces(stand, motion.state(theta[i])), stand, rates[i, 6:])["imu"]
+        rows.append([t[i], *seen["specific_force"], *seen["twist"][3:], *theta[i]])
+    return np.array(rows)
+
+
+def with_noise(rows: Array, ratio: float, seed: int) -> Array:
+    """The rows with white noise of 1 / ratio of the rms of each channel, and phases as counts."""
+    found = rows.copy()
+    rng = np.random.default_rng(seed)
+    sensors = found[:, 1:7]
+    sensors += rng.normal(size=sensors.shape) * sensors.std(axis=0) / ratio
+    found[:, 7:] = np.floor(found[:, 7:] * COUNTS / (2.0 * np.pi))
+    return found
+
+
+def write_csv(file: Path, rows: Array, quantity: str = "count") -> Path:
+    """A file of data; the phases as `quantity`."""
+    names = [*HEADER, *(f"w{i + 1}.{quantity}" for i in range(rows.shape[1] - 7))]
+    lines = [",".join(names), *(",".join("" if np.isnan(x) else repr(x) for x in row) for row in rows.tolist())]
+    file.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return file

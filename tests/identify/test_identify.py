@@ -1,0 +1,182 @@
+"""`mahovik identify`: unbalances found from data of the literal reference; the file written; mistakes named."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mahovik
+from cli.run import refused, run
+from identify.data import Array, recorded, stand_text, with_noise, write_csv
+
+CHANGED = {
+    "w1.unbalance.static": 0.004,
+    "w1.unbalance.static_at": 0.2,
+    "w2.unbalance.static": 0.005,
+    "w2.unbalance.dynamic": 4e-5,
+}
+"""Numbers of the stand file before; the data are of others."""
+
+
+@pytest.fixture(scope="module")
+def exact() -> Array:
+    """Data without noise of the first two flywheels of bench8."""
+    return recorded(mahovik.Stand.from_dict(_keys()))
+
+
+def _keys() -> dict[str, object]:
+    import tomllib
+
+    return tomllib.loads(stand_text())
+
+
+@pytest.fixture(scope="module")
+def truth() -> mahovik.Stand:
+    return mahovik.Stand.from_dict(_keys())
+
+
+@pytest.fixture
+def files(tmp_path: Path, exact: Array, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with stand.toml, of other unbalances with comments and units, and run.csv with noise."""
+    monkeypatch.chdir(tmp_path)
+    text = stand_text()
+    (tmp_path / "true.toml").write_text(text, encoding="utf-8")
+    (tmp_path / "stand.toml").write_text(text.replace("mass = ", "mass = ", 1), encoding="utf-8")
+    write_csv(tmp_path / "run.csv", with_noise(exact, 10.0, 1))
+    return tmp_path
+
+
+def test_unbalances_are_found_within_their_standard_errors(files: Path, truth: mahovik.Stand) -> None:
+    wanted = mahovik.identify(truth, files / "run.csv", "w*.unbalance")
+    found = mahovik.identify(truth.replace(CHANGED), files / "run.csv", "w*.unbalance")
+    assert not found.unobservable
+    for path, each in found.parameters.items():
+        true = wanted.parameters[path].before
+        assert each.standard_error > 0.0
+        assert abs(each.value - true) < 4.0 * each.standard_error, path
+        assert each.value == pytest.approx(wanted.parameters[path].value, rel=0.0, abs=0.02 * each.standard_error)
+    for name in ("w1", "w2"):
+        static = found.parameters[f"{name}.unbalance.static"]
+        assert static.standard_error < 0.01 * static.value
+    assert found.residual == pytest.approx(0.1, rel=0.1)  # the noise of the data
+
+
+def test_the_file_keeps_its_words_and_units(files: Path) -> None:
+    result = run("identify", "stand.toml", "--data", "run.csv", "--free", "w1.unbalance,imu.position", "-o", "new.toml",
+                 "--json")  # fmt: skip
+    found = json.loads(result.stdout)
+    old, new = ((files / name).read_text(encoding="utf-8").splitlines() for name in ("stand.toml", "new.toml"))
+    changed = [line for line, other in zip(old, new, strict=True) if line != other]
+    assert changed and all(line.split("=")[0].strip() in ("center_of_mass", "inertia", "position") for line in changed)
+    place = next(line for line in new if line.startswith("position") and "cm" in line)
+    assert place.count("cm") == 3
+    parameters = found["parameters"]
+    assert parameters["imu.position[0]"]["unit"] == "m"
+    written = mahovik.load("new.toml")
+    again = mahovik.identify(written, "run.csv", ["w1.unbalance", "imu.position"])
+    for path, each in again.parameters.items():
+        assert each.before == pytest.approx(parameters[path]["value"], rel=1e-9, abs=1e-15), path
+        assert isinstance(parameters[path]["standard_error"], float)
+
+
+def test_two_flywheels_at_one_speed_are_named(tmp_path: Path, truth: mahovik.Stand) -> None:
+    rows = recorded(truth, (150.0, 150.0), 0.5)
+    found = mahovik.identify(truth, write_csv(tmp_path / "same.csv", with_noise(rows, 10.0, 2)), "w*.unbalance")
+    (line,) = (each for each in found.unobservable if "one speed" in each)
+    assert "w1" in line and "w2" in line and "rad/s" in line
+
+
+def test_a_number_that_no_channel_tells_is_named_and_stays(files: Path, truth: mahovik.Stand) -> None:
+    """Where the springs have no force only adds a constant to readings, which offsets of the sensors take."""
+    free = ["w1.unbalance", "suspension.position[0]"]
+    found = mahovik.identify(truth.replace({"suspension.position": [0.001, 0.0, 0.0]}), files / "run.csv", free)
+    (line,) = found.unobservable
+    assert line.startswith("suspension.position[0]: ")
+    each = found.parameters["suspension.position[0]"]
+    assert each.value == pytest.approx(each.before, rel=1e-6)
+    static = found.parameters["w1.unbalance.static"]
+    assert abs(static.value - static.before) < 4.0 * static.standard_error
+
+
+def test_motion_that_would_show_a_number_is_named(files: Path, truth: mahovik.Stand) -> None:
+    """Torques of changing speeds tell the moments about the axes of the flywheels, constant speeds hardly do."""
+    found = mahovik.identify(truth, files / "run.csv", ["w1.inertia.J11", "w2.inertia.J11"])
+    (line,) = found.unobservable
+    assert "w1.inertia.J11" in line and "w2.inertia.J11" in line
+    assert "add a run in which the speeds of the flywheels change" in line
+
+
+def test_an_estimate_stays_a_body(files: Path, truth: mahovik.Stand) -> None:
+    """The flywheels are nearly flat: noise asks for moments that break the triangle inequality."""
+    found = mahovik.identify(truth, files / "run.csv", ["w1.unbalance", "w1.inertia.J11"])
+    (J,) = (np.array(each.inertia) for each in found.stand.flywheels if each.name == "w1")
+    low, middle, high = np.linalg.eigvalsh(J)
+    assert low > 0.0 and low + middle > 0.99 * high
+
+
+@pytest.mark.parametrize(("channel", "words"), [(2, "imu.acceleration: .*y = -y"), (5, "imu.rate: .*y = -y")])
+def test_a_wrong_sign_is_told(tmp_path: Path, exact: Array, truth: mahovik.Stand, channel: int, words: str) -> None:
+    rows = with_noise(exact, 10.0, 3)
+    rows[:, channel] *= -1.0
+    found = mahovik.identify(truth, write_csv(tmp_path / "wrong.csv", rows), "w*.unbalance")
+    import re
+
+    assert any(re.search(words, note) for note in found.notes), found.notes
+
+
+def test_exchanged_axes_are_told_and_right_ones_are_not(tmp_path: Path, exact: Array, truth: mahovik.Stand) -> None:
+    rows = with_noise(exact, 10.0, 3)
+    rows[:, [1, 2]] = rows[:, [2, 1]]
+    found = mahovik.identify(truth, write_csv(tmp_path / "wrong.csv", rows), "w*.unbalance")
+    (note,) = (each for each in found.notes if "evidently" in each)
+    assert "imu.acceleration" in note and "x = y, y = x" in note
+
+
+def test_missing_samples_and_outliers_do_not_move_a_robust_fit(
+    tmp_path: Path, exact: Array, truth: mahovik.Stand
+) -> None:
+    rows = with_noise(exact, 10.0, 4)
+    rng = np.random.default_rng(5)
+    for column in range(1, 7):
+        rows[rng.choice(len(rows), 25, replace=False), column] = math.nan
+    hit = rng.choice(len(rows), 10, replace=False)
+    rows[hit, 1:4] += 20.0 * np.nanstd(rows[:, 1:4], axis=0)
+    file = write_csv(tmp_path / "bad.csv", rows)
+    found = mahovik.identify(truth, file, "w*.unbalance", loss="soft_l1")
+    for path, each in found.parameters.items():
+        assert abs(each.value - each.before) < 4.5 * each.standard_error, path
+
+
+def test_data_that_were_not_used_are_predicted_better(files: Path, truth: mahovik.Stand) -> None:
+    other = with_noise(recorded(truth, (131.0, 190.0), 0.4), 10.0, 6)
+    write_csv(files / "other.csv", other)
+    found = mahovik.identify(truth.replace(CHANGED), "run.csv", "w*.unbalance", check=["other.csv"])
+    assert found.check is not None
+    after, before = found.check
+    assert after < 0.12 < before
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--free", "w9.unbalance"], 'no "w9"'),
+        (["--free", "none.toml"], "no such file"),
+        (["--free", "w*.unbalance", "--check", "none.csv"], "no such file"),
+        (["--free", ","], "expected at least one path"),
+    ],
+)
+def test_mistakes_are_one_line_and_write_nothing(files: Path, arguments: list[str], words: str) -> None:
+    result = refused("identify", "stand.toml", "--data", "run.csv", "-o", "new.toml", *arguments)
+    assert words in result
+    assert not (files / "new.toml").exists()
+
+
+def test_too_few_data_are_refused(files: Path, exact: Array) -> None:
+    write_csv(files / "short.csv", with_noise(exact[:60], 10.0, 1))
+    assert "expected at least" in refused(
+        "identify", "stand.toml", "--data", "short.csv", "--free", "w*.unbalance", "-o", "new.toml"
+    )
