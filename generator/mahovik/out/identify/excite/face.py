@@ -31,11 +31,14 @@ from mahovik.out.identify.excite.limits import Peaks, peaks_of
 from mahovik.out.identify.excite.noise import noise_of_channels
 from mahovik.out.identify.excite.search import EVALUATIONS, search
 from mahovik.out.identify.free import Free
-from mahovik.out.identify.free_paths import UNBALANCES, free_paths
+from mahovik.out.identify.wanted import wanted_of
 from mahovik.use.plan.budget import Budget, defer_interrupt
 from mahovik.use.study.rest import rest
 
 Array = NDArray[np.float64]
+
+UNBALANCES = "*.unbalance"
+"""Unbalances of all flywheels."""
 
 SHARES = (1.0, 0.8, 0.6, 0.4, 0.2, 0.1, 0.0)
 """Shares of the modulations that are tried until motors can give the torque."""
@@ -227,7 +230,7 @@ def excite(
     bounds = bounds_of(own, speed, speed_min, acceleration, torque, span)
     channels = [channel for point in sensors(own) for channel in six_axes(point)]
     noises = noise_of_channels(channels, noise or {})
-    unknown = Free(build(own), free_paths(free))
+    unknown = Free(build(own), wanted_of(str(free)).paths if isinstance(free, str | Path) else tuple(free))
     start = _start(own)
     experiment = Experiment(own, unknown, channels, noises, rate, float(bounds.speed.max()), start)
     courses = Courses(own, bounds, span, harmonics)
