@@ -180,3 +180,14 @@ def test_too_few_data_are_refused(files: Path, exact: Array) -> None:
     assert "expected at least" in refused(
         "identify", "stand.toml", "--data", "short.csv", "--free", "w*.unbalance", "-o", "new.toml"
     )
+
+
+def test_a_file_of_free_numbers_may_have_a_delay(files: Path) -> None:
+    """A free delay adds to the known one; together they are the true one, which is none."""
+    text = 'schema = 1\nfree = ["imu.delay"]\n[delay]\nimu = "{}"\n'
+    (files / "free.toml").write_text(text.format("0.4 ms"), encoding="utf-8")
+    found = mahovik.identify("stand.toml", "run.csv", "free.toml").parameters["imu.delay"]
+    assert abs(found.value + 4e-4) < 4.0 * found.standard_error < 2e-4
+    (files / "free.toml").write_text(text.format("2 mm"), encoding="utf-8")
+    words = refused("identify", "stand.toml", "--data", "run.csv", "--free", "free.toml", "-o", "new.toml")
+    assert words.strip() == 'error: free.toml: delay.imu: unit "mm" does not fit, expected a time (s)'
