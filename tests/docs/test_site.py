@@ -32,7 +32,7 @@ def test_every_page_is_in_one_index_once() -> None:
     functions = [page for page in listed(PYTHON) if page.parent == DOCS / "python"]
     tutorials = [page for page in listed(TUTORIAL) if page.name.startswith("tutorial-")]
     campaigns = [page for page in listed(BATCH) if page.name.startswith("campaign")]
-    data = [page for page in listed(DESIGN) if page.name in ("balancing.md", "measured-data.md")]
+    data = [page for page in listed(DESIGN) if page.name in ("balancing.md", "identification.md", "measured-data.md")]
     audits = [page for page in listed(DIAGNOSIS) if page.name == "audits.md" and page.parent == DOCS]
     pages = [*listed(INDEX), *listed(RESULTS), *functions, *tutorials, *campaigns, *data, *audits]
     assert sorted(pages) == sorted(there)

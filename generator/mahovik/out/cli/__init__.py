@@ -62,7 +62,7 @@ SECTIONS = {
 @click.version_option(__version__, prog_name="mahovik")
 def main() -> None:
     """\b
-    Exact equations of motion of carrier and flywheels, as verified C; begin: mahovik new bench8
+    Verified C of carriers with unbalanced flywheels; try: mahovik new bench8
     Exit status: 0 good, 1 a check failed, 2 bad input or usage, 130 Ctrl-C.
     """
 
