@@ -73,7 +73,7 @@ def test_drag_is_the_integral_along_the_axis(together: bool) -> None:
 
     def integral(which: int, power: int) -> float:
         parts = zip(LAW.x[:-1], LAW.x[1:], strict=True)
-        return sum(quad(lambda x: x**power * force(x, which), a, b, epsabs=0, epsrel=1e-12)[0] for a, b in parts)
+        return float(sum(quad(lambda x: x**power * force(x, which), a, b, epsabs=0, epsrel=1e-12)[0] for a, b in parts))
 
     expected = -512.5 * np.array([0, integral(0, 0), integral(1, 0), 0, -integral(1, 1), integral(0, 1)])
     found = cross_flow_drag(replace(LAW, points=16, together=together), V)
