@@ -199,7 +199,14 @@ def test_an_order_that_the_stand_does_not_have_stands_out_of_the_residual(files:
     strange = float(rows[:, 1].std())
     rows[:, 1] += strange * np.cos(3.0 * exact[:, 7])
     write_csv(files / "strange.csv", rows)
-    arguments = ("identify", "stand.toml", "--data", "strange.csv", "--free", "w*.unbalance.static")
+    arguments = (
+        "identify",
+        "stand.toml",
+        "--data",
+        "strange.csv",
+        "--free",
+        "w*.unbalance.static,w*.unbalance.static_at",
+    )
     result = run(*arguments, "-o", "new.toml", "--report", "page.html", "--json")
     orders = json.loads(result.stdout)["residual_orders"]["strange.csv"]
     assert orders["w1"]["imu.acceleration.x"][2] == pytest.approx(strange, rel=0.1)

@@ -16,6 +16,7 @@ from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import Number, StandGiven, quantity
 from mahovik.out.functions.notices import OnProgress
 from mahovik.out.functions.table import Column, Table
+from mahovik.out.identify.figures import ChannelFit, Parameter
 
 if TYPE_CHECKING:
     from mahovik.core.stand.units import Dimension
@@ -25,27 +26,6 @@ if TYPE_CHECKING:
     from mahovik.out.identify.free import Free
     from mahovik.out.identify.page import Comparison
     from mahovik.out.identify.run import Run
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """An estimated number in SI, its standard error (NaN where it has none), and its value in the stand file."""
-
-    path: str
-    value: float
-    unit: str
-    standard_error: float
-    before: float
-
-
-@dataclass(frozen=True)
-class ChannelFit:
-    """One channel: rms of what is left, SI; its share of the rms of the data; its constant offset, SI."""
-
-    unit: str
-    residual: float
-    share: float
-    offset: float
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.errors import InputError
 from mahovik.out.identify.estimate import Fit
+from mahovik.out.identify.figures import ChannelFit, Parameter
 from mahovik.out.identify.free import Free
 from mahovik.out.identify.run import Run
 from mahovik.out.report.data.page import Part
@@ -20,16 +21,13 @@ from mahovik.out.report.stand.markup import Cell, figure
 from mahovik.use.measured import Recording
 from mahovik.use.measured.orders import OrderMap, merge_maps, order_map
 
-if TYPE_CHECKING:
-    from mahovik.out.identify.face import Identification
-
 Array = NDArray[np.float64]
 
 G_MM = 1e6
 """1 kg m in g mm."""
 
 ORDERS = (1, 2, 3, 4)
-"""Orders of a flywheel whose residuals are told as figures."""
+"""Orders of a flywheel whose residuals have figures."""
 
 SIGNALS = ("measured", "modelled", "residual")
 
@@ -38,6 +36,28 @@ WORDS = (
     "the estimated numbers. Residual: measured less modelled; an order that stands out of it is one that the stand "
     "does not have. An ellipse has the static unbalance with 95 % confidence; axes are those of the flywheel."
 )
+
+
+class Figures(Protocol):
+    """Results of an identification, as far as the page shows them."""
+
+    @property
+    def parameters(self) -> Mapping[str, Parameter]: ...
+
+    @property
+    def channels(self) -> Mapping[str, Mapping[str, ChannelFit]]: ...
+
+    @property
+    def unobservable(self) -> tuple[str, ...]: ...
+
+    @property
+    def residual(self) -> float: ...
+
+    @property
+    def check(self) -> tuple[float, float] | None: ...
+
+    @property
+    def notes(self) -> tuple[str, ...]: ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +83,7 @@ def residual_orders(at: Comparison) -> dict[str, dict[str, dict[str, list[float]
     return found
 
 
-def identification_parts(found: Identification, at: Comparison) -> list[Part]:
+def identification_parts(found: Figures, at: Comparison) -> list[Part]:
     """The numbers, what is left of the channels, a part for each flywheel, and what was found in the data."""
     parts = [_numbers(found), _channels(found)]
     parts += [_wheel(at, wheel.name) for wheel in at.free.stand.flywheels]
@@ -72,7 +92,7 @@ def identification_parts(found: Identification, at: Comparison) -> list[Part]:
     return parts
 
 
-def _numbers(found: Identification) -> Part:
+def _numbers(found: Figures) -> Part:
     rows = tuple(
         (each.path, figure(each.value, 6), figure(each.standard_error, 2), figure(each.before, 6), each.unit)
         for each in found.parameters.values()
@@ -82,7 +102,7 @@ def _numbers(found: Identification) -> Part:
     return Part("Numbers", words, head, rows, notes=found.unobservable, summary=f"{len(rows)} numbers")
 
 
-def _channels(found: Identification) -> Part:
+def _channels(found: Figures) -> Part:
     rows: list[tuple[Cell, ...]] = [
         (run, name, figure(each.residual, 3), each.unit, f"{100.0 * each.share:.3g}")
         for run, channels in found.channels.items()
