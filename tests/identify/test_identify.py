@@ -191,3 +191,29 @@ def test_a_file_of_free_numbers_may_have_a_delay(files: Path) -> None:
     (files / "free.toml").write_text(text.format("2 mm"), encoding="utf-8")
     words = refused("identify", "stand.toml", "--data", "run.csv", "--free", "free.toml", "-o", "new.toml")
     assert words.strip() == 'error: free.toml: delay.imu: unit "mm" does not fit, expected a time (s)'
+
+
+def test_an_order_that_the_stand_does_not_have_stands_out_of_the_residual(files: Path, exact: Array) -> None:
+    """A third order of w1 is measured: figures by order and the page show it."""
+    rows = with_noise(exact, 30.0, 3)
+    strange = float(rows[:, 1].std())
+    rows[:, 1] += strange * np.cos(3.0 * exact[:, 7])
+    write_csv(files / "strange.csv", rows)
+    arguments = (
+        "identify",
+        "stand.toml",
+        "--data",
+        "strange.csv",
+        "--free",
+        "w*.unbalance.static,w*.unbalance.static_at",
+    )
+    result = run(*arguments, "-o", "new.toml", "--report", "page.html", "--json")
+    orders = json.loads(result.stdout)["residual_orders"]["strange.csv"]
+    assert orders["w1"]["imu.acceleration.x"][2] == pytest.approx(strange, rel=0.1)
+    others = [*orders["w1"]["imu.acceleration.y"], *orders["w2"]["imu.acceleration.y"]]
+    assert max(others) < 0.1 * strange
+    page = (files / "page.html").read_text(encoding="utf-8")
+    assert "Flywheel w2" in page
+    assert "Static unbalance" in page
+    assert "page.pdf" in refused(*arguments, "-o", "other.toml", "--report", "page.pdf")
+    assert not (files / "other.toml").exists()

@@ -20,7 +20,7 @@ from mahovik.out.cli.options import (
     load_stand,
     option,
 )
-from mahovik.out.cli.output import print_json, print_line, print_table, require_other_file, require_suffix
+from mahovik.out.cli.output import print_json, print_line, print_table, require_other_file, require_page
 
 if TYPE_CHECKING:
     from mahovik.out.functions.balancing import Balance
@@ -74,7 +74,7 @@ def balance(
         read = [name for name in (influence, stand_file, *data) if name is not None]
         require_other_file(Path(output), read, f"-o {output}", "result")
     if report is not None:
-        _require_page(report, [name for name in (stand_file, *data) if name is not None])
+        require_page(report, [name for name in (stand_file, *data) if name is not None])
     from mahovik.out.functions.balancing import balance as by_influence
     from mahovik.out.functions.stand_balancing import balance_stand
 
@@ -96,17 +96,6 @@ def balance(
         _print(cast("Balance", found))
     else:
         _print_stand(cast("StandBalance", found))
-
-
-def _require_page(path: str, read: Sequence[str]) -> None:
-    """Refuse a page that could not be written, before the work."""
-    from mahovik.out.report.plot.draw import require
-    from mahovik.writing import probe
-
-    require_suffix(path, [".html"])
-    require_other_file(Path(path), read, f"--report {path}", "page")
-    require("report")
-    probe(Path(path))
 
 
 def _planes(given: Sequence[str]) -> PlanesGiven:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from mahovik.errors import UsageError
 from mahovik.out.cli.options import JSON, STAND_FILE, choice, command, file_option, load_stand, option
-from mahovik.out.cli.output import print_json, print_line, print_table, require_other_file
+from mahovik.out.cli.output import print_json, print_line, print_table, require_other_file, require_page
 
 if TYPE_CHECKING:
     from mahovik.out.identify.face import Identification
@@ -29,6 +29,7 @@ def identify(
     delay: tuple[str, ...] = option(
         "--delay", 'Set the known delay of a sensor, "imu=2 ms".', metavar="NAME=TIME", multiple=True
     ),
+    report: str | None = file_option("--report", "FILE.html", "Write a page with charts."),
     as_json: bool = JSON,
 ) -> None:
     """Estimate numbers of a stand file from measured data.
@@ -48,11 +49,15 @@ def identify(
     from mahovik.writing import probe, write
 
     probe(Path(output))
+    if report is not None:
+        require_page(report, read)
     with progress("estimating") as stage:
         found = estimate(
             load_stand(stand_file), data, free, check=check, delay=_delays(delay), loss=loss, progress=stage.show
         )
     write(Path(output), found.text(stand_file))
+    if report is not None:
+        found.report(report)
     if as_json:
         print_json(found.to_dict())
     else:

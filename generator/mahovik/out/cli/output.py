@@ -104,6 +104,15 @@ def require_other_file(path: Path, read: Iterable[str], where: str, what: str) -
     probe(path)
 
 
+def require_page(path: str, read: Iterable[str]) -> None:
+    """Raise UsageError for a page of charts that could not be written, before the work."""
+    from mahovik.out.report.plot.draw import require
+
+    require_suffix(path, [".html"])
+    require_other_file(Path(path), read, f"--report {path}", "page")
+    require("report")
+
+
 def new_file(output: str | None, name: str) -> Path:
     """Path of a new stand file: the given one, or NAME.toml in the given folder.
 

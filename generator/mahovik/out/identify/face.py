@@ -16,6 +16,7 @@ from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import Number, StandGiven, quantity
 from mahovik.out.functions.notices import OnProgress
 from mahovik.out.functions.table import Column, Table
+from mahovik.out.identify.figures import ChannelFit, Parameter
 
 if TYPE_CHECKING:
     from mahovik.core.stand.units import Dimension
@@ -23,28 +24,8 @@ if TYPE_CHECKING:
     from mahovik.out.campaign.places import Place
     from mahovik.out.identify.estimate import Fit
     from mahovik.out.identify.free import Free
+    from mahovik.out.identify.page import Comparison
     from mahovik.out.identify.run import Run
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """An estimated number in SI, its standard error (NaN where it has none), and its value in the stand file."""
-
-    path: str
-    value: float
-    unit: str
-    standard_error: float
-    before: float
-
-
-@dataclass(frozen=True)
-class ChannelFit:
-    """One channel: rms of what is left, SI; its share of the rms of the data; its constant offset, SI."""
-
-    unit: str
-    residual: float
-    share: float
-    offset: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,6 +51,7 @@ class Identification(Table):
     check: tuple[float, float] | None
     notes: tuple[str, ...]
     _places: tuple[Place, ...] = field(repr=False)
+    _comparison: Comparison = field(repr=False)
 
     index = "path"
 
@@ -92,6 +74,27 @@ class Identification(Table):
         except (OSError, UnicodeDecodeError) as error:
             raise UsageError(f"{file}: cannot be read: {error}") from None
 
+    @property
+    def residual_orders(self) -> dict[str, dict[str, dict[str, list[float]]]]:
+        """Amplitudes of what is left at orders 1 to 4 of the flywheels, SI, by run, flywheel and channel."""
+        from mahovik.out.identify.page import residual_orders
+
+        return residual_orders(self._comparison)
+
+    def report(self, path: str | Path) -> Path:
+        """Write a page: numbers, orders against speed as measured and modelled, residuals, ellipses of confidence.
+
+        Raises UsageError: matplotlib is missing, or the file cannot be written.
+        """
+        from mahovik.out.identify.page import identification_parts
+        from mahovik.out.report.data.page import write_data_page
+
+        place, at = Path(path), self._comparison
+        files = [("data", each.source) for each in at.recordings]
+        title = f"{self.stand.name}: identification"
+        write_data_page(place, title, identification_parts(self, at), stand=at.free.model.stand, files=files)
+        return place
+
     def to_dict(self) -> dict[str, Any]:
         """All figures, as `mahovik identify --json` prints them."""
         found: dict[str, Any] = {
@@ -108,6 +111,7 @@ class Identification(Table):
                 run: {name: dict(vars(each)) for name, each in channels.items()}
                 for run, channels in self.channels.items()
             },
+            "residual_orders": self.residual_orders,
             "notes": list(self.notes),
         }
         if self.check is not None:
@@ -147,6 +151,7 @@ def identify(
     from mahovik.out.identify.estimate import estimate
     from mahovik.out.identify.free import Free
     from mahovik.out.identify.gauss_newton import LOSSES
+    from mahovik.out.identify.page import Comparison
     from mahovik.out.identify.run import runs_of
     from mahovik.out.identify.sight import unobservable
     from mahovik.out.identify.wanted import Wanted, wanted_of
@@ -184,6 +189,7 @@ def identify(
         None if checked is None else (checked[0], checked[1]),
         (*notes, *wrong_axes(fit, runs)),
         tuple(place for entry in numbers.entries for place in entry.places),
+        Comparison(tuple(recordings), tuple(runs), numbers, fit),
     )
 
 
