@@ -17,6 +17,7 @@ from mahovik.core.stand import dumps, identities, load, loads, structure
 from mahovik.core.stand.law_schemas import body_schemas
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
+from mahovik.laws.cross_flow.data import CrossFlow
 from mahovik.laws.damping.data import Factor
 from mahovik.stands import names, path
 from strategies import stands
@@ -74,7 +75,9 @@ def with_one_other(value: Any, place: str) -> Iterator[tuple[str, Any]]:
 
 def test_every_number_of_a_stand_changes_its_physics() -> None:
     """Masses, places, motors, and the data of all laws, of bodies and of the carrier: none is left out."""
+    drag = CrossFlow(1.0, (0.0, 1.0), (1.0, 2.0), (3.0, 4.0), (1.5, 1.25), (2.5, 2.25), 2, together=False)
     stand = random_stand(np.random.default_rng(1), 3, EVERYTHING)
+    stand = replace(stand, carrier=stand.carrier.with_laws(drag))
     found = {"as it is": identities(stand).physics}
     for place, other in with_one_other(stand, ""):
         found[place] = identities(other).physics

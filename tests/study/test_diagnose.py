@@ -14,6 +14,7 @@ from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, Features, random_stand
 from mahovik.errors import StateError
+from mahovik.laws.cross_flow.data import CrossFlow
 from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
 from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.diagnose.faults import DICTIONARY
@@ -36,7 +37,11 @@ def stand() -> Stand:
     """Two flywheels, one of them on an instrument, in a stream and with every wrench."""
     found = random_stand(np.random.default_rng(5), 2, replace(EVERYTHING, instruments=1, angles="aircraft"), "small")
     first, second = found.flywheels
-    return replace(found, flywheels=(replace(first, mount="carrier"), replace(second, mount="i1")))
+    drag = CrossFlow(
+        1000.0, (-0.5, 0.0, 0.5), (0.1, 0.3, 0.2), (0.2, 0.3, 0.1), (1.1,) * 3, (0.9,) * 3, 2, together=False
+    )
+    carrier = found.carrier.with_laws(drag)
+    return replace(found, carrier=carrier, flywheels=(replace(first, mount="carrier"), replace(second, mount="i1")))
 
 
 @cache

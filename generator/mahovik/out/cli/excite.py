@@ -62,7 +62,7 @@ def excite(
         default="*.unbalance",
     ),
     duration: Any = option(
-        "--duration", "Let the experiment last for this time, s.", metavar="S", default="10", parse=_number
+        "--duration", "Set the duration of the experiment, s.", metavar="S", default="10", parse=_number
     ),
     speed: Any = option(
         "--speed", "Bound the speed of all flywheels, or of each; default: by motors.", metavar="SPEED", parse=_bound
@@ -78,7 +78,7 @@ def excite(
         metavar="CHANNEL=VALUE",
         multiple=True,
     ),
-    rate: float = option("--rate", "Sample at this rate, Hz.", metavar="HZ", type=float, default=1000.0),
+    rate: float = option("--rate", "Set the sampling rate, Hz.", metavar="HZ", type=float, default=1000.0),
     criterion: Literal["A", "D"] = choice(
         "--criterion", ["A", "D"], "Make the mean variance least (A) or the confidence ellipsoid (D).", default="A"
     ),

@@ -69,8 +69,8 @@ class CBackend(ProgramBackend):
         says_fast = fast
         chosen: tuple[str, ...] = ()
         if folder is not None:
-            chosen = tuple(name for name in CHOSEN if name in declared_functions(folder, stand.name))
             header = _check_folder(folder, stand, precision_name, lanes)
+            chosen = tuple(name for name in CHOSEN if name in declared_functions(folder, stand.name))
             lanes, says_fast = header.lanes, header.fast
         elif lanes is None:
             lanes = host_lanes(len(stand.flywheels)) if fast else 1
