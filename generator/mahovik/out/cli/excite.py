@@ -84,7 +84,7 @@ def excite(
     ),
     harmonics: int = option(
         "--harmonics",
-        "Modulate speeds by this number of harmonics.",
+        "Set the number of harmonics of the speeds.",
         metavar="H",
         type=click.IntRange(0, 20),
         default=2,
