@@ -17,7 +17,6 @@ from mahovik.out.cli.options import (
     command,
     file_option,
     json_option,
-    load_stand,
     option,
 )
 from mahovik.out.cli.output import end_of_search, print_json, print_line, print_table, require_other_file
@@ -101,7 +100,9 @@ def excite(
 
     Exit status: 0 a programme inside the bounds; 1 a bound is exceeded; 2 bad input; 130 Ctrl-C.
     """
-    stand = load_stand(stand_file)
+    from mahovik.out.api.stands import load
+
+    stand = load(stand_file)
     from mahovik.out.identify.excite.face import excite as find
 
     path = Path(output)

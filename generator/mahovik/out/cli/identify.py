@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from mahovik.errors import UsageError
-from mahovik.out.cli.options import JSON, STAND_FILE, choice, command, file_option, load_stand, option
+from mahovik.out.cli.options import JSON, STAND_FILE, choice, command, file_option, option
 from mahovik.out.cli.output import print_json, print_line, print_table, require_other_file, require_page
 
 if TYPE_CHECKING:
@@ -44,6 +44,7 @@ def identify(
         raise UsageError("--data is missing: expected files of measured data of the stand")
     read = [stand_file, *data, *check, *([free] if free.endswith(".toml") else [])]
     require_other_file(Path(output), read, f"-o {output}", "stand file")
+    from mahovik.out.api.stands import load
     from mahovik.out.cli.progress import progress
     from mahovik.out.identify.face import identify as estimate
     from mahovik.writing import probe, write
@@ -53,7 +54,7 @@ def identify(
         require_page(report, read)
     with progress("estimating") as stage:
         found = estimate(
-            load_stand(stand_file), data, free, check=check, delay=_delays(delay), loss=loss, progress=stage.show
+            load(stand_file), data, free, check=check, delay=_delays(delay), loss=loss, progress=stage.show
         )
     write(Path(output), found.text(stand_file))
     if report is not None:

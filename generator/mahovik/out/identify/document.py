@@ -33,8 +33,36 @@ def with_numbers(text: str, new: Stand, places: Sequence[Place]) -> str:
         if place.element is not None:
             _put_element(document, way, _inside(target, way), place)
         else:
-            _put(_table(document, way[:-1]), way[-1], _inside(target, way), place.dimension)
+            _put_number(document, way, target, place.dimension)
     return tomlkit.dumps(document)
+
+
+def _put_number(document: Any, way: list[Any], target: Any, dimension: Dimension) -> None:
+    """One number, which may stand in a list, in `{ value, unit }`, or in the diagonal of a matrix."""
+    container, unit = document, None
+    for k, step in enumerate(way[:-1]):
+        if isinstance(container, dict) and step not in container:
+            container[step] = tomlkit.inline_table()
+        container = container[step]
+        if isinstance(way[k + 1], int) and isinstance(container, dict):
+            unit, container = str(container["unit"]), container["value"]
+        rest = way[k + 1 :]
+        if len(rest) == 2 and all(isinstance(i, int) for i in rest) and len(_shape(container)) == 1:
+            matrix = _inside(target, way[:-2])
+            if len(_shape(matrix)) == 2 and any(
+                matrix[i][j] for i in range(len(matrix)) for j in range(len(matrix)) if i != j
+            ):
+                _inside(document, way[:k])[way[k]] = _plain(matrix)
+                return
+            _put(
+                container,
+                way[-1],
+                _inside(target, way) if len(_shape(matrix)) == 2 else matrix[way[-1]],
+                dimension,
+                unit,
+            )
+            return
+    _put(container, way[-1], _inside(target, way), dimension, unit)
 
 
 def _put_wheel(own: Any, new: Stand, name: str) -> None:
@@ -48,6 +76,8 @@ def _put_wheel(own: Any, new: Stand, name: str) -> None:
         for i in range(3):
             for k in range(3):
                 J[i][k] += sign * wheel.mass * ((square if i == k else 0.0) - c[i] * c[k])
+    least = 1e-15 * sum(J[i][i] for i in range(3))
+    J = [[0.0 if abs(x) < least else x for x in row] for row in J]
     if any(c):
         own.setdefault("inertia_about", "origin")
     _put(own, "center_of_mass", c, LENGTH)

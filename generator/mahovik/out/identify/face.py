@@ -66,13 +66,19 @@ class Identification(Table):
         )
 
     def text(self, file: str | Path) -> str:
-        """The text of a stand file with the estimated numbers: comments, order and units stay. Raises UsageError."""
+        """The text of a stand file with the estimated numbers: comments, order and units stay.
+
+        Raises UsageError; StandError: with these numbers it would be no stand.
+        """
+        from mahovik.core.stand import loads
         from mahovik.out.identify.document import with_numbers
 
         try:
-            return with_numbers(Path(file).read_text(encoding="utf-8-sig"), self.stand, self._places)
+            found = with_numbers(Path(file).read_text(encoding="utf-8-sig"), self.stand, self._places)
         except (OSError, UnicodeDecodeError) as error:
             raise UsageError(f"{file}: cannot be read: {error}") from None
+        loads(found)
+        return found
 
     @property
     def residual_orders(self) -> dict[str, dict[str, dict[str, list[float]]]]:
@@ -179,16 +185,23 @@ def identify(
             for theta in (fit.theta, numbers.nominal)
         )
     notes = [note for each in (*recordings, *others) for note in each.notes]
+    parameters = _parameters(numbers, fit)
+    seen = [
+        place
+        for entry in numbers.entries
+        if any(math.isfinite(parameters[path].standard_error) for path in entry.paths)
+        for place in entry.places
+    ]
     return Identification(
         new,
-        _parameters(numbers, fit),
+        parameters,
         _correlation(_covariance(numbers, fit)),
         tuple(unobservable(numbers, runs, fit.theta, fit.information, fit.noise)),
         {run.source: _channels(run, fit, r) for r, run in enumerate(runs)},
         _share(runs, fit),
         None if checked is None else (checked[0], checked[1]),
         (*notes, *wrong_axes(fit, runs)),
-        tuple(place for entry in numbers.entries for place in entry.places),
+        tuple(seen),
         Comparison(tuple(recordings), tuple(runs), numbers, fit),
     )
 
