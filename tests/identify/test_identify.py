@@ -217,3 +217,14 @@ def test_an_order_that_the_stand_does_not_have_stands_out_of_the_residual(files:
     assert "Static unbalance" in page
     assert "page.pdf" in refused(*arguments, "-o", "other.toml", "--report", "page.pdf")
     assert not (files / "other.toml").exists()
+
+
+def test_samples_without_a_phase_are_left_out(files: Path, exact: Array, truth: mahovik.Stand) -> None:
+    """The phase of w1 ends after 0.7 s: what was measured later is not compared with a motion that is not known."""
+    rows = with_noise(exact, 10.0, 5)
+    rows[350:, 7] = np.nan
+    write_csv(files / "short.csv", rows)
+    found = mahovik.identify(truth, files / "short.csv", "w*.unbalance.static,w*.unbalance.static_at")
+    assert any("149 samples outside 0 to 0.698 s, where a phase is missing" in note for note in found.notes)
+    for each in found.parameters.values():
+        assert abs(each.value - each.before) < 4.0 * each.standard_error

@@ -184,7 +184,9 @@ def identify(
             _share(tests, estimate(numbers, tests, loss, theta=theta, fixed=True))
             for theta in (fit.theta, numbers.nominal)
         )
-    notes = [note for each in (*recordings, *others) for note in each.notes]
+    notes = [note for each in (*recordings, *others) for note in each.notes] + [
+        note for run in runs for note in run.notes
+    ]
     parameters = _parameters(numbers, fit)
     seen = [
         place

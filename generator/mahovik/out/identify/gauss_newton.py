@@ -76,7 +76,7 @@ def minimise(
 ) -> Array:
     """The z of least loss, from z on. `jacobian(z, exact)` may return derivatives of a z nearby unless exact.
 
-    A step along old derivatives that gains nothing is tried once more with exact ones; then the search ends.
+    Where old derivatives promise or gain nothing more, exact ones are tried; then the search ends.
     """
     now = residuals(z)
     cost, exact = cost_of(now, loss), False
@@ -87,7 +87,10 @@ def minimise(
         step = -np.linalg.lstsq(R[:-1, :-1], R[:-1, -1], rcond=None)[0]
         promised = float(R[:-1, -1] @ R[:-1, -1])
         if promised <= ENOUGH * cost:
-            return z
+            if exact:
+                return z
+            exact = True
+            continue
         for k in range(HALVINGS):
             ahead = z + step * 0.5**k
             then = residuals(ahead)
@@ -99,8 +102,10 @@ def minimise(
                 return z
             exact = True
             continue
-        gain = cost - after
+        gain, was_exact = cost - after, exact
         z, now, cost, exact = ahead, then, after, False
         if gain <= ENOUGH * cost:
-            return z
+            if was_exact:
+                return z
+            exact = True
     return z

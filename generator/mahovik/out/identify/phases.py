@@ -67,10 +67,20 @@ def _flywheel(recording: Recording, wheel: Flywheel, t: Array) -> FlywheelRegime
     return fitted(wheel.name, t[there] - latency, channel.values[there])
 
 
+def span_of(recording: Recording, stand: Stand) -> tuple[float, float]:
+    """First and last time (s, of the recording) at which the phases of all flywheels are known."""
+    begin, end = float(recording.t[0]), float(recording.t[-1])
+    for wheel in stand.flywheels:
+        channel = recording.find(wheel.name, "phase")
+        there = recording.t[np.isfinite(channel.values)] if channel is not None else recording.t
+        begin, end = max(begin, float(there[0])), min(end, float(there[-1]))
+    return begin, end
+
+
 def fitted(name: str, t: Array, phi: Array) -> FlywheelRegime:
     """The motion of a flywheel whose phases phi (rad, not wrapped) were seen at the times t (s).
 
-    Of a straight line, a parabola and splines of more and more intervals the one of least Bayesian information
+    Of a straight line and splines of more and more intervals the one of least Bayesian information
     criterion, n ln(sum of squares / n) + p ln n: what is left is then rounding of counts and noise.
     """
     n = len(t)

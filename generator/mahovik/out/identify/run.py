@@ -14,7 +14,7 @@ from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.out.campaign.signals import sensors
 from mahovik.out.identify.channels import AXES, KINDS, Channel
-from mahovik.out.identify.phases import motion_of
+from mahovik.out.identify.phases import motion_of, span_of
 from mahovik.out.identify.predict import Predictor
 from mahovik.use.measured.recording import Recording
 
@@ -35,6 +35,7 @@ class Run:
     """Samples of the channels of a stand's sensors in one run.
 
     measured  (T, C) SI; NaN where there is no sample
+    notes     samples that were left out
     places    (T,) of the samples among the predicted times, in steps; with the known delays of channels (T, C)
     """
 
@@ -43,6 +44,7 @@ class Run:
     measured: Array
     places: Array
     duration: float
+    notes: tuple[str, ...] = ()
 
     @property
     def channels(self) -> tuple[Channel, ...]:
@@ -87,6 +89,15 @@ def run_of(recording: Recording, stand: Stand, start: State | None, delays: Mapp
         hint = "" if points else f"; {stand.name} has no [[point]]: give it the places of its sensors"
         raise UsageError(f"{recording.source}: no channel of a sensor, expected such as {example}{hint}")
     measured = np.column_stack(columns)
+    motion = motion_of(recording, stand)
+    begin_known, end_known = span_of(recording, stand)
+    outside = (t < begin_known - every) | (t > end_known + every)
+    left_out = int((np.isfinite(measured).any(axis=1) & outside).sum())
+    notes: tuple[str, ...] = ()
+    if left_out:
+        measured[outside] = np.nan
+        where = f"outside {begin_known:.6g} to {end_known:.6g} s"
+        notes = (f"{recording.source}: {left_out} samples {where}, where a phase is missing, are left out",)
     samples = int(np.isfinite(measured).any(axis=1).sum())
     if samples < FEWEST:
         raise UsageError(f"{recording.source}: {samples} samples of sensors, expected at least {FEWEST}")
@@ -94,8 +105,8 @@ def run_of(recording: Recording, stand: Stand, start: State | None, delays: Mapp
     begin = -PAD * every - float(late.max())
     places = ((t - t[0])[:, None] - late - begin) / every
     count = int(np.ceil(places.max())) + PAD + 1
-    predictor = Predictor(stand, motion_of(recording, stand), channels, begin, every, count, start)
-    return Run(recording.source, predictor, measured, places, float(t[-1] - t[0]))
+    predictor = Predictor(stand, motion, channels, begin, every, count, start)
+    return Run(recording.source, predictor, measured, places, float(t[-1] - t[0]), notes)
 
 
 def runs_of(
