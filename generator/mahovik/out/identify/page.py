@@ -15,7 +15,7 @@ from mahovik.out.identify.figures import ChannelFit, Parameter
 from mahovik.out.identify.free import Free
 from mahovik.out.identify.run import Run
 from mahovik.out.report.data.page import Part
-from mahovik.out.report.data.panels import confidence_ellipse, order_spectra, waterfall
+from mahovik.out.report.data.panels import confidence_ellipse, order_panels
 from mahovik.out.report.plot.panel import Panel
 from mahovik.out.report.stand.markup import Cell, figure
 from mahovik.use.measured import Recording
@@ -30,6 +30,7 @@ ORDERS = (1, 2, 3, 4)
 """Orders of a flywheel whose residuals have figures."""
 
 SIGNALS = ("measured", "modelled", "residual")
+COMPARED = (("measured", "modelled"), ("measured", "residual"))
 
 WORDS = (
     "Amplitudes of {channel}, the channel that tells most of {wheel}, over orders of {wheel}. Modelled: the stand with "
@@ -135,27 +136,13 @@ def _wheel(at: Comparison, wheel: str) -> Part:
                 maps[name].append(order_map(recording, wheel, measured, values))
         except InputError as error:
             notes.append(f"{error}")
-    panels = _order_panels({name: merge_maps(each) for name, each in maps.items() if each})
+    panels = order_panels({name: merge_maps(each) for name, each in maps.items() if each}, COMPARED)
     return Part(
         f"Flywheel {wheel}",
         WORDS.format(channel=strongest, wheel=wheel),
         panels=(*panels, *_ellipse(at, wheel)),
         notes=tuple(notes),
     )
-
-
-def _order_panels(maps: Mapping[str, OrderMap]) -> list[Panel]:
-    if not maps:
-        return []
-    first = maps["measured"]
-    spectra = {name: each.spectrum for name, each in maps.items()}
-    panels = [
-        order_spectra(f"RMS over all speeds of {first.channel}", first.unit, first.orders, spectra, first.flywheel)
-    ]
-    if len(first.speed) > 1:
-        for names in (SIGNALS[:2], SIGNALS[::2]):
-            panels.append(waterfall({name: maps[name] for name in names}))
-    return panels
 
 
 def _ellipse(at: Comparison, wheel: str) -> list[Panel]:

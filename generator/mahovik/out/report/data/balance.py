@@ -9,7 +9,7 @@ import numpy as np
 
 from mahovik.errors import InputError
 from mahovik.out.report.data.page import Part
-from mahovik.out.report.data.panels import RPM, confidence_ellipse, order_spectra, waterfall
+from mahovik.out.report.data.panels import RPM, confidence_ellipse, order_panels
 from mahovik.out.report.plot.panel import Array, Panel
 from mahovik.out.report.stand.markup import Cell, figure
 from mahovik.use.balance.by_model import WheelBalance
@@ -21,6 +21,7 @@ G_MM = 1e6
 """1 kg m in g mm."""
 
 SIGNALS = ("measured", "modelled", "residual", "corrected")
+COMPARED = (("measured", "modelled"), ("measured", "corrected"))
 
 WORDS = (
     "Amplitudes of {channel}, the channel in which the first order is largest, over orders of {wheel}. Modelled: first "
@@ -96,7 +97,7 @@ def _wheel(recordings: Sequence[Recording], wheels: Sequence[WheelBalance], whee
                 maps[name].append(order_map(recording, wheel.name, channel, values))
         except InputError as error:
             failure = f"{error}"
-    panels = _order_panels({name: merge_maps(each) for name, each in maps.items() if each})
+    panels = order_panels({name: merge_maps(each) for name, each in maps.items() if each}, COMPARED)
     panels += [_ellipse(wheel, k) for k in range(len(wheel.positions))]
     lowered = ", ".join(f"{name} {before:.4g} → {after:.3g}" for name, before, after in wheel.vibration)
     return Part(
@@ -132,20 +133,6 @@ def _signals(recording: Recording, channel: Channel, wheels: Sequence[WheelBalan
         change += (complex(influence @ wheel.applied) * turn).real
     x = channel.values
     return dict(zip(SIGNALS, (x, model, x - model, x + change), strict=True))
-
-
-def _order_panels(maps: dict[str, OrderMap]) -> list[Panel]:
-    if not maps:
-        return []
-    first = maps["measured"]
-    spectra = {name: each.spectrum for name, each in maps.items()}
-    panels = [
-        order_spectra(f"RMS over all speeds of {first.channel}", first.unit, first.orders, spectra, first.flywheel)
-    ]
-    if len(first.speed) > 1:
-        for names in (("measured", "modelled"), ("measured", "corrected")):
-            panels.append(waterfall({name: maps[name] for name in names}))
-    return panels
 
 
 def _ellipse(wheel: WheelBalance, k: int) -> Panel:

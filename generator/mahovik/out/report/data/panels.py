@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -53,6 +53,20 @@ def order_spectra(title: str, unit: str, orders: Array, spectra: Mapping[str, Ar
     floor = largest * 10.0 ** -(DECADES + 1.0)
     lines = tuple(Line(name, orders, np.maximum(y, floor), k) for k, (name, y) in enumerate(spectra.items()))
     return Panel(f"{title}, {unit}", lines, log=True, abscissa=f"order of {flywheel}", height=1.4)
+
+
+def order_panels(maps: Mapping[str, OrderMap], compared: Sequence[tuple[str, str]]) -> list[Panel]:
+    """Spectra of all maps, and, where there are several speeds, a waterfall for each pair of names."""
+    if not maps:
+        return []
+    first = next(iter(maps.values()))
+    spectra = {name: each.spectrum for name, each in maps.items()}
+    panels = [
+        order_spectra(f"RMS over all speeds of {first.channel}", first.unit, first.orders, spectra, first.flywheel)
+    ]
+    if len(first.speed) > 1:
+        panels += [waterfall({name: maps[name] for name in names}) for names in compared]
+    return panels
 
 
 def confidence_ellipse(title: str, axes: tuple[str, str], centre: Array, covariance: Array) -> Panel:
