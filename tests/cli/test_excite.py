@@ -30,7 +30,7 @@ def test_errors_of_both_programmes_are_told(folder: Path) -> None:
     assert result.exit_code == 0, result.output
     found = json.loads(result.stdout)
     assert [row["path"] for row in found["parameters"]][:2] == ["w1.unbalance.static", "w1.unbalance.static_at"]
-    assert all(row["error"] > 0.0 and row["error_constant"] > 0.0 for row in found["parameters"])
+    assert all(row["standard_error"] > 0.0 and row["standard_error_constant"] > 0.0 for row in found["parameters"])
     assert found["gain"] >= 1.0 and found["status"] == "OK" and found["effort"]["tried"] == 10
     assert load_programme(folder / "p.json").winding == tuple(found["programme"]["winding"])
     told = run("excite", "a.toml", *QUICK)
@@ -52,7 +52,7 @@ def test_half_the_noise_is_half_the_error() -> None:
     def errors(*noise: str) -> list[float]:
         options = [word for each in noise for word in ("--noise", each)]
         found = json.loads(run("excite", "a.toml", *QUICK, *options, "--json").stdout)
-        return [row["error_constant"] for row in found["parameters"]]
+        return [row["standard_error_constant"] for row in found["parameters"]]
 
     once, half = errors("acceleration=0.02", "rate=0.002"), errors("imu.acceleration=0.01", "rate=0.001")
     assert half == pytest.approx([x / 2 for x in once], rel=1e-3)

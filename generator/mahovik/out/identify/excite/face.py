@@ -151,13 +151,13 @@ class Excitation(Table):
     def to_dict(self) -> dict[str, Any]:
         """All figures, as `mahovik excite --json` prints them."""
         rows = zip(*(column.values.tolist() for column in self.columns), strict=True)
-        keys = ("path", "unit", "value", "error", "error_constant")
+        keys = ("path", "unit", "value", "standard_error", "standard_error_constant")
         return {
             "status": self.status,
             "words": list(self.words),
             "parameters": [dict(zip(keys, map(_plain, row), strict=True)) for row in rows],
             "gain": self.gain,
-            "unseen": list(self.unseen),
+            "unobservable": list(self.unseen),
             "programme": _figures(self.found),
             "constant": _figures(self.even),
             "effort": dict(self.effort),
