@@ -47,7 +47,7 @@ LISTS = {
 }
 """Pages whose lists of links become tables of contents, and the folder of the listed pages."""
 
-IN_SENTENCES = {"design": ("balancing.md", "measured-data.md")}
+IN_SENTENCES = {"design": ("balancing.md", "identification.md", "measured-data.md")}
 """Pages that another page links in a sentence, and belong below it."""
 
 
