@@ -315,6 +315,10 @@ static-checks: setup-test
 	tools/proofs-packages.sh
 	$(BIN)/python tools/static_checks.py --page
 
+static-checks-quick: setup-test
+	tools/proofs-packages.sh
+	$(BIN)/python tools/static_checks.py --stands bench8,remus6,shaker2
+
 lint: setup-test
 	$(BIN)/ruff check generator tests tools bench
 	$(BIN)/ruff format --check generator tests tools bench
