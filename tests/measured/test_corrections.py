@@ -195,6 +195,22 @@ def test_pulses_are_a_phase(speed: float, acceleration: float, at: float, analog
     assert np.ptp(error) < 2.2e-3 * (speed + abs(acceleration) * 4) + 2 * bend
 
 
+@pytest.mark.parametrize("spike", [50.0, -50.0])
+def test_a_spike_is_no_pulse(spike: float) -> None:
+    """Pulses of a noisy tacho are the same with a spike between two of them; short ones of two levels are found."""
+    t = clock(1000)
+    noise = 0.02 * np.random.default_rng(1).standard_normal(len(t))
+    signal = (20.0 * t % 1.0 < 0.3) + noise
+    clean = find_pulses(t, signal)
+    signal[540] = spike
+    found = find_pulses(t, signal)
+    assert clean is not None and found is not None
+    assert (found.double, found.lost) == (0, 0)
+    np.testing.assert_allclose(found.times, clean.times, atol=1e-4)
+    short = find_pulses(clock(9000), np.isin(np.arange(9000), [1000, 3000, 5000, 7000]).astype(float))
+    assert short is not None and len(short.times) == 4
+
+
 def test_lost_and_double_pulses(tmp_path: Path) -> None:
     """A lost one is a turn; a double one is left out."""
     t = clock(3000)
