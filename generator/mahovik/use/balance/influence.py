@@ -111,7 +111,9 @@ class _Reader:
             return None
         self.independent(alpha)
         if raw.get("most") is not None and raw.get("pieces") is not None:
-            self.say("most", 'not allowed with "pieces"; limit what a plane may have by "amounts", "each" and "most" there')
+            self.say(
+                "most", 'not allowed with "pieces"; limit what a plane may have by "amounts", "each" and "most" there'
+            )
         N = alpha.shape[1]
         most, choices = self.most(raw.get("most"), N), self.choices(raw.get("pieces"), N)
         return Influence(A, alpha, trial if keep else None, most, choices)

@@ -1,4 +1,7 @@
-"""CSV: comma, semicolon or tab between the columns (without comma: decimal commas, too), headers in the first line, `#` before comments."""
+"""CSV: comma, semicolon or tab between the columns, headers in the first line, `#` before comments.
+
+Where columns are not parted by commas, a comma in a number is a decimal one.
+"""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """NI TDMS, by nptdms: each group is a table; its time is a channel `time [s]` or that of its waveforms.
 
 The unit of a channel stands in its name, or in its property `unit_string`. Channels of one group whose waveforms have
-another step or start are tables of their own. Waveforms begin at `wf_start_time`, counted from the earliest in the file,
-and `wf_start_offset` after it.
+another step or start are tables of their own. Waveforms begin `wf_start_offset` after their `wf_start_time`,
+which counts from the earliest of the file.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def read_tdms(path: Path, content: bytes) -> list[Table]:
     tables = [table for source, channels in groups.items() for table in _tables(source, channels, earliest)]
     if tables and 0 < len(starts) < len(waves):
         lacking = f"{len(waves) - len(starts)} of {len(waves)} waveforms have no wf_start_time"
-        note = f"{lacking}: taken to begin with the earliest of the others"
+        note = f"{lacking}: taken as that of the earliest"
         tables[0] = replace(tables[0], notes=(*tables[0].notes, note))
     return tables
 
