@@ -72,6 +72,8 @@ def test_alike_speeds_and_changing_speeds_are_refused(bench: Path, tmp_path: Pat
     names, values = read(bench / "run.csv")
     for phase, words in (
         (values[:, 7] + 0.5, "speeds differ by less than"),
+        (2.0 * values[:, 7] + 0.3, "w2 turns at twice the speed of w1 within 6.3 rad/s, one beat"),
+        (-0.501 * values[:, 7], "w1 turns at twice the speed of w2 within"),
         (values[:, 8] * (1.0 + 0.1 * values[:, 0]), "w2: speed changes by"),
     ):
         write(tmp_path / "other.csv", names, np.column_stack([values[:, :8], phase]))

@@ -98,6 +98,7 @@ REFUSED = (
     ({**RUNS, "keep": True}, "keep: unknown key"),
     ({**RUNS, "keep_trial": 1}, "keep_trial: expected true or false"),
     ({**RUNS, "most": [1]}, "most: 1 number, but there are 2 planes"),
+    ({**RUNS, "most": 2, "pieces": [None, {"holes": 4, "amounts": [1]}]}, 'most: not allowed with "pieces"'),
     ({**RUNS, "pieces": {"holes": 4, "amounts": []}}, "pieces.amounts"),
     ({**RUNS, "pieces": {"holes": 4, "amounts": [1], "forbidden": [[0, 359]]}}, "pieces.forbidden: leaves no position"),
     ({"A": ["1@0"]}, "B: expected a list of rows"),
@@ -121,3 +122,16 @@ def test_command(tmp_path: Path) -> None:
     for name in ("c.json", "missing.json"):
         refused = run("balance", "--influence", str(tmp_path / name), "-o", str(tmp_path / "d.json"))
         assert refused.exit_code == 2 and refused.stderr.startswith("error: ") and not (tmp_path / "d.json").exists()
+
+
+def test_a_file_is_read_strictly(tmp_path: Path) -> None:
+    """A repeated key and a missing file in a line; decimal numbers of limits and pieces are read."""
+    file = tmp_path / "a.json"
+    file.write_text(json.dumps(RUNS)[:-1] + ', "U": ["2@0", "2@0"]}', encoding="utf-8")
+    with pytest.raises(BalanceError, match=r'a\.json: not JSON: key "U" appears twice'):
+        mahovik.balance(file)
+    with pytest.raises(BalanceError, match=r"gone\.json: no such file"):
+        mahovik.balance(tmp_path / "gone.json")
+    for more in ({"most": [0.5, 2.5]}, {"pieces": {"holes": 4, "first": 0.5, "amounts": [0.5, 1.5]}}):
+        file.write_text(json.dumps({**RUNS, **more}), encoding="utf-8")
+        assert np.array_equal(mahovik.balance(file).w, mahovik.balance({**RUNS, **more}).w)

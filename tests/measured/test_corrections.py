@@ -195,6 +195,22 @@ def test_pulses_are_a_phase(speed: float, acceleration: float, at: float, analog
     assert np.ptp(error) < 2.2e-3 * (speed + abs(acceleration) * 4) + 2 * bend
 
 
+@pytest.mark.parametrize("spike", [50.0, -50.0])
+def test_a_spike_is_no_pulse(spike: float) -> None:
+    """Pulses of a noisy tacho are the same with a spike between two of them; short ones of two levels are found."""
+    t = clock(1000)
+    noise = 0.02 * np.random.default_rng(1).standard_normal(len(t))
+    signal = (20.0 * t % 1.0 < 0.3) + noise
+    clean = find_pulses(t, signal)
+    signal[540] = spike
+    found = find_pulses(t, signal)
+    assert clean is not None and found is not None
+    assert (found.double, found.lost) == (0, 0)
+    np.testing.assert_allclose(found.times, clean.times, atol=1e-4)
+    short = find_pulses(clock(9000), np.isin(np.arange(9000), [1000, 3000, 5000, 7000]).astype(float))
+    assert short is not None and len(short.times) == 4
+
+
 def test_lost_and_double_pulses(tmp_path: Path) -> None:
     """A lost one is a turn; a double one is left out."""
     t = clock(3000)
@@ -309,3 +325,43 @@ def test_files_of_several_runs_go_in_pairs(tmp_path: Path) -> None:
     found = read_recordings(paths, STAND)
     assert [float(values(run, "w1.speed")[0]) for run in found] == [1.0, 2.0]
     assert [round(float(values(run, "acc1.rate.x")[0])) for run in found] == [1, 2]
+
+
+def two_groups(path: Path, imu: dict[str, Array], enc: dict[str, Array]) -> Path:
+    """A TDMS file with a group of sensors and one of flywheels."""
+    import nptdms
+
+    with nptdms.TdmsWriter(str(path)) as file:
+        for group, columns in (("imu", imu), ("enc", enc)):
+            file.write_segment([nptdms.ChannelObject(group, header, x) for header, x in columns.items()])
+    return path
+
+
+def test_runs_of_one_file_get_their_own_flywheels(tmp_path: Path) -> None:
+    """The second run of the sensors has the flywheels of the second run; none, where their numbers differ."""
+    t, slow = clock(2000), clock(1000, 2e-3)
+    imu = {"time [s]": np.tile(t, 2), RATE: wobble(np.arange(4000.0))}
+    both = {"time [s]": np.tile(slow, 2), "w1.phase [rad]": np.concatenate([50 * slow, 80 * slow])}
+    first, second = read_recordings([two_groups(tmp_path / "a.tdms", imu, both)], STAND)
+    inside = t <= slow[-1]
+    for run, speed in ((first, 50.0), (second, 80.0)):
+        np.testing.assert_allclose(values(run, "w1.phase")[inside], speed * t[inside], atol=1e-9)
+    one = {header: x[:1000] for header, x in both.items()}
+    first, second, alone = read_recordings([two_groups(tmp_path / "b.tdms", imu, one)], STAND)
+    for run in (first, second):
+        assert run.find("w1", "phase") is None
+        assert lines(run, "w1.phase: 1 run in the file, but 2 of these sensors: not taken")
+    assert alone.find("w1", "phase") is not None
+
+
+def test_flywheels_of_another_time_are_not_taken(tmp_path: Path) -> None:
+    """They stay a recording of their own, and a line says so; no channel is empty."""
+    t = clock()
+    path = two_groups(
+        tmp_path / "a.tdms", {"time [s]": t, RATE: wobble(t)}, {"time [s]": t + 10, "w1.phase [rad]": 50 * t}
+    )
+    found, alone = read_recordings([path], STAND)
+    assert [channel.label for channel in found.channels] == ["acc1.rate.x"]
+    assert lines(found, "no sample at the times of the sensors: not taken")
+    assert not lines(found, "interpolated")
+    assert alone.find("w1", "phase") is not None

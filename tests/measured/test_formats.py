@@ -137,6 +137,42 @@ def test_semicolons_and_decimal_commas(tmp_path: Path) -> None:
     np.testing.assert_allclose(values(found, "acc1.rate.x"), np.deg2rad(np.arange(20) + 0.5))
 
 
+@pytest.mark.parametrize("delimiter", [";", "\t"])
+def test_decimal_commas_after_whole_numbers(tmp_path: Path, delimiter: str) -> None:
+    """The first line has none; other lines decide."""
+    path = tmp_path / "data.csv"
+    rows = "\n".join([f"0{delimiter}0", *(f"0,{k:03d}{delimiter}{k},5" for k in range(1, 20))])
+    path.write_text(f"time [s]{delimiter}acc1.rate.x [rad/s]\n{rows}\n", encoding="utf-8")
+    (found,) = read_recordings([path], STAND)
+    assert found.notes == ()
+    np.testing.assert_allclose(found.t, 1e-3 * np.arange(20))
+    np.testing.assert_allclose(values(found, "acc1.rate.x"), [0.0, *(np.arange(1, 20) + 0.5)])
+
+
+@pytest.mark.parametrize("known", [True, False])
+def test_waveforms_of_tdms_begin_at_their_times(tmp_path: Path, known: bool) -> None:
+    """Flywheels that began half a second later; a line where only the sensors have a time."""
+    import nptdms
+
+    t = clock(2000)
+    start = np.datetime64("2026-01-01T00:00:00")
+    imu = {"unit_string": "rad/s", "wf_increment": 1e-3, "wf_start_offset": 0.0, "wf_start_time": start}
+    enc = {"unit_string": "rad", "wf_increment": 2e-3, "wf_start_offset": 0.25}
+    if known:
+        enc["wf_start_time"] = start + np.timedelta64(500, "ms")
+    path = tmp_path / "data.tdms"
+    with nptdms.TdmsWriter(str(path)) as file:
+        rate = nptdms.ChannelObject("imu", "acc1.rate.x", np.sin(37 * t), imu)
+        file.write_segment([rate, nptdms.ChannelObject("enc", "w1.phase", 50 * t[::2], enc)])
+    (found,) = read_recordings([path], STAND)
+    phase, begin = values(found, "w1.phase"), 0.75 if known else 0.25
+    inside = np.isfinite(phase)
+    assert found.t[inside][0] == pytest.approx(begin)
+    np.testing.assert_allclose(phase[inside], 50 * (found.t[inside] - begin), atol=1e-6)
+    said = [note for note in found.notes if "1 of 2 waveforms have no wf_start_time" in note]
+    assert len(said) == (0 if known else 1)
+
+
 CHANNELS = {
     "acc3.rate.x [rad/s]": 'no point, instrument or flywheel "acc3", did you mean "acc1"?',
     "acc1.accelration.x [m/s2]": 'did you mean "acceleration"?',

@@ -1,7 +1,7 @@
 """First order of each flywheel in measured channels: x = Re(X exp(i phi)), least squares over one recording.
 
 Regressors are a constant, a drift, and cos, sin of each flywheel's phase and of twice it. The flywheels turn at
-constant speeds, no two alike.
+constant speeds; none is that of another, or twice it.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ def _speed(recording: Recording, name: str, phase: Array) -> float:
 
 
 def _separate(recording: Recording, stand: Stand, speeds: Array, turning: list[int]) -> None:
-    """Raise BalanceError if two flywheels turn so alike that the recording cannot tell them apart."""
+    """Raise BalanceError if the recording cannot tell a flywheel from another, or from twice the phase of another."""
     beat = 2.0 * np.pi / float(np.ptp(recording.t))
     for i, s in enumerate(turning):
         for r in turning[i + 1 :]:
@@ -108,3 +108,9 @@ def _separate(recording: Recording, stand: Stand, speeds: Array, turning: list[i
                 names = f"{stand.flywheels[s].name} and {stand.flywheels[r].name}"
                 words = f"speeds differ by less than {beat:.3g} rad/s, one beat; let one turn faster, or record longer"
                 raise BalanceError([f"{recording.source}: {names}: {words}"])
+    for s in turning:
+        for r in turning:
+            if abs(2.0 * abs(speeds[r]) - abs(speeds[s])) < beat:
+                names = f"{stand.flywheels[s].name} turns at twice the speed of {stand.flywheels[r].name}"
+                words = f"within {beat:.3g} rad/s, one beat; let one turn faster, or record longer"
+                raise BalanceError([f"{recording.source}: {names} {words}"])

@@ -17,11 +17,14 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from mahovik.core.motion.document import parse, text_of
+from mahovik.core.stand.content import TEXT
 from mahovik.errors import BalanceError
 from mahovik.nearest import suggestion
 from mahovik.use.balance.choices import Choice, read_choices
@@ -60,15 +63,23 @@ def read_influence(given: str | Path | Mapping[str, Any]) -> Influence:
 
 
 def _load(path: Path) -> Mapping[str, Any]:
+    text = text_of(path, TEXT, BalanceError)
     try:
-        raw = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise BalanceError([f"{path}: {error.strerror or error}"]) from None
+        raw = _floats(parse(text))
     except (ValueError, RecursionError) as error:
         raise BalanceError([f"{path}: not JSON: {error}"]) from None
     if not isinstance(raw, dict):
         raise BalanceError([f'{path}: expected an object with "A", and "B" and "U" or "ALPHA"'])
     return raw
+
+
+def _floats(value: object) -> Any:
+    """A value of JSON with its decimal numbers as floats."""
+    if isinstance(value, dict):
+        return {key: _floats(each) for key, each in value.items()}
+    if isinstance(value, list):
+        return [_floats(each) for each in value]
+    return float(value) if isinstance(value, Decimal) else value
 
 
 class _Reader:
@@ -99,6 +110,10 @@ class _Reader:
         if A is None or alpha is None or self.problems:
             return None
         self.independent(alpha)
+        if raw.get("most") is not None and raw.get("pieces") is not None:
+            self.say(
+                "most", 'not allowed with "pieces"; limit what a plane may have by "amounts", "each" and "most" there'
+            )
         N = alpha.shape[1]
         most, choices = self.most(raw.get("most"), N), self.choices(raw.get("pieces"), N)
         return Influence(A, alpha, trial if keep else None, most, choices)

@@ -12,6 +12,7 @@ from scipy.interpolate import make_interp_spline
 
 from mahovik.use.measured.clock import clock_drift, clock_offset
 from mahovik.use.measured.recording import GAP, Array, Channel, Recording
+from mahovik.use.measured.times import count
 
 SHARE = 0.5
 """Part of the time of the sensors that flywheels of another file have to cover."""
@@ -27,13 +28,13 @@ def join(recordings: list[tuple[str, Recording]]) -> tuple[Recording, ...]:
     used: set[int] = set()
     found = []
     for place, (file, recording) in enumerate(sensors):
-        joined = recording
-        for k in _partners(place, sensors, donors):
+        own, notes = _own_partners(place, sensors, donors)
+        joined = replace(recording, notes=(*recording.notes, *notes))
+        for k in own + _other_partners(place, sensors, donors):
             other_file, donor = donors[k]
-            taken = _take(joined, donor, same_clock=file == other_file)
-            if taken is not joined:
+            joined, taken = _take(joined, donor, same_clock=file == other_file)
+            if taken:
                 used.add(k)
-                joined = taken
         found.append(joined)
     left = [donor for k, (_, donor) in enumerate(donors) if k not in used]
     return (*found, *left)
@@ -43,22 +44,44 @@ def _flywheels_only(recording: Recording) -> bool:
     return all(channel.kind == "flywheel" for channel in recording.channels)
 
 
-def _partners(place: int, sensors: list[tuple[str, Recording]], donors: list[tuple[str, Recording]]) -> list[int]:
-    """Donors of a recording of sensors: of its own file all; of other files those that overlap, by order if many."""
+def _labels(recording: Recording) -> tuple[str, ...]:
+    return tuple(sorted(channel.label for channel in recording.channels))
+
+
+def _own_partners(
+    place: int, sensors: list[tuple[str, Recording]], donors: list[tuple[str, Recording]]
+) -> tuple[list[int], list[str]]:
+    """Donors of the same file, and notes. Recordings of the same channels are runs: the k-th gets the k-th donor."""
     file, recording = sensors[place]
-    own = [k for k, (other, _) in enumerate(donors) if other == file]
-    other = [k for k, (name, donor) in enumerate(donors) if name != file and _covers(donor, recording)]
+    runs = [i for i, (other, r) in enumerate(sensors) if other == file and _labels(r) == _labels(recording)]
     by_content: dict[tuple[str, ...], list[int]] = {}
-    for k in other:
-        by_content.setdefault(tuple(sorted(c.label for c in donors[k][1].channels)), []).append(k)
-    rank = place
+    for k, (other, donor) in enumerate(donors):
+        if other == file:
+            by_content.setdefault(_labels(donor), []).append(k)
+    chosen, notes = list[int](), list[str]()
+    for labels, alike in by_content.items():
+        if len(alike) == len(runs):
+            chosen.append(alike[runs.index(place)])
+        else:
+            many = f"{count(len(alike), 'run')} in the file, but {len(runs)} of these sensors"
+            notes.append(f"{recording.source}: {', '.join(labels)}: {many}: not taken")
+    return sorted(chosen), notes
+
+
+def _other_partners(place: int, sensors: list[tuple[str, Recording]], donors: list[tuple[str, Recording]]) -> list[int]:
+    """Donors of other files that overlap, by order if many."""
+    file, recording = sensors[place]
+    by_content: dict[tuple[str, ...], list[int]] = {}
+    for k, (name, donor) in enumerate(donors):
+        if name != file and _covers(donor, recording):
+            by_content.setdefault(_labels(donor), []).append(k)
     chosen = []
     for alike in by_content.values():
         if len(alike) == 1:
             chosen += alike
         elif len(alike) == len(sensors):
-            chosen.append(alike[rank])
-    return own + sorted(chosen)
+            chosen.append(alike[place])
+    return sorted(chosen)
 
 
 def _covers(donor: Recording, recording: Recording) -> bool:
@@ -68,24 +91,32 @@ def _covers(donor: Recording, recording: Recording) -> bool:
     return bool(common > SHARE * np.ptp(recording.t))
 
 
-def _take(recording: Recording, donor: Recording, same_clock: bool) -> Recording:
-    """The recording with the channels of a donor that it lacks; itself if there is none."""
+def _take(recording: Recording, donor: Recording, same_clock: bool) -> tuple[Recording, bool]:
+    """The recording with the channels of a donor that it lacks, and whether there are any."""
     have = {channel.label for channel in recording.channels}
     missing = [channel for channel in donor.channels if channel.label not in have]
     if not missing:
-        return recording
+        return recording, False
     t, notes = donor.t, list[str]()
     if not same_clock:
         t, notes = _shift(recording, donor)
-    taken = tuple(replace(channel, values=at_times(t, channel, recording.t)) for channel in missing)
-    names = ", ".join(sorted({channel.name for channel in missing}))
+    found = [replace(channel, values=at_times(t, channel, recording.t)) for channel in missing]
+    taken = [channel for channel in found if np.isfinite(channel.values).any()]
+    absent = ", ".join(channel.label for channel in found if channel not in taken)
+    if absent:
+        words = f"{absent} of {donor.source}: no sample at the times of the sensors: not taken"
+        notes.append(f"{recording.source}: {words}")
+    if not taken:
+        return replace(recording, notes=(*recording.notes, *notes)), False
+    names = ", ".join(sorted({channel.name for channel in taken}))
     notes.append(f"{recording.source}: {names} from {donor.source}, interpolated at the times of the sensors")
-    return replace(
+    joined = replace(
         recording,
         channels=(*recording.channels, *taken),
         source=recording.source if same_clock else f"{recording.source} + {donor.source}",
         notes=(*recording.notes, *donor.notes, *notes),
     )
+    return joined, True
 
 
 def _shift(recording: Recording, donor: Recording) -> tuple[Array, list[str]]:

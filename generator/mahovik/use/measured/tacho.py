@@ -15,6 +15,9 @@ DOUBLE = 0.4
 NEIGHBOURS = 5
 """Intervals whose median is the usual one."""
 
+RARE = 1e-3
+"""Part of the samples that may be beyond the low or the high level: spikes."""
+
 
 @dataclass(frozen=True, eq=False)
 class Pulses:
@@ -34,17 +37,22 @@ class Pulses:
 def find_pulses(t: Array, values: Array) -> Pulses | None:
     """Rising edges of a tacho; None if there are fewer than two.
 
-    The threshold is the middle between low and high. A signal of two levels rises half a step before the first high
-    sample, which is its mean place; one with more levels is interpolated.
+    The threshold is the middle between low and high, which are quantiles; spikes beyond twice their distance are
+    missing. A signal of two levels rises half a step before the first high sample, which is its mean place; one with
+    more levels is interpolated.
     """
     finite = np.isfinite(values)
     t, values = t[finite], values[finite]
     if len(t) < 2:
         return None
-    low, high = float(values.min()), float(values.max())
+    low, high = (float(each) for each in np.quantile(values, (RARE, 1.0 - RARE)))
+    if not high > low:  # pulses of fewer samples
+        low, high = float(values.min()), float(values.max())
     if not high > low:
         return None
     middle = 0.5 * (low + high)
+    level = np.abs(values - middle) <= 1.5 * (high - low)
+    t, values = t[level], values[level]
     above = values > middle
     rises = np.flatnonzero(above[1:] & ~above[:-1])
     before, after = values[rises], values[rises + 1]

@@ -1,4 +1,7 @@
-"""CSV: comma, semicolon or tab between the columns, headers in the first line, `#` before comments."""
+"""CSV: comma, semicolon or tab between the columns, headers in the first line, `#` before comments.
+
+Where columns are not parted by commas, a comma in a number is a decimal one.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +34,7 @@ def read_csv(path: Path, content: bytes) -> list[Table]:
     if twice:
         raise DataError([f'{path}: line 1: the header "{twice[0]}" stands twice; name each column once'])
     body = lines[1:]
-    if delimiter == ";" and "," in body[0]:
+    if delimiter != ",":  # decimal commas, though some lines may have whole numbers alone
         body = [line.replace(",", ".") for line in body]
     try:
         values = np.loadtxt(io.StringIO("\n".join(body)), delimiter=delimiter, ndmin=2, comments=None)
