@@ -71,6 +71,9 @@ PARTS = 3
 STRAIGHT = 0.3
 """Most that the middle offset may be off the line of the others, in steps of time."""
 
+BLURRED = 1.0
+"""The same while the drift is still in the data and blurs the correlations."""
+
 STEEP = 1.0
 """Change of the offset over the recording, in steps of time, below which there is no drift."""
 
@@ -80,16 +83,16 @@ def clock_drift(t: Array, x: Array, other_t: Array, other_x: Array) -> tuple[flo
 
     Found twice, since a drift blurs the correlation within a part. None: no drift is seen, or not safely.
     """
-    first = _line(t, x, other_t, other_x, STEEP)
+    first = _line(t, x, other_t, other_x, STEEP, BLURRED)
     if first is None:
         return None
     slope, intercept = first
-    second = _line(t, x, slope * other_t + intercept, other_x, 0.0)
-    return (second[0] * slope, second[0] * intercept + second[1]) if second is not None else first
+    second = _line(t, x, slope * other_t + intercept, other_x, 0.0, STRAIGHT)
+    return None if second is None else (second[0] * slope, second[0] * intercept + second[1])
 
 
-def _line(t: Array, x: Array, other_t: Array, other_x: Array, steep: float) -> tuple[float, float] | None:
-    """The line through the offsets of PARTS; None if they are not safe, not straight, or not as steep as wanted."""
+def _line(t: Array, x: Array, other_t: Array, other_x: Array, steep: float, bend: float) -> tuple[float, float] | None:
+    """The line through the offsets of PARTS; None if they are not safe, or it is not as steep, or more bent (steps)."""
     low, high = max(t[0], other_t[0]), min(t[-1], other_t[-1])
     edges = np.linspace(low, high, PARTS + 1)
     step = max(float(np.median(np.diff(t))), float(np.median(np.diff(other_t))))
@@ -102,8 +105,7 @@ def _line(t: Array, x: Array, other_t: Array, other_x: Array, steep: float) -> t
         found.append(part.seconds)
     first, middle, last = found
     rate = (last - first) / float(edges[-2] - edges[0])
-    straight = abs(middle - 0.5 * (first + last)) <= STRAIGHT * step
-    if not straight or abs(rate) * (high - low) < steep * step:
+    if abs(middle - 0.5 * (first + last)) > bend * step or abs(rate) * (high - low) < steep * step:
         return None
     return 1.0 + rate, (first + middle + last) / PARTS - rate * float(0.5 * (low + high))
 
