@@ -147,12 +147,13 @@ def identify(
     from mahovik.core.stand.units import TIME
     from mahovik.out.api.model import build
     from mahovik.out.campaign.signals import sensors
-    from mahovik.out.identify.arrangement import wrong_axes
+    from mahovik.out.identify.arrangement import badly_fitted
     from mahovik.out.identify.estimate import estimate
     from mahovik.out.identify.free import Free
     from mahovik.out.identify.gauss_newton import LOSSES
     from mahovik.out.identify.page import Comparison
     from mahovik.out.identify.run import runs_of
+    from mahovik.out.identify.sense import wrong_ways
     from mahovik.out.identify.sight import unobservable
     from mahovik.out.identify.wanted import Wanted, wanted_of
     from mahovik.use.measured import read_recordings
@@ -187,7 +188,7 @@ def identify(
         {run.source: _channels(run, fit, r) for r, run in enumerate(runs)},
         _share(runs, fit),
         None if checked is None else (checked[0], checked[1]),
-        (*notes, *wrong_axes(fit, runs)),
+        (*notes, *badly_fitted(fit, runs), *wrong_ways(numbers, fit, runs)),
         tuple(place for entry in numbers.entries for place in entry.places),
         Comparison(tuple(recordings), tuple(runs), numbers, fit),
     )

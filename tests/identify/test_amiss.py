@@ -1,0 +1,65 @@
+"""Faults of data that an identification tells: signs and axes beside channels of noise, senses of phases, bad fits."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mahovik
+from identify.data import Array, recorded, stand_text, with_noise, write_csv
+
+SILENT = (3, 4, 6)
+"""Channels made noise alone: acceleration z, rates x and z."""
+
+
+@pytest.fixture(scope="module")
+def truth() -> mahovik.Stand:
+    return mahovik.Stand.from_dict(tomllib.loads(stand_text()))
+
+
+@pytest.fixture(scope="module")
+def clean(truth: mahovik.Stand) -> Array:
+    """Data with noise; three channels have noise alone, ten times what the stand would show there."""
+    rows = with_noise(recorded(truth, duration=0.5), 20.0, 7)
+    rng = np.random.default_rng(8)
+    for c in SILENT:
+        rows[:, c] = 10.0 * rows[:, c].std() * rng.normal(size=len(rows))
+    return rows
+
+
+def identified(folder: Path, truth: mahovik.Stand, rows: Array) -> mahovik.Identification:
+    return mahovik.identify(truth, write_csv(folder / "run.csv", rows), "w*.unbalance")
+
+
+def test_channels_of_noise_fake_nothing(tmp_path: Path, truth: mahovik.Stand, clean: Array) -> None:
+    found = identified(tmp_path, truth, clean)
+    assert found.notes == ()
+
+
+@pytest.mark.parametrize("channel", [1, 5])
+def test_channels_of_noise_hide_no_sign(tmp_path: Path, truth: mahovik.Stand, clean: Array, channel: int) -> None:
+    rows = clean.copy()
+    rows[:, channel] *= -1.0
+    name, axis = {1: ("imu.acceleration", "x"), 5: ("imu.rate", "y")}[channel]
+    bad, wrong = identified(tmp_path, truth, rows).notes
+    assert f"{name}.{axis}" in bad.split(":")[0] and "% of the data: a sign" in bad
+    assert wrong.startswith(f"{name}: signs or axes are evidently wrong: with {axis} = -{axis} the fit leaves")
+
+
+def test_a_phase_of_the_wrong_sense_is_told(tmp_path: Path, truth: mahovik.Stand, clean: Array) -> None:
+    rows = clean.copy()
+    rows[:, 7] *= -1.0
+    *_, note = identified(tmp_path, truth, rows).notes
+    assert note.startswith("w1: the phase evidently runs the other way: turned round, the fit leaves")
+
+
+def test_a_bad_fit_of_other_reasons_accuses_no_sensor(tmp_path: Path, truth: mahovik.Stand, clean: Array) -> None:
+    """The unbalance of w1 is elsewhere, and not free."""
+    file = write_csv(tmp_path / "run.csv", clean)
+    at = mahovik.identify(truth, file, "w1.unbalance.static_at").parameters["w1.unbalance.static_at"].before
+    found = mahovik.identify(truth.replace({"w1.unbalance.static_at": at + 1.7}), file, "w2.unbalance")
+    (note,) = found.notes
+    assert "or a number that is not free?" in note
