@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import tomllib
 from pathlib import Path
 
@@ -10,6 +11,7 @@ import pytest
 
 import mahovik
 from identify.data import Array, recorded, stand_text, with_noise, write_csv
+from mahovik.out.identify.face import _correlation, _errors
 
 SILENT = (3, 4, 6)
 """Channels made noise alone: acceleration z, rates x and z."""
@@ -37,6 +39,9 @@ def identified(folder: Path, truth: mahovik.Stand, rows: Array) -> mahovik.Ident
 def test_channels_of_noise_fake_nothing(tmp_path: Path, truth: mahovik.Stand, clean: Array) -> None:
     found = identified(tmp_path, truth, clean)
     assert found.notes == ()
+    assert found.residual == pytest.approx(0.05, rel=0.15)  # of the channels with a signal
+    shares = {name: each.share for name, each in next(iter(found.channels.values())).items()}
+    assert shares["imu.rate.x"] == pytest.approx(1.0, abs=0.05)
 
 
 @pytest.mark.parametrize("channel", [1, 5])
@@ -63,3 +68,24 @@ def test_a_bad_fit_of_other_reasons_accuses_no_sensor(tmp_path: Path, truth: mah
     found = mahovik.identify(truth.replace({"w1.unbalance.static_at": at + 1.7}), file, "w2.unbalance")
     (note,) = found.notes
     assert "or a number that is not free?" in note
+
+
+@pytest.mark.filterwarnings("error")
+def test_channels_without_a_signal_are_told(tmp_path: Path, truth: mahovik.Stand, clean: Array) -> None:
+    rows = clean.copy()
+    rows[:, 1:7] = np.random.default_rng(1).normal(size=(len(rows), 6))
+    rows[:, 4] = 0.25
+    found = identified(tmp_path, truth, rows)
+    assert any(note.startswith("no channel has a signal") for note in found.notes)
+    assert found.residual == pytest.approx(1.0, abs=0.05)
+    ((name, channels),) = found.channels.items()
+    assert math.isnan(channels["imu.rate.x"].share)
+    assert found.to_dict()["channels"][name]["imu.rate.x"]["share"] is None
+
+
+@pytest.mark.filterwarnings("error")
+def test_what_has_no_standard_error_is_nan() -> None:
+    covariance = np.array([[4.0, 1.0, 0.0], [1.0, -1e-20, 0.0], [0.0, 0.0, math.nan]])
+    assert _errors(covariance).tolist() == pytest.approx([2.0, math.nan, math.nan], nan_ok=True)
+    found = _correlation(covariance)
+    assert found[0, 0] == 1.0 and np.isnan(found[1:]).all()

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 Taken = dict[int, tuple[int, float]]
 
 BETTER = 0.5
-"""An arrangement is reported that leaves less than this share of the squares of residuals, of its channels or of all."""
+"""An arrangement is reported that leaves less than this share of the squares of residuals, of its own or all."""
 
 AMISS = 0.05
 """Arrangements are tried only where residuals of a channel have at least this share of the squares of its data."""
@@ -98,7 +98,7 @@ class Look:
         return Grams(self.measured, predicted - predicted.mean(axis=0), by - by.mean(axis=0), self.units, self.alive)
 
     def excess(self, left: Array, places: Sequence[int]) -> Array:
-        """Squares of residuals beyond noise, as a share of those of the data (C); zero of channels that tell nothing."""
+        """Squares of residuals beyond noise, as a share of those of the data (C); zero of channels of noise."""
         found = np.zeros(len(left))
         for c in self.alive:
             d = places[c]
