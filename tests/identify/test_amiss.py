@@ -89,3 +89,16 @@ def test_what_has_no_standard_error_is_nan() -> None:
     assert _errors(covariance).tolist() == pytest.approx([2.0, math.nan, math.nan], nan_ok=True)
     found = _correlation(covariance)
     assert found[0, 0] == 1.0 and np.isnan(found[1:]).all()
+
+
+def test_a_flywheel_at_rest_keeps_its_unbalance(tmp_path: Path, truth: mahovik.Stand) -> None:
+    small = truth.replace({"w2.unbalance.static": 1e-6, "w2.unbalance.dynamic": 1e-8})
+    rows = with_noise(recorded(truth, (150.0, 1e-4), 0.5), 10.0, 4)
+    found = mahovik.identify(small, write_csv(tmp_path / "rest.csv", rows), "w*.unbalance")
+    (line,) = found.unobservable
+    assert line.startswith("w2.unbalance.static, w2.unbalance.dynamic: are not seen in the data: w2 stands still")
+    for path, each in found.parameters.items():
+        if path.startswith("w2"):
+            assert each.value == pytest.approx(each.before, rel=1e-3, abs=1e-3 if path.endswith("_at") else 0.0), path
+    static = found.parameters["w1.unbalance.static"]
+    assert static.standard_error < 0.01 * static.value

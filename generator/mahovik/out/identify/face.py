@@ -181,16 +181,17 @@ def identify(
             _share(tests, estimate(numbers, tests, loss, theta=theta, fixed=True))
             for theta in (fit.theta, numbers.nominal)
         )
+    lost, told = unobservable(numbers, runs, fit.theta, fit.noise, fit.held)
     notes = [note for each in (*recordings, *others) for note in each.notes]
     return Identification(
         new,
         _parameters(numbers, fit),
         _correlation(_covariance(numbers, fit)),
-        tuple(unobservable(numbers, runs, fit.theta, fit.information, fit.noise)),
+        tuple(lost),
         {run.source: _channels(run, fit, r) for r, run in enumerate(runs)},
         _share(runs, fit),
         None if checked is None else (checked[0], checked[1]),
-        (*notes, *_without_signal(runs, fit), *badly_fitted(fit, runs), *wrong_ways(numbers, fit, runs)),
+        (*notes, *told, *_without_signal(runs, fit), *badly_fitted(fit, runs), *wrong_ways(numbers, fit, runs)),
         tuple(place for entry in numbers.entries for place in entry.places),
         Comparison(tuple(recordings), tuple(runs), numbers, fit),
     )
