@@ -25,7 +25,7 @@ def truth() -> mahovik.Stand:
 @pytest.fixture(scope="module")
 def clean(truth: mahovik.Stand) -> Array:
     """Data with noise; three channels have noise alone, ten times what the stand would show there."""
-    rows = with_noise(recorded(truth, duration=0.5), 20.0, 7)
+    rows = with_noise(recorded(truth, duration=0.8), 20.0, 7)
     rng = np.random.default_rng(8)
     for c in SILENT:
         rows[:, c] = 10.0 * rows[:, c].std() * rng.normal(size=len(rows))

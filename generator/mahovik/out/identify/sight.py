@@ -110,7 +110,7 @@ def _unseen(free: Free, runs: Sequence[Run], theta: Array, information: Array) -
     together = {name for a, b, *_ in _of_one_speed(free, runs, ranges) for name in (a, b)}
     alone = np.linalg.norm(information, axis=0)
     inverse = np.linalg.pinv(information.T @ information + WIDE**-2 * np.eye(len(information)))
-    errors = free.scale[: len(information)] * np.sqrt(np.maximum(np.diag(inverse), 0.0))
+    still = _still(free, ranges)
     found, row = [], 0
     for entry in free.entries:
         own = list(range(row, row + len(entry.paths)))
@@ -119,7 +119,11 @@ def _unseen(free: Free, runs: Sequence[Run], theta: Array, information: Array) -
             found += own
         elif entry.paths[0].endswith(AMOUNTS) and entry.paths[0].split(".")[0] not in together:
             before, now = (float(np.linalg.norm(each[own])) for each in (free.nominal, theta))
-            if max(errors[i] for i in own) > max(FAR * before, LARGE * now, LEAST_PART * entry.scale):
+            spread = np.linalg.eigvalsh(inverse[np.ix_(own, own)])  # the amount may be seen where the angle is not
+            square = spread[-1] if entry.paths[0].split(".")[0] in still else spread[0]
+            if entry.scale * math.sqrt(max(float(square), 0.0)) > max(
+                FAR * before, LARGE * now, LEAST_PART * entry.scale
+            ):
                 found += own
     return found + [i for i in range(row, len(information)) if alone[i] * LARGE < 1.0]
 
@@ -179,11 +183,7 @@ def _advice(
     ranges: Sequence[tuple[Array, Array]],
     free: Free,
 ) -> str:
-    still = [
-        wheel.name
-        for i, wheel in enumerate(free.stand.flywheels)
-        if all(max(abs(low[i]), abs(high[i])) < 1e-3 for low, high in ranges)
-    ]
+    still = _still(free, ranges)
     own = [name.split(".")[0] for name in names if name.split(".")[0] in still]
     if own:
         return f"not seen in the data: {', '.join(dict.fromkeys(own))} stands still, let it turn"
@@ -195,6 +195,15 @@ def _advice(
             "sensor at another place"
         )
     return "not seen in this motion: add a run with other speeds, or a sensor at another place; or keep one fixed"
+
+
+def _still(free: Free, ranges: Sequence[tuple[Array, Array]]) -> list[str]:
+    """Flywheels that stand still in all runs."""
+    return [
+        wheel.name
+        for i, wheel in enumerate(free.stand.flywheels)
+        if all(max(abs(low[i]), abs(high[i])) < 1e-3 for low, high in ranges)
+    ]
 
 
 def _of_one_speed(
