@@ -88,7 +88,12 @@ def _print(found: Identification) -> None:
         rows.append((each.path, f"{each.value:.6g}", error, f"{each.before:.6g}", each.unit))
     print_table(("number", "value>", "standard error>", "in the file>", "unit"), rows)
     left = [
-        (run, name, f"{each.residual:.3g} {each.unit}", f"{100.0 * each.share:.3g} %")
+        (
+            run,
+            name,
+            f"{each.residual:.3g} {each.unit}",
+            f"{100.0 * each.share:.3g} %" if math.isfinite(each.share) else "-",
+        )
         for run, channels in found.channels.items()
         for name, each in channels.items()
     ]

@@ -1,8 +1,12 @@
-"""Sensors with a wrong sign or exchanged axes: every arrangement of a sensor's axes is fitted, linearly."""
+"""Sensors with a wrong sign or exchanged axes: every arrangement of a sensor's axes is fitted, linearly.
+
+Also channels of which a fit leaves much, whatever the reason. Channels with noise alone have no say.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import permutations, product
 
 import numpy as np
@@ -10,96 +14,197 @@ from numpy.typing import NDArray
 
 from mahovik.out.identify.channels import AXES
 from mahovik.out.identify.estimate import Fit
-from mahovik.out.identify.run import Run
+from mahovik.out.identify.run import HEARD, Run, heard, noise_beside
 
 Array = NDArray[np.float64]
+Taken = dict[int, tuple[int, float]]
 
 BETTER = 0.5
-"""An arrangement that leaves less than this share of the squares of residuals is reported."""
+"""An arrangement is reported that leaves less than this share of the squares of residuals, of its own or all."""
 
 AMISS = 0.05
-"""Arrangements are tried only where residuals have at least this share of the squares of the data."""
+"""Arrangements are tried only where residuals of a channel have at least this share of the squares of its data."""
+
+GOOD = 0.25
+"""An arrangement is reported that leaves less than this share of the squares of its data; other faults leave more."""
+
+NEAR = 0.01
+"""The arrangement with the fewest changes is taken of those that gain as much, to this share."""
+
+MUCH, ABOVE = 1.0 / 3.0, 5.0
+"""A fit is bad where it leaves more than this share of a channel's data, and this many times its noise."""
 
 
-def wrong_axes(fit: Fit, runs: Sequence[Run]) -> list[str]:
-    """One line for each sensor whose data would fit far better with other signs or axes.
-
-    The model is taken as linear about the estimate; each channel counts by its spread in the data.
-    """
-    found: list[str] = []
-    for r, run in enumerate(runs):
-        found += _of_run(fit, r, run)
-    return list(dict.fromkeys(found))
-
-
-def _of_run(fit: Fit, r: int, run: Run) -> list[str]:
-    there = np.isfinite(run.measured).all(axis=1)
-    if np.count_nonzero(there) < 2 * run.measured.shape[1]:
-        return []
-    measured = run.measured[there] - run.measured[there].mean(axis=0)
-    left = fit.residuals[r][there]
-    left = left - left.mean(axis=0)
-    predicted = measured - left
-    spread = np.sqrt(np.mean(measured**2, axis=0)) + 1e-300
-    if float(np.mean((left / spread) ** 2)) < AMISS:
-        return []
-    J = np.concatenate([fit.by_theta[r][there], fit.by_start[r][there]], axis=2)
-    J = J - J.mean(axis=0)
-    J = J / (np.sqrt(np.mean(J**2, axis=(0, 1))) + 1e-300)
-    groups: dict[tuple[str, str], list[int]] = {}
-    for c, channel in enumerate(run.channels):
-        groups.setdefault((channel.point, channel.kind), []).append(c)
-    grams = _Grams(measured, predicted, J, spread)
-    n = len(run.channels)
-    as_given = grams.misfit(list(range(n)), [1.0] * n)
+def badly_fitted(fit: Fit, runs: Sequence[Run]) -> list[str]:
+    """One line for each run of whose channels the stand leaves much more than noise."""
     lines = []
-    for (point, kind), own in groups.items():
-        best = (as_given, tuple(own), (1.0,) * len(own))
-        for order in permutations(own):
-            for signs in product((1.0, -1.0), repeat=len(own)):
-                places, whole = list(range(n)), [1.0] * n
-                for c, taken, sign in zip(own, order, signs, strict=True):
-                    places[c], whole[c] = taken, sign
-                cost = grams.misfit(places, whole)
-                if cost < best[0] * (1.0 - 1e-9):
-                    best = (cost, order, signs)
-        if best[0] < BETTER * as_given:
-            axes = [AXES[run.channels[c].axis] for c in own]
-            taken_as = ", ".join(
-                f"{axis} = {'-' if sign < 0 else ''}{AXES[run.channels[c].axis]}"
-                for axis, c, sign in zip(axes, best[1], best[2], strict=True)
-                if sign < 0 or AXES[run.channels[c].axis] != axis
-            )
-            before, after = (100.0 * float(np.sqrt(x / n)) for x in (as_given, best[0]))
+    for r, run in enumerate(runs):
+        left, spread = np.sqrt(np.nanmean(fit.residuals[r] ** 2, axis=0)), np.nanstd(run.measured, axis=0)
+        own = np.flatnonzero(_is_bad(run, fit.residuals[r])).tolist()
+        if own:
+            names = ", ".join(run.channels[c].name for c in own)
+            shares = ", ".join(f"{100.0 * float(left[c] / spread[c]):.3g} %" for c in own)
+            source = f"{run.source}: " if len(runs) > 1 else ""
             lines.append(
-                f"{point}.{kind}: signs or axes are evidently wrong: with {taken_as} the fit leaves {after:.3g} % of "
-                f"the data in place of {before:.3g} %; correct the columns or the angles of {point}"
+                f"{source}{names}: the stand leaves {shares} of the data: a sign, an axis, a phase, a unit, or a "
+                "number that is not free?"
             )
     return lines
 
 
-class _Grams:
-    """Products of all channels, from which the residual of any arrangement follows by a small linear system."""
+def _is_bad(run: Run, residuals: Array) -> NDArray[np.bool_]:
+    left, spread = np.sqrt(np.nanmean(residuals**2, axis=0)), np.nanstd(run.measured, axis=0)
+    much = (left > MUCH * spread) & (left > ABOVE * noise_beside(run, residuals))
+    return np.asarray(much & heard(run, residuals))
 
-    def __init__(self, measured: Array, predicted: Array, J: Array, spread: Array) -> None:
+
+@dataclass(frozen=True)
+class Finding:
+    """A sensor with wrong axes: channels and signs that its changed channels should have; the excess then left."""
+
+    point: str
+    kind: str
+    taken: Taken
+    cost: float
+    line: str
+
+
+class Look:
+    """One run about the estimate: its samples that all channels have, and the channels that tell something."""
+
+    def __init__(self, fit: Fit, r: int, run: Run) -> None:
+        self.run, self.residuals = run, fit.residuals[r]
+        self.there = np.isfinite(run.measured).all(axis=1)
+        self.enough = np.count_nonzero(self.there) >= 2 * run.measured.shape[1]
+        measured = run.measured[self.there]
+        self.measured = measured - (measured.mean(axis=0) if self.enough else 0.0)
+        left = self.residuals[self.there]
+        self.predicted = self.measured - left + (left.mean(axis=0) if self.enough else 0.0)
+        self.by = np.concatenate([fit.by_theta[r][self.there], fit.by_start[r][self.there]], axis=2)
+        self.noise = noise_beside(run, self.residuals)
+        self.heard = heard(run, self.residuals)
+        told = np.sqrt(np.mean(self.predicted**2, axis=0)) > HEARD * self.noise if self.enough else self.heard
+        self.alive: list[int] = np.flatnonzero(self.heard | told).tolist()
+        self.spread = np.nanstd(run.measured, axis=0)
+        self.units = np.where(self.heard, self.spread, self.noise)
+
+    @property
+    def bad(self) -> bool:
+        """Whether much more than noise is left of a channel."""
+        return bool(_is_bad(self.run, self.residuals).any())
+
+    def grams(self, predicted: Array, by: Array) -> Grams:
+        """Products for predictions (T, C) and derivatives (T, C, p) at the samples."""
+        return Grams(self.measured, predicted - predicted.mean(axis=0), by - by.mean(axis=0), self.units, self.alive)
+
+    def excess(self, left: Array, places: Sequence[int]) -> Array:
+        """Squares of residuals beyond noise, as a share of those of the data (C); zero of channels of noise."""
+        found = np.zeros(len(left))
+        for c in self.alive:
+            d = places[c]
+            found[c] = max(float(left[c] - self.noise[d] ** 2), 0.0) / float(self.units[d]) ** 2
+        return found
+
+    def percent(self, left: Array, places: Sequence[int], own: Sequence[int]) -> float:
+        """Rms of what is left of channels, % of the data."""
+        shares = [float(left[c] / self.spread[places[c]] ** 2) for c in own if self.heard[places[c]]]
+        return 100.0 * float(np.sqrt(np.mean(shares))) if shares else 100.0
+
+
+def wrong_axes(look: Look) -> tuple[list[Finding], float]:
+    """Sensors whose data would fit far better with other signs or axes, and the excess left with all of them mended.
+
+    The model is taken as linear about the estimate; each channel counts by its spread in the data. Of several sensors
+    the one that mends most is mended before the next is looked for.
+    """
+    n = len(look.run.channels)
+    grams = look.grams(look.predicted, look.by)
+    groups: dict[tuple[str, str], list[int]] = {}
+    for c in look.alive:
+        groups.setdefault((look.run.channels[c].point, look.run.channels[c].kind), []).append(c)
+    found: list[Finding] = []
+    while True:
+        mended = {c: each for finding in found for c, each in finding.taken.items()}
+        places, signs = _arranged(n, mended)
+        given = grams.remains(places, signs)
+        excess = look.excess(given, places)
+        if excess.max() < AMISS:
+            break
+        every = [_of_sensor(look, grams, own, mended, given, excess) for own in groups.values()]
+        ones = [one for one in every if one is not None]
+        if not ones:
+            break
+        least = min(one.cost for one in ones)
+        enough = least + NEAR * (float(excess.sum()) - least)
+        best = min((one for one in ones if one.cost <= enough), key=lambda one: (len(one.taken), one.cost))
+        found.append(best)
+        del groups[best.point, best.kind]
+    return found, float(excess.sum())
+
+
+def _of_sensor(look: Look, grams: Grams, own: list[int], mended: Taken, given: Array, excess: Array) -> Finding | None:
+    """What mends a sensor of the channels `own`, with other sensors as `mended`."""
+    n, channels = len(look.run.channels), look.run.channels
+    tried: list[tuple[float, Taken]] = []
+    for order in permutations(own):
+        for signs in product((1.0, -1.0), repeat=len(own)):
+            taken = dict(zip(own, zip(order, signs, strict=True), strict=True))
+            places, whole = _arranged(n, mended | taken)
+            cost = float(look.excess(grams.remains(places, whole), places).sum())
+            tried.append((cost, {c: each for c, each in taken.items() if each != (c, 1.0)}))
+    least = min(cost for cost, _ in tried)
+    enough = least + NEAR * (float(excess.sum()) - least)
+    cost, changed = min((each for each in tried if each[0] <= enough), key=lambda each: (len(each[1]), each[0]))
+    if not changed:
+        return None
+    places, whole = _arranged(n, mended | changed)
+    left = grams.remains(places, whole)
+    rows = list(changed)
+    after, before = float(look.excess(left, places)[rows].sum()), float(excess[rows].sum())
+    better = AMISS * len(rows) <= before and after < BETTER * before
+    if not (better or cost < BETTER * float(excess.sum())) or after >= GOOD * len(rows):
+        return None
+    taken_as = ", ".join(
+        f"{AXES[channels[c].axis]} = {'-' if sign < 0 else ''}{AXES[channels[d].axis]}"
+        for c, (d, sign) in changed.items()
+    )
+    point, kind = channels[own[0]].point, channels[own[0]].kind
+    line = (
+        f"{point}.{kind}: signs or axes are evidently wrong: with {taken_as} the fit leaves "
+        f"{look.percent(left, places, rows):.3g} % of the data in place of "
+        f"{look.percent(given, list(range(n)), rows):.3g} %; correct the columns or the angles of {point}"
+    )
+    return Finding(point, kind, changed, cost, line)
+
+
+def _arranged(n: int, taken: Taken) -> tuple[list[int], list[float]]:
+    """Channels and signs of the data at each of n channels."""
+    whole = [taken.get(c, (c, 1.0)) for c in range(n)]
+    return [d for d, _ in whole], [sign for _, sign in whole]
+
+
+class Grams:
+    """Products of channels, from which the residual of any arrangement follows by a small linear system."""
+
+    def __init__(self, measured: Array, predicted: Array, by: Array, units: Array, alive: Sequence[int]) -> None:
         T = len(measured)
-        self.spread = spread
-        self.JJ = np.einsum("tcp,tcq->cpq", J, J) / T
-        self.JP = np.einsum("tcp,tc->cp", J, predicted) / T
-        self.JM = np.einsum("tcp,td->cdp", J, measured) / T
-        self.PP = np.mean(predicted**2, axis=0)
-        self.PM = predicted.T @ measured / T
-        self.MM = np.mean(measured**2, axis=0)
+        J = by / (np.sqrt(np.mean((by / units[:, None]) ** 2, axis=(0, 1))) + 1e-300)
+        self._units, self._alive = units, list(alive)
+        self._JJ = np.matmul(J.transpose(1, 2, 0), J.transpose(1, 0, 2)) / T
+        self._JP = np.einsum("tcp,tc->cp", J, predicted) / T
+        self._JM = np.einsum("tcp,td->cdp", J, measured) / T
+        self._PP = np.mean(predicted**2, axis=0)
+        self._PM = predicted.T @ measured / T
+        self._MM = np.mean(measured**2, axis=0)
 
-    def misfit(self, places: list[int], signs: list[float]) -> float:
-        """Least sum over the channels of mean squares of residuals, each of the spread squared."""
-        weights = 1.0 / self.spread[places] ** 2
-        H = np.tensordot(weights, self.JJ, 1)
-        g = np.zeros(H.shape[0])
-        rest = 0.0
-        for c, (d, sign) in enumerate(zip(places, signs, strict=True)):
-            w = float(weights[c])
-            g += w * (sign * self.JM[c, d] - self.JP[c])
-            rest += w * float(self.MM[d] - 2.0 * sign * self.PM[c, d] + self.PP[c])
-        step = np.linalg.lstsq(H, g, rcond=1e-12)[0]
-        return max(rest - float(g @ step), 0.0)
+    def remains(self, places: Sequence[int], signs: Sequence[float]) -> Array:
+        """Mean squares of what the linear fit leaves of the data `places` with `signs`, taken as the channels (C)."""
+        own = self._alive
+        data, sign = np.array(places, dtype=int)[own], np.array(signs)[own]
+        weights = 1.0 / self._units[data] ** 2
+        slopes = sign[:, None] * self._JM[own, data] - self._JP[own]
+        rest = self._MM[data] - 2.0 * sign * self._PM[own, data] + self._PP[own]
+        step = np.linalg.lstsq(np.tensordot(weights, self._JJ[own], 1), weights @ slopes, rcond=1e-12)[0]
+        found = np.zeros(len(places))
+        found[own] = np.maximum(rest - 2.0 * slopes @ step + np.einsum("p,cpq,q->c", step, self._JJ[own], step), 0.0)
+        return found

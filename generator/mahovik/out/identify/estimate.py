@@ -19,7 +19,7 @@ from mahovik.out.identify.gauss_newton import Loss, minimise, triangle, weights_
 from mahovik.out.identify.jacobian import START_SCALE, slopes, values
 from mahovik.out.identify.predict import START
 from mahovik.out.identify.run import Run, noise_of
-from mahovik.out.identify.sight import weak_directions
+from mahovik.out.identify.sight import untold
 
 Array = NDArray[np.float64]
 
@@ -56,6 +56,7 @@ class Fit:
     residuals  measured minus predicted without offset, by run (T, C), SI; NaN where there is no sample
     by_theta   derivatives of the channels, by run (T, C, k)
     offsets    of the channels, by run (C), SI
+    held       unit vectors (k), in natural sizes of the numbers, along which these stay as in the stand file
     """
 
     theta: Array
@@ -67,6 +68,7 @@ class Fit:
     by_theta: list[Array]
     by_start: list[Array]
     offsets: list[Array]
+    held: list[Array]
 
 
 class Problem:
@@ -213,13 +215,13 @@ def estimate(
         z = minimise(problem.residuals, problem.jacobian, z, loss)
         problem.reweigh(z, loss)
     information = _information(problem, z, loss)
-    weak = weak_directions(information)
-    if weak:
-        problem.hold(weak)
+    held = [] if fixed else untold(free, runs, problem.split(z)[0], information)
+    if held:
+        problem.hold(held)
         z = minimise(problem.residuals, problem.jacobian, problem.without_held(z), loss)
         problem.reweigh(z, loss)
         information = _information(problem, z, loss)
-    return _result(problem, z, information)
+    return _result(problem, z, information, held)
 
 
 def _information(problem: Problem, z: Array, loss: Loss) -> Array:
@@ -232,7 +234,7 @@ def _information(problem: Problem, z: Array, loss: Loss) -> Array:
     return triangle(whole)[extra:, extra:]
 
 
-def _result(problem: Problem, z: Array, information: Array) -> Fit:
+def _result(problem: Problem, z: Array, information: Array, held: list[Array]) -> Fit:
     """The estimate at z, with its covariance by the weights of its own residuals."""
     k = problem.k
     scale = problem.scale[:k]
@@ -243,7 +245,7 @@ def _result(problem: Problem, z: Array, information: Array) -> Fit:
     return Fit(
         theta, scale[:, None] * inverse * scale, starts, information, problem.noise,
         [difference for difference, _ in found], [by_theta for by_theta, _ in problem.slopes],
-        [by_start for _, by_start in problem.slopes], [offset for _, offset in found],
+        [by_start for _, by_start in problem.slopes], [offset for _, offset in found], held,
     )  # fmt: skip
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
@@ -17,6 +18,7 @@ from mahovik.out.functions.given import Number, StandGiven, quantity
 from mahovik.out.functions.notices import OnProgress
 from mahovik.out.functions.table import Column, Table
 from mahovik.out.identify.figures import ChannelFit, Parameter
+from mahovik.out.identify.run import LEAST_NOISE, heard
 
 if TYPE_CHECKING:
     from mahovik.core.stand.units import Dimension
@@ -37,7 +39,7 @@ class Identification(Table):
     correlation   of the parameters (k, k); NaN where a number has no standard error
     unobservable  one line each: numbers that the data cannot tell, and what would show them
     channels      what is left of each channel, by run and name
-    residual      rms of what is left, as a share of the rms of the data; mean over the channels
+    residual      rms of what is left, as a share of the rms of the data; mean over the channels that have a signal
     check         the same of data that were not used, with the estimated numbers and with those of the file; None
     notes         what was found in the data, and corrected
     """
@@ -112,16 +114,16 @@ class Identification(Table):
             },
             "correlation": [[_finite(x) for x in row] for row in self.correlation.tolist()],
             "unobservable": list(self.unobservable),
-            "residual": self.residual,
+            "residual": _finite(self.residual),
             "channels": {
-                run: {name: dict(vars(each)) for name, each in channels.items()}
+                run: {name: dict(vars(each)) | {"share": _finite(each.share)} for name, each in channels.items()}
                 for run, channels in self.channels.items()
             },
             "residual_orders": self.residual_orders,
             "notes": list(self.notes),
         }
         if self.check is not None:
-            found["check"] = {"residual": self.check[0], "before": self.check[1]}
+            found["check"] = {"residual": _finite(self.check[0]), "before": _finite(self.check[1])}
         return found
 
     def __repr__(self) -> str:
@@ -153,12 +155,13 @@ def identify(
     from mahovik.core.stand.units import TIME
     from mahovik.out.api.model import build
     from mahovik.out.campaign.signals import sensors
-    from mahovik.out.identify.arrangement import wrong_axes
+    from mahovik.out.identify.arrangement import badly_fitted
     from mahovik.out.identify.estimate import estimate
     from mahovik.out.identify.free import Free
     from mahovik.out.identify.gauss_newton import LOSSES
     from mahovik.out.identify.page import Comparison
     from mahovik.out.identify.run import runs_of
+    from mahovik.out.identify.sense import wrong_ways
     from mahovik.out.identify.sight import unobservable
     from mahovik.out.identify.wanted import Wanted, wanted_of
     from mahovik.use.measured import read_recordings
@@ -184,6 +187,7 @@ def identify(
             _share(tests, estimate(numbers, tests, loss, theta=theta, fixed=True))
             for theta in (fit.theta, numbers.nominal)
         )
+    lost, told = unobservable(numbers, runs, fit.theta, fit.noise, fit.held)
     notes = [note for each in (*recordings, *others) for note in each.notes] + [
         note for run in runs for note in run.notes
     ]
@@ -198,11 +202,11 @@ def identify(
         new,
         parameters,
         _correlation(_covariance(numbers, fit)),
-        tuple(unobservable(numbers, runs, fit.theta, fit.information, fit.noise)),
+        tuple(lost),
         {run.source: _channels(run, fit, r) for r, run in enumerate(runs)},
         _share(runs, fit),
         None if checked is None else (checked[0], checked[1]),
-        (*notes, *wrong_axes(fit, runs)),
+        (*notes, *told, *_without_signal(runs, fit), *badly_fitted(fit, runs), *wrong_ways(numbers, fit, runs)),
         tuple(seen),
         Comparison(tuple(recordings), tuple(runs), numbers, fit),
     )
@@ -227,15 +231,21 @@ def _covariance(free: Free, fit: Fit) -> Array:
 
 
 def _correlation(covariance: Array) -> Array:
-    size = np.sqrt(np.diag(covariance))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        found: Array = covariance / np.outer(size, size)
+    size = _errors(covariance)
+    found: Array = np.full_like(covariance, np.nan)
+    np.divide(covariance, np.outer(size, size), out=found, where=np.outer(size, size) > 0.0)
     return found
+
+
+def _errors(covariance: Array) -> Array:
+    """Standard errors; NaN where there is none."""
+    square = np.diag(covariance)
+    return np.sqrt(np.where(square >= 0.0, square, np.nan))
 
 
 def _parameters(free: Free, fit: Fit) -> dict[str, Parameter]:
     values, before = (free.values(theta[:, None])[:, 0].tolist() for theta in (fit.theta, free.nominal))
-    errors = np.sqrt(np.diag(_covariance(free, fit))).tolist()
+    errors = _errors(_covariance(free, fit)).tolist()
     rows = zip(free.paths, values, free.dimensions, errors, before, strict=True)
     return {path: Parameter(path, value, _unit(of), error, old) for path, value, of, error, old in rows}
 
@@ -251,14 +261,27 @@ def _channels(run: Run, fit: Fit, r: int) -> dict[str, ChannelFit]:
 
 
 def _sizes(run: Run, fit: Fit, r: int) -> tuple[Array, Array]:
-    """Rms of what is left of the channels, and of their data without mean (C)."""
-    left = np.sqrt(np.nanmean(fit.residuals[r] ** 2, axis=0))
-    return left, np.maximum(np.nanstd(run.measured, axis=0), 1e-300)
+    """Rms of what is left of the channels, and of their data without mean (C), NaN where these are constant."""
+    left, spread = np.sqrt(np.nanmean(fit.residuals[r] ** 2, axis=0)), np.nanstd(run.measured, axis=0)
+    return left, np.where(spread > LEAST_NOISE, spread, np.nan)
 
 
 def _share(runs: Sequence[Run], fit: Fit) -> float:
-    shares = [left / spread for left, spread in (_sizes(run, fit, r) for r, run in enumerate(runs))]
-    return float(np.sqrt(np.mean(np.concatenate(shares) ** 2)))
+    """Mean over the channels with a signal; over all that are not constant, if none has; NaN if all are constant."""
+    sizes = [left / spread for left, spread in (_sizes(run, fit, r) for r, run in enumerate(runs))]
+    shares, told = np.concatenate(sizes), _with_signal(runs, fit)
+    own = shares[told] if told.any() else shares[np.isfinite(shares)]
+    return float(np.sqrt(np.mean(own**2))) if own.size else math.nan
+
+
+def _with_signal(runs: Sequence[Run], fit: Fit) -> NDArray[np.bool_]:
+    return np.concatenate([heard(run, fit.residuals[r]) for r, run in enumerate(runs)])
+
+
+def _without_signal(runs: Sequence[Run], fit: Fit) -> list[str]:
+    if _with_signal(runs, fit).any():
+        return []
+    return ["no channel has a signal above its noise: the residual is that of noise"]
 
 
 def _finite(x: float) -> float | None:

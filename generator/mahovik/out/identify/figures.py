@@ -18,7 +18,7 @@ class Parameter:
 
 @dataclass(frozen=True)
 class ChannelFit:
-    """One channel: rms of what is left, SI; its share of the rms of the data; its constant offset, SI."""
+    """One channel: rms of what is left, SI; share of the rms of the data, NaN if these are constant; offset, SI."""
 
     unit: str
     residual: float

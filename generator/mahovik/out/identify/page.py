@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Protocol
@@ -105,7 +106,7 @@ def _numbers(found: Figures) -> Part:
 
 def _channels(found: Figures) -> Part:
     rows: list[tuple[Cell, ...]] = [
-        (run, name, figure(each.residual, 3), each.unit, f"{100.0 * each.share:.3g}")
+        (run, name, figure(each.residual, 3), each.unit, _percent(each.share))
         for run, channels in found.channels.items()
         for name, each in channels.items()
     ]
@@ -115,7 +116,11 @@ def _channels(found: Figures) -> Part:
         after, before = (100.0 * x for x in found.check)
         notes = (f"Data that were not used: {after:.3g} % left, {before:.3g} % with the numbers of the file.",)
     head = ("Run", "channel", "left>", "unit", "of the data, %>")
-    return Part("What is left", words, head, tuple(rows), notes=notes, summary=f"{100.0 * found.residual:.3g} % left")
+    return Part("What is left", words, head, tuple(rows), notes=notes, summary=f"{_percent(found.residual)} % left")
+
+
+def _percent(share: float) -> str:
+    return "-" if math.isnan(share) else f"{100.0 * share:.3g}"
 
 
 def _wheel(at: Comparison, wheel: str) -> Part:

@@ -26,6 +26,12 @@ PAD = 8
 ON_GRID = 1e-3
 """Samples so near to evenly spaced times, in steps, are taken to be there."""
 
+LEAST_NOISE = 1e-9
+"""Least noise of a channel, SI: along axes in which a stand cannot move, computed data have rounding alone."""
+
+HEARD = 3.0
+"""A channel has a signal where its spread is above this many times its noise."""
+
 FEWEST = 100
 """Samples that a run has at least."""
 
@@ -124,3 +130,13 @@ def noise_of(measured: Array) -> Array:
         found.append(1.4826 * np.median(np.abs(values)) / np.sqrt(70.0) if len(values) else 0.0)
     least = 1e-6 * np.nanstd(measured, axis=0) + 1e-12
     return np.asarray(np.maximum(np.array(found), least))
+
+
+def noise_beside(run: Run, left: Array) -> Array:
+    """Noise (C) of the channels of a run, by its data or by what a fit leaves of them (T, C), where that is less."""
+    return np.asarray(np.maximum(np.minimum(noise_of(run.measured), noise_of(left)), LEAST_NOISE))
+
+
+def heard(run: Run, left: Array) -> NDArray[np.bool_]:
+    """Whether the channels of a run (C) have a signal, and not noise alone; `left`: see `noise_beside`."""
+    return np.asarray(np.nanstd(run.measured, axis=0) > HEARD * noise_beside(run, left))

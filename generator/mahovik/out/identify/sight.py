@@ -22,6 +22,12 @@ Array = NDArray[np.float64]
 LARGE = 0.5
 """A combination whose standard deviation is above this, in natural sizes of its numbers, is unobservable."""
 
+AMOUNTS = (".unbalance.static", ".unbalance.dynamic")
+
+FAR, LEAST_PART, WIDE = 3.0, 0.05, 100.0
+"""An unbalance is unseen if its standard error is above FAR times its amount in the file, LARGE times the estimate and
+LEAST_PART natural sizes; WIDE: standard deviation of its prior, in natural sizes."""
+
 PART = 0.3
 """Numbers with at least this part of the largest one in a combination are named."""
 
@@ -40,31 +46,95 @@ TRIAL = 2000
 
 
 def unobservable(
-    free: Free, runs: Sequence[Run], theta: Array, information: Array, noise: Sequence[Array]
-) -> list[str]:
-    """Lines about combinations that the data cannot tell. `information`, `noise`: see `Fit`."""
+    free: Free, runs: Sequence[Run], theta: Array, noise: Sequence[Array], held: Sequence[Array]
+) -> tuple[list[str], list[str]]:
+    """Lines about combinations that the data cannot tell, and notes about flywheels of one speed that they can.
+
+    `noise`, `held`: see `Fit`.
+    """
     ranges = [speeds(run.predictor._case.regime, run.duration) for run in runs]
-    same = _of_one_speed(free, runs, ranges)
-    lines = []
-    for a, b, speed, apart in same:
-        lines.append(
+    lines: list[str] = []
+    notes: list[str] = []
+    constant = all(bool(np.all(high - low <= STEADY * np.abs(high) + 1e-6)) for low, high in ranges)
+    weak = [direction for direction in held if not _is_whole(direction)]
+    together: set[str] = set()
+    for a, b, speed, apart in _of_one_speed(free, runs, ranges):
+        pair = {a, b}
+        lost = any(_is_of(_named(free, direction), pair) for direction in weak)
+        together |= pair if lost else set()
+        (lines if lost else notes).append(
             f"{a}.unbalance, {b}.unbalance: {a} and {b} turn at one speed, {speed:.4g} rad/s, in all data, so their "
             f"vibration is of one frequency: let the speeds differ by {apart:.2g} rad/s or more, or add a run that does"
         )
-    constant = all(bool(np.all(high - low <= STEADY * np.abs(high) + 1e-6)) for low, high in ranges)
-    together = {name for a, b, *_ in same for name in (a, b)}
-    weak = weak_directions(information)
-    shown = _shown_by_swing(free, runs[0], theta, noise[0], weak) if weak and constant else [False] * len(weak)
+    whole = [direction for direction in held if _is_whole(direction)]
+    swung = [*whole, *weak] if constant else []
+    shown = _shown_by_swing(free, runs[0], theta, noise[0], swung) if swung else [False] * len(held)
+    by_advice: dict[str, dict[str, None]] = {}
+    for direction, changing in zip(whole, shown, strict=False):
+        (name,) = _named(free, direction)
+        by_advice.setdefault(_advice([name], constant, changing, ranges, free), {}).setdefault(name)
+    for advice, found in by_advice.items():
+        lines.append(f"{', '.join(found)}: {'are' if len(found) > 1 else 'is'} {advice}")
     told: set[frozenset[str]] = set()
-    for direction, changing in zip(weak, shown, strict=True):
+    for direction, changing in zip(weak, shown[len(whole) :], strict=True):
         names = _named(free, direction)
         if frozenset(names) in told:
             continue
         told.add(frozenset(names))
-        if names and all(".unbalance." in name and name.split(".")[0] in together for name in names):
+        if _is_of(names, together):
             continue
-        lines.append(f"{', '.join(names)}: {_advice(names, constant, changing, ranges, free)}")
-    return lines
+        many = "their combination is" if len(names) > 1 else "is"
+        lines.append(f"{', '.join(names)}: {many} {_advice(names, constant, changing, ranges, free)}")
+    return lines, notes
+
+
+def untold(free: Free, runs: Sequence[Run], theta: Array, information: Array) -> list[Array]:
+    """Unit vectors (k), in natural sizes, that the data cannot tell: whole numbers first, then combinations."""
+    k = len(information)
+    whole = _unseen(free, runs, theta, information)
+    rest = [i for i in range(k) if i not in whole]
+    found = [np.eye(k)[i] for i in whole]
+    for direction in weak_directions(information[:, rest]):
+        vector = np.zeros(k)
+        vector[rest] = direction
+        found.append(vector)
+    return found
+
+
+def _unseen(free: Free, runs: Sequence[Run], theta: Array, information: Array) -> list[int]:
+    """Numbers that no channel tells as a whole; of unbalances also those far less certain than their amounts.
+
+    Flywheels of one speed have unbalances of which only combinations are unseen.
+    """
+    ranges = [speeds(run.predictor._case.regime, run.duration) for run in runs]
+    together = {name for a, b, *_ in _of_one_speed(free, runs, ranges) for name in (a, b)}
+    alone = np.linalg.norm(information, axis=0)
+    inverse = np.linalg.pinv(information.T @ information + WIDE**-2 * np.eye(len(information)))
+    still = _still(free, ranges)
+    found, row = [], 0
+    for entry in free.entries:
+        own = list(range(row, row + len(entry.paths)))
+        row += len(own)
+        if all(alone[i] * LARGE < 1.0 for i in own):
+            found += own
+        elif entry.paths[0].endswith(AMOUNTS) and entry.paths[0].split(".")[0] not in together:
+            before, now = (float(np.linalg.norm(each[own])) for each in (free.nominal, theta))
+            spread = np.linalg.eigvalsh(inverse[np.ix_(own, own)])  # the amount may be seen where the angle is not
+            square = spread[-1] if entry.paths[0].split(".")[0] in still else spread[0]
+            if entry.scale * math.sqrt(max(float(square), 0.0)) > max(
+                FAR * before, LARGE * now, LEAST_PART * entry.scale
+            ):
+                found += own
+    return found + [i for i in range(row, len(information)) if alone[i] * LARGE < 1.0]
+
+
+def _is_whole(direction: Array) -> bool:
+    return bool(np.count_nonzero(direction) == 1)
+
+
+def _is_of(names: Sequence[str], flywheels: set[str]) -> bool:
+    """Whether all names are of unbalances of these flywheels."""
+    return bool(names) and all(".unbalance." in name and name.split(".")[0] in flywheels for name in names)
 
 
 def weak_directions(information: Array) -> list[Array]:
@@ -107,27 +177,33 @@ def _shown_by_swing(free: Free, run: Run, theta: Array, noise: Array, directions
 
 
 def _advice(
-    names: Sequence[str], constant: bool, changing: bool, ranges: Sequence[tuple[Array, Array]], free: Free
+    names: Sequence[str],
+    constant: bool,
+    changing: bool,
+    ranges: Sequence[tuple[Array, Array]],
+    free: Free,
 ) -> str:
-    many = "their combination is" if len(names) > 1 else "is"
-    still = [
+    still = _still(free, ranges)
+    own = [name.split(".")[0] for name in names if name.split(".")[0] in still]
+    if own:
+        return f"not seen in the data: {', '.join(dict.fromkeys(own))} stands still, let it turn"
+    if constant and changing:
+        return "not seen at constant speeds: add a run in which the speeds of the flywheels change"
+    if constant:
+        return (
+            "not seen at constant speeds, nor would it be if they changed: keep it as it is, or add a "
+            "sensor at another place"
+        )
+    return "not seen in this motion: add a run with other speeds, or a sensor at another place; or keep one fixed"
+
+
+def _still(free: Free, ranges: Sequence[tuple[Array, Array]]) -> list[str]:
+    """Flywheels that stand still in all runs."""
+    return [
         wheel.name
         for i, wheel in enumerate(free.stand.flywheels)
         if all(max(abs(low[i]), abs(high[i])) < 1e-3 for low, high in ranges)
     ]
-    own = [name.split(".")[0] for name in names if name.split(".")[0] in still]
-    if own:
-        return f"{many} not seen in the data: {', '.join(dict.fromkeys(own))} stands still, let it turn"
-    if constant and changing:
-        return f"{many} not seen at constant speeds: add a run in which the speeds of the flywheels change"
-    if constant:
-        return (
-            f"{many} not seen at constant speeds, nor would it be if they changed: keep it as it is, or add a "
-            "sensor at another place"
-        )
-    return (
-        f"{many} not seen in this motion: add a run with other speeds, or a sensor at another place; or keep one fixed"
-    )
 
 
 def _of_one_speed(
