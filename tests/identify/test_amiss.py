@@ -11,7 +11,7 @@ import pytest
 
 import mahovik
 from identify.data import Array, recorded, stand_text, with_noise, write_csv
-from mahovik.out.identify.face import _correlation, _errors
+from mahovik.out.identify.face import Identification, _correlation, _errors
 
 SILENT = (3, 4, 6)
 """Channels made noise alone: acceleration z, rates x and z."""
@@ -32,7 +32,7 @@ def clean(truth: mahovik.Stand) -> Array:
     return rows
 
 
-def identified(folder: Path, truth: mahovik.Stand, rows: Array) -> mahovik.Identification:
+def identified(folder: Path, truth: mahovik.Stand, rows: Array) -> Identification:
     return mahovik.identify(truth, write_csv(folder / "run.csv", rows), "w*.unbalance")
 
 
