@@ -123,7 +123,8 @@ def no_flywheel_rate(original: Callable[..., None]) -> Callable[..., None]:
 
     def found(lib: Any, body: Any, stand: Any, frame: Any, x: Any, *rest: Any) -> None:
         members = {"layout": SimpleNamespace(own_turning=False), "passed": lib.passed}
-        blind = type("Blind", (), members | {"__getitem__": lambda _, name: lib[name]})()
+        of_lib = {"__getitem__": lambda _, name: lib[name], "__contains__": lambda _, name: name in lib}
+        blind = type("Blind", (), members | of_lib)()
         original(blind, body, stand, frame, x, *rest)
 
     return found
