@@ -10,6 +10,7 @@ from typing import get_args
 import numpy as np
 import pytest
 
+from cli.bricks import BRICK
 from cli.run import refused, run
 from mahovik.core.stand.model import Sequence
 from mahovik.core.stand.random_state import random_state
@@ -18,17 +19,7 @@ from mahovik.proof.reference.rotation import attitude, carrier_rotation, quatern
 from mahovik.proof.verify.fmu.program import angles_of, quaternion_of
 from mahovik.stands import path
 
-STAND = """
-schema = 1
-name = "brick"
-gravity = [0, 0, 9.81]
-[carrier]
-mass = 4.0
-center_of_mass = [0.01, -0.02, 0.03]
-inertia = [0.2, 0.3, 0.4]
-inertia_about = "center_of_mass"
-wrench_input = true
-"""
+STAND = BRICK + "wrench_input = true\n"
 
 MAP = """
 [state]

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import mahovik
+from cli.bricks import BRICK
 from cli.run import refused, run
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random_state import random_state
@@ -20,17 +21,6 @@ from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.forward import bias
 from mahovik.stands import path
-
-RIGID = """
-schema = 1
-name = "brick"
-gravity = [0, 0, 9.81]
-[carrier]
-mass = 4.0
-center_of_mass = [0.01, -0.02, 0.03]
-inertia = [0.2, 0.3, 0.4]
-inertia_about = "center_of_mass"
-"""
 
 Change = Callable[[Any, Pieces], None]
 """Spoils the right-hand side (6) of K V_r* = ... in place."""
@@ -87,7 +77,7 @@ def write(columns: Mapping[str, list[float]], file: Path = Path("log.csv")) -> s
 def brick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Stand:
     """A rigid body in `brick.toml` of the folder in which the command runs."""
     monkeypatch.chdir(tmp_path)
-    Path("brick.toml").write_text(RIGID, encoding="utf-8")
+    Path("brick.toml").write_text(BRICK, encoding="utf-8")
     return mahovik.load("brick.toml")
 
 

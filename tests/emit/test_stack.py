@@ -31,7 +31,7 @@ LEVELS = ("-O1", "-O2", "-O3", "-Os")
 
 
 def stated(header: str) -> dict[str, int]:
-    """Bytes that a header states, by function."""
+    """Read from a header how many bytes of stack each function needs."""
     found = re.findall(r"/\* (\w+): (?:(?!\*/).)*?Stack: at most (\d+) bytes\. \*/", header, re.DOTALL)
     return {name: int(size) for name, size in found}
 

@@ -6,12 +6,21 @@ those of K^-1/2 I Theta_ff^-1/2: dimensionless, the same for any units, origin a
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import carrier as derived_carrier
 from mahovik.core.lower.flywheels import columns_of, let_turn, places_of
-from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, external_wrench, relative_rate, scene, sum_up
+from mahovik.core.lower.forward import (
+    STATE_STATUSES,
+    Scene,
+    check_inputs,
+    external_wrench,
+    relative_rate,
+    scene,
+    sum_up,
+)
 from mahovik.core.lower.lanes import entry, row_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.matrices import fill
@@ -54,15 +63,24 @@ def factor(lib: Library) -> Function:
     )
 
 
-def demand(lib: Library) -> Function:
-    """Everything of (12) at a state: K factored, I, b, W, r."""
-    layout = lib.layout
+@dataclass(frozen=True)
+class Beginning:
+    """How a demand begins: its arguments, and what is known once the right-hand side F of K V* + I phi'' = F is."""
+
+    arguments: tuple[Argument, ...]
+    table: Place
+    work: Place
+    seen: Scene
+    moving: Place
+    F: Place
+
+
+def begin_demand(lib: Library, body: Body) -> Beginning:
+    """Sums over the flywheels, and F, for a wanted V*."""
     table, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted")
     turns, wrench = lib.turn_arguments(), lib.wrench_arguments()
-    work = Argument("work", layout.inverse_work, (), "out")
-    w = work.place
-    body = Body()
+    work = Argument("work", lib.layout.inverse_work, (), "out")
     lib.begin(body)
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
     moving = relative_rate(body, x.place, V_dot.place, seen.stream)
@@ -70,7 +88,15 @@ def demand(lib: Library) -> Function:
     F = body.local("F", (6,), comment="wrench (7); then the right-hand side of K V* + I phi'' = F")
     external_wrench(lib, body, table.place, x.place, seen, wrench, F)
     body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
-    K_rows: dict[str, Any] = carrier_binding(lib, table.place, seen.sums)
+    return Beginning((table, x, *turns, V_dot, *wrench, work), table.place, work.place, seen, moving, F)
+
+
+def demand(lib: Library) -> Function:
+    """Everything of (12) at a state: K factored, I, b, W, r."""
+    layout, body = lib.layout, Body()
+    begun = begin_demand(lib, body)
+    table, w, seen, moving, F = begun.table, begun.work, begun.seen, begun.moving, begun.F
+    K_rows: dict[str, Any] = carrier_binding(lib, table, seen.sums)
     fill(body, w.G, derived_carrier.mass_matrix(layout.added_mass), K_rows)
     body.note("b = F - K V*: the wrench demanded of the flywheels")
     with body.loop("i", 6) as i:
@@ -84,8 +110,8 @@ def demand(lib: Library) -> Function:
     if layout.flywheels:
         with body.loop("s", layout.count) as s:
             turn = let_turn(body, seen.turns, s)
-            row = row_of(lib, body, table.place, s)
-            scale = body.let("scale", entry(lib, table.place, s, "spin_root_inv"))
+            row = row_of(lib, body, table, s)
+            scale = body.let("scale", entry(lib, table, s, "spin_root_inv"))
             body.set(w.scale[s], scale)
             assign(body, [w.I[i][s] for i in range(6)], derived_rows.columns().I, turn | columns_of(row))
             with body.loop("i", 6) as i:
@@ -94,7 +120,7 @@ def demand(lib: Library) -> Function:
     return body.checked(
         "demand",
         "Matrix and right-hand side of (12) at a state: I, b, and both scaled to W, r.",
-        (table, x, *turns, V_dot, *wrench, work),
+        begun.arguments,
         equation="(12)",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )

@@ -9,17 +9,17 @@ from __future__ import annotations
 from mahovik.core import routines
 from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.lower import allocate, excess
-from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
+from mahovik.core.lower.demand import ANSWER_NOTE, begin_demand, check_answer, check_demand
 from mahovik.core.lower.flywheels import columns_of, let_turn, named_turns, places_of, turns_of
-from mahovik.core.lower.forward import STATE_STATUSES, external_wrench, relative_rate, scene, sum_up
+from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.hold import along, column, place_of
-from mahovik.core.lower.inverse import POSITIVE, choose_rank, flag, hardest, sort
+from mahovik.core.lower.inverse import POSITIVE, check_flywheels, choose_rank, flag, hardest, sort
 from mahovik.core.lower.lanes import entry, row_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Convert, Expr, Not, Place, integer, or_, real
+from mahovik.core.program.expression import Convert, Expr, Not, Place, integer, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 from mahovik.core.routines.jacobi import name_for_rows
@@ -39,37 +39,26 @@ def add_inverse(lib: Library) -> None:
 
 def _demand(lib: Library) -> Function:
     """Everything of (12) along the freedoms at a state: G, S^T I, b, W, r."""
-    layout, m = lib.layout, lib.layout.freedoms
-    table, x = lib.table_argument(), lib.state_argument()
-    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted")
-    turns, wrench = lib.turn_arguments(), lib.wrench_arguments()
-    work = Argument("work", layout.inverse_work, (), "out")
-    w = work.place
-    body = Body()
-    lib.begin(body)
-    seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
-    moving = relative_rate(body, x.place, V_dot.place, seen.stream)
-    sum_up(lib, body, table.place, x.place, seen, None)
-    F = body.local("F", (6,), comment="wrench (7); then the right-hand side of K V* + I phi'' = F")
-    external_wrench(lib, body, table.place, x.place, seen, wrench, F)
-    body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
+    layout, m, body = lib.layout, lib.layout.freedoms, Body()
+    begun = begin_demand(lib, body)
+    table, w, seen, moving, F = begun.table, begun.work, begun.seen, begun.moving, begun.F
     missing = body.local("missing", (6,), comment="K V* - F: what flywheels and hold must give")
-    body.call(lib["react"], table.place, seen.sums, moving, F, missing)
+    body.call(lib["react"], table, seen.sums, moving, F, missing)
     for k in range(m):
-        body.set(w.b[k], -along(column(table.place, k), list(missing)))
+        body.set(w.b[k], -along(column(table, k), list(missing)))
         body.set(w.r[k], w.b[k])
     P = body.local("P", (place_of(m, 0),), comment="S^T K S")
-    body.call(lib["project_mass"], table.place, seen.sums, P)
+    body.call(lib["project_mass"], table, seen.sums, P)
     _factor(lib, body, P, w)
     with body.loop("s", layout.count) as s:
         turn = let_turn(body, seen.turns, s)
-        row = row_of(lib, body, table.place, s)
-        scale = body.let("scale", entry(lib, table.place, s, "spin_root_inv"))
+        row = row_of(lib, body, table, s)
+        scale = body.let("scale", entry(lib, table, s, "spin_root_inv"))
         body.set(w.scale[s], scale)
         coupling = body.local("coupling", (6,), comment="column of I")
         assign(body, list(coupling), derived_rows.columns().I, turn | columns_of(row))
         for k in range(m):
-            body.set(w.I[k][s], along(column(table.place, k), list(coupling)))
+            body.set(w.I[k][s], along(column(table, k), list(coupling)))
             rest: Expr = w.I[k][s] * scale
             for j in range(k):
                 rest = rest - w.G[k][j] * w.W[j][s]
@@ -82,7 +71,7 @@ def _demand(lib: Library) -> Function:
     return body.checked(
         "demand",
         "Matrix and right-hand side of (12) along the freedoms: S^T I, S^T b, and both scaled to W, r.",
-        (table, x, *turns, V_dot, *wrench, work),
+        begun.arguments,
         equation="(12)",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )
@@ -118,11 +107,7 @@ def _inverse(lib: Library) -> Function:
     o, p = out.place, options.place
     body = Body()
     check_demand(lib, body, table, x, V_dot, p, ("near", "damping"), wrench)
-    with body.loop("s", layout.count) as s:
-        lib.guard(body, Not(or_(p.limit[s] > 0, p.limit[s] <= 0)), "NOT_FINITE")
-        lib.guard(body, p.limit[s] <= 0, "BAD_ARGUMENT")
-        excess.check_abilities(lib, body, p, s)
-        excess.check_friction(lib, body, p, s)
+    check_flywheels(lib, body, p)
     work = body.local("work", (), layout.inverse_work)
     answer = body.local("answer", (layout.count,), comment="phi''")
     limited = body.local("limited", (layout.count,), Kind.INT)

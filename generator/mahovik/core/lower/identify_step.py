@@ -14,7 +14,7 @@ from mahovik.core.lower.checks import check_within
 from mahovik.core.lower.flywheels import turn_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, external_wrench, from_stream, scene, sum_up
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.regressor import proper_acceleration
+from mahovik.core.lower.regressor import flywheel_arguments, proper_acceleration
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
@@ -34,14 +34,7 @@ def add_all(lib: Library) -> None:
 
 def unbalance_columns(lib: Library) -> Function:
     """Wrenches of a first moment of 1 kg m along the second and the third axis of a flywheel."""
-    mount = Argument("mount", lib.layout.mount)
-    s = Argument("s", Kind.REAL, purpose="sin phi")
-    c = Argument("c", Kind.REAL, purpose="cos phi")
-    phi_dot = Argument("phi_dot", Kind.REAL, unit="rad/s")
-    phi_ddot = Argument("phi_ddot", Kind.REAL, unit="rad/s2")
-    V = Argument("V", Kind.REAL, (6,))
-    V_dot = Argument("V_dot", Kind.REAL, (6,))
-    g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
+    mount, s, c, phi_dot, phi_ddot, V, V_dot, g = flywheel_arguments(lib)
     Y = Argument("Y", Kind.REAL, (2, 6), "out", purpose="in E1 about O1")
     body = Body()
     m = mount.place

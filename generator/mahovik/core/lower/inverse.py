@@ -33,6 +33,15 @@ from mahovik.core.program.types import Kind
 POSITIVE = ("NEAR_SINGULAR", "DAMPED", "LIMITED", "UNREACHABLE", "RANK_DEFICIENT", "EXCESSIVE")
 
 
+def check_flywheels(lib: Library, body: Body, p: Place) -> None:
+    """Check the options of each flywheel: limit, motor, friction."""
+    with body.loop("s", lib.layout.count) as s:
+        lib.guard(body, Not(or_(p.limit[s] > 0, p.limit[s] <= 0)), "NOT_FINITE")
+        lib.guard(body, p.limit[s] <= 0, "BAD_ARGUMENT")
+        check_abilities(lib, body, p, s)
+        check_friction(lib, body, p, s)
+
+
 def inverse(lib: Library) -> Function:
     """phi'' for a wanted V*, with diagnostics."""
     layout = lib.layout
@@ -48,11 +57,7 @@ def inverse(lib: Library) -> Function:
     o, p = out.place, options.place
     body = Body()
     check_demand(lib, body, table, x, V_dot, p, ("near", "damping"), wrench)
-    with body.loop("s", layout.count) as s:
-        lib.guard(body, Not(or_(p.limit[s] > 0, p.limit[s] <= 0)), "NOT_FINITE")
-        lib.guard(body, p.limit[s] <= 0, "BAD_ARGUMENT")
-        check_abilities(lib, body, p, s)
-        check_friction(lib, body, p, s)
+    check_flywheels(lib, body, p)
     work = body.local("work", (), layout.inverse_work)
     answer = body.local("answer", (layout.count,), comment="phi''")
     limited = body.local("limited", (layout.count,), Kind.INT)

@@ -79,16 +79,23 @@ def proper_acceleration(lib: Library) -> Function:
     return body.function("proper_acceleration", "Acceleration of a point of E1, less gravity.", (O, V, V_dot, g, d))
 
 
+def flywheel_arguments(lib: Library) -> tuple[Argument, ...]:
+    """What columns of a flywheel depend on: its mount, its phase and rates, motion of the carrier, gravity."""
+    return (
+        Argument("mount", lib.layout.mount),
+        Argument("s", Kind.REAL, purpose="sin phi"),
+        Argument("c", Kind.REAL, purpose="cos phi"),
+        Argument("phi_dot", Kind.REAL, unit="rad/s"),
+        Argument("phi_ddot", Kind.REAL, unit="rad/s2"),
+        Argument("V", Kind.REAL, (6,)),
+        Argument("V_dot", Kind.REAL, (6,)),
+        Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1"),
+    )
+
+
 def flywheel_columns(lib: Library) -> Function:
     """Columns of one flywheel: on the carrier, and on its own drive."""
-    mount = Argument("mount", lib.layout.mount)
-    s = Argument("s", Kind.REAL, purpose="sin phi")
-    c = Argument("c", Kind.REAL, purpose="cos phi")
-    phi_dot = Argument("phi_dot", Kind.REAL, unit="rad/s")
-    phi_ddot = Argument("phi_ddot", Kind.REAL, unit="rad/s2")
-    V = Argument("V", Kind.REAL, (6,))
-    V_dot = Argument("V_dot", Kind.REAL, (6,))
-    g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
+    mount, s, c, phi_dot, phi_ddot, V, V_dot, g = flywheel_arguments(lib)
     Y = Argument("Y", Kind.REAL, (6, 10), "out", purpose="in E1 about O1")
     drive = Argument("drive", Kind.REAL, (10,), "out", purpose="of its drive torque")
     body = Body()

@@ -35,7 +35,7 @@ class Offset:
 
 
 def clock_offset(t: Array, x: Array, other_t: Array, other_x: Array) -> Offset | None:
-    """Offset of the second clock from a signal x (T,) on both; None if it is too short or constant."""
+    """Time to add to the second clock, from one signal x (T,) in both files; None if it is too short or constant."""
     t, x = _finite(t, x)
     other_t, other_x = _finite(other_t, other_x)
     if min(len(t), len(other_t)) < FEWEST:

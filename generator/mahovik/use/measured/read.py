@@ -91,7 +91,7 @@ def _some(lines: list[str], most: int = 20) -> list[str]:
 
 
 def _content(path: Path) -> bytes:
-    """Bytes of a file whose format is known. Raises DataError."""
+    """Read a file as bytes, if the end of its name is that of a known format. Raises DataError."""
     known = (*READERS, ".toml")
     if path.suffix.lower() not in known:
         raise DataError([f'{path}: unknown format "{path.suffix}", expected {", ".join(known)}'])

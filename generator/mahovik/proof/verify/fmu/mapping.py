@@ -18,7 +18,7 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from mahovik.core.stand.content import readable
 from mahovik.core.stand.model import Stand
@@ -183,10 +183,13 @@ class _Reader:
                     self.problems.append(f"state.{key} is missing: {want} needs it as an input of the FMU")
         if "quaternion" in found.inputs and "angles" in found.inputs:
             self.problems.append("state: quaternion and angles, expected one of them")
-        posed = {"quaternion": ("quaternion", "angles"), "position": ("position",)}
-        for key in ("quaternion", "position"):
-            lacking = not any(each in found.inputs for each in posed[key])
-            if lacking and not self.problems and depends_on(self._stand, list(found.answers), key):  # type: ignore[arg-type]
+        posed: dict[Literal["quaternion", "position"], tuple[str, ...]] = {
+            "quaternion": ("quaternion", "angles"),
+            "position": ("position",),
+        }
+        for key, inputs in posed.items():
+            lacking = not any(each in found.inputs for each in inputs)
+            if lacking and not self.problems and depends_on(self._stand, list(found.answers), key):
                 self.problems.append(f"state.{key} is missing: answers of this stand depend on it")
         for name in takes:
             if name not in found.wrenches:

@@ -13,10 +13,8 @@ import pinocchio as pin
 
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
+from mahovik.proof.verify.judges.pinocchio_judge import ROOT, outside_forces
 from mahovik.proof.verify.judges.rigid import Array, JudgeError, Values, attitude, tree
-
-ROOT = 1
-"""The root joint; flywheel s has ROOT + 1 + s."""
 
 
 class HeldPinocchio:
@@ -55,7 +53,7 @@ class HeldPinocchio:
         q = pin.neutral(self.model)
         q[self.model.nq - len(state.phi) :] = state.phi
         v = np.concatenate([state.u, state.phi_dot])
-        outside = self._outside(state)
+        outside = outside_forces(self.model, self._places, state)
         full = np.triu(pin.crba(self.model, data, q))
         full = full + np.triu(full, 1).T
         bias = pin.rnea(self.model, data, q, v, np.zeros(self.model.nv), outside).copy()
@@ -74,19 +72,6 @@ class HeldPinocchio:
         reaction = self._in_E1.act(data.f[ROOT]).vector.copy()
         pin.forwardKinematics(self.model, data, q, v, rates)
         return {"reaction": reaction, "V_dot": self._in_E1.act(data.a[ROOT]).vector.copy()}
-
-    def _outside(self, state: State) -> pin.StdVec_Force:
-        """Run-time wrenches, joint by joint, in its frame."""
-        found = [pin.Force.Zero() for _ in range(self.model.njoints)]
-        for name, wrench in state.wrench.items():
-            force = pin.Force(np.array(wrench))
-            if name in self._places:
-                found[ROOT] += self._places[name].act(force)
-            else:
-                found[self.model.getJointId(name)] += force
-        vector = pin.StdVec_Force()
-        vector.extend(found)
-        return vector
 
 
 def _joint(hold: Hold) -> tuple[Array, Any]:

@@ -6,6 +6,7 @@ components: V and V* as model.md has them, without conversion.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -70,7 +71,7 @@ class PinocchioJudge:
     def evaluate(self, state: State) -> Values:
         """See OutsideJudge."""
         q, v = self._configuration(state)
-        outside = self._outside(state)
+        outside = outside_forces(self.model, self._places, state)
         phi_ddot = np.array(state.phi_ddot)
         full = np.triu(pin.crba(self.model, self.data, q))
         full = full + np.triu(full, 1).T
@@ -116,19 +117,6 @@ class PinocchioJudge:
         turn = attitude(self.stand, state).as_quat()  # w last, as here
         return np.concatenate([state.position, turn, state.phi]), np.concatenate([state.V, state.phi_dot])
 
-    def _outside(self, state: State) -> pin.StdVec_Force:
-        """Run-time wrenches, joint by joint, in its frame."""
-        found = [pin.Force.Zero() for _ in range(self.model.njoints)]
-        for name, wrench in state.wrench.items():
-            force = pin.Force(np.array(wrench))
-            if name in self._places:
-                found[ROOT] += self._places[name].act(force)
-            else:
-                found[self.model.getJointId(name)] += force
-        vector = pin.StdVec_Force()
-        vector.extend(found)
-        return vector
-
     def _mount(self, number: int, phi: float) -> Array:
         """Joint force in the axes that do not turn."""
         force, turn = self.data.f[ROOT + 1 + number], about_first(phi)
@@ -149,3 +137,17 @@ class PinocchioJudge:
                 "angular_acceleration": acceleration.angular.copy(),
             }
         return found
+
+
+def outside_forces(model: Any, places: Mapping[str, Any], state: State) -> pin.StdVec_Force:
+    """Run-time wrenches, joint by joint, in its frame. `places`: bodies that are fixed in the root joint's frame."""
+    found = [pin.Force.Zero() for _ in range(model.njoints)]
+    for name, wrench in state.wrench.items():
+        force = pin.Force(np.array(wrench))
+        if name in places:
+            found[ROOT] += places[name].act(force)
+        else:
+            found[model.getJointId(name)] += force
+    vector = pin.StdVec_Force()
+    vector.extend(found)
+    return vector
