@@ -3846,13 +3846,14 @@ static eye4_real eye4_largest_share_3(const eye4_real W[12], const eye4_real low
                                       const eye4_real high[EYE4_N], const eye4_real start[3],
                                       const eye4_real towards[3], eye4_real y[restrict EYE4_N])
 {
-    eye4_real tableau[3][6];  /* columns: y - low, then f, then the values of the basis */
+    eye4_real tableau[3][6];  /* columns: (y - low) / (high - low), then f, then the values of the basis */
     eye4_real upper[5];  /* upper bounds of the variables; the lower ones are 0 */
     int at_upper[5];  /* 1 where a variable outside the basis is at its upper bound */
     int inside[5];  /* 1 where a variable is in the basis */
     int basis[3];  /* variable of each row; -1: its artificial one */
+    eye4_real size[3];  /* largest element of each row before the rows are scaled */
     for (int j = 0; j < 4; ++j) {
-        upper[j] = high[j] - low[j];
+        upper[j] = (high[j] > low[j]) ? 1.0 : 0.0;
     }
     upper[4] = 1.0;
     for (int i = 0; i < 3; ++i) {
@@ -3860,15 +3861,15 @@ static eye4_real eye4_largest_share_3(const eye4_real W[12], const eye4_real low
         value = start[i];
         largest = (towards[i] < 0.0) ? -towards[i] : towards[i];
         for (int j = 0; j < 4; ++j) {
-            tableau[i][j] = W[i * 4 + j];
+            tableau[i][j] = W[i * 4 + j] * (high[j] - low[j]);
             value -= W[i * 4 + j] * low[j];
-            largest = (((W[i * 4 + j] < 0.0) ? -W[i * 4 + j] : W[i * 4 + j]) > largest)
-                ? ((W[i * 4 + j] < 0.0) ? -W[i * 4 + j] : W[i * 4 + j]) : largest;
+            largest = (((tableau[i][j] < 0.0) ? -tableau[i][j] : tableau[i][j]) > largest)
+                ? ((tableau[i][j] < 0.0) ? -tableau[i][j] : tableau[i][j]) : largest;
         }
         tableau[i][4] = -towards[i];  tableau[i][5] = value;
         largest = (((value < 0.0) ? -value : value) > largest) ? ((value < 0.0) ? -value : value) : largest;
-        const eye4_real whole = (largest > 0.0) ? largest : 1.0;
-        const eye4_real factor = (value < 0.0) ? -1.0 / whole : 1.0 / whole;
+        size[i] = (largest > 0.0) ? largest : 1.0;
+        const eye4_real factor = (value < 0.0) ? -1.0 / size[i] : 1.0 / size[i];
         for (int j = 0; j < 6; ++j) {
             tableau[i][j] = tableau[i][j] * factor;
         }
@@ -3984,13 +3985,14 @@ static eye4_real eye4_largest_share_3(const eye4_real W[12], const eye4_real low
     }
     /* out of passes before the start was reached */
     if (raising == 0) { return -1.0; }
+    eye4_real answer[EYE4_N];
     for (int j = 0; j < 4; ++j) {
-        y[j] = (at_upper[j] > 0) ? high[j] : low[j];
+        answer[j] = (at_upper[j] > 0) ? high[j] : low[j];
     }
     for (int i = 0; i < 3; ++i) {
         if (basis[i] >= 0 && basis[i] < 4) {
-            const eye4_real value = low[basis[i]] + tableau[i][5];
-            y[basis[i]] = (value > high[basis[i]]) ? high[basis[i]]
+            const eye4_real value = low[basis[i]] + tableau[i][5] * (high[basis[i]] - low[basis[i]]);
+            answer[basis[i]] = (value > high[basis[i]]) ? high[basis[i]]
                 : ((value < low[basis[i]]) ? low[basis[i]] : value);
         }
     }
@@ -4000,7 +4002,20 @@ static eye4_real eye4_largest_share_3(const eye4_real W[12], const eye4_real low
             share = tableau[i][5];
         }
     }
-    return (share > 1.0) ? 1.0 : ((share < 0.0) ? 0.0 : share);
+    share = (share > 1.0) ? 1.0 : ((share < 0.0) ? 0.0 : share);
+    eye4_real error = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        eye4_real rest = start[i] + share * towards[i];
+        for (int j = 0; j < 4; ++j) {
+            rest -= W[i * 4 + j] * answer[j];
+        }
+        error += ((rest < 0.0) ? -rest : rest) / size[i];
+    }
+    if (error > 2.0e-9) { return -1.0; }
+    for (int j = 0; j < 4; ++j) {
+        y[j] = answer[j];
+    }
+    return share;
 }
 
 /* Drive torques for the task pointing, within what the motors have. Least error in the norm of (S K_c^-1

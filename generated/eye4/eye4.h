@@ -617,7 +617,7 @@ eye4_status eye4_inverse_fast_pointing(const eye4_table *table, const eye4_state
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, LIMITED, UNREACHABLE. Nothing is
  * written when the status is negative.
- * At most 48121 operations on reals, 6721 of them divisions. Stack: at most 5088 bytes. */
+ * At most 48198 operations on reals, 6724 of them divisions. Stack: at most 5088 bytes. */
 eye4_status eye4_torque_for_pointing(const eye4_table *table, const eye4_state *x, const eye4_real demand[3],
                                      const eye4_inverse_options *options, const int locked[EYE4_N],
                                      const eye4_real wrench[6], eye4_torque_for_pointing_result *out);

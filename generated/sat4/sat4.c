@@ -3780,13 +3780,14 @@ static sat4_real sat4_largest_share_3(const sat4_real W[12], const sat4_real low
                                       const sat4_real high[SAT4_N], const sat4_real start[3],
                                       const sat4_real towards[3], sat4_real y[restrict SAT4_N])
 {
-    sat4_real tableau[3][6];  /* columns: y - low, then f, then the values of the basis */
+    sat4_real tableau[3][6];  /* columns: (y - low) / (high - low), then f, then the values of the basis */
     sat4_real upper[5];  /* upper bounds of the variables; the lower ones are 0 */
     int at_upper[5];  /* 1 where a variable outside the basis is at its upper bound */
     int inside[5];  /* 1 where a variable is in the basis */
     int basis[3];  /* variable of each row; -1: its artificial one */
+    sat4_real size[3];  /* largest element of each row before the rows are scaled */
     for (int j = 0; j < 4; ++j) {
-        upper[j] = high[j] - low[j];
+        upper[j] = (high[j] > low[j]) ? 1.0 : 0.0;
     }
     upper[4] = 1.0;
     for (int i = 0; i < 3; ++i) {
@@ -3794,15 +3795,15 @@ static sat4_real sat4_largest_share_3(const sat4_real W[12], const sat4_real low
         value = start[i];
         largest = (towards[i] < 0.0) ? -towards[i] : towards[i];
         for (int j = 0; j < 4; ++j) {
-            tableau[i][j] = W[i * 4 + j];
+            tableau[i][j] = W[i * 4 + j] * (high[j] - low[j]);
             value -= W[i * 4 + j] * low[j];
-            largest = (((W[i * 4 + j] < 0.0) ? -W[i * 4 + j] : W[i * 4 + j]) > largest)
-                ? ((W[i * 4 + j] < 0.0) ? -W[i * 4 + j] : W[i * 4 + j]) : largest;
+            largest = (((tableau[i][j] < 0.0) ? -tableau[i][j] : tableau[i][j]) > largest)
+                ? ((tableau[i][j] < 0.0) ? -tableau[i][j] : tableau[i][j]) : largest;
         }
         tableau[i][4] = -towards[i];  tableau[i][5] = value;
         largest = (((value < 0.0) ? -value : value) > largest) ? ((value < 0.0) ? -value : value) : largest;
-        const sat4_real whole = (largest > 0.0) ? largest : 1.0;
-        const sat4_real factor = (value < 0.0) ? -1.0 / whole : 1.0 / whole;
+        size[i] = (largest > 0.0) ? largest : 1.0;
+        const sat4_real factor = (value < 0.0) ? -1.0 / size[i] : 1.0 / size[i];
         for (int j = 0; j < 6; ++j) {
             tableau[i][j] = tableau[i][j] * factor;
         }
@@ -3918,13 +3919,14 @@ static sat4_real sat4_largest_share_3(const sat4_real W[12], const sat4_real low
     }
     /* out of passes before the start was reached */
     if (raising == 0) { return -1.0; }
+    sat4_real answer[SAT4_N];
     for (int j = 0; j < 4; ++j) {
-        y[j] = (at_upper[j] > 0) ? high[j] : low[j];
+        answer[j] = (at_upper[j] > 0) ? high[j] : low[j];
     }
     for (int i = 0; i < 3; ++i) {
         if (basis[i] >= 0 && basis[i] < 4) {
-            const sat4_real value = low[basis[i]] + tableau[i][5];
-            y[basis[i]] = (value > high[basis[i]]) ? high[basis[i]]
+            const sat4_real value = low[basis[i]] + tableau[i][5] * (high[basis[i]] - low[basis[i]]);
+            answer[basis[i]] = (value > high[basis[i]]) ? high[basis[i]]
                 : ((value < low[basis[i]]) ? low[basis[i]] : value);
         }
     }
@@ -3934,7 +3936,20 @@ static sat4_real sat4_largest_share_3(const sat4_real W[12], const sat4_real low
             share = tableau[i][5];
         }
     }
-    return (share > 1.0) ? 1.0 : ((share < 0.0) ? 0.0 : share);
+    share = (share > 1.0) ? 1.0 : ((share < 0.0) ? 0.0 : share);
+    sat4_real error = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        sat4_real rest = start[i] + share * towards[i];
+        for (int j = 0; j < 4; ++j) {
+            rest -= W[i * 4 + j] * answer[j];
+        }
+        error += ((rest < 0.0) ? -rest : rest) / size[i];
+    }
+    if (error > 2.0e-9) { return -1.0; }
+    for (int j = 0; j < 4; ++j) {
+        y[j] = answer[j];
+    }
+    return share;
 }
 
 /* Drive torques for the task pointing, within what the motors have. Least error in the norm of (S K_c^-1

@@ -579,7 +579,7 @@ sat4_status sat4_inverse_fast_pointing(const sat4_table *table, const sat4_state
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, LIMITED, UNREACHABLE. Nothing is
  * written when the status is negative.
- * At most 48085 operations on reals, 6721 of them divisions. Stack: at most 5056 bytes. */
+ * At most 48162 operations on reals, 6724 of them divisions. Stack: at most 5056 bytes. */
 sat4_status sat4_torque_for_pointing(const sat4_table *table, const sat4_state *x, const sat4_real demand[3],
                                      const sat4_inverse_options *options, const int locked[SAT4_N],
                                      sat4_torque_for_pointing_result *out);

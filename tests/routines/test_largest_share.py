@@ -95,6 +95,37 @@ def test_float_is_close_to_double() -> None:
         assert share_of(FLOAT, *given)[0] == pytest.approx(share_of(DOUBLE, *given)[0], abs=1e-4)
 
 
+def test_units_of_the_unknowns_do_not_matter() -> None:
+    """Unknowns of 1e5 with small coefficients, as heavy rotors have them: a share in `float` too."""
+    rng = np.random.default_rng(5)
+    for _ in range(60):
+        W, low, high, start, towards = demand(rng)
+        for unit in (1e-7, 1e7):
+            given = W / unit, low * unit, high * unit, start, towards
+            share = share_of(DOUBLE, *given)[0]
+            assert share == pytest.approx(share_of(DOUBLE, W, low, high, start, towards)[0], abs=1e-9)
+            assert share_of(FLOAT, *given)[0] == pytest.approx(share, abs=2e-4)
+
+
+def test_a_demand_far_out_of_reach_has_no_share() -> None:
+    """A demand of five rows on four large rotors, where `float` once answered 1."""
+    W = [
+        [0.02672338, -0.06597014, -0.00567188, 0.0047158],
+        [0.06184871, 0.00695646, 0.01384888, -0.03723519],
+        [0.0528769, -0.02122108, -0.00624842, -0.02179054],
+        [0.00135965, -0.05879485, -0.01930115, 0.08333265],
+        [0.01599811, 0.07219649, 0.03070206, -0.02269153],
+    ]
+    low = [-29673.10261743, -69411.15784808, -51957.61670084, 30825.49808772]
+    high = [55769.53280031, 36392.45809609, 66810.79765101, 126558.46066881]
+    start = [1314.05924142, 137.82989308, 672.82422114, -342.19922998, 2733.90526805]
+    towards = [-46.62128376, 8.50581204, -19.07028755, -17.47989725, -74.06161004]
+    for precision in (FLOAT, DOUBLE):
+        share, y = share_of(precision, *(np.array(each) for each in (W, low, high, start, towards)))
+        assert share == -1
+        assert np.all(np.isnan(y))
+
+
 def test_equal_wheels_share_what_one_cannot_give() -> None:
     """Two on one axis with bounds of 1 and 2: of a demand of 6 half can be met."""
     found, y = share_of(

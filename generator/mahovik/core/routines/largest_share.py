@@ -4,7 +4,8 @@ Wanted is the largest f in [0, 1] for which W y = start + f towards has a soluti
 method for bounded variables on a dense tableau (Dantzig 1963, chapter 18): first the artificial variables of the rows
 are driven to zero, then f is raised. The variable with the largest gain enters; after PASSES_BEFORE_BLAND passes per
 variable the first one with a gain does (Bland 1977), so that it cannot circle. Rows may depend on one another: an
-artificial variable that stays is held at zero.
+artificial variable that stays is held at zero. At the end the answer is put into the equations, so that rounding never
+passes for a solution.
 """
 
 from __future__ import annotations
@@ -38,8 +39,9 @@ PASSES = 6
 def largest_share(rows: int, count: NamedCount, pivot: float, tolerance: float) -> Function:
     """`largest_share` for a matrix of `rows` x `count`.
 
-    pivot      a coefficient below this, in rows of largest element 1, counts as zero
-    tolerance  how far the rows may be from zero at f = 0, in the same rows, before `start` counts as out of reach
+    pivot      a coefficient below this, in scaled rows and columns (`_set_up`), counts as zero
+    tolerance  how far the rows may be from zero at f = 0, in the same rows, before `start` counts as out of reach; the
+               answer may be as far again from its equations, by rounding
     """
     W = Argument("W", Kind.REAL, (rows * int(count),), purpose="rows of the equations, one after the other")
     low = Argument("low", Kind.REAL, (count,), purpose="lower bounds of y")
@@ -49,12 +51,13 @@ def largest_share(rows: int, count: NamedCount, pivot: float, tolerance: float) 
     y = Argument("y", Kind.REAL, (count,), "inout", purpose="the solution; untouched where the result is -1")
     n = int(count)  # variable n is f
     body = Body()
-    tableau = body.local("tableau", (rows, n + 2), comment="columns: y - low, then f, then the values of the basis")
+    tableau = body.local("tableau", (rows, n + 2), comment="columns: (y - low) / (high - low), then f, then the values of the basis")
     upper = body.local("upper", (n + 1,), comment="upper bounds of the variables; the lower ones are 0")
     at_upper = body.local("at_upper", (n + 1,), Kind.INT, "1 where a variable outside the basis is at its upper bound")
     inside = body.local("inside", (n + 1,), Kind.INT, "1 where a variable is in the basis")
     basis = body.local("basis", (rows,), Kind.INT, "variable of each row; -1: its artificial one")
-    _set_up(body, (W.place, low.place, high.place, start.place, towards.place), tableau, upper)
+    size = body.local("size", (rows,), comment="largest element of each row before the rows are scaled")
+    _set_up(body, (W.place, low.place, high.place, start.place, towards.place), tableau, upper, size)
     with body.loop("j", n + 1) as j:
         body.set(at_upper[j], integer(0))
         body.set(inside[j], integer(0))
@@ -83,12 +86,19 @@ def largest_share(rows: int, count: NamedCount, pivot: float, tolerance: float) 
     body.note("out of passes before the start was reached")
     with body.when(equal(raising, integer(0))):
         body.ret(real(OUT_OF_REACH))
-    _answer(body, tableau, at_upper, basis, (low.place, high.place), y.place)
+    answer = body.local("answer", (count,))
+    _answer(body, tableau, at_upper, basis, (low.place, high.place), answer)
     share = body.local("share")
     body.set(share, select(at_upper[n] > 0, real(1), real(0)))
     with body.loop("i", rows) as i, body.when(equal(basis[i], integer(n))):
         body.set(share, tableau[i][n + 1])
-    body.ret(select(share > 1, real(1), select(share < 0, real(0), share)))
+    body.set(share, select(share > 1, real(1), select(share < 0, real(0), share)))
+    error = _error(body, (W.place, start.place, towards.place), answer, share, size)
+    with body.when(error > real(2 * tolerance)):
+        body.ret(real(OUT_OF_REACH))
+    with body.loop("j", n) as j:
+        body.set(y.place[j], answer[j])
+    body.ret(share)
     return body.function(
         f"largest_share_{rows}",
         "Largest f of 0 to 1 for which W y = start + f towards has a solution within the bounds; -1: none has.",
@@ -97,12 +107,16 @@ def largest_share(rows: int, count: NamedCount, pivot: float, tolerance: float) 
     )
 
 
-def _set_up(body: Body, given: tuple[Place, ...], tableau: Place, upper: Place) -> None:
-    """Tableau of y - low and f: rows of largest element 1, with values that are not negative."""
+def _set_up(body: Body, given: tuple[Place, ...], tableau: Place, upper: Place, size: Place) -> None:
+    """Tableau of z = (y - low) / (high - low) and f: rows of largest element 1, with values that are not negative.
+
+    Both are scaled, so that a coefficient near zero is one that cannot move its row, whatever the units of y are.
+    `size` keeps what each row was divided by.
+    """
     W, low, high, start, towards = given
     rows, n = len(tableau), len(low)
     with body.loop("j", n) as j:
-        body.set(upper[j], high[j] - low[j])
+        body.set(upper[j], select(high[j] > low[j], real(1), real(0)))
     body.set(upper[n], real(1))
     with body.loop("i", rows) as i:
         value = body.local("value")
@@ -110,14 +124,14 @@ def _set_up(body: Body, given: tuple[Place, ...], tableau: Place, upper: Place) 
         body.set(value, start[i])
         body.set(largest, magnitude(towards[i]))
         with body.loop("j", n) as j:
-            body.set(tableau[i][j], W[i * n + j])
+            body.set(tableau[i][j], W[i * n + j] * (high[j] - low[j]))
             body.add(value, -(W[i * n + j] * low[j]))
-            body.set(largest, select(magnitude(W[i * n + j]) > largest, magnitude(W[i * n + j]), largest))
+            body.set(largest, select(magnitude(tableau[i][j]) > largest, magnitude(tableau[i][j]), largest))
         body.set(tableau[i][n], -towards[i])
         body.set(tableau[i][n + 1], value)
         body.set(largest, select(magnitude(value) > largest, magnitude(value), largest))
-        whole = body.let("whole", select(largest > 0, largest, real(1)))
-        factor = body.let("factor", select(value < 0, -1 / whole, 1 / whole))
+        body.set(size[i], select(largest > 0, largest, real(1)))
+        factor = body.let("factor", select(value < 0, -1 / size[i], 1 / size[i]))
         with body.loop("j", n + 2) as j:
             body.set(tableau[i][j], tableau[i][j] * factor)
 
@@ -226,5 +240,20 @@ def _answer(body: Body, tableau: Place, at_upper: Place, basis: Place, bounds: t
         body.set(y[j], select(at_upper[j] > 0, high[j], low[j]))
     with body.loop("i", len(tableau)) as i, body.when(and_(basis[i] >= 0, basis[i] < n)):
         own = basis[i]
-        value = body.let("value", low[own] + tableau[i][n + 1])
+        value = body.let("value", low[own] + tableau[i][n + 1] * (high[own] - low[own]))
         body.set(y[own], select(value > high[own], high[own], select(value < low[own], low[own], value)))
+
+
+def _error(body: Body, system: tuple[Place, ...], answer: Place, share: Expr, size: Place) -> Place:
+    """By how much the rows of W y = start + share towards are not met in all, in rows of largest element 1."""
+    W, start, towards = system
+    n = len(answer)
+    error = body.local("error")
+    body.set(error, real(0))
+    with body.loop("i", len(start)) as i:
+        rest = body.local("rest")
+        body.set(rest, start[i] + share * towards[i])
+        with body.loop("j", n) as j:
+            body.add(rest, -(W[i * n + j] * answer[j]))
+        body.add(error, magnitude(rest) / size[i])
+    return error
