@@ -230,7 +230,7 @@ def lines(hold: Hold) -> list[str]:
 def refuse_hold(stand: Stand, source: str) -> None:
     """StandError for a held carrier, where only a free one can be taken."""
     if stand.hold is not None:
-        taken = "only `mahovik check`, `eval`, `generate` and `judge-log` take a held carrier yet"
+        taken = "only `mahovik check`, `eval`, `generate`, `verify`, `evidence` and `judge-log` take a held carrier yet"
         raise StandError([f"{source}: hold: {taken}; expected a stand without [hold]"])
 
 

@@ -101,9 +101,10 @@ class FunctionBackend(ABC):
         return found
 
     def _forward(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        return self._of_hold() | self._call("forward", inputs)
+        return self.without_freedoms | self._call("forward", inputs)
 
-    def _of_hold(self) -> dict[str, Any]:
+    @property
+    def without_freedoms(self) -> dict[str, Any]:
         """The rates of no freedoms, which the C of a clamped carrier leaves out."""
         return {"u_dot": []} if self.layout.held and not self.layout.freedoms else {}
 
@@ -177,7 +178,7 @@ class FunctionBackend(ABC):
     def _coupled(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         if not self.layout.flywheels:
             return {**self._forward(state, inputs), "phi_ddot": []}
-        return self._of_hold() | self._call("coupled", inputs)
+        return self.without_freedoms | self._call("coupled", inputs)
 
     def _inverse(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         status, outputs = self.call("inverse", inputs)

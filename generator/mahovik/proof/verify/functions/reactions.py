@@ -5,13 +5,14 @@ The literal reference and the C share the formula of a mount wrench, so a term t
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 from typing import Any, cast
 
 import numpy as np
 
+from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Vec6
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
@@ -23,7 +24,7 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions.case import Case, Comparison
 from mahovik.proof.verify.scales import scales
-from mahovik.proof.verify.scales.magnitudes import inverse_magnitude
+from mahovik.proof.verify.scales.magnitudes import Magnitudes
 
 
 def mount_rows(case: Case) -> Iterator[Row]:
@@ -39,7 +40,7 @@ def mount_rows(case: Case) -> Iterator[Row]:
     for name, state in case.states:
         try:
             V_dot = case.call("forward", case.backend.arguments(state))["V_dot"]
-            moving = replace(state, V_dot=tuple(V_dot))
+            moving = replace(state, V_dot=tuple(V_dot), u_dot=_rates(case, V_dot))
             found = case.call("mounts", case.backend.arguments(moving))["mount_wrench"]
             wrenches = np.array(found, dtype=np.float64).reshape(-1, 6)
         except StateError as error:
@@ -60,6 +61,14 @@ def mount_rows(case: Case) -> Iterator[Row]:
             motion.note_absence(error, name)
     yield torque.with_verdict()
     yield motion.with_verdict()
+
+
+def _rates(case: Case, V_dot: Sequence[float]) -> tuple[float, ...]:
+    """u_dot of a held carrier by its V_dot = S u_dot; none of a free one."""
+    if case.stand.hold is None:
+        return ()
+    found = np.linalg.lstsq(twists(case.stand.hold), np.array(V_dot), rcond=None)[0]
+    return tuple(found.tolist())
 
 
 def _note_motion(
@@ -94,5 +103,7 @@ def _note_motion(
     pieces = reference.pieces(bare.stand, alone)
     if np.linalg.eigvalsh(pieces.K)[0] <= 0.0:
         raise StateError("the mass matrix of the stand without flywheels is not positive definite")
-    scale = scales(bare.stand, alone, pieces, "forward", case.bounds.cuts)["V_dot"] + inverse_magnitude(pieces.K) @ size
+    along = Magnitudes(bare.stand, alone, pieces).free  # all six where the carrier is free
+    scale = scales(bare.stand, alone, pieces, "forward", case.bounds.cuts)["V_dot"]
+    scale = scale + along.S @ along.K_inverse @ along.S.T @ size
     row.note(state.V_dot, bare.evaluate(alone, ("forward",))["V_dot"], scale, name)
