@@ -111,10 +111,10 @@ TAKE_FREE_CARRIERS = (
     "verify --rigorous",
     "report -o page.html",
     "derive",
-    "rest",
+    "plan --motion m.json -o p.json",
     "cost",
-    "simulate --until 1 -o run.csv",
-    "modes",
+    "report -o other.html",
+    "response --speed w1=100 --at tip",
     "jitter --speed w1=100 --at tip",
 )
 
