@@ -28,6 +28,9 @@ FREEDOMS: dict[str, Freedom] = {
 }
 """Freedoms by their names in the file."""
 
+TWIST_NAMES = tuple(FREEDOMS)
+"""Directions of E1 of the six components of a twist."""
+
 _NAMES = {freedom: name for name, freedom in FREEDOMS.items()}
 
 _WAYS = ("freedoms", "axis", "slide", "basis")
@@ -232,7 +235,10 @@ def lines(hold: Hold) -> list[str]:
     return ["", "[hold]", *own, line_of("position", hold.position), line_of("angles", hold.angles)]
 
 
-TAKE_HELD = "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize` and `judge-log`"
+TAKE_HELD = (
+    "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize` "
+    "and `judge-log`"
+)
 """Commands that take held carriers."""
 
 

@@ -101,12 +101,11 @@ class FunctionBackend(ABC):
         return found
 
     def _forward(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        return self.without_freedoms | self._call("forward", inputs)
+        return self.of_hold(inputs, self._call("forward", inputs))
 
-    @property
-    def without_freedoms(self) -> dict[str, Any]:
-        """The rates of no freedoms, which the C of a clamped carrier leaves out."""
-        return {"u_dot": []} if self.layout.held and not self.layout.freedoms else {}
+    def of_hold(self, inputs: Mapping[str, Any], motion: dict[str, Any]) -> dict[str, Any]:
+        """A motion for these inputs, with the rates of no freedoms, which the C of a clamped carrier leaves out."""
+        return {"u_dot": []} | motion if self.layout.held else motion
 
     def arguments(self, state: State) -> dict[str, Any]:
         """A state as arguments of the program's functions, by name."""
@@ -178,7 +177,7 @@ class FunctionBackend(ABC):
     def _coupled(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         if not self.layout.flywheels:
             return {**self._forward(state, inputs), "phi_ddot": []}
-        return self.without_freedoms | self._call("coupled", inputs)
+        return self.of_hold(inputs, self._call("coupled", inputs))
 
     def _inverse(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         status, outputs = self.call("inverse", inputs)

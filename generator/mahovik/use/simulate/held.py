@@ -10,16 +10,13 @@ from typing import cast
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.hold import is_closed, twist_of, twists, words
+from mahovik.core.stand.hold import TWIST_NAMES, is_closed, twist_of, twists, words
 from mahovik.core.stand.model import Hold, Stand, Vec3
 from mahovik.core.stand.state import Quaternion, State, rest_state
 from mahovik.errors import UsageError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.rotation import attitude, carrier_rotation
 from mahovik.proof.reference.screw import cross
-
-NAMES = ("x", "y", "z", "roll", "pitch", "yaw")
-"""Directions of E1, along and about its axes."""
 
 ALLOWED = 1e-6
 """m, rad; m/s, rad/s: a start may be off what the hold allows by as much as figures of six digits are."""
@@ -115,7 +112,7 @@ def _quaternion(C: Array) -> Quaternion:
 
 
 def _worst(off: Array) -> str:
-    return NAMES[int(np.argmax(np.abs(off)))]
+    return TWIST_NAMES[int(np.argmax(np.abs(off)))]
 
 
 def _unit(off: Array) -> str:

@@ -1,4 +1,4 @@
-"""Judge of `mounts` by the second derivation: the drive torques, and the motion of the carrier under the reactions.
+"""Judges of `mounts`, by the drive torques and the motion under the reactions, and of `reaction` of a hold.
 
 The literal reference and the C share the formula of a mount wrench, so a term that is missing in both would pass.
 """
@@ -18,6 +18,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.rotation import C1
 from mahovik.proof.reference.screw import block_diagonal
 from mahovik.proof.second import Second
@@ -107,3 +108,30 @@ def _note_motion(
     scale = scales(bare.stand, alone, pieces, "forward", case.bounds.cuts)["V_dot"]
     scale = scale + along.S @ along.K_inverse @ along.S.T @ size
     row.note(state.V_dot, bare.evaluate(alone, ("forward",))["V_dot"], scale, name)
+
+
+def hold_rows(case: Case) -> Iterator[Row]:
+    """`reaction` for any motion, by the literal (8), and for the motion of the held carrier, by the second derivation.
+
+    R = K V_r* + M V_r + I phi'' + J phi' - F of the V* of the state; of a motion that the second derivation finds, the
+    wrench that it finds as well.
+    """
+    tolerance, floor = case.bounds.default, case.bounds.floor
+    given = Comparison("reaction", "reaction, of any motion", tolerance, floor)
+    found = Comparison("reaction", "reaction, second derivation", tolerance, floor)
+    for name, state in case.states:
+        at = case.at(state)
+        m = Magnitudes(case.stand, state, at, case.bounds.cuts)
+        size = m.S_bias + m.S_I @ m.acceleration + m.S_K @ m.stream_rate
+        literal = at.K @ at.V_r_dot(np.array(state.V_dot)) + bias(at) + at.I @ np.array(state.phi_ddot) - at.F
+        try:
+            R = case.call("reaction", case.backend.arguments(state))["reaction"]
+            given.note(R, literal, size + m.S_K @ np.abs(state.V_dot), name)
+            own = case.second.evaluate(state, ("forward",))
+            moving = replace(state, V_dot=cast(Vec6, tuple(own["V_dot"].tolist())))
+            R = case.call("reaction", case.backend.arguments(moving))["reaction"]
+            found.note(R, own["reaction"], size + m.S_K @ np.abs(own["V_dot"]), name)
+        except StateError as error:
+            given.note_refusal(error, name)
+    yield given.with_verdict()
+    yield found.with_verdict()
