@@ -15,6 +15,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, Features, random_stand
 from mahovik.errors import StateError
 from mahovik.laws.cross_flow.data import CrossFlow
+from mahovik.laws.fin.data import Fin, Fins
 from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
 from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.diagnose.faults import DICTIONARY
@@ -40,7 +41,8 @@ def stand() -> Stand:
     drag = CrossFlow(
         1000.0, (-0.5, 0.0, 0.5), (0.1, 0.3, 0.2), (0.2, 0.3, 0.1), (1.1,) * 3, (0.9,) * 3, 2, together=False
     )
-    carrier = found.carrier.with_laws(drag)
+    fin = Fin("a", (0.4, 0.1, 0.2), (1, 0, 0.1), (0, 1, 0.5), 1000.0, 0.05, 3.0, 0.1, 0.2, 0.3, 0.2, "across", True)
+    carrier = found.carrier.with_laws(drag, Fins((fin,)))
     return replace(found, carrier=carrier, flywheels=(replace(first, mount="carrier"), replace(second, mount="i1")))
 
 
