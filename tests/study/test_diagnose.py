@@ -16,6 +16,7 @@ from mahovik.core.stand.random import EVERYTHING, Features, random_stand
 from mahovik.errors import StateError
 from mahovik.laws.cross_flow.data import CrossFlow
 from mahovik.laws.fin.data import Fin, Fins
+from mahovik.laws.propeller.data import Propeller, Propellers
 from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
 from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.diagnose.faults import DICTIONARY
@@ -42,7 +43,11 @@ def stand() -> Stand:
         1000.0, (-0.5, 0.0, 0.5), (0.1, 0.3, 0.2), (0.2, 0.3, 0.1), (1.1,) * 3, (0.9,) * 3, 2, together=False
     )
     fin = Fin("a", (0.4, 0.1, 0.2), (1, 0, 0.1), (0, 1, 0.5), 1000.0, 0.05, 3.0, 0.1, 0.2, 0.3, 0.2, "across", True)
-    carrier = found.carrier.with_laws(drag, Fins((fin,)))
+    ahead, around = (0.4, -0.4, -0.1), (0.2, -0.2, 0.1)
+    propeller = Propeller(
+        "b", (-0.4, 0, 0.1), (1, 0.1, 0), 1000.0, 0.2, ahead, around, 80.0, 0.2, 0.1, whole=False, left=False
+    )
+    carrier = found.carrier.with_laws(drag, Fins((fin,)), Propellers((propeller,)))
     return replace(found, carrier=carrier, flywheels=(replace(first, mount="carrier"), replace(second, mount="i1")))
 
 
