@@ -10,7 +10,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-import mahovik
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import Stand, dumps, identities, loads
 from mahovik.core.stand.random import BARE, Features, random_stand, random_state
@@ -161,15 +160,6 @@ def test_planning_has_the_wrench_and_its_slopes(p: Propeller, V: np.ndarray) -> 
     step = 1e-6 * np.eye(6)
     slopes = (planned.wrench(V + step) - planned.wrench(V - step)) / 2e-6
     np.testing.assert_allclose(planned.rate(V[None])[0], slopes.T, rtol=1e-4, atol=1e-3)
-
-
-def test_many_states_at_once_have_the_bits_of_one() -> None:
-    model = mahovik.build(driven(4))
-    rng = np.random.default_rng(4)
-    x = model.states_of(np.array([model.state(V=rng.normal(size=6)).array for _ in range(9)]))
-    many = model.forward(x, phi_ddot=np.zeros((9, 1)))["V_dot"]
-    for row, found in zip(x.array, many, strict=True):
-        assert np.array_equal(found, model.forward(model.states_of(row[None]), phi_ddot=np.zeros((1, 1)))["V_dot"][0])
 
 
 def test_file_comes_back_and_other_stands_are_as_before() -> None:

@@ -91,7 +91,8 @@ def damper_values(body: Body, damper: Struct, rows: dict[str, list[dict[str, Any
         row: dict[str, Any] = {key: getattr(fin, key) for key in ("deflection", "lift_slope", "drag", "induced")}
         row |= {"position": list(fin.position), "chord": list(chord), "span": list(span), "normal": list(normal)}
         row |= {"size": 0.5 * fin.density * fin.area, "speed": SPEEDS.index(fin.speed)}
-        fins.append(row | {"stall": fin.stall or 0.0, "incidence": int(fin.incidence)})
+        stall = 0.0 if fin.stall is None else fin.stall
+        fins.append(row | {"stall": stall, "incidence": int(fin.incidence)})
     return {"first_fin": first, "last_fin": len(fins)}
 
 

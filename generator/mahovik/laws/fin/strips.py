@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-
+from mahovik.core.stand.columns import hypot
 from mahovik.core.stand.model import Vec3
 from mahovik.laws.fin.data import Fin
 
@@ -22,5 +21,5 @@ def _cross(a: Vec3, b: Vec3) -> Vec3:
 def _unit(a: Vec3) -> Vec3:
     largest = max(abs(x) for x in a)  # first, so that squares neither overflow nor vanish
     x, y, z = (each / largest for each in a)
-    length = math.sqrt(x * x + y * y + z * z)  # a sum of squares is no power of the platform's library
+    length = hypot(x, y, z)
     return (x / length, y / length, z / length)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from mahovik.core.stand.columns import hypot
 from mahovik.core.stand.model import Vec3
 from mahovik.laws.propeller.data import Propeller
 
@@ -43,5 +44,5 @@ def _in_radians(p: Propeller, k: Vec3, size: float) -> Vec3:
 def _unit(a: Vec3) -> Vec3:
     largest = max(abs(x) for x in a)  # first, so that squares neither overflow nor vanish
     x, y, z = (each / largest for each in a)
-    length = math.sqrt(x * x + y * y + z * z)
+    length = hypot(x, y, z)
     return (x / length, y / length, z / length)
