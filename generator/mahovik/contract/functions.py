@@ -118,6 +118,7 @@ _ROWS = (
         ("reaction",),
         ("reference",),
         needs="held",
+        python=False,
     ),
     PublicFunction("wrench", "(7)", (*_STATE, "wrench"), ("F",), ("reference",), needs="wrenches"),
     PublicFunction(
