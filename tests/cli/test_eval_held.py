@@ -107,14 +107,13 @@ def test_a_free_carrier_has_no_u(tmp_path: Path) -> None:
 
 
 TAKE_FREE_CARRIERS = (
-    "verify",
-    "evidence",
+    "verify --judges",
+    "verify --rigorous",
     "report -o page.html",
     "derive",
-    "rest",
     "cost",
-    "simulate --until 1 -o run.csv",
-    "modes",
+    "report -o other.html",
+    "response --speed w1=100 --at tip",
     "jitter --speed w1=100 --at tip",
 )
 
@@ -126,6 +125,33 @@ def test_what_takes_free_carriers_says_so_in_one_line(file: str, command: str, t
     message = refused(name, file, *rest)
     assert "hold: only `mahovik check`" in message and len(message.strip().splitlines()) == 1
     assert sorted(tmp_path.iterdir()) == before
+
+
+TURN = {"schema": 1, "name": "turn", "type": "periodic", "period": 1.0}
+
+
+@pytest.mark.parametrize(
+    ("text", "cos", "reason"),
+    [
+        (
+            '["pitch"]',
+            [0, 0, 0, 0.1, 0, 0],
+            "asks for motion along yaw, which [hold] blocks; expected its freedoms",
+        ),
+        ('["z", "yaw"]', [0, 0.1, 0, 0, 0, 0], "turn: asks for motion along y, which [hold] blocks"),
+        ('["pitch"]', [0, 0, 0, 0, 0.1, 0], "turn: asks for motion along x, which [hold] blocks"),  # off the pivot
+        ('["yaw"]', [0, 0, 0, 0.1, 0, 0], "hold: only `mahovik check`"),
+        ("[]", [0, 0, 0, 0.1, 0, 0], "hold: no freedoms: clamped"),
+    ],
+)
+def test_a_plan_of_what_is_blocked_names_the_direction(
+    file: str, text: str, cos: list[float], reason: str, tmp_path: Path
+) -> None:
+    Path(file).write_text(TEXT.replace('["pitch"]', text))
+    (tmp_path / "m.json").write_text(json.dumps(TURN | {"harmonics": [{"k": 1, "cos": cos}]}))
+    message = refused("plan", file, "--motion", str(tmp_path / "m.json"), "-o", str(tmp_path / "p.json"))
+    assert reason in message and len(message.strip().splitlines()) == 1
+    assert not (tmp_path / "p.json").exists()
 
 
 def test_python_refuses_it_likewise() -> None:

@@ -28,6 +28,9 @@ FREEDOMS: dict[str, Freedom] = {
 }
 """Freedoms by their names in the file."""
 
+TWIST_NAMES = tuple(FREEDOMS)
+"""Directions of E1 of the six components of a twist."""
+
 _NAMES = {freedom: name for name, freedom in FREEDOMS.items()}
 
 _WAYS = ("freedoms", "axis", "slide", "basis")
@@ -191,6 +194,11 @@ def words(hold: Hold) -> str:
     return f"{count} freedom{'s' if count > 1 else ''}, {', '.join(map(_word, hold.freedoms))}; {closed}"
 
 
+def freedom_names(hold: Hold) -> list[str]:
+    """A name for each freedom: that of the file, such as `yaw`, or 1, 2, ... by its place."""
+    return [_NAMES.get(freedom, str(k + 1)) for k, freedom in enumerate(hold.freedoms)]
+
+
 def _word(freedom: Freedom) -> str:
     if freedom in _NAMES:
         return _NAMES[freedom]
@@ -232,10 +240,17 @@ def lines(hold: Hold) -> list[str]:
     return ["", "[hold]", *own, line_of("position", hold.position), line_of("angles", hold.angles)]
 
 
+TAKE_HELD = (
+    "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize` "
+    "and `judge-log`"
+)
+"""Commands that take held carriers."""
+
+
 def refuse_hold(stand: Stand, source: str) -> None:
     """StandError for a held carrier, where only a free one can be taken."""
     if stand.hold is not None:
-        taken = "only `mahovik check`, `eval`, `generate` and `judge-log` take a held carrier yet"
+        taken = f"only {TAKE_HELD} take a held carrier yet"
         raise StandError([f"{source}: hold: {taken}; expected a stand without [hold]"])
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import replace
+from itertools import cycle
+from operator import mul
 from types import MappingProxyType
 from typing import Any, cast
 
@@ -12,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract.quantities import BOUNDS, QUANTITIES, limits_of
+from mahovik.core.stand.hold import twist_of, twists
 from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.state import Quaternion, State, rest_state
 
@@ -45,7 +48,7 @@ def random_state(
         return extreme_state(stand, rng, EXTREMES[int(rng.integers(len(EXTREMES)))], phase_limit)
     N = len(stand.flywheels)
     angles, quaternion = _attitude(stand, rng)
-    return State(
+    state = State(
         position=cast(Vec3, _normal("position", rng, 3)),
         angles=angles,
         quaternion=quaternion,
@@ -57,6 +60,24 @@ def random_state(
         tau=_normal("tau", rng, N),
         wrench=random_wrenches(rng, [body.name for body in stand.bodies if body.wrench_input]),
     )
+    return along_freedoms(stand, state)
+
+
+def along_freedoms(stand: Stand, state: State) -> State:
+    """The state with u, u_dot of a held carrier by its V, V_dot, and with V = S u, within the ranges of V and V_dot."""
+    if stand.hold is None:
+        return state
+    S = twists(stand.hold).T.tolist()
+    given: dict[str, Any] = {}
+    for key, symbol in (("u", "V"), ("u_dot", "V_dot")):
+        wanted = getattr(state, symbol)
+        rates = [sum(map(mul, column, wanted)) / sum(map(mul, column, column)) for column in S]
+        moved = twist_of(stand.hold, rates)
+        excess = max(abs(x) / most for x, most in zip(moved, cycle(limits_of(symbol)), strict=False))
+        if excess > 1.0:
+            rates = [x / excess * (1.0 - 1e-9) for x in rates]
+        given |= {key: tuple(rates), symbol: twist_of(stand.hold, rates)}
+    return replace(state, **given)
 
 
 def random_wrenches(rng: np.random.Generator, bodies: Iterable[str]) -> MappingProxyType[str, Vec6]:
@@ -81,6 +102,12 @@ def extreme_state(
 
     `least_exponent`: decimal, of tiny numbers; subnormal ones are among them.
     """
+    return along_freedoms(stand, _extreme_state(stand, rng, kind, phase_limit, least_exponent))
+
+
+def _extreme_state(
+    stand: Stand, rng: np.random.Generator, kind: str, phase_limit: float, least_exponent: float
+) -> State:
     if kind == "rest":
         return rest_state(stand)
     state = random_state(stand, rng)

@@ -35,14 +35,16 @@ class Stand(CoreStand):
         return _read(exact(document), source)
 
     @staticmethod
-    def of(stand: CoreStand | str | Path) -> Stand:
-        """A stand as it is, or the one of a file. Raises StandError."""
+    def of(stand: CoreStand | str | Path, held: bool = False) -> Stand:
+        """A stand as it is, or the one of a file. `held`: held carriers are taken too. Raises StandError."""
+        source = Path(stand).name if isinstance(stand, str | Path) else stand.name
+        if not isinstance(stand, CoreStand):
+            stand = load(stand)
+        if not held:
+            refuse_hold(stand, source)
         if isinstance(stand, Stand):
             return stand
-        if isinstance(stand, CoreStand):
-            refuse_hold(stand, stand.name)
-            return Stand(**vars(stand))
-        return load(stand)
+        return Stand(**vars(stand))
 
     def to_dict(self) -> dict[str, Any]:
         """The keys of its file, as they were given; of a stand that Python code made, all in SI."""
@@ -76,7 +78,7 @@ class Stand(CoreStand):
 
 def load(path: str | Path) -> Stand:
     """The stand of a stand file, checked and in SI. Raises StandError with every problem of the file."""
-    stand = Stand.of(load_file(path))
+    stand = Stand.of(load_file(path), held=True)
     # read once more only for its keys: the file was in order a moment ago
     return _with_document(stand, toml.parse(Path(path).read_text(encoding="utf-8-sig")))
 
@@ -92,7 +94,7 @@ def example(name: str) -> Stand:
 
 
 def _read(document: dict[str, Any], source: str) -> Stand:
-    return _with_document(Stand.of(read(document, source)), document)
+    return _with_document(Stand.of(read(document, source), held=True), document)
 
 
 def _with_document(stand: Stand, document: dict[str, Any]) -> Stand:

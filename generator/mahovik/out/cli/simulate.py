@@ -98,7 +98,7 @@ def simulate(
         return
     if until is None or output is None:
         raise click.UsageError(f"Missing option '{'--until' if until is None else '-o'}'.")
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     from mahovik.out.functions.simulation import simulate as run
     from mahovik.use.simulate.run import check_output
 

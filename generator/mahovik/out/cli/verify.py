@@ -110,12 +110,12 @@ def verify(
             raise UsageError("--targets runs the self-test of a fresh copy: not with --judges, --with, --against, -o")
         reals = (real,) if is_given("real") else None
         sweep = states if is_given("states") else None
-        _verify_on_targets(load_stand(stand_file), targets, reals, sweep, as_json, junit, lanes or 1)
+        _verify_on_targets(load_stand(stand_file, held=True), targets, reals, sweep, as_json, junit, lanes or 1)
         return
     from mahovik.out.functions import evidence
 
     wants = read_wants(want)
-    stand, folder = load_stand(stand_file), None if against is None else Path(against)
+    stand, folder = load_stand(stand_file, held=not (judges or rigorous)), None if against is None else Path(against)
     if rigorous:
         from mahovik.proof.verify.folder_stand import stand_in
 

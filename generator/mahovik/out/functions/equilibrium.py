@@ -80,5 +80,5 @@ def rest(stand: StandGiven, phases: Mapping[str, Number] | Sequence[Number] | No
 
     Raises StandError, UsageError; CheckError: there is no equilibrium.
     """
-    own = Stand.of(stand)
+    own = Stand.of(stand, held=True)
     return Rest(own, find_rest(own, by_flywheel("phases", phases, own)))

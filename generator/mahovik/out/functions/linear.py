@@ -14,6 +14,7 @@ from mahovik.out.api.fields import Array
 from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import Keys, StandGiven, state_of
 from mahovik.out.functions.table import Column, Table, module
+from mahovik.use.simulate.held import allowed_start
 from mahovik.use.study.linear import LinearModel as CoreModel
 from mahovik.use.study.linear import Modes as CoreModes
 from mahovik.use.study.linear import linear_model
@@ -23,7 +24,7 @@ from mahovik.use.study.rest import rest as find_rest
 if TYPE_CHECKING:
     from mahovik.out.report.plot.panel import Panel
 
-STATE_KEYS = ("id", "position", "angles", "quaternion", "V", "phi", "phi_dot", "phi_ddot", "wrench")
+STATE_KEYS = ("id", "position", "angles", "quaternion", "V", "u", "phi", "phi_dot", "phi_ddot", "wrench")
 """Keys of a state as `eval` reads it; V* and the drive torques follow from them."""
 
 At = State | Keys | str | Path | None
@@ -96,7 +97,7 @@ def modes(stand: StandGiven, at: At = None, *, locked: bool = True) -> Modes:
 
     Raises StandError, UsageError, CheckError where there is no equilibrium.
     """
-    own = Stand.of(stand)
+    own = Stand.of(stand, held=True)
     model = linear_model(own, _nominal(own, at), [], locked=locked)
     return Modes(own, modes_of(model), model.steady)
 
@@ -177,7 +178,7 @@ def linearize(
 
     Raises StandError, UsageError, CheckError where there is no equilibrium.
     """
-    own = Stand.of(stand)
+    own = Stand.of(stand, held=True)
     names = None if points is None else list(points)
     if names is None and not (own.points or own.instruments):
         names = ["carrier"]
@@ -187,7 +188,7 @@ def linearize(
 def _nominal(stand: Stand, at: At) -> State:
     """The state to linearise about. Raises UsageError, CheckError."""
     if at is not None and at != "rest":
-        return state_of(at, stand, STATE_KEYS, "; V_dot and tau follow from them")
+        return allowed_start(stand, state_of(at, stand, STATE_KEYS, "; V_dot and tau follow from them"))
     try:
         return find_rest(stand).state
     except CheckError as error:

@@ -19,6 +19,7 @@ from mahovik.out.functions.given import Keys, StandGiven, regime_of, state_of
 from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 from mahovik.out.functions.table import Column, Table, split_unit
 from mahovik.use.simulate.case import HINT, START_KEYS, Case
+from mahovik.use.simulate.held import allowed_start
 from mahovik.use.simulate.run import Run
 from mahovik.use.simulate.run import simulate as run_case
 from mahovik.use.study.increments import lost_increments, lost_increments_line
@@ -107,7 +108,7 @@ def simulate(
     Ctrl-C keeps the rows so far. Raises StandError, RegimeError, UsageError, StateError, ToolchainError, CheckError
     where there is no equilibrium to begin from.
     """
-    own = Stand.of(stand)
+    own = Stand.of(stand, held=True)
     chosen, state = _beginning(own, regime, start, until)
     case = Case(own, chosen, state, until, every, dt, order, real, carried)
     warn_of_steps(case)
@@ -125,7 +126,7 @@ def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Reg
     first = None if start is None else state_of(start, stand, START_KEYS, HINT)
     chosen = None if regime is None else regime_of(regime, stand, until)
     if first is not None:
-        return chosen or steady_regime(stand, first.phi_dot), first
+        return chosen or steady_regime(stand, first.phi_dot), allowed_start(stand, first)
     chosen = chosen or steady_regime(stand, [0.0] * len(stand.flywheels))
     try:
         return chosen, rest(stand, [each.phase or 0.0 for each in chosen.flywheels]).state

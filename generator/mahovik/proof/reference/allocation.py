@@ -6,8 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mahovik.core.stand.model import Stand
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.inverse import demand, inverse_root
+from mahovik.proof.reference.hold import free_equations
+from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.task import TaskRows, task_demand
 
@@ -16,7 +18,8 @@ from mahovik.proof.reference.task import TaskRows, task_demand
 class ScaledDemand:
     """(12) without units: W y = r with W = K^-1/2 I Theta_ff^-1/2 (6xN), y = Theta_ff^1/2 phi'' (N), r (6).
 
-    `root` scales what is left over: K^-1/2 of a wrench, G^-1/2 of a task's error.
+    Of a held carrier m rows, W = (S^T K S)^-1/2 S^T I Theta_ff^-1/2. `root` scales what is left over: K^-1/2 of a
+    wrench, G^-1/2 of a task's error.
     """
 
     W: Array
@@ -29,10 +32,11 @@ class ScaledDemand:
         return self.to_phi_ddot @ y
 
 
-def scaled_demand(at: Pieces, V_dot: Array) -> ScaledDemand:
+def scaled_demand(at: Pieces, stand: Stand, V_dot: Array) -> ScaledDemand:
     """The scaled form of (12) for V_dot (6) relative to E0."""
-    K_root, Theta_root = inverse_root(at.K), inverse_root(at.Theta_ff)
-    return ScaledDemand(K_root @ at.I @ Theta_root.T, K_root @ demand(at, V_dot), Theta_root.T, K_root)
+    free = free_equations(at, stand)
+    K_root, Theta_root = inverse_root(free.K), inverse_root(at.Theta_ff)
+    return ScaledDemand(K_root @ free.I @ Theta_root.T, K_root @ free.demand(at, V_dot), Theta_root.T, K_root)
 
 
 def weighted_solution(scaled: ScaledDemand, weight: Array, rank: int, near: float = 0.0, damping: float = 0.0) -> Array:

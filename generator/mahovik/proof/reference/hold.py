@@ -15,10 +15,10 @@ from mahovik.core.stand.model import Freedom, Hold, Stand, Vec6
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, solve, vector
-from mahovik.proof.reference.coupled import spin_up_torque
+from mahovik.proof.reference.coupled import coupled_with_locks, spin_up_torque
 from mahovik.proof.reference.excess import motor_shares, with_excess
-from mahovik.proof.reference.forward import bias
-from mahovik.proof.reference.inverse import CUTS, Cuts, inverse_root, status_names
+from mahovik.proof.reference.forward import bias, forward
+from mahovik.proof.reference.inverse import CUTS, Cuts, Inverse, demand, inverse, inverse_root, status_names
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import E, wrench_to_parent, zero
 
@@ -81,8 +81,11 @@ def held_forward(at: Pieces, hold: Hold, phi_ddot: Array) -> HeldMotion:
     return _motion(S, B, found[:6], found[6:])
 
 
-def held_coupled(at: Pieces, hold: Hold, tau: Array) -> tuple[HeldMotion, Array]:
-    """Motion, reaction and phi'' (N) for given drive torques tau (N): 6 + N + (6 - m) unknowns."""
+def held_coupled(at: Pieces, hold: Hold, tau: Array, locked: Array | None = None) -> tuple[HeldMotion, Array]:
+    """Motion, reaction and phi'' (N) for given drive torques tau (N): 6 + N + (6 - m) unknowns.
+
+    `locked` (N, bool): flywheels kept at phi'' = 0, without their rows and columns.
+    """
     S = twists(hold)
     B = blocked(S)
     N, count = len(at.flywheels), B.shape[1]
@@ -95,7 +98,10 @@ def held_coupled(at: Pieces, hold: Hold, tau: Array) -> tuple[HeldMotion, Array]
     )
     drift = at.stream_rate()
     right = [at.F - bias(at) - at.K @ drift, spin_up_torque(at, tau) - at.I.T @ drift, np.zeros(count)]
-    found = solve(system, np.concatenate(right))
+    free = np.full(6 + N + count, True)
+    free[6 : 6 + N] = True if locked is None else np.logical_not(locked)
+    found = np.zeros(len(free))
+    found[free] = solve(system[np.ix_(free, free)], np.concatenate(right)[free])
     return _motion(S, B, found[:6], found[6 + N :]), found[6 : 6 + N]
 
 
@@ -107,22 +113,63 @@ def _motion(S: Array, B: Array, V_dot: Array, multipliers: Array) -> HeldMotion:
     return HeldMotion(u_dot, S @ u_dot, B @ multipliers)
 
 
-def held_inverse(at: Pieces, hold: Hold, V_dot: Array, cuts: Cuts = CUTS) -> Values:
+def held_inverse(at: Pieces, hold: Hold, V_dot: Array, cuts: Cuts = CUTS, rank: int | None = None) -> Inverse:
     """phi_ddot (N), residual (m), sigma (min(m, N)), rank, status for a demanded V_dot = S u_dot (6).
 
     S^T I phi'' = S^T (F - K V_r* - M V_r - J phi'): least residual in the norm of (S^T K S)^-1, then least phi'' in the
-    norm of Theta_ff, by the singular values of (S^T K S)^-1/2 S^T I Theta_ff^-1/2.
+    norm of Theta_ff, by the singular values of (S^T K S)^-1/2 S^T I Theta_ff^-1/2. `rank`: how many of them count,
+    where that is given.
     """
     S = twists(hold)
     wanted = S.T @ (at.F - at.K @ at.V_r_dot(V_dot) - bias(at))
     K_root, Theta_root = inverse_root(S.T @ at.K @ S), inverse_root(at.Theta_ff)
     U, sigma, Vt = np.linalg.svd(K_root @ S.T @ at.I @ Theta_root.T, full_matrices=False)
-    rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
+    if rank is None:
+        rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
     phi_ddot = Theta_root.T @ (Vt[:rank].T @ ((U[:, :rank].T @ K_root @ wanted) / sigma[:rank]))
     residual = wanted - S.T @ at.I @ phi_ddot
     least = min(S.shape[1], len(at.flywheels))
     status = status_names(K_root @ wanted, K_root @ residual, sigma, rank, least, cuts)
-    return {"phi_ddot": phi_ddot, "status": status, "residual": residual, "sigma": sigma, "rank": rank}
+    return Inverse(phi_ddot, status, residual, sigma, rank)
+
+
+@dataclass(frozen=True, eq=False)
+class FreeEquations:
+    """(8) along what is free: S (6xm), S^T K S (mxm), S^T I (mxN); of a free carrier S is the unit matrix."""
+
+    S: Array
+    K: Array
+    I: Array
+
+    def demand(self, at: Pieces, V_dot: Array) -> Array:
+        """S^T (F - K V_r* - M V_r - J phi') (m)."""
+        return np.asarray(self.S.T @ demand(at, V_dot))
+
+
+def free_equations(at: Pieces, stand: Stand) -> FreeEquations:
+    """(8) of a free or held carrier along what is free."""
+    S = np.eye(6) if stand.hold is None else twists(stand.hold)
+    return FreeEquations(S, S.T @ at.K @ S, S.T @ at.I)
+
+
+def acceleration(at: Pieces, stand: Stand, phi_ddot: Array) -> Array:
+    """V* (6) of a free or held carrier for given phi_ddot (N)."""
+    return forward(at, phi_ddot) if stand.hold is None else held_forward(at, stand.hold, phi_ddot).V_dot
+
+
+def accelerations(at: Pieces, stand: Stand, tau: Array, locked: Array) -> tuple[Array, Array]:
+    """V* (6) of a free or held carrier and phi'' (N) for given drive torques, with locks (N, bool)."""
+    if stand.hold is None:
+        return coupled_with_locks(at, tau, locked)
+    motion, phi_ddot = held_coupled(at, stand.hold, tau, locked)
+    return motion.V_dot, phi_ddot
+
+
+def allocation(at: Pieces, stand: Stand, V_dot: Array, cuts: Cuts = CUTS, rank: int | None = None) -> Inverse:
+    """(12) of a free or held carrier for a demanded V_dot (6)."""
+    if stand.hold is None:
+        return inverse(at, V_dot, cuts, rank)
+    return held_inverse(at, stand.hold, V_dot, cuts, rank)
 
 
 def answer_forward(at: Pieces, stand: Stand, state: State) -> Values:
@@ -140,9 +187,8 @@ def answer_inverse(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) ->
     """phi_ddot (N), status, residual (m), sigma (min(m, N)), rank."""
     hold = _hold(stand)
     found = held_inverse(at, hold, vector(state.V_dot), cuts)
-    moved = held_forward(at, hold, found["phi_ddot"]).V_dot
-    needed = motor_shares(stand, at, moved, found["phi_ddot"])
-    return found | {"status": with_excess(found["status"], needed)}
+    needed = motor_shares(stand, at, held_forward(at, hold, found.phi_ddot).V_dot, found.phi_ddot)
+    return dict(vars(found)) | {"status": with_excess(found.status, needed)}
 
 
 def _hold(stand: Stand) -> Hold:

@@ -15,8 +15,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.excess import motor_shares
-from mahovik.proof.reference.forward import forward
-from mahovik.proof.reference.inverse import inverse as reference_inverse
+from mahovik.proof.reference.hold import acceleration, allocation, free_equations
 from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import DOUBLE, Bounds
@@ -190,14 +189,14 @@ class Judge:
     def _compare_at_its_rank(self, request: Request, found: Mapping[str, Any], left_out: Collection[str]) -> None:
         """Note sigma, and phi_ddot and residual for the rank that was found; status and rank depend on rounding."""
         state, at, cuts = request.state, self._at(request.state), self._bounds.cuts
-        sigma, rank = reference_inverse(at, np.array(state.V_dot), cuts).sigma, found.get("rank")
+        sigma, rank = allocation(at, self._stand, np.array(state.V_dot), cuts).sigma, found.get("rank")
         cut = cuts.rank * sigma[0]
         least, most = int(np.sum(sigma > 10 * cut)), int(np.sum(sigma > cut / 10))
         if not isinstance(rank, int) or not least <= rank <= most:
             words = f"rank {rank}, expected {least} to {most}"
             self._row("inverse", "rank").note(Differences(math.inf), request, words)
             return
-        expected = vars(reference_inverse(at, np.array(state.V_dot), cuts, rank))
+        expected = vars(allocation(at, self._stand, np.array(state.V_dot), cuts, rank))
         natural = inverse_scales(Magnitudes(self._stand, state, at, cuts), rank)
         for quantity in ("phi_ddot", "residual", "sigma"):
             if quantity not in left_out:
@@ -221,12 +220,14 @@ class Judge:
             near = (ratios > cut / 10) & (ratios < cut * 10) | (np.abs(ratios - cut) < apart)
             if np.any(near):
                 return True
-        needed = motor_shares(self._stand, at, forward(at, found["phi_ddot"]), found["phi_ddot"])
+        moved = acceleration(at, self._stand, found["phi_ddot"])
+        needed = motor_shares(self._stand, at, moved, found["phi_ddot"])
         if np.any(np.abs(needed - 1.0) < EXCESS_MARGIN):
             return True
-        root = inverse_root(at.K)
+        free = free_equations(at, self._stand)
+        root = inverse_root(free.K)
         left = np.asarray(found["residual"])
-        demand = float(np.linalg.norm(root @ (left + at.I @ found["phi_ddot"])))
+        demand = float(np.linalg.norm(root @ (left + free.I @ found["phi_ddot"])))
         off = float(np.linalg.norm(np.abs(root) @ (bounds.of("inverse", "residual") * natural["residual"])))
         return abs(float(np.linalg.norm(root @ left)) - bounds.cuts.reached * demand) < off
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from mahovik.contract import laws
 from mahovik.contract.quantities import QUANTITIES, limits_of
+from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state, random_wrenches
 from mahovik.core.stand.state import State
@@ -36,7 +37,7 @@ def draw(stand: Stand, seed: int, count: int, real: str = "double", wrenches: bo
             state = _draw_state(stand, rng, "random", real)
         if not wrenches:
             state = without_others(stand, state)
-        found.append((f"{kind} {number}", round_to_float(state) if real == "float" else state))
+        found.append((f"{kind} {number}", _held_to_float(stand, round_to_float(state)) if real == "float" else state))
     return found
 
 
@@ -73,6 +74,17 @@ def round_to_float(state: State) -> State:
     found: dict[str, Any] = {key: None if value is None else tuple(map(_float, value)) for key, value in given.items()}
     wrench = {name: cast(Vec6, tuple(map(_float, value))) for name, value in state.wrench.items()}
     return replace(state, **found, wrench=MappingProxyType(wrench))
+
+
+def _held_to_float(stand: Stand, state: State) -> State:
+    """The state with u, u_dot of a held carrier rounded to the nearest float, and V, V_dot of these in double."""
+    if stand.hold is None:
+        return state
+    given: dict[str, Any] = {}
+    for key, symbol in (("u", "V"), ("u_dot", "V_dot")):
+        given[key] = tuple(map(_float, getattr(state, key)))
+        given[symbol] = twist_of(stand.hold, given[key])
+    return replace(state, **given)
 
 
 def _float(number: float) -> float:

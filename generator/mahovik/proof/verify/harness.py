@@ -6,9 +6,10 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from mahovik.contract.functions import TASK_WANTS
+from mahovik.contract.functions import CHOSEN, FUNCTIONS, TASK_WANTS
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.generate import Generated
+from mahovik.core.lower.hold import OF_FREE_CARRIERS
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
@@ -114,6 +115,7 @@ def verify_c(
         rows.append(check_bits(backend, states, against))
         rows.append(check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)))
         rows += absent_rows(backend.left_out)
+        rows += free_only_rows(stand)
     if against is not None and (batch := check_batch(stand, backend.generated, against)) is not None:
         rows.append(batch)
     judged = "generated C" if against is None else f"C in {against}"
@@ -126,6 +128,17 @@ def verify_c(
 def absent_rows(left_out: Sequence[str]) -> list[Row]:
     """A row for each function that is not in the folder, which nothing judges."""
     return [Row(name, "not in the folder", verdict="not compared") for name in left_out]
+
+
+def free_only_rows(stand: Stand) -> list[Row]:
+    """A row for each want and function of free carriers that a held one does not have."""
+    if stand.hold is None:
+        return []
+    reason = "the C of a held carrier has no such function yet"
+    names = [name for name in FUNCTIONS if name in OF_FREE_CARRIERS and name not in CHOSEN and not name.endswith("_at")]
+    if not (stand.hold.freedoms and stand.flywheels):
+        names.append("inverse")
+    return [Row(name, "not there", verdict="not compared", reason=reason) for name in names]
 
 
 def report(

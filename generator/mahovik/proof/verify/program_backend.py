@@ -101,9 +101,9 @@ class FunctionBackend(ABC):
         return found
 
     def _forward(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        return self._of_hold(inputs, self._call("forward", inputs))
+        return self.with_reaction(inputs, self._call("forward", inputs))
 
-    def _of_hold(self, inputs: Mapping[str, Any], motion: dict[str, Any]) -> dict[str, Any]:
+    def with_reaction(self, inputs: Mapping[str, Any], motion: dict[str, Any]) -> dict[str, Any]:
         """A motion, with its reaction where the carrier is held, and no rates of no freedoms where it is clamped."""
         if not self.layout.held:
             return motion
@@ -180,7 +180,7 @@ class FunctionBackend(ABC):
     def _coupled(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         if not self.layout.flywheels:
             return {**self._forward(state, inputs), "phi_ddot": []}
-        return self._of_hold(inputs, self._call("coupled", inputs))
+        return self.with_reaction(inputs, self._call("coupled", inputs))
 
     def _inverse(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         status, outputs = self.call("inverse", inputs)

@@ -7,16 +7,19 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import lru_cache
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
 from mahovik.contract.status import status_words
 from mahovik.core.emit.names import member as c_member
-from mahovik.core.stand.model import Stand, Vec6
+from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.use.simulate.case import Array, Case, Moment, wrap_phases
+
+REACTION = "forward"
+"""Want that answers the reaction of a hold at a state with its accelerations."""
 
 
 class CMotion:
@@ -40,8 +43,10 @@ class CMotion:
         self._x = ffi.new(f"{case.stand.name}_state *")
         kind = self.c.program.precision.scalar
         self._view = np.frombuffer(ffi.buffer(self._x), dtype=kind)
-        self._carry = ffi.new(f"{case.stand.name}_step_carry *")
-        self._rounding = np.frombuffer(ffi.buffer(self._carry), dtype=kind)
+        self._carry, self._rounding = ffi.NULL, np.zeros(13 + 2 * N, dtype=kind)
+        if case.stand.hold is None:  # the C of a held carrier has none
+            self._carry = ffi.new(f"{case.stand.name}_step_carry *")
+            self._rounding = np.frombuffer(ffi.buffer(self._carry), dtype=kind)
         self._phi, self._phi_dot = slice(13, 13 + N), slice(13 + N, 13 + 2 * N)
         self._drive = np.zeros(max(N, 1), dtype=kind)
         self._given = np.array(case.regime.has_speed_law, dtype=bool)
@@ -56,9 +61,10 @@ class CMotion:
         self._view[self._phi_dot] = case.phi_dot0
         self._reaction = Reaction(self.c, self._x) if case.regime.mixes_speed_and_torque else None
         self._steepness = Steepness(case)
-        self._mobility: Mobility | None = None
+        self._mobility: Mobility | HeldMobility | None = None
         if self._steepness.matters:
-            self._mobility = Mobility(self.c, self._x, self._locked[:N].tolist())
+            make = Mobility if case.stand.hold is None else HeldMobility
+            self._mobility = make(self.c, self._x, self._locked[:N].tolist())
             self._steepness.check(case.dt, self._mobility.matrix())
 
     def moments(self, mounts: bool) -> Iterator[Moment]:
@@ -195,11 +201,14 @@ class CMotion:
         view = self._view
         V_dot, phi_ddot, tau = self._accelerations(t)
         state = self.case.state(t, view[:3], view[3:7], view[7:13], view[self._phi], view[self._phi_dot].copy())
-        state = replace(state, V_dot=cast(Vec6, tuple(V_dot.tolist())), phi_ddot=tuple(phi_ddot.tolist()))
+        state = self.case.moving(state, V_dot, phi_ddot)
         want = ["points", "mounts"] if mounts else ["points"]
         found = self.c.evaluate(state, want)
         loads = np.array(found["mount_wrench"]).reshape(-1, 6) if mounts else None
-        return Moment(t, state, phi.copy(), tau, found["points"], loads)
+        reaction = None
+        if self.case.stand.hold is not None:
+            reaction = np.array(self.c.evaluate(state, [REACTION])["reaction"])
+        return Moment(t, state, phi.copy(), tau, found["points"], loads, reaction)
 
 
 @lru_cache(maxsize=4)
@@ -303,6 +312,24 @@ class Mobility:
         """Mobility matrix; unchanged if the state is out of range."""
         self._call()
         return np.abs(self._view)
+
+
+class HeldMobility:
+    """Mobility of a held carrier, whose C has no Jacobians: by calls of `coupled`, which is linear in the torques."""
+
+    def __init__(self, c: CBackend, x: Any, locked: list[int]) -> None:
+        self._c, self._inputs = c, {"x": x, "locked": locked, "table": c.library.default("default")}
+        self._inputs["wrench"] = [0.0] * (6 * max(len(c.inputs), 1))
+        self._matrix = np.zeros((len(locked), len(locked)))
+
+    def matrix(self) -> Array:
+        """Mobility matrix; unchanged if the state is out of range."""
+        torques = np.vstack([np.zeros(len(self._matrix)), np.eye(len(self._matrix))])
+        found = [self._c.call("coupled", self._inputs | {"tau": tau.tolist()}) for tau in torques]
+        if all(status >= 0 for status, _ in found):
+            rates = np.array([outputs["phi_ddot"] for _, outputs in found])
+            self._matrix = np.abs(rates[1:] - rates[0]).T
+        return self._matrix
 
 
 class Reaction:

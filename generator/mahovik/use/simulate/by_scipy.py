@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
-from typing import cast
 
 import numpy as np
 from scipy.integrate import DOP853
 
-from mahovik.core.stand.model import Vec6
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.coupled import full_mass_matrix, torque_velocity_terms
-from mahovik.proof.reference.forward import bias, forward
+from mahovik.proof.reference.forward import bias
+from mahovik.proof.reference.hold import acceleration, twists
 from mahovik.proof.reference.rotation import attitude, quaternion_rotation
 from mahovik.proof.reference.screw import f
 from mahovik.use.simulate.case import Array, Case, Moment
@@ -66,14 +64,23 @@ class SciPyMotion:
         tau = np.array(self.case.torques(t, np.array(state.phi_dot)))
         phi_ddot = self.case.motion(np.array([t]))[2][0]
         if not self.case.regime.by_torque:
-            return forward(at, phi_ddot), phi_ddot, tau
+            return acceleration(at, self.case.stand, phi_ddot), phi_ddot, tau
         fP = np.array([f @ at.P[s.body.name] for s in at.flywheels])
         known = np.where(self._given, phi_ddot, 0.0)
         right = np.concatenate([at.F - bias(at) - at.I @ known, tau - torque_velocity_terms(at) + fP])
         rows = np.concatenate([np.arange(6), 6 + self._free])  # a flywheel with given speed has no unknown and no row
-        solution = np.linalg.solve(full_mass_matrix(at)[np.ix_(rows, rows)], right[rows])
+        full, right = full_mass_matrix(at)[np.ix_(rows, rows)], right[rows]
+        if self.case.stand.hold is None:
+            solution = np.linalg.solve(full, right)
+            V_dot = at.V_dot(solution[:6])
+        else:  # V* = S u*, and S^T of the carrier's rows
+            S, count = twists(self.case.stand.hold), len(self._free)
+            free = np.block([[S, np.zeros((6, count))], [np.zeros((count, S.shape[1])), np.eye(count)]])
+            right = right - full[:, :6] @ at.stream_rate()
+            solution = free @ np.linalg.solve(free.T @ full @ free, free.T @ right)
+            V_dot = solution[:6]
         phi_ddot[self._free] = solution[6:]
-        return at.V_dot(solution[:6]), phi_ddot, tau
+        return V_dot, phi_ddot, tau
 
     def _rate(self, t: float, y: Array) -> Array:
         """dy/dt: position rate C v, quaternion rate q (0, omega) / 2, (8)."""
@@ -86,11 +93,14 @@ class SciPyMotion:
     def _moment(self, t: float, y: Array, mounts: bool) -> Moment:
         state, phi = self._state(t, y)
         V_dot, phi_ddot, given = self._accelerations(t, state)
-        state = replace(state, V_dot=cast(Vec6, tuple(V_dot.tolist())), phi_ddot=tuple(phi_ddot.tolist()))
+        state = self.case.moving(state, V_dot, phi_ddot)
         want = ["torque", "points", *(["mounts"] if mounts else [])]
         found = reference.evaluate(self.case.stand, state, want)
         tau = np.where([each.by_torque for each in self.case.regime.flywheels], given, found["tau"])
-        return Moment(t, state, phi.copy(), tau, found["points"], found.get("mount_wrench"))
+        reaction = None
+        if self.case.stand.hold is not None:
+            reaction = reference.evaluate(self.case.stand, state, ["forward"])["reaction"]
+        return Moment(t, state, phi.copy(), tau, found["points"], found.get("mount_wrench"), reaction)
 
 
 def quaternion_rate(quaternion: Array, omega: Array) -> Array:

@@ -20,6 +20,7 @@ from mahovik.errors import StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.verify.states import KEYS as STATE_KEYS
 from mahovik.proof.verify.states import read_object, read_request, refuse_duplicates
+from mahovik.use.simulate.held import complete_start, rates
 
 Array = NDArray[np.float64]
 
@@ -28,7 +29,8 @@ Array = NDArray[np.float64]
 class Moment:
     """A time, the state there (with V_dot, phi_ddot), and phases that are not wrapped.
 
-    `tau`: N; `points`: readings by name; `mounts`: N x 6, or None if not requested.
+    `tau`: N; `points`: readings by name; `mounts`: N x 6, or None if not requested; `reaction` (6) of a held carrier's
+    hold, in E1 about O1, None of a free one.
     """
 
     t: float
@@ -37,6 +39,7 @@ class Moment:
     tau: Array
     points: dict[str, Any]
     mounts: Array | None
+    reaction: Array | None = None
 
 
 LARGE = 0.1 * BOUNDS["MAX_PHASE"].value  # rad; larger phases are wrapped before they enter a state
@@ -74,6 +77,8 @@ class Case:
             raise UsageError(f"--order {self.order}: expected 4 or 2")
         if self.real not in ("double", "float"):
             raise UsageError(f"--real {self.real}: expected double or float")
+        if self.carried and self.stand.hold is not None:
+            raise UsageError("--carried: the C of a held carrier has no step_carried yet; leave it out")
         if self.until / self.every > MAX_ROWS:
             raise UsageError(f"--every {self.every:g}: more than {MAX_ROWS // 1_000_000} million rows")
 
@@ -115,6 +120,7 @@ class Case:
         """A state for evaluation, with the run-time wrenches at time t and a normalised quaternion."""
         length = math.hypot(*attitude)
         w, x, y, z = (float(c) / length for c in attitude)
+        hold = self.stand.hold
         return replace(
             self.start,
             position=cast(Vec3, tuple(position.tolist())),
@@ -124,6 +130,17 @@ class Case:
             phi=tuple(wrap_phases(phi).tolist()),
             phi_dot=tuple(phi_dot.tolist()),
             wrench=self.regime.wrench(t),
+            u=() if hold is None else rates(hold, V),
+        )
+
+    def moving(self, state: State, V_dot: Array, phi_ddot: Array) -> State:
+        """The state with its accelerations."""
+        hold = self.stand.hold
+        return replace(
+            state,
+            V_dot=cast(Vec6, tuple(V_dot.tolist())),
+            phi_ddot=tuple(phi_ddot.tolist()),
+            u_dot=() if hold is None else rates(hold, V_dot),
         )
 
 
@@ -132,7 +149,7 @@ def wrap_phases(phi: Array) -> Array:
     return np.where(np.abs(phi) > LARGE, np.remainder(phi, _TURN), phi)
 
 
-START_KEYS = ("id", "position", "angles", "quaternion", "V", "phi", "phi_dot")
+START_KEYS = ("id", "position", "angles", "quaternion", "V", "u", "phi", "phi_dot")
 """Keys of a state that a start may have."""
 
 REST_KEYS = ("name", "state", "V_dot", "free", "unstable")
@@ -168,7 +185,8 @@ def read_start(text: str, stand: Stand, keys: tuple[str, ...] = START_KEYS, hint
                 raise StateError("state: expected an object")
             refuse_duplicates(found)
         _refuse_unknown(found, keys, hint)
-        return read_request(stand, {**found, "want": ["forward"]}).state
+        state = read_request(stand, {**found, "want": ["forward"]}).state
+        return state if stand.hold is None else complete_start(stand, state, found.keys())
     except StateError as error:
         raise UsageError(str(error)) from None
 

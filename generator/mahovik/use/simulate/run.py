@@ -34,6 +34,8 @@ def column_names(stand: Stand, mounts: bool) -> list[str]:
             found.append(f"motor {s.name} [N m]")
             if s.motor.torque is not None:
                 found.append(f"margin {s.name} [N m]")
+    if stand.hold is not None:
+        found += [f"hold.reaction.{a} [{u}]" for a, u in zip("xyzkmn", ("N",) * 3 + ("N m",) * 3, strict=True)]
     for name in (*(p.name for p in stand.instruments), *(p.name for p in stand.points)):
         found += [f"force_{a} {name} [m/s2]" for a in _AXES]
         found += [f"gyro_{a} {name} [rad/s]" for a in _AXES]
@@ -53,6 +55,8 @@ def column_values(stand: Stand, moment: Moment) -> list[float]:
         found += [float(moment.phi[i]), speed, state.phi_ddot[i], tau]
         if s.motor is not None:
             found += _motor(s.motor, tau, speed)
+    if moment.reaction is not None:
+        found += [float(x) for x in moment.reaction]
     for reading in moment.points.values():
         found += [float(x) for x in (*reading["specific_force"], *reading["twist"][3:])]
     if moment.mounts is not None:

@@ -11,12 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract import laws
+from mahovik.core.stand.hold import freedom_names, is_closed, twists
 from mahovik.core.stand.model import Stand, Vec3, Vec6
-from mahovik.core.stand.state import Quaternion, State, rest_state
+from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import CheckError, StateError
 from mahovik.proof.reference import Pieces, pieces
 from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.forward import bias
+from mahovik.proof.reference.hold import free_equations
+from mahovik.use.simulate.held import home, moved
 
 Array = NDArray[np.float64]
 
@@ -52,10 +55,17 @@ def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
 
     No run-time wrench acts. Free directions stay at zero. Raises CheckError: there is none.
     """
-    state = rest_state(stand)
+    state = home(stand)
     if phi is not None:
         state = replace(state, phi=tuple(float(x) for x in phi))
-    search = _Search(stand, replace(state, quaternion=(1.0, 0.0, 0.0, 0.0)))
+    if stand.hold is not None and not is_closed(stand.hold):
+        found = "the freedoms of [hold] are not a closed set, so that its poses have more coordinates than these"
+        raise CheckError(
+            f"{stand.name}: no static equilibrium: {found}; expected a closed set, as `mahovik check` says"
+        )
+    if stand.hold is not None and not stand.hold.freedoms:
+        return Rest(state, (0.0,) * 6, (), False)
+    search = _Search(stand, state)
     try:
         return search.run()
     except (StateError, np.linalg.LinAlgError) as error:
@@ -79,12 +89,15 @@ class _Search:
         self.stand = stand
         self.bodies = bodies_of(stand)
         self.state = state
-        self.scale = np.linalg.inv(np.linalg.cholesky(pieces(stand, state).K))  # G^-1; K depends only on the phases
+        free = free_equations(pieces(stand, state), stand)
+        self.scale = np.linalg.inv(np.linalg.cholesky(free.K)) @ free.S.T  # G^-1 S^T; K depends only on the phases
         self.steps = [column * (_DIFFERENCE / np.abs(column).max()) for column in self.scale]
 
     def run(self) -> Rest:
         """The equilibrium; an unstable one only if pushes lead to no other. Raises CheckError."""
-        if not any(law.short(self.stand) for law in laws.parts("text") if law.CARRIES_WEIGHT):
+        if self.stand.hold is None and not any(
+            law.short(self.stand) for law in laws.parts("text") if law.CARRIES_WEIGHT
+        ):
             at = self.at(self.state)  # no wrench here depends on the position: the force in E0 is constant
             if np.any(np.abs(self.acceleration(at))[:3] > self.tolerance(at)[:3]) and not self.is_balanced(at):
                 raise CheckError(self.reason(at))
@@ -131,12 +144,12 @@ class _Search:
             least = float(np.linalg.eigvals(S).real.min())
             if leave and least < -FREE * sizes[0]:
                 h = 0.5 / -least  # doubles the distance; more would lead back to the pose it must leave
-            step = self.scale.T @ np.linalg.solve(np.eye(6) / h + S, pull)
+            step = self.scale.T @ np.linalg.solve(np.eye(len(S)) / h + S, pull)
             if carried and np.abs(step).max() < 1e-3:
                 step = self.scale.T @ np.linalg.lstsq(S, pull, rcond=FREE)[0]
             if carried:
                 step = self.at_home(step, self.scale.T @ rows[soft].T)
-            self.state = displaced_state(self.state, at.C, limit_step(step))
+            self.state = self.displaced(at.C, limit_step(step))
         at = self.at(self.state)
         if carried:
             most = np.abs(self.acceleration(at)).max()
@@ -149,7 +162,11 @@ class _Search:
         """The state pushed along its most negative stiffness, by `size` (m or rad)."""
         values, vectors = np.linalg.eig(self.stiffness())
         direction = self.scale.T @ np.real(vectors[:, int(np.argmin(values.real))])
-        return displaced_state(self.state, self.at(self.state).C, size / np.abs(direction).max() * direction)
+        return self.displaced(self.at(self.state).C, size / np.abs(direction).max() * direction)
+
+    def displaced(self, C: Array, step: Array) -> State:
+        """The present state displaced by a small twist in E1 (6); of a held carrier along what its hold allows."""
+        return displaced_state(self.state, C, step) if self.stand.hold is None else moved(self.state, C, step)
 
     @staticmethod
     def at_home(step: Array, free: Array) -> Array:
@@ -187,15 +204,20 @@ class _Search:
         C = self.at(self.state).C
         columns: list[Array] = []
         for step, whole in zip(self.steps, self.scale, strict=True):
-            forward, backward = (self.wrench(displaced_state(self.state, C, sign * step), C) for sign in (1.0, -1.0))
+            forward, backward = (self.wrench(self.displaced(C, sign * step), C) for sign in (1.0, -1.0))
             scaled = self.scale @ (backward - forward) / 2
             columns.append(scaled * float(np.abs(whole).max() / _DIFFERENCE))
         return np.column_stack(columns)
 
     def wrench(self, state: State, C: Array) -> Array:
-        """Force in the axes C, so that a constant force does not change with attitude; moment in E1."""
+        """Force in the axes C, so that a constant force does not change with attitude; moment in E1.
+
+        Of a held carrier both in E1, where S is constant.
+        """
         at = self.at(state)
         total = at.F - bias(at)
+        if self.stand.hold is not None:
+            return np.asarray(total)
         return np.concatenate([C.T @ at.C @ total[:3], total[3:]])
 
     def result(self, V_dot: Array, S: Array, soft: Array) -> Rest:
@@ -212,6 +234,11 @@ class _Search:
         force, moment = at.C @ total[:3], total[3:]
         size, turning = float(np.linalg.norm(force)), float(np.linalg.norm(moment))
         acceleration = ", ".join(f"{x:.4g}" for x in V_dot)
+        if self.stand.hold is not None:
+            along = twists(self.stand.hold).T @ total
+            names, worst = freedom_names(self.stand.hold), int(np.argmax(np.abs(along)))
+            what = f"nothing carries {along[worst]:.6g} (N or N m) along the freedom {names[worst]}"
+            return f"{self.stand.name}: no static equilibrium: {what}; V_dot there is ({acceleration})"
         if size > 0.0 and np.abs(V_dot[:3]).max() > AT_REST:
             what = f"nothing carries a force of {size:.6g} N along ({_direction(force)}) in E0"
         else:

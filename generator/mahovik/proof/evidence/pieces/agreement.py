@@ -84,7 +84,14 @@ COMPARISON = Piece(
 )
 
 
+def _of_free_carriers(what: str) -> Outcome:
+    """Outcome of a piece that a held carrier does not have yet."""
+    return Outcome(Verdict.NOTHING, f"{what} take free carriers only, and this one has [hold]")
+
+
 def _measure_rounding(subject: Subject, tell: Tell) -> Outcome:
+    if subject.stand.hold is not None:
+        return _of_free_carriers("enclosures")
     from mahovik.proof.verify.rounding.measure import (
         as_json,
         conclusion,
@@ -128,6 +135,8 @@ ROUNDING = Piece(
 def _ask_judges(subject: Subject, tell: Tell) -> Outcome:
     if subject.real != "double":
         return Outcome(Verdict.NOTHING, "the judges calculate in double: collect the evidence of the C in double")
+    if subject.stand.hold is not None:
+        return _of_free_carriers("the judges of this piece")
     if not any(body.mass > 0.0 for body in subject.stand.bodies):
         return Outcome(Verdict.NOTHING, "no body of the stand has a mass")
     tell("equations and motions")
@@ -171,6 +180,8 @@ JUDGES = Piece(
 
 def _plant_faults(subject: Subject, tell: Tell) -> Outcome:
     """Plant each fault of the dictionary on this stand, and look for them in the C, which must have none."""
+    if subject.stand.hold is not None:
+        return _of_free_carriers("the faults of the dictionary")
     backend = CBackend(subject.stand, subject.real)
     diagnoser = Diagnoser(subject.stand, 1, backend.wants)
 

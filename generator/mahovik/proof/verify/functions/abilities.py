@@ -14,7 +14,7 @@ from mahovik.core.stand.model import Motor, Stand
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.excess import friction, shares_of
-from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.hold import acceleration
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.torque import torque
 from mahovik.proof.verify.compare import Row
@@ -42,12 +42,13 @@ def excess_rows(case: Case, function: str) -> Iterator[Row]:
             _, phi_ddot = _answer(case, given, given["options"], function)
             rng = case.random(700 + number)
             short = int(rng.integers(case.count)) if number % 2 else None
-            stand, options = _motors(case, at, _torques(at, phi_ddot, fast), phi_ddot, rng, short, number // 2 % 3)
+            tau = _torques(case, at, phi_ddot, fast)
+            stand, options = _motors(case, at, tau, phi_ddot, rng, short, number // 2 % 3)
             status, phi_ddot = _answer(case, given, {**given["options"], **options}, function)
         except StateError as error:
             row.note_refusal(error, name)
             continue
-        due = bool(np.any(shares_of(stand, at, _torques(at, phi_ddot, fast), phi_ddot) > 1.0))
+        due = bool(np.any(shares_of(stand, at, _torques(case, at, phi_ddot, fast), phi_ddot) > 1.0))
         wrong = due != ("EXCESSIVE" in status_bits(status))
         words = ("expected" if due else "not expected") if wrong else ""
         row.note_difference(np.inf if wrong else 0.0, words, name)
@@ -62,9 +63,9 @@ def _answer(case: Case, given: Mapping[str, Any], options: Mapping[str, Any], fu
     return status, np.array(outputs.get("out", outputs)["phi_ddot"], dtype=np.float64)
 
 
-def _torques(at: Pieces, phi_ddot: Array, fast: bool) -> Array:
+def _torques(case: Case, at: Pieces, phi_ddot: Array, fast: bool) -> Array:
     """Torques (N, N m) by which EXCESSIVE is judged."""
-    return np.diag(at.Theta_ff) * phi_ddot if fast else torque(at, forward(at, phi_ddot), phi_ddot)
+    return np.diag(at.Theta_ff) * phi_ddot if fast else torque(at, acceleration(at, case.stand, phi_ddot), phi_ddot)
 
 
 def _motors(

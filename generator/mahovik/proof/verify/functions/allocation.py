@@ -126,7 +126,7 @@ def _demands(case: Case, task: str = "") -> Iterator[tuple[int, str, State, Scal
             asked, rows = with_demand(case, number, state, task)
             yield number, name, asked, scaled_task(case.at(state), rows, np.array(asked.demand))
         else:
-            yield number, name, state, scaled_demand(case.at(state), np.array(state.V_dot))
+            yield number, name, state, scaled_demand(case.at(state), case.stand, np.array(state.V_dot))
 
 
 def with_demand(case: Setting, number: int, state: State, task: str) -> tuple[State, TaskRows]:

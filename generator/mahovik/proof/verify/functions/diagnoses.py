@@ -11,8 +11,8 @@ from mahovik.contract.status import BITS, status_bits
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.allocation import ScaledDemand
 from mahovik.proof.reference.excess import motor_shares
-from mahovik.proof.reference.forward import forward
-from mahovik.proof.reference.inverse import demand, inverse_root
+from mahovik.proof.reference.hold import acceleration, free_equations
+from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.verify.compare import EXCESS_MARGIN, Row
 from mahovik.proof.verify.functions.case import Case, Comparison
@@ -52,7 +52,7 @@ class Diagnoses:
         rank = int(found["rank"])
         magnitudes = Magnitudes(self._case.stand, state, at, self._case.bounds.cuts)
         natural = inverse_scales(magnitudes, rank)
-        natural["residual"] = natural["residual"] + magnitudes.S_I @ np.abs(np.array(found.get("phi_ddot", [])))
+        natural["residual"] = natural["residual"] + magnitudes.free.S_I @ np.abs(np.array(found.get("phi_ddot", [])))
         self._note_members(state, options, found, asked, natural, name, free=free)
         self._note_status(state, options, status, found, asked, natural, name)
         self._note_hardest(at, rank, found, asked, name)
@@ -64,7 +64,9 @@ class Diagnoses:
         """Residual of this answer, singular values; nothing damped without damping, nothing limited without limits."""
         at, row = self._case.at(state), self.members
         phi_ddot = np.array(found.get("phi_ddot", []), dtype=np.float64)
-        row.note(found["residual"], demand(at, np.array(state.V_dot)) - at.I @ phi_ddot, natural["residual"], name)
+        free_rows = free_equations(at, self._case.stand)
+        left = free_rows.demand(at, np.array(state.V_dot)) - free_rows.I @ phi_ddot
+        row.note(found["residual"], left, natural["residual"], name)
         if not self._case.count:
             row.note(found["rank"], 0, None, name)
             return
@@ -82,7 +84,7 @@ class Diagnoses:
         """Every bit that rounding does not decide."""
         rank, count, bounds = int(found["rank"]), self._case.count, self._case.bounds
         expected: dict[str, bool | None] = dict.fromkeys(BITS, False)
-        expected["RANK_DEFICIENT"] = rank < min(6, count)
+        expected["RANK_DEFICIENT"] = rank < min(len(asked.r), count)
         expected["LIMITED"] = any(found.get("limited", ()))
         sigma = np.linalg.svd(asked.W, compute_uv=False)[:rank]
         if rank:
@@ -94,13 +96,14 @@ class Diagnoses:
             expected["NEAR_SINGULAR"] = below
             expected["DAMPED"] = below if options["damping"] > 0 else False
         at = self._case.at(state)
-        root, I = inverse_root(at.K), at.I
+        free = free_equations(at, self._case.stand)
+        root = inverse_root(free.K)
         phi_ddot = np.array(found.get("phi_ddot", []), dtype=np.float64)
-        left = float(np.linalg.norm(root @ (demand(at, np.array(state.V_dot)) - I @ phi_ddot)))
+        left = float(np.linalg.norm(root @ (free.demand(at, np.array(state.V_dot)) - free.I @ phi_ddot)))
         off = float(np.linalg.norm(np.abs(root) @ (bounds.of("inverse", "residual") * natural["residual"])))
         most = bounds.cuts.reached * float(np.linalg.norm(asked.r))
         expected["UNREACHABLE"] = None if abs(left - most) <= off else left > most
-        needed = motor_shares(self._case.stand, at, forward(at, phi_ddot), phi_ddot)
+        needed = motor_shares(self._case.stand, at, acceleration(at, self._case.stand, phi_ddot), phi_ddot)
         undecided = np.any(np.abs(needed - 1.0) < EXCESS_MARGIN) and not np.any(needed > 1.0 + EXCESS_MARGIN)
         expected["EXCESSIVE"] = None if undecided else bool(np.any(needed > 1.0))
         has = status_bits(status)
@@ -112,25 +115,26 @@ class Diagnoses:
         """A unit vector u in the norm of K^-1: along the demand out of reach, or the least singular direction.
 
         Of the first the scale is the turning of the reached directions by errors of W, condition times those, over the
-        part of the demand that is out of reach; of the second the eigenvalue equation W W^T u = sigma_6^2 u is judged,
-        which holds for any u among equal singular values, and whatever the sign.
+        part of the demand that is out of reach; of the second the eigenvalue equation W W^T u = sigma_m^2 u is judged,
+        m the number of rows, which holds for any u among equal singular values, and whatever the sign.
         """
-        root, row = inverse_root(at.K), self.hardest
+        K = free_equations(at, self._case.stand).K
+        root, row, most = inverse_root(K), self.hardest, len(asked.r)
         u = root @ np.array(found["hardest"], dtype=np.float64)
         U, sigma, _ = np.linalg.svd(asked.W, full_matrices=True)
         # errors of a wrench, a unit in the last place of each number, as lengths in the norm of K^-1
         rounding = float(np.linalg.norm(np.abs(root) @ np.abs(np.array(found["hardest"])))) + float(
-            np.linalg.norm(np.abs(root) @ np.sqrt(np.diag(at.K)))
+            np.linalg.norm(np.abs(root) @ np.sqrt(np.diag(K)))
         )
         row.note(float(np.linalg.norm(u)), 1.0, rounding, name)
-        if rank == 6:
+        if rank == most:
             pulled = asked.W @ (asked.W.T @ u) / sigma[0] ** 2
-            row.note(pulled, (sigma[5] / sigma[0]) ** 2 * u, np.full(6, rounding), name)
+            row.note(pulled, (sigma[-1] / sigma[0]) ** 2 * u, np.full(most, rounding), name)
             return
         turned = rounding * (sigma[0] / sigma[rank - 1] if rank else 1.0)
         row.note(U[:, :rank].T @ u, np.zeros(rank), np.full(rank, turned), name)
         beyond = asked.r - U[:, :rank] @ (U[:, :rank].T @ asked.r)
         size, length = float(np.linalg.norm(beyond)), float(np.linalg.norm(asked.r))
         if size > 0 and turned * length / size * row.tolerance < CLEAR:
-            scale = np.full(6, turned * length / size)
+            scale = np.full(most, turned * length / size)
             row.note(u, beyond / size, scale, name)

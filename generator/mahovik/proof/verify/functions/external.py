@@ -11,6 +11,9 @@ from mahovik.proof.verify.functions.case import Case, Comparison
 from mahovik.proof.verify.scales import scales
 from mahovik.proof.verify.states import Request
 
+MOTIONS = ("forward", "coupled")
+"""Wants whose answer has the reaction of a hold beside it."""
+
 
 def wrench_rows(case: Case) -> Iterator[Row]:
     """F of (7) against that of the literal reference."""
@@ -33,7 +36,9 @@ def rows_of_given_sines(case: Case, function: str) -> Iterator[Row]:
     for name, state in case.states:
         request = Request(name, state, (want,))
         try:
-            judge.compare(request, want, case.call(function, case.backend.arguments(state)))
+            inputs = case.backend.arguments(state)
+            found = case.call(function, inputs)
+            judge.compare(request, want, case.backend.with_reaction(inputs, found) if want in MOTIONS else found)
         except StateError as error:
             judge.compare(request, want, None, reason=str(error))
     for row in judge.rows():

@@ -8,7 +8,7 @@ import numpy as np
 
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.coupled import coupled_with_locks
+from mahovik.proof.reference.hold import accelerations
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions.case import Case, Comparison
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
@@ -30,7 +30,7 @@ def rows_with_locks(case: Case, function: str = "coupled") -> Iterator[Row]:
         locked, at = lock_patterns(case.count, number), case.at(state)
         given = case.backend.arguments(state) | {"locked": [int(x) for x in locked]}
         scale = coupled_scale(Magnitudes(case.stand, state, at, case.bounds.cuts), locked)
-        expected = dict(zip(names, coupled_with_locks(at, np.array(state.tau), locked), strict=True))
+        expected = dict(zip(names, accelerations(at, case.stand, np.array(state.tau), locked), strict=True))
         try:
             found = case.call(function, given)
         except StateError as error:

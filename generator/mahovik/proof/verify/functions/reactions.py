@@ -1,29 +1,31 @@
-"""Judge of `mounts` by the second derivation: the drive torques, and the motion of the carrier under the reactions.
+"""Judges of `mounts`, by the drive torques and the motion under the reactions, and of `reaction` of a hold.
 
 The literal reference and the C share the formula of a mount wrench, so a term that is missing in both would pass.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 from typing import Any, cast
 
 import numpy as np
 
+from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Vec6
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.rotation import C1
 from mahovik.proof.reference.screw import block_diagonal
 from mahovik.proof.second import Second
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions.case import Case, Comparison
 from mahovik.proof.verify.scales import scales
-from mahovik.proof.verify.scales.magnitudes import inverse_magnitude
+from mahovik.proof.verify.scales.magnitudes import Magnitudes
 
 
 def mount_rows(case: Case) -> Iterator[Row]:
@@ -39,7 +41,7 @@ def mount_rows(case: Case) -> Iterator[Row]:
     for name, state in case.states:
         try:
             V_dot = case.call("forward", case.backend.arguments(state))["V_dot"]
-            moving = replace(state, V_dot=tuple(V_dot))
+            moving = replace(state, V_dot=tuple(V_dot), u_dot=_rates(case, V_dot))
             found = case.call("mounts", case.backend.arguments(moving))["mount_wrench"]
             wrenches = np.array(found, dtype=np.float64).reshape(-1, 6)
         except StateError as error:
@@ -60,6 +62,14 @@ def mount_rows(case: Case) -> Iterator[Row]:
             motion.note_absence(error, name)
     yield torque.with_verdict()
     yield motion.with_verdict()
+
+
+def _rates(case: Case, V_dot: Sequence[float]) -> tuple[float, ...]:
+    """u_dot of a held carrier by its V_dot = S u_dot; none of a free one."""
+    if case.stand.hold is None:
+        return ()
+    found = np.linalg.lstsq(twists(case.stand.hold), np.array(V_dot), rcond=None)[0]
+    return tuple(found.tolist())
 
 
 def _note_motion(
@@ -94,5 +104,34 @@ def _note_motion(
     pieces = reference.pieces(bare.stand, alone)
     if np.linalg.eigvalsh(pieces.K)[0] <= 0.0:
         raise StateError("the mass matrix of the stand without flywheels is not positive definite")
-    scale = scales(bare.stand, alone, pieces, "forward", case.bounds.cuts)["V_dot"] + inverse_magnitude(pieces.K) @ size
+    along = Magnitudes(bare.stand, alone, pieces).free  # all six where the carrier is free
+    scale = scales(bare.stand, alone, pieces, "forward", case.bounds.cuts)["V_dot"]
+    scale = scale + along.S @ along.K_inverse @ along.S.T @ size
     row.note(state.V_dot, bare.evaluate(alone, ("forward",))["V_dot"], scale, name)
+
+
+def hold_rows(case: Case) -> Iterator[Row]:
+    """`reaction` for any motion, by the literal (8), and for the motion of the held carrier, by the second derivation.
+
+    R = K V_r* + M V_r + I phi'' + J phi' - F of the V* of the state; of a motion that the second derivation finds, the
+    wrench that it finds as well.
+    """
+    tolerance, floor = case.bounds.default, case.bounds.floor
+    given = Comparison("reaction", "reaction, of any motion", tolerance, floor)
+    found = Comparison("reaction", "reaction, second derivation", tolerance, floor)
+    for name, state in case.states:
+        at = case.at(state)
+        m = Magnitudes(case.stand, state, at, case.bounds.cuts)
+        size = m.S_bias + m.S_I @ m.acceleration + m.S_K @ m.stream_rate
+        literal = at.K @ at.V_r_dot(np.array(state.V_dot)) + bias(at) + at.I @ np.array(state.phi_ddot) - at.F
+        try:
+            R = case.call("reaction", case.backend.arguments(state))["reaction"]
+            given.note(R, literal, size + m.S_K @ np.abs(state.V_dot), name)
+            own = case.second.evaluate(state, ("forward",))
+            moving = replace(state, V_dot=cast(Vec6, tuple(own["V_dot"].tolist())))
+            R = case.call("reaction", case.backend.arguments(moving))["reaction"]
+            found.note(R, own["reaction"], size + m.S_K @ np.abs(own["V_dot"]), name)
+        except StateError as error:
+            given.note_refusal(error, name)
+    yield given.with_verdict()
+    yield found.with_verdict()

@@ -36,6 +36,7 @@ def _fast_rows(case: Case, function: str) -> Iterator[Row]:
 JUDGES: dict[str, Callable[[Case], Iterable[Row]]] = {
     "wrench": external.wrench_rows,
     "mounts": reactions.mount_rows,
+    "reaction": reactions.hold_rows,
     "coupled": locks.rows_with_locks,
     "step": partial(steps.step_rows, function="step"),
     "step_driven": partial(steps.step_rows, function="step_driven"),

@@ -16,8 +16,7 @@ from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import bodies_of
-from mahovik.proof.reference.coupled import coupled_with_locks
-from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.hold import acceleration, accelerations
 from mahovik.proof.reference.rotation import carrier_rotation, quaternion_rotation
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.verify.compare import Row
@@ -175,10 +174,10 @@ class Motion:
         at = reference.pieces(self._case.stand, state, self._bodies)
         if not self._function.startswith("step_driven"):
             locked = np.zeros(N, dtype=bool) if self._locked is None else self._locked
-            V_dot, phi_ddot = coupled_with_locks(at, np.array(state.tau), locked)
+            V_dot, phi_ddot = accelerations(at, self._case.stand, np.array(state.tau), locked)
         else:
             phi_ddot = np.array(state.phi_ddot, dtype=np.float64)
-            V_dot = forward(at, phi_ddot)
+            V_dot = acceleration(at, self._case.stand, phi_ddot)
         return np.concatenate([C @ V[:3], (C @ cross(V[3:])).ravel(), V_dot, y[18 + N :], phi_ddot])
 
     def _at(self, y: Array, C: Array) -> State:

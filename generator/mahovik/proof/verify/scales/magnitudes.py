@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import Pieces
+from mahovik.proof.reference.hold import free_equations
 from mahovik.proof.reference.inverse import CUTS, Cuts
 from mahovik.proof.verify.scales.parts import length
 from mahovik.proof.verify.scales.wrenches import wrench_scale
@@ -47,6 +49,24 @@ def inverse_magnitude(S: Array) -> Array:
     return np.asarray(np.abs(np.linalg.inv(S * np.outer(scale, scale))) * np.outer(scale, scale))
 
 
+@dataclass(frozen=True, eq=False)
+class FreeMagnitudes:
+    """Magnitudes along what is free, of a free carrier in all six directions; m rows.
+
+    S (6xm)        magnitudes of S; a wrench's scale along the freedoms is S^T times it, a twist's S times that of u
+    K, I           S^T K S (mxm), S^T I (mxN) themselves
+    S_K, S_I       their scales
+    K_inverse      |(S^T K S)^-1|
+    """
+
+    S: Array
+    K: Array
+    I: Array
+    S_K: Array
+    S_I: Array
+    K_inverse: Array
+
+
 class Magnitudes:
     """The magnitudes at a state; every attribute S_x belongs to the x of `Pieces`, in the same shape."""
 
@@ -72,6 +92,13 @@ class Magnitudes:
     def K_inverse(self) -> Array:
         """|K^-1|."""
         return inverse_magnitude(self.at.K)
+
+    @cached_property
+    def free(self) -> FreeMagnitudes:
+        """What stands along the freedoms."""
+        free = free_equations(self.at, self.stand)
+        S = np.abs(free.S)
+        return FreeMagnitudes(S, free.K, free.I, S.T @ self.S_K @ S, S.T @ self.S_I, inverse_magnitude(free.K))
 
     @cached_property
     def S_K(self) -> Array:

@@ -9,10 +9,11 @@ import numpy as np
 from mahovik.proof.reference.coupled import coupled_with_locks, full_mass_matrix
 from mahovik.proof.reference.forward import forward as reference_forward
 from mahovik.proof.reference.generalized import generalized as reference_generalized
-from mahovik.proof.reference.inverse import inverse as reference_inverse
+from mahovik.proof.reference.hold import allocation
 from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.reference.mass import bodies_matrix
 from mahovik.proof.reference.points import point_transfers
+from mahovik.proof.verify.scales.held import held_coupled, held_forward
 from mahovik.proof.verify.scales.magnitudes import Array, Magnitudes, geometric_mean, inverse_magnitude, origin, screw
 from mahovik.proof.verify.scales.parts import length
 from mahovik.proof.verify.scales.wrenches import own_scale
@@ -97,8 +98,8 @@ def momentum(m: Magnitudes) -> dict[str, Any]:
 
 
 def forward(m: Magnitudes) -> dict[str, Any]:
-    """Scale of V_dot."""
-    return {"V_dot": forward_scale(m)}
+    """Scale of V_dot; of u_dot and reaction as well where the carrier is held."""
+    return {"V_dot": forward_scale(m)} if m.stand.hold is None else held_forward(m)
 
 
 def forward_scale(m: Magnitudes) -> Array:
@@ -135,10 +136,12 @@ def coupled(m: Magnitudes, locked: Array | None = None) -> dict[str, Any]:
     """Scales of V_dot, phi_ddot, through the magnitudes of the full inverse; `locked` (N, bool) flywheels are held."""
     tau = np.array(m.state.tau, dtype=np.float64)
     locked = np.zeros(len(tau), dtype=bool) if locked is None else locked
+    still = flywheel_wrenches(m, np.zeros(6), np.zeros(len(tau)))[:, 3]
+    if m.stand.hold is not None:
+        return held_coupled(m, m.stand.hold, np.abs(tau) + still, locked)
     V_dot, phi_ddot = coupled_with_locks(m.at, tau, locked)
     free = np.concatenate([np.full(6, True), np.logical_not(locked)])
     full = full_mass_matrix(m.at)[np.ix_(free, free)]
-    still = flywheel_wrenches(m, np.zeros(6), np.zeros(len(tau)))[:, 3]
     right = np.concatenate([m.S_bias, np.abs(tau) + still])[free]
     solution = np.abs(np.concatenate([m.at.V_r_dot(V_dot), phi_ddot]))[free]
     found = np.zeros(len(free))
@@ -149,33 +152,35 @@ def coupled(m: Magnitudes, locked: Array | None = None) -> dict[str, Any]:
 def inverse(m: Magnitudes, rank: int | None = None) -> dict[str, Any]:
     """Scales of phi_ddot, residual, sigma; status and rank must be equal. First-order perturbation of least squares.
 
-    `rank`: how many singular values count, where that is given.
+    `rank`: how many singular values count, where that is given. K, I: along the freedoms where the carrier is held.
 
     With G the weighted pseudoinverse of I: phi'' moves by G (errors of demand and I phi'' and K), by
     (I^T K^-1 I)^+ (errors of I^T) K^-1 residual, and inside the null space by (errors of I^T) G^T Theta_ff phi''.
     """
-    found = reference_inverse(m.at, np.array(m.state.V_dot), m.cuts, rank)
+    found, free = allocation(m.at, m.stand, np.array(m.state.V_dot), m.cuts, rank), m.free
+    demand = free.S.T @ _demand(m)
     if not found.sigma.size:
-        return {"phi_ddot": np.zeros(0), "status": None, "residual": _demand(m), "sigma": np.zeros(0), "rank": None}
-    K_root, Theta_root = inverse_root(m.at.K), inverse_root(m.at.Theta_ff)
-    U, sigma, Vt = np.linalg.svd(K_root @ m.at.I @ Theta_root.T, full_matrices=False)
+        return {"phi_ddot": np.zeros(0), "status": None, "residual": demand, "sigma": np.zeros(0), "rank": None}
+    K_root, Theta_root = inverse_root(free.K), inverse_root(m.at.Theta_ff)
+    U, sigma, Vt = np.linalg.svd(K_root @ free.I @ Theta_root.T, full_matrices=False)
     U, kept, Vt = U[:, : found.rank], sigma[: found.rank], Vt[: found.rank]
     N = len(m.speed)
     G = Theta_root.T @ (Vt.T / kept) @ U.T @ K_root
     normal = Theta_root.T @ (Vt.T / kept**2) @ Vt @ Theta_root
     null = Theta_root.T @ (np.eye(N) - Vt.T @ Vt) @ Theta_root
-    pulled = np.abs(m.at.K @ G.T @ m.at.Theta_ff)  # G^T in the weighted sense
-    base = _demand(m) + m.S_I @ np.abs(found.phi_ddot)
-    rest = m.K_inverse @ np.abs(found.residual)
+    pulled = np.abs(free.K @ G.T @ m.at.Theta_ff)  # G^T in the weighted sense
+    base = demand + free.S_I @ np.abs(found.phi_ddot)
+    rest = free.K_inverse @ np.abs(found.residual)
     back = np.abs(G.T @ m.at.Theta_ff @ found.phi_ddot)
-    phi_ddot = np.abs(G) @ (base + m.S_K @ rest) + np.abs(normal) @ (m.S_I.T @ rest) + np.abs(null) @ (m.S_I.T @ back)
-    residual = base + np.abs(m.at.I @ G) @ base + pulled @ np.abs(inverse_magnitude(m.at.Theta_ff)) @ (m.S_I.T @ rest)
-    spread = float(np.linalg.norm(np.abs(K_root) @ m.S_I @ np.abs(Theta_root.T)))
+    S_K, S_I = free.S_K, free.S_I
+    phi_ddot = np.abs(G) @ (base + S_K @ rest) + np.abs(normal) @ (S_I.T @ rest) + np.abs(null) @ (S_I.T @ back)
+    residual = base + np.abs(free.I @ G) @ base + pulled @ np.abs(inverse_magnitude(m.at.Theta_ff)) @ (S_I.T @ rest)
+    spread = float(np.linalg.norm(np.abs(K_root) @ S_I @ np.abs(Theta_root.T)))
     return {
         "phi_ddot": phi_ddot,
         "status": None,
         "residual": residual,
-        "sigma": np.full(sigma.size, spread + sigma[0] * float(np.linalg.norm(m.K_inverse @ m.S_K))),
+        "sigma": np.full(sigma.size, spread + sigma[0] * float(np.linalg.norm(free.K_inverse @ S_K))),
         "rank": None,
     }
 

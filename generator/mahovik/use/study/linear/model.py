@@ -15,10 +15,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from mahovik.core.stand.hold import freedom_names, is_closed, twists
 from mahovik.core.stand.identity import identities
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
-from mahovik.errors import StateError, UsageError
+from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference.points import point_transfers
 from mahovik.proof.reference.rotation import carrier_rotation
@@ -29,6 +30,7 @@ from mahovik.use.plan.residual.by_carrier import ByCarrier, by_carrier
 from mahovik.use.plan.residual.kinematics import Twists
 from mahovik.use.plan.residual.prescribed_motion import prescribed_at
 from mahovik.use.plan.residual.spatial import block_diagonal, fixed_axes, place, skew, transfer, turn
+from mahovik.use.simulate.held import rates
 from mahovik.writing import format_of
 
 
@@ -51,13 +53,26 @@ def triple(prefix: str, unit: str, suffix: str = "") -> list[Channel]:
 
 
 def states(stand: Stand, locked: bool) -> tuple[Channel, ...]:
-    """Pose (6), V (6), then phi (N) and phi' (N) of flywheels that are not locked."""
-    carrier = [*triple("", "m"), *triple("r", "rad"), *triple("v_", "m/s"), *triple("omega_", "rad/s")]
+    """Pose (6), V (6), then phi (N) and phi' (N) of flywheels that are not locked.
+
+    Of a held carrier the freedoms (m) and their speeds (m) in place of pose and V.
+    """
+    carrier = [] if stand.hold is None else _freedoms(stand.hold)
+    carrier = carrier or [*triple("", "m"), *triple("r", "rad"), *triple("v_", "m/s"), *triple("omega_", "rad/s")]
     if locked:
         return tuple(carrier)
     names = [s.name for s in stand.flywheels]
     angles = [Channel(f"phi {name}", "rad") for name in names]
     return (*carrier, *angles, *(Channel(f"phi_dot {name}", "rad/s") for name in names))
+
+
+def _freedoms(hold: Hold) -> list[Channel]:
+    """Freedoms q_NAME (m, rad; of a basis without a unit), then their speeds u_NAME."""
+    units = [{"slide": "m", "turn": "rad"}.get(freedom.kind, "1") for freedom in hold.freedoms]
+    named = list(zip(freedom_names(hold), units, strict=True))
+    rates = {"m": "m/s", "rad": "rad/s", "1": "1/s"}
+    return [*(Channel(f"q_{name}", unit) for name, unit in named),
+            *(Channel(f"u_{name}", rates[unit]) for name, unit in named)]  # fmt: skip
 
 
 def inputs(stand: Stand, locked: bool) -> tuple[Channel, ...]:
@@ -133,7 +148,8 @@ class LinearModel:
     """x' = A x + B u, y = C x + D u for small deviations from the motion through a state. SI.
 
     states    (n): x, y, z (m) and rx, ry, rz (rad): place of O1 and rotation vector of the carrier from its pose in
-              that motion, on E1 as it is there; deviations of V (6), of phi (N) and phi' (N)
+              that motion, on E1 as it is there; deviations of V (6), of phi (N) and phi' (N). Of a held carrier m
+              freedoms q, along which it is displaced by the twist S q, and their speeds, in place of pose and V
     inputs    (m): drive torques (N), then a wrench on the carrier about O1, in E1 (6)
     outputs   (p): per point displacement, velocity, acceleration in E0, on the point's axes in that motion (3 each)
     A, B, C, D   n x n, n x m, p x n, p x m
@@ -155,6 +171,11 @@ class LinearModel:
     D: Array
 
     @property
+    def freedoms(self) -> int:
+        """Number of freedoms of the carrier: 6 of a free one, m of a held one; as many states are displacements."""
+        return 6 if self.stand.hold is None else len(self.stand.hold.freedoms)
+
+    @property
     def steady(self) -> bool:
         """V* and phi'' vanish to rounding; otherwise the matrices hold for a moment only and do not show stability."""
         return all(abs(x) <= STEADY for x in (*self.state.V_dot, *self.state.phi_ddot))
@@ -167,8 +188,10 @@ def linear_model(
 
     Flywheels have the accelerations `state.phi_ddot`; V* follows from (8), and their drive torques from both, so
     `V_dot` and `tau` of the state are ignored. `locked`: the flywheels' motion is prescribed, 12 states are left.
-    Raises UsageError for an unknown point, StateError if a law is undefined or a number is not finite.
+    Raises UsageError for an unknown point, StateError if a law is undefined or a number is not finite; CheckError of a
+    held carrier that cannot move, or whose freedoms are no coordinates.
     """
+    _check_hold(stand, locked)
     seen = places(stand, points)
     found = _Equations.at(stand, state)
     N = len(stand.flywheels)
@@ -191,7 +214,39 @@ def linear_model(
     names = tuple(place.name for place in seen)
     nominal = replace(state, V_dot=tuple(V_dot.tolist()), tau=tuple(found.tau.tolist()))
     channels = (states(stand, locked), inputs(stand, locked), outputs(names))
-    return LinearModel(stand, nominal, names, locked, *channels, A + 0.0, B + 0.0, C + 0.0, rate @ B[6:12] + 0.0)
+    D = rate @ B[6:12]
+    if stand.hold is not None:
+        nominal = replace(nominal, u_dot=rates(stand.hold, V_dot))
+        along, back = _along_freedoms(stand.hold, 2 * free)
+        A, B, C = back @ A @ along, back @ B, C @ along
+    return LinearModel(stand, nominal, names, locked, *channels, A + 0.0, B + 0.0, C + 0.0, D + 0.0)
+
+
+def _check_hold(stand: Stand, locked: bool) -> None:
+    """Raises CheckError for a held carrier without coordinates, or where nothing can move."""
+    hold, start = stand.hold, f"{stand.name}: no linear model: "
+    if hold is None:
+        return
+    if not is_closed(hold):
+        raise CheckError(f"{start}the freedoms of [hold] are not a closed set, so that they are no coordinates")
+    if not hold.freedoms and (locked or not stand.flywheels):
+        raise CheckError(
+            f"{start}[hold] clamps the carrier and no flywheel is free; give --flywheels free, or freedoms"
+        )
+
+
+def _along_freedoms(hold: Hold, others: int) -> tuple[Array, Array]:
+    """States of the free carrier by those of a held one, diag(S, S, E), and back; `others`: states of flywheels.
+
+    The set of twists is closed, so the equations lead out of it nowhere, and any inverse of S takes them back.
+    """
+    S = twists(hold)
+    pair = np.kron(np.eye(2), S), np.kron(np.eye(2), np.linalg.pinv(S))
+    m = 2 * S.shape[1]
+    whole, inverse = np.zeros((12 + others, m + others)), np.zeros((m + others, 12 + others))
+    whole[:12, :m], inverse[:m, :12] = pair
+    whole[12:, m:] = inverse[m:, 12:] = np.eye(others)
+    return whole, inverse
 
 
 @dataclass(frozen=True, eq=False)
@@ -203,6 +258,7 @@ class _Equations:
     tau: Array
     mass: Array
     by_state: Array
+    S: Array
 
     @staticmethod
     def at(stand: Stand, state: State) -> _Equations:
@@ -210,10 +266,11 @@ class _Equations:
         phi, phi_dot, phi_ddot = (np.array([x], dtype=np.float64) for x in (state.phi, state.phi_dot, state.phi_ddot))
         still = _twists(stand, state)
         push, push_by_phi, about = _run_time(mechanics, state)
+        S = np.eye(6) if stand.hold is None else twists(stand.hold)
         with np.errstate(all="ignore"):  # an overflow is not finite, and is reported below
             by = by_carrier(mechanics, still, phi, phi_dot)
             held = linear(prescribed_at(mechanics, still), phi, phi_dot, phi_ddot)
-            V_dot = np.linalg.solve(-by.by_twist_dot[0], held.R[0] + push)
+            V_dot = S @ np.linalg.solve(S.T @ -by.by_twist_dot[0] @ S, S.T @ (held.R[0] + push))
             moving = still._replace(V_r_dot=still.V_r_dot + V_dot)
             wheels = linear(prescribed_at(mechanics, moving), phi, phi_dot, phi_ddot)
             by = by_carrier(mechanics, moving, phi, phi_dot)
@@ -221,16 +278,19 @@ class _Equations:
         tau = wheels.tau[0] - about
         if not all(np.all(np.isfinite(x)) for x in (V_dot, tau, mass, by_state)):
             raise StateError(f"{stand.name}: the linear model is not finite at this state")
-        return _Equations(still.V[0], V_dot, tau, mass, by_state)
+        return _Equations(still.V[0], V_dot, tau, mass, by_state, S)
 
     def accelerations(self, free: int) -> list[Array]:
-        """V* and phi'' (6 + free) by the states (12 + 2 free) and by the inputs (free + 6)."""
+        """V* and phi'' (6 + free) by the states (12 + 2 free) and by the inputs (free + 6); V* = S u*."""
         N = len(self.tau)
         columns = [*range(12), *(range(12, 12 + 2 * N) if free else ())]
         by_input = np.zeros((6 + free, free + 6))
         by_input[6:, :free], by_input[:6, free:] = np.eye(free), np.eye(6)
         right = np.hstack([self.by_state[: 6 + free, columns], by_input])
-        solved = np.linalg.solve(self.mass[: 6 + free, : 6 + free], right)
+        m = self.S.shape[1]
+        P = np.zeros((6 + free, m + free))
+        P[:6, :m], P[6:, m:] = self.S, np.eye(free)
+        solved = P @ np.linalg.solve(P.T @ self.mass[: 6 + free, : 6 + free] @ P, P.T @ right)
         return np.hsplit(solved, [len(columns)])
 
 

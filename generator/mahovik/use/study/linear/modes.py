@@ -50,7 +50,7 @@ class Mode:
 class Modes:
     """Modes of a model by natural frequency, free ones first. A pair of eigenvalues is one mode.
 
-    coordinates  of the shapes: pose (6) and phi of free flywheels
+    coordinates  of the shapes: pose (6), or the freedoms (m) of a held carrier, and phi of free flywheels
     zeros        number of zero eigenvalues; an undamped free direction has two, its position and its speed
     """
 
@@ -66,8 +66,8 @@ class Modes:
 
 def modes(model: LinearModel) -> Modes:
     """The modes of a linear model. Free directions (without stiffness) replace zero eigenvalues."""
-    n = len(model.A)
-    places = [*range(6), *range(12, 12 + (n - 12) // 2)]
+    n, m = len(model.A), model.freedoms
+    places = [*range(m), *range(2 * m, m + n // 2)]
     values, vectors = np.linalg.eig(model.A)
     limit = max(FREE * float(np.abs(values).max(initial=0.0)), SLOWEST)
     zero = np.abs(values) <= limit

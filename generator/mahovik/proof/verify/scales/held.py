@@ -1,0 +1,45 @@
+"""Scales of the motion and the reaction of a held carrier, through the magnitudes of what is solved for."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from mahovik.core.stand.model import Hold
+from mahovik.proof.reference.hold import held_coupled as reference_coupled
+from mahovik.proof.reference.hold import held_forward as reference_forward
+from mahovik.proof.verify.scales.magnitudes import Array, Magnitudes, geometric_mean, inverse_magnitude
+
+
+def held_forward(m: Magnitudes) -> dict[str, Any]:
+    """Scales of u_dot (m), V_dot (6), reaction (6): |(S^T K S)^-1| |S^T| times that of the right-hand side of (8)."""
+    assert m.stand.hold is not None
+    moved = reference_forward(m.at, m.stand.hold, np.array(m.state.phi_ddot, dtype=np.float64))
+    right = m.S_bias + m.S_I @ m.acceleration + m.S_K @ (np.abs(moved.V_dot) + m.stream_rate)
+    u_dot = m.free.K_inverse @ m.free.S.T @ right
+    return _motion(m, u_dot, right)
+
+
+def held_coupled(m: Magnitudes, hold: Hold, on_flywheels: Array, locked: Array) -> dict[str, Any]:
+    """Scales of u_dot (m), V_dot (6), reaction (6), phi_ddot (N), by the matrix of m + N unknowns.
+
+    `on_flywheels` (N, N m): of drive torques and what else acts about the axes; `locked` (N, bool).
+    """
+    motion, phi_ddot = reference_coupled(m.at, hold, np.array(m.state.tau, dtype=np.float64), locked)
+    count = len(hold.freedoms)
+    free = np.concatenate([np.full(count, True), np.logical_not(locked)])
+    whole = np.block([[m.free.K, m.free.I], [m.free.I.T, m.at.Theta_ff]])[np.ix_(free, free)]
+    right = m.S_bias + m.S_K @ m.stream_rate
+    given = np.concatenate([m.free.S.T @ right, on_flywheels + m.S_I.T @ m.stream_rate])[free]
+    solution = np.abs(np.concatenate([motion.u_dot, phi_ddot]))[free]
+    found = np.zeros(len(free))
+    found[free] = inverse_magnitude(whole) @ (given + geometric_mean(np.diag(whole)) @ solution)
+    spun = right + m.S_I @ (np.abs(phi_ddot) + found[count:])
+    return _motion(m, found[:count], spun + m.S_K @ np.abs(motion.V_dot)) | {"phi_ddot": found[count:]}
+
+
+def _motion(m: Magnitudes, u_dot: Array, right: Array) -> dict[str, Any]:
+    """Scales of what belongs to those of u_dot (m) and of the right-hand side of (8) (6)."""
+    V_dot = m.free.S @ u_dot
+    return {"u_dot": u_dot, "V_dot": V_dot, "reaction": right + m.S_K @ V_dot}

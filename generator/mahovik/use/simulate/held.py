@@ -1,0 +1,124 @@
+"""Poses and speeds of a held carrier: its home pose, what a start leaves out, what the hold does not allow."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+from typing import cast
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from mahovik.core.stand.hold import TWIST_NAMES, is_closed, twist_of, twists, words
+from mahovik.core.stand.model import Hold, Stand, Vec3
+from mahovik.core.stand.state import Quaternion, State, rest_state
+from mahovik.errors import UsageError
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.rotation import attitude, carrier_rotation
+from mahovik.proof.reference.screw import cross
+
+ALLOWED = 1e-6
+"""m, rad; m/s, rad/s: a start may be off what the hold allows by as much as figures of six digits are."""
+
+
+def rates(hold: Hold, V: Sequence[float] | Array) -> tuple[float, ...]:
+    """u (m) of V = S u (6); of another V the nearest."""
+    S = twists(hold)
+    return tuple(np.linalg.lstsq(S, np.array(V), rcond=None)[0].tolist()) if S.shape[1] else ()
+
+
+def home(stand: Stand) -> State:
+    """The state at rest in the home pose: all freedoms are zero. Of a free carrier the origin of E0."""
+    state = rest_state(stand)
+    if stand.hold is None:
+        return replace(state, quaternion=(1.0, 0.0, 0.0, 0.0))
+    return replace(
+        state, position=stand.hold.position, quaternion=_quaternion(attitude(stand.angles, *stand.hold.angles))
+    )
+
+
+def moved(state: State, C: Array, step: Array) -> State:
+    """The state moved by exp(step), a twist in E1 (6; m, rad): along its screw, so that a closed set is not left."""
+    turned = C @ Rotation.from_rotvec(step[3:]).as_matrix()
+    position = np.array(state.position) + C @ (_left_jacobian(step[3:]) @ step[:3])
+    return replace(state, position=cast(Vec3, tuple(position.tolist())), angles=None, quaternion=_quaternion(turned))
+
+
+def complete_start(stand: Stand, state: State, given: Collection[str]) -> State:
+    """The start of a held carrier, whose keys are `given`: a missing attitude is that of the home pose, a missing
+    position the one where the hold has the carrier. Raises UsageError where the hold does not allow the rest.
+    """
+    hold, at_home = stand.hold, home(stand)
+    assert hold is not None
+    if not {"angles", "quaternion"} & set(given):
+        state = replace(state, angles=None, quaternion=at_home.quaternion)
+    if "position" not in given:
+        pivot = np.array(hold.pivot)
+        place = np.array(hold.position) + (carrier_rotation(stand, at_home) - carrier_rotation(stand, state)) @ pivot
+        state = replace(state, position=cast(Vec3, tuple(place.tolist())))
+    return allowed_start(stand, state)
+
+
+def allowed_start(stand: Stand, state: State) -> State:
+    """The start of a stand, with u of a held carrier; UsageError where the hold does not allow its V or its pose."""
+    hold = stand.hold
+    if hold is None:
+        return state
+    if len(state.u) != len(hold.freedoms):
+        state = replace(state, u=rates(hold, state.V))
+    off = np.array(state.V) - np.array(twist_of(hold, state.u))
+    if np.abs(off).max() > ALLOWED * max(1.0, float(np.abs(state.V).max())):
+        raise UsageError(f"start: V moves along {_worst(off)}, which [hold] blocks; expected u of {_freedoms(hold)}")
+    if not _has_coordinates(hold):
+        return state
+    off = _off_freedoms(stand, hold, state)
+    if np.abs(off).max() > ALLOWED * max(1.0, float(np.abs(state.position).max())):
+        raise UsageError(
+            f"start: the pose is off the home pose by {np.abs(off).max():.3g} {_unit(off)} along {_worst(off)}, which "
+            f"[hold] blocks; expected what {_freedoms(hold)} reach, or no position"
+        )
+    return state
+
+
+def _has_coordinates(hold: Hold) -> bool:
+    """Whether a pose shows its freedoms: of a closed set, but not of a screw, whose turns a pose does not count."""
+    return is_closed(hold) and all(freedom.kind != "twist" for freedom in hold.freedoms)
+
+
+def _off_freedoms(stand: Stand, hold: Hold, state: State) -> Array:
+    """Part (6; m, rad) of the twist from the home pose to that of the state which no freedom gives."""
+    at_home = home(stand)
+    C0, C = carrier_rotation(stand, at_home), carrier_rotation(stand, state)
+    turned = Rotation.from_matrix(C0.T @ C).as_rotvec()
+    shift = C0.T @ (np.array(state.position) - np.array(at_home.position))
+    twist = np.concatenate([np.linalg.solve(_left_jacobian(turned), shift), turned])
+    S = twists(hold)
+    return np.asarray(twist - S @ np.linalg.lstsq(S, twist, rcond=None)[0]) if S.shape[1] else twist
+
+
+def _left_jacobian(r: Array) -> Array:
+    """J (3x3) of a rotation vector r: exp of the twist (v, r) shifts by J v."""
+    angle = float(np.linalg.norm(r))
+    if angle < 1e-6:
+        return np.asarray(np.eye(3) + cross(r) / 2 + cross(r) @ cross(r) / 6)
+    first, second = (1 - math.cos(angle)) / angle**2, (angle - math.sin(angle)) / angle**3
+    return np.asarray(np.eye(3) + first * cross(r) + second * cross(r) @ cross(r))
+
+
+def _quaternion(C: Array) -> Quaternion:
+    x, y, z, w = Rotation.from_matrix(C).as_quat().tolist()
+    return w, x, y, z
+
+
+def _worst(off: Array) -> str:
+    return TWIST_NAMES[int(np.argmax(np.abs(off)))]
+
+
+def _unit(off: Array) -> str:
+    return "m" if int(np.argmax(np.abs(off))) < 3 else "rad"
+
+
+def _freedoms(hold: Hold) -> str:
+    found = words(hold).partition(";")[0].partition(", ")[2]
+    return f"the freedoms ({found})" if hold.freedoms else "no freedom, as it is clamped,"

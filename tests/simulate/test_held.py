@@ -1,0 +1,180 @@
+"""Simulation of held carriers: C against SciPy, energy, the reaction, starts that the hold does not allow."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import mahovik
+from cli.run import refused, run
+from cli.test_eval_held import TEXT
+from mahovik.core.motion import loads_regime
+from mahovik.core.stand.hold import twist_of
+from mahovik.core.stand.model import Hold, Stand
+from mahovik.core.stand.random import EVERYTHING, random_stand
+from mahovik.core.stand.read import loads
+from mahovik.core.stand.state import rest_state
+from mahovik.errors import UsageError
+from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.use.simulate import Case, simulate
+from mahovik.use.simulate.held import allowed_start, home, moved
+from simulate.test_agreement import LAWS, MIXED, TORQUES
+from verify.test_held_c import HOLDS
+
+PENDULUM: dict[str, Any] = {
+    "schema": 1,
+    "name": "pendulum",
+    "gravity": [0, 0, -9.81],
+    "carrier": {"mass": 2, "center_of_mass": [0, 0, -0.2], "inertia": [0.02, 0.02, 0.01],
+                "inertia_about": "center_of_mass"},
+    "flywheel": [{"name": "w1", "axis": [0, 1, 0], "zero": [0, 0, 1], "position": [0, 0, -0.2], "mass": 0.5,
+                  "spin_inertia": 1e-3, "transverse_inertia": 6e-4}],
+}  # fmt: skip
+INERTIA, WEIGHT = 0.02 + 2.5 * 0.2**2 + 0.001, 2.5 * 9.81 * 0.2
+"""About the pivot, kg m2, with the flywheel at a constant speed; moment of the weight at a right angle, N m."""
+
+
+def drift(document: dict[str, Any], dt: float) -> float:
+    """Largest change of the energy of a swing from 2 rad, over that of the weight."""
+    stand = mahovik.Stand.from_dict(document)
+    found = mahovik.simulate(stand, 3.0, start={"angles": [0, 2, 0]}, dt=dt, every=0.01).run
+    angle, speed = 2 * np.arctan2(found["qy"], found["qw"]), found["omega_y [rad/s]"]
+    energy = 0.5 * INERTIA * speed**2 - WEIGHT * np.cos(angle)
+    assert np.ptp(angle) > 3.9  # it swings, to the other side
+    return float(np.ptp(energy)) / WEIGHT
+
+
+def test_energy_of_a_pendulum_drifts_no_more_than_that_of_the_free_step() -> None:
+    """The free step takes the hold as an added mass of 1e12 in the blocked directions."""
+    held = {**PENDULUM, "hold": {"freedoms": ["pitch"]}}
+    heavy = np.diag([1e12, 1e12, 1e12, 1e12, 0, 1e12]).tolist()
+    free = {**PENDULUM, "name": "heavy", "carrier": {**PENDULUM["carrier"], "added_mass": heavy}}
+    assert drift(held, 1e-2) <= 1.000001 * drift(free, 1e-2)  # by the method, which is the same
+    assert drift(held, 1e-3) < 1e-10
+    fine = drift(held, 2e-4)
+    assert fine <= drift(free, 2e-4) and fine < 1e-12
+
+
+@cache
+def busy(name: str) -> Stand:
+    """Three flywheels with motors, every kind of wrench, held."""
+    stand = random_stand(np.random.default_rng(5), 3, replace(EVERYTHING, tasks=0), name="busy")
+    return replace(stand, hold=Hold(HOLDS[name], (0.1, -0.05, 0.2), (0.0,) * 3, (0.0,) * 3))
+
+
+def case(stand: Stand, text: str, until: float = 0.03, **more: Any) -> Case:
+    assert stand.hold is not None
+    u = (0.3, -0.2, 0.4, 0.1, 0.2, -0.1)[: len(stand.hold.freedoms)]
+    start = replace(rest_state(stand), angles=(0.2, 0.4, -0.3), u=u, V=twist_of(stand.hold, u), phi=(0.1, 0.2, 0.3))
+    return Case(stand, loads_regime(text, stand, until), start, until, **{"every": 0.01, **more})
+
+
+@pytest.mark.parametrize(
+    ("name", "text"), [("ball joint", TORQUES), ("hinge", MIXED), ("knife edge", LAWS), ("clamped", TORQUES)]
+)
+def test_the_c_and_the_literal_reference_move_alike(name: str, text: str) -> None:
+    chosen = case(busy(name), text, dt=2e-5)
+    found, other = simulate(chosen, "c"), simulate(chosen, "scipy")
+    assert found.names == other.names and found.stopped is None and other.stopped is None
+    for i, column in enumerate(found.names):
+        size = max(1e-3, float(np.abs(other.data[:, i]).max()))
+        assert np.abs(found.data[:, i] - other.data[:, i]).max() <= 1e-5 * size, column
+
+
+def test_a_clamped_wheel_shows_its_centrifugal_force_and_weight() -> None:
+    """A wheel on a force table: m e Omega^2 turns in the plane of the wheel, and the weight stands still."""
+    document = {**PENDULUM, "name": "table", "hold": {"freedoms": []}}
+    document["flywheel"] = [{**PENDULUM["flywheel"][0], "unbalance": {"static": "50 g mm"}}]
+    speed = 100.0
+    start = {"phi_dot": [speed]}
+    found = mahovik.simulate(mahovik.Stand.from_dict(document), 0.2, start=start, every=1e-3).run
+    letters = {a: found[f"hold.reaction.{a} [{'N' if a in 'xyz' else 'N m'}]"] for a in "xyzkmn"}
+    turning = np.hypot(letters["x"], letters["z"] - 2.5 * 9.81)
+    assert turning == pytest.approx(np.full(len(turning), 5e-5 * speed**2), rel=1e-9)
+    assert np.abs(letters["y"]).max() < 1e-12
+    for column in found.names[1:20]:
+        if column.startswith(("x", "y", "z", "v_", "omega")):
+            assert not found[column].any(), column  # it does not move at all
+
+
+def test_reaction_and_weight_move_the_mass_centre() -> None:
+    """Newton's law of the whole: reaction plus weight is mass times the acceleration of the mass centre."""
+    held = mahovik.Stand.from_dict({**PENDULUM, "hold": {"freedoms": ["pitch"]}})
+    found = mahovik.simulate(held, 0.5, start={"angles": [0, 2, 0], "u": [1.0]}, every=0.05).run
+    angle, rate, change = (2 * np.arctan2(found["qy"], found["qw"]), found["omega_y [rad/s]"],
+                           found["omega_dot_y [rad/s2]"])  # fmt: skip
+    force = np.stack([found[f"hold.reaction.{a} [N]"] for a in "xyz"], axis=1)
+    weight = 2.5 * 9.81 * np.stack([np.sin(angle), 0 * angle, -np.cos(angle)], axis=1)
+    moved = 2.5 * -0.2 * np.stack([change, 0 * angle, -(rate**2)], axis=1)
+    assert force + weight == pytest.approx(moved, abs=1e-11)
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> str:
+    path = tmp_path / "pendulum.toml"
+    path.write_text(TEXT)
+    return str(path)
+
+
+@pytest.mark.parametrize(
+    ("start", "reason"),
+    [
+        ({"V": [0, 0, 0, 0, 1, 0]}, "V: the carrier is held, expected u, 1 numbers"),
+        ({"u": [1, 2]}, "u: expected 1 numbers, found 2"),
+        ({"angles": [0, 0.2, 0.1]}, "rad along roll, which [hold] blocks; expected what the freedoms (pitch) reach"),
+        ({"angles": [0, 0.2, 0], "position": [0, 0, 0]}, "m along x, which [hold] blocks"),
+        ({"position": [0, 0.01, 0]}, "0.01 m along y, which [hold] blocks"),
+        ({"position": [0, 0, 1e-3]}, "along z, which [hold] blocks"),
+    ],
+)
+def test_a_start_that_the_hold_does_not_allow_is_refused(
+    file: str, start: dict[str, Any], reason: str, tmp_path: Path
+) -> None:
+    (tmp_path / "start.json").write_text(json.dumps(start))
+    output = tmp_path / "run.csv"
+    message = refused("simulate", file, "--until", "0.1", "--start", str(tmp_path / "start.json"), "-o", str(output))
+    assert reason in message and len(message.strip().splitlines()) == 1
+    assert not output.exists()
+
+
+def test_a_carry_and_a_speed_off_the_freedoms_are_refused(file: str, tmp_path: Path) -> None:
+    message = refused("simulate", file, "--until", "0.1", "--carried", "-o", str(tmp_path / "run.csv"))
+    assert "no step_carried yet" in message
+    stand = loads(TEXT)
+    state = replace(home(stand), u=(), V=(0.0, 0.0, 0.0, 0.0, 0.0, 1.0))
+    with pytest.raises(UsageError, match=r"V moves along yaw, which \[hold\] blocks"):
+        allowed_start(stand, state)
+
+
+def test_a_missing_position_is_where_the_hold_has_the_carrier(file: str, tmp_path: Path) -> None:
+    (tmp_path / "start.json").write_text(json.dumps({"angles": [0, 1.1, 0], "u": [0.5]}))
+    output = tmp_path / "run.csv"
+    arguments = ("--until", "0.01", "--start", str(tmp_path / "start.json"), "-o", str(output), "--every", "0.01")
+    made = run("simulate", file, *arguments)
+    assert made.exit_code == 0, made.output
+    head, first, *_ = output.read_text().splitlines()
+    row = dict(zip(head.split(","), map(float, first.split(",")), strict=True))
+    assert [row[f"{a} [m]"] for a in "xyz"] == pytest.approx([0.2 * np.sin(1.1), 0, -0.2 + 0.2 * np.cos(1.1)])
+    assert row["v_x [m/s]"] == pytest.approx(0.1) and row["omega_y [rad/s]"] == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("name", ["hinge", "ball joint", "free"])
+def test_motions_along_the_freedoms_are_allowed_and_others_are_not(name: str) -> None:
+    stand = replace(busy(name), hold=Hold(HOLDS[name], (0.1, -0.05, 0.2), (0.3, 0.0, -0.1), (0.2, 0.1, -0.4)))
+    assert stand.hold is not None
+    rng = np.random.default_rng(3)
+    state = home(stand)
+    for _ in range(3):
+        twist = twist_of(stand.hold, rng.normal(size=len(stand.hold.freedoms)).tolist())
+        step = np.array(twist, dtype=np.float64)
+        state = moved(state, carrier_rotation(stand, state), step)
+        allowed_start(stand, state)
+    if len(stand.hold.freedoms) < 6:
+        with pytest.raises(UsageError, match="the pose is off the home pose"):
+            allowed_start(stand, replace(state, position=(state.position[0] + 0.01, *state.position[1:])))

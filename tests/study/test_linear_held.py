@@ -1,0 +1,141 @@
+"""Linear model and modes of held carriers: closed formulas of pendulums, differences of the literal reference."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cli.run import refused, run
+from cli.test_eval_held import TEXT
+from mahovik.core.stand.hold import twist_of
+from mahovik.core.stand.model import Hold, Stand
+from mahovik.core.stand.random import BARE, random_stand
+from mahovik.core.stand.read import loads
+from mahovik.core.stand.state import State
+from mahovik.errors import CheckError
+from mahovik.proof import reference
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.hold import accelerations
+from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.use.simulate.held import home, moved, rates
+from mahovik.use.study.linear import linear_model, modes
+from mahovik.use.study.rest import rest
+from verify.test_held_c import HOLDS
+
+WEIGHT, ARM, INERTIA, SPIN = 2.5 * 9.81, 0.2, 0.02 + 2.5 * 0.2**2, 1e-3
+"""N, m; about the pivot without and about its axis of the flywheel, kg m2."""
+
+
+@pytest.mark.parametrize(("locked", "inertia"), [(True, INERTIA + SPIN), (False, INERTIA)])
+def test_a_hanging_pendulum_has_the_frequency_of_the_formula(locked: bool, inertia: float) -> None:
+    """sqrt(m g l / J) / 2 pi: a free flywheel about the same axis does not turn with the pendulum."""
+    stand = loads(TEXT)
+    found = modes(linear_model(stand, rest(stand).state, [], locked=locked))
+    (swing,) = [mode for mode in found.modes if mode.kind == "oscillation"]
+    assert swing.frequency == pytest.approx(math.sqrt(WEIGHT * ARM / inertia) / (2 * math.pi), rel=1e-12)
+    assert [channel.name for channel in found.coordinates] == ["q_pitch", *([] if locked else ["phi w1"])]
+    assert not found.unstable
+
+
+def test_upright_it_falls_at_the_rate_of_the_formula() -> None:
+    stand = loads(TEXT)
+    found = modes(linear_model(stand, home(stand), [], locked=True))
+    assert found.unstable
+    falls = max(mode.eigenvalue.real for mode in found.modes)
+    assert falls == pytest.approx(math.sqrt(WEIGHT * ARM / (INERTIA + SPIN)), rel=1e-12)
+
+
+def test_a_mass_on_a_rail_with_a_spring() -> None:
+    text = TEXT.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]', "slide = [0, 3, 4]")
+    stand = loads(text + "[suspension]\nstiffness = [1e6, 500, 500, 1e6, 1e6, 1e6]\ndamping = [0, 3, 3, 0, 0, 0]\n")
+    model = linear_model(stand, rest(stand).state, [], locked=True)
+    assert [str(each) for each in model.states] == ["q_1 [m]", "u_1 [m/s]"]
+    assert pytest.approx(np.array([[0, 1], [-500 / 2.5, -3 / 2.5]]), abs=1e-9) == model.A
+    push = dict(zip((each.name for each in model.inputs), model.B[1], strict=True))
+    assert push["wrench Y"] == pytest.approx(0.6 / 2.5) and push["wrench Z"] == pytest.approx(0.8 / 2.5)
+
+
+def slow_top() -> tuple[Stand, State]:
+    """A ball joint off O1 with weight and three unbalanced flywheels, moving."""
+    stand = random_stand(np.random.default_rng(2), 3, replace(BARE, gravity=True))
+    stand = replace(stand, hold=Hold(HOLDS["ball joint"], (0.1, -0.2, 0.15), (0.0,) * 3, (0.0,) * 3))
+    u = (0.4, -0.7, 0.5)
+    assert stand.hold is not None
+    state = moved(home(stand), np.eye(3), np.array(twist_of(stand.hold, (0.3, 0.2, -0.5))))
+    state = replace(state, u=u, V=twist_of(stand.hold, u))
+    return stand, replace(state, phi=(0.3, 1.0, -2.0), phi_dot=(20.0, -30.0, 15.0))
+
+
+def rate(stand: Stand, state: State, tau: Array) -> Array:
+    """u* (m) and phi'' (N) by the literal reference."""
+    assert stand.hold is not None
+    none = np.zeros(len(tau), dtype=bool)
+    V_dot, phi_ddot = accelerations(reference.pieces(stand, state), stand, tau, none)
+    return np.concatenate([rates(stand.hold, V_dot), phi_ddot])
+
+
+def test_the_derivatives_are_those_of_the_reference() -> None:
+    stand, state = slow_top()
+    model = linear_model(stand, state, [])
+    hold = stand.hold
+    assert hold is not None
+    tau, C = np.array(model.state.tau), carrier_rotation(stand, state)
+    m, N, h = 3, 3, 1e-5
+
+    def at(x: Array) -> Array:
+        q, u, phi, phi_dot = np.split(x, [m, 2 * m, 2 * m + N])
+        displaced = moved(state, C, np.array(twist_of(hold, q.tolist())))
+        total = np.array(state.u) + u
+        displaced = replace(
+            displaced,
+            V=twist_of(hold, total.tolist()),
+            u=tuple(total.tolist()),
+            phi=tuple((np.array(state.phi) + phi).tolist()),
+            phi_dot=tuple((np.array(state.phi_dot) + phi_dot).tolist()),
+        )
+        return rate(stand, displaced, tau)
+
+    columns = [(at(h * e) - at(-h * e)) / (2 * h) for e in np.eye(2 * m + 2 * N)]
+    rows = [*range(m, 2 * m), *range(2 * m + N, 2 * m + 2 * N)]
+    size = np.abs(model.A[rows]).max()
+    assert np.abs(np.column_stack(columns) - model.A[rows]).max() < 1e-7 * size
+    assert at(np.zeros(2 * m + 2 * N))[m:] == pytest.approx(np.zeros(N), abs=1e-9)  # phi'' of the state
+    driven = np.column_stack([rate(stand, state, tau + e) - rate(stand, state, tau) for e in np.eye(N)])
+    assert np.abs(driven - model.B[rows, :N]).max() < 1e-9 * np.abs(driven).max()
+    u, v, w = state.u
+    turning = np.array([[0, -w, v], [w, 0, -u], [-v, u, 0]])
+    assert model.A[:m, :m] == pytest.approx(-turning, abs=1e-12)  # as the axes turn
+    assert model.A[:m, m : 2 * m] == pytest.approx(np.eye(m), abs=1e-12)
+
+
+def test_outputs_of_points_are_on_their_circle(tmp_path: Path) -> None:
+    (tmp_path / "pendulum.toml").write_text(TEXT)
+    made = run("linearize", str(tmp_path / "pendulum.toml"), "-o", str(tmp_path / "m.json"), "--points", "tip")
+    assert made.exit_code == 0, made.output
+    model = json.loads((tmp_path / "m.json").read_text())
+    assert model["states"] == ["q_pitch", "u_pitch", "phi w1", "phi_dot w1"]
+    moves = np.array(model["C"])[:3, 0]
+    assert moves == pytest.approx([0.3, 0, 0], abs=1e-12)  # 0.3 m from the pivot, across
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"), [('["x", "yaw"]', "not a closed set"), ("[]", "clamps the carrier and no flywheel is free")]
+)
+def test_a_hold_without_coordinates_is_refused(text: str, reason: str, tmp_path: Path) -> None:
+    path = tmp_path / "pendulum.toml"
+    path.write_text(TEXT.replace('["pitch"]', text))
+    message = refused("modes", str(path), status=1)
+    assert reason in message and len(message.strip().splitlines()) == 1
+
+
+def test_flywheels_of_a_clamped_carrier_turn_alone() -> None:
+    stand = loads(TEXT.replace('["pitch"]', "[]"))
+    found = linear_model(stand, home(stand), [])
+    assert pytest.approx(np.array([[0, 1], [0, 0]])) == found.A and found.B[1, 0] == pytest.approx(1 / SPIN)
+    with pytest.raises(CheckError, match="no flywheel is free"):
+        linear_model(stand, home(stand), [], locked=True)

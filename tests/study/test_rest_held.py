@@ -1,0 +1,92 @@
+"""Equilibrium of held carriers: hanging, on springs, none; along the freedoms alone."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cli.run import refused
+from cli.test_eval_held import TEXT
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.read import loads
+from mahovik.core.stand.state import Quaternion
+from mahovik.errors import CheckError
+from mahovik.proof import reference
+from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.use.simulate.held import allowed_start
+from mahovik.use.study.rest import rest
+
+
+def pendulum_with(text: str, more: str = "") -> Stand:
+    """The pendulum with another hold."""
+    return loads(TEXT.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]', text) + more)
+
+
+def test_a_pendulum_that_stands_on_its_pivot_hangs() -> None:
+    found = rest(loads(TEXT))
+    assert not found.unstable and found.free == ()
+    C = carrier_rotation(loads(TEXT), found.state)
+    assert C[2, 2] == pytest.approx(-1) and found.state.position == pytest.approx((0, 0, -0.4), abs=1e-12)
+    answer = reference.evaluate(loads(TEXT), found.state, ["forward"])
+    weight = [0, 0, -2.5 * 9.81]  # the pivot bears it, upwards in E0
+    assert C @ answer["reaction"][:3] == pytest.approx([-x for x in weight], abs=1e-9)
+
+
+@pytest.mark.parametrize("axis", [(1, 0, 0), (1, 1, 0.3), (0, 1, 1)])
+def test_the_mass_centre_is_lowest_and_the_pivot_stays(axis: tuple[float, ...]) -> None:
+    stand = pendulum_with(
+        f"axis = {list(axis)}\npivot = [0.1, 0, -0.2]\nangles = [0.3, 0.1, 0.2]\nposition = [1, 2, 3]"
+    )
+    found = rest(stand)
+    allowed_start(stand, found.state)
+    assert not found.unstable
+
+    def height(turned: float) -> float:
+        x, y, z = (math.sin(turned / 2) * np.array(axis) / np.linalg.norm(axis)).tolist()
+        state = replace(found.state, quaternion=times(found.state.quaternion, (math.cos(turned / 2), x, y, z)))
+        return float((carrier_rotation(stand, state) @ -np.array([0.1, 0, -0.2]))[2])
+
+    around = [height(t) for t in np.linspace(-math.pi, math.pi, 41)]
+    assert height(0.0) <= min(around) + 1e-9
+
+
+def times(p: Quaternion | None, q: Quaternion) -> Quaternion:
+    """Product of quaternions, w first."""
+    assert p is not None
+    w, x, y, z = p
+    a, b, c, d = q
+    return (w * a - x * b - y * c - z * d, w * b + x * a + y * d - z * c, w * c - x * d + y * a + z * b,
+            w * d + x * c - y * b + z * a)  # fmt: skip
+
+
+def test_a_spring_along_a_rail_sinks_by_the_weight() -> None:
+    found = rest(pendulum_with('freedoms = ["z"]', "[suspension]\nstiffness = [0, 0, 500, 0, 0, 0]\n"))
+    assert found.state.position == pytest.approx((0, 0, -2.5 * 9.81 / 500), abs=1e-12)
+
+
+def test_what_no_force_brings_back_is_free() -> None:
+    found = rest(pendulum_with('freedoms = ["yaw"]'))
+    assert found.free == ((0, 0, 0, 0, 0, 1),) and not found.unstable
+    plane = rest(pendulum_with('freedoms = ["x", "y", "yaw"]'))
+    assert len(plane.free) == 3
+
+
+def test_clamped_it_rests_in_its_home_pose() -> None:
+    found = rest(pendulum_with("freedoms = []\nposition = [1, 2, 3]\nangles = [0.1, 0, 0]"))
+    assert found.state.position == (1, 2, 3) and found.V_dot == (0,) * 6 and found.free == ()
+
+
+def test_where_it_falls_there_is_none() -> None:
+    with pytest.raises(CheckError, match=r"nothing carries -24\.525 \(N or N m\) along the freedom z"):
+        rest(pendulum_with('freedoms = ["z"]'))
+
+
+def test_freedoms_that_are_no_closed_set_have_none(tmp_path: Path) -> None:
+    path = tmp_path / "pendulum.toml"
+    path.write_text(TEXT.replace('["pitch"]', '["x", "yaw"]'))
+    message = refused("rest", str(path), status=1)
+    assert "not a closed set" in message and len(message.strip().splitlines()) == 1
