@@ -49,6 +49,7 @@ class BodyLawSchema:
     read       makes the data of the valid table; None where it does nothing
     lines      the data as lines of a stand file: what stands in the table of the key
     structure  what of all bodies decides the text of the C, by key
+    problem    key and words of what a body lacks for its data; None where it lacks nothing
     limited    members that the emitted C takes up to a largest size only
     optional   is the key missing in the identity of a stand's physics where no body has the law?
     """
@@ -61,3 +62,4 @@ class BodyLawSchema:
     structure: Callable[[Stand], dict[str, Any]]
     limited: tuple[str, ...] = ()
     optional: bool = False
+    problem: Callable[[Any, Any], tuple[str, str] | None] = lambda body, data: None
