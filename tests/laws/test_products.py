@@ -22,7 +22,10 @@ from mahovik.laws.damping.plan import twist_law
 from mahovik.laws.damping.reference import products_in_derivatives
 from mahovik.laws.damping.text import products_of_added_mass
 from mahovik.proof import reference
+from mahovik.proof.diagnose.diagnosis import Diagnoser
+from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.states import Request
 from second.agreement import AGREEMENT, differences, expectations
 
 KEY = 'derivatives = "with added-mass products"'
@@ -163,3 +166,18 @@ def test_products_that_count_twice_are_warned_of() -> None:
     assert warnings(plain.replace("-31.2", "31.2").replace("-29.0", "-20.0")) == []
     assert warnings(plain.replace("-31.2", "-35").replace("-29.0", "-20.0")) == []
     assert warnings(plain.replace('["w", "q"]', '["w", "|q|"]').replace("-29.0", "-20.0")) == []
+
+
+def test_a_program_that_counts_them_twice_is_named() -> None:
+    stand = replace(published(6), flywheels=())
+    damping = stand.carrier.law(Damping)
+    assert damping is not None
+    law = replace(damping, contains_products=False)
+    program = NumpyBackend(replace(stand, carrier=stand.carrier.with_laws(law)))
+
+    def answer(request: Request) -> Mapping[str, Any]:
+        return program.evaluate(request.state, request.want)
+
+    found = Diagnoser(stand).diagnose(answer)
+    assert found.causes[0].parts[0].fault.name == "products of added mass twice"
+    assert found.causes[0].share == pytest.approx(1.0, abs=1e-6)
