@@ -49,6 +49,7 @@ class BodyLawSchema:
     read       makes the data of the valid table, or of the list of those mounted on a body; None where it does nothing
     lines      the data as lines of a stand file: what stands in the table of the key; each of the tables of one mounted
     structure  what of all bodies decides the text of the C, by key
+    problem    key and words of what a body lacks for its data; None where it lacks nothing
     limited    members that the emitted C takes up to a largest size only
     optional   is the key missing in the identity of a stand's physics where no body has the law?
     mounted    are its tables `[[key]]` of the file, each with a name and a `mount`, the carrier or an instrument?
@@ -63,3 +64,4 @@ class BodyLawSchema:
     limited: tuple[str, ...] = ()
     optional: bool = False
     mounted: bool = False
+    problem: Callable[[Any, Any], tuple[str, str] | None] = lambda body, data: None
