@@ -14,7 +14,8 @@ from kept import Campaign, Columns, Figures, Measured, Rows
 
 from mahovik.core.stand import Stand, load
 from mahovik.proof.verify.judges.basilisk_judge import BasiliskJudge, Model
-from mahovik.proof.verify.judges.basilisk_wheel import basilisk_stand
+from mahovik.proof.verify.judges.basilisk_rotor import BasiliskRotorJudge
+from mahovik.proof.verify.judges.basilisk_wheel import basilisk_stand, spacecraft_stand
 from mahovik.proof.verify.judges.compare import JUDGES, MOTION, QUANTITIES, compare_with_judges, verify_judges
 from mahovik.proof.verify.judges.rigid import bare_stand, missing
 from mahovik.proof.verify.report import Report
@@ -35,6 +36,12 @@ inertia; its spacecraft is free, without uniform gravity. The flywheels of each 
 and gravity is left out. For a stand file, `mahovik verify --judges` says in one line what Basilisk cannot
 represent. It gives its mass properties and the accelerations for drive torques, at states without a run-time wrench;
 the motion is by its own integrator.
+
+"""
+
+ROTORS = """
+Its rotor on a hinge (`spinningBodyOneDOF`) has any mass, centre of mass and tensor: it takes each flywheel as it is.
+Only gravity is left out, and run-time wrenches.
 
 """
 
@@ -73,7 +80,7 @@ def table(rows: Rows) -> str:
 
 def short(found: Figures) -> str:
     """Quantities by judges: the worst of all stands."""
-    of_judges = [*found["judges"], found["basilisk"]]
+    of_judges = [*found["judges"], found["basilisk"], found["rotors"]]
     columns = dict.fromkeys(found["versions"], "{:.0e}")
     rows = []
     for quantity in WORDS:
@@ -94,15 +101,16 @@ def page(found: Figures) -> str:
         f"{found['states']} random and extreme states per stand.\n"
         f"They know no fluid, suspension or legs; these were taken out of {_listed(found['dry'])}.\n"
     )
-    *versions, basilisk = found["versions"]
+    *versions, basilisk, rotors = found["versions"]
     for version, rows in zip(versions, found["judges"], strict=True):
         text += f"\n## {version}\n\n{table(rows)}"
-    return f"{text}\n## {basilisk}\n{BASILISK}{table(found['basilisk'])}" + NOT_EXACT.format(
+    text += f"\n## {basilisk}\n{BASILISK}{table(found['basilisk'])}" + NOT_EXACT.format(
         equal=_listed(found["equal"]),
         asymmetric=table(found["asymmetric"]),
         balanced=_listed(found["balanced"]),
         simple=table(found["simple"]),
     )
+    return f"{text}\n## {rotors}\n{ROTORS}{table(found['rotors'])}"
 
 
 def _listed(stands: Sequence[str]) -> str:
@@ -137,6 +145,12 @@ def by_basilisk(stand: Stand, states: int, model: Model = "JitterFullyCoupled", 
     return compare_with_judges(its, [BasiliskJudge(its, model, asymmetric)], count=states)
 
 
+def by_rotors(stand: Stand, states: int) -> Report:
+    """The C of a stand with its flywheels as they are, against Basilisk's rotors on hinges."""
+    its = spacecraft_stand(stand)
+    return compare_with_judges(its, [BasiliskRotorJudge(its)], count=states)
+
+
 def main() -> None:
     """Run the judges, write both files. Exit status 1 where one disagrees."""
     states = campaign.parser(__doc__, states=200).parse_args().states
@@ -146,9 +160,10 @@ def main() -> None:
     exact = [by_basilisk(stand, states) for stand in rigid]
     asymmetric = [by_basilisk(stand, states, asymmetric=True) for stand in rigid]
     simple = [by_basilisk(stand, states, "JitterSimple") for stand in rigid]
+    rotors = [by_rotors(stand, states) for stand in rigid]
     versions = [
         word.strip()
-        for report in (reports[0], exact[0])
+        for report in (reports[0], exact[0], rotors[0])
         for word in report.judged.removeprefix("generated C against ").split(",")
     ]
     CAMPAIGN.keep(
@@ -158,13 +173,14 @@ def main() -> None:
             "versions": versions,
             "judges": [by_stand(reports, judge, WORDS) for judge in JUDGES],
             "basilisk": by_stand(exact, "basilisk", ITS_WORDS),
+            "rotors": by_stand(rotors, BasiliskRotorJudge.name, ITS_WORDS),
             "equal": [report.stand for report in asymmetric if report.passed],
             "asymmetric": by_stand(asymmetric, "basilisk", ITS_WORDS),
             "balanced": [report.stand for report in simple if report.passed],
             "simple": by_stand(simple, "basilisk", ITS_WORDS),
         }
     )
-    raise SystemExit(0 if all(report.passed for report in (*reports, *exact)) else 1)
+    raise SystemExit(0 if all(report.passed for report in (*reports, *exact, *rotors)) else 1)
 
 
 if __name__ == "__main__":

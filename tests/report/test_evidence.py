@@ -256,7 +256,7 @@ def test_every_function_is_found_in_the_C(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("real", "more"), [("double", []), ("float", ["--without", "judges,eva,targets"])])
+@pytest.mark.parametrize(("real", "more"), [("double", []), ("float", ["--without", "judges,eva,targets,misra,fuzz"])])
 def test_demo3_passes(tmp_path: Path, real: str, more: list[str]) -> None:
     """All of it in double, most of it in float, by a process of its own; nothing tells where it was made."""
     for tool, package in (("clang", "clang"), ("cppcheck", "cppcheck"), ("frama-c", "frama-c-base")):

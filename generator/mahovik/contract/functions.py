@@ -111,6 +111,15 @@ _ROWS = (
         "points", "", (*_STATE, "V_dot"), ("points",), ("reference", "second"), want=True, needs="sensors", batch=True
     ),
     PublicFunction("center_of_mass_velocity", "", _STATE, ("center_of_mass_velocity",), ("reference",), want=True),
+    PublicFunction(
+        "reaction",
+        "(8)",
+        (*_STATE, "V_dot", "phi_ddot", "wrench"),
+        ("reaction",),
+        ("reference",),
+        needs="held",
+        python=False,
+    ),
     PublicFunction("wrench", "(7)", (*_STATE, "wrench"), ("F",), ("reference",), needs="wrenches"),
     PublicFunction(
         "step",

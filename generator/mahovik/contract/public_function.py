@@ -31,8 +31,8 @@ class PublicFunction:
     takes     arguments in order; those that a stand does not need are left out
     gives     results, by name
     want      whether `eval` answers it, by the name of the function
-    needs     parts that a stand must have: "flywheels", "sensors" (instruments or points), "wrenches" (any), "tasks";
-              or nothing
+    needs     parts that a stand must have: "flywheels", "sensors" (instruments or points), "wrenches" (any), "tasks",
+              "held"; or nothing
     tasks     whether each task of the stand has a form of its own, `NAME_TASK`, with its demand in place of V_dot
     sines     whether it has a form `NAME_at` that takes sines and cosines of the phases
     batch     whether it has a batch, many states in a register; others run state by state

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mahovik.core.derive.carrier import mass_matrix
-from mahovik.core.derive.symbols import vector
+from mahovik.core.derive.carrier import mass_matrix, mu
+from mahovik.core.derive.screw import blocks, cross
+from mahovik.core.derive.symbols import symmetric, vector
 
 twist = vector("twist", 6)
 
@@ -19,11 +20,11 @@ def mass_times(added_mass: bool) -> sp.Matrix:
     return mass_matrix(added_mass) * twist
 
 
+def harmonic_times() -> sp.Matrix:
+    """One harmonic of K, with mu and J of the harmonic, times a twist: no mass changes with a phase."""
+    return blocks(sp.zeros(3), cross(mu).T, cross(mu), symmetric("J")) * twist
+
+
 def mass_times_drift(added_mass: bool) -> sp.Matrix:
     """K d, d = (drift, 0)."""
     return mass_matrix(added_mass) * vector("drift").col_join(sp.zeros(3, 1))
-
-
-def power_at_one() -> sp.Expr:
-    """A column of S times a wrench, `column . wrench`: its power at u = 1."""
-    return vector("column", 6).dot(vector("wrench", 6))

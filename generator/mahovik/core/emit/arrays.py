@@ -113,7 +113,8 @@ def _course(generated: Generated) -> dict[str, Any] | None:
 def _functions(generated: Generated) -> list[Function]:
     public = {f.name: f for f in generated.program.functions if f.public}
     rows = FUNCTIONS | CHOSEN
-    found = [public[name] for name, row in rows.items() if (row.python or row.form_of) and name in public]
+    offered = (name for name, row in rows.items() if row.python or row.form_of or row.needs == "held")
+    found = [public[name] for name in offered if name in public]
     return [*found, *(f for name, f in public.items() if task_of(name) and row_of(name).python)]
 
 

@@ -12,18 +12,18 @@ from mahovik.core.lower.coupling import (
     couple_blocks,
     couple_flywheel,
 )
-from mahovik.core.lower.flywheels import AT_NOTES, places_of
+from mahovik.core.lower.flywheels import AT_NOTES, named_turns, places_of
 from mahovik.core.lower.forward import (
     STATE_STATUSES,
     Scene,
     all_turns,
     check_inputs,
+    equations_along,
     external_wrench,
     from_stream,
     relative_rate,
     scene,
     sum_up,
-    without_drift,
 )
 from mahovik.core.lower.held_drive import solve_held
 from mahovik.core.lower.lanes import entry
@@ -149,14 +149,14 @@ def solve_coupled(lib: Library) -> Function:
     body = Body()
     lib.begin(body)
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns_in(arguments)))
-    sum_up(lib, body, table.place, x.place, seen, None)
-    F = body.local("F", (6,), comment="wrench (7); then the right-hand side of K V* + I phi'' = F")
-    external_wrench(lib, body, table.place, x.place, seen, tuple(wrench), F)
-    body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
     if layout.held:
-        drift = without_drift(lib, body, table.place, x.place, seen, F)
-        solve_held(lib, body, table.place, seen, (tau.place, locked.place), F, drift, results)
+        freedoms, drift = equations_along(lib, body, table.place, x.place, seen, tuple(wrench), None)
+        solve_held(lib, body, table.place, seen, (tau.place, locked.place), freedoms, drift, results)
     else:
+        sum_up(lib, body, table.place, x.place, seen, None)
+        F = body.local("F", (6,), comment="wrench (7); then the right-hand side of K V* + I phi'' = F")
+        external_wrench(lib, body, table.place, x.place, seen, tuple(wrench), F)
+        body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
         K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
         start_schur(lib, body, table.place, seen.sums, K)
         solve = _solve if layout.lanes == 1 else _solve_blocks
@@ -260,12 +260,12 @@ def coupled(lib: Library, at: bool = False) -> Function:
     check_drive(lib, body, arguments)
     motion = body.local("V_result", (6,))
     spins = body.local("phi_result", (layout.count,))
-    table, x = places_of(arguments[:2])
-    turns = turns_in(arguments)
-    given = places_of([a for a in arguments[2 : -2 - held] if a not in turns])
-    inputs = [*all_turns(lib, body, x, turns), *given]
+    x = arguments[1].place
+    named = {a.name: a.place for a in arguments} | named_turns(all_turns(lib, body, x, turns_in(arguments)))
+    named |= {"V_dot": motion, "phi_ddot": spins}
     found = [body.local(f"{a.name}_result", a.shape) for a in others]
-    lib.check(body, "solve_coupled", table, x, *inputs, motion, spins, *found)
+    named |= {a.name: value for a, value in zip(others, found, strict=True)}
+    lib.check(body, "solve_coupled", *lib.passed("solve_coupled", **named))
     body.copy_array(V_dot.place, motion)
     for argument, value in zip(others, found, strict=True):
         body.copy_array(argument.place, value)

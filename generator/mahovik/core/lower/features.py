@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from mahovik.contract.laws import of_bodies, parts
+from mahovik.core.lower.freedoms import are_closed
 from mahovik.core.lower.law import LawLowering
 from mahovik.core.program.types import NamedCount, Precision
 from mahovik.core.stand.structure_facts import Structure
@@ -75,7 +76,21 @@ class Features:
     @property
     def freedoms(self) -> int:
         """Freedoms of a held carrier; 0 of a clamped one, and of a free one."""
-        return self.structure.hold or 0
+        return len(self.ways)
+
+    @property
+    def ways(self) -> tuple[str, ...]:
+        """What each freedom of a held carrier is."""
+        return self.structure.hold or ()
+
+    @property
+    def along(self) -> bool:
+        """The flywheels' terms are added up along the freedoms: few, closed, and V is S u, which a stream would change.
+
+        Of more than three freedoms the projected sums are more numbers than those of six rows.
+        """
+        few = 0 < self.freedoms <= 3 and bool(self.flywheels)
+        return few and self.lanes == 1 and not self.stream and are_closed(self.ways)
 
     @property
     def instruments(self) -> int:

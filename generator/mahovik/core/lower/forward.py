@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mahovik.core.formula.derived import wrench as derived
-from mahovik.core.lower import flywheels, hold, lanes
+from mahovik.core.lower import along, flywheels, hold, lanes
 from mahovik.core.lower.checks import check_within
 from mahovik.core.lower.flywheels import AT_NOTES, Turns, named_turns, places_of, turns_of
 from mahovik.core.lower.library import Library
@@ -155,17 +155,17 @@ def accelerate(lib: Library) -> Function:
     body = Body()
     lib.begin(body)
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
-    sum_up(lib, body, table.place, x.place, seen, phi_ddot[0].place if phi_ddot else None)
-    F = body.local("F", (6,), comment="wrench (7); then the right-hand side of (8)")
-    K = None if held else body.local("K", (), lib.layout.carrier_factor)
-    external_wrench(lib, body, table.place, x.place, seen, wrench, F)
-    body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
-    if K is None:
-        without_drift(lib, body, table.place, x.place, seen, F)
-        along = hold.Freedoms(lib, body, table.place, seen.sums, F)
-        along.solve()
-        along.write(V_dot.place, places_of(held))
+    accelerations = phi_ddot[0].place if phi_ddot else None
+    if lib.layout.held:
+        freedoms, _ = equations_along(lib, body, table.place, x.place, seen, wrench, accelerations)
+        freedoms.solve()
+        freedoms.write(V_dot.place, places_of(held))
     else:
+        sum_up(lib, body, table.place, x.place, seen, accelerations)
+        F = body.local("F", (6,), comment="wrench (7); then the right-hand side of (8)")
+        K = body.local("K", (), lib.layout.carrier_factor)
+        external_wrench(lib, body, table.place, x.place, seen, wrench, F)
+        body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
         lib.check(body, "factor_carrier", table.place, seen.sums, K)
         body.call(lib["solve_carrier"], table.place, K, F, V_dot.place)
         from_stream(body, x.place, seen, V_dot.place)
@@ -176,6 +176,36 @@ def accelerate(lib: Library) -> Function:
         equation="(8)",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )
+
+
+def equations_along(
+    lib: Library,
+    body: Body,
+    table: Place,
+    x: Place,
+    seen: Scene,
+    wrench: tuple[Argument, ...],
+    phi_ddot: Place | None,
+) -> tuple[hold.Freedoms, Place | None]:
+    """(8) along the freedoms, P u* = y, without phi_ddot for phi'' = 0; and omega x C^T u of a stream."""
+    F = body.local("F", (6,), comment="wrench (7)" if lib.layout.along else "wrench (7); then what is to be projected")
+    if lib.layout.along:
+        sums = along.sum_up_along(lib, body, table, x, seen.turns, phi_ddot, seen.sums.mu)
+        external_wrench(lib, body, table, x, seen, wrench, F)
+        freedoms = hold.Freedoms(lib, body, table, sums.P)
+        body.call(lib["project_wrench"], *lib.passed("project_wrench", table=table, F=F, y=freedoms.y))
+        body.call(lib["subtract_along"], *lib.passed("subtract_along", table=table, sum=sums, V=x.V, y=freedoms.y))
+        return freedoms, None
+    sum_up(lib, body, table, x, seen, phi_ddot)
+    external_wrench(lib, body, table, x, seen, wrench, F)
+    freedoms = hold.Freedoms(lib, body, table)
+    if not freedoms.count:
+        return freedoms, None if seen.stream is None else drift_of(body, x, seen.stream)
+    body.call(lib["subtract_rates"], table, seen.sums, seen.V, F)
+    drift = without_drift(lib, body, table, x, seen, F)
+    body.call(lib["project_mass"], *lib.passed("project_mass", table=table, sum=seen.sums, P=freedoms.P))
+    body.call(lib["project_wrench"], *lib.passed("project_wrench", table=table, F=F, y=freedoms.y))
+    return freedoms, drift
 
 
 def from_stream(body: Body, x: Place, seen: Scene, V_dot: Place) -> None:
@@ -209,15 +239,17 @@ def forward(lib: Library, at: bool = False) -> Function:
     held = hold.results(lib)
     result = body.local("result", (6,))
     others = [body.local(f"{a.name}_result", a.shape) for a in held]
-    inputs = [*all_turns(lib, body, x.place, turns), *places_of((*phi_ddot, *wrench))]
-    lib.check(body, "accelerate", table.place, x.place, *inputs, result, *others)
+    named = {"table": table.place, "x": x.place, "V_dot": result} | named_turns(all_turns(lib, body, x.place, turns))
+    named |= {a.name: a.place for a in (*phi_ddot, *wrench)}
+    named |= {a.name: found for a, found in zip(held, others, strict=True)}
+    lib.check(body, "accelerate", *lib.passed("accelerate", **named))
     body.copy_array(V_dot.place, result)
     for argument, found in zip(held, others, strict=True):
         body.copy_array(argument.place, found)
     return body.checked(
         "forward_at" if at else "forward",
         "Acceleration of the carrier for given accelerations of the flywheels: "
-        + ("along its freedoms, and the reaction of the hold R: K V* = F + R" if held else "K V* = F")
+        + ("along the freedoms of the hold, S^T: K V* = F" if lib.layout.held else "K V* = F")
         + " - M V - sum(I phi'' + J phi').",
         (table, x, *turns, *phi_ddot, *wrench, V_dot, *held),
         equation="(8)",

@@ -1,4 +1,4 @@
-"""V*, phi'' and the reaction of a held carrier under drive torques: flywheels eliminated along the freedoms."""
+"""V*, phi'' of a held carrier under drive torques: flywheels eliminated along the freedoms."""
 
 from __future__ import annotations
 
@@ -20,17 +20,16 @@ def solve_held(
     table: Place,
     seen: Scene,
     given: tuple[Place, Place],
-    F: Place,
+    freedoms: Freedoms,
     drift: Place | None,
     results: Sequence[Place],
 ) -> None:
-    """Writes V*, phi'', u*, reaction, for given tau and locks.
+    """Writes V*, phi'', u*, for given tau and locks, of the equations for phi'' = 0.
 
-    F is the right-hand side for phi'' = 0 and V* alone; `drift`: omega x C^T u of a stream.
+    `drift`: omega x C^T u of a stream.
     """
     layout = lib.layout
     (tau, locked), (V_dot, phi_ddot, *others) = given, results
-    freedoms = Freedoms(lib, body, table, seen.sums, F)
     bias = body.local("bias", (layout.count,), comment="drive torques at V* = 0, phi'' = 0")
     inverse = body.local("inverse", (layout.count,), comment="1 / Theta_ff; 0 where a lock holds")
     columns = body.local("columns", (layout.count, 6), comment="columns of I")
@@ -48,8 +47,6 @@ def solve_held(
     with body.loop("s", layout.count) as s:
         back = freedoms.back(of_flywheel(projected, s))
         body.set(phi_ddot[s], rate[s] - back * inverse[s] if projected is not None else rate[s])
-        for element, of_spin in zip(F, columns[s], strict=True):
-            body.add(element, -(of_spin * phi_ddot[s]))
     freedoms.write(V_dot, others)
 
 

@@ -12,7 +12,7 @@ from mahovik.core.lower import allocate, excess
 from mahovik.core.lower.demand import ANSWER_NOTE, begin_demand, check_answer, check_demand
 from mahovik.core.lower.flywheels import columns_of, let_turn, named_turns, places_of, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES
-from mahovik.core.lower.hold import along, column, place_of
+from mahovik.core.lower.freedoms import columns, dot, place_of
 from mahovik.core.lower.inverse import POSITIVE, check_flywheels, choose_rank, flag, hardest, sort
 from mahovik.core.lower.lanes import entry, row_of
 from mahovik.core.lower.library import Library
@@ -44,8 +44,9 @@ def _demand(lib: Library) -> Function:
     table, w, seen, moving, F = begun.table, begun.work, begun.seen, begun.moving, begun.F
     missing = body.local("missing", (6,), comment="K V* - F: what flywheels and hold must give")
     body.call(lib["react"], table, seen.sums, moving, F, missing)
+    found = columns(layout.ways, table)
     for k in range(m):
-        body.set(w.b[k], -along(column(table, k), list(missing)))
+        body.set(w.b[k], -dot(found[k], list(missing)))
         body.set(w.r[k], w.b[k])
     P = body.local("P", (place_of(m, 0),), comment="S^T K S")
     body.call(lib["project_mass"], table, seen.sums, P)
@@ -58,7 +59,7 @@ def _demand(lib: Library) -> Function:
         coupling = body.local("coupling", (6,), comment="column of I")
         assign(body, list(coupling), derived_rows.columns().I, turn | columns_of(row))
         for k in range(m):
-            body.set(w.I[k][s], along(column(table, k), list(coupling)))
+            body.set(w.I[k][s], dot(found[k], list(coupling)))
             rest: Expr = w.I[k][s] * scale
             for j in range(k):
                 rest = rest - w.G[k][j] * w.W[j][s]
@@ -134,7 +135,7 @@ def _inverse(lib: Library) -> Function:
     moved = body.local("moved", (6,), comment="V* that results, by (8)")
     named = {"table": table.place, "x": x.place, "V_dot": moved, "phi_ddot": answer}
     named |= named_turns(turns) | {w.name: w.place for w in wrench}
-    rates = {"u_dot": body.local("rates", (m,)), "reaction": body.local("reaction", (6,))}
+    rates = {"u_dot": body.local("rates", (m,))}
     lib.check(body, "accelerate", *lib.passed("accelerate", **named, **rates))
     lacking = body.local("lacking", (), Kind.INT)
     body.call(lib["excessive"], *lib.passed("excessive", **named, options=p, flags=lacking))

@@ -10,6 +10,8 @@ from collections.abc import Sequence
 from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.formula.derived import hold as derived
 from mahovik.core.formula.derived import wrench as derived_wrench
+from mahovik.core.lower import along
+from mahovik.core.lower.freedoms import columns, dot, place_of, twist
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import carrier_binding
 from mahovik.core.lower.symbolic import assign, translate
@@ -31,12 +33,14 @@ OF_FREE_CARRIERS = frozenset(
 
 
 def add_all(lib: Library) -> None:
-    """Adds the functions of a held carrier; clamped, it has the reaction alone."""
+    """Adds the functions of a held carrier; clamped, its V* is zero."""
     if lib.layout.freedoms:
         lib.add(project_mass(lib))
         lib.add(project_wrench(lib))
         lib.add(solve_freedoms(lib))
         lib.add(twist_of_freedoms(lib))
+    if lib.layout.along:
+        along.add_all(lib)
     if lib.layout.stream:
         lib.add(subtract_drift(lib))
     lib.add(react(lib))
@@ -44,28 +48,10 @@ def add_all(lib: Library) -> None:
 
 
 def results(lib: Library) -> tuple[Argument, ...]:
-    """u_dot, where there are freedoms, and reaction, which `forward` and `coupled` of a held carrier give besides."""
-    if not lib.layout.held:
+    """u_dot, which `forward` and `coupled` of a held carrier with freedoms give besides."""
+    if not lib.layout.freedoms:
         return ()
-    rates = Argument("u_dot", Kind.REAL, (lib.layout.freedoms,), "out", "SI", "rates of the freedoms")
-    purpose = "wrench of the hold on the carrier, in E1 about O1"
-    reaction = Argument("reaction", Kind.REAL, (6,), "out", "N, N m", purpose)
-    return (*((rates,) if lib.layout.freedoms else ()), reaction)
-
-
-def column(table: Place, k: int) -> list[Expr]:
-    """Column k of S."""
-    return [table.S[i][k] for i in range(6)]
-
-
-def along(one: Sequence[Expr], wrench: Sequence[Expr]) -> Expr:
-    """A column of S times a wrench or a column of I."""
-    return translate(derived.power_at_one(), {"column": one, "wrench": list(wrench)})
-
-
-def place_of(i: int, j: int) -> int:
-    """Where element (i, j), j <= i, of a symmetric matrix of the freedoms is stored: row by row."""
-    return i * (i + 1) // 2 + j
+    return (Argument("u_dot", Kind.REAL, (lib.layout.freedoms,), "out", "SI", "rates of the freedoms"),)
 
 
 def _system(lib: Library) -> tuple[Argument, Argument]:
@@ -81,11 +67,12 @@ def project_mass(lib: Library) -> Function:
     body = Body()
     binding = carrier_binding(lib, table.place, sums.place)
     moved = body.local("moved", (6,), comment="K times a column of S")
+    found = columns(lib.layout.ways, table.place)
     for j in range(lib.layout.freedoms):
-        six = column(table.place, j)
+        six = [table.place.S[i][j] for i in range(6)]
         assign(body, list(moved), derived.mass_times(lib.layout.added_mass), binding | {"twist": six})
         for i in range(j, lib.layout.freedoms):
-            body.set(P.place[place_of(i, j)], along(column(table.place, i), list(moved)))
+            body.set(P.place[place_of(i, j)], dot(found[i], list(moved)))
     return body.function("project_mass", "S^T K S: the mass matrix along the freedoms.", (table, sums, P))
 
 
@@ -94,8 +81,8 @@ def project_wrench(lib: Library) -> Function:
     table, F = lib.table_argument(), Argument("F", Kind.REAL, (6,), unit="N, N m")
     y = Argument("y", Kind.REAL, (lib.layout.freedoms,), "out", "SI")
     body = Body()
-    for k in range(lib.layout.freedoms):
-        body.set(y.place[k], along(column(table.place, k), list(F.place)))
+    for k, column in enumerate(columns(lib.layout.ways, table.place)):
+        body.set(y.place[k], dot(column, list(F.place)))
     return body.function("project_wrench", "S^T F: a wrench along the freedoms.", (table, F, y))
 
 
@@ -133,11 +120,8 @@ def twist_of_freedoms(lib: Library) -> Function:
     u = Argument("u", Kind.REAL, (lib.layout.freedoms,), unit="SI")
     V = Argument("V", Kind.REAL, (6,), "out")
     body = Body()
-    for i in range(6):
-        total: Expr = table.place.S[i][0] * u.place[0]
-        for k in range(1, lib.layout.freedoms):
-            total = total + table.place.S[i][k] * u.place[k]
-        body.set(V.place[i], total)
+    for element, total in zip(V.place, twist(columns(lib.layout.ways, table.place), u.place), strict=True):
+        body.set(element, total)
     return body.function("twist_of_freedoms", "V = S u.", (table, u, V))
 
 
@@ -200,21 +184,21 @@ def keep_pivot(lib: Library) -> Function:
 class Freedoms:
     """The equations along the freedoms while they are set up: P = S^T K S, y = S^T b, less what flywheels take."""
 
-    def __init__(self, lib: Library, body: Body, table: Place, sums: Place, F: Place) -> None:
-        self._lib, self._body, self._table, self._sums, self._F = lib, body, table, sums, F
+    def __init__(self, lib: Library, body: Body, table: Place, P: Place | None = None) -> None:
+        self._lib, self._body, self._table = lib, body, table
         self.count = lib.layout.freedoms
+        self._columns = columns(lib.layout.ways, table)
         if self.count:
-            self.P = body.local("P", (place_of(self.count, 0),), comment="mass matrix along the freedoms")
+            shape = (place_of(self.count, 0),)
+            self.P = body.local("P", shape, comment="mass matrix along the freedoms") if P is None else P
             self.y = body.local("y", (self.count,), comment="wrench along the freedoms; then u*")
-            body.call(lib["project_mass"], table, sums, self.P)
-            body.call(lib["project_wrench"], table, F, self.y)
 
     def eliminate(self, coupling: Sequence[Expr], rate: Expr, inverse: Expr, projected: Place | None) -> None:
         """Takes one free flywheel away by its column of I; `projected` (m) gets S^T I."""
         if projected is None:
             return
         for k in range(self.count):
-            self._body.set(projected[k], along(column(self._table, k), coupling))
+            self._body.set(projected[k], dot(self._columns[k], coupling))
         for i in range(self.count):
             self._body.add(self.y[i], -(projected[i] * rate))
             scaled = self._body.let(f"scaled{i + 1}", projected[i] * inverse)
@@ -235,16 +219,14 @@ class Freedoms:
         if self.count:
             self._lib.check(self._body, "solve_freedoms", self.P, self.y)
 
-    def write(self, V_dot: Place, found: Sequence[Place]) -> None:
-        """V*, u* and the reaction of the right-hand side F, which has all terms of the flywheels by now."""
-        *rates, reaction = found
-        if rates:
+    def write(self, V_dot: Place, rates: Sequence[Place]) -> None:
+        """V* and u*."""
+        if self.count:
             self._body.call(self._lib["twist_of_freedoms"], self._table, self.y, V_dot)
             self._body.copy_array(rates[0], self.y)
-        else:
-            for element in V_dot:
-                self._body.set(element, real(0))
-        self._body.call(self._lib["react"], self._table, self._sums, V_dot, self._F, reaction)
+            return
+        for element in V_dot:
+            self._body.set(element, real(0))
 
 
 def room_for_projected(lib: Library, body: Body) -> Place | None:

@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import cached_property
 
 from mahovik.contract.quantities import BOUNDS, short
+from mahovik.core.lower.freedoms import momenta_needed
 from mahovik.core.lower.table import Tables
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Task
@@ -29,6 +30,20 @@ class Layout(Tables):
             Field("g_rel", REAL, (3,), "N m", "d/dt of its moment part"),
         )
         return Struct("sums", "Sums over all bodies at one state.", fields)
+
+    @cached_property
+    def along_sums(self) -> Struct:
+        """Sums along the freedoms of a held carrier."""
+        m = self.freedoms
+        P = m * (m + 1) // 2
+        fields = [
+            Field("P", REAL, (P,), "SI", "S^T K S: mass matrix along the freedoms, lower triangle, row by row"),
+            Field("P_dot", REAL, (P,), "SI", "its rate"),
+            Field("g", REAL, (m,), "SI", "d/dt of S^T sum I phi'"),
+        ]
+        if momenta_needed(self.ways):
+            fields.append(Field("h", REAL, (m,), "SI", "S^T sum I phi'"))
+        return Struct("along_sums", "Sums over all bodies along the freedoms at one state.", tuple(fields))
 
     @cached_property
     def coupling(self) -> Struct:

@@ -8,6 +8,7 @@ from typing import Any
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.formula.derived import carrying as derived
 from mahovik.core.formula.derived import wrench as derived_wrench
+from mahovik.core.lower import along
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
@@ -112,6 +113,8 @@ def prepare(lib: Library) -> Function:
     body.set(out.mass_inverse, 1 / totals.mass)
     body.copy_array(out.first_moment, totals.mu)
     body.copy_array(out.inertia, totals.J)
+    if layout.along:
+        along.prepare_constant(lib, body, out)
     if totals.weight_mass is not None and totals.displaced is not None:
         body.set(out.weight_mass, totals.weight_mass)
         body.copy_array(out.displaced_moment, totals.displaced)
@@ -262,6 +265,8 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
         body.set(row.spin_inv, 1 / w.body.inertia[0])
         body.set(row.spin_root_inv, 1 / call(lib["sqrt"], w.body.inertia[0]))
         work.displaced(w.body, row)
+        if lib.layout.along:
+            along.prepare_row(lib, body, out, row)
         if lib.layout.lanes > 1:
             body.call(lib["put_row"], out, s, row)
 

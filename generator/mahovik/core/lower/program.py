@@ -10,6 +10,7 @@ from mahovik.contract.laws import of_bodies
 from mahovik.core import routines
 from mahovik.core.lower import (
     allocate,
+    along,
     checks,
     coordinates,
     coupling,
@@ -215,6 +216,10 @@ def _add_prepare(lib: Library) -> None:
     layout = lib.layout
     lib.add(placement.frame_of_axes(lib))
     lib.add(prepare.carry(lib))
+    if layout.along:
+        if "project_mass" not in lib:
+            lib.add(hold.project_mass(lib))
+        lib.add(along.project_harmonic(lib))
     lib.add(parameters.check_inertia(lib))
     lib.add(parameters.check_body(lib, layout.body))
     if layout.flywheels and layout.flywheel_body is not layout.body:
@@ -315,6 +320,7 @@ def _structs(lib: Library) -> tuple[Struct, ...]:
         *((layout.encoder,) if layout.flywheels else ()),
         *((layout.row, layout.lane_sums, layout.lane_coupling, layout.lane_schur) if layout.lanes > 1 else ()),
         layout.sums,
+        *((layout.along_sums,) if layout.along else ()),
         layout.carrier_factor,
         *((layout.coupling, layout.schur, layout.schur_factor) if layout.flywheels else ()),
         layout.inverse_work,

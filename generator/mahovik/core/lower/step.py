@@ -7,14 +7,14 @@ from collections.abc import Sequence
 from mahovik.core.formula.derived import motion as derived
 from mahovik.core.lower import hold
 from mahovik.core.lower.drive import check_drive
-from mahovik.core.lower.flywheels import turns_of
+from mahovik.core.lower.flywheels import named_turns, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Place, and_, as_expr, equal, integer, or_, real, select
+from mahovik.core.program.expression import Expr, Not, Operand, Place, and_, as_expr, equal, integer, or_, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -50,13 +50,16 @@ def _rate(lib: Library, torques: bool) -> Function:
     body = Body()
     lib.begin(body)
     C = body.local("C", (9,), comment="attitude")
-    inputs = [*turns_of(lib, body, x.place), *(a.place for a in drive)]
+    turns = turns_of(lib, body, x.place)
     out = rate.place
     others = [body.local(a.name, a.shape) for a in hold.results(lib)]
+    given = {"table": table.place, "x": x.place, "V_dot": out.V, **named_turns(turns)}
+    given |= {a.name: a.place for a in drive}
+    given |= {a.name: found for a, found in zip(hold.results(lib), others, strict=True)}
     if torques:
-        lib.check(body, "solve_coupled", table.place, x.place, *inputs, out.V, out.phi_dot, *others)
-    else:
-        lib.check(body, "accelerate", table.place, x.place, *inputs, out.V, *others)
+        given["phi_ddot"] = out.phi_dot
+    motion = "solve_coupled" if torques else "accelerate"
+    lib.check(body, motion, *lib.passed(motion, **given))
     body.call(lib["rotation"], x.place.attitude, C)
     bound = parts_of_twist(x.place.V) | {"C": C, "q": x.place.attitude}
     assign(body, list(out.position), derived.position_rate(), bound)
@@ -139,19 +142,23 @@ def _stages(lib: Library, torques: bool) -> Function:
     total = Argument("total", layout.state, (), "out", purpose="order 4: k1 + 2 k2 + 2 k3 + k4; order 2: k2")
     body = Body()
     lib.begin(body)
-    inputs = [a.place for a in drive]
     y, sum_ = stage.place, total.place
     k = body.local("k", (), layout.state, "time derivatives at a stage")
-    lib.check(body, named(lib, "rate", torques), table.place, x.place, *inputs, k)
+    rate = named(lib, "rate", torques)
+
+    def rate_at(at: Place, out: Place) -> list[Operand]:
+        return lib.passed(rate, table=table.place, x=at, rate=out, **{a.name: a.place for a in drive})
+
+    lib.check(body, rate, *rate_at(x.place, k))
     half = body.let("half", real(0.5) * h.place)
     with body.when(equal(order.place, integer(2))):
         body.call(lib["advance"], x.place, k, half, y)
-        lib.check_as(body, "RANGE", named(lib, "rate", torques), table.place, y, *inputs, sum_)
+        lib.check_as(body, "RANGE", rate, *rate_at(y, sum_))
     with body.otherwise():
         body.copy(sum_, k)
         for weight, length in ((2, half), (2, half), (1, h.place)):
             body.call(lib["advance"], x.place, k, length, y)
-            lib.check_as(body, "RANGE", named(lib, "rate", torques), table.place, y, *inputs, k)
+            lib.check_as(body, "RANGE", rate, *rate_at(y, k))
             _accumulate(lib, body, sum_, k, weight)
     return body.checked(
         named(lib, "stages", torques),
@@ -219,7 +226,8 @@ def increment(lib: Library, body: Body, arguments: tuple[Argument, ...], torques
     by_name = {a.name: a.place for a in arguments}
     y = body.local("y", (), lib.layout.state, "state of a stage; then the new state")
     total = body.local("total", (), lib.layout.state, "sum of the rates at the stages")
-    lib.check(body, named(lib, "stages", torques), *(a.place for a in arguments), y, total)
+    stages = named(lib, "stages", torques)
+    lib.check(body, stages, *lib.passed(stages, **by_name, y=y, total=total, h=by_name["dt"]))
     dt = by_name["dt"]
     over = body.let("over", select(equal(by_name["order"], integer(2)), dt, dt / 6), "times the sum: the increment")
     return y, total, over

@@ -161,6 +161,17 @@ class Tables(Features):
                 Field("displaced_c", REAL, (3,), "kg m", "first moment of displaced fluid: cos phi"),
                 Field("displaced_s", REAL, (3,), "kg m", "sin phi"),
             ]
+        if self.along:
+            m, P = self.freedoms, self.freedoms * (self.freedoms + 1) // 2
+            fields += [
+                Field("P_c", REAL, (P,), "SI", "S^T K S, lower triangle, row by row: cos phi"),
+                Field("P_s", REAL, (P,), "SI", "sin phi"),
+                Field("P_2c", REAL, (P,), "SI", "cos 2 phi"),
+                Field("P_2s", REAL, (P,), "SI", "sin 2 phi"),
+                Field("I_0", REAL, (m,), "SI", "S^T I: constant"),
+                Field("I_c", REAL, (m,), "SI", "cos phi"),
+                Field("I_s", REAL, (m,), "SI", "sin phi"),
+            ]
         return Struct("row", "Table of one flywheel: harmonics of its terms in (8), in E1 about O1.", tuple(fields))
 
     @cached_property
@@ -211,6 +222,10 @@ class Tables(Features):
                 "J about O1, 11 22 33 12 13 23, constant part" + (", with added mass" if self.added_mass else ""),
             ),
         ]
+        if self.along:
+            P = self.freedoms * (self.freedoms + 1) // 2
+            text = "S^T K S, lower triangle, row by row, constant part"
+            fields.append(Field("P_0", REAL, (P,), "SI", text))
         if self.added_mass:
             fields += [
                 Field("A", REAL, (6,), "kg", "m E + Lambda_11: 11 22 33 12 13 23"),

@@ -46,6 +46,8 @@ STIFFNESS = Unit("N/m", kg=1, s=-2, quantity="Stiffness")
 DAMPING = Unit("N.s/m", kg=1, s=-1, quantity="Damping")
 FLUX_DENSITY = Unit("T", kg=1, s=-2, A=-1, quantity="MagneticFluxDensity")
 MAGNETIC_MOMENT = Unit("A.m2", m=2, A=1, quantity="MagneticMoment")
+LINE_DENSITY = Unit("kg/m", kg=1, m=-1, quantity="LinearDensity")
+PER_RADIAN = Unit("1/rad", rad=-1)
 
 DISPLAY = {
     "rad": (("deg", 180 / math.pi),),
@@ -58,7 +60,7 @@ DISPLAY = {
 
 _OF_MEMBERS = (
     *(METRE, KILOGRAM, FIRST_MOMENT, INERTIA, VELOCITY, ACCELERATION, RADIAN, ANGULAR_VELOCITY, ANGULAR_ACCELERATION),
-    *(ENERGY, STIFFNESS, DAMPING, FLUX_DENSITY, MAGNETIC_MOMENT),
+    *(ENERGY, STIFFNESS, DAMPING, FLUX_DENSITY, MAGNETIC_MOMENT, LINE_DENSITY, PER_RADIAN),
 )
 _BY_NAME = {"": NONE} | {unit.name.replace(".", " "): unit for unit in _OF_MEMBERS}
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik.core.stand import datasheet
-from mahovik.core.stand.columns import hypot
+from mahovik.core.stand.directions import parallel
 from mahovik.core.stand.law_schemas import body_schemas
 from mahovik.core.stand.model import (
     About,
@@ -29,8 +29,6 @@ from mahovik.core.stand.schema import (
     InstrumentTable,
     PointTable,
 )
-
-_PARALLEL = 1e-9  # sine of the smallest angle between axis and zero that still says where the second axis is
 
 
 def carrier(table: CarrierTable, problems: Problems) -> Carrier:
@@ -111,7 +109,7 @@ def _about(table: BodyTable, where: str, problems: Problems) -> About:
 
 def _laws(table: BodyTable) -> tuple[LawData, ...]:
     """The data of the laws that act on a body."""
-    given = ((law, getattr(table, law.key)) for law in body_schemas())
+    given = ((law, getattr(table, law.key)) for law in body_schemas() if not law.mounted)
     found = (law.read(own) for law, own in given if own is not None)
     return tuple(data for data in found if data is not None)
 
@@ -129,23 +127,10 @@ def _mounting(table: FlywheelTable, where: str, problems: Problems) -> MountingA
     if table.zero is None:
         problems.add(where, "zero", "required with axis (direction of the second axis at phi_s = 0), but missing")
         return None
-    if _sine(table.axis, table.zero) < _PARALLEL:
+    if parallel(table.axis, table.zero):
         problems.add(where, "zero", "parallel to axis, expected another direction")
         return None
     return MountingAxes(table.axis, table.zero)
-
-
-def _sine(a: Vec3, b: Vec3) -> Any:
-    """Sine of the angle between two directions of any length."""
-    (ax, ay, az), (bx, by, bz) = _unit(a), _unit(b)
-    return hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
-
-
-def _unit(a: Vec3) -> Vec3:
-    largest = max(abs(x) for x in a)  # first, so that squares neither overflow nor vanish
-    scaled = [x / largest for x in a]
-    length = hypot(*scaled)
-    return (scaled[0] / length, scaled[1] / length, scaled[2] / length)
 
 
 def _inertia(table: FlywheelTable, where: str, problems: Problems) -> tuple[Vec3, Mat3, About] | None:

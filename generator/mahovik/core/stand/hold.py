@@ -106,6 +106,11 @@ def hold_of(table: HoldTable, problems: Problems) -> Hold | None:
     return hold
 
 
+def ways(hold: Hold) -> tuple[str, ...]:
+    """What each freedom is: its name in FREEDOMS, else its kind."""
+    return tuple(_NAMES.get(freedom, freedom.kind) for freedom in hold.freedoms)
+
+
 def twists(hold: Hold) -> Array:
     """S (6 x m): the twists of O1 in E1 at u = 1; m/s and rad/s for one of u."""
     columns = [_twist(each, np.array(hold.pivot)) for each in hold.freedoms]

@@ -5,12 +5,12 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import MISSING, asdict, dataclass, fields
 from typing import Any
 
 from mahovik.contract.laws import parts
 from mahovik.core.stand.law_schemas import body_schemas
-from mahovik.core.stand.model import INVERSE_MOST, Stand
+from mahovik.core.stand.model import INVERSE_MOST, LawData, Stand
 from mahovik.core.stand.structure import structure
 
 
@@ -41,12 +41,18 @@ def identities(stand: Stand) -> Identities:
         numbers |= law.SCHEMA.content(stand.law(law.SCHEMA.data))
     body_of = {body.name: body for body in stand.bodies}
     for body in (numbers["carrier"], *numbers["instruments"], *numbers["flywheels"]):
-        given = {type(law): asdict(law) for law in body_of[body["name"]].laws}
+        given = {type(law): _given(law) for law in body_of[body["name"]].laws}
         del body["laws"]
         body |= {law.key: given.get(law.data) for law in body_schemas() if law.data in given or not law.optional}
         if not any(body["center_of_mass"]):
             body["inertia_about"] = "origin"  # the two are one point
     return Identities(_digest(form), _digest({"structure": form, "numbers": numbers}))
+
+
+def _given(law: LawData) -> dict[str, Any]:
+    """The data of a law of a body without members at their default, as in a file without their keys."""
+    defaults = {f.name: f.default for f in fields(law) if f.default is not MISSING}
+    return {name: value for name, value in asdict(law).items() if name not in defaults or value != defaults[name]}
 
 
 def _digest(value: Any) -> str:

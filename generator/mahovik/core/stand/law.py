@@ -44,13 +44,15 @@ class BodyLawSchema:
     """One law in the tables of bodies: SCHEMA of the module `schema` of its folder.
 
     data       class of its raw data
-    key        its key in the table of a body
+    key        its key in the table of a body, or in the stand where it is `mounted`
     table      what that key takes
-    read       makes the data of the valid table; None where it does nothing
-    lines      the data as lines of a stand file: what stands in the table of the key
+    read       makes the data of the valid table, or of the list of those mounted on a body; None where it does nothing
+    lines      the data as lines of a stand file: what stands in the table of the key; each of the tables of one mounted
     structure  what of all bodies decides the text of the C, by key
+    problem    key and words of what a body lacks for its data; None where it lacks nothing
     limited    members that the emitted C takes up to a largest size only
     optional   is the key missing in the identity of a stand's physics where no body has the law?
+    mounted    are its tables `[[key]]` of the file, each with a name and a `mount`, the carrier or an instrument?
     """
 
     data: type[LawData]
@@ -61,3 +63,5 @@ class BodyLawSchema:
     structure: Callable[[Stand], dict[str, Any]]
     limited: tuple[str, ...] = ()
     optional: bool = False
+    mounted: bool = False
+    problem: Callable[[Any, Any], tuple[str, str] | None] = lambda body, data: None

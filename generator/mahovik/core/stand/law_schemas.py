@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 
 from pydantic import create_model
 
-from mahovik.contract.laws import of_bodies
+from mahovik.contract.laws import of_bodies, parts
 from mahovik.core.stand.fields import Table
 from mahovik.core.stand.law import BodyLawSchema
 
@@ -19,8 +19,19 @@ def body_schemas() -> tuple[BodyLawSchema, ...]:
     return of_bodies("schema", "SCHEMA")
 
 
+def mounted_schemas() -> tuple[BodyLawSchema, ...]:
+    """Schemas of the laws whose tables are `[[key]]` of the file, with the name of the body that each is mounted on."""
+    return tuple(law for law in body_schemas() if law.mounted)
+
+
+def mounted_keys() -> tuple[str, ...]:
+    """Keys of all arrays of laws whose items have a name and a `mount`."""
+    between = (key for part in parts("schema") for key in part.SCHEMA.mounted)
+    return (*between, *(law.key for law in mounted_schemas()))
+
+
 @cache
 def with_laws(table: type[AnyTable]) -> type[AnyTable]:
     """The table of a body with the keys of the laws."""
-    keys: dict[str, Any] = {law.key: (law.table | None, None) for law in body_schemas()}
+    keys: dict[str, Any] = {law.key: (law.table | None, None) for law in body_schemas() if not law.mounted}
     return create_model(table.__name__, __base__=table, **keys)

@@ -82,6 +82,10 @@ def check_body(body: Body, where: str, problems: Problems, moments: Moments | No
                 "principal moments about the centre of mass break the triangle inequality, "
                 f"{shown.broken_inequality(a, b, c)}{f'; {advice}' if advice else f', {shown.condition(a, c)}'}",
             )
+    for law in body_schemas():
+        data = body.law(law.data)
+        if data is not None and (found := law.problem(body, data)) is not None:
+            problems.add(where, *found)
     if isinstance(body, Flywheel) and not at_origin[0, 0] > 0.0:
         problems.add(
             where,

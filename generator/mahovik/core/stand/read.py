@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
@@ -12,9 +14,9 @@ from mahovik.core.stand import build, datasheet, physical
 from mahovik.core.stand.content import readable
 from mahovik.core.stand.fields import Table
 from mahovik.core.stand.hold import HoldTable, hold_of
-from mahovik.core.stand.law import LawSchema
-from mahovik.core.stand.law_schemas import AnyTable, with_laws
-from mahovik.core.stand.model import Flywheel, Instrument, LawData, Point, Stand, Task
+from mahovik.core.stand.law import BodyLawSchema, LawSchema
+from mahovik.core.stand.law_schemas import AnyTable, mounted_keys, mounted_schemas, with_laws
+from mahovik.core.stand.model import Carrier, Flywheel, Instrument, LawData, Point, Stand, Task
 from mahovik.core.stand.problems import Problems, keys_of
 from mahovik.core.stand.schema import (
     CarrierTable,
@@ -28,6 +30,8 @@ from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import show
 from mahovik.errors import StandError
 from mahovik.nearest import nearest, nearest_name, suggestion
+
+AnyBody = TypeVar("AnyBody", Carrier, Instrument)
 
 _CHECKED = {
     "mass", "center_of_mass", "inertia", "inertia_about", "spin_inertia", "transverse_inertia", "unbalance",
@@ -98,6 +102,7 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
     if header is not None and header.phase_input != "angle" and not document.get("flywheel"):
         problems.add("phase_input", f"{show(header.phase_input)} says how phases are given, but there is no flywheel")
 
+    mounted = [(law, _array(problems, document, law.key, law.table)) for law in mounted_schemas()]
     carrier = build.carrier(carrier_table, problems) if carrier_table else None
     instruments: list[Instrument] = [build.instrument(table, where, problems) for where, table in instrument_tables]
     wheels = [build.flywheel(table, where, problems) for where, table in flywheel_tables]
@@ -127,8 +132,8 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
         angles=header.angles,
         gravity=header.gravity,
         stream=header.stream,
-        carrier=carrier,
-        instruments=tuple(instruments),
+        carrier=_bearing(carrier, mounted),
+        instruments=tuple(_bearing(instrument, mounted) for instrument in instruments),
         flywheels=tuple(flywheels),
         points=tuple(points),
         phase_input=header.phase_input,
@@ -148,6 +153,7 @@ def _header(document: dict[str, Any], problems: Problems) -> Header | None:
     schemas = [part.SCHEMA for part in parts("schema")]
     own_keys = keys_of(Header)
     law_keys = [key for law in schemas for key in (*law.tables, *law.arrays)]
+    law_keys += [law.key for law in mounted_schemas()]
     law_keys += [key for law in schemas if law.header is not None for key in keys_of(law.header)]
     known = [*own_keys, "carrier", *law_keys, *_ARRAYS, "task", "hold"]
     own = {key: value for key, value in document.items() if key in own_keys}
@@ -170,6 +176,12 @@ def _law(problems: Problems, document: dict[str, Any], schema: LawSchema) -> Law
     for key, table in schema.arrays.items():
         given[key] = [item for _, item in _array(problems, document, key, table)]
     return schema.read(header, given)
+
+
+def _bearing(body: AnyBody, mounted: Sequence[tuple[BodyLawSchema, Sequence[tuple[str, Any]]]]) -> AnyBody:
+    """The body with the laws that are mounted on it, in the file's order."""
+    own: list[LawData | None] = [law.read([t for _, t in tables if t.mount == body.name]) for law, tables in mounted]
+    return replace(body, laws=(*body.laws, *(data for data in own if data is not None)))
 
 
 def _validate(problems: Problems, where: str, table: type[AnyTable], raw: Any) -> AnyTable | None:
@@ -245,7 +257,7 @@ def _tables_with_names(document: dict[str, Any], key: str) -> list[tuple[str, di
 def _check_names(problems: Problems, document: dict[str, Any]) -> None:
     """No two bodies or points of one name; every mount is the carrier or an instrument."""
     taken = {"carrier": "the carrier"}
-    mounted = ("flywheel", "point", *(key for part in parts("schema") for key in part.SCHEMA.mounted))
+    mounted = ("flywheel", "point", *mounted_keys())
     for key in ("instrument", *mounted):
         for name, _ in _tables_with_names(document, key):
             if name in taken:

@@ -34,8 +34,8 @@ class Structure:
     phase_input: PhaseInput
     """"sincos": functions that take sines and cosines of the phases are there as well."""
     tasks: tuple[Task, ...] = ()
-    hold: int | None = None
-    """Number of freedoms of a held carrier; None where it is free."""
+    hold: tuple[str, ...] | None = None
+    """What each freedom of a held carrier is, its name in FREEDOMS or turn, slide, twist; None where it is free."""
     laws: tuple[tuple[str, Any], ...] = ()
     """Facts of the laws of `laws/`, by key."""
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from mahovik.contract.laws import body_parts, parts
+from mahovik.contract.laws import body_parts, of_bodies, parts
 from mahovik.core.stand.balance import eccentric_velocity, grade, plane_velocity
 from mahovik.core.stand.capacity import Capacity, momentum_capacity, torque_capacity
 from mahovik.core.stand.hold import idle_laws, words
@@ -199,7 +199,8 @@ def _warnings(stand: Stand) -> list[str]:
     if stand.hold is None and any(stand.gravity) and not any(law.short(stand) for law in texts):
         *names, last = (law.NAME for law in texts)
         found.append(f"nothing carries the weight (no {', '.join(names)} or {last}): the stand falls freely")
-    return [*found, *idle_laws(stand)]
+    of_laws = (line for warnings in of_bodies("text", "warnings") for line in warnings(stand))
+    return [*found, *of_laws, *idle_laws(stand)]
 
 
 def _heading_is_singular(angles: str, gravity: Vec3) -> bool:

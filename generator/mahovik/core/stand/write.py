@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from mahovik.contract.laws import parts
 from mahovik.core.stand.hold import lines as hold_lines
-from mahovik.core.stand.law_schemas import body_schemas
+from mahovik.core.stand.law_schemas import body_schemas, mounted_schemas
 from mahovik.core.stand.model import (
     INVERSE_MOST,
     Body,
@@ -58,6 +58,10 @@ def dumps(stand: Stand, comments: Mapping[str, Sequence[str]] = _NONE) -> str:
     for point in stand.points:
         lines += [*head("[[point]]", point.name), f'name = "{point.name}"', f'mount = "{point.mount}"']
         lines += fields(point, "position", "angles")
+    for law in mounted_schemas():
+        for body in stand.bodies:
+            for table in law.lines(data) if (data := body.law(law.data)) is not None else ():
+                lines += ["", f"[[{law.key}]]", line_of("mount", body.name), table]
     for task in stand.tasks:
         lines += ["", f"[task.{task.name}]", f"rows = [{', '.join(_row(row) for row in task.rows)}]"]
     return "\n".join(lines) + "\n"
@@ -75,7 +79,7 @@ def _body(body: Body) -> list[str]:
     if body.wrench_input:
         lines.append("wrench_input = true")
     for law in body_schemas():
-        if (data := body.law(law.data)) is not None:
+        if not law.mounted and (data := body.law(law.data)) is not None:
             lines.append(f"{law.key} = {{ {', '.join(law.lines(data))} }}")
     return lines
 

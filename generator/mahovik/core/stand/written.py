@@ -13,7 +13,7 @@ from pydantic import BaseModel
 from mahovik.contract.laws import parts
 from mahovik.core.stand.echoes import list_item, written
 from mahovik.core.stand.fields import QuantityValidator, Table
-from mahovik.core.stand.law_schemas import with_laws
+from mahovik.core.stand.law_schemas import mounted_schemas, with_laws
 from mahovik.core.stand.schema import CarrierTable, FlywheelTable, Header, InstrumentTable, PointTable
 from mahovik.core.stand.shapes import Blocks, vector
 from mahovik.core.stand.toml import parse
@@ -57,6 +57,7 @@ def written_numbers(path: str | Path) -> list[Written]:
     }
     for law in laws:
         tables |= {**law.tables, **law.arrays}
+    tables |= {law.key: law.table for law in mounted_schemas()}
     found: list[Written] = []
     for header in (Header, *(law.header for law in laws)):
         if header is not None:

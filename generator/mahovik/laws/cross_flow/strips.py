@@ -23,12 +23,13 @@ def strips_of(law: CrossFlow) -> tuple[Strip, ...]:
     """The strips of a body, from the first station on."""
     nodes, weights = np.polynomial.legendre.leggauss(law.points)
     found = []
-    for a, b in pairwise(law.x):
+    for k, (a, b) in enumerate(pairwise(law.x)):
         half = 0.5 * (b - a)
         for node, weight in zip(nodes.tolist(), weights.tolist(), strict=True):
             x = a + half * (1.0 + node)
             height, breadth, drag_y, drag_z = (
-                float(np.interp(x, law.x, table)) for table in (law.height, law.breadth, law.drag_y, law.drag_z)
+                (table[k + 1] - table[k]) / (b - a) * (x - a) + table[k]
+                for table in (law.height, law.breadth, law.drag_y, law.drag_z)
             )
             scale = 0.5 * law.density * half * weight
             found.append(Strip(x, scale * drag_y * height, scale * drag_z * breadth))

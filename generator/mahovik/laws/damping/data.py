@@ -35,17 +35,20 @@ class Damping(LawData):
     """Damping of one body, in its own frame, of its twist relative to the fluid V_r.
 
     Wrench `-(linear V_r) - (quadratic (V_r |V_r|))` (product element by element) plus the sum of `terms`.
-    `None` where a matrix is absent or all zero.
+    `None` where a matrix is absent or all zero. `contains_products`: the published `terms` contain the products of
+    added mass, -Phi(V_r) Lambda V_r with Lambda of the same body, so the wrench has Phi(V_r) Lambda V_r as well: it
+    takes out those that (8) has by itself.
     """
 
     linear: Mat6 | None
     quadratic: Mat6 | None
     terms: tuple[DampingTerm, ...]
+    contains_products: bool = False
 
     @property
     def nonlinear(self) -> bool:
         """Whether it is not linear in the twist."""
-        return self.quadratic is not None or bool(self.terms)
+        return self.quadratic is not None or bool(self.terms) or self.contains_products
 
     @property
     def has_kinks(self) -> bool:

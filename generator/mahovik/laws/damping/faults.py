@@ -17,6 +17,9 @@ from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.wrench_kinds import body_wrench
 
+PRODUCTS = "products in derivatives"
+"""Kind of wrench by which published derivatives that contain the products of added mass count once."""
+
 DAMPING = ("linear damping", "quadratic damping", "damping terms")
 """Kinds of wrench that depend on the twist relative to the fluid."""
 
@@ -30,7 +33,8 @@ def damping_at(twist: Callable[[PlacedBody, Pieces], Array]) -> Edit:
     """All damping of a body, taken at another twist (6) in its frame."""
 
     def change(right: Array, k: PlacedBody, at: Pieces) -> Array:
-        return body_wrench(wrenches(k.body, np.zeros(3), twist(k, at)))
+        kinds = wrenches(k.body, np.zeros(3), twist(k, at))
+        return body_wrench({kind: P for kind, P in kinds.items() if kind in DAMPING})
 
     return damping(change)
 
@@ -82,6 +86,9 @@ FAULTS = (
     Fault("bars of damping terms ignored", "(7)", "all", [wrench(without_bars, "damping terms")],
           "The hydrodynamic derivatives (`terms` of `damping`) take v where |v| stands: their bars are ignored",
           "`of = [\"u\", \"|u|\"]`: a factor between bars is a magnitude"),
+    Fault("products of added mass twice", "(7)", "all", [wrench(zero, PRODUCTS)],
+          "The products of added mass count twice: in the derivatives, which contain them, and in Phi Lambda V",
+          "`derivatives = \"with added-mass products\"`: Phi Lambda V_r is taken out"),
     Fault("flywheel damping without phi'", "(7)", "flywheels", [damping_at(lambda k, at: k.L.T @ at.V_r)],
           "The damping of the flywheels takes the twist of their mount: without f phi'",
           "V_s = Ls^T V + f phi'"),

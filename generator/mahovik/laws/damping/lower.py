@@ -25,7 +25,8 @@ INT = Kind.INT
 def damped(structure: Structure) -> set[int]:
     """Indices of the bodies on which any damping acts."""
     with_terms = (index for index, _ in structure.law("damping_terms"))
-    return {*structure.law("linear_damping"), *structure.law("quadratic_damping"), *with_terms}
+    products = structure.law("products_in_derivatives") or ()
+    return {*structure.law("linear_damping"), *structure.law("quadratic_damping"), *with_terms, *products}
 
 
 def term_count(structure: Structure) -> int:
@@ -55,6 +56,9 @@ def damper_fields(structure: Structure) -> list[Field]:
     if term_count(structure):
         fields.append(Field("first_term", INT, (), "", "terms first_term .. last_term - 1 of the table"))
         fields.append(Field("last_term", INT))
+    if structure.law("products_in_derivatives"):
+        text = "added mass whose products the derivatives contain: wrench += Phi(V) (contained V)"
+        fields.append(Field("contained", Kind.REAL, (6, 6), "SI", text))
     return fields
 
 
@@ -73,6 +77,9 @@ def damper_values(body: Body, damper: Struct, rows: dict[str, list[dict[str, Any
             first, second = (f.component + 6 * f.absolute for f in term.of)
             terms.append({"wrench": term.wrench, "first": first, "second": second, "value": term.value})
         found["last_term"] = len(terms)
+    if damper.field("contained") is not None:
+        contains = damping is not None and damping.contains_products
+        found["contained"] = getattr(body, "added_mass", None) if contains else zero
     return found
 
 
@@ -87,6 +94,9 @@ def damper_members(body: str, struct: Struct, value: Any) -> Iterator[Member]:
             yield from matrix(
                 f"{body}.damping.quadratic", f, member(value, f.name), lambda i, j: units.law(i, (j, j)), what
             )
+        elif f.name == "contained":
+            what = f"{body}: added mass whose products its derivatives contain"
+            yield from matrix(f"{body}.damping.contained", f, member(value, f.name), units.added_mass, what)
 
 
 def term_members(stand: Stand, rows: Any) -> Iterator[Member]:
@@ -149,6 +159,10 @@ def damp(lib: FunctionSet) -> Function:
         with body.loop("t", last, start=first, most=terms) as t:
             term = table.place.term[t]
             body.add(P.place[term.wrench], term.value * factors[term.first] * factors[term.second])
+    if struct.field("contained") is not None:
+        Z = body.local("Z", (6,), comment="momentum of the added mass")
+        _times(body, damper.place.contained, V.place, Z)
+        _add_crossed(body, V.place, Z, P.place)
     return Function(
         "damp",
         "Adds the damping of one body to its wrench, both in the body's own frame.",
@@ -191,6 +205,13 @@ def damp_slope(lib: FunctionSet) -> Function:
             term = table.place.term[t]
             slope = dx[term.first] * x[term.second] + x[term.first] * dx[term.second]
             body.add(P.place[term.wrench], term.value * slope)
+    if struct.field("contained") is not None:
+        Z = body.local("Z", (6,), comment="momentum of the added mass")
+        dZ = body.local("dZ", (6,), comment="its change")
+        _times(body, damper.place.contained, V.place, Z)
+        _times(body, damper.place.contained, change.place, dZ)
+        _add_crossed(body, change.place, Z, P.place)
+        _add_crossed(body, V.place, dZ, P.place)
     return Function(
         "damp_slope",
         "Change of the damping of one body with its twist.",
@@ -198,3 +219,19 @@ def damp_slope(lib: FunctionSet) -> Function:
         body.statements,
         equation="(7)",
     )
+
+
+def _times(body: Statements, added_mass: Place, V: Place, Z: Place) -> None:
+    """Z = Lambda V (6)."""
+    with body.loop("i", 6) as i:
+        row = derived.row_times("linear", "V")
+        body.set(Z[i], translate(row, {"linear": added_mass[i], "V": V}))
+
+
+def _add_crossed(body: Statements, V: Place, Z: Place, P: Place) -> None:
+    """P += (omega x p, v x p + omega x h), Z = (p, h)."""
+    for k in range(3):
+        a, b = (k + 1) % 3, (k + 2) % 3
+        body.add(P[k], V[3 + a] * Z[b] - V[3 + b] * Z[a])
+        body.add(P[3 + k], V[a] * Z[b] - V[b] * Z[a])
+        body.add(P[3 + k], V[3 + a] * Z[3 + b] - V[3 + b] * Z[3 + a])

@@ -14,4 +14,4 @@ def with_mismatch(draw: Errors, law: LawData) -> Damping | None:
     if not isinstance(law, Damping):
         return None
     terms = tuple(replace(term, value=draw.times(term.value)) for term in law.terms)
-    return Damping(draw.matrix(law.linear), draw.matrix(law.quadratic), terms)
+    return replace(law, linear=draw.matrix(law.linear), quadratic=draw.matrix(law.quadratic), terms=terms)

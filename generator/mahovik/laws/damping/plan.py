@@ -6,19 +6,23 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.stand.model import Body
+from mahovik.core.stand.model import Body, Mat6
 from mahovik.laws.damping.data import Damping
 from mahovik.use.plan.array import Array
 
 
 @dataclass(frozen=True)
 class TwistLaw:
-    """Damping of one body by its twist v (M, 6) relative to the fluid, all in the body's frame."""
+    """Damping of one body by its twist v (M, 6) relative to the fluid, all in the body's frame.
+
+    `added_mass`: Lambda whose products the derivatives contain; None where they contain none.
+    """
 
     damping: Damping
+    added_mass: Mat6 | None = None
 
     def wrench(self, v: Array) -> Array:
-        """-(linear v) - (quadratic (v |v|)) + terms (M, 6; N, N m)."""
+        """-(linear v) - (quadratic (v |v|)) + terms (M, 6; N, N m), and Phi(v) Lambda v if the terms contain it."""
         P, damping = np.zeros_like(v), self.damping
         if damping.linear is not None:
             P -= v @ np.array(damping.linear).T
@@ -27,6 +31,8 @@ class TwistLaw:
         for term in damping.terms:
             first, second = (np.abs(v[:, a.component]) if a.absolute else v[:, a.component] for a in term.of)
             P[:, term.wrench] += term.value * first * second
+        if self.added_mass is not None:
+            P += _crossed(v, v @ np.array(self.added_mass).T)
         return P
 
     def rate(self, v: Array) -> Array:
@@ -41,10 +47,22 @@ class TwistLaw:
             slopes = [np.sign(v[:, a.component]) if a.absolute else np.ones(len(v)) for a in term.of]
             for own, other in ((0, 1), (1, 0)):
                 D[:, term.wrench, term.of[own].component] += term.value * slopes[own] * values[other]
+        if self.added_mass is not None:
+            Lambda = np.array(self.added_mass)
+            for k, unit in enumerate(np.eye(6)):
+                D[:, :, k] += _crossed(unit, v @ Lambda.T) + _crossed(v, Lambda[:, k])
         return D
+
+
+def _crossed(v: Array, Z: Array) -> Array:
+    """Phi(v) Z (M, 6) of twists v and momenta Z, either (6) or (M, 6)."""
+    linear, angular, p, h = v[..., :3], v[..., 3:], Z[..., :3], Z[..., 3:]
+    return np.concatenate([np.cross(angular, p), np.cross(linear, p) + np.cross(angular, h)], axis=-1)
 
 
 def twist_law(body: Body) -> TwistLaw | None:
     """The damping of a body; None where nothing damps."""
     damping = body.law(Damping)
-    return None if damping is None else TwistLaw(damping)
+    if damping is None:
+        return None
+    return TwistLaw(damping, getattr(body, "added_mass", None) if damping.contains_products else None)

@@ -7,18 +7,22 @@ import numpy as np
 from mahovik.core.stand.model import Body
 from mahovik.laws.damping.data import Damping
 from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.screw import Phi
 
 
 def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
-    """Wrenches (6; N, N m) of the three kinds of damping; none where nothing damps."""
+    """Wrenches (6; N, N m) of the kinds of damping; none where nothing damps."""
     damping = body.law(Damping)
     if damping is None:
         return {}
-    return {
+    found = {
         "linear damping": linear_damping(damping, V_r),
         "quadratic damping": quadratic_damping(damping, V_r),
         "damping terms": damping_terms(damping, V_r),
     }
+    if damping.contains_products:
+        found["products in derivatives"] = products_in_derivatives(body, V_r)
+    return found
 
 
 def linear_damping(damping: Damping, V_r: Array) -> Array:
@@ -38,3 +42,9 @@ def damping_terms(damping: Damping, V_r: Array) -> Array:
         first, second = (abs(V_r[a.component]) if a.absolute else V_r[a.component] for a in term.of)
         P[term.wrench] += term.value * first * second
     return P
+
+
+def products_in_derivatives(body: Body, V_r: Array) -> Array:
+    """Phi(V_r) Lambda V_r (6; N, N m): takes out of (8) the products of added mass that the derivatives contain."""
+    Lambda = np.array(getattr(body, "added_mass", None) or np.zeros((6, 6)))
+    return np.asarray(Phi(V_r) @ Lambda @ V_r)

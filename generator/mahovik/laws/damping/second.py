@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import casadi as ca
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.damping.data import Damping, DampingTerm
@@ -22,7 +23,21 @@ def wrench(body: Body, V_r: Expr) -> Expr | None:
         P -= ca.DM(damping.quadratic) @ (V_r * ca.fabs(V_r))
     for term in damping.terms:
         P += _unit(term.wrench) * _product(term, V_r)
+    added = getattr(body, "added_mass", None)
+    if damping.contains_products and added is not None:
+        P += _kirchhoff(np.array(added))(V_r)
     return P
+
+
+def _kirchhoff(added: NDArray[np.float64]) -> Expr:
+    """Function of the twist: (omega x dT/dv, v x dT/dv + omega x dT/domega) (6), T the energy of the fluid.
+
+    Kirchhoff's equations have these beside the rates of both gradients: what published derivatives contain.
+    """
+    V = ca.SX.sym("V", 6)
+    gradient = ca.gradient(ca.bilin(ca.DM(added), V, V) / 2, V)
+    v, omega, p, h = V[:3], V[3:], gradient[:3], gradient[3:]
+    return ca.Function("kirchhoff", [V], [ca.vertcat(ca.cross(omega, p), ca.cross(v, p) + ca.cross(omega, h))])
 
 
 def _product(term: DampingTerm, V_r: Expr) -> Expr:

@@ -15,7 +15,7 @@ from pydantic import BaseModel
 
 from mahovik.contract.laws import parts
 from mahovik.core.stand.fields import Table
-from mahovik.core.stand.law_schemas import with_laws
+from mahovik.core.stand.law_schemas import mounted_schemas, with_laws
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.problems import keys_of
 from mahovik.core.stand.schema import (
@@ -129,6 +129,7 @@ class Places:
                 for key, table in part.SCHEMA.tables.items()
                 if key in self._document
             }
+        arrays |= {law.key: law.table for law in mounted_schemas()}
         for key, table in arrays.items():
             for item in self._document.get(key, []):
                 if "name" in item:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from mahovik.errors import UsageError
+from mahovik.out.cli.check_fluid import fluid_object, print_fluid
 from mahovik.out.cli.fitting import column_that_fits, fitting_unit
 from mahovik.out.cli.options import STAND_FILE, command, json_option, load_stand, option
 from mahovik.out.cli.output import console, print_json, print_line, print_table
@@ -43,6 +44,11 @@ def check(
         'Grade the residuals at two planes this far apart, "40 mm" or m, the mass centre in the middle.',
         metavar="DISTANCE",
     ),
+    fluid: str | None = option(
+        "--fluid",
+        'Report passivity, added mass and growth of small motions at this velocity ahead, "2 m/s" or m/s.',
+        metavar="VELOCITY",
+    ),
     as_json: bool = json_option("Print JSON instead of tables."),
 ) -> None:
     """Validate a stand; print its figures.
@@ -56,6 +62,7 @@ def check(
     stand = load_stand(stand_file, held=True)
     asked = None if speed is None else read_speed(speed)
     apart = None if planes is None else read_distance(planes)
+    ahead = None if fluid is None else read_velocity(fluid)
     if asked is not None:
         warn_of_speeds(stand, [asked] * len(stand.flywheels), [str(speed)] * len(stand.flywheels))
     from mahovik.core.stand import identities
@@ -73,6 +80,11 @@ def check(
     step = USUAL_STEP if dt is None else read_step(dt)
     lost = lost_increments(stand, [row.speed for row in summary.unbalance], step)
     over, unreached = excess(stand), task_shortfalls(stand)
+    in_fluid = None
+    if ahead is not None:
+        from mahovik.use.study.fluid import fluid as fluid_of
+
+        in_fluid = fluid_of(stand, ahead)
     if as_json:
         from dataclasses import asdict
 
@@ -86,10 +98,14 @@ def check(
             "unreached": [asdict(each) for each in unreached],
             "written": [asdict(each) for each in written],
         }
+        if in_fluid is not None:
+            found["fluid"] = fluid_object(in_fluid)
         print_json(found)
         return
     steps = [str(each) for each in lost] if dt is not None else [lost_increments_line(lost)] if lost else []
     _print(summary, names, [*map(str, short), *steps, *([str(over)] if over else []), *map(str, unreached)], written)
+    if in_fluid is not None:
+        print_fluid(in_fluid)
 
 
 def read_distance(text: str) -> float:
@@ -109,6 +125,16 @@ def read_step(text: str) -> float:
     found = _read_quantity(text, TIME, "--dt")
     if not 1e-9 <= found <= 1e3:
         raise UsageError(f"--dt: {text} is out of range, expected 1e-09 to 1000 s")
+    return found
+
+
+def read_velocity(text: str) -> float:
+    """A velocity above 0 in m/s: a plain number, or one with a unit. Raises UsageError."""
+    from mahovik.core.stand.units import VELOCITY
+
+    found = _read_quantity(text, VELOCITY, "--fluid")
+    if not 1e-3 <= found <= 1e4:
+        raise UsageError(f"--fluid: {text} is out of range, expected 0.001 to 10000 m/s")
     return found
 
 

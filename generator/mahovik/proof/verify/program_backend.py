@@ -101,11 +101,14 @@ class FunctionBackend(ABC):
         return found
 
     def _forward(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        return self.of_hold(inputs, self._call("forward", inputs))
+        return self.with_reaction(inputs, self._call("forward", inputs))
 
-    def of_hold(self, inputs: Mapping[str, Any], motion: dict[str, Any]) -> dict[str, Any]:
-        """A motion for these inputs, with the rates of no freedoms, which the C of a clamped carrier leaves out."""
-        return {"u_dot": []} | motion if self.layout.held else motion
+    def with_reaction(self, inputs: Mapping[str, Any], motion: dict[str, Any]) -> dict[str, Any]:
+        """A motion, with its reaction where the carrier is held, and no rates of no freedoms where it is clamped."""
+        if not self.layout.held:
+            return motion
+        found = self._call("reaction", {**inputs, **motion})
+        return {"u_dot": []} | motion | found
 
     def arguments(self, state: State) -> dict[str, Any]:
         """A state as arguments of the program's functions, by name."""
@@ -177,7 +180,7 @@ class FunctionBackend(ABC):
     def _coupled(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         if not self.layout.flywheels:
             return {**self._forward(state, inputs), "phi_ddot": []}
-        return self.of_hold(inputs, self._call("coupled", inputs))
+        return self.with_reaction(inputs, self._call("coupled", inputs))
 
     def _inverse(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         status, outputs = self.call("inverse", inputs)

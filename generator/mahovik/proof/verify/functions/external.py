@@ -38,7 +38,7 @@ def rows_of_given_sines(case: Case, function: str) -> Iterator[Row]:
         try:
             inputs = case.backend.arguments(state)
             found = case.call(function, inputs)
-            judge.compare(request, want, case.backend.of_hold(inputs, found) if want in MOTIONS else found)
+            judge.compare(request, want, case.backend.with_reaction(inputs, found) if want in MOTIONS else found)
         except StateError as error:
             judge.compare(request, want, None, reason=str(error))
     for row in judge.rows():

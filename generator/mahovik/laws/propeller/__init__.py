@@ -1,0 +1,1 @@
+"""Thrust and torque of propellers by advance ratio."""

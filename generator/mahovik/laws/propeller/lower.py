@@ -1,0 +1,206 @@
+"""Propellers in the program of a stand: those of all bodies, one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from mahovik.core.lower import units
+from mahovik.core.lower.function_set import FunctionSet
+from mahovik.core.lower.member import Member, member
+from mahovik.core.program.build import Body as Statements
+from mahovik.core.program.build import call
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Expr, Place, magnitude, real, select
+from mahovik.core.program.function import Function
+from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.stand.model import Body, Stand
+from mahovik.core.stand.structure_facts import Structure
+from mahovik.laws.propeller.data import Propellers
+from mahovik.laws.propeller.strips import screw_of
+
+INT, REAL = Kind.INT, Kind.REAL
+
+
+def damped(structure: Structure) -> set[int]:
+    """Indices of the bodies that have propellers."""
+    return {index for index, _ in structure.law("propellers") or ()}
+
+
+def propeller_count(structure: Structure) -> int:
+    """Number of propellers of all bodies."""
+    return sum(len(kinds) for _, kinds in structure.law("propellers") or ())
+
+
+def _whole(structure: Structure) -> bool:
+    """Whether any propeller meets the length of the velocity."""
+    return any(whole for _, kinds in structure.law("propellers") or () for _, whole in kinds)
+
+
+def propeller_struct(structure: Structure) -> Struct:
+    """One propeller; `whole` only where any is so."""
+    fields = [
+        Field("speed", REAL, (), "rad/s", "n; may be set at run time"),
+        Field("position", REAL, (3,), "m", "in the body's frame, as the axis"),
+        Field("axis", REAL, (3,), "", "direction of the thrust, of length one"),
+        Field("thrust", REAL, (3,), "SI", "t0, t1, t2: thrust += t0 |n| n + t1 |n| u + t2 |u| u, u the velocity"),
+        Field("torque", REAL, (3,), "SI", "likewise, on the body about the axis"),
+    ]
+    if _whole(structure):
+        fields.append(Field("whole", INT, (), "", "1: u is the length of the velocity; 0: its part along the axis"))
+    return Struct("propeller", "A propeller of which the speed is given.", tuple(fields))
+
+
+def table_fields(structure: Structure) -> list[Field]:
+    """The propellers of all bodies, where there are any."""
+    count = propeller_count(structure)
+    return [Field("propeller", propeller_struct(structure), (count,))] if count else []
+
+
+def damper_fields(structure: Structure) -> list[Field]:
+    """Members of the damper of a body: the range of its propellers."""
+    if not propeller_count(structure):
+        return []
+    which = "propellers first_propeller .. last_propeller - 1 of the table"
+    return [Field("first_propeller", INT, (), "", which), Field("last_propeller", INT)]
+
+
+def damper_values(body: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
+    """The members of a damper; the propellers of the body are appended to `rows` of "propeller"."""
+    if damper.field("first_propeller") is None:
+        return {}
+    found, law = rows.setdefault("propeller", []), body.law(Propellers)
+    first = len(found)
+    for p in law.propellers if law else ():
+        screw = screw_of(p)
+        row: dict[str, Any] = {"speed": p.speed, "position": list(p.position), "axis": list(screw.axis)}
+        found.append(row | {"thrust": list(screw.thrust), "torque": list(screw.torque), "whole": int(p.whole)})
+    return {"first_propeller": first, "last_propeller": len(found)}
+
+
+def propeller_members(stand: Stand, rows: Any) -> Iterator[Member]:
+    """Every real of the propellers, in the order in which the table has them, counted from 1."""
+    own = [(body.name, p.name) for body in stand.bodies if (law := body.law(Propellers)) for p in law.propellers]
+    for number, ((body, name), row) in enumerate(zip(own, rows, strict=True)):
+        place, of = f"propeller[{number + 1}]", f"{body}: propeller {name}"
+        yield Member(f"{place}.speed", units.ANGULAR_VELOCITY, f"{of}, speed", float(member(row, "speed")))
+        for key, unit_of, what in (
+            ("position", (units.METRE,) * 3, "place in the body's frame"),
+            ("axis", (units.NONE,) * 3, "direction of its thrust"),
+            ("thrust", _units(0), "thrust by |n| n, |n| u, |u| u"),
+            ("torque", _units(3), "torque by |n| n, |n| u, |u| u"),
+        ):
+            for i, (unit, value) in enumerate(zip(unit_of, member(row, key), strict=True)):
+                yield Member(f"{place}.{key}[{i + 1}]", unit, f"{of}, {what}; component {i + 1}", float(value))
+
+
+def _units(row: int) -> tuple[units.Unit, ...]:
+    """Units of a component of a wrench over the squares of a turn, turn and velocity, velocity."""
+    return tuple(units.law(row, factors) for factors in ((3, 3), (0, 3), (0, 0)))
+
+
+ARRAY_MEMBERS = {"propeller": propeller_members}
+"""Reals of the arrays of the table, by name."""
+
+BY_TWIST = ("add_propellers", "add_propellers_slope")
+"""Functions that add the wrench of a body's own twist, and its change."""
+
+
+def add_functions(lib: FunctionSet) -> None:
+    """Thrust and torque of the propellers of one body, where any body has propellers."""
+    if propeller_count(lib.layout.structure):
+        lib.add(add_propellers(lib))
+
+
+def add_slopes(lib: FunctionSet) -> None:
+    """The change of that wrench."""
+    if propeller_count(lib.layout.structure):
+        lib.add(add_propellers_slope(lib))
+
+
+def add_propellers(lib: FunctionSet) -> Function:
+    """Thrust and torque of the propellers of one body in its own frame, added to a wrench."""
+    table, damper = lib.table_argument(), Argument("damper", lib.layout.damper)
+    V = Argument("V", REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
+    P = Argument("P", REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
+    body, most = Statements(), propeller_count(lib.layout.structure)
+    first, last = damper.place.first_propeller, damper.place.last_propeller
+    with body.loop("k", last, start=first, most=most) as k:
+        p = table.place.propeller[k]
+        u = _met(lib, body, p, _velocity(body, p, V.place, "velocity"))
+        squares = (magnitude(p.speed) * p.speed, magnitude(p.speed) * u, magnitude(u) * u)
+        thrust = body.let("thrust", _sum(p.thrust, squares))
+        _add(body, p, thrust, body.let("torque", _sum(p.torque, squares)), P.place)
+    return Function(
+        "add_propellers",
+        "Adds thrust and torque of the propellers of one body to its wrench, both in the body's own frame.",
+        (table, damper, V, P),
+        body.statements,
+        equation="(7)",
+    )
+
+
+def add_propellers_slope(lib: FunctionSet) -> Function:
+    """Derivative of that wrench by the body's twist, times a twist."""
+    table, damper = lib.table_argument(), Argument("damper", lib.layout.damper)
+    V = Argument("V", REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
+    change = Argument("change", REAL, (6,), purpose="change of that twist")
+    P = Argument("P", REAL, (6,), "inout", purpose="change of the wrench; this change is added to it")
+    body, most = Statements(), propeller_count(lib.layout.structure)
+    first, last = damper.place.first_propeller, damper.place.last_propeller
+    with body.loop("k", last, start=first, most=most) as k:
+        p = table.place.propeller[k]
+        velocity = _velocity(body, p, V.place, "velocity")
+        u = _met(lib, body, p, velocity)
+        by = _velocity(body, p, change.place, "velocity_by")
+        u_by = body.local("u_by", comment="change of u")
+        body.set(u_by, _dot(p.axis, by))
+        if _whole(lib.layout.structure):
+            with body.when(p.whole > 0):
+                body.set(u_by, _dot(velocity, by) / select(u > 0, u, real(1)))
+        of_turn, of_flow = body.let("turn", magnitude(p.speed) * u_by), body.let("flow", 2 * magnitude(u) * u_by)
+        thrust = body.let("thrust", p.thrust[1] * of_turn + p.thrust[2] * of_flow)
+        _add(body, p, thrust, body.let("torque", p.torque[1] * of_turn + p.torque[2] * of_flow), P.place)
+    return Function(
+        "add_propellers_slope",
+        "Change of thrust and torque of the propellers of one body with its twist.",
+        (table, damper, V, change, P),
+        body.statements,
+        equation="(7)",
+    )
+
+
+def _velocity(body: Statements, p: Place, V: Place, name: str) -> Place:
+    """v + omega x position."""
+    at, r = body.local(name, (3,), comment="of the propeller"), p.position
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        body.set(at[i], V[i] + (V[3 + j] * r[k] - V[3 + k] * r[j]))
+    return at
+
+
+def _met(lib: FunctionSet, body: Statements, p: Place, velocity: Place) -> Place:
+    """The velocity u that the propeller meets."""
+    u = body.local("u", comment="velocity that it meets")
+    body.set(u, _dot(p.axis, velocity))
+    if _whole(lib.layout.structure):
+        with body.when(p.whole > 0):
+            body.set(u, call(lib["sqrt"], _dot(velocity, velocity)))
+    return u
+
+
+def _dot(a: Place, b: Place) -> Expr:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def _sum(k: Place, squares: tuple[Expr, Expr, Expr]) -> Expr:
+    return k[0] * squares[0] + k[1] * squares[1] + k[2] * squares[2]
+
+
+def _add(body: Statements, p: Place, thrust: Expr, torque: Expr, P: Place) -> None:
+    """Thrust along the axis at the propeller's place, torque about it."""
+    force, r = body.local("force", (3,)), p.position
+    for i in range(3):
+        body.set(force[i], thrust * p.axis[i])
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        body.add(P[i], force[i])
+        body.add(P[3 + i], torque * p.axis[i] + (r[j] * force[k] - r[k] * force[j]))

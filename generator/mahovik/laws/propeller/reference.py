@@ -1,0 +1,33 @@
+"""Thrust and torque of propellers, literally, (7); `V_r` (6): twist of their body in the fluid, in its frame."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mahovik.core.stand.model import Body, Vec3
+from mahovik.laws.propeller.data import Propeller, Propellers
+from mahovik.proof.reference.array import Array
+
+
+def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """Wrench (6; N, N m) of all propellers; none where there is none."""
+    law = body.law(Propellers)
+    return {} if law is None else {"propellers": np.sum([thrust_and_torque(p, V_r) for p in law.propellers], axis=0)}
+
+
+def thrust_and_torque(propeller: Propeller, V_r: Array) -> Array:
+    """Wrench (6; N, N m) of one propeller about the body's origin: T axis at its place, and -Q axis or Q axis."""
+    axis = np.array(propeller.axis) / np.linalg.norm(propeller.axis)
+    velocity = V_r[:3] + np.cross(V_r[3:], propeller.position)
+    n = propeller.speed / (2 * np.pi)
+    V_a = (1 - propeller.wake) * float(np.linalg.norm(velocity) if propeller.whole else velocity @ axis)
+    rho, D = propeller.density, propeller.diameter
+    T = (1 - propeller.deduction) * rho * D**4 * _times_square(propeller.thrust, n, V_a / D)
+    Q = rho * D**5 * _times_square(propeller.torque, n, V_a / D)
+    force, moment = T * axis, (Q if propeller.left else -Q) * axis
+    return np.concatenate([force, np.cross(propeller.position, force) + moment])
+
+
+def _times_square(k: Vec3, n: float, advance: float) -> float:
+    """|n| n K(J) with n J = V_a/D = `advance` (1/s): k0 |n| n + k1 |n| V_a/D + k2 |V_a| V_a/D^2."""
+    return k[0] * abs(n) * n + k[1] * abs(n) * advance + k[2] * abs(advance) * advance

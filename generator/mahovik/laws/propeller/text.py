@@ -1,0 +1,19 @@
+"""Words for propellers in checks and tables."""
+
+from __future__ import annotations
+
+from mahovik.core.stand.model import Stand
+from mahovik.laws.propeller.data import Propellers
+
+NAME = "propellers"
+CARRIES_WEIGHT = False
+
+
+def bearers(stand: Stand) -> list[str]:
+    """The bodies that have any."""
+    return [body.name for body in stand.bodies if body.law(Propellers) is not None]
+
+
+def short(stand: Stand) -> str:
+    """The law in a word; empty where no body has it."""
+    return NAME if bearers(stand) else ""

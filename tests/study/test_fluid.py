@@ -1,0 +1,123 @@
+"""Passivity and course in a fluid: what drives is found from the speed on at which it does; growth as by hand."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cli.run import refused, run
+from mahovik.core.stand import Stand, loads
+from mahovik.use.study.fluid import added_mass, fluid, growth
+
+HEAD = """
+schema = 1
+name = "hull"
+gravity = [0, 0, 9.81]
+[carrier]
+mass = 20.0
+inertia = [0.3, 2.0, 2.0]
+added_mass = [2, 25, 24, 0, 1.5, 1.5]
+"""
+
+
+def hull(damping: str) -> Stand:
+    return loads(f"{HEAD}[carrier.damping]\n{damping}\n")
+
+
+def test_matrices_that_damp_are_passive() -> None:
+    """A linear part that is not symmetric, but its symmetric part is definite."""
+    rows = np.diag([3.0, 9.0, 9.0, 0.2, 2.0, 2.0])
+    rows[1, 5], rows[5, 1] = 4.0, -4.0
+    found = fluid(hull(f"linear = {rows.tolist()}\nquadratic = [5, 50, 50, 0.1, 5, 5]"), 1.0)
+    assert [(p.body, p.ahead, p.positive) for p in found.powers] == [
+        ("carrier", False, False),
+        ("carrier", True, False),
+    ]
+    assert all(math.isinf(p.speed) for p in found.powers)
+
+
+def test_a_linear_part_that_drives_does_so_at_every_speed() -> None:
+    rows = np.diag([3.0, 1.0, 9.0, 0.2, 1.0, 2.0])
+    rows[1, 2] = rows[2, 1] = 4.0  # 1 * 9 < 4^2
+    power = fluid(hull(f"linear = {rows.tolist()}"), 1.0).powers[0]
+    assert power.positive
+    assert power.speed == pytest.approx(1e-3)
+    V = np.array(power.twist)
+    assert power.power == pytest.approx(float(-V @ rows @ V))
+    assert power.power > 0
+
+
+def test_the_speed_from_which_it_drives() -> None:
+    """X = -u + 2 u^2 drives above 0.5 m/s; found at the next speed of the search, a factor of 1.78 at most."""
+    power = fluid(hull('linear = [1, 9, 9, 1, 9, 9]\nterms = [{ wrench = "X", of = ["u", "u"], value = 2 }]'), 1.0)
+    for each in power.powers:
+        assert 0.5 < each.speed < 0.5 * 1.8
+
+
+def test_lift_damps_ahead_and_drives_astern() -> None:
+    """Y = -30 u v has the power -30 u v^2."""
+    astern, ahead = fluid(hull('terms = [{ wrench = "Y", of = ["u", "v"], value = -30 }]'), 1.0).powers
+    assert astern.positive
+    assert astern.twist[0] < 0
+    assert not ahead.positive
+
+
+@pytest.mark.parametrize("damping", ["", 'derivatives = "with added-mass products"'])
+def test_growth_by_the_moment_of_munk(damping: str) -> None:
+    """(m + L22) v' = -(m + L11) U r and (J + L66) r' = (L11 - L22) U v without damping.
+
+    With the key only -m U r is left, which makes no motion grow.
+    """
+    U = 1.5
+    expected = U * math.sqrt((20 + 2) * (25 - 2) / ((20 + 25) * (2.0 + 1.5))) if not damping else 0.0
+    assert growth(hull(damping), U) == pytest.approx(expected, rel=1e-6, abs=1e-4)
+
+
+def test_course_by_the_stability_roots() -> None:
+    """Sway and yaw of (M) x' = (N) x with published derivatives, as in a handbook of ship motion."""
+    Yv, Yr, Nv, Nr, U = -60.0, 8.0, -3.0, -40.0, 2.0
+    terms = ", ".join(
+        f'{{ wrench = "{w}", of = ["u", "{x}"], value = {value} }}'
+        for w, x, value in (("Y", "v", Yv), ("Y", "r", Yr), ("N", "v", Nv), ("N", "r", Nr), ("Z", "w", -90.0))
+    )
+    others = '{ wrench = "M", of = ["u", "q"], value = -50 }, { wrench = "X", of = ["u", "|u|"], value = -9 }'
+    key = 'derivatives = "with added-mass products"'
+    stand = hull(f"terms = [{terms}, {others}]\n{key}")
+    M = np.diag([45.0, 3.5])
+    N = U * np.array([[Yv, Yr - 20.0], [Nv, Nr]])
+    roots = np.linalg.eigvals(np.linalg.solve(M, N)).real
+    assert roots.max() < 0
+    assert growth(stand, U) == pytest.approx(max(roots.max(), 0.0), abs=1e-4)  # roll is neutral
+    unstable = hull(f"terms = [{terms.replace('-3.0', '-300.0')}, {others}]\n{key}")
+    N[1, 0] = -300.0 * U
+    assert growth(unstable, U) == pytest.approx(np.linalg.eigvals(np.linalg.solve(M, N)).real.max(), rel=1e-6)
+
+
+def test_added_mass_of_all_bodies() -> None:
+    instrument = '[[instrument]]\nname = "fin"\nadded_mass = [1, 0, 2, 0, 0, 0]\n'
+    found = added_mass(loads(HEAD + instrument))
+    assert found is not None
+    assert (found.rows, found.sway, found.heave) == (5, 3.0 - 25.0, 26.0 - 3.0)
+    assert found.least == pytest.approx(1.0)
+    assert added_mass(loads(HEAD.split("added_mass", maxsplit=1)[0])) is None
+
+
+def test_check_prints_it(tmp_path: Path) -> None:
+    stand = f'{HEAD}[carrier.damping]\nterms = [{{ wrench = "Y", of = ["u", "v"], value = -30 }}]\n'
+    file = tmp_path / "hull.toml"
+    file.write_text(stand, encoding="utf-8")
+    found = json.loads(run("check", str(file), "--fluid", "1.5 m/s", "--json").stdout)["fluid"]
+    assert [power["positive"] for power in found["powers"]] == [True, False]
+    assert found["powers"][1]["speed"] is None
+    text = run("check", str(file), "--fluid", "1.5").stdout
+    assert "semidefinite" not in text
+    assert "moment of Munk -23 kg u v about z, 22 kg u w about y" in text
+    assert "fluid" not in json.loads(run("check", str(file), "--json").stdout)
+    for wrong, words in (("0", "out of range"), ("1 kg", "expected a velocity"), ("nan", "out of range")):
+        message = refused("check", str(file), "--fluid", wrong)
+        assert message.startswith("error: --fluid: ")
+        assert words in message
