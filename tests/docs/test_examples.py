@@ -39,6 +39,7 @@ SLOW = {
     "docs/howto/control-loop-1khz.md",
     "docs/howto/cross-validation.md",
     "docs/howto/field-log.md",
+    "docs/howto/held-carriers.md",
     "docs/howto/own-stand.md",
     "docs/howto/vibration-table.md",
     "docs/measured-data.md",
