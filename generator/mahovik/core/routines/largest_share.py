@@ -51,7 +51,9 @@ def largest_share(rows: int, count: NamedCount, pivot: float, tolerance: float) 
     y = Argument("y", Kind.REAL, (count,), "inout", purpose="the solution; untouched where the result is -1")
     n = int(count)  # variable n is f
     body = Body()
-    tableau = body.local("tableau", (rows, n + 2), comment="columns: (y - low) / (high - low), then f, then the values of the basis")
+    tableau = body.local(
+        "tableau", (rows, n + 2), comment="columns: (y - low) / (high - low), then f, then the values of the basis"
+    )
     upper = body.local("upper", (n + 1,), comment="upper bounds of the variables; the lower ones are 0")
     at_upper = body.local("at_upper", (n + 1,), Kind.INT, "1 where a variable outside the basis is at its upper bound")
     inside = body.local("inside", (n + 1,), Kind.INT, "1 where a variable is in the basis")
