@@ -188,7 +188,8 @@ def keep_pivot(lib: Library) -> Function:
 def write_twist(lib: Library, body: Body, table: Place, u_dot: Sequence[Place], V_dot: Place) -> None:
     """V* = S u* of the rates of the freedoms, zero without any."""
     if u_dot:
-        body.call(lib["twist_of_freedoms"], table, u_dot[0], V_dot)
+        named = {"table": table, "u": u_dot[0], "V": V_dot}
+        body.call(lib["twist_of_freedoms"], *lib.passed("twist_of_freedoms", **named))
         return
     for element in V_dot:
         body.set(element, real(0))
