@@ -87,7 +87,7 @@ def test_the_derivatives_are_those_of_the_reference() -> None:
     tau, C = np.array(model.state.tau), carrier_rotation(stand, state)
     m, N, h = 3, 3, 1e-5
 
-    def at(x: Array) -> Array:
+    def rates_at(x: Array) -> Array:
         q, u, phi, phi_dot = np.split(x, [m, 2 * m, 2 * m + N])
         displaced = moved(state, C, np.array(twist_of(hold, q.tolist())))
         total = np.array(state.u) + u
@@ -100,11 +100,11 @@ def test_the_derivatives_are_those_of_the_reference() -> None:
         )
         return rate(stand, displaced, tau)
 
-    columns = [(at(h * e) - at(-h * e)) / (2 * h) for e in np.eye(2 * m + 2 * N)]
+    columns = [(rates_at(h * e) - rates_at(-h * e)) / (2 * h) for e in np.eye(2 * m + 2 * N)]
     rows = [*range(m, 2 * m), *range(2 * m + N, 2 * m + 2 * N)]
     size = np.abs(model.A[rows]).max()
     assert np.abs(np.column_stack(columns) - model.A[rows]).max() < 1e-7 * size
-    assert at(np.zeros(2 * m + 2 * N))[m:] == pytest.approx(np.zeros(N), abs=1e-9)  # phi'' of the state
+    assert rates_at(np.zeros(2 * m + 2 * N))[m:] == pytest.approx(np.zeros(N), abs=1e-9)  # phi'' of the state
     driven = np.column_stack([rate(stand, state, tau + e) - rate(stand, state, tau) for e in np.eye(N)])
     assert np.abs(driven - model.B[rows, :N]).max() < 1e-9 * np.abs(driven).max()
     u, v, w = state.u
