@@ -14,7 +14,7 @@ from kept import Campaign, Columns, Figures
 from measure_speed import measure_speed
 
 import mahovik
-from mahovik.out.api.compiled import compiled
+from mahovik.out.api.compiled import compile_library
 
 COUNTS = (1, 10, 100, 1000, 10_000, 100_000)
 ROUNDS = 40
@@ -42,7 +42,7 @@ def seconds(candidates: Sequence[Callable[[], object]]) -> list[float]:
 def rows() -> list[tuple[float, ...]]:
     """One row for each number of states."""
     stand = mahovik.example("bench8")
-    model, library = mahovik.build(stand), compiled(stand, "double", np.dtype(np.float64), None, parallel=False)
+    model, library = mahovik.build(stand), compile_library(stand, "double", np.dtype(np.float64), None, parallel=False)
     rng = np.random.default_rng(1)
     count = len(stand.flywheels)
     found = []

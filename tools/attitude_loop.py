@@ -56,7 +56,7 @@ TABLE = Columns(
 )
 
 
-def printed_by(target: str, files: Mapping[str, str]) -> list[str]:
+def output_of(target: str, files: Mapping[str, str]) -> list[str]:
     """Lines of the example on a target. Raises ToolchainError."""
     with tempfile.TemporaryDirectory() as scratch:
         program = build(TARGETS[target], files, Path(scratch))
@@ -91,7 +91,7 @@ def read(lines: Sequence[str]) -> dict[str, object]:
 def row(board: str, real: str, failure: Failure) -> dict[str, object]:
     """A run on a board and on this machine. Raises SystemExit: other bits, or the example finds a failure."""
     files = attitude_sources(load(path(STAND)), LoopOptions(failure=failure), real).files
-    there, here = (printed_by(name, files) for name in (board, "host"))
+    there, here = (output_of(name, files) for name in (board, "host"))
     same = [[line for line in lines if not line.startswith("#")] for lines in (there, here)]
     if same[0] != same[1]:
         raise SystemExit(f"{board}, {real}, {failure}: other bits than on this machine")

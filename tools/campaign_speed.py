@@ -23,7 +23,7 @@ import mahovik
 from mahovik.core.motion.document import validate_table
 from mahovik.core.stand.problems import Problems
 from mahovik.core.toolchain.arrays import ArrayLibrary
-from mahovik.out.api.compiled import compiled
+from mahovik.out.api.compiled import compile_library
 from mahovik.out.api.editing import exact
 from mahovik.out.campaign.compute import Computation, prepare
 from mahovik.out.campaign.in_time import SIZE
@@ -69,29 +69,29 @@ class Clock:
 
     def __init__(self) -> None:
         self.inside = 0.0
-        self._call, self._repeated = ArrayLibrary.call, ArrayLibrary.repeated
+        self._call, self._repeated = ArrayLibrary.call, ArrayLibrary.repeat_call
 
     def __enter__(self) -> Clock:
-        def timed(call: Callable[[], int]) -> int:
+        def time_call(call: Callable[[], int]) -> int:
             begin = time.thread_time()
             found = call()
             self.inside += time.thread_time() - begin
             return found
 
         def call(library: ArrayLibrary, *arguments: Any) -> int:
-            return timed(lambda: self._call(library, *arguments))
+            return time_call(lambda: self._call(library, *arguments))
 
-        def repeated(library: ArrayLibrary, *arguments: Any) -> Callable[[], int]:
+        def repeat_call(library: ArrayLibrary, *arguments: Any) -> Callable[[], int]:
             inner = self._repeated(library, *arguments)
-            return lambda: timed(inner)
+            return lambda: time_call(inner)
 
         setattr(ArrayLibrary, "call", call)  # noqa: B010  # mypy knows no other way
-        setattr(ArrayLibrary, "repeated", repeated)  # noqa: B010
+        setattr(ArrayLibrary, "repeat_call", repeat_call)  # noqa: B010
         return self
 
     def __exit__(self, *_: object) -> None:
         setattr(ArrayLibrary, "call", self._call)  # noqa: B010
-        setattr(ArrayLibrary, "repeated", self._repeated)  # noqa: B010
+        setattr(ArrayLibrary, "repeat_call", self._repeated)  # noqa: B010
 
 
 def batch_alone(stand: mahovik.Stand, changes: Any, order: int, steps: int) -> float:
@@ -100,16 +100,16 @@ def batch_alone(stand: mahovik.Stand, changes: Any, order: int, steps: int) -> f
     The same work: every step, and the acceleration after every tenth.
     """
     model = mahovik.build(stand)
-    library = compiled(stand, "double", np.dtype(np.float64), None, parallel=False).of_tables
+    library = compile_library(stand, "double", np.dtype(np.float64), None, parallel=False).of_tables
     best = np.inf
     for n in SIZES:
         tables = model.tables({path: values[:n] for path, values in changes.items()})
         x = np.ascontiguousarray(model.states(n, phi_dot=SPEED).array.T)
         wheel = np.zeros((len(model.flywheels), n))
         given = [tables.block("table"), x, wheel, np.array([STEP]), np.array([order], np.int32), x]
-        call = library.repeated("step_driven_of", n, given, np.zeros(n, dtype=np.int32))
+        call = library.repeat_call("step_driven_of", n, given, np.zeros(n, dtype=np.int32))
         given = [tables.block("table"), x, wheel, np.zeros((6, n))]
-        forward = library.repeated("forward_of", n, given, np.zeros(n, dtype=np.int32))
+        forward = library.repeat_call("forward_of", n, given, np.zeros(n, dtype=np.int32))
         begin = time.thread_time()
         for step in range(steps):
             call()
@@ -129,11 +129,11 @@ def rows() -> list[tuple[Any, ...]]:
         changes = tables_speed.changes(names, stand.carrier.mass, n)
         own, model = computation(stand, order, steps), mahovik.build(stand)
         own.values(model.tables({path: values[:8] for path, values in changes.items()}))
-        found.append((order, steps, *_measured(own, model, stand, changes, order, steps)))
+        found.append((order, steps, *_measure(own, model, stand, changes, order, steps)))
     return found
 
 
-def _measured(
+def _measure(
     own: Computation, model: mahovik.Model, stand: mahovik.Stand, changes: Any, order: int, steps: int
 ) -> tuple[Any, ...]:
     """Microseconds a sample alone, in the campaign, in `model.tables`; part kept, part outside of the C; MB."""

@@ -14,7 +14,17 @@ from typing import Any
 
 import campaign
 import numpy as np
-from explain_planting import Answers, Plant, answers_of, derived, edited, interpreted, literal, renumbered, rewritten
+from explain_planting import (
+    Answers,
+    Plant,
+    answers_of,
+    interpret,
+    literal,
+    plant_in_answers,
+    plant_in_derivations,
+    plant_in_numbers,
+    rewritten,
+)
 from kept import Campaign, Columns, Figures, Measured
 
 from mahovik.core.stand.model import Stand
@@ -146,7 +156,7 @@ def correct(stand: Stand) -> Iterator[tuple[str, Answers]]:
     yield "literal reference", literal(stand)
     yield "second derivation", answers_of(Second(stand))
     if len(stand.flywheels) < 2:  # it takes long to make: of some stands only
-        yield "interpreter of the program", answers_of(interpreted(stand))
+        yield "interpreter of the program", answers_of(interpret(stand))
         yield "generated C, double", answers_of(CBackend(stand, "double"))
         yield "generated C, float", answers_of(CBackend(stand, "float"))
 
@@ -156,9 +166,13 @@ def examine(number: int, some: int = 8) -> tuple[str, list[Outcome], list[Outcom
     *_, stand = campaign_stands(number + 1)
     rng = np.random.default_rng(number)
     clinic = diagnoser_of(stand)
-    plants: list[Plant] = [*of_dictionary(stand, rng, some), *renumbered(stand), *edited(stand)]
+    plants: list[Plant] = [*of_dictionary(stand, rng, some), *plant_in_numbers(stand), *plant_in_answers(stand)]
     found = [Outcome(p.fault, p.kind, verdict(clinic.diagnose(p.answers), [p.fault])) for p in plants]
-    costly = {0: (rewritten,), 1: (derived,), 4: (rewritten,)}  # they take long to make: of some stands only
+    costly = {
+        0: (rewritten,),
+        1: (plant_in_derivations,),
+        4: (rewritten,),
+    }  # they take long to make: of some stands only
     for others in costly.get(number, ()):
         found += [Outcome(p.fault, p.kind, verdict(clinic.diagnose(p.answers), [p.fault])) for p in others(stand)]
     for names, kind, answers in freer(stand, rng, some):

@@ -91,7 +91,7 @@ def literal(stand: Stand) -> Answers:
 def bodies(change: Callable[[Any], Any], fixed: bool = True, wheels: bool = True) -> Callable[[Stand], Stand]:
     """A change of every body of a stand, or of some."""
 
-    def changed(s: Stand) -> Stand:
+    def change_bodies(s: Stand) -> Stand:
         return replace(
             s,
             carrier=change(s.carrier) if fixed else s.carrier,
@@ -99,7 +99,7 @@ def bodies(change: Callable[[Any], Any], fixed: bool = True, wheels: bool = True
             flywheels=tuple(map(change, s.flywheels)) if wheels else s.flywheels,
         )
 
-    return changed
+    return change_bodies
 
 
 def products_reversed(body: Body) -> Body:
@@ -183,7 +183,7 @@ def wheels(key: str, change: Callable[[float], float]) -> Callable[[State], Stat
     return lambda x: replace(x, **cast(Any, {key: tuple(change(each) for each in getattr(x, key))}))
 
 
-def conjugated(x: State) -> State:
+def conjugate(x: State) -> State:
     return x if x.quaternion is None else replace(x, quaternion=(x.quaternion[0], *negative(x.quaternion[1:])))
 
 
@@ -201,7 +201,7 @@ ASKED: dict[str, Callable[[State], State]] = {
     "phi' ignored": wheels("phi_dot", lambda rate: 0.0),
     "phi'' not used": wheels("phi_ddot", lambda rate: 0.0),
     "phi'', sign": wheels("phi_ddot", lambda rate: -rate),
-    "quaternion conjugated": conjugated,
+    "quaternion conjugated": conjugate,
     "quaternion, scalar last": scalar_last,
     "quaternion ignored": lambda x: replace(x, quaternion=None),
     "attitude angles in degrees": lambda x: (
@@ -238,11 +238,11 @@ ANSWER_HAS = {
 }
 
 
-def edited(stand: Stand) -> Iterator[Plant]:
+def plant_in_answers(stand: Stand) -> Iterator[Plant]:
     """The literal reference, told a changed state or with changed answers."""
     right = literal(stand)
 
-    def asked(change: Callable[[State], State]) -> Answers:
+    def with_state(change: Callable[[State], State]) -> Answers:
         changed: dict[int, State] = {}
 
         def answer(request: Request) -> Mapping[str, Any]:
@@ -251,7 +251,7 @@ def edited(stand: Stand) -> Iterator[Plant]:
 
         return answer
 
-    def answered(name: str, change: Callable[[Request, dict[str, Any]], dict[str, Any]]) -> Answers:
+    def with_answers(name: str, change: Callable[[Request, dict[str, Any]], dict[str, Any]]) -> Answers:
         def answer(request: Request) -> Mapping[str, Any]:
             found = dict(right(request))
             return change(request, found) if ANSWER_HAS[name] in found else found
@@ -259,12 +259,12 @@ def edited(stand: Stand) -> Iterator[Plant]:
         return answer
 
     for name, change in ASKED.items():
-        yield Plant(name, "states edited", asked(change))
+        yield Plant(name, "states edited", with_state(change))
     for name, edit in ANSWERED.items():
-        yield Plant(name, "answers edited", answered(name, edit))
+        yield Plant(name, "answers edited", with_answers(name, edit))
 
 
-def renumbered(stand: Stand) -> Iterator[Plant]:
+def plant_in_numbers(stand: Stand) -> Iterator[Plant]:
     """The literal reference on a stand with other numbers."""
     for name, change in STANDS.items():
         yield Plant(name, "stand edited", literal(change(stand)))
@@ -382,18 +382,18 @@ DERIVED: dict[str, tuple[Any, str, Any]] = {
 }
 
 
-def interpreted(stand: Stand, values_of: Stand | None = None) -> InterpreterBackend:
+def interpret(stand: Stand, values_of: Stand | None = None) -> InterpreterBackend:
     """The program of a stand, run by the interpreter; with the numbers of another."""
     layout = Layout(structure(stand), DOUBLE)
     program = lower_layout(layout)
     return InterpreterBackend(Generated(layout, program, Values(values_of or stand, layout, program), {}))
 
 
-def derived(stand: Stand) -> Iterator[Plant]:
+def plant_in_derivations(stand: Stand) -> Iterator[Plant]:
     """The interpreted program of a derivation with one function replaced; and of one with numbers replaced."""
     for name, (module, function, instead) in DERIVED.items():
         with ExitStack() as stack:
             stack.enter_context(patch.object(module, function, instead))
-            yield Plant(name, "derivation rewritten", answers_of(interpreted(stand)))
+            yield Plant(name, "derivation rewritten", answers_of(interpret(stand)))
     for name in ("phi0 ignored", "stream, sign", "mount ignored", "unstretched length ignored"):
-        yield Plant(name, "numbers of the program", answers_of(interpreted(stand, STANDS[name](stand))))
+        yield Plant(name, "numbers of the program", answers_of(interpret(stand, STANDS[name](stand))))

@@ -80,7 +80,7 @@ def truth(stand: mahovik.Stand, rng: np.random.Generator) -> tuple[mahovik.Stand
     return stand.replace(values), values
 
 
-def recorded(stand: mahovik.Stand) -> Array:
+def record(stand: mahovik.Stand) -> Array:
     """Time, six channels DELAY late, and phases (T, 7 + N), without noise."""
     motion = steady(stand, SPEEDS)
     t = np.arange(0.0, DURATION, EVERY)
@@ -130,7 +130,7 @@ def figures(truths: int, trials: int, seconds: float) -> Figures:
     """All trials, or those that end within the seconds; true stands take turns."""
     stand, begin = bench(), time.perf_counter()
     made = [truth(stand, np.random.default_rng(seed)) for seed in range(truths)]
-    data = [recorded(each) for each, _ in made]
+    data = [record(each) for each, _ in made]
     found: list[dict[str, Any]] = []
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "run.csv")
@@ -155,7 +155,7 @@ def figures(truths: int, trials: int, seconds: float) -> Figures:
     }
 
 
-def judged(found: Figures) -> list[dict[str, Any]]:
+def judge(found: Figures) -> list[dict[str, Any]]:
     """Rows of the table: figure, what was found, what is promised, whether it holds."""
     worst = found["worst"]
     rows = [
@@ -182,7 +182,7 @@ def page(found: Figures) -> str:
         f"{1e6 * STATIC[0]:g} to {1e6 * STATIC[1]:g} g mm, dynamic ones of {1e9 * DYNAMIC[0]:g} to "
         f"{1e9 * DYNAMIC[1]:g} g mm2, at any angles. The estimation begins at the numbers of bench8, whose own dynamic "
         "unbalances are a tenth of these and below: at this noise 5 % of them cannot be promised.\n\n"
-        f"{TABLE.text(judged(found))}"
+        f"{TABLE.text(judge(found))}"
     )
 
 
@@ -202,7 +202,7 @@ def main() -> int:
     print(page(found), flush=True)
     if given.write:
         CAMPAIGN.keep(found, 0, code=code)
-    return 0 if all(row["holds"] == "yes" for row in judged(found)) else 1
+    return 0 if all(row["holds"] == "yes" for row in judge(found)) else 1
 
 
 if __name__ == "__main__":

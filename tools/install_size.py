@@ -39,7 +39,7 @@ def seconds(command: Sequence[str], folder: Path) -> float:
     return time.perf_counter() - begin
 
 
-def measured() -> list[dict[str, Any]]:
+def measure() -> list[dict[str, Any]]:
     """One row for each command; the last adds to what the one before it has installed."""
     base = getattr(sys, "_base_executable", sys.executable)
     with tempfile.TemporaryDirectory() as scratch:
@@ -90,7 +90,7 @@ CAMPAIGN = Campaign(
 def main() -> None:
     """Measure, keep, render the pages."""
     campaign.parser(__doc__).parse_args()
-    rows = measured()
+    rows = measure()
     CAMPAIGN.keep(
         {
             "processor": campaign.processor(),

@@ -74,7 +74,7 @@ COURSES = (
 )
 
 
-def simulated(stand: Stand, found: Balance, step_length: float) -> tuple[Array, Array]:
+def simulate(stand: Stand, found: Balance, step_length: float) -> tuple[Array, Array]:
     """Times (n) and pose and V (n, 13) of 1,000 s by the C, from the motion found, phases set exactly at every step."""
     backend, speeds = compiled_backend(stand), found.speeds
     ffi, N = backend.library.ffi, len(speeds)
@@ -108,7 +108,7 @@ def agreement_rows(course: Course) -> list[tuple[Any, ...]]:
     """
     stand = load(path(course.stand))
     found, place = balance(stand, course.speeds), places(stand, [course.point])[0]
-    t, rows = simulated(stand, found, course.step)
+    t, rows = simulate(stand, found, course.step)
     chart = found.scene.chart
     turned = Rotation.from_matrix(chart.C.T) * Rotation.from_quat(rows[:, 3:7], scalar_first=True)
     y = np.hstack([(rows[:, :3] - chart.O1) @ chart.C, turned.as_rotvec(), rows[:, 7:]])

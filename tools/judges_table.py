@@ -99,21 +99,21 @@ def page(found: Figures) -> str:
         "The largest difference relative to the natural scale "
         "([what that is](../verification.md#the-natural-scale)), over "
         f"{found['states']} random and extreme states per stand.\n"
-        f"They know no fluid, suspension or legs; these were taken out of {_listed(found['dry'])}.\n"
+        f"They know no fluid, suspension or legs; these were taken out of {_list(found['dry'])}.\n"
     )
     *versions, basilisk, rotors = found["versions"]
     for version, rows in zip(versions, found["judges"], strict=True):
         text += f"\n## {version}\n\n{table(rows)}"
     text += f"\n## {basilisk}\n{BASILISK}{table(found['basilisk'])}" + NOT_EXACT.format(
-        equal=_listed(found["equal"]),
+        equal=_list(found["equal"]),
         asymmetric=table(found["asymmetric"]),
-        balanced=_listed(found["balanced"]),
+        balanced=_list(found["balanced"]),
         simple=table(found["simple"]),
     )
     return f"{text}\n## {rotors}\n{ROTORS}{table(found['rotors'])}"
 
 
-def _listed(stands: Sequence[str]) -> str:
+def _list(stands: Sequence[str]) -> str:
     return ", ".join(f"`{name}`" for name in stands)
 
 

@@ -14,7 +14,7 @@ import math_proof
 import numpy as np
 from flint import arb
 from kept import Campaign, Figures, Measured
-from math_judge import LAST_NEAR, Row, every_float, every_root, judged, rows, run
+from math_judge import LAST_NEAR, Row, every_float, every_root, largest_error, rows, run
 
 from mahovik.core.program.types import DOUBLE, FLOAT
 
@@ -26,7 +26,7 @@ def _cells(row: Any) -> str:
     return campaign.row(*row.cells())
 
 
-def measured_page(found: Figures) -> str:
+def measure_page(found: Figures) -> str:
     """The table of what Arb and every float say."""
     return campaign.table(MEASURED_HEAD, [Row(**row).cells() for row in found["rows"]], None)
 
@@ -43,7 +43,7 @@ ROUTINES: dict[str, tuple[str, int, Any]] = {
 """Name in C, number of the result, judge."""
 
 
-def measured_sample(found: Figures, rng: Random) -> Iterator[Measured]:
+def measure_sample(found: Figures, rng: Random) -> Iterator[Measured]:
     """The error where it was worst, and what it must not exceed."""
     for row in found["rows"]:
         if row["routine"] not in ROUTINES or row["samples"].startswith("every"):
@@ -52,7 +52,7 @@ def measured_sample(found: Figures, rng: Random) -> Iterator[Measured]:
         arguments = [np.array([float(word.split(" = ")[1])], dtype=precision.scalar) for word in row["at"].split(", ")]
         name, number, exact = ROUTINES[row["routine"]]
         got = run(precision, name, *arguments, results=1 + (name == "sincos"))[number]
-        worst, _ = judged(precision, arguments, got, exact, absolute=row["unit"] == "")
+        worst, _ = largest_error(precision, arguments, got, exact, absolute=row["unit"] == "")
         yield Measured(f"{row['routine']}, {row['precision']}, {row['at']}", row["worst"], worst, 1.01)
     for row in rng.sample([*rows(200)], 3):
         (kept,) = (
@@ -79,7 +79,7 @@ def _campaign(name: str, what: str, page: Any, sample: Any) -> Campaign:
     return Campaign(name, block, page, ("math_campaign.py", "math_judge.py", "math_proof.py"), sample)
 
 
-MEASURED = _campaign("arithmetic-measured", "measured", measured_page, measured_sample)
+MEASURED = _campaign("arithmetic-measured", "measured", measure_page, measure_sample)
 PROVEN = _campaign("arithmetic-proven", "proven", proven_page, proven_sample)
 
 

@@ -248,7 +248,7 @@ def unit_of(precision: Precision, exact: arb) -> float:
     return float(np.spacing(np.abs(precision.scalar(float(exact)))))
 
 
-def judged(
+def largest_error(
     precision: Precision, arguments: Sequence[Array], got: Array, exact: Callable[..., arb], absolute: bool = False
 ) -> tuple[float, int]:
     """The largest error, in units of the last place or as it is, and its index."""
@@ -270,29 +270,29 @@ def rows(samples: int) -> Iterator[Row]:
         x = angles(precision, NEAR, samples, 1)
         both = run(precision, "sincos", x, results=2)
         for routine, got, exact in (("sin", both[0], arb.sin), ("cos", both[1], arb.cos)):
-            worst, i = judged(precision, [x], got, exact)
+            worst, i = largest_error(precision, [x], got, exact)
             yield Row(routine, name, "up to 8 pi", len(x), worst, "ulp", f"x = {x[i]!s}", 1.0)
         x = angles(precision, precision.max_phase, samples, 2)
         both = run(precision, "sincos", x, results=2)
         for routine, got, exact in (("sin", both[0], arb.sin), ("cos", both[1], arb.cos)):
-            worst, i = judged(precision, [x], got, exact, absolute=True)
+            worst, i = largest_error(precision, [x], got, exact, absolute=True)
             yield Row(
                 routine, name, f"up to {precision.max_phase:g}", len(x), worst, "", f"x = {x[i]!s}", ABSOLUTE[name]
             )
         n = numbers(precision, samples)
         (root,) = run(precision, "sqrt", n)
-        worst, i = judged(precision, [n], root, arb.sqrt)
+        worst, i = largest_error(precision, [n], root, arb.sqrt)
         yield Row("sqrt", name, "all sizes, midpoints", len(n), worst, "ulp", f"x = {n[i]!s}", 0.5)
         y, x = points(precision, samples)
         (angle,) = run(precision, "atan2", y, x)
         kept = (angle != 0) & np.isfinite(angle) & ((x != 0) | (y != 0))
         y, x, angle = y[kept], x[kept], angle[kept]
-        worst, i = judged(precision, [y, x], angle, arb.atan2)
+        worst, i = largest_error(precision, [y, x], angle, arb.atan2)
         yield Row("atan2", name, "all directions", len(y), worst, "ulp", f"y = {y[i]!s}, x = {x[i]!s}", 2.0)
         x = angles(precision, precision.max_phase, samples, 5)
         (angle,) = run(precision, "wrap", x)
         turn = np.round((x.astype(float) - angle.astype(float)) / (2 * np.pi))
-        worst, i = judged(precision, [x, turn], angle, _less_turns, absolute=True)
+        worst, i = largest_error(precision, [x, turn], angle, _less_turns, absolute=True)
         yield Row("wrap", name, f"up to {precision.max_phase:g}", len(x), worst, "rad", f"x = {x[i]!s}", WRAPPED[name])
 
 

@@ -148,16 +148,16 @@ class Follower:
     def __init__(self, precision: Precision) -> None:
         self.precision = precision
 
-    def rounded(self, size: float, error: float) -> Term:
+    def round_up(self, size: float, error: float) -> Term:
         size = size * self.slack
         return Term(size + half_unit(size, self.precision), (error + half_unit(size, self.precision)) * self.slack)
 
     def product(self, a: Term, b: Term) -> Term:
         error = a.size * b.error + b.size * a.error + a.error * b.error
-        return self.rounded(a.size * b.size, error)
+        return self.round_up(a.size * b.size, error)
 
     def total(self, a: Term, b: Term) -> Term:
-        return self.rounded(a.size + b.size, a.error + b.error)
+        return self.round_up(a.size + b.size, a.error + b.error)
 
     def polynomial(self, coefficients: Sequence[float], z: Term, least: float) -> Term:
         """Horner; `least` is the least z. Signs alternate and sizes fall: a sum is no larger than its constant."""
@@ -165,7 +165,7 @@ class Follower:
         for c in reversed(coefficients[:-1]):
             step = self.product(z, found)
             assert step.size < abs(c), "a step has the other sign and is smaller than the constant"
-            found = self.rounded(abs(c), step.error)
+            found = self.round_up(abs(c), step.error)
         first, second, third = (abs(c) for c in coefficients[:3])
         size = first - least * (second - z.size * third) + found.error
         return Term(size * self.slack, found.error)
@@ -176,7 +176,7 @@ def rounding(low: float, high: float, precision: Precision, sine: bool, tail: Te
     f = Follower(precision)
     fits = SINCOS[precision.name]
     r = Term(high, 0.0)
-    z, least = f.rounded(high * high, 0.0), low * low * BELOW_ONE
+    z, least = f.round_up(high * high, 0.0), low * low * BELOW_ONE
     if sine:
         cube = f.product(f.product(z, r), f.polynomial(fits.sine, z, least))
         slope = f.product(Term(1.0, half_unit(BELOW_ONE, precision) + high**4 / 24), tail)

@@ -42,7 +42,7 @@ LIMIT = 1800
 Key = tuple[str, str, Driver]
 
 
-def written(stand: str, real: str) -> tuple[Path, tuple[Driver, ...]]:
+def write_folder(stand: str, real: str) -> tuple[Path, tuple[Driver, ...]]:
     """Emits C, drivers and script of a stand into a folder of their own; the script, and all drivers."""
     given = load(path(stand))
     generated = generate_all(given, real)
@@ -138,16 +138,16 @@ def main() -> int:
     every: dict[tuple[str, str], tuple[Driver, ...]] = {}
     for stand in stands:
         for real in REALS:
-            scripts[stand, real], every[stand, real] = written(stand, real)
+            scripts[stand, real], every[stand, real] = write_folder(stand, real)
     only = [name for name in given.only.split(",") if name]
 
-    def asked(stand: str, driver: Driver) -> bool:
+    def is_asked(stand: str, driver: Driver) -> bool:
         name = f"{driver.set}_{driver.function}"
         if given.quick:
             return name in QUICK[stand]
         return name in only if only else driver.claimed or given.tried
 
-    work = [(*key, d) for key, all_ in every.items() for d in all_ if asked(key[0], d)]
+    work = [(*key, d) for key, all_ in every.items() for d in all_ if is_asked(key[0], d)]
     if only:
         work.sort(key=lambda item: only.index(f"{item[2].set}_{item[2].function}"))
     with ThreadPoolExecutor(given.jobs) as pool:

@@ -194,21 +194,21 @@ def sample(found: Figures, rng: Random) -> Iterator[Measured]:
         name = f"sat4, {SAT4[k].momentum}, {SAT4[k].name}"
         yield Measured(f"{name}, momentum", kept["momentum, N m s"], list(now["momentum, N m s"]))
         yield Measured(f"{name}, axes", kept["axes"], now["axes"])
-        yield from _measured(name, kept, now, ("change of speeds, rpm", "RMS before, m/s2"), 1.05)
-        yield from _measured(name, kept, now, ("simulated after", "times lower"), _factor(kept["times lower"]))
+        yield from _compare(name, kept, now, ("change of speeds, rpm", "RMS before, m/s2"), 1.05)
+        yield from _compare(name, kept, now, ("simulated after", "times lower"), _factor(kept["times lower"]))
     k = 0
     seeds = campaign.seeds(found["first"], found["stands"])
     kept, (now,) = found["random"][k], RANDOM_TABLE.rows([random_line(ROWS[k], [of_random(ROWS[k], s) for s in seeds])])
     yield Measured(f"{ROWS[k].name}, found", kept["found"], list(now["found"]))
     for key in ("times lower: least", "median", "most"):
-        yield from _measured(f"{ROWS[k].N} {ROWS[k].name}", kept, now, (key,), _factor(kept[key]))
+        yield from _compare(f"{ROWS[k].N} {ROWS[k].name}", kept, now, (key,), _factor(kept[key]))
 
 
 def _factor(reduction: float) -> float:
     return 3.0 if reduction > 1000.0 else 1.1
 
 
-def _measured(name: str, kept: Figures, now: Figures, keys: Sequence[str], factor: float) -> Iterator[Measured]:
+def _compare(name: str, kept: Figures, now: Figures, keys: Sequence[str], factor: float) -> Iterator[Measured]:
     for key in keys:
         yield Measured(f"{name}, {key}", kept[key], now[key], factor)
 

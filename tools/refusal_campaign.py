@@ -30,7 +30,7 @@ COUNTS = (6, 8, 12)
 ROUNDS = 3
 
 
-def unsupported(seed: int, N: int, factor: float) -> Problem:
+def without_support(seed: int, N: int, factor: float) -> Problem:
     """Nothing carries the weight, or the mean height is held where the suspension does not carry it."""
     stand = campaign_stand(seed, N)
     if seed % 2:
@@ -40,7 +40,7 @@ def unsupported(seed: int, N: int, factor: float) -> Problem:
     return Problem.of(stand, replace(motion, mean=mean, free_mean=(True, True, False, True, True, True)))
 
 
-def balanced(seed: int, N: int, factor: float) -> Problem:
+def without_unbalance(seed: int, N: int, factor: float) -> Problem:
     """Flywheels without static unbalance: the motion needs forces."""
     return Problem.of(campaign_stand(seed, N, 0.0), campaign_motion(seed, N, amplitude=factor))
 
@@ -67,8 +67,8 @@ def too_slow(seed: int, N: int, factor: float) -> Problem:
 
 
 KINDS: dict[str, tuple[str, Callable[[int, int, float], Problem]]] = {
-    "MEAN_WRENCH": ("no suspension, or a mean height held 1 to 1.5 mm off", unsupported),
-    "SPAN": ("balanced flywheels", balanced),
+    "MEAN_WRENCH": ("no suspension, or a mean height held 1 to 1.5 mm off", without_support),
+    "SPAN": ("balanced flywheels", without_unbalance),
     "FIRST_MOMENT": ("amplitude 1.05 to 1.5 times the limit", too_far),
     "BOUND_REACH": ("bounds 1.05 to 1.5 times tighter than the limit", too_slow),
 }

@@ -69,7 +69,7 @@ def campaigns() -> Iterator[Campaign]:
                 yield value
 
 
-def outdated() -> list[str]:
+def outdated_pages() -> list[str]:
     """Pages with a part that is not what the kept figures say."""
     found = []
     for each in campaigns():
@@ -87,8 +87,8 @@ def main() -> None:
             print(f"{'now' if each.is_current(result) else 'older':5}  {each.name:20}  {result.command}")
         return
     if asked.check:
-        print(*outdated(), sep="\n")
-        sys.exit(1 if outdated() else 0)
+        print(*outdated_pages(), sep="\n")
+        sys.exit(1 if outdated_pages() else 0)
     for each in campaigns():
         each.render()
 

@@ -46,7 +46,7 @@ def errors(end: dict[str, Any], exact: dict[str, Any]) -> dict[str, float]:
     }
 
 
-def measured() -> list[dict[str, Any]]:
+def measure() -> list[dict[str, Any]]:
     """One row for each quantity."""
     state = start()
     backends = {real: CBackend(mahovik.example("sat4"), real) for real in ("double", "float")}
@@ -81,7 +81,7 @@ def page(found: Figures) -> str:
 
 def sample(found: Figures, _: Random) -> Iterator[Measured]:
     """All of it again: the C has the same bits on every machine."""
-    for kept, now in zip(found["rows"], measured(), strict=True):
+    for kept, now in zip(found["rows"], measure(), strict=True):
         yield Measured(str(kept["quantity"]), list(kept.values()), list(now.values()))
 
 
@@ -97,7 +97,7 @@ CAMPAIGN = Campaign(
 def main() -> None:
     """Measures, keeps, renders the page."""
     given = campaign.parser(__doc__, print=False).parse_args()
-    found = {"rows": measured()}
+    found = {"rows": measure()}
     if given.print:
         print(page(found))
     else:

@@ -69,10 +69,10 @@ def _once(arguments: Sequence[str], env: Mapping[str, str], cwd: Path) -> Profil
     )
     if done.returncode != 0:
         raise SystemExit(f"mahovik {' '.join(arguments)}: exit status {done.returncode}\n{done.stderr[-2000:]}")
-    return parsed(done.stderr)
+    return parse(done.stderr)
 
 
-def parsed(lines: str) -> Profile:
+def parse(lines: str) -> Profile:
     """The profile of what a process wrote: imports, marks around the reading, the end.
 
     What Python imports before the first line of a program is left out: every program in Python pays it.

@@ -33,7 +33,7 @@ from mahovik.stands import names, path
 REALS = ("double", "float")
 
 
-def written(stand: str, real: str) -> tuple[Path, list[str]]:
+def write_folder(stand: str, real: str) -> tuple[Path, list[str]]:
     """The delivered folder under build/, and its sources for firmware: not the self-test, not the drivers of Eva."""
     folder = campaign.ROOT / "build" / "static-checks" / f"{stand}-{real}"
     folder.mkdir(parents=True, exist_ok=True)
@@ -64,7 +64,7 @@ def sample(found: Figures, rng: Random) -> Iterator[Measured]:
     listed = {**DEVIATIONS, **STANDING_FINDINGS}
     yield Measured("rules and reasons", {row["rule"]: row["reason"] for row in found["rows"]}, listed)
     stand, number = rng.choice(found["stands"]), rng.randrange(len(REALS))
-    folder, files = written(stand, REALS[number])
+    folder, files = write_folder(stand, REALS[number])
     now = count_by_rule(findings(folder, files))
     for row in found["rows"]:
         yield Measured(f"{stand} {REALS[number]}, {row['rule']}", row[stand][number], now[row["rule"]])
@@ -83,9 +83,9 @@ def _stands(counts: dict[tuple[str, str], Counter[str]]) -> list[str]:
     return list(dict.fromkeys(stand for stand, _ in counts))
 
 
-def examined(stand: str, real: str) -> tuple[list[str], Counter[str]]:
+def examine(stand: str, real: str) -> tuple[list[str], Counter[str]]:
     """Complaints of compilers and analyser about a stand's C, and its findings by rule."""
-    folder, files = written(stand, real)
+    folder, files = write_folder(stand, real)
     complaints = warnings_of(folder, [*files, f"{stand}_selftest.c"])
     return [f"{stand} {real}: {line}" for line in complaints], count_by_rule(findings(folder, files))
 
@@ -109,7 +109,7 @@ def main() -> int:
     given = campaign.parser(__doc__, stands=",".join(names()), jobs=campaign.cores(), page=False).parse_args()
     stands = given.stands.split(",")
     pairs = [(stand, real) for stand in stands for real in REALS]
-    found = dict(zip(pairs, campaign.map_rows(examined, given.jobs, *zip(*pairs, strict=True)), strict=True))
+    found = dict(zip(pairs, campaign.map_rows(examine, given.jobs, *zip(*pairs, strict=True)), strict=True))
     wrong = [line for complaints, _ in found.values() for line in complaints]
     counts = {pair: counter for pair, (_, counter) in found.items()}
     wrong += differences(counts, stands)

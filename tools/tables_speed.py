@@ -17,7 +17,7 @@ from kept import Campaign, Columns, Figures
 from measure_speed import measure_speed
 
 import mahovik
-from mahovik.out.api.compiled import Compiled, compiled
+from mahovik.out.api.compiled import CompiledLibrary, compile_library
 from mahovik.out.api.samples import Samples
 from mahovik.out.api.tables import prepare_arguments
 from mahovik.out.api.variants import variants
@@ -71,11 +71,11 @@ def rows() -> list[tuple[Any, ...]]:
     """One row for each number of stands."""
     stand = mahovik.example("bench8")
     model = mahovik.build(stand)
-    library = compiled(stand, "double", np.dtype(np.float64), None, parallel=False)
+    library = compile_library(stand, "double", np.dtype(np.float64), None, parallel=False)
     return [_row(model, library, n) for n in COUNTS]
 
 
-def _row(model: mahovik.Model, library: Compiled, n: int) -> tuple[Any, ...]:
+def _row(model: mahovik.Model, library: CompiledLibrary, n: int) -> tuple[Any, ...]:
     rng, count, element = np.random.default_rng(2), len(model.flywheels), np.dtype(np.float64)
     given = changes(model.flywheels, model.stand.carrier.mass, n)
     found = variants(mahovik.Stand.of(model.stand), "double", Samples.of(given, None))

@@ -124,7 +124,7 @@ def examine(seed: int) -> dict[str, Any]:
     found = TermSearch(stand, seed, ("forward",)).find(answer)
     seconds = time.perf_counter() - begin
     fresh = TermSearch(stand, seed + 1000, ("forward",)).requests[:50]
-    off = _unexplained(stand, [motion(each) for each in fresh], fresh, found.terms)
+    off = _unexplained_part(stand, [motion(each) for each in fresh], fresh, found.terms)
     return {
         "stand": stand.name,
         "flywheels": len(stand.flywheels),
@@ -137,7 +137,7 @@ def examine(seed: int) -> dict[str, Any]:
     }
 
 
-def _unexplained(stand: Stand, moves: Any, requests: Any, terms: Any) -> float:
+def _unexplained_part(stand: Stand, moves: Any, requests: Any, terms: Any) -> float:
     """Part of the error at states that were not asked for which the named terms do not explain."""
     states = [request.state for request in requests]
     motion = Motion.of(states, [at for at, _, _ in moves], np.array([x for _, x, _ in moves]))

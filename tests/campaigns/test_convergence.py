@@ -45,7 +45,7 @@ def test_values_that_are_missing_are_left_out() -> None:
 def test_a_goal_is_reached_when_the_interval_is_narrow() -> None:
     x = np.random.default_rng(2).normal(10, 1, 5000)
     goal = Goal("shake", 0.95, 0.95, 0.02)
-    assert not goal.reached(x[:50])
-    assert goal.reached(x)
-    assert not Goal("shake", 0.95, 0.95, None).reached(x)
-    assert not goal.reached(np.zeros(0))
+    assert not goal.is_reached(x[:50])
+    assert goal.is_reached(x)
+    assert not Goal("shake", 0.95, 0.95, None).is_reached(x)
+    assert not goal.is_reached(np.zeros(0))

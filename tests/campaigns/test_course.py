@@ -10,7 +10,7 @@ from numpy.testing import assert_array_equal
 from numpy.typing import NDArray
 
 import mahovik
-from mahovik.out.api.compiled import ELEMENT, compiled
+from mahovik.out.api.compiled import ELEMENT, compile_library
 from mahovik.out.campaign.block import Block
 
 N, COUNT, STEP = 11, 5, 1e-3
@@ -25,7 +25,7 @@ def test_a_course_has_the_bits_of_its_steps(pushed: bool) -> None:
         stand = stand.replace({"carrier.wrench_input": True})
     rng, model = np.random.default_rng(1), mahovik.build(stand)
     tables = model.tables({"w1.unbalance.static": rng.uniform(1e-6, 1e-3, N)})
-    made = compiled(stand, "double", ELEMENT["double"], None, parallel=False)
+    made = compile_library(stand, "double", ELEMENT["double"], None, parallel=False)
     # a stretch of two steps, then one of three; the second begins where the first ends
     speeds = np.cumsum(rng.normal(size=(COUNT + 2, 8)) * np.array([1, 1, 0, 0, 0, 1, 0])[:, None], axis=0) + 50.0
     phases = rng.normal(size=(COUNT + 2, 8))
@@ -73,7 +73,7 @@ def test_a_refused_sample_is_named_with_its_first_step() -> None:
     """It stays as it was, and the others go on."""
     stand = mahovik.example("bench8")
     model = mahovik.build(stand)
-    made = compiled(stand, "double", ELEMENT["double"], None, parallel=False)
+    made = compile_library(stand, "double", ELEMENT["double"], None, parallel=False)
     block = Block(stand, made, model.tables({}, 3), 0, 3)
     block.x[:] = model.states(3).array.T
     block.x[7, 1] = np.nan

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from emit.trees import Trees
 from mahovik.core.emit.expression import Expressions
-from mahovik.core.emit.layout import WIDTH, paragraph, wrapped
+from mahovik.core.emit.layout import WIDTH, paragraph, wrap_statement
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import Statements
 from mahovik.core.program.build import Body
@@ -37,14 +37,14 @@ def tree_text(seed: int, depth: int = 7) -> str:
 @given(SEEDS, st.integers(0, 12))
 def test_wrapping_keeps_every_token(seed: int, depth: int) -> None:
     text = f"const t_real value = {tree_text(seed)};"
-    lines = wrapped(text, "    " * depth)
+    lines = wrap_statement(text, "    " * depth)
     assert tokens("\n".join(lines)) == tokens(text)
     assert all(line == line.rstrip() and line.strip() for line in lines)
 
 
 @given(SEEDS)
 def test_wrapped_lines_fit(seed: int) -> None:
-    lines = wrapped(f"const t_real value = {tree_text(seed)};", "    ")
+    lines = wrap_statement(f"const t_real value = {tree_text(seed)};", "    ")
     assert max(len(line) for line in lines) <= WIDTH
 
 
@@ -83,4 +83,4 @@ def test_paragraphs_keep_every_word_and_fit(words: list[str]) -> None:
 
 @given(st.text("abc", min_size=150, max_size=300))
 def test_what_cannot_be_broken_stays_whole(word: str) -> None:
-    assert wrapped(word, "    ") == [f"    {word}"]
+    assert wrap_statement(word, "    ") == [f"    {word}"]

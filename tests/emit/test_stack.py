@@ -16,7 +16,7 @@ from export.servos import exported as servos
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.program.function import Program
 from mahovik.core.program.stack import stack_bound
-from mahovik.core.program.walk import called
+from mahovik.core.program.walk import called_names
 from mahovik.stands import names
 from toolchain.quick import quick
 from toolchain.tools import compile_c, require
@@ -52,7 +52,7 @@ def chains(program: Program, taken: Mapping[str, int]) -> dict[str, int]:
     """Bytes along the deepest chain of calls, by function; what was compiled into its callers has no frame."""
     found: dict[str, int] = {}
     for f in program.functions:
-        found[f.name] = taken.get(f.name, 0) + max((found[name] for name in called(f.body)), default=0)
+        found[f.name] = taken.get(f.name, 0) + max((found[name] for name in called_names(f.body)), default=0)
     return found
 
 

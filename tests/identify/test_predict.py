@@ -13,7 +13,7 @@ from mahovik.out.api.model import build
 from mahovik.out.identify.channels import channel_of, six_axes
 from mahovik.out.identify.free import Free
 from mahovik.out.identify.jacobian import slopes, values
-from mahovik.out.identify.predict import Predictor, shifted
+from mahovik.out.identify.predict import Predictor, shift_regime
 from mahovik.use.simulate.by_scipy import SciPyMotion
 from mahovik.use.simulate.case import Case
 
@@ -50,7 +50,7 @@ def test_a_later_beginning_is_the_same_motion() -> None:
     wheels = tuple(FlywheelRegime(s.name, Harmonic(100.0, 20.0, 3.0, 0.2), 0.4) for s in stand.flywheels)
     regime = Regime("swing", wheels, {})
     t = np.linspace(0.0, 1.0, 9)
-    later, whole = shifted(regime, 0.7).motion(t), regime.motion(t + 0.7)
+    later, whole = shift_regime(regime, 0.7).motion(t), regime.motion(t + 0.7)
     assert np.allclose(later[0] - later[0][0], whole[0] - whole[0][0])
     assert np.allclose(later[1:], whole[1:])
 

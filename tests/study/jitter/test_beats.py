@@ -118,11 +118,11 @@ def test_a_simulation_of_the_c_has_this_beat(
     """Amplitudes of 4e-6 and 4e-4 arcsec beside lines of 0.03."""
     monkeypatch.setattr(jitter_campaign, "SECONDS", seconds)
     found = solve(speeds)
-    t, rows = jitter_campaign.simulated(SAT4, found, 2e-4)
+    t, rows = jitter_campaign.simulate(SAT4, found, 2e-4)
     chart, own = found.scene.chart, lines(found)
     turned = Rotation.from_matrix(chart.C.T) * Rotation.from_quat(rows[:, 3:7], scalar_first=True)
     values = turned.as_rotvec() @ places(SAT4, ["acc1"])[0].axes
-    own = own.selected((own.frequency[0] > 0.0) & (own.sizes[0].max(axis=1) > 1e-7 * own.sizes.max()))
+    own = own.select((own.frequency[0] > 0.0) & (own.sizes[0].max(axis=1) > 1e-7 * own.sizes.max()))
     f = np.unique(own.frequency[0].round(9))
     fitted = jitter_campaign.fit(t, values, f)[0]
     (beat,) = np.flatnonzero(f < 1.0)

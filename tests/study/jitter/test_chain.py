@@ -159,7 +159,7 @@ def test_rocking_splits_into_whirls(tmp_path: Path) -> None:
     speed = 300.0
     for omega in (100.0, 250.0, 700.0):
         w = np.array([0, 0, 0, 0, 1, -1j]), np.array([0, 0, 0, 0, 1, 1j])
-        passed = [abs(inner.transmitted(each, np.array(omega), np.array(speed))[4]) for each in w]
+        passed = [abs(inner.transmit(each, np.array(omega), np.array(speed))[4]) for each in w]
         assert passed == pytest.approx(rotor(inner, omega, speed), rel=1e-9)
 
 

@@ -149,7 +149,7 @@ def _call(f: Function, generated: Generated, names: Names, wide: bool, each: boo
     """Values of the template for one function; `each`: every state has a table of its own."""
     layouts = {a.name: _argument_layout(a, generated, wide) for a in f.arguments}
 
-    def given(a: Argument) -> str:
+    def argument_of_state(a: Argument) -> str:
         """An argument of the function for one state."""
         if each and a.name in TABLES:
             return f"&{a.name}_j"
@@ -190,7 +190,7 @@ def _call(f: Function, generated: Generated, names: Names, wide: bool, each: boo
         "locals": [declaration(names, a, f"{a.name}_j") for a in (*single, *gathered)],
         "load": [row for a in gathered if a.direction == "in" for row in _rows(a, layouts[a.name])],
         "store": [row for a in gathered if a.direction != "in" for row in _rows(a, layouts[a.name])],
-        "call": call(names, f, given),
+        "call": call(names, f, argument_of_state),
         "batch": ", ".join([first, "n", *others]),
     }
 

@@ -54,7 +54,7 @@ class AttitudePrinter:
         declared = (self._tables.dumps, self._tables.task.name, *self._tables.settings)
         link = part_link(self._stand.name, "attitude", identities(self._stand), self._code.precision.name, declared)
         name = f"{self._stand.name}_attitude"
-        source = self.rendered(
+        source = self.render(
             "attitude.c.j2",
             link=link,
             word=self._code.names.type(Kind.WORD),
@@ -64,18 +64,18 @@ class AttitudePrinter:
             functions=self._code.functions,
             settings={member: self.numbers(value) for member, value in self._tables.settings.items()},
         )
-        return {f"{name}.h": self.rendered("attitude.h.j2", link=link), f"{name}.c": source}
+        return {f"{name}.h": self.render("attitude.h.j2", link=link), f"{name}.c": source}
 
     def numbers(self, value: float | tuple[float, ...]) -> str:
         """Literals of one or several numbers, as an initialiser of C."""
         if isinstance(value, tuple):
-            return f"{{ {self.listed(value)} }}"
+            return f"{{ {self.list_literals(value)} }}"
         return self._code.real(value)
 
-    def listed(self, values: tuple[float, ...]) -> str:
+    def list_literals(self, values: tuple[float, ...]) -> str:
         """Literals, one after the other."""
         return ", ".join(self._code.real(v) for v in values)
 
-    def rendered(self, name: str, **more: Any) -> str:
+    def render(self, name: str, **more: Any) -> str:
         """A template rendered with the values that all of them use."""
         return self._code.render(name, **self._facts, eps=self._code.precision.epsilon, **more)

@@ -68,7 +68,7 @@ class Code:
         """Definitions of structs."""
         return [struct_lines(s, self.names) for s in structs]
 
-    def declared(self, functions: Iterable[Function]) -> list[dict[str, Any]]:
+    def public_declarations(self, functions: Iterable[Function]) -> list[dict[str, Any]]:
         """Contract and prototype of public functions."""
         return [
             {"comment": contract(f, self.names, self.program), "prototype": prototype(f, self.names)} for f in functions

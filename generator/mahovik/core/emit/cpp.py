@@ -7,7 +7,7 @@ from mahovik.core.emit.calls import argument_text, call
 from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.declaration import contract
 from mahovik.core.emit.generate import Generated, internal
-from mahovik.core.emit.layout import hanging, wrapped
+from mahovik.core.emit.layout import hanging, wrap_statement
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.status import statuses
 from mahovik.core.program.call import Argument
@@ -64,7 +64,7 @@ def _function(f: Function, names: Names, program: Program) -> dict[str, list[str
     head = hanging(f"inline {result} {f.name}(", [_parameter(a, names) for a in f.arguments], " noexcept")
     text = call(names, f, _argument_text)
     returned = f"return status_of({text});" if f.returns is Kind.STATUS else f"return {text};"
-    return {"comment": contract(f, names, program), "lines": [*head, "{", *wrapped(returned, INDENT), "}"]}
+    return {"comment": contract(f, names, program), "lines": [*head, "{", *wrap_statement(returned, INDENT), "}"]}
 
 
 def _parameter(a: Argument, names: Names) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from mahovik.core.emit.layout import hanging, paragraph, wrapped
+from mahovik.core.emit.layout import hanging, paragraph, wrap_statement
 from mahovik.core.emit.names import Names, member
 from mahovik.core.program.call import Argument
 from mahovik.core.program.cost import cost
@@ -57,7 +57,7 @@ def _argument(a: Argument, names: Names, restrictable: bool) -> str:
 
 def contract(function: Function, names: Names, program: Program) -> list[str]:
     """The comment above a public prototype: purpose, equation, arguments, statuses, cost, stack."""
-    lines = paragraph(f"{function.name}: {titled(function)}", "/* ", " * ")
+    lines = paragraph(f"{function.name}: {purpose_with_number(function)}", "/* ", " * ")
     width = max((len(_shape_text(a)) for a in function.arguments), default=0)
     for a in function.arguments:
         direction = {"in": "", "out": "out: ", "inout": "in and out: "}[a.direction]
@@ -74,7 +74,7 @@ def contract(function: Function, names: Names, program: Program) -> list[str]:
         if any(a.direction != "in" for a in function.arguments):
             text += " Nothing is written when the status is negative."
         lines += paragraph(text, " * ", " * ")
-    text = f"{counted(function, program)} Stack: at most {stack_bound(function, program)} bytes."
+    text = f"{operation_counts(function, program)} Stack: at most {stack_bound(function, program)} bytes."
     lines += paragraph(text, " * ", " * ")
     lines[-1] += " */"
     return lines
@@ -86,7 +86,7 @@ def null_check(function: Function, names: Names) -> list[str]:
     if not pointers or function.returns is None:
         return []
     condition = " || ".join(f"{a.name} == NULL" for a in pointers)
-    refused = wrapped(f"if ({condition}) {{ return {names.constant('BAD_ARGUMENT')}; }}", "    ")
+    refused = wrap_statement(f"if ({condition}) {{ return {names.constant('BAD_ARGUMENT')}; }}", "    ")
     return refused + [f"    {line}" for line in given_zeros(function, names)]
 
 
@@ -120,7 +120,7 @@ def optional(function: Function) -> list[Argument]:
 
 def summary(function: Function) -> list[str]:
     """The comment above an internal function."""
-    text = titled(function)
+    text = purpose_with_number(function)
     if function.purpose[1:2].islower():
         text = text[0].upper() + text[1:]
     lines = paragraph(text, "/* ", " * ")
@@ -130,7 +130,7 @@ def summary(function: Function) -> list[str]:
     return lines
 
 
-def titled(function: Function) -> str:
+def purpose_with_number(function: Function) -> str:
     """Purpose with the equation's number."""
     purpose = function.purpose.rstrip(".")
     if purpose[1:2].islower():
@@ -140,7 +140,7 @@ def titled(function: Function) -> str:
     return purpose if purpose.endswith("?") else f"{purpose}."
 
 
-def counted(function: Function, program: Program) -> str:
+def operation_counts(function: Function, program: Program) -> str:
     """`1216 operations, 2 divisions.`: counts of real arithmetic by the program itself."""
     found = cost(function, program.functions)
     if not found.total:

@@ -6,7 +6,7 @@ from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.eva import eva_files, provable
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.readme import readme
-from mahovik.core.emit.recorder import recorded, recorder_files
+from mahovik.core.emit.recorder import has_recorder, recorder_files
 from mahovik.core.emit.selftest import selftest
 from mahovik.core.lower.golden import golden
 from mahovik.core.stand.identity import identities
@@ -48,7 +48,7 @@ def _firmware(stand: Stand, generated: Generated, batch: bool = False) -> dict[s
     return {
         **generated.files,
         **selftest_files(stand, generated),
-        **(recorder_files(stand, generated) if recorded(generated) else {}),
+        **(recorder_files(stand, generated) if has_recorder(generated) else {}),
         **(batch_files(stand, generated) if batch else {}),
         "README.md": readme(stand, generated, batch),
     }

@@ -9,7 +9,7 @@ from typing import Any
 from mahovik.core.emit.calls import address, call
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.generate import Generated
-from mahovik.core.emit.layout import wrapped
+from mahovik.core.emit.layout import wrap_statement
 from mahovik.core.emit.templates import source_text
 from mahovik.core.lower.fmu.program import lower_fmu
 from mahovik.core.lower.fmu.variables import Form, Variable
@@ -93,7 +93,7 @@ class _Printer:
     def pose(self, name: str) -> str:
         """Header or source of the functions beside those of the stand."""
         code = Code(lower_fmu(self._layout), identities(self._stand))
-        functions = code.declared(code.public) if name.endswith(".h.j2") else code.functions
+        functions = code.public_declarations(code.public) if name.endswith(".h.j2") else code.functions
         return code.render(name, **self._known, functions=functions)
 
     def model(self, name: str) -> str:
@@ -127,7 +127,7 @@ class _Printer:
             fmi=fmi,
             token=token,
             **SPELLING[version],
-            nominals=wrapped(", ".join(map(self._code.real, nominals)), ""),
+            nominals=wrap_statement(", ".join(map(self._code.real, nominals)), ""),
         )
 
     # -- parts ---------------------------------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik.core.emit.generate import described
+from mahovik.core.emit.generate import describe_bodies
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.fmu.variables import Form, Variable, unique
 from mahovik.core.lower.units import DISPLAY, NONE, Unit
@@ -52,7 +52,7 @@ def _facts(stand: Stand, form: Form, version: str, compiled: Sequence[str], step
     measured = {v.unit.quantity: v.unit for _, v in shown if v.unit.quantity}
     return {
         "name": stand.name,
-        "described": described(stand),
+        "described": describe_bodies(stand),
         "structure": found.structure,
         "physics": found.physics,
         "kind": KINDS[form.kind],

@@ -60,7 +60,7 @@ class _Harness:
         functions = [self._function(f) for f in code.public]
         lines = [line for each in (*takes, *draws, *functions) for line in each["lines"]] + vary
 
-        def used(function: str) -> bool:
+        def is_called(function: str) -> bool:
             return any(f"{function}(" in line for line in lines)
 
         return code.render(
@@ -79,11 +79,11 @@ class _Harness:
             stream=self._largest("stream") if self._structs["table"].field("stream") else "",
             options=self._options() if "inverse_options" in self._structs else [],
             mounting="mount_table" in self._structs,
-            takes_ints=used("take_ints"),
-            varies_ints=used("vary_ints"),
-            draws_flags=used("draw_flags"),
-            draws_turns=used("draw_turns"),
-            draws_int=used("draw_int"),
+            takes_ints=is_called("take_ints"),
+            varies_ints=is_called("vary_ints"),
+            draws_flags=is_called("draw_flags"),
+            draws_turns=is_called("draw_turns"),
+            draws_int=is_called("draw_int"),
         )
 
     def _largest(self, name: str) -> str:
@@ -129,7 +129,7 @@ class _Harness:
         places = [(self._result(f, a), a) for a in results]
         drawn = {a.name for a in self._inputs}
 
-        def given(a: Argument) -> str:
+        def argument_or_null(a: Argument) -> str:
             text = argument_text(a, self._place(f, a))
             return f"null == {pointers.index(a) + 1}u ? NULL : {text}" if a in pointers else text
 
@@ -143,7 +143,7 @@ class _Harness:
             "kept": sum(a.direction == "inout" and a.name in drawn for a in f.arguments),
             "pointers": len(pointers),
             "results": [(place, self._source(a) if a.direction == "inout" else "") for place, a in places],
-            "call": call(self._names, f, given),
+            "call": call(self._names, f, argument_or_null),
             "lines": [line for place, a in places for line in take_lines(self._names, place, a.type, a.shape)],
             "refusals": self._mask(f, negative=True, more=("BAD_ARGUMENT",) if pointers else ()),
             "bits": self._mask(f, negative=False),
@@ -193,11 +193,11 @@ class _Harness:
         """The recorder's step beside step itself."""
         taken = [a for a in f.arguments if a.name not in ("next", "table", "x")]
 
-        def given(carry: str) -> str:
+        def arguments_with(carry: str) -> str:
             return ", ".join(f"&{carry}" if a.name == "carry" else argument_text(a, self._place(f, a)) for a in taken)
 
         carry = any(a.name == "carry" for a in taken)
-        texts = {"given": given("plain_carry"), "given_logged": given("logged_carry")}
+        texts = {"given": arguments_with("plain_carry"), "given_logged": arguments_with("logged_carry")}
         return {"name": f.name, "draws": self._draws(f), "carry": carry, **texts}
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from mahovik.contract.functions import CHOSEN, row_of
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.layout import comment_lines, wrapped
+from mahovik.core.emit.layout import comment_lines, wrap_statement
 from mahovik.core.emit.link import link
 from mahovik.core.emit.log_format import RESERVED, table_bytes
 from mahovik.core.emit.names import RESERVED as OF_STANDS
@@ -116,7 +116,7 @@ class _Printer:
     def __init__(self, stand: Stand, layout: Layout, values: Values, code: Code, fast: bool) -> None:
         self._stand, self._layout, self._values, self._code = stand, layout, values, code
         self._names, self._program = code.names, code.program
-        self._known = {"bodies": described(stand), "lanes": layout.lanes, "wide": layout.lanes > 1, "fast": fast}
+        self._known = {"bodies": describe_bodies(stand), "lanes": layout.lanes, "wide": layout.lanes > 1, "fast": fast}
         self._known["link"] = link(stand.name, identities(stand), layout.precision.name, layout.lanes)
 
     def header(self) -> str:
@@ -133,7 +133,7 @@ class _Printer:
                 (f"extern const {self._names.type(struct)} {self._names.function(name)};", meaning)
                 for name, struct, _, meaning in self._constants()
             ],
-            functions=self._code.declared(self._code.public),
+            functions=self._code.public_declarations(self._code.public),
         )
 
     def source(self) -> str:
@@ -190,7 +190,7 @@ class _Printer:
 
     def _enum(self, entries: list[str], count: str, value: int, comment: str) -> list[str]:
         text = f"enum {{ {', '.join(entries)}, {self._names.constant(count)} = {value} }};"
-        return [f"/* {comment} */", *wrapped(text, "")]
+        return [f"/* {comment} */", *wrap_statement(text, "")]
 
     def _function(self, f: Function) -> dict[str, Any]:
         """A function; what the header says of a public one is not said again. `hook`: macro that replaces its body."""
@@ -219,7 +219,7 @@ class _Printer:
         }
 
 
-def described(stand: Stand) -> str:
+def describe_bodies(stand: Stand) -> str:
     """Bodies of a stand in words: `carrier, 1 instrument, 8 flywheels`."""
     return ", ".join(
         [

@@ -11,7 +11,7 @@ _OUTER = (" + ", " - ", " && ", " || ", " ? ", " : ")
 _INNER = (" * ", " / ", " & ", " | ", " ^ ", " << ", " >> ", " < ", " <= ", " > ", " >= ", " == ", " != ")
 
 
-def wrapped(text: str, indent: str) -> list[str]:
+def wrap_statement(text: str, indent: str) -> list[str]:
     """A statement as lines of at most WIDTH columns where it can be broken; later lines are indented further."""
     lines = []
     rest, lead = text, indent

@@ -69,7 +69,7 @@ def state_hash(members: Sequence[bytes], version: int = FORMAT) -> int:
     return found
 
 
-def logged(layout: Layout) -> tuple[Field, ...]:
+def logged_members(layout: Layout) -> tuple[Field, ...]:
     """Members of the table that a start record holds: all but the stream, which every step may change."""
     return tuple(f for f in layout.table.fields if f.name != "stream")
 
@@ -77,7 +77,7 @@ def logged(layout: Layout) -> tuple[Field, ...]:
 def table_bytes(layout: Layout, table: Mapping[str, Any]) -> bytes:
     """A table, given as plain data, as a start record holds it."""
     formats = _formats(layout)
-    found = (leaf for f in logged(layout) for leaf in leaves(f.type, f.shape, table[f.name]))
+    found = (leaf for f in logged_members(layout) for leaf in leaves(f.type, f.shape, table[f.name]))
     return b"".join(struct.pack(formats[kind], value) for kind, value in found)
 
 
@@ -95,7 +95,7 @@ def table_from_bytes(layout: Layout, data: bytes, beside: Mapping[str, Any]) -> 
         at += struct.calcsize(formats[type_])
         return value
 
-    return {**beside, **{f.name: visit(f.type, f.shape) for f in logged(layout)}}
+    return {**beside, **{f.name: visit(f.type, f.shape) for f in logged_members(layout)}}
 
 
 def _formats(layout: Layout) -> dict[Kind, str]:

@@ -10,7 +10,7 @@ from typing import Any
 from mahovik.core.emit.calls import call
 from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.declaration import struct_lines
-from mahovik.core.emit.layout import paragraph, wrapped
+from mahovik.core.emit.layout import paragraph, wrap_statement
 from mahovik.core.emit.link import Link, part_link
 from mahovik.core.emit.manifest import manifest_with
 from mahovik.core.lower.programme.clock import CLOCK
@@ -55,11 +55,11 @@ def programme_files(
         f"{name}_test.c": printer.test(),
         f"{name}.md": printer.page(),
     }
-    files = renamed(files, stand.name, called)
+    files = rename_files(files, stand.name, called)
     return files | {f"{stand.name}_{called}.json": printer.manifest(files)}
 
 
-def renamed(files: dict[str, str], stand_name: str, called: str) -> dict[str, str]:
+def rename_files(files: dict[str, str], stand_name: str, called: str) -> dict[str, str]:
     """Files of a programme, or of its servo, with the programme's name in the place of `programme`.
 
     Names of files are replaced as well; the names of a servo and its trim come after that of its programme.
@@ -71,10 +71,10 @@ def renamed(files: dict[str, str], stand_name: str, called: str) -> dict[str, st
     names |= {old.upper(): new.upper() for old, new in names.items()}
     pattern = re.compile(rf"\b({'|'.join(map(re.escape, names))})(?=_|\b)")
 
-    def replaced(text: str) -> str:
+    def replace_names(text: str) -> str:
         return pattern.sub(lambda found: names[found[0]], text)
 
-    return {replaced(name): replaced(text) for name, text in files.items()}
+    return {replace_names(name): replace_names(text) for name, text in files.items()}
 
 
 class _Printer:
@@ -99,21 +99,21 @@ class _Printer:
 
     def header(self) -> str:
         """The header: the manual."""
-        return self._code.render("programme.h.j2", **self._known, **self._declared(), link=self._link())
+        return self._code.render("programme.h.j2", **self._known, **self._header_declarations(), link=self._link())
 
-    def _declared(self) -> dict[str, list[Any]]:
+    def _header_declarations(self) -> dict[str, list[Any]]:
         """Declarations of the header."""
         sizes = [c.form.size for c in self._made.courses]
         return {
             "spans": self._spans(),
             "counts": [(self._names.constant(size.name), int(size), size.comment) for size in sizes],
             "clock": struct_lines(CLOCK, self._names),
-            "functions": self._code.declared(self._made.public),
+            "functions": self._code.public_declarations(self._made.public),
         }
 
     def _link(self) -> Link:
         """The symbol that header and source share."""
-        declared = self._declared().values()
+        declared = self._header_declarations().values()
         return part_link(self._stand.name, "programme", identities(self._stand), self._code.precision.name, declared)
 
     def source(self) -> str:
@@ -180,11 +180,13 @@ class _Printer:
         given = {a.name: a.name for a in course.inner.arguments}
         given["table"] = f"&{self._names.function(course.form.table.name)}_values"
         found = self._code.function(replace(course.outer, body=()))
-        return found | {"body": found["body"] + wrapped(f"return {call(self._names, course.inner, given)};", INDENT)}
+        return found | {
+            "body": found["body"] + wrap_statement(f"return {call(self._names, course.inner, given)};", INDENT)
+        }
 
     def _answers(self, golden: GoldenCourse) -> dict[str, Any]:
         outer = golden.course.outer
-        rows = [wrapped(f"{{ {', '.join(map(self._code.hex, answer))} }},", INDENT) for answer in golden.answers]
+        rows = [wrap_statement(f"{{ {', '.join(map(self._code.hex, answer))} }},", INDENT) for answer in golden.answers]
         return {
             "name": outer.name,
             "function": self._names.function(outer.name),

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from mahovik.core.emit.calls import call
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.declaration import titled
+from mahovik.core.emit.declaration import purpose_with_number
 from mahovik.core.emit.eva import provable
-from mahovik.core.emit.generate import Generated, described
-from mahovik.core.emit.recorder import recorded
+from mahovik.core.emit.generate import Generated, describe_bodies
+from mahovik.core.emit.recorder import has_recorder
 from mahovik.core.emit.status import statuses
 from mahovik.core.program.cost import cost
 from mahovik.core.program.types import Struct
@@ -27,7 +27,7 @@ def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
     return code.render(
         "delivery.md.j2",
         part=part,
-        bodies=described(stand),
+        bodies=describe_bodies(stand),
         option="" if real == "double" else f" --real {real}",
         made_by=(f" --lanes {lanes}" if lanes > 1 or generated.fast else "")
         + (" --fast" if generated.fast else "")
@@ -48,7 +48,10 @@ def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
         freedoms=generated.layout.freedoms,
         call=call(names, called[0], given) if called else "",
         only=generated.only,
-        recorded=recorded(generated),
-        functions=[(f.name, titled(f).replace("|", "\\|"), cost(f, code.program.functions).total) for f in code.public],
+        recorded=has_recorder(generated),
+        functions=[
+            (f.name, purpose_with_number(f).replace("|", "\\|"), cost(f, code.program.functions).total)
+            for f in code.public
+        ],
         statuses=statuses(names, generated.layout),
     )

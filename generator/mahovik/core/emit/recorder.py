@@ -11,8 +11,8 @@ from mahovik.core.emit.calls import nested_loops, over_rows
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import pointer_arguments, prototype
 from mahovik.core.emit.generate import Generated
-from mahovik.core.emit.layout import wrapped
-from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, STEP, logged, table_bytes
+from mahovik.core.emit.layout import wrap_statement
+from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, STEP, logged_members, table_bytes
 from mahovik.core.emit.names import Names
 from mahovik.core.lower.golden import fnv1a
 from mahovik.core.lower.layout import Layout
@@ -29,7 +29,7 @@ def source_hash(files: dict[str, str], name: str) -> int:
     return fnv1a((files[f"{name}.h"] + files[f"{name}.c"]).encode("utf-8"))
 
 
-def recorded(generated: Generated) -> bool:
+def has_recorder(generated: Generated) -> bool:
     """Whether there are steps whose logs can be repeated."""
     return not generated.fast and bool(logging(generated.program))
 
@@ -81,7 +81,7 @@ def _values(generated: Generated, code: Code) -> dict[str, Any]:
         "name_bytes": [f"0x{byte:02x}" for byte in name.encode("ascii")],
         "put_functions": [
             {"struct": struct.name, "lines": [line for f in struct.fields for line in _put_statements(f, names)]}
-            for struct in Struct(layout.table.name, layout.table.purpose, logged(layout)).inner_structs()
+            for struct in Struct(layout.table.name, layout.table.purpose, logged_members(layout)).inner_structs()
         ],
         "start_prototype": prototype(_start(layout), names),
         "start_stack": _round_stack(longest + _FRAMES),
@@ -130,7 +130,7 @@ def _step(f: Function, names: Names) -> dict[str, Any]:
     return {
         "name": f.name.removeprefix("recorder_"),
         "prototype": prototype(f, names),
-        "null_check": wrapped(text, "    "),
+        "null_check": wrap_statement(text, "    "),
         "drive": next((n for n in ("tau", "phi_ddot") if n in taken), ""),
         "driven": "phi_ddot" in taken,
         "carried": "carry" in taken,

@@ -12,7 +12,7 @@ from mahovik.contract.status import status_words
 from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.constant import initialiser
 from mahovik.core.emit.generate import Generated
-from mahovik.core.emit.layout import wrapped
+from mahovik.core.emit.layout import wrap_statement
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
@@ -63,7 +63,7 @@ def replay_test(
         passed[name] = name
         text = ", ".join(str(int(v)) if name == "locked" else _number(v, code) for v in value)
         declaration = names.declaration(name, arguments[name].type, (len(value),))
-        variables.append({"declaration": declaration, "lines": wrapped(text, INDENT)})
+        variables.append({"declaration": declaration, "lines": wrap_statement(text, INDENT)})
     kept = {"carry_after": carry_after} if carry_after is not None else {}
     numbers = [v for group in (before, after, inputs, kept) for values in group.values() for v in np.atleast_1d(values)]
     return code.render(
@@ -84,7 +84,7 @@ def replay_test(
 def _members(numbers: Numbers, code: Code) -> list[str]:
     lines = []
     for name, values in numbers.items():
-        lines += wrapped(f".{name} = {{ {', '.join(_number(v, code) for v in values)} }},", INDENT)
+        lines += wrap_statement(f".{name} = {{ {', '.join(_number(v, code) for v in values)} }},", INDENT)
     return lines
 
 

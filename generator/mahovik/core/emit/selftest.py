@@ -18,7 +18,7 @@ from mahovik.core.emit.calls import (
 )
 from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.draws import Draws
-from mahovik.core.emit.layout import wrapped
+from mahovik.core.emit.layout import wrap_statement
 from mahovik.core.lower import test_inputs
 from mahovik.core.lower.golden import ACCEPTED, CASES, FAR, LISTED, SWEPT, Golden, tested
 from mahovik.core.lower.test_inputs import Input
@@ -103,14 +103,16 @@ class _SelfTest:
             "results": [declaration(self._names, a) for a in results]
             + ([f"{self._names.declaration('value', Kind.REAL)};"] if number else []),
             "begins": [line for a in results if a.direction == "inout" for line in self._begin(f, a)],
-            "call": wrapped(f"{returned}{text};", INDENT),
+            "call": wrap_statement(f"{returned}{text};", INDENT),
             "status": status,
             "refusable": status and bool(out),
             "kept_bytes": " + ".join(f"sizeof results.{f.name}.{name}" for name, *_ in kept) or "0u",
             "kept": [line for each in kept for line in self._take_lines(f, *each)],
             "lines": [line for each in out for line in self._take_lines(f, *each)],
             "cases": [(a.status, f"0x{a.hash:08x}u", len(a.listed)) for a in answers],
-            "numbers": [wrapped(", ".join(map(self._code.hex, a.listed)) + ",", INDENT) for a in answers if a.listed],
+            "numbers": [
+                wrap_statement(", ".join(map(self._code.hex, a.listed)) + ",", INDENT) for a in answers if a.listed
+            ],
             "sweep": f"0x{self._golden.sweep[f.name]:08x}u",
         }
 
@@ -165,7 +167,7 @@ class _SelfTest:
                 lines.append(f"{indent}}},")
             else:
                 literal = initialiser_of(type_, shape, value, self._code.precision)
-                lines.extend(wrapped(f".{name} = {literal},", indent))
+                lines.extend(wrap_statement(f".{name} = {literal},", indent))
 
         for a in drawn:
             visit(a.name, a.type, a.shape, case[a.name], INDENT * 2)

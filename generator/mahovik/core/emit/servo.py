@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from mahovik.core.emit.code import INDENT, Code
-from mahovik.core.emit.layout import paragraph, wrapped
+from mahovik.core.emit.layout import paragraph, wrap_statement
 from mahovik.core.emit.link import Link, part_link
 from mahovik.core.emit.manifest import manifest_with
-from mahovik.core.emit.programme import renamed
+from mahovik.core.emit.programme import rename_files
 from mahovik.core.lower.servo import golden as expected
 from mahovik.core.lower.servo.form import ServoForm
 from mahovik.core.lower.servo.golden import Golden
@@ -64,12 +64,12 @@ def servo_files(
     printer = _Printer(stand, program, form, tables)
     name = f"{stand.name}_servo"
     files = servo_code(stand, program, form, tables) | {
-        f"{name}_main.c": printer.rendered("servo_main.c.j2"),
+        f"{name}_main.c": printer.render("servo_main.c.j2"),
         f"{name}_test.c": printer.test(golden),
         f"{name}.md": printer.page(),
     }
-    files = renamed(files, stand.name, called)
-    (manifest,) = renamed({f"{name}.json": ""}, stand.name, called)
+    files = rename_files(files, stand.name, called)
+    (manifest,) = rename_files({f"{name}.json": ""}, stand.name, called)
     return files | {manifest: printer.manifest(files, what)}
 
 
@@ -77,7 +77,7 @@ def servo_program_text(
     name: str, stand: Stand, program: Program, form: ServoForm, tables: ServoTables, **more: Any
 ) -> str:
     """A program of the template `name` that runs the servos of these tables."""
-    return _Printer(stand, program, form, tables).rendered(name, **more)
+    return _Printer(stand, program, form, tables).render(name, **more)
 
 
 class _Printer:
@@ -89,21 +89,21 @@ class _Printer:
 
     def header(self) -> str:
         """The header: the manual."""
-        return self.rendered("servo.h.j2", **self._declared(), link=self._link())
+        return self.render("servo.h.j2", **self._header_declarations(), link=self._link())
 
-    def _declared(self) -> dict[str, list[Any]]:
+    def _header_declarations(self) -> dict[str, list[Any]]:
         """Declarations of the header."""
         program, names = self._code.program, self._code.names
         return {
             "counts": [(names.constant(c.name), int(c), c.comment) for c in program.counts[1:]],
             "structs": self._code.structs(program.structs),
-            "functions": self._code.declared(self._code.public),
+            "functions": self._code.public_declarations(self._code.public),
         }
 
     def _link(self) -> Link:
         """The symbol that header and source share."""
         tables = self._tables
-        declared = (*self._declared().values(), tables.period, tables.ticks, tables.periods)
+        declared = (*self._header_declarations().values(), tables.period, tables.ticks, tables.periods)
         return part_link(self._stand.name, "servo", identities(self._stand), self._code.precision.name, declared)
 
     def source(self) -> str:
@@ -113,7 +113,7 @@ class _Printer:
         constants = [self._code.table("servo_default", form.gains, tables.gains)]
         if tables.design is not None:
             constants.append(self._code.table("trim_default", form.design, tables.design))
-        return self.rendered(
+        return self.render(
             "servo.c.j2",
             link=self._link(),
             uses_word=bool(self._code.casts) or any(getattr(e, "kind", None) is Kind.WORD for e in every),
@@ -125,8 +125,8 @@ class _Printer:
 
     def test(self, golden: Golden) -> str:
         """The self-test: golden torques, long runs, refusals."""
-        rows = [wrapped(f"{{ {', '.join(map(self._code.hex, row))} }},", INDENT) for row in golden.torques]
-        return self.rendered(
+        rows = [wrap_statement(f"{{ {', '.join(map(self._code.hex, row))} }},", INDENT) for row in golden.torques]
+        return self.render(
             "servo_test.c.j2",
             torques=[line for lines in rows for line in lines],
             listed=len(golden.torques),
@@ -146,7 +146,7 @@ class _Printer:
 
     def page(self) -> str:
         """The page: contents and use."""
-        return self.rendered(
+        return self.render(
             "servo.md.j2", functions=[(self._code.names.function(f.name), f.purpose) for f in self._code.public]
         )
 
@@ -154,7 +154,7 @@ class _Printer:
         """Manifest: identity of the stand and hash of every file, without dates."""
         return manifest_with(self._stand, self._code.precision.name, files, {"servo": what})
 
-    def rendered(self, name: str, **more: Any) -> str:
+    def render(self, name: str, **more: Any) -> str:
         """A template rendered with the values that all of them use."""
         tables = self._tables
         return self._code.render(

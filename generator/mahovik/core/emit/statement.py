@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mahovik.core.emit.expression import Expressions
-from mahovik.core.emit.layout import WIDTH, comment_lines, wrapped
+from mahovik.core.emit.layout import WIDTH, comment_lines, wrap_statement
 from mahovik.core.emit.names import Names
 from mahovik.core.program.expression import Negate, Place, Variable
 from mahovik.core.program.statement import (
@@ -155,7 +155,7 @@ class Statements:
         raise TypeError(f"{type(s).__name__} has no form in C")
 
     def _line(self, code: str, indent: str, comment: str) -> list[str]:
-        lines = wrapped(code, indent)
+        lines = wrap_statement(code, indent)
         if not comment:
             return lines
         if len(lines) == 1 and len(lines[0]) + len(comment) + 8 <= WIDTH:
@@ -172,8 +172,8 @@ class Statements:
         comment = f"  /* {s.comment} */" if s.comment else ""
         head = f"if ({self._expressions.text(s.condition)}) {{"
         if len(s.body) == 1 and isinstance(s.body[0], Return) and not s.otherwise:
-            return wrapped(f"{head} return {self._expressions.text(s.body[0].value)}; }}{comment}", indent)
-        lines = [*wrapped(head + comment, indent), *self.block(s.body, indent + _STEP)]
+            return wrap_statement(f"{head} return {self._expressions.text(s.body[0].value)}; }}{comment}", indent)
+        lines = [*wrap_statement(head + comment, indent), *self.block(s.body, indent + _STEP)]
         if s.otherwise:
             lines += [f"{indent}}} else {{", *self.block(s.otherwise, indent + _STEP)]
         return [*lines, f"{indent}}}"]

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from mahovik import __version__
-from mahovik.core.emit.layout import wrapped
+from mahovik.core.emit.layout import wrap_statement
 
 if TYPE_CHECKING:
     from jinja2 import Environment, Template
@@ -46,7 +46,7 @@ def environment() -> Environment:
     found.globals["version"] = __version__
     found.globals["release"] = [int(part) for part in re.findall(r"\d+", __version__)[:3]]
     found.filters["indented"] = lambda lines, by: "\n".join(" " * by + line for line in lines)
-    found.filters["wrapped"] = lambda text, by: "\n".join(wrapped(text, " " * by))
+    found.filters["wrapped"] = lambda text, by: "\n".join(wrap_statement(text, " " * by))
     return found
 
 

@@ -93,7 +93,7 @@ def record(of: Sequence[Member], real: np.dtype[Any]) -> np.dtype[Any]:
     return np.dtype(types, align=True)
 
 
-def filled(of: Sequence[Member], real: np.dtype[Any], value: Mapping[str, Any]) -> NDArray[Any]:
+def fill_record(of: Sequence[Member], real: np.dtype[Any], value: Mapping[str, Any]) -> NDArray[Any]:
     """One record in an array of one, from dicts (records), lists (arrays) and numbers."""
     found = np.zeros(1, dtype=record(of, real))
     _fill(of, found[0], value)

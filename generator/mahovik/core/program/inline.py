@@ -28,9 +28,9 @@ class Inliner:
         """`functions`: each after those it calls; `reserved`: names that no variable may get."""
         self._functions: dict[str, Function] = {}
         for name, function in functions.items():
-            self._functions[name] = _Body(function, self._found, reserved).function()
+            self._functions[name] = _Body(function, self._function_named, reserved).function()
 
-    def _found(self, name: str) -> Function:
+    def _function_named(self, name: str) -> Function:
         return self._functions[name]
 
     def __getitem__(self, name: str) -> Function:
@@ -93,7 +93,7 @@ class _Body:
         """An expression, and what must be done before it: the bodies of the functions that it calls."""
         before: list[Statement] = []
 
-        def called(call: Call) -> Expr:
+        def inline_call(call: Call) -> Expr:
             if not is_flat(self._found(call.signature.name)):
                 raise TypeError(f"{call.signature.name} is called inside an expression, but cannot be copied there")
             steps, value = self._copy_body(call)
@@ -101,7 +101,7 @@ class _Body:
             assert value is not None
             return value
 
-        return before, rebuilt(e, substitution(meanings), called)
+        return before, rebuilt(e, substitution(meanings), inline_call)
 
     def _statement(self, s: Statement, meanings: dict[int, Expr]) -> Iterator[Statement]:
         match s:

@@ -170,7 +170,7 @@ def _runtime(precision: Precision) -> dict[str, Any]:
         """Towards zero, as in C; `//` of Python is towards minus infinity."""
         return abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
 
-    def divided(a: Any, b: Any) -> Any:
+    def divide(a: Any, b: Any) -> Any:
         """Quotient by IEEE 754, also where Python raises an error."""
         if hasattr(b, "map"):
             return a / b
@@ -188,7 +188,7 @@ def _runtime(precision: Precision) -> dict[str, Any]:
 
     return {
         "quotient": quotient,
-        "divided": divided,
+        "divided": divide,
         "bits_of": bits_of,
         "real_of_bits": real_of_bits,
         "scalar": number,

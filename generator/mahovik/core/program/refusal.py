@@ -45,7 +45,7 @@ from mahovik.core.program.statement import (
     When,
 )
 from mahovik.core.program.types import Kind, Precision
-from mahovik.core.program.walk import blocks, called, inside, statements, with_blocks
+from mahovik.core.program.walk import blocks, called_names, inside, statements, with_blocks
 
 REFUSED = "refused"
 """Name of the argument."""
@@ -60,7 +60,7 @@ def without_returns(functions: tuple[Function, ...], precision: Precision) -> di
     looking: set[str] = set()
     for f in reversed(functions):
         if _only_looks(f) or f.name in looking:
-            looking |= called(f.body)
+            looking |= called_names(f.body)
     for function in functions:
         refusing = function.returns is Kind.STATUS
         if refusing and not _only_looks(function):
@@ -262,7 +262,7 @@ class _Probing:
     def _body(self, body: Statements) -> Iterator[Statement]:
         for call, s in _checks(body):
             if call is not None:
-                yield self._probed(call)
+                yield self._probe(call)
                 continue
             match s:
                 case Declare(variable) if variable.type is Kind.STATUS:
@@ -270,7 +270,7 @@ class _Probing:
                 case Return(Status(name="OK")):
                     pass
                 case Return(Call() as last):
-                    yield self._probed(last)
+                    yield self._probe(last)
                 case When(condition, inner, ()) if isinstance(inner[-1], Return) or _only_checks(inner):
                     yield Set(self._suspect.place, self._suspect.place | self._doubt(condition))
                 case When(condition, inner, ()) if _returns(inner) and not _on_ints(condition):
@@ -280,7 +280,7 @@ class _Probing:
                 case _:
                     yield s
 
-    def _probed(self, call: Call) -> Do:
+    def _probe(self, call: Call) -> Do:
         return Do(Call(self._done[_probe_name(call.signature)].signature, (*call.arguments, self._suspect.place)))
 
     def _doubt(self, condition: Expr) -> Expr:

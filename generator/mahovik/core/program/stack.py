@@ -12,7 +12,7 @@ from mahovik.core.program.cost import cost
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.statement import Declare, Let, Loop
 from mahovik.core.program.types import Struct, numbers
-from mahovik.core.program.walk import called, statements
+from mahovik.core.program.walk import called_names, statements
 
 FRAME = 48
 """Stack of a call itself, bytes: return address and saved registers."""
@@ -50,7 +50,7 @@ def _depths(program: Program) -> dict[str, int]:
 
 
 def _deepest(function: Function, width: int, below: dict[str, int]) -> int:
-    return _frame(function, width) + max((below[name] for name in called(function.body)), default=0)
+    return _frame(function, width) + max((below[name] for name in called_names(function.body)), default=0)
 
 
 def _frame(function: Function, width: int) -> int:

@@ -6,7 +6,7 @@ from mahovik.core.program.expression import Expr, Place, Variable
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.statement import Declare, Let, Loop, Statements
 from mahovik.core.program.types import Kind
-from mahovik.core.program.walk import blocks, called, inside, own, statements, used_variables
+from mahovik.core.program.walk import blocks, called_names, inside, own, statements, used_variables
 
 
 def validate(program: Program) -> None:
@@ -17,7 +17,7 @@ def validate(program: Program) -> None:
             raise ValueError(f"{name} names two things")
     known: set[str] = set()
     for function in program.functions:
-        unknown = called(function.body) - known
+        unknown = called_names(function.body) - known
         if unknown:
             raise ValueError(f"{function.name} calls {sorted(unknown)[0]}, which does not come before it")
         known.add(function.name)

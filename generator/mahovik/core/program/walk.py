@@ -78,7 +78,7 @@ def used_variables(body: Iterable[Statement]) -> set[int]:
     return {id(e.root) for e in expressions(body) if isinstance(e, Place)}
 
 
-def called(body: Statements) -> set[str]:
+def called_names(body: Statements) -> set[str]:
     """Names of the functions that a body calls itself."""
     return {e.signature.name for e in expressions(body) if isinstance(e, Call)}
 
@@ -92,5 +92,5 @@ def reachable(functions: tuple[Function, ...]) -> tuple[Function, ...]:
         name = wanted.pop()
         if name not in seen:
             seen.add(name)
-            wanted += called(by_name[name].body)
+            wanted += called_names(by_name[name].body)
     return tuple(f for f in functions if f.name in seen)

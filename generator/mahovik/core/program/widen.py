@@ -77,7 +77,7 @@ class _Widening:
             argument = wide.argument(a) if self._varying.variable(id(a.variable)) else a
             arguments.append(argument)
             variables[id(a.variable)] = argument.variable
-        plain = self._chosen(self._narrow.body, None)
+        plain = self._select(self._narrow.body, None)
         body = Stretches(wide, self._varying, variables, self._calls, self._fresh).body(tuple(plain))
         return replace(self._narrow, arguments=tuple(arguments), body=body)
 
@@ -87,7 +87,7 @@ class _Widening:
 
     # -- conditions that vary become choices ---------------------------------------------------------------------------
 
-    def _chosen(self, body: Statements, where: Expr | None) -> list[Statement]:
+    def _select(self, body: Statements, where: Expr | None) -> list[Statement]:
         """Statements under the condition `where` that varies, without conditions that vary."""
         found: list[Statement] = []
         for s in body:
@@ -103,12 +103,12 @@ class _Widening:
                 case When(condition) if where is not None and not _on_ints(condition):
                     found += self._when(s, where)
                 case When() if where is None:
-                    yes, no = self._chosen(s.body, None), self._chosen(s.otherwise, None)
+                    yes, no = self._select(s.body, None), self._select(s.otherwise, None)
                     found.append(replace(s, body=tuple(yes), otherwise=tuple(no)))
                 case Loop() if where is None:
                     # What was declared before the loop may have a value from the turn before.
                     before, self._unset = self._unset, set()
-                    found.append(replace(s, body=tuple(self._chosen(s.body, None))))
+                    found.append(replace(s, body=tuple(self._select(s.body, None))))
                     self._unset = before
                 case Declare(variable):
                     if variable.written:  # its first value is every state's: none reads it before its own
@@ -137,12 +137,12 @@ class _Widening:
             return self._anywhere(s)
         condition = s.condition if where is None else and_(where, s.condition)
         if len(s.body) == 1 and not s.otherwise:
-            return self._chosen(s.body, condition)
+            return self._select(s.body, condition)
         kept = self._condition(s.condition if where is None else condition)
-        found: list[Statement] = [kept, *self._chosen(s.body, kept.variable.place)]
+        found: list[Statement] = [kept, *self._select(s.body, kept.variable.place)]
         if s.otherwise:
             otherwise: Expr = Not(kept.variable.place)
-            found += self._chosen(s.otherwise, otherwise if where is None else and_(where, otherwise))
+            found += self._select(s.otherwise, otherwise if where is None else and_(where, otherwise))
         return found
 
     def _condition(self, condition: Expr) -> Let:
@@ -155,7 +155,7 @@ class _Widening:
         flag = Variable(self._fresh("any"), Kind.WORD, written=True)
         bit = select(s.condition, word(1), word(0))
         gathered = Set(flag.place, flag.place | bit)
-        body = tuple(self._chosen(s.body, None))
+        body = tuple(self._select(s.body, None))
         return [Declare(flag), Set(flag.place, word(0)), gathered, When(unequal(flag.place, word(0)), body)]
 
 

@@ -6,23 +6,23 @@ from decimal import Decimal
 from typing import Any
 
 
-def written(raw: Any) -> str | None:
+def text_with_unit(raw: Any) -> str | None:
     """The text of a number or a list that has a unit in the file: "1.5 g mm", "[1, 2, 3 mm]"; None without a unit."""
     if isinstance(raw, dict) and set(raw) == {"value", "unit"} and isinstance(raw["value"], int | Decimal | list):
         return f"{_text(raw['value'])} {raw['unit']}"
     if isinstance(raw, list):
-        return _text(raw) if any(map(written, raw)) else None
+        return _text(raw) if any(map(text_with_unit, raw)) else None
     return " ".join(raw.split()) if isinstance(raw, str) else None
 
 
 def as_written(raw: Any, unit: str) -> str:
     """The text of a number or a list as it is in the file, in `unit`, SI, where it has no unit there."""
-    return written(raw) or f"{_text(raw)} {unit}"
+    return text_with_unit(raw) or f"{_text(raw)} {unit}"
 
 
 def echo(raw: Any, value: float, unit: str) -> str | None:
     """The text of a number that has a unit in the file, and SI: "1.5 g mm (1.5e-06 kg m)"; None without a unit."""
-    own = written(raw)
+    own = text_with_unit(raw)
     return None if own is None else f"{own} ({value:.6g} {unit})"
 
 
@@ -34,4 +34,4 @@ def list_item(raw: Any, index: int) -> Any:
 
 
 def _text(raw: Any) -> str:
-    return f"[{', '.join(written(item) or _text(item) for item in raw)}]" if isinstance(raw, list) else str(raw)
+    return f"[{', '.join(text_with_unit(item) or _text(item) for item in raw)}]" if isinstance(raw, list) else str(raw)

@@ -101,11 +101,11 @@ def _diagonal(numbers: tuple[float, ...]) -> tuple[tuple[float, ...], ...]:
 def _check_symmetric(rows: tuple[tuple[float, ...], ...], raw: Any, blocks: Blocks) -> None:
     """Refuse the first pair of elements that differ, each shown as it is written in `raw`."""
 
-    def shown(i: int, j: int) -> str:
+    def show(i: int, j: int) -> str:
         si = blocks[i // 3][j // 3].si
         return f"[{i}][{j}] = " + (echo(list_item(list_item(raw, i), j), rows[i][j], si) or f"{rows[i][j]:.17g} {si}")
 
     for i, row in enumerate(rows):
         for j in range(i):
             if rows[j][i] != row[j]:
-                raise QuantityError(f"not symmetric, {shown(j, i)} but {shown(i, j)}")
+                raise QuantityError(f"not symmetric, {show(j, i)} but {show(i, j)}")

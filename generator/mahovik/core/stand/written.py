@@ -11,7 +11,7 @@ from typing import Any
 from pydantic import BaseModel
 
 from mahovik.contract.laws import parts
-from mahovik.core.stand.echoes import list_item, written
+from mahovik.core.stand.echoes import list_item, text_with_unit
 from mahovik.core.stand.fields import QuantityValidator, Table
 from mahovik.core.stand.law_schemas import mounted_schemas, with_laws
 from mahovik.core.stand.schema import CarrierTable, FlywheelTable, Header, InstrumentTable, PointTable
@@ -97,7 +97,7 @@ def _of_matrix6(raw: list[Any], blocks: Blocks, where: str, key: str) -> Iterato
 def _of_value(raw: Any, dimension: Dimension, where: str, key: str) -> Iterator[Written]:
     """A number, a list, or the rows of a matrix, as far as they have units."""
     items = raw["value"] if isinstance(raw, dict) else raw
-    text = written(raw)
+    text = text_with_unit(raw)
     if text is None:
         return
     if isinstance(items, list) and any(_is_row(item) for item in items):

@@ -64,7 +64,7 @@ def build(parts: Iterable[Mapping[str, str]], name: str, folder: Path, compiler:
 
     openmp = [_PARALLEL] if parallel else []
 
-    def compiled(file: str) -> str:
+    def compile_file(file: str) -> str:
         target = f"{folder / file}.o"
         how = BATCH if file == f"{name}_batch.c" else SINGLE
         run_compiler([*WARNINGS, *how, *openmp, "-fPIC", "-c", str(folder / file), "-o", target], file, compiler)
@@ -75,7 +75,7 @@ def build(parts: Iterable[Mapping[str, str]], name: str, folder: Path, compiler:
         for files in parts:
             for file, text in files.items():
                 (folder / file).write_text(text, encoding="ascii", newline="\n")
-            under_way += [pool.submit(compiled, file) for file in files if file.endswith(".c")]
+            under_way += [pool.submit(compile_file, file) for file in files if file.endswith(".c")]
         objects = [each.result() for each in under_way]
     library = folder / f"{name}.so"
     try:
@@ -125,7 +125,7 @@ class ArrayLibrary:
         passed = (ctypes.c_void_p * len(arrays))(*[_address(a) for a in arrays])
         return int(self._calls[function](n, passed, _address(status)))
 
-    def repeated(
+    def repeat_call(
         self, function: str, n: int, arrays: Sequence[NDArray[Any]], status: NDArray[np.int32]
     ) -> Callable[[], int]:
         """A call that is made again and again with the same memory, in one thread; see `call`."""

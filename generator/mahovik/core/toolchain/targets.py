@@ -207,14 +207,14 @@ def _by_clang(target: Target, triple: str, flags: str) -> Target:
     )
 
 
-def _embedded(name: str) -> Target:
+def _embedded_target(name: str) -> Target:
     return next(target for target in _EMBEDDED if target.name == name)
 
 
 _CLANG = (
-    _by_clang(_embedded("m4"), "thumbv7em-none-eabihf", "-mcpu=cortex-m4"),
-    _by_clang(_embedded("m7"), "thumbv7em-none-eabihf", "-mcpu=cortex-m7"),
-    _by_clang(_embedded("rv64gc"), "riscv64-unknown-elf", "-march=rv64gc -mabi=lp64d -mcmodel=medany"),
+    _by_clang(_embedded_target("m4"), "thumbv7em-none-eabihf", "-mcpu=cortex-m4"),
+    _by_clang(_embedded_target("m7"), "thumbv7em-none-eabihf", "-mcpu=cortex-m7"),
+    _by_clang(_embedded_target("rv64gc"), "riscv64-unknown-elf", "-march=rv64gc -mabi=lp64d -mcmodel=medany"),
 )
 
 TARGETS: dict[str, Target] = {target.name: target for target in (*_HOSTS, *_EMBEDDED, *_CLANG, _AARCH64)}

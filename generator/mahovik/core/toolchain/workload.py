@@ -108,7 +108,7 @@ def _log_step(f: Function, names: Names, order: int) -> str:
 
 
 def _call(f: Function, names: Names, order: int) -> str:
-    def given(a: Argument) -> str:
+    def argument_name(a: Argument) -> str:
         if a.direction != "in":
             return address(f"{f.name}_{a.name}", a.shape)
         if a.name in _OF_THE_STAND:
@@ -117,7 +117,7 @@ def _call(f: Function, names: Names, order: int) -> str:
             return "&prepare_mounts_mounting"
         return str(order) if a.name == "order" else argument_text(a, f"{a.name}[s]")
 
-    return call(names, f, given)
+    return call(names, f, argument_name)
 
 
 def _constant(a: Argument, states: Sequence[Mapping[str, Any]], names: Names, precision: Precision) -> dict[str, Any]:

@@ -19,7 +19,7 @@ from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.core.stand.task import row_name
 from mahovik.errors import InputError, RefusedError
-from mahovik.out.api.compiled import Compiled
+from mahovik.out.api.compiled import CompiledLibrary
 from mahovik.out.api.fields import Array, Field, field
 from mahovik.out.api.inputs import by_component
 from mahovik.out.api.tables import Tables
@@ -33,7 +33,7 @@ OF_ROWS = ("residual", "hardest")
 class Caller:
     """Calls functions of a compiled stand. Holds nothing that a call changes."""
 
-    def __init__(self, stand: Stand, made: Compiled, real: np.dtype[Any], threads: int) -> None:
+    def __init__(self, stand: Stand, made: CompiledLibrary, real: np.dtype[Any], threads: int) -> None:
         self._stand = stand
         self._made = made
         self._real = real

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from pydantic import TypeAdapter
 
 from mahovik.core.formula.derived import formula_cache
-from mahovik.core.program.arrays import ArrayFunction, Member, filled
+from mahovik.core.program.arrays import ArrayFunction, Member, fill_record
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
@@ -54,7 +54,7 @@ _PROGRAMS: dict[tuple[Structure, str], tuple[Layout, Program]] = {}
 
 
 @dataclass(frozen=True, eq=False)
-class Compiled:
+class CompiledLibrary:
     """The library and its functions by name.
 
     library     functions of one stand
@@ -107,7 +107,7 @@ class Source:
     only: tuple[str, ...] = ()
 
 
-def compiled(
+def compile_library(
     stand: Stand,
     real: str,
     element: np.dtype[Any],
@@ -115,7 +115,7 @@ def compiled(
     parallel: bool,
     kind: Literal["states", "batches"] = "batches",
     only: tuple[str, ...] = (),
-) -> Compiled:
+) -> CompiledLibrary:
     """The library of a stand with its numbers; with "states" it takes state by state, and is compiled sooner.
 
     `only`: functions that it has; empty: all but those that are chosen by name.
@@ -124,7 +124,7 @@ def compiled(
     """
     source = Source(stand, real, tuple(find_compiler(compiler)), parallel, only)
 
-    def load(library: Path, facts: Mapping[str, Any]) -> Compiled:
+    def load(library: Path, facts: Mapping[str, Any]) -> CompiledLibrary:
         return _load(source, library, facts, _kept_numbers(stand, real), element)
 
     return _found_or_made(source, kind, load)
@@ -158,14 +158,14 @@ def _kept_numbers(stand: Stand, real: str) -> dict[str, Any]:
 
 def _load(
     source: Source, library: Path, facts: Mapping[str, Any], numbers: Mapping[str, Any], element: np.dtype[Any]
-) -> Compiled:
+) -> CompiledLibrary:
     functions = _FUNCTIONS.validate_python(facts["functions"])
     found = _RECORDS.validate_python(facts["tables"])
     names = [f.name for f in functions]
-    return Compiled(
+    return CompiledLibrary(
         ArrayLibrary(library, source.stand.name, names, source.parallel, tables=False),
         {f.name: f for f in functions},
-        {name: filled(of, element, numbers[name]) for name, of in found.items()},
+        {name: fill_record(of, element, numbers[name]) for name, of in found.items()},
         _RECORDS.validate_python(facts["parameters"]).get("parameters", ()),
         found,
         source.command,

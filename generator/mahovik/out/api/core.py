@@ -22,7 +22,7 @@ from mahovik.errors import InputError
 from mahovik.nearest import suggestion
 from mahovik.out.api import inputs
 from mahovik.out.api.call import Caller, OnError
-from mahovik.out.api.compiled import ELEMENT, Real, compiled
+from mahovik.out.api.compiled import ELEMENT, Real, compile_library
 from mahovik.out.api.fields import Array, field, functions
 from mahovik.out.api.inputs import Given, attitudes, pack_states, wrenches
 from mahovik.out.api.results import Result
@@ -58,7 +58,7 @@ class Built:
         self._real = real
         self._given = (compiler, threads)
         kind: Literal["states", "batches"] = "states" if only else "batches"
-        self._made = compiled(stand, real, ELEMENT[real], compiler, threads > 1, kind, only)
+        self._made = compile_library(stand, real, ELEMENT[real], compiler, threads > 1, kind, only)
         self._element = ELEMENT[real]
         self._call = Caller(stand, self._made, self._element, threads)
         state = next(a for f in self._made.functions.values() for a in f.arguments if a.name == "x")
@@ -340,7 +340,7 @@ class Built:
             raise InputError(f"{what}: expected one number for all states, found shape {found.shape}")
         return np.array([found], dtype=self._element)
 
-    def _demanded(self, task: str, rows: Sequence[str] | None) -> dict[str, Array]:
+    def _demand_options(self, task: str, rows: Sequence[str] | None) -> dict[str, Array]:
         """The options that say which rows of a task are demanded: all, or those named."""
         known = self._rows[task]
         for name in rows or ():

@@ -15,7 +15,7 @@ from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.structure import structure
-from mahovik.out.api.compiled import ELEMENT, Compiled, Real, compiled
+from mahovik.out.api.compiled import ELEMENT, CompiledLibrary, Real, compile_library
 from mahovik.proof.verify.program_backend import FunctionBackend, with_all_inputs
 
 
@@ -28,7 +28,7 @@ class KeptBackend(FunctionBackend):
 
     def __init__(self, stand: Stand, real: Real) -> None:
         self._stand, self._real = stand, real
-        self._made: Compiled = compiled(stand, real, ELEMENT[real], None, parallel=False, kind="states")
+        self._made: CompiledLibrary = compile_library(stand, real, ELEMENT[real], None, parallel=False, kind="states")
         layout = Layout(structure(stand), FLOAT if real == "float" else DOUBLE)
         super().__init__("c", layout, None, None, self._made.options)
 

@@ -123,7 +123,7 @@ def identifiable(
     kept = _places(rows, found.rows, "rows")
     left_out = set(_places(known, [p.name for p in found.parameters], "known"))
     asked = [k for k in range(len(found.parameters)) if k not in left_out]
-    return _named(built.stand, [found.parameters[k] for k in asked], Y[:, kept][:, :, asked])
+    return _name_parameters(built.stand, [found.parameters[k] for k in asked], Y[:, kept][:, :, asked])
 
 
 def _places(names: Sequence[str] | None, known: Sequence[str], what: str) -> list[int]:
@@ -137,7 +137,7 @@ def _places(names: Sequence[str] | None, known: Sequence[str], what: str) -> lis
     return [known.index(name) for name in names]
 
 
-def _named(stand: CoreStand, asked: Sequence[Parameter], Y: Array) -> Identifiable:
+def _name_parameters(stand: CoreStand, asked: Sequence[Parameter], Y: Array) -> Identifiable:
     found = base(Y.reshape(-1, Y.shape[2]))
     combinations = []
     for row, i in enumerate(found.independent):

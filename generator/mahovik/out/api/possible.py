@@ -15,7 +15,7 @@ from mahovik.out.api.model import Model
 from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables, check_sample
-from mahovik.out.api.variants import changed, first_reason, variants
+from mahovik.out.api.variants import change_values, first_reason, variants
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ def _reasons(model: Model, samples: Samples) -> dict[int, str]:
     """Reasons of the samples that cannot be, by number. Raises UsageError."""
     stand, reasons = Stand.of(model.stand), dict[int, str]()
     with suppress(StandError):  # a path that leads nowhere is no matter of one sample
-        changed(stand, samples.values(0) if samples.n else {})
+        change_values(stand, samples.values(0) if samples.n else {})
     found = variants(stand, model.tables({}, 0).real, samples, reasons)
     for number in np.flatnonzero(found.doubtful).tolist():
         try:

@@ -9,15 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract.status import status_words
-from mahovik.core.program.arrays import filled
+from mahovik.core.program.arrays import fill_record
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.read import read
 from mahovik.core.stand.structure import structure
 from mahovik.errors import InputError, StandError
-from mahovik.out.api.compiled import Compiled, lower_structure
+from mahovik.out.api.compiled import CompiledLibrary, lower_structure
 from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
-from mahovik.out.api.variants import Variants, changed, variants
+from mahovik.out.api.variants import Variants, change_values, variants
 
 LANES = {8: 8, 4: 16}
 """Stands side by side in a block, by the bytes of a real."""
@@ -79,7 +79,7 @@ class Tables:
 
 def make_tables(
     of: CoreStand,
-    made: Compiled,
+    made: CompiledLibrary,
     real: str,
     element: np.dtype[Any],
     threads: int,
@@ -107,16 +107,16 @@ def make_tables(
 
 def check_sample(stand: Stand, samples: Samples, number: int) -> None:
     """Read the stand of one sample as a stand file is read. Raises StandError, UsageError."""
-    read(changed(stand, samples.values(number)), f"{stand.name}, sample {number}")
+    read(change_values(stand, samples.values(number)), f"{stand.name}, sample {number}")
 
 
 def prepare_tables(
-    made: Compiled, element: np.dtype[Any], threads: int, found: Variants, n: int, mountings: bool
+    made: CompiledLibrary, element: np.dtype[Any], threads: int, found: Variants, n: int, mountings: bool
 ) -> tuple[Blocks, NDArray[np.int32]]:
     """Tables by argument of the C, with `mountings` these too where there are flywheels; and statuses."""
     lanes = LANES[element.itemsize]
     names = [name for name in made.tables if mountings or name != "mounting"]
-    blocks = {name: _aligned(made.of_tables.block_bytes(name == "mounting") * -(-n // lanes)) for name in names}
+    blocks = {name: _aligned_memory(made.of_tables.block_bytes(name == "mounting") * -(-n // lanes)) for name in names}
     status = np.zeros(n, dtype=np.int32)
     if n:
         given, _columns = prepare_arguments(made, element, found, blocks)
@@ -125,19 +125,19 @@ def prepare_tables(
 
 
 def prepare_arguments(
-    made: Compiled, element: np.dtype[Any], found: Variants, blocks: Blocks
+    made: CompiledLibrary, element: np.dtype[Any], found: Variants, blocks: Blocks
 ) -> tuple[list[NDArray[Any]], list[NDArray[Any]]]:
     """The arguments of `prepare` of n stands, and the columns whose addresses they have."""
     columns = [np.zeros(0) if x is None else np.ascontiguousarray(x, dtype=element) for x in found.varied]
     addresses: NDArray[np.uintp] = np.array([x.ctypes.data if x.size else 0 for x in columns], dtype=np.uintp)
-    parameters = filled(made.parameters, element, found.parameters)
-    table = filled(made.records["table"], element, found.table)
+    parameters = fill_record(made.parameters, element, found.parameters)
+    table = fill_record(made.records["table"], element, found.table)
     none = np.zeros(0)
     given = [parameters, table, addresses, *(blocks.get(name, none) for name in made.tables)]
     return given, columns
 
 
-def _aligned(size: int) -> NDArray[np.uint8]:
+def _aligned_memory(size: int) -> NDArray[np.uint8]:
     """Memory as the registers of the processor read it best, and the C demands it."""
     memory = np.zeros(size + _ALIGNMENT, dtype=np.uint8)
     start = -memory.ctypes.data % _ALIGNMENT

@@ -91,17 +91,17 @@ def _read(stand: Stand, values: dict[str, Any], samples: Samples, rows: NDArray[
     """
     name = f"{stand.name}, sample {rows[0]}" if rows.size else stand.name
     try:
-        return read(changed(stand, values), name, physics=False), name
+        return read(change_values(stand, values), name, physics=False), name
     except (StandError, UsageError):
         if rows.size:
-            read(changed(stand, samples.values(int(rows[0]))), name)
+            read(change_values(stand, samples.values(int(rows[0]))), name)
         raise
 
 
 def reason_of(stand: Stand, samples: Samples, number: int, error: Exception) -> str:
     """Why one sample cannot be, in one line, as the reader of stand files says it; else as `error` does."""
     try:
-        read(changed(stand, samples.values(number)), stand.name)
+        read(change_values(stand, samples.values(number)), stand.name)
     except (StandError, UsageError) as own:
         error = own
     return first_reason(error, stand.name)
@@ -112,7 +112,7 @@ def first_reason(error: Exception, source: str) -> str:
     return str(error).splitlines()[0].removeprefix(f"{source}: ")
 
 
-def changed(stand: Stand, values: dict[str, Any]) -> dict[str, Any]:
+def change_values(stand: Stand, values: dict[str, Any]) -> dict[str, Any]:
     """The keys of a stand file with other values by path. Raises UsageError, StandError."""
     document = stand.to_dict()
     put(document, values)

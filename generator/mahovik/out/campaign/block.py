@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from mahovik.contract.status import status_words
 from mahovik.core.stand.model import Stand
-from mahovik.out.api.compiled import COURSE, Compiled
+from mahovik.out.api.compiled import COURSE, CompiledLibrary
 from mahovik.out.api.tables import LANES, Tables
 from mahovik.out.campaign.pose import Array
 
@@ -32,7 +32,7 @@ class Block:
     status  of each sample the first negative status, or 0; `at` where it was, in words
     """
 
-    def __init__(self, stand: Stand, made: Compiled, tables: Tables, first: int, n: int) -> None:
+    def __init__(self, stand: Stand, made: CompiledLibrary, tables: Tables, first: int, n: int) -> None:
         self.stand, self.n, self.first, self._made, self._tables = stand, n, first, made, tables
         N, wrenches = len(stand.flywheels), 6 * len(made.inputs)
         self.given: dict[str, NDArray[Any]] = {
@@ -64,7 +64,7 @@ class Block:
         """Call a function for all samples; those that it refuses are noted, at the time `t`."""
         call = self._calls.get(function)
         if call is None:
-            call = self._calls[function] = self._prepared(function)
+            call = self._calls[function] = self._prepare_call(function)
         if call() < 0:
             self.refuse(self._now, lambda _: "" if t is None else f"at t = {t:.6g} s ", function)
 
@@ -89,14 +89,14 @@ class Block:
         arrays.append(self._now)
         if self.given["wrench"].size:
             arrays += [self.given["wrench"], rows["wrench"], rows["end_wrench"]]
-        return self._made.of_tables.repeated(COURSE, self.n, arrays, rows["status"])
+        return self._made.of_tables.repeat_call(COURSE, self.n, arrays, rows["status"])
 
     def _table(self, name: str) -> NDArray[np.uint8]:
         size = self._made.of_tables.block_bytes(name == "mounting")
         begin = self.first // PER_BLOCK * size
         return self._tables.block(name)[begin : begin + -(-self.n // PER_BLOCK) * size]
 
-    def _prepared(self, function: str) -> Callable[[], int]:
+    def _prepare_call(self, function: str) -> Callable[[], int]:
         arrays: list[NDArray[Any]] = []
         for a in self._made.functions[function].arguments:
             if a.name in TABLES:
@@ -108,7 +108,7 @@ class Block:
             else:
                 self.found[function] = np.zeros((a.components, self.n))
                 arrays.append(self.found[function])
-        return self._made.of_tables.repeated(f"{function}_of", self.n, arrays, self._now)
+        return self._made.of_tables.repeat_call(f"{function}_of", self.n, arrays, self._now)
 
     def member(self, function: str, name: str) -> Array:
         """A member of the results of a function, a view with the samples last."""

@@ -67,6 +67,6 @@ class Goal:
         """The quantile, of the values of the quantity in all rows so far."""
         return quantile_interval(values, self.p, self.confidence)
 
-    def reached(self, values: Array) -> bool:
+    def is_reached(self, values: Array) -> bool:
         """Is the quantile known well enough?"""
         return self.within is not None and self.interval(values).width <= self.within

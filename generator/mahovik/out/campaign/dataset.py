@@ -136,14 +136,14 @@ def reopen(folder: Path) -> None:
     """Want all samples of a campaign again, of which fewer were enough."""
     manifest = read_manifest(folder)
     if manifest.end < manifest.samples:
-        write_manifest(folder, manifest.ended(manifest.samples))
+        write_manifest(folder, manifest.end_at(manifest.samples))
 
 
 def end_at(folder: Path, samples: int) -> None:
     """Let the first samples be all that are wanted, and remove the shards of others."""
     manifest = read_manifest(folder)
-    write_manifest(folder, manifest.ended(samples))
-    for number in range(manifest.ended(samples).shards, manifest.shards):
+    write_manifest(folder, manifest.end_at(samples))
+    for number in range(manifest.end_at(samples).shards, manifest.shards):
         shard_path(folder, number).unlink(missing_ok=True)
 
 

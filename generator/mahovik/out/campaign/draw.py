@@ -36,7 +36,7 @@ class Copula:
     columns: tuple[int, ...]
     lower: tuple[tuple[float, ...], ...]
 
-    def applied(self, unit: Array) -> Array:
+    def correlate(self, unit: Array) -> Array:
         """The cube with these columns correlated. Sums are in a fixed order: the same bits for any number of rows."""
         found = unit.copy()
         scores = [ndtri(np.clip(unit[:, k], _LEAST, _MOST)) for k in self.columns]
@@ -63,7 +63,7 @@ class Draw:
     def values(self, unit: Array) -> dict[str, Array]:
         """Values by path, SI, of samples in the unit cube (n, factors), which is 0 < u < 1 here."""
         if self.copula is not None:
-            unit = self.copula.applied(unit)
+            unit = self.copula.correlate(unit)
         return self.at(np.clip(unit, _LEAST, _MOST))
 
     def at(self, unit: Array) -> dict[str, Array]:

@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.api.compiled import ELEMENT, compiled
+from mahovik.out.api.compiled import ELEMENT, compile_library
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
@@ -61,7 +61,7 @@ class TimeRunner:
         """`times`: how many of output; `required`: what the carrier should do. Raises UsageError: too much to keep."""
         self.stand, self._quantities, self._start, self._course = stand, quantities, start, course
         self._times, self._required = times, required
-        self._made = compiled(stand, "double", ELEMENT["double"], None, parallel=False)
+        self._made = compile_library(stand, "double", ELEMENT["double"], None, parallel=False)
         self._needs = frozenset[str]().union(*(q.needs for q in quantities))
         self._size = self._block_size()
 
@@ -192,7 +192,7 @@ def _start(stand: Stand, given: Any, phases: list[float], folder: Path) -> Start
         return Start(with_quaternion(stand, state))
     try:
         own = build(stand).tables({}, 1)
-        made = compiled(stand, "double", ELEMENT["double"], None, parallel=False)
+        made = compile_library(stand, "double", ELEMENT["double"], None, parallel=False)
         return AtRest(stand, phases, Block(stand, made, own, 0, 1))
     except CheckError as error:
         raise UsageError(f"{error}; give an initial state by `start`") from None

@@ -68,7 +68,7 @@ class Manifest:
         known = {key: value for key, value in asdict(self).items() if key not in ("name", "end", "file", "stand")}
         return hashlib.sha256(json.dumps(known, sort_keys=True).encode()).hexdigest()
 
-    def ended(self, samples: int) -> Manifest:
+    def end_at(self, samples: int) -> Manifest:
         """The manifest where fewer samples are enough."""
         return replace(self, end=min(samples, self.samples))
 
@@ -167,10 +167,10 @@ def _changes(before: Any, after: Any, path: str = "") -> list[str]:
         return found
     if before == after:
         return []
-    return [f"{path} was {_shown(before)}, is {_shown(after)}"]
+    return [f"{path} was {_show(before)}, is {_show(after)}"]
 
 
-def _shown(value: Any) -> str:
+def _show(value: Any) -> str:
     if value is None:
         return "not there"
     return value if isinstance(value, str) else json.dumps(value)

@@ -39,7 +39,7 @@ class Accuracy:
             self._judged = self._next
             self._parts = [np.concatenate(self._parts)]
             self.words = words(self._goal, self._goal.interval(self._parts[0]))
-            self.reached = self._goal.reached(self._parts[0])
+            self.reached = self._goal.is_reached(self._parts[0])
         return self.reached
 
 

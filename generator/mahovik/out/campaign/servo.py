@@ -12,7 +12,7 @@ from mahovik.core.motion.servo import COORDINATES
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.state import State
 from mahovik.errors import MahovikError
-from mahovik.out.api.compiled import ELEMENT, compiled
+from mahovik.out.api.compiled import ELEMENT, compile_library
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
 from mahovik.out.campaign.block import PER_BLOCK, Block
@@ -37,7 +37,7 @@ class ServoRunner:
     def __init__(self, stand: Stand, over: OverTable, quantities: Sequence[Quantity], folder: Path) -> None:
         """Raises UsageError, CheckError and what the files raise."""
         self.stand, self._quantities = stand, quantities
-        self._made = compiled(stand, "double", ELEMENT["double"], None, parallel=False)
+        self._made = compile_library(stand, "double", ELEMENT["double"], None, parallel=False)
         assert over.programme is not None and over.motion is not None and over.servo is not None
         self._case = following_case(
             stand, folder / over.motion, folder / over.programme, folder / over.servo, 0.0, 1, over.periods, over.begin,

@@ -130,7 +130,7 @@ class _Stored:
         self._times.append(t.copy())
         self._values.append(values.copy())
 
-    def collected(self) -> tuple[Array, Array]:
+    def collect(self) -> tuple[Array, Array]:
         """All times (T), and values (n, c, T): each sample by itself, so that its sums do not depend on the others."""
         values = np.concatenate(self._values)
         return np.concatenate(self._times), np.ascontiguousarray(values.transpose(2, 1, 0))
@@ -149,7 +149,7 @@ class BandRms(_Stored):
 
     def result(self) -> Array:
         """See Statistic."""
-        t, values = self.collected()
+        t, values = self.collect()
         every = t[1] - t[0]
         even = int(np.count_nonzero(np.abs(np.diff(t) - every) <= 1e-6 * every)) + 1
         values = np.ascontiguousarray(values[..., :even])  # a last time of output may be nearer
@@ -175,7 +175,7 @@ class Settling(_Stored):
 
     def result(self) -> Array:
         """See Statistic."""
-        t, values = self.collected()
+        t, values = self.collect()
         last = max(1, len(t) // 10)
         aside = values - np.ascontiguousarray(values[..., -last:]).mean(axis=-1, keepdims=True)
         outside = sum(part**2 for part in aside.transpose(1, 0, 2)) > self._within**2  # (n, T)

@@ -103,7 +103,7 @@ class _Reader:
         """The numbers of a path or pattern with their distributions. Raises QuantityError, UsageError."""
         kind = _kind(raw)
         if kind == "grade":
-            return self._graded(pattern, raw)
+            return self._graded_unbalance(pattern, raw)
         found = []
         for place in self._places.found(pattern):
             whole = self._whole(kind, raw, place)
@@ -112,7 +112,7 @@ class _Reader:
                 factor = f"{raw['table']} {place.body}"
             if "group" in raw and factor is not None:
                 factor = f"group {_read_key('group', text, raw['group'])}"
-            found.append(Parameter(place, _truncated(whole, raw, place), factor))
+            found.append(Parameter(place, _truncate(whole, raw, place), factor))
         return found
 
     def _whole(self, kind: str, raw: Mapping[str, Any], place: Place) -> Distribution:
@@ -170,7 +170,7 @@ class _Reader:
             self._files.append(path)
         return Discrete(tuple(found.tolist()), (1.0,) * len(found))
 
-    def _graded(self, pattern: str, raw: Mapping[str, Any]) -> list[Parameter]:
+    def _graded_unbalance(self, pattern: str, raw: Mapping[str, Any]) -> list[Parameter]:
         """Static unbalance that a balance grade permits, in a random direction."""
         grade = _read_key("grade", grade_of, raw["grade"])
         if "speed" not in raw:
@@ -198,7 +198,7 @@ class _Reader:
             kind = _kind(raw)
             if kind in ("table", "grade", "relative", "tolerance"):
                 raise QuantityError(f"{kind}: not allowed here")
-            found = _truncated(self._whole(kind, raw, place), raw, place)
+            found = _truncate(self._whole(kind, raw, place), raw, place)
             if found.support[0] < 0.0:
                 raise QuantityError("expected no negative shares")
         except QuantityError as error:
@@ -279,7 +279,7 @@ def _discrete(values: tuple[float, ...], raw: Any) -> Distribution:
     return Discrete(values, weights)
 
 
-def _truncated(whole: Distribution, raw: Mapping[str, Any], place: Place) -> Distribution:
+def _truncate(whole: Distribution, raw: Mapping[str, Any], place: Place) -> Distribution:
     """The distribution within `least` and `most`; magnitudes end at zero in any case."""
     low, high = -math.inf, math.inf
     if place.key in _MAGNITUDES and whole.support[0] == -math.inf:

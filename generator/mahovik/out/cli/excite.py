@@ -34,7 +34,7 @@ def _number(_name: str, text: str) -> float | str:
         return text.strip()
 
 
-def _bound(name: str, text: str) -> Any:
+def _read_bound(name: str, text: str) -> Any:
     """One number for all flywheels, numbers between commas, or NAME=NUMBER between commas."""
     parts = text.split(",")
     if "=" in text:
@@ -64,12 +64,15 @@ def excite(
         "--duration", "Set the duration of the experiment, s.", metavar="S", default="10", parse=_number
     ),
     speed: Any = option(
-        "--speed", "Bound the speed of all flywheels, or of each; default: by motors.", metavar="SPEED", parse=_bound
+        "--speed",
+        "Bound the speed of all flywheels, or of each; default: by motors.",
+        metavar="SPEED",
+        parse=_read_bound,
     ),
-    speed_min: Any = option("--speed-min", "Keep at least this speed; default 0.", metavar="SPEED", parse=_bound),
-    acceleration: Any = option("--acceleration", "Bound the acceleration, rad/s2.", metavar="A", parse=_bound),
+    speed_min: Any = option("--speed-min", "Keep at least this speed; default 0.", metavar="SPEED", parse=_read_bound),
+    acceleration: Any = option("--acceleration", "Bound the acceleration, rad/s2.", metavar="A", parse=_read_bound),
     torque: Any = option(
-        "--torque", "Bound the torques of motors, besides their own limits.", metavar="N m", parse=_bound
+        "--torque", "Bound the torques of motors, besides their own limits.", metavar="N m", parse=_read_bound
     ),
     noise: tuple[str, ...] = option(
         "--noise",

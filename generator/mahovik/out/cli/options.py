@@ -39,7 +39,7 @@ def command(
     The command is added to `group`.
     """
 
-    def made(function: Callable[..., None]) -> click.Command:
+    def make_command(function: Callable[..., None]) -> click.Command:
         defaults = {key: each.default for key, each in inspect.signature(function).parameters.items()}
         params = [each.make([*each.declarations, key], **each.attributes) for key, each in defaults.items()]
         own, words = name or function.__name__.replace("_", "-"), inspect.getdoc(function)
@@ -48,7 +48,7 @@ def command(
             group.add_command(found)
         return found
 
-    return made
+    return make_command
 
 
 def argument(metavar: str | None, **attributes: Any) -> Any:

@@ -33,7 +33,7 @@ def attitude_sources(stand: Stand, options: LoopOptions, real: str) -> ExportedA
     only = needed_functions(tables)
     generated = generate_all(stand, real, only=only)
     printer = AttitudePrinter(stand, generated.layout, tables)
-    main = printer.rendered(
+    main = printer.render(
         "attitude_main.c.j2",
         slew="30",
         momentum=f"{design.momentum:g}",
@@ -41,8 +41,8 @@ def attitude_sources(stand: Stand, options: LoopOptions, real: str) -> ExportedA
         number=0,
         failure={"none": "WORKS"}.get(design.failure, design.failure.upper()),
         parts=design.parts,
-        speeds=printer.listed(design.speeds),
-        goal=printer.listed(design.goal),
+        speeds=printer.list_literals(design.speeds),
+        goal=printer.list_literals(design.goal),
         names=", ".join(f'"{wheel.name}"' for wheel in stand.flywheels),
         **design.samples,
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.cpp import cpp_example, cpp_header
 from mahovik.core.emit.delivery import selftest_files
-from mahovik.core.emit.generate import described, generate_all
+from mahovik.core.emit.generate import describe_bodies, generate_all
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
@@ -31,7 +31,7 @@ def cmake_project(stand: Stand, real: str, batch: bool = False) -> dict[str, str
         "NAME": name.upper(),
         "real": real,
         "batch": batch,
-        "bodies": described(stand),
+        "bodies": describe_bodies(stand),
         "command": f"mahovik export cmake STAND.toml{options}",
         "structure": found.structure,
         "physics": found.physics,

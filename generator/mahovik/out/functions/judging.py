@@ -104,7 +104,7 @@ def _judge_program(
         by_id = {request.id: result for request, result in zip(requests, results, strict=True)}
         return lambda request: by_id[request.id]
 
-    return _explained(stand, found, explain, answers, seed, tolerance, None, progress)
+    return _explain(stand, found, explain, answers, seed, tolerance, None, progress)
 
 
 def _judge_log(
@@ -132,10 +132,10 @@ def _judge_log(
     def answers(_: Sequence[Request]) -> Answers:
         return lambda request: by_id.get(request.id, {})
 
-    return _explained(stand, found, explain, answers, seed, tolerance, log.states, progress)
+    return _explain(stand, found, explain, answers, seed, tolerance, log.states, progress)
 
 
-def _explained(
+def _explain(
     stand: CoreStand,
     found: Report,
     explain: bool,

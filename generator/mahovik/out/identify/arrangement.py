@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from mahovik.out.identify.channels import AXES
 from mahovik.out.identify.estimate import Fit
-from mahovik.out.identify.run import HEARD, Run, heard, noise_beside
+from mahovik.out.identify.run import HEARD, Run, has_signal, noise_beside
 
 Array = NDArray[np.float64]
 Taken = dict[int, tuple[int, float]]
@@ -55,7 +55,7 @@ def badly_fitted(fit: Fit, runs: Sequence[Run]) -> list[str]:
 def _is_bad(run: Run, residuals: Array) -> NDArray[np.bool_]:
     left, spread = np.sqrt(np.nanmean(residuals**2, axis=0)), np.nanstd(run.measured, axis=0)
     much = (left > MUCH * spread) & (left > ABOVE * noise_beside(run, residuals))
-    return np.asarray(much & heard(run, residuals))
+    return np.asarray(much & has_signal(run, residuals))
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ class Look:
         self.predicted = self.measured - left + (left.mean(axis=0) if self.enough else 0.0)
         self.by = np.concatenate([fit.by_theta[r][self.there], fit.by_start[r][self.there]], axis=2)
         self.noise = noise_beside(run, self.residuals)
-        self.heard = heard(run, self.residuals)
+        self.heard = has_signal(run, self.residuals)
         told = np.sqrt(np.mean(self.predicted**2, axis=0)) > HEARD * self.noise if self.enough else self.heard
         self.alive: list[int] = np.flatnonzero(self.heard | told).tolist()
         self.spread = np.nanstd(run.measured, axis=0)

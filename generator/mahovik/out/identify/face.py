@@ -18,7 +18,7 @@ from mahovik.out.functions.given import Number, StandGiven, quantity
 from mahovik.out.functions.notices import OnProgress
 from mahovik.out.functions.table import Column, Table
 from mahovik.out.identify.figures import ChannelFit, Parameter
-from mahovik.out.identify.run import LEAST_NOISE, heard
+from mahovik.out.identify.run import LEAST_NOISE, has_signal
 
 if TYPE_CHECKING:
     from mahovik.core.stand.units import Dimension
@@ -275,7 +275,7 @@ def _share(runs: Sequence[Run], fit: Fit) -> float:
 
 
 def _with_signal(runs: Sequence[Run], fit: Fit) -> NDArray[np.bool_]:
-    return np.concatenate([heard(run, fit.residuals[r]) for r, run in enumerate(runs)])
+    return np.concatenate([has_signal(run, fit.residuals[r]) for r, run in enumerate(runs)])
 
 
 def _without_signal(runs: Sequence[Run], fit: Fit) -> list[str]:

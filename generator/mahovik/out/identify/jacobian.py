@@ -32,7 +32,7 @@ class Slopes:
 def values(predictor: Predictor, free: Free, theta: Array, start: Array) -> Array:
     """Channels (T, C) at theta and an initial state (12)."""
     found = predictor(free.tables(theta[: free.size, None]), start[None])
-    return _delayed(predictor, free, found, theta[free.size :])[0][:, :, 0]
+    return _delay_channels(predictor, free, found, theta[free.size :])[0][:, :, 0]
 
 
 def slopes(predictor: Predictor, free: Free, theta: Array, start: Array, with_start: bool = True) -> Slopes:
@@ -58,7 +58,7 @@ def slopes(predictor: Predictor, free: Free, theta: Array, start: Array, with_st
         thetas = _possible(free, thetas)
         tables = free.tables(thetas)
     found = predictor(tables, starts)
-    found, by_delay = _delayed(predictor, free, found, theta[k:])
+    found, by_delay = _delay_channels(predictor, free, found, theta[k:])
     between = 2.0 * steps
     between[:k] = [thetas[i, 1 + 2 * i] - thetas[i, 2 + 2 * i] for i in range(k)]
     rates = (found[:, :, 1::2] - found[:, :, 2::2]) / between
@@ -84,7 +84,7 @@ def _possible(free: Free, thetas: Array) -> Array:
     return found
 
 
-def _delayed(predictor: Predictor, free: Free, course: Array, delays: Array) -> tuple[Array, Array]:
+def _delay_channels(predictor: Predictor, free: Free, course: Array, delays: Array) -> tuple[Array, Array]:
     """Channels (T, C, n) as their sensors tell them `delays` (s) later; derivatives (T, C, D) of the first variant.
 
     What a sensor tells before the first predicted time and its delay is extrapolated: see PAD of the estimation.

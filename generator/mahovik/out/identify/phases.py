@@ -64,7 +64,7 @@ def _flywheel(recording: Recording, wheel: Flywheel, t: Array) -> FlywheelRegime
             f"{recording.source}: {channel.label} has {np.count_nonzero(there)} samples, expected at least {LEAST}"
         )
     latency = wheel.encoder.latency if wheel.encoder is not None and channel.source == "count" else 0.0
-    return fitted(wheel.name, t[there] - latency, channel.values[there])
+    return fit_motion(wheel.name, t[there] - latency, channel.values[there])
 
 
 def span_of(recording: Recording, stand: Stand) -> tuple[float, float]:
@@ -77,7 +77,7 @@ def span_of(recording: Recording, stand: Stand) -> tuple[float, float]:
     return begin, end
 
 
-def fitted(name: str, t: Array, phi: Array) -> FlywheelRegime:
+def fit_motion(name: str, t: Array, phi: Array) -> FlywheelRegime:
     """The motion of a flywheel whose phases phi (rad, not wrapped) were seen at the times t (s).
 
     Of a straight line and splines of more and more intervals the one of least Bayesian information

@@ -16,7 +16,7 @@ from mahovik.core.motion.laws import Motion
 from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError, UsageError
-from mahovik.out.api.compiled import ELEMENT, compiled
+from mahovik.out.api.compiled import ELEMENT, compile_library
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
@@ -64,7 +64,7 @@ class Shifted:
         return phi - begin, phi_dot, phi_ddot
 
 
-def shifted(regime: Regime, by: float) -> Regime:
+def shift_regime(regime: Regime, by: float) -> Regime:
     """A regime of given speeds, seen from the time `by` (s) on."""
     turned = regime.motion(np.array([by]))[0][0].tolist()
     driven = (
@@ -97,13 +97,13 @@ class Predictor:
             raise UsageError(f"expected at least 2 samples, found {count}")
         N = len(stand.flywheels)
         self.stand, self.channels, self.begin, self.every, self.count = stand, tuple(channels), begin, every, count
-        own = regime if begin == 0.0 else shifted(regime, begin)
+        own = regime if begin == 0.0 else shift_regime(regime, begin)
         until = every * (count - 1)
         fastest = float(np.abs(own.motion(np.linspace(0.0, until, 1000))[1]).max()) if N else 0.0
         dt = min(every, TURN / fastest) if fastest else every
         still = State((0.0,) * 3, None, None, (0.0,) * 6, *((0.0,) * N,) * 3, (0.0,) * 6, (0.0,) * N)
         self._case = Case(stand, own, start or still, until, every, dt)
-        self._made = compiled(stand, "double", ELEMENT["double"], None, parallel=False)
+        self._made = compile_library(stand, "double", ELEMENT["double"], None, parallel=False)
         self._course = GivenSpeeds(self._case, build(stand).wrenches)
         self._gravity = np.array(stand.gravity)
 
@@ -167,7 +167,7 @@ class Predictor:
             for c, channel in enumerate(self.channels):
                 key = channel.point, channel.kind
                 if key not in measured:
-                    measured[key] = self._measured(channel.kind, frames[channel.point], chunk)
+                    measured[key] = self._sensor_values(channel.kind, frames[channel.point], chunk)
                 own[:, c] = measured[key][:, channel.axis]
 
         observer = Observer(block, {"V_dot"}, consume)
@@ -179,7 +179,7 @@ class Predictor:
         for j in np.flatnonzero(block.status < 0).tolist():
             raise StateError(f"{self.stand.name}: variant {block.first + j}: {block.reason(j)}")
 
-    def _measured(self, kind: str, frame: Frame, at: Chunk) -> Array:
+    def _sensor_values(self, kind: str, frame: Frame, at: Chunk) -> Array:
         """Specific force (m/s2) or angular velocity (rad/s) in the axes of a point (K, 3, n)."""
         omega = at.V[:, 3:]
         if kind == "rate":

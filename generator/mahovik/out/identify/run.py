@@ -137,6 +137,6 @@ def noise_beside(run: Run, left: Array) -> Array:
     return np.asarray(np.maximum(np.minimum(noise_of(run.measured), noise_of(left)), LEAST_NOISE))
 
 
-def heard(run: Run, left: Array) -> NDArray[np.bool_]:
+def has_signal(run: Run, left: Array) -> NDArray[np.bool_]:
     """Whether the channels of a run (C) have a signal, and not noise alone; `left`: see `noise_beside`."""
     return np.asarray(np.nanstd(run.measured, axis=0) > HEARD * noise_beside(run, left))

@@ -60,7 +60,7 @@ def unobservable(
     together: set[str] = set()
     for a, b, speed, apart in _of_one_speed(free, runs, ranges):
         pair = {a, b}
-        lost = any(_is_of(_named(free, direction), pair) for direction in weak)
+        lost = any(_is_of(_name_direction(free, direction), pair) for direction in weak)
         together |= pair if lost else set()
         (lines if lost else notes).append(
             f"{a}.unbalance, {b}.unbalance: {a} and {b} turn at one speed, {speed:.4g} rad/s, in all data, so their "
@@ -71,13 +71,13 @@ def unobservable(
     shown = _shown_by_swing(free, runs[0], theta, noise[0], swung) if swung else [False] * len(held)
     by_advice: dict[str, dict[str, None]] = {}
     for direction, changing in zip(whole, shown, strict=False):
-        (name,) = _named(free, direction)
+        (name,) = _name_direction(free, direction)
         by_advice.setdefault(_advice([name], constant, changing, ranges, free), {}).setdefault(name)
     for advice, found in by_advice.items():
         lines.append(f"{', '.join(found)}: {'are' if len(found) > 1 else 'is'} {advice}")
     told: set[frozenset[str]] = set()
     for direction, changing in zip(weak, shown[len(whole) :], strict=True):
-        names = _named(free, direction)
+        names = _name_direction(free, direction)
         if frozenset(names) in told:
             continue
         told.add(frozenset(names))
@@ -146,7 +146,7 @@ def weak_directions(information: Array) -> list[Array]:
     return [row for row, s in zip(rows, size.tolist(), strict=True) if s * LARGE < 1.0]
 
 
-def _named(free: Free, direction: Array) -> list[str]:
+def _name_direction(free: Free, direction: Array) -> list[str]:
     """Paths of a combination, the largest parts first; an unbalance is named by its amount."""
     most = float(np.abs(direction).max())
     found: dict[str, None] = {}

@@ -11,7 +11,7 @@ from typing import Any
 from mahovik.contract.quantities import TABLES
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.manifest import digest
-from mahovik.core.emit.recorder import recorded, recorder_files
+from mahovik.core.emit.recorder import has_recorder, recorder_files
 from mahovik.core.lower.test_inputs import Generator, draw, plan
 from mahovik.core.program.function import Program
 from mahovik.core.program.types import Kind, NamedCount, Struct
@@ -162,7 +162,7 @@ def _measure_target(stand: Stand, made: Generated, target: Target, real: str) ->
     states = measuring_states(made.program)
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as folder:
         scratch = Path(folder)
-        log = recorded(made)
+        log = has_recorder(made)
         files = {**made.files, **(recorder_files(stand, made) if log else {})}
         program = build(
             target, {**files, "workload.c": workload(made.program, states, log)}, scratch, extra=STACK_FLAGS

@@ -11,7 +11,7 @@ from typing import Any
 from markupsafe import Markup
 
 from mahovik import __version__
-from mahovik.core.emit.generate import described
+from mahovik.core.emit.generate import describe_bodies
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
 from mahovik.proof.evidence.piece import NO_VERDICT, PieceResult, Subject, Table, Verdict
@@ -36,7 +36,7 @@ def html(subject: Subject, found: Sequence[PieceResult]) -> str:
     names, failed = identities(subject.stand), failures(found)
     return template("evidence.html.j2").render(
         name=subject.stand.name,
-        bodies=described(subject.stand),
+        bodies=describe_bodies(subject.stand),
         real=subject.real,
         structure=names.structure,
         physics=names.physics,

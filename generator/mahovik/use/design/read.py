@@ -52,7 +52,7 @@ def _box(key: Key) -> Any:
     """A validator of a `Box`."""
     width, dimension = PARTS[key].stop - PARTS[key].start, DIMENSIONS[key]
 
-    def bound(raw: dict[str, Any], side: str) -> tuple[float, ...]:
+    def read_bound(raw: dict[str, Any], side: str) -> tuple[float, ...]:
         if side not in raw:
             raise refuse("required, but missing", side)
         try:
@@ -68,7 +68,7 @@ def _box(key: Key) -> Any:
         for name in raw:
             if name not in ("min", "max"):
                 raise QuantityError(f"unknown key {show(name)}{suggestion(name, ('min', 'max'))}")
-        low, high = bound(raw, "min"), bound(raw, "max")
+        low, high = read_bound(raw, "min"), read_bound(raw, "max")
         for a, b in zip(low, high, strict=True):
             if a > b:
                 raise QuantityError(f"min {a:g} is above max {b:g} {dimension.si}".rstrip())

@@ -52,7 +52,7 @@ def _speed(track: Track, wheel: str) -> Array | None:
     return next((x for n, x in track.values.items() if n.name == wheel and n.quantity == "speed"), None)
 
 
-def _expected(track: Track, wheel: str, per_radian: float) -> Array | None:
+def _expected_steps(track: Track, wheel: str, per_radian: float) -> Array | None:
     """(T - 1,) Steps that the speed channel lets expect."""
     speed = _speed(track, wheel)
     if speed is None:
@@ -93,7 +93,7 @@ def _of_counts(track: Track, wheel: Flywheel, name: Name, values: Array, counts:
         track.notes.append(f"{name.label}: {turn} counts per turn, as seen between pulses of its tacho")
     modulus = modulus_of(values, turn)
     if modulus is not None:
-        expected = _expected(track, name.name, turn / TURN)
+        expected = _expected_steps(track, name.name, turn / TURN)
         values, wraps, unsure = unwrap(values, modulus, expected)
         _note_wraps(track, name, f"{modulus} counts", wraps, unsure)
     return np.asarray((values - zero) * (TURN / turn))
@@ -148,6 +148,6 @@ def _of_angles(track: Track, name: Name, values: Array) -> Array:
     inside = len(finite) > 1 and np.ptp(finite) <= TURN * (1.0 + 1e-6)
     if not inside or np.abs(np.diff(finite)).max() <= 0.5 * TURN:
         return values
-    found, wraps, unsure = unwrap(values, TURN, _expected(track, name.name, 1.0))
+    found, wraps, unsure = unwrap(values, TURN, _expected_steps(track, name.name, 1.0))
     _note_wraps(track, name, "a turn", wraps, unsure)
     return found

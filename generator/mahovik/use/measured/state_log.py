@@ -86,7 +86,7 @@ class _Reader:
         self._stand, self._path = stand, path
         self._groups = dict(_groups(stand))
         self._notes = list(table.notes)
-        self._values = self._gather(self._scaled(table))
+        self._values = self._gather(self._scale_columns(table))
         self._error = self._derive(table)
 
     def log(self) -> StateLog:
@@ -138,7 +138,7 @@ class _Reader:
             self._notes.append(f"{key} is derived from {speeds} by a spline, right to about {off:.0e} of its size")
         return worst
 
-    def _scaled(self, table: Table) -> dict[str, Array]:
+    def _scale_columns(self, table: Table) -> dict[str, Array]:
         """Columns in SI by name without unit. Raises DataError."""
         dimensions = {name: dimension for group in self._groups.values() for name, dimension in group}
         found: dict[str, Array] = {}
@@ -170,7 +170,7 @@ class _Reader:
             if not lacking:
                 found[key] = np.column_stack([columns[name] for name in names])
             elif len(lacking) < len(names):
-                problems.append(f"{self._path}: no column {self._quoted(lacking[0])}, expected with {names[0]}")
+                problems.append(f"{self._path}: no column {self._quote(lacking[0])}, expected with {names[0]}")
         if problems:
             raise DataError(problems)
         if "mount_wrench" in found:
@@ -178,7 +178,7 @@ class _Reader:
         self._rows = max((len(values) for values in found.values()), default=0)
         return found
 
-    def _quoted(self, name: str) -> str:
+    def _quote(self, name: str) -> str:
         return f'"{name}"{suggestion(name, self._others) if self._others else ""}'
 
     def _answers(self, want: str) -> bool:
@@ -206,7 +206,7 @@ class _Reader:
 
     def _missing(self, key: str, reason: str) -> str:
         names = [name for name, _ in self._groups[key]]
-        return f'{self._path}: no columns {self._quoted(names[0])} to "{names[-1]}": {reason}'
+        return f'{self._path}: no columns {self._quote(names[0])} to "{names[-1]}": {reason}'
 
     def _state(self, name: str, given: dict[str, Any]) -> State:
         try:

@@ -65,12 +65,12 @@ def defer_interrupt(mark: Callable[[], None], *, again: bool) -> Iterator[None]:
         yield
         return
 
-    def pressed(*_: object) -> None:
+    def interrupt(*_: object) -> None:
         mark()
         if again:
             signal.signal(signal.SIGINT, signal.default_int_handler)
 
-    before = signal.signal(signal.SIGINT, pressed)
+    before = signal.signal(signal.SIGINT, interrupt)
     try:
         yield
     finally:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from mahovik import __version__
-from mahovik.core.emit.generate import described
+from mahovik.core.emit.generate import describe_bodies
 from mahovik.core.emit.templates import source_text, template
 from mahovik.core.stand.identity import identities
 from mahovik.errors import CheckError, MahovikError
@@ -56,7 +56,7 @@ def write_report(
     html = template("report.html.j2").render(
         name=state.manifest.name,
         uplot=source_text("uplot/uPlot.iife.min.js").partition("\n")[2],
-        bodies=f"{work.stand.name}: {described(work.stand)}",
+        bodies=f"{work.stand.name}: {describe_bodies(work.stand)}",
         structure=known.structure,
         physics=known.physics,
         version=__version__,

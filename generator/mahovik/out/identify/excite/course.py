@@ -73,7 +73,7 @@ class Courses:
         found[:, 0] = self.share_of(low + share * (self.bounds.speed - low))
         return found
 
-    def packed(self, gap: float, order: NDArray[np.int64]) -> Array:
+    def pack_speeds(self, gap: float, order: NDArray[np.int64]) -> Array:
         """Numbers of constant speeds below the bounds, `gap` (rad/s) apart in the order of the flywheels."""
         found = np.full((len(order), self.width), 0.5)
         found[:, 0] = self.share_of(self.bounds.speed - gap * order)

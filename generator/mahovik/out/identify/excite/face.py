@@ -235,7 +235,7 @@ def excite(
     experiment = Experiment(own, unknown, channels, noises, rate, float(bounds.speed.max()), start)
     courses = Courses(own, bounds, span, harmonics)
     tell(progress, Progress("compiling"))
-    even = _tried(experiment, courses, bounds, courses.even(), 0.0, start)
+    even = _try_numbers(experiment, courses, bounds, courses.even(), 0.0, start)
     budget = Budget(EVALUATIONS, seconds)
 
     def value(numbers: Array) -> float:
@@ -253,7 +253,7 @@ def excite(
         "cut_by_time": budget.cut, "interrupted": budget.interrupted,
     }  # fmt: skip
     for share in SHARES:
-        found = _tried(experiment, courses, bounds, best.numbers, share, start)
+        found = _try_numbers(experiment, courses, bounds, best.numbers, share, start)
         if not found.peaks.exceeded:
             break
     worse = found.peaks.exceeded or found.quality.value(criterion) > even.quality.value(criterion)
@@ -262,7 +262,7 @@ def excite(
     return Excitation(own, unknown, found, even, effort)
 
 
-def _tried(
+def _try_numbers(
     experiment: Experiment, courses: Courses, bounds: Bounds, numbers: Array, share: float, start: State | None
 ) -> Tried:
     programme = courses.programme(numbers, share)

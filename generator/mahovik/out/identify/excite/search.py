@@ -52,7 +52,7 @@ def search(value: Callable[[Array], float], courses: Courses, budget: Budget, se
     even = value(starts[0])
     best, least = starts[0], even
 
-    def tried(x: Array) -> float:
+    def try_numbers(x: Array) -> float:
         nonlocal best, least
         if not budget.step():
             raise _SpentError
@@ -64,7 +64,7 @@ def search(value: Callable[[Array], float], courses: Courses, budget: Budget, se
 
     with suppress(_SpentError):
         differential_evolution(
-            tried, [(0.0, 1.0)] * (shape[0] * shape[1]), init=starts.reshape(len(starts), -1), maxiter=10**6,
+            try_numbers, [(0.0, 1.0)] * (shape[0] * shape[1]), init=starts.reshape(len(starts), -1), maxiter=10**6,
             mutation=(0.4, 0.9), recombination=0.7, tol=1e-6, polish=False, seed=seed,
         )  # fmt: skip
     return Best(best, least, even, budget.steps_taken)
@@ -77,11 +77,11 @@ def _starts(courses: Courses, rng: np.random.Generator) -> Array:
     N = len(courses.stand.flywheels)
     found = [courses.even()]
     for gap in GAPS:
-        found.append(courses.packed(gap * courses.base, np.arange(N)))
-        found.append(courses.packed(gap * courses.base, rng.permutation(N)))
+        found.append(courses.pack_speeds(gap * courses.base, np.arange(N)))
+        found.append(courses.pack_speeds(gap * courses.base, rng.permutation(N)))
     for i in range(POPULATION - len(found)):
         numbers = rng.uniform(size=(N, courses.width))
         if i % 2 == 0:
-            numbers[:, 0] = courses.packed(float(rng.uniform(1.0, 20.0)) * courses.base, rng.permutation(N))[:, 0]
+            numbers[:, 0] = courses.pack_speeds(float(rng.uniform(1.0, 20.0)) * courses.base, rng.permutation(N))[:, 0]
         found.append(numbers)
     return np.array(found)

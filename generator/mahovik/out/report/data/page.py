@@ -9,7 +9,7 @@ from pathlib import Path
 from markupsafe import Markup
 
 from mahovik import __version__
-from mahovik.core.emit.generate import described
+from mahovik.core.emit.generate import describe_bodies
 from mahovik.core.emit.templates import source_text, template
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -63,7 +63,7 @@ def data_page(title: str, parts: Sequence[Part], stand: Stand, files: Sequence[t
     return template("report.html.j2").render(
         name=title,
         uplot=source_text("uplot/uPlot.iife.min.js").partition("\n")[2],
-        bodies=f"{stand.name}: {described(stand)}",
+        bodies=f"{stand.name}: {describe_bodies(stand)}",
         structure=known.structure,
         physics=known.physics,
         version=__version__,

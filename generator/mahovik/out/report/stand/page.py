@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from importlib import import_module
 
 from mahovik import __version__
-from mahovik.core.emit.generate import described
+from mahovik.core.emit.generate import describe_bodies
 from mahovik.core.emit.templates import source_text, template
 from mahovik.core.stand.identity import identities
 from mahovik.core.toolchain.process import side_by_side
@@ -51,7 +51,7 @@ def page(material: Material, made: Callable[[int], None] = lambda count: None) -
     html = template("report.html.j2").render(
         name=material.stand.name,
         uplot=source_text("uplot/uPlot.iife.min.js").partition("\n")[2],  # without the line of its address
-        bodies=described(material.stand),
+        bodies=describe_bodies(material.stand),
         structure=names.structure,
         physics=names.physics,
         version=__version__,

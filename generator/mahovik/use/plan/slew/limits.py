@@ -40,14 +40,15 @@ class Limits:
             found = [None if s.motor is None else getattr(s.motor, key) for s in wheels]
             return np.array([otherwise if x is None else float(x) for x in found])
 
-        def given(key: str) -> Array:
+        def bound_values(key: str) -> Array:
             return np.array(getattr(bounds, key) or (np.inf,) * len(wheels), dtype=np.float64)
 
         torque, no_load = motor("torque", np.inf), motor("speed", np.inf)
-        free = ~np.isfinite(torque) & ~np.isfinite(given("torque"))
+        free = ~np.isfinite(torque) & ~np.isfinite(bound_values("torque"))
         return Limits(
-            tuple(s.name for s in wheels), torque, no_load, given("torque"), np.minimum(given("speed"), no_load),
-            np.minimum(given("acceleration"), np.where(free, stand.inverse_most, np.inf)),
+            tuple(s.name for s in wheels), torque, no_load, bound_values("torque"),
+            np.minimum(bound_values("speed"), no_load),
+            np.minimum(bound_values("acceleration"), np.where(free, stand.inverse_most, np.inf)),
             motor("viscous", 0.0), motor("coulomb", 0.0), motor("coulomb_speed", 1.0),
         )  # fmt: skip
 

@@ -237,7 +237,7 @@ class _Search:
         inverse = linear.inverse(w, slow)
         if inverse is None:
             return found
-        c, held = larger.padded(found.c), larger.padded(h)
+        c, held = larger.pad(found.c), larger.pad(h)
         given = self._drive(larger.nodes)
         rate = self.scene.chart.rate(given, larger.values(c))
         rate += (self.scene.effect_of_wrench(given) @ larger.values(held)[:, :, None])[:, :, 0]

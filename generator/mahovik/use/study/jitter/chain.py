@@ -83,7 +83,7 @@ class Chain:
         """Whether mount wrenches drive anything beside the rigid carrier."""
         return bool(self.makers.inner) or self.makers.structure is not None
 
-    def driven(self, speeds: Array, omega: Array, mounts: Complex) -> Complex:
+    def driven_amplitudes(self, speeds: Array, omega: Array, mounts: Complex) -> Complex:
         """Amplitudes (S, L, 3) in addition to the rigid motion, by rigid mount wrenches (S, L, N, 6) in E1 about O1.
 
         speeds (S, N; rad/s), omega (S, L; rad/s, above 0).
@@ -106,7 +106,7 @@ class Chain:
             inner = self.makers.inner.get(name)
             if inner is not None:
                 own = mounts[:, :, s] @ np.linalg.inv(self.own[s]).T
-                found[:, :, s] = inner.transmitted(own, omega, speeds[:, s, None]) @ self.own[s].T
+                found[:, :, s] = inner.transmit(own, omega, speeds[:, s, None]) @ self.own[s].T
         return found
 
     def mounts(self, speeds: Array, omega: Array, pose: Complex) -> Complex:
@@ -122,7 +122,7 @@ class Chain:
         for s, name in enumerate(self.names):
             table = self.makers.harmonics.get(name)
             if table is not None:
-                found = found.joined(self._wheel_lines(s, name, table, speeds))
+                found = found.join(self._wheel_lines(s, name, table, speeds))
         return found
 
     def _wheel_lines(self, s: int, name: str, table: Harmonics, speeds: Array) -> Lines:
@@ -138,7 +138,7 @@ class Chain:
         names = [label._replace(tolerance=float(t)) for label, t in zip(names, tolerance, strict=True)]
         kept = (table.amplitude[:, there] > 0.0).ravel()
         frequency = np.repeat(omega / (2.0 * np.pi), len(parts), axis=1)
-        return Lines(tuple(names), frequency, a).selected(kept)
+        return Lines(tuple(names), frequency, a).select(kept)
 
     def unit_answers(self, s: int, parts: Whole, speeds: Array, omega: Array, backward: bool = False) -> Complex:
         """Amplitudes (S, L, 3, P) by parts of wheel s with amplitude 1 at omega (S, L; rad/s, above 0).
@@ -192,11 +192,11 @@ class Chain:
         return np.asarray(a * self.seen.derivative(omega)[:, :, None, None])
 
 
-def undamped(makers: Makers, names: Sequence[str], speeds: Array, omega: float) -> str | None:
+def undamped_mode(makers: Makers, names: Sequence[str], speeds: Array, omega: float) -> str | None:
     """The mode without damping that vibrates at omega (rad/s), in words; speeds (N, rad/s) of the wheels."""
     structure = makers.structure
     if structure is not None:
-        met = np.flatnonzero(structure.met(np.array(omega)))
+        met = np.flatnonzero(structure.is_resonant(np.array(omega)))
         if len(met):
             return f"structural mode {met[0] + 1} of {structure.path}"
     for s, name in enumerate(names):

@@ -92,10 +92,10 @@ class Conserved:
 
     def rate(self, r: Array, L: Array) -> tuple[Array, Array]:
         """r' (M, 3) and omega (M, 3)."""
-        omega = (self.given.inverse @ self.carried(r, L)[:, :, None])[:, 3:, 0]
+        omega = (self.given.inverse @ self.carrier_momentum(r, L)[:, :, None])[:, 3:, 0]
         return (rotation_vector_rate(r) @ omega[:, :, None])[:, :, 0], omega
 
-    def carried(self, r: Array, L: Array) -> Array:
+    def carrier_momentum(self, r: Array, L: Array) -> Array:
         """K V (M, 6) = (0, C^T L) - h, without the rounding of the large numbers that cancel: C^T L = L + small."""
         angle = np.linalg.norm(r, axis=1)[:, None]
         across = np.cross(r, L)
@@ -118,13 +118,13 @@ class Conserved:
         at = self.torus.values(r)
         x = -self.torus.coefficients(Rotation.from_rotvec(at).apply(self.centre))
         x[slow] = 0.0
-        V = (self.given.inverse @ self.carried(at, self.torus.values(L))[:, :, None])[:, :, 0]
+        V = (self.given.inverse @ self.carrier_momentum(at, self.torus.values(L))[:, :, None])[:, :, 0]
         return np.concatenate([x, r, self.torus.coefficients(V)], axis=1)
 
     def remainder(self, r: Complex, L: Complex, x: Complex, w: Array, slow: Whole, near: Linearised) -> Complex:
         """Pose (n, 6) that r, L and x, of a smaller torus, leave out of this one: to first order in what is left."""
-        own = self.torus.padded(r)
-        values, momentum = self.torus.values(own), self.torus.values(self.torus.padded(L))
+        own = self.torus.pad(r)
+        values, momentum = self.torus.values(own), self.torus.values(self.torus.pad(L))
         left = self.torus.coefficients(self.rate(values, momentum)[0]) - 1j * w[:, None] * own
         inverse = near.inverse(w, slow)
         if inverse is None:

@@ -28,7 +28,7 @@ def exact_lines(found: Balance, seen: View, phases: Array, chain: Chain | None =
     a = torus.coefficients(seen.values(y, y_dot[:, 6:]))
     if chain is not None and chain.one_way:
         mounts = torus.coefficients(mount_wrenches(found, y, y_dot[:, 6:]))
-        a = a + _driven(chain, found.speeds, w, mounts)
+        a = a + _driven_amplitudes(chain, found.speeds, w, mounts)
     a = a * np.exp(1j * (torus.k @ phases[list(found.turning)]))[:, None]
     a = np.where(w[:, None] < 0.0, a.conj(), a)
     fastest = float(np.abs(found.speeds).max(initial=0.0))
@@ -84,7 +84,7 @@ def mount_wrenches(found: Balance, y: Array, V_dot: Array) -> Array:
     return np.asarray(wrench)
 
 
-def _driven(chain: Chain, speeds: Array, w: Array, mounts: Complex) -> Complex:
+def _driven_amplitudes(chain: Chain, speeds: Array, w: Array, mounts: Complex) -> Complex:
     """Amplitudes (n, 3) that mount wrenches (n, N, 6) at w (n; rad/s, of either sign) drive; none at 0."""
     a = np.zeros((len(w), 3), dtype=np.complex128)
     moving = np.abs(w) > SLOW * float(np.abs(speeds).max(initial=0.0))
@@ -92,6 +92,6 @@ def _driven(chain: Chain, speeds: Array, w: Array, mounts: Complex) -> Complex:
         return a
     back = w[moving, None, None] < 0.0
     given = np.where(back, mounts[moving].conj(), mounts[moving])
-    driven = chain.driven(speeds[None], np.abs(w[None, moving]), given[None])[0]
+    driven = chain.driven_amplitudes(speeds[None], np.abs(w[None, moving]), given[None])[0]
     a[moving] = np.where(back[:, 0], driven.conj(), driven)
     return a

@@ -88,12 +88,12 @@ class Lines:
         amplitude[list(which)] = np.nan
         return Lines(self.names, self.frequency, amplitude)
 
-    def toleranced(self) -> Lines:
+    def with_tolerances(self) -> Lines:
         """These lines with the largest amplitudes that the tolerances of the tables allow."""
         factor = 1.0 + np.array([name.tolerance for name in self.names])
         return Lines(self.names, self.frequency, self.amplitude * factor[:, None])
 
-    def joined(self, other: Lines) -> Lines:
+    def join(self, other: Lines) -> Lines:
         """These lines and others at the same speeds."""
         return Lines(
             self.names + other.names,
@@ -101,7 +101,7 @@ class Lines:
             np.concatenate([self.amplitude, other.amplitude], axis=1),
         )
 
-    def selected(self, which: Flags) -> Lines:
+    def select(self, which: Flags) -> Lines:
         """Some of the lines: `which` (L) of bool."""
         names = tuple(name for name, keep in zip(self.names, which, strict=True) if keep)
         return Lines(names, self.frequency[:, which], self.amplitude[:, which])

@@ -117,7 +117,7 @@ class InnerModes:
         met = np.abs(left) <= 2.0 * SAME * own * np.abs(omega)
         return np.where(met, np.nan, through / np.where(met, 1.0, left))
 
-    def transmitted(self, wrench: Complex, omega: Array, speed: Array) -> Complex:
+    def transmit(self, wrench: Complex, omega: Array, speed: Array) -> Complex:
         """Wrench (..., 6) on the mount, in the wheel's axes, from that of a rigid wheel at omega (...; rad/s, >= 0)."""
         found = wrench.astype(np.complex128)
         axial = self.gain("axial", omega, speed)

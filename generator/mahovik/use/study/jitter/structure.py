@@ -50,10 +50,10 @@ class Structure:
         """(..., m): q by modal force at omega (...; rad/s); NaN for a mode without damping at its own frequency."""
         w = omega[..., None]
         stiffness = self.mass * (self.omega**2 - w**2 + 2j * self.damping * self.omega * w)
-        met = self.met(omega)
+        met = self.is_resonant(omega)
         return np.where(met, np.nan, 1.0 / np.where(met, 1.0, stiffness))
 
-    def met(self, omega: Array) -> Flags:
+    def is_resonant(self, omega: Array) -> Flags:
         """(..., m): whether a mode has no damping and its frequency is omega (...; rad/s)."""
         return np.asarray((self.damping == 0.0) & (np.abs(omega[..., None] - self.omega) <= SAME * self.omega))
 

@@ -16,7 +16,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, UsageError
 from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.balance import Balance, balance
-from mahovik.use.study.jitter.chain import Chain, Makers, undamped
+from mahovik.use.study.jitter.chain import Chain, Makers, undamped_mode
 from mahovik.use.study.jitter.exact import exact_lines, left_out_of
 from mahovik.use.study.jitter.lines import UNBALANCE, LineName, Lines
 from mahovik.use.study.jitter.noise import Broadband, broadband
@@ -117,7 +117,7 @@ class Jitter:
     @property
     def toleranced(self) -> Jitter:
         """This jitter with the largest amplitudes that the makers' tolerances allow."""
-        return replace(self, lines=self.lines.toleranced())
+        return replace(self, lines=self.lines.with_tolerances())
 
     @property
     def worst_step(self) -> int:
@@ -187,7 +187,7 @@ class _Study:
             name.source != UNBALANCE or name.wheel not in tables or name.order not in tables[name.wheel].order
             for name in lines.names
         ]
-        return lines.selected(np.array(which, dtype=bool))
+        return lines.select(np.array(which, dtype=bool))
 
     def exact(self, go_on: Callable[[int], bool]) -> Jitter:
         """The full equations at every speed. Raises CheckError if there is a steady state at none."""
@@ -237,7 +237,7 @@ class _Study:
             if i not in besides:
                 at = np.flatnonzero(~np.isfinite(lines.amplitude[i]).all(axis=1))[0]
                 hertz = float(lines.frequency[i, at])
-                mode = undamped(self.chain.makers, self.chain.names, self.speeds[i], 2.0 * np.pi * hertz)
+                mode = undamped_mode(self.chain.makers, self.chain.names, self.speeds[i], 2.0 * np.pi * hertz)
                 what = f"{mode}: expected a damping above 0" if mode else "the stand itself: expected some damping"
                 found.append((i, f"line {lines.names[at].text} at {hertz:.6g} Hz is an undamped resonance of {what}"))
         return found
@@ -295,7 +295,7 @@ class _Study:
             mounts = chain.mounts(self.speeds, positive, pose)
             each = np.arange(mounts.shape[2])
             mounts[:, each, each] += wrench
-            a += chain.driven(self.speeds, positive, mounts)
+            a += chain.driven_amplitudes(self.speeds, positive, mounts)
         a[still] = 0.0
         names = tuple(LineName(s.name, 1.0) for s in self.scene.stand.flywheels)
         return Lines(names, omega / (2.0 * np.pi), a)
@@ -314,7 +314,7 @@ class _Study:
     ) -> Jitter:
         S = len(lines.frequency)
         if S:
-            lines = lines.joined(self.chain.table_lines(self.speeds[:S]))
+            lines = lines.join(self.chain.table_lines(self.speeds[:S]))
             problems = tuple(sorted((*problems, *self._resonances(lines, {i for i, _ in problems}))))
             lines = lines.clear(np.flatnonzero(~lines.is_finite).tolist())
             if not lines.is_finite.any():

@@ -89,7 +89,7 @@ class Torus:
         found[0] = found[0].real / 2.0
         return np.asarray(found)
 
-    def padded(self, c: Complex) -> Complex:
+    def pad(self, c: Complex) -> Complex:
         """Coefficients (n, ...) from those of a smaller order: indices are sorted by size."""
         return np.concatenate([c, np.zeros((len(self.k) - len(c), *c.shape[1:]), dtype=np.complex128)])
 
