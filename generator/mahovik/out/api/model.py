@@ -235,7 +235,7 @@ class Model(WithRegressor):
             raise InputError("V_dot, task: both given, expected one of them")
         if demand is None:
             raise InputError(f"demand: missing, expected one number for each of {', '.join(self._rows[task])}")
-        options = self._options(each, shares, self._demanded(task, rows))
+        options = self._options(each, shares, self._demand_options(task, rows))
         function = f"inverse_{task}"
         return self._result(results.Inverse, function, x, on_error, wrench, tables, demand=demand, options=options)
 
@@ -282,7 +282,7 @@ class Model(WithRegressor):
         given = {
             "demand": demand,
             "locked": locked,
-            "options": self._options(each, numbers, self._demanded(task, rows)),
+            "options": self._options(each, numbers, self._demand_options(task, rows)),
         }
         return self._result(results.TorqueFor, f"torque_for_{task}", x, on_error, wrench, tables, **given)
 
