@@ -127,7 +127,7 @@ def tree(stand: Stand) -> tuple[RigidBody, ...]:
     return tuple(found)
 
 
-def mounted(body: RigidBody, bodies: Sequence[RigidBody]) -> RigidBody:
+def mount_flywheel(body: RigidBody, bodies: Sequence[RigidBody]) -> RigidBody:
     """A flywheel in the frame of the carrier."""
     (mount,) = (each for each in bodies if each.name == body.parent)
     if mount.parent is None:
