@@ -75,11 +75,11 @@ def test_a_row_is_of_the_stand_with_its_numbers(tmp_path: Path) -> None:
     places = Places(campaign.stand_of(7))
     for path, column in rows.parameters.items():
         if "unbalance" in path:
-            (place,) = places.found(path)
+            (place,) = places.find(path)
             turns = (place.nominal - column[0]) / (2 * np.pi) if path.endswith("_at") else place.nominal / column[0] - 1
             assert turns == pytest.approx(round(turns), abs=1e-6)
         else:
-            assert places.found(path)[0].nominal == column[0]
+            assert places.find(path)[0].nominal == column[0]
     nominal = load(tmp_path, '[vary]\n"w1.mass" = { tolerance = 0 }' + RUN)
     assert nominal.rows(0, 1).quantities["shake"] != rows.quantities["shake"]
 

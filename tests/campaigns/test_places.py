@@ -30,13 +30,13 @@ def moved(places: Places, place: Place, value: float) -> Stand:
 def test_a_number_is_found_with_its_value(name: str) -> None:
     of = Stand.of(stand(name))
     places = Places(of)
-    found = [place for pattern in PATTERNS[name] for place in places.found(pattern)]
+    found = [place for pattern in PATTERNS[name] for place in places.find(pattern)]
     assert len({place.path for place in found}) == len(found)
     assert places.stand() == of  # lists in SI, with the same bits
     for place in found[:: 1 + len(found) // 8]:
         value = place.nominal * 1.001 + 1e-12
         after = Places(moved(places, place, value))
-        there = {each.path: each for pattern in PATTERNS[name] for each in after.found(pattern)}
+        there = {each.path: each for pattern in PATTERNS[name] for each in after.find(pattern)}
         for each in found:
             if each is place:
                 assert there[each.path].nominal == pytest.approx(value, rel=1e-9), each.path
@@ -47,14 +47,14 @@ def test_a_number_is_found_with_its_value(name: str) -> None:
 def test_paths_lead_into_the_tables_of_a_model() -> None:
     for name in ("demo3", "sat4"):
         places = Places(Stand.of(stand(name)))
-        found = [place for pattern in PATTERNS[name] for place in places.found(pattern)]
+        found = [place for pattern in PATTERNS[name] for place in places.find(pattern)]
         draw = Draw(tuple(Parameter(each, Fixed(0.0), None) for each in found), (), None, places.matrices())
         n = 3
         columns = {each.path: np.array([each.nominal * (1 + 1e-6 * k) for k in range(n)]) for each in found}
         tables = mahovik.build(places.stand()).tables(draw.changes(columns))
         for each in found:
             if "unbalance" not in each.path:
-                (there,) = Places(tables.stand(2)).found(each.path)
+                (there,) = Places(tables.stand(2)).find(each.path)
                 assert there.nominal == columns[each.path][2], each.path
 
 
@@ -62,11 +62,11 @@ def test_dimensions_are_those_of_the_stand_file() -> None:
     units = {
         place.path: place.dimension.si
         for pattern in PATTERNS["sat4"]
-        for place in Places(Stand.of(stand("sat4"))).found(pattern)
+        for place in Places(Stand.of(stand("sat4"))).find(pattern)
     }
     assert units["rw1.unbalance.static"] == "kg m"
     assert units["rw4.unbalance.dynamic_at"] == "rad"
     assert units["carrier.inertia.J12"] == "kg m^2"
     assert units["rw2.axis[0]"] == ""
     stiffness = Places(Stand.of(stand("everything")))
-    assert stiffness.found("suspension.stiffness[0][4]")[0].dimension.si == "N/rad"
+    assert stiffness.find("suspension.stiffness[0][4]")[0].dimension.si == "N/rad"

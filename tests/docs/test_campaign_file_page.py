@@ -75,7 +75,7 @@ def test_paths_of_the_page_are_found() -> None:
         found = 0
         for each in places:
             try:
-                found += len(each.found(path))
+                found += len(each.find(path))
             except UsageError:
                 continue
         assert found, path

@@ -42,7 +42,7 @@ position = ["10 mm", 0, "20 mm"]
 def with_value(stand: mahovik.Stand, path: str, value: float) -> tuple[mahovik.Stand, list[Place]]:
     """The stand with another number, as an estimate changes it, and the place of the number."""
     places = Places(stand)
-    found = {place.path: place for place in places.found(path)}
+    found = {place.path: place for place in places.find(path)}
     draw = Draw(
         tuple(Parameter(each, Fixed(each.nominal), None) for each in found.values()), (), None, places.matrices()
     )

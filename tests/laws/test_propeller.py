@@ -180,9 +180,9 @@ def test_file_comes_back_and_other_stands_are_as_before() -> None:
 
 def test_campaigns_vary_its_numbers() -> None:
     places = Places(ApiStand.of(loads(FILE)))
-    (place,) = places.found("main.diameter")
+    (place,) = places.find("main.diameter")
     assert place.nominal == 0.14
-    assert [each.path for each in places.found("bow.thrust")] == [f"bow.thrust[{k}]" for k in range(3)]
+    assert [each.path for each in places.find("bow.thrust")] == [f"bow.thrust[{k}]" for k in range(3)]
 
 
 @pytest.mark.parametrize(

@@ -79,7 +79,7 @@ def test_rank_is_decided_by_the_thresholds_of_float() -> None:
     stand = load(path("bench8"))
     judge = Judge(stand, FLOAT, Second(stand))
     drawn = [state for _, state in draw(stand, 1, 30, "float")]
-    kept = [found for state in drawn if (found := judge.expected(state, "inverse")) is not None]
+    kept = [found for state in drawn if (found := judge.expected_answer(state, "inverse")) is not None]
     assert len(kept) >= len(drawn) / 4  # and not all of them hang on rounding
 
 

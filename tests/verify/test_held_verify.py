@@ -102,7 +102,7 @@ def test_an_error_of_a_digit_is_seen(quantity: str) -> None:
     own = Judge(stand, DOUBLE)
     states = draw(stand, 1, 6, wrenches=False)
     for name, state in states:
-        expected = own.expected(state, "forward")
+        expected = own.expected_answer(state, "forward")
         assert expected is not None
         if quantity in expected:
             wrong = {**expected, quantity: np.array(expected[quantity]) * (1 + 1e-9)}

@@ -222,7 +222,7 @@ def _draw(parameters: tuple[Parameter, ...], table: CampaignTable, places: Place
 
 def _factors_of(paths: tuple[str, ...], places: Places, by_path: dict[str, str | None]) -> Iterator[str]:
     for pattern in paths:
-        for place in places.found(pattern):
+        for place in places.find(pattern):
             factor = by_path.get(place.path)
             if factor is None:
                 raise UsageError(f"{place.path} does not vary{suggestion(place.path, by_path)}")

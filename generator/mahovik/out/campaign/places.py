@@ -81,7 +81,7 @@ class Places:
         self._source = stand.name
         self._matrices: dict[str, Array] = {}
 
-    def found(self, pattern: str) -> list[Place]:
+    def find(self, pattern: str) -> list[Place]:
         """The numbers of a path, or of all paths that a pattern with `*` matches, in the order of the file.
 
         A path that ends at a vector stands for all its elements. Names that match, but that do not have such a number,

@@ -105,7 +105,7 @@ class _Reader:
         if kind == "grade":
             return self._graded_unbalance(pattern, raw)
         found = []
-        for place in self._places.found(pattern):
+        for place in self._places.find(pattern):
             whole = self._whole(kind, raw, place)
             factor = None if isinstance(whole, Fixed) else place.path
             if kind == "table" and factor is not None:  # measured columns of one body belong together
@@ -179,8 +179,8 @@ class _Reader:
         if speed == 0.0:
             raise QuantityError("speed: expected the highest speed in service, found 0")
         share = self._share(raw.get("share"))
-        statics = self._places.found(f"{pattern}.static")
-        angles = self._places.found(f"{pattern}.static_at")
+        statics = self._places.find(f"{pattern}.static")
+        angles = self._places.find(f"{pattern}.static_at")
         found = []
         for static, angle in zip(statics, angles, strict=True):
             most = permissible_unbalance(grade, speed, self._places.mass(static.body))

@@ -125,7 +125,7 @@ def wrong_axes(look: Look) -> tuple[list[Finding], float]:
     found: list[Finding] = []
     while True:
         mended = {c: each for finding in found for c, each in finding.taken.items()}
-        places, signs = _arranged(n, mended)
+        places, signs = _arrange(n, mended)
         given = grams.remains(places, signs)
         excess = look.excess(given, places)
         if excess.max() < AMISS:
@@ -149,7 +149,7 @@ def _of_sensor(look: Look, grams: Grams, own: list[int], mended: Taken, given: A
     for order in permutations(own):
         for signs in product((1.0, -1.0), repeat=len(own)):
             taken = dict(zip(own, zip(order, signs, strict=True), strict=True))
-            places, whole = _arranged(n, mended | taken)
+            places, whole = _arrange(n, mended | taken)
             cost = float(look.excess(grams.remains(places, whole), places).sum())
             tried.append((cost, {c: each for c, each in taken.items() if each != (c, 1.0)}))
     least = min(cost for cost, _ in tried)
@@ -157,7 +157,7 @@ def _of_sensor(look: Look, grams: Grams, own: list[int], mended: Taken, given: A
     cost, changed = min((each for each in tried if each[0] <= enough), key=lambda each: (len(each[1]), each[0]))
     if not changed:
         return None
-    places, whole = _arranged(n, mended | changed)
+    places, whole = _arrange(n, mended | changed)
     left = grams.remains(places, whole)
     rows = list(changed)
     after, before = float(look.excess(left, places)[rows].sum()), float(excess[rows].sum())
@@ -177,7 +177,7 @@ def _of_sensor(look: Look, grams: Grams, own: list[int], mended: Taken, given: A
     return Finding(point, kind, changed, cost, line)
 
 
-def _arranged(n: int, taken: Taken) -> tuple[list[int], list[float]]:
+def _arrange(n: int, taken: Taken) -> tuple[list[int], list[float]]:
     """Channels and signs of the data at each of n channels."""
     whole = [taken.get(c, (c, 1.0)) for c in range(n)]
     return [d for d, _ in whole], [sign for _, sign in whole]

@@ -102,7 +102,7 @@ class Free:
             for each in (
                 [f"{path}.{key}" for key in ("static", "static_at", "dynamic", "dynamic_at")] if whole else [path]
             ):
-                found |= {place.path: place for place in places.found(each)}
+                found |= {place.path: place for place in places.find(each)}
         if not found and not delays:
             raise UsageError("--free: expected at least one path, such as w*.unbalance")
         self.stand = places.stand()  # its lists are numbers, so that one element can be set

@@ -103,10 +103,10 @@ def place(change: Callable[[Any], Any]) -> Edit:
     """Edit of the inertia and the place of a body: `MountedFlywheel`, else `FixedBody`."""
 
     def edit(bodies: Bodies, case: Case) -> Bodies:
-        def found(k: Any) -> Any:
+        def find(k: Any) -> Any:
             return change(k) if case.wrong(k.body) else k
 
-        return Bodies(tuple(map(found, bodies.fixed)), tuple(map(found, bodies.mounted)))
+        return Bodies(tuple(map(find, bodies.fixed)), tuple(map(find, bodies.mounted)))
 
     return Edit("bodies", edit)
 

@@ -86,7 +86,7 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
         "outcome": diagnosis.outcome,
         "verdict": diagnosis.verdict,
         "unexplained": diagnosis.unexplained,
-        "found": _found(diagnosis),
+        "found": _parts_of_error(diagnosis),
         "causes": [_cause(each) for each in diagnosis.causes],
         "confidence": diagnosis.confidence,
         "others": [_cause(each) for each in diagnosis.others],
@@ -97,7 +97,7 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
     }
 
 
-def _found(diagnosis: Diagnosis) -> list[dict[str, Any]]:
+def _parts_of_error(diagnosis: Diagnosis) -> list[dict[str, Any]]:
     """Parts of the error by name: wrong terms, or faults of the dictionary; none where it has no name."""
     if diagnosis.wrong_terms:
         return [

@@ -93,14 +93,14 @@ def body_columns(stand: Stand, state: State, name: str) -> list[Column]:
 def _with_body(stand: Stand, name: str, mass: float, center: Vec3, J: Array) -> Stand:
     """The stand with other inertia of one body."""
 
-    def changed(body: AnyBody) -> AnyBody:
+    def change_body(body: AnyBody) -> AnyBody:
         return with_inertia(body, mass, center, J) if body.name == name else body
 
     return replace(
         stand,
-        carrier=changed(stand.carrier),
-        instruments=tuple(map(changed, stand.instruments)),
-        flywheels=tuple(map(changed, stand.flywheels)),
+        carrier=change_body(stand.carrier),
+        instruments=tuple(map(change_body, stand.instruments)),
+        flywheels=tuple(map(change_body, stand.flywheels)),
     )
 
 

@@ -136,7 +136,7 @@ class Judge:
         self._answered: set[str] = set()
         self._one_sided: dict[str, list[tuple[Row, float, Request, str]]] = {}
 
-    def expected(self, state: State, want: str) -> dict[str, Any] | None:
+    def expected_answer(self, state: State, want: str) -> dict[str, Any] | None:
         """Answer of the reference, or None."""
         if self._last[0] is not state or self._last[1] != want:
             found: dict[str, Any] | None
@@ -160,7 +160,7 @@ class Judge:
 
         `found`: the judged values; None where the state was refused, for the `reason`.
         """
-        expected = self.expected(request.state, want)
+        expected = self.expected_answer(request.state, want)
         if expected is None:
             return
         if self._undecided and found is not None:

@@ -60,7 +60,7 @@ def judge(
         for want in wants:
             if not applicable(state, want):
                 continue
-            if found.expected(state, want) is None:
+            if found.expected_answer(state, want) is None:
                 continue
             try:
                 values, reason = backend.evaluate(state, (want,)), ""

@@ -39,7 +39,7 @@ def gyroscopic(P_s: Array, s: SpinningFlywheel, at: Motion) -> Array:
     return np.asarray(Phi(V_s) @ s.Theta @ V_s)
 
 
-def doubled(
+def double(
     part: Callable[[Array, SpinningFlywheel, Motion], Array],
 ) -> Callable[[Array, SpinningFlywheel, Motion], Array]:
     """A part of the equation two times: without it, its sign is wrong."""
@@ -71,13 +71,13 @@ FAULTS = (
     Fault("transport term of V_s* missing", "tau", "flywheels", [drive(transport)],
           "The drive torque lacks the turning of the flywheel's axes in V_s*: - phi' [<e>] Ls^T V",
           "V_s* = Ls^T V* - phi' [<e>] Ls^T V + f phi''"),
-    Fault("transport term of V_s*, sign", "tau", "flywheels", [drive(doubled(transport))],
+    Fault("transport term of V_s*, sign", "tau", "flywheels", [drive(double(transport))],
           "The transport term of V_s*, phi' [<e>] Ls^T V, has the wrong sign",
           "V_s* = Ls^T V* - phi' [<e>] Ls^T V + f phi''"),
     Fault("torque without Phi(V_s) Z_s", "tau", "flywheels", [drive(gyroscopic)],
           "The drive torque lacks the gyroscopic terms Phi(V_s) Z_s",
           "omega_s x h_s + v_s x p_s about the spin axis: zero only for a symmetric, balanced flywheel"),
-    Fault("Phi(V_s) Z_s of torque, sign", "tau", "flywheels", [drive(doubled(gyroscopic))],
+    Fault("Phi(V_s) Z_s of torque, sign", "tau", "flywheels", [drive(double(gyroscopic))],
           "The gyroscopic terms Phi(V_s) Z_s of the drive torque have the wrong sign",
           "tau = f^T (Theta_s V_s* + Phi(V_s) Z_s) - f^T P_s"),
     Fault("torque without P_s", "tau", "flywheels", [drive(lambda P_s, s, at: -P_s)],

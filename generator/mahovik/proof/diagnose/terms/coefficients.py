@@ -58,22 +58,22 @@ class Coefficients:
 
     def multiple(self, component: int, k: int, error: float) -> Multiple:
         """The factor of product k in a component, where its coefficient has this error."""
-        expected = self._expected(component, k)
+        expected = self._expected_coefficient(component, k)
         if expected is None:
             return Multiple(error, None, "")
-        return self.named(expected, error)
+        return self.multiple_of(expected, error)
 
-    def named(self, expected: float, error: float) -> Multiple:
+    def multiple_of(self, expected: float, error: float) -> Multiple:
         """A right coefficient that has an error in a program, as a multiple of a quantity of the stand if it is one."""
-        return _named(expected, error, self._quantities)
+        return _name_multiple(expected, error, self._quantities)
 
     def occurs(self, component: int, k: int) -> bool:
         """Whether the right equations have product k in a component."""
-        expected = self._expected(component, k)
+        expected = self._expected_coefficient(component, k)
         beside = self._K if self._products[k].accelerates or self._right is None else self._right[:, component]
         return expected is not None and is_there(expected, beside)
 
-    def _expected(self, component: int, k: int) -> float | None:
+    def _expected_coefficient(self, component: int, k: int) -> float | None:
         of = self._products[k]
         if of.accelerates:
             wave = self._waves[of.factors[1:]]
@@ -86,7 +86,7 @@ def is_there(coefficient: float, beside: Array) -> bool:
     return bool(abs(coefficient) > THERE * np.abs(beside).max(initial=0.0))
 
 
-def _named(expected: float, error: float, quantities: dict[str, float]) -> Multiple:
+def _name_multiple(expected: float, error: float, quantities: dict[str, float]) -> Multiple:
     """The multiple of one quantity, else of one of two that make up the coefficient; else plain numbers."""
     if abs(expected) <= SAME * abs(error):
         expected = 0.0
@@ -94,14 +94,14 @@ def _named(expected: float, error: float, quantities: dict[str, float]) -> Multi
         for name, value in quantities.items():
             for multiple in SIMPLE:
                 if _equal(expected, multiple * value):
-                    return Multiple(_rounded(multiple + error / value), multiple, name)
+                    return Multiple(_round(multiple + error / value), multiple, name)
     others = [0.0, *(m * other for m, other in pairs(SIMPLE, quantities.values()))] if expected else [0.0]
     for name, value in quantities.items():
         for multiple in SIMPLE if expected else (0.0,):
             factor = multiple + error / value
             likely = any(abs(factor - each * abs(multiple or 1.0)) <= SAME for each in LIKELY)
             if likely and any(_equal(expected, multiple * value + other) for other in others):
-                return Multiple(_rounded(factor), multiple, name)
+                return Multiple(_round(factor), multiple, name)
     return Multiple(expected + error, expected, "")
 
 
@@ -109,7 +109,7 @@ def _equal(a: float, b: float) -> bool:
     return abs(a - b) <= SAME * max(abs(a), abs(b))
 
 
-def _rounded(factor: float) -> float:
+def _round(factor: float) -> float:
     """Without the rounding of the fit."""
     return round(factor, 9) + 0.0
 

@@ -152,7 +152,7 @@ class _PlainFactors:
         expected = float(self._right[k, component])
         if self._names is None:
             return Multiple(expected + error, expected, "")
-        return self._names.named(expected if self.occurs(component, k) else 0.0, error)
+        return self._names.multiple_of(expected if self.occurs(component, k) else 0.0, error)
 
     def occurs(self, component: int, k: int) -> bool:
         """Whether the right equations have product k in a component."""

@@ -184,7 +184,7 @@ class TermSearch:
 
     def _errors(self, want: str, answers: Answers) -> list[EquationErrors]:
         """Errors of a want at the states with finite answers. Raises CheckError: too few."""
-        rows, values = self._answered(want, answers)
+        rows, values = self._collect_answers(want, answers)
         self._check_order(want, rows, values)
         found = self._equations.errors(want, [self._states[i] for i in rows], [self._pieces[i] for i in rows], values)
         least = max(len(each.products) for each in found)
@@ -195,7 +195,7 @@ class TermSearch:
             )
         return found
 
-    def _answered(self, want: str, answers: Answers) -> tuple[list[int], dict[str, Array]]:
+    def _collect_answers(self, want: str, answers: Answers) -> tuple[list[int], dict[str, Array]]:
         """Rows of the states that have finite answers, and these by quantity. Raises CheckError: none."""
         rows: list[int] = []
         found: dict[str, list[Array]] = {name: [] for name in ANSWERS[want]}

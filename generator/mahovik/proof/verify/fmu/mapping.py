@@ -66,12 +66,12 @@ class FmuMap:
     wrenches: Mapping[str, tuple[Place, ...]]
     answers: Mapping[str, Mapping[str, tuple[Place, ...]]]
 
-    def given(self) -> Iterator[Place]:
+    def places_to_set(self) -> Iterator[Place]:
         """Variables that are set."""
         for places in (*self.inputs.values(), *self.wrenches.values()):
             yield from places
 
-    def answered(self) -> Iterator[Place]:
+    def places_to_read(self) -> Iterator[Place]:
         """Variables that are read."""
         for quantities in self.answers.values():
             for places in quantities.values():
@@ -135,7 +135,7 @@ class _Reader:
             if key not in known:
                 self.problems.append(f'{where}: unknown key "{key}"{suggestion(key, list(known)) if known else ""}')
                 continue
-            texts = self._expanded(value, known[key])
+            texts = self._expand(value, known[key])
             places = [self._place(f"{where}.{key}", each) for each in texts]
             length = self._length(known[key])
             if len(places) != length:
@@ -146,7 +146,7 @@ class _Reader:
     def _length(self, length: int) -> int:
         return {0: len(self._names), -6: 6 * len(self._names)}.get(length, length)
 
-    def _expanded(self, value: Any, length: int) -> list[Any]:
+    def _expand(self, value: Any, length: int) -> list[Any]:
         """The list of variables that a pattern stands for."""
         if not isinstance(value, str):
             return value if isinstance(value, list) else [value]

@@ -64,13 +64,13 @@ def _check_variables(fmu: Path, description: Any, found: FmuMap) -> None:
     """Raises DataError: a variable is not there, no number, or cannot be set."""
     known = {variable.name: variable for variable in description.modelVariables}
     problems = []
-    for place in dict.fromkeys((*found.given(), *found.answered())):
+    for place in dict.fromkeys((*found.places_to_set(), *found.places_to_read())):
         variable = known.get(place.variable)
         if variable is None:
             problems.append(f'{fmu}: no variable "{place.variable}"{suggestion(place.variable, known)}')
         elif variable.type not in ("Real", "Float64") or getattr(variable, "dimensions", None):
             problems.append(f'{fmu}: "{place.variable}" is no real scalar')
-    for place in dict.fromkeys(found.given()):
+    for place in dict.fromkeys(found.places_to_set()):
         variable = known.get(place.variable)
         if variable is not None and not _settable(variable):
             problems.append(f'{fmu}: "{place.variable}" cannot be set: it is calculated')
@@ -115,7 +115,7 @@ class FmuProgram:
         self._set(instance, later)
         instance.exitInitializationMode()
         quantities = self._map.answers[want].items()
-        return {name: self._shaped(name, self._get(instance, places)) for name, places in quantities}
+        return {name: self._shape(name, self._get(instance, places)) for name, places in quantities}
 
     def _fresh(self) -> Any:
         """An instance that nothing was set in yet."""
@@ -159,7 +159,7 @@ class FmuProgram:
         get = instance.getReal if self._description.fmiVersion == "2.0" else instance.getFloat64
         return [float(x) * place.factor for x, place in zip(get(references), places, strict=True)]
 
-    def _shaped(self, name: str, values: list[float]) -> Any:
+    def _shape(self, name: str, values: list[float]) -> Any:
         if name == "energy":
             return values[0]
         if name == "mount_wrench":

@@ -15,7 +15,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.verify.judges.basilisk_judge import BasiliskSpacecraft, column
 from mahovik.proof.verify.judges.basilisk_wheel import unsupported_spacecraft_features
-from mahovik.proof.verify.judges.rigid import Array, RigidBody, mounted, tree
+from mahovik.proof.verify.judges.rigid import Array, RigidBody, mount_flywheel, tree
 
 
 class BasiliskRotorJudge(BasiliskSpacecraft):
@@ -55,7 +55,7 @@ class BasiliskRotorJudge(BasiliskSpacecraft):
 def rotors(stand: Stand) -> tuple[RigidBody, ...]:
     """The flywheels in the carrier's frame."""
     bodies = tree(stand)
-    return tuple(mounted(body, bodies) for body in bodies if body.turns)
+    return tuple(mount_flywheel(body, bodies) for body in bodies if body.turns)
 
 
 def _effector(rotor: RigidBody) -> Any:

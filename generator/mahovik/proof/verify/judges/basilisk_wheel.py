@@ -13,7 +13,7 @@ from typing import cast
 import numpy as np
 
 from mahovik.core.stand.model import Flywheel, Mat3, Stand
-from mahovik.proof.verify.judges.rigid import Array, RigidBody, about_first, missing, mounted, tree
+from mahovik.proof.verify.judges.rigid import Array, RigidBody, about_first, missing, mount_flywheel, tree
 
 ROUNDING = 1e-14
 """Part of the moment about the spin axis below which entries are rounding, from turning the tensor."""
@@ -113,7 +113,7 @@ def basilisk_stand(stand: Stand, asymmetric: bool = False) -> Stand:
 
 
 def _wheel(body: RigidBody, bodies: Sequence[RigidBody]) -> Wheel:
-    body = mounted(body, bodies)
+    body = mount_flywheel(body, bodies)
     place, axes = body.position, body.axes
     along, *across = body.center
     at = _direction(body)
