@@ -22,7 +22,7 @@ from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.hold import accelerations
 from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.use.simulate.held import home, moved, rates
+from mahovik.use.simulate.held import home, move, rates
 from mahovik.use.study.linear import linear_model, modes
 from mahovik.use.study.rest import rest
 from verify.test_held_c import HOLDS
@@ -66,7 +66,7 @@ def slow_top() -> tuple[Stand, State]:
     stand = replace(stand, hold=Hold(HOLDS["ball joint"], (0.1, -0.2, 0.15), (0.0,) * 3, (0.0,) * 3))
     u = (0.4, -0.7, 0.5)
     assert stand.hold is not None
-    state = moved(home(stand), np.eye(3), np.array(twist_of(stand.hold, (0.3, 0.2, -0.5))))
+    state = move(home(stand), np.eye(3), np.array(twist_of(stand.hold, (0.3, 0.2, -0.5))))
     state = replace(state, u=u, V=twist_of(stand.hold, u))
     return stand, replace(state, phi=(0.3, 1.0, -2.0), phi_dot=(20.0, -30.0, 15.0))
 
@@ -87,9 +87,9 @@ def test_the_derivatives_are_those_of_the_reference() -> None:
     tau, C = np.array(model.state.tau), carrier_rotation(stand, state)
     m, N, h = 3, 3, 1e-5
 
-    def at(x: Array) -> Array:
+    def rates_at(x: Array) -> Array:
         q, u, phi, phi_dot = np.split(x, [m, 2 * m, 2 * m + N])
-        displaced = moved(state, C, np.array(twist_of(hold, q.tolist())))
+        displaced = move(state, C, np.array(twist_of(hold, q.tolist())))
         total = np.array(state.u) + u
         displaced = replace(
             displaced,
@@ -100,11 +100,11 @@ def test_the_derivatives_are_those_of_the_reference() -> None:
         )
         return rate(stand, displaced, tau)
 
-    columns = [(at(h * e) - at(-h * e)) / (2 * h) for e in np.eye(2 * m + 2 * N)]
+    columns = [(rates_at(h * e) - rates_at(-h * e)) / (2 * h) for e in np.eye(2 * m + 2 * N)]
     rows = [*range(m, 2 * m), *range(2 * m + N, 2 * m + 2 * N)]
     size = np.abs(model.A[rows]).max()
     assert np.abs(np.column_stack(columns) - model.A[rows]).max() < 1e-7 * size
-    assert at(np.zeros(2 * m + 2 * N))[m:] == pytest.approx(np.zeros(N), abs=1e-9)  # phi'' of the state
+    assert rates_at(np.zeros(2 * m + 2 * N))[m:] == pytest.approx(np.zeros(N), abs=1e-9)  # phi'' of the state
     driven = np.column_stack([rate(stand, state, tau + e) - rate(stand, state, tau) for e in np.eye(N)])
     assert np.abs(driven - model.B[rows, :N]).max() < 1e-9 * np.abs(driven).max()
     u, v, w = state.u

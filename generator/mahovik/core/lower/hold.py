@@ -106,7 +106,7 @@ def solve_freedoms(lib: Library) -> Function:
         for i in range(j + 1, m):
             rest = rest - p[place_of(i, j)] * x[i]
         body.set(x[j], rest / p[place_of(j, j)])
-    return body.checked(
+    return body.checked_function(
         "solve_freedoms",
         "Solves P x = y, P symmetric and positive definite, by L D L^T; x is written to y.",
         (P, y),

@@ -22,7 +22,7 @@ from mahovik.laws.cross_flow.strips import strips_of
 INT, REAL = Kind.INT, Kind.REAL
 
 
-def damped(structure: Structure) -> set[int]:
+def damped_bodies(structure: Structure) -> set[int]:
     """Indices of the bodies that have cross-flow drag."""
     return {index for index, _, _ in structure.law("cross_flow") or ()}
 

@@ -22,7 +22,7 @@ from mahovik.laws.damping.data import Damping
 INT = Kind.INT
 
 
-def damped(structure: Structure) -> set[int]:
+def damped_bodies(structure: Structure) -> set[int]:
     """Indices of the bodies on which any damping acts."""
     with_terms = (index for index, _ in structure.law("damping_terms"))
     products = structure.law("products_in_derivatives") or ()
@@ -119,13 +119,13 @@ BY_TWIST = ("damp", "damp_slope")
 
 def add_functions(lib: FunctionSet) -> None:
     """The damping of one body, where any body is damped."""
-    if damped(lib.layout.structure):
+    if damped_bodies(lib.layout.structure):
         lib.add(damp(lib))
 
 
 def add_slopes(lib: FunctionSet) -> None:
     """The change of one body's damping."""
-    if damped(lib.layout.structure):
+    if damped_bodies(lib.layout.structure):
         lib.add(damp_slope(lib))
 
 

@@ -23,7 +23,7 @@ INT, REAL = Kind.INT, Kind.REAL
 RIGHT_ANGLE = math.pi / 2
 
 
-def damped(structure: Structure) -> set[int]:
+def damped_bodies(structure: Structure) -> set[int]:
     """Indices of the bodies that have fins."""
     return {index for index, _ in structure.law("fins") or ()}
 
