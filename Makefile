@@ -43,6 +43,7 @@ help:
 	@echo "make pil        servos on emulated M7 and M4 in closed loop with a stand, bit for bit: docs/results/servo.md"
 	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/results/control-loop.md"
 	@echo "make attitude-loop  attitude loop with its plant on emulated M7 and M4, into docs/results/attitude-loop.md"
+	@echo "make held-cost    what forward of held carriers costs beside the free one: docs/results/held.md"
 	@echo "make short-steps  what rounding takes from a million short steps in float: docs/results/short-steps.md"
 	@echo "make lanes-table  what lanes and --fast are worth, by N, into docs/results/lanes.md"
 	@echo "make campaign-speed  time of a sample of a campaign beside the batch C alone, into docs/results/campaign-speed.md"
@@ -191,6 +192,9 @@ control-loop: setup-test
 
 attitude-loop: setup-test
 	$(BIN)/python tools/attitude_loop.py
+
+held-cost: setup-test
+	$(BIN)/python tools/held_cost.py
 
 short-steps: setup-test
 	$(BIN)/python tools/short_steps.py

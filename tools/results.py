@@ -41,6 +41,7 @@ TOOLS = (
     "campaign_scale",
     "campaign_faults",
     "lanes_table",
+    "held_cost",
     "generation_time",
     "install_size",
     "fuzz_campaign",

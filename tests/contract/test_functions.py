@@ -11,7 +11,8 @@ from mahovik.contract.functions import FUNCTIONS, WANTS, PublicFunction, row_of,
 from mahovik.core.lower.program import lower
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import DOUBLE
-from mahovik.core.stand.model import Task, TaskRow
+from mahovik.core.stand.hold import FREEDOMS
+from mahovik.core.stand.model import Hold, Task, TaskRow
 from mahovik.core.stand.read import load
 from mahovik.proof.rigorous.evaluate import ANSWERS
 from mahovik.proof.second.evaluate import PROBLEMS
@@ -20,11 +21,13 @@ from mahovik.stands import path
 
 
 def public_functions() -> Iterator[Function]:
-    """Public functions of example stands, with phases and with their sines and cosines as input."""
+    """Public functions of example stands, free and held, with phases and with their sines and cosines as input."""
     for name in ("demo3", "sat4"):
         for phase_input in ("angle", "sincos"):
             stand = replace(with_all_inputs(load(path(name))), phase_input=phase_input, tasks=())
-            yield from (f for f in lower(stand, DOUBLE).functions if f.public)
+            held = replace(stand, hold=Hold((FREEDOMS["yaw"],), (0.0,) * 3, (0.0,) * 3, (0.0,) * 3))
+            for each in (stand, held):
+                yield from (f for f in lower(each, DOUBLE).functions if f.public)
 
 
 @pytest.fixture(scope="module")

@@ -76,7 +76,7 @@ def test_what_a_held_carrier_does_not_have_is_a_row_with_the_reason() -> None:
 
 PLANTED = {
     "pivot on the other side": ("0.2 }", "-0.2 }", "forward"),
-    "turning the other way": ("{  1.0 }", "{ -1.0 }", "forward"),
+    "turning the other way": ("{  1.0 }", "{ -1.0 }", "inverse"),
 }
 
 

@@ -25,10 +25,10 @@ from mahovik.core.program.types import Kind
 
 
 def add_all(lib: Library) -> None:
-    """Adds the sums along the freedoms, and what turns S^T F into the right-hand side."""
+    """Adds the sums along the freedoms, and the right-hand side."""
     lib.add(sum_along(lib))
     lib.add(sum_along(lib, steady=True))
-    lib.add(subtract_along(lib))
+    lib.add(right_side(lib))
 
 
 def sum_along(lib: Library, steady: bool = False) -> Function:
@@ -79,12 +79,13 @@ def sum_along(lib: Library, steady: bool = False) -> Function:
     )
 
 
-def subtract_along(lib: Library) -> Function:
-    """y = S^T F becomes the right-hand side along the freedoms."""
+def right_side(lib: Library) -> Function:
+    """The right-hand side along the freedoms, of the wrench (7)."""
     layout, m, ways = lib.layout, lib.layout.freedoms, lib.layout.ways
     table, sums = lib.table_argument(), Argument("sum", layout.along_sums)
     V = Argument("V", Kind.REAL, (6,), purpose="twist of the carrier, S u")
-    y = Argument("y", Kind.REAL, (m,), "inout", "SI", "in: S^T F; out: right-hand side along the freedoms")
+    F = Argument("F", Kind.REAL, (6,), unit="N, N m", purpose="wrench (7)")
+    y = Argument("y", Kind.REAL, (m,), "out", "SI")
     body = Body()
     found = columns(ways, table.place)
     u = body.local("u", (m,), comment="speeds of the freedoms")
@@ -98,14 +99,14 @@ def subtract_along(lib: Library) -> Function:
             total = total + element(sums.place.P, k, j) * u[j]
         momentum[way] = body.let(f"momentum_{way}", total)
     for k, force in enumerate(turning_force(ways, u, momentum)):
-        rest: Expr = y.place[k] - sums.place.g[k]
+        rest: Expr = dot(found[k], list(F.place)) - sums.place.g[k]
         for j in range(m):
             rest = rest - element(sums.place.P_dot, k, j) * u[j]
         body.set(y.place[k], rest if force is None else rest + force)
     return body.function(
-        "subtract_along",
-        "Turns S^T F into the right-hand side of (8) along the freedoms: S^T (F - Phi Z - K* V) - the flywheels' terms",
-        (table, sums, V, y),
+        "right_side",
+        "Right-hand side of (8) along the freedoms: S^T (F - Phi Z - K* V) - the flywheels' terms",
+        (table, sums, V, F, y),
         equation="(2), (4), (5)",
     )
 

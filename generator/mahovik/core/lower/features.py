@@ -80,7 +80,7 @@ class Features:
 
     @property
     def ways(self) -> tuple[str, ...]:
-        """What each freedom of a held carrier is."""
+        """Freedoms of a held carrier, by their names in FREEDOMS or as turn, slide, twist."""
         return self.structure.hold or ()
 
     @property

@@ -76,7 +76,8 @@ def scene(lib: Library, body: Body, table: Place, x: Place, attitude: bool = Fal
     layout = lib.layout
     C = stream = g = own = None
     V = x.V
-    if layout.attitude_needed or attitude:
+    by_quaternion = layout.held and layout.weight and not (attitude or layout.stream or "C" in lib.taken("external"))
+    if (layout.attitude_needed or attitude) and not by_quaternion:
         C = body.local("C", (9,), comment="attitude")
         body.call(lib["rotation"], x.attitude, C)
     if layout.stream:
@@ -87,9 +88,11 @@ def scene(lib: Library, body: Body, table: Place, x: Place, attitude: bool = Fal
         for i in range(6):
             body.set(V[i], x.V[i] - stream[i] if i < 3 else x.V[i])
     if layout.weight:
-        assert C is not None
         g = body.local("g", (3,), comment="gravity in E1")
-        body.call(lib["rotate_back"], C, table.gravity, g)
+        if C is None:
+            body.call(lib["turn_back"], x.attitude, table.gravity, g)
+        else:
+            body.call(lib["rotate_back"], C, table.gravity, g)
     if layout.own_turning:
         own = body.local("own", (6 * int(layout.count),), comment="own wrenches of the flywheels, six numbers each")
     sums = body.local("sum", (), layout.sums)
@@ -157,9 +160,8 @@ def accelerate(lib: Library) -> Function:
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
     accelerations = phi_ddot[0].place if phi_ddot else None
     if lib.layout.held:
-        freedoms, _ = equations_along(lib, body, table.place, x.place, seen, wrench, accelerations)
-        freedoms.solve()
-        freedoms.write(V_dot.place, places_of(held))
+        for rates in places_of(held):
+            equations_along(lib, body, table.place, x.place, seen, wrench, accelerations, rates)[0].solve()
     else:
         sum_up(lib, body, table.place, x.place, seen, accelerations)
         F = body.local("F", (6,), comment="wrench (7); then the right-hand side of (8)")
@@ -171,8 +173,10 @@ def accelerate(lib: Library) -> Function:
         from_stream(body, x.place, seen, V_dot.place)
     return body.checked_function(
         "accelerate",
-        "K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK.",
-        (table, x, *turns, *phi_ddot, *wrench, V_dot, *held),
+        "K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK."
+        if not lib.layout.held
+        else "u* of S^T K S u* = S^T (F - M V - sum(I phi'' + J phi')) from checked inputs; valid if the status is OK.",
+        (table, x, *turns, *phi_ddot, *wrench, *(held if lib.layout.held else (V_dot,))),
         equation="(8)",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )
@@ -186,21 +190,23 @@ def equations_along(
     seen: Scene,
     wrench: tuple[Argument, ...],
     phi_ddot: Place | None,
+    y: Place | None = None,
 ) -> tuple[hold.Freedoms, Place | None]:
-    """(8) along the freedoms, P u* = y, without phi_ddot for phi'' = 0; and omega x C^T u of a stream."""
+    """(8) along the freedoms, P u* = y, without phi_ddot for phi'' = 0; and omega x C^T u of a stream.
+
+    `y`: a place for the right-hand side, then for u*.
+    """
     F = body.local("F", (6,), comment="wrench (7)" if lib.layout.along else "wrench (7); then what is to be projected")
     if lib.layout.along:
         sums = along.sum_up_along(lib, body, table, x, seen.turns, phi_ddot, seen.sums.mu)
         external_wrench(lib, body, table, x, seen, wrench, F)
-        freedoms = hold.Freedoms(lib, body, table, sums.P)
-        body.call(lib["project_wrench"], *lib.arguments_of("project_wrench", table=table, F=F, y=freedoms.y))
-        body.call(
-            lib["subtract_along"], *lib.arguments_of("subtract_along", table=table, sum=sums, V=x.V, y=freedoms.y)
-        )
+        freedoms = hold.Freedoms(lib, body, table, sums.P, y)
+        named = {"table": table, "sum": sums, "V": x.V, "F": F, "y": freedoms.y}
+        body.call(lib["right_side"], *lib.arguments_of("right_side", **named))
         return freedoms, None
     sum_up(lib, body, table, x, seen, phi_ddot)
     external_wrench(lib, body, table, x, seen, wrench, F)
-    freedoms = hold.Freedoms(lib, body, table)
+    freedoms = hold.Freedoms(lib, body, table, y=y)
     if not freedoms.count:
         return freedoms, None if seen.stream is None else drift_of(body, x, seen.stream)
     body.call(lib["subtract_rates"], table, seen.sums, seen.V, F)
@@ -245,6 +251,8 @@ def forward(lib: Library, at: bool = False) -> Function:
     named |= {a.name: a.place for a in (*phi_ddot, *wrench)}
     named |= {a.name: found for a, found in zip(held, others, strict=True)}
     lib.check(body, "accelerate", *lib.arguments_of("accelerate", **named))
+    if lib.layout.held:
+        hold.write_twist(lib, body, table.place, others, result)
     body.copy_array(V_dot.place, result)
     for argument, found in zip(held, others, strict=True):
         body.copy_array(argument.place, found)

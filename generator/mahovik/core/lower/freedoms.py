@@ -96,18 +96,23 @@ def turning_force(ways: Sequence[str], u: Place, momentum: Mapping[str, Expr]) -
     """
     forces: list[Expr | None] = []
     for way in ways:
+        found = [(j, each) for j, other in enumerate(ways) if (each := _bracket_of(ways, other, way))]
         total: Expr | None = None
-        for j, other in enumerate(ways):
-            found = bracket(other, way) if len(ways) > 1 else None
-            if found is None:
-                continue
-            term = u[j] * momentum[found[0]]
+        for j, (name, sign) in sorted(found, key=lambda one: -one[1][1]):
+            term = u[j] * momentum[name]
             if total is None:
-                total = term if found[1] > 0 else -term
+                total = term if sign > 0 else -term
+            elif sign > 0:
+                total = total + term
             else:
-                total = total + term if found[1] > 0 else total - term
+                total = total - term
         forces.append(total)
     return forces
+
+
+def _bracket_of(ways: Sequence[str], one: str, other: str) -> tuple[str, int] | None:
+    """The bracket of two freedoms; that of one alone with itself is zero, named or not."""
+    return bracket(one, other) if len(ways) > 1 else None
 
 
 def momenta_needed(ways: Sequence[str]) -> list[str]:

@@ -76,6 +76,10 @@ class FunctionSet:
             raise TypeError(f"{function} needs an argument that the caller does not give")
         return [value for value in found if value is not None]
 
+    def taken(self, function: str) -> list[str]:
+        """Names of the arguments of a function."""
+        return [a.name for a in self[function].arguments]
+
     def begin(self, body: Body) -> None:
         """Declares the local `status`, for `check`."""
         self._status = body.local("status", (), Kind.STATUS)

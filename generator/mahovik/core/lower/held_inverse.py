@@ -13,6 +13,7 @@ from mahovik.core.lower.demand import ANSWER_NOTE, begin_demand, check_answer, c
 from mahovik.core.lower.flywheels import columns_of, let_turn, named_turns, places_of, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.freedoms import columns, dot, place_of
+from mahovik.core.lower.hold import write_twist
 from mahovik.core.lower.inverse import POSITIVE, check_flywheels, choose_rank, flag, hardest, sort
 from mahovik.core.lower.lanes import entry, row_of
 from mahovik.core.lower.library import Library
@@ -137,6 +138,7 @@ def _inverse(lib: Library) -> Function:
     named |= named_turns(turns) | {w.name: w.place for w in wrench}
     rates = {"u_dot": body.local("rates", (m,))}
     lib.check(body, "accelerate", *lib.arguments_of("accelerate", **named, **rates))
+    write_twist(lib, body, table.place, list(rates.values()), moved)
     lacking = body.local("lacking", (), Kind.INT)
     body.call(lib["excessive"], *lib.arguments_of("excessive", **named, options=p, flags=lacking))
     body.set(flags, flags | lacking)

@@ -90,22 +90,26 @@ def solve_freedoms(lib: Library) -> Function:
     """P u* = y by L D L^T."""
     P, y = _system(lib)
     least = real(lib.layout.precision.smallest)
-    m, p, x = lib.layout.freedoms, P.place, y.place
+    m, x = lib.layout.freedoms, y.place
     body = Body()
+    left: dict[tuple[int, int], Expr] = {(i, j): P.place[place_of(i, j)] for i in range(m) for j in range(i + 1)}
+    z: list[Expr] = [x[i] for i in range(m)]
     for j in range(m):
-        lib.guard(body, Not(p[place_of(j, j)] >= least), "NOT_POSITIVE_DEFINITE")
+        lib.guard(body, Not(left[j, j] >= least), "NOT_POSITIVE_DEFINITE")
         if j + 1 < m:
             body.note(f"column {j + 1} of L, and what is left of the others")
         for i in range(j + 1, m):
-            share = body.let(f"l{i + 1}{j + 1}", p[place_of(i, j)] / p[place_of(j, j)])
+            share = body.let(f"l{i + 1}{j + 1}", left[i, j] / left[j, j])
             for k in range(j + 1, i + 1):
-                body.add(p[place_of(i, k)], -(share * p[place_of(k, j)]))
-            body.add(x[i], -(share * x[j]))
+                left[i, k] = body.let(f"p{i + 1}{k + 1}_{j + 1}", left[i, k] - share * left[k, j])
+            z[i] = body.let(f"z{i + 1}_{j + 1}", z[i] - share * z[j])
     for j in reversed(range(m)):
-        rest: Expr = x[j]
+        rest: Expr = z[j]
         for i in range(j + 1, m):
-            rest = rest - p[place_of(i, j)] * x[i]
-        body.set(x[j], rest / p[place_of(j, j)])
+            rest = rest - left[i, j] * z[i]
+        z[j] = body.let(f"x{j + 1}", rest / left[j, j])
+    for element, value in zip(x, z, strict=True):
+        body.set(element, value)
     return body.checked_function(
         "solve_freedoms",
         "Solves P x = y, P symmetric and positive definite, by L D L^T; x is written to y.",
@@ -181,17 +185,27 @@ def keep_pivot(lib: Library) -> Function:
     return body.function("keep_pivot", "Puts the pivot of the hold back to where it can slide.", (table, x, after))
 
 
+def write_twist(lib: Library, body: Body, table: Place, u_dot: Sequence[Place], V_dot: Place) -> None:
+    """V* = S u* of the rates of the freedoms, zero without any."""
+    if u_dot:
+        named = {"table": table, "u": u_dot[0], "V": V_dot}
+        body.call(lib["twist_of_freedoms"], *lib.arguments_of("twist_of_freedoms", **named))
+        return
+    for element in V_dot:
+        body.set(element, real(0))
+
+
 class Freedoms:
     """The equations along the freedoms while they are set up: P = S^T K S, y = S^T b, less what flywheels take."""
 
-    def __init__(self, lib: Library, body: Body, table: Place, P: Place | None = None) -> None:
+    def __init__(self, lib: Library, body: Body, table: Place, P: Place | None = None, y: Place | None = None) -> None:
         self._lib, self._body, self._table = lib, body, table
         self.count = lib.layout.freedoms
         self._columns = columns(lib.layout.ways, table)
         if self.count:
             shape = (place_of(self.count, 0),)
             self.P = body.local("P", shape, comment="mass matrix along the freedoms") if P is None else P
-            self.y = body.local("y", (self.count,), comment="wrench along the freedoms; then u*")
+            self.y = body.local("y", (self.count,), comment="wrench along the freedoms; then u*") if y is None else y
 
     def eliminate(self, coupling: Sequence[Expr], rate: Expr, inverse: Expr, projected: Place | None) -> None:
         """Takes one free flywheel away by its column of I; `projected` (m) gets S^T I."""
@@ -222,11 +236,8 @@ class Freedoms:
     def write(self, V_dot: Place, rates: Sequence[Place]) -> None:
         """V* and u*."""
         if self.count:
-            self._body.call(self._lib["twist_of_freedoms"], self._table, self.y, V_dot)
             self._body.copy_array(rates[0], self.y)
-            return
-        for element in V_dot:
-            self._body.set(element, real(0))
+        write_twist(self._lib, self._body, self._table, rates, V_dot)
 
 
 def room_for_projected(lib: Library, body: Body) -> Place | None:

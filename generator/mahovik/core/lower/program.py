@@ -81,6 +81,8 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         lib.add(checks.check_turns(lib))
     lib.add(rotation.rotation())
     lib.add(rotation.rotate_back())
+    if layout.held:
+        lib.add(rotation.turn_back())
     lib.add(flywheels.start_sums(lib))
     if layout.flywheels:
         lib.add(routines.sincos_each(precision, layout.count, layout.room))

@@ -7,7 +7,7 @@ from typing import Any
 
 from mahovik.core.formula.derived import attitude as derived
 from mahovik.core.formula.derived import wrench as derived_wrench
-from mahovik.core.lower.symbolic import assign
+from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
@@ -23,6 +23,18 @@ def rotation() -> Function:
     k = body.let("k", 2 / (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3]))
     assign(body, list(C.place), derived.rotation_of_quaternion(), {"q": p, "k": k})
     return body.function("rotation", "Rotation matrix of a quaternion of any length: no square root is needed.", (q, C))
+
+
+def turn_back() -> Function:
+    """C^T a of a quaternion of any length, without C."""
+    q = Argument("q", Kind.REAL, (4,), purpose="quaternion, w first")
+    a = Argument("a", Kind.REAL, (3,))
+    out = Argument("out", Kind.REAL, (3,), "out", purpose="must not overlap a")
+    body, p = Body(), q.place
+    k = body.let("k", 2 / (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3]))
+    half = [body.let(f"t{i + 1}", translate(x, {"q": p, "a": a.place})) for i, x in enumerate(derived.half_turned())]
+    assign(body, list(out.place), derived.turned_back(), {"q": p, "a": a.place, "t": half, "k": k})
+    return body.function("turn_back", "C^T a of a quaternion of any length: no matrix is needed.", (q, a, out))
 
 
 def rotate_back() -> Function:

@@ -247,7 +247,7 @@ def _answer(body: Body, tableau: Place, at_upper: Place, basis: Place, bounds: t
 
 
 def _error(body: Body, system: tuple[Place, ...], answer: Place, share: Expr, size: Place) -> Place:
-    """By how much the rows of W y = start + share towards are not met in all, in rows of largest element 1."""
+    """Sum of the errors of the rows of W y = start + share towards, in rows of largest element 1."""
     W, start, towards = system
     n = len(answer)
     error = body.local("error")

@@ -106,8 +106,8 @@ def hold_of(table: HoldTable, problems: Problems) -> Hold | None:
     return hold
 
 
-def ways(hold: Hold) -> tuple[str, ...]:
-    """What each freedom is: its name in FREEDOMS, else its kind."""
+def kinds(hold: Hold) -> tuple[str, ...]:
+    """Names of the freedoms in FREEDOMS; of those without a name their kinds."""
     return tuple(_NAMES.get(freedom, freedom.kind) for freedom in hold.freedoms)
 
 

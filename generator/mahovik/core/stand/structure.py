@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from mahovik.contract.laws import parts
-from mahovik.core.stand.hold import ways
+from mahovik.core.stand.hold import kinds
 from mahovik.core.stand.law_schemas import body_schemas
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.structure_facts import Structure
@@ -35,7 +35,7 @@ def structure(stand: Stand) -> Structure:
         wrench_inputs=where(lambda body: body.wrench_input),
         phase_input=stand.phase_input,
         tasks=stand.tasks,
-        hold=None if stand.hold is None else ways(stand.hold),
+        hold=None if stand.hold is None else kinds(stand.hold),
         laws=tuple(
             item
             for said in (

@@ -35,7 +35,7 @@ class Structure:
     """"sincos": functions that take sines and cosines of the phases are there as well."""
     tasks: tuple[Task, ...] = ()
     hold: tuple[str, ...] | None = None
-    """What each freedom of a held carrier is, its name in FREEDOMS or turn, slide, twist; None where it is free."""
+    """Freedoms of a held carrier, by their names in FREEDOMS or as turn, slide, twist; None where it is free."""
     laws: tuple[tuple[str, Any], ...] = ()
     """Facts of the laws of `laws/`, by key."""
 

@@ -25,7 +25,7 @@ def print_fluid(found: Fluid) -> None:
                 power.body,
                 "ahead" if power.ahead else "any",
                 f"from {power.speed:.3g} m/s" if power.positive else "none found",
-                "  ".join(f"{x:.3g}" for x in power.twist) or "-",
+                "  ".join(f"{x + 0.0:.3g}" for x in power.twist) or "-",
                 f"{power.power:.3g}" if power.positive else "-",
             )
             for power in found.powers

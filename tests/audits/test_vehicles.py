@@ -1,0 +1,130 @@
+"""Vehicles of docs/vehicles: stand files against the formulas of the papers, evaluated here by themselves."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.special import roots_legendre
+
+from audits import npsauv
+from audits.audit import Array, rigid_mass, rigid_products, to_body
+from mahovik.core.stand import Stand, State, loads
+from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.summary import summarize
+from mahovik.laws.fin.data import Fin, Fins
+from mahovik.proof.reference import evaluate
+from mahovik.proof.verify.c_backend import CBackend
+
+VEHICLES = Path(__file__).parents[2] / "docs" / "vehicles"
+AGREEMENT = 1e-12
+DOWN = (0.0, 0.0, 1.0)
+
+
+def restoring(stand: Stand, state: State, weight: float, G: float, buoyancy: float, B: float) -> Array:
+    """Weight at (0, 0, G) and buoyancy at (0, 0, B) (6)."""
+    down = to_body(stand, state, DOWN)
+    arm = np.array([0.0, 0.0, 1.0])
+    moment = np.cross(arm, down)
+    return np.concatenate([(weight - buoyancy) * down, (G * weight - B * buoyancy) * moment])
+
+
+def nps(stand: Stand, state: State) -> tuple[Array, Array]:
+    """Mass matrix and right-hand side of Healey and Lienard (1993), planes at zero and no propeller."""
+    V = np.array(state.V)
+    J = np.array([[2038.0, 13.58, 13.58], [13.58, 13587.0, 13.58], [13.58, 13.58, 13587.0]])
+    M = rigid_mass(5454.54, (0.0, 0.0, 0.061), J) + npsauv.added_mass(1000.0)
+    right = npsauv.products(5454.54, V, heave=-1.0, pitch=1.0) + npsauv.hydrodynamic(V, 1000.0) + block_drag(V)
+    return M, right + restoring(stand, state, 53400.0, 0.061, 53400.0, 0.0)
+
+
+def block_drag(V: Array) -> Array:
+    """Integral over the length of 500 (0.5 0.53 v^2 + 0.6 0.53 w^2) (v, w)/sqrt(v^2 + w^2), ten points of Gauss."""
+    roots, weights = roots_legendre(10)
+    x = 2.65 * roots
+    across, down = V[1] + x * V[5], V[2] - x * V[4]
+    drag = 500.0 * 2.65 * weights * 0.53 * (0.5 * across**2 + 0.6 * down**2) / np.hypot(across, down)
+    Y, Z = -drag * across, -drag * down
+    return np.array([0.0, Y.sum(), Z.sum(), 0.0, -(x * Z).sum(), (x * Y).sum()])
+
+
+def remus(stand: Stand, state: State) -> tuple[Array, Array]:
+    """Mass matrix and right-hand side of Prestero (2001), fins as in the stand, no propeller."""
+    m, z, V = 299 / 9.81, 0.0196, np.array(state.V)
+    u, v, w, p, q, r = V
+    M = rigid_mass(m, (0.0, 0.0, z), np.diag([0.177, 3.45, 3.45])) + np.diag([0.930, 35.5, 35.5, 0.0704, 4.88, 4.88])
+    M[1, 5] -= 1.93
+    M[5, 1] -= 1.93
+    M[2, 4] += 1.93
+    M[4, 2] += 1.93
+    X = -1.62 * u * abs(u) - 35.5 * w * q - 1.93 * q * q + 35.5 * v * r - 1.93 * r * r
+    Y = -1310 * v * abs(v) + 0.632 * r * abs(r) + 5.22 * u * r + 35.5 * w * p + 1.93 * p * q - 28.6 * u * v
+    Z = -131 * w * abs(w) - 0.632 * q * abs(q) - 5.22 * u * q - 35.5 * v * p + 1.93 * r * p - 28.6 * u * w
+    K = -0.130 * p * abs(p)
+    pitch = 3.18 * w * abs(w) - 188 * q * abs(q) - 2.0 * u * q - 1.93 * v * p + 4.86 * r * p + 24.0 * u * w
+    N = -3.18 * v * abs(v) - 94.0 * r * abs(r) - 2.0 * u * r - 1.93 * w * p - 4.86 * p * q - 24.0 * u * v
+    rudder, stern = (fin.deflection for fin in deflected(stand))
+    Y, N = Y + 9.64 * u**2 * rudder, N - 6.15 * u**2 * rudder
+    Z, pitch = Z - 9.64 * u**2 * stern, pitch - 6.15 * u**2 * stern
+    rigid = rigid_products(m, (0.0, 0.0, z), np.diag([0.177, 3.45, 3.45]), V)
+    return M, rigid + np.array([X, Y, Z, K, pitch, N]) + restoring(stand, state, 299.0, z, 306.0, 0.0)
+
+
+def deflected(stand: Stand) -> tuple[Fin, ...]:
+    """The fins of the carrier."""
+    law = stand.carrier.law(Fins)
+    assert law is not None
+    return law.fins
+
+
+def dsrv(stand: Stand, state: State) -> tuple[Array, Array]:
+    """Z and M of Healey (1992) in their primed units times rho/2 L^n, stern plane at zero; the rest a rigid body.
+
+    Z_qdot and M_wdot by their mean; the righting moment with the sine of the pitch angle, and as large in roll.
+    """
+    V, r = np.array(state.V), [512.5 * 5.0**n for n in range(6)]
+    u, w, q = V[0], V[2], V[4]
+    m, J = 0.036391 * r[3], 0.001925 * r[5]
+    M = np.diag([m] * 3 + [J] * 3)
+    M[2, 2] += 0.031545 * r[3]
+    M[4, 4] += 0.001573 * r[5]
+    M[2, 4] = M[4, 2] = 0.000138 * r[4]
+    right = rigid_products(m, (0.0, 0.0, 0.0), J * np.eye(3), V)
+    right[2] += -0.017455 * r[3] * u * q - 0.043938 * r[2] * u * w
+    right[4] += -0.01131 * r[4] * u * q + 0.011175 * r[3] * u * w
+    righting = 0.156276 * r[3] * np.cross(DOWN, to_body(stand, state, DOWN))
+    return M, right + np.concatenate([np.zeros(3), righting])
+
+
+PAPERS = {"nps_auv2": nps, "remus100": remus, "dsrv": dsrv}
+
+
+@pytest.mark.parametrize("name", PAPERS)
+def test_stand_is_the_published_vehicle(name: str) -> None:
+    """The wrench K V* that the C needs, against the paper's, in parts of the sum of its terms."""
+    text = (VEHICLES / f"{name}.toml").read_text(encoding="utf-8")
+    rudder, *rest = text.split("deflection = 0.0")
+    stand = loads("deflection = 0.1".join([rudder, "deflection = -0.2".join(rest)])) if rest else loads(text)
+    program = CBackend(stand)
+    assert not [line for line in summarize(stand).warnings if "added mass" in line]
+    for number in range(8):
+        state = random_state(stand, np.random.default_rng(number))
+        M, right = PAPERS[name](stand, state)
+        right = right + np.array(state.wrench["carrier"])  # of planes and propeller
+        for found in (program.evaluate(state, ["forward"]), evaluate(stand, state, ["forward"])):
+            V_dot = np.array(found["V_dot"])
+            scale = np.abs(M) @ np.abs(V_dot) + np.abs(right)
+            assert np.max(np.abs(M @ V_dot - right) / scale) < AGREEMENT
+
+
+def test_without_the_key_the_products_count_twice() -> None:
+    text = (VEHICLES / "remus100.toml").read_text(encoding="utf-8")
+    key = 'derivatives = "with added-mass products"\n'
+    stand = loads(text.replace(key, ""))
+    (warning,) = [line for line in summarize(stand).warnings if "added mass" in line]
+    assert "damping.terms X w q = -35.5 (and" in warning
+    state = random_state(stand, np.random.default_rng(0))
+    M, right = remus(stand, state)
+    V_dot = np.array(evaluate(stand, state, ["forward"])["V_dot"])
+    assert np.abs(M @ V_dot - right).max() > 1e-2 * np.abs(right).max()
