@@ -75,6 +75,13 @@ NAMES = (
 )
 """Names that no function, class or method may have: a function is a verb, or a noun for what it returns."""
 
+PARTICIPLES = (
+    r"_?(?!coupled$|generalized$|re?ad$|need$|feed$|speed$|seed$|embed$|proceed$)"
+    r"([a-z]+ed|bound|broken|chosen|driven|found|given|heard|hidden|lost|made|met|shown|worn|written)"
+)
+"""Names that say of what is there no more than what was done to it: no function of the package or of a tool may have
+one, but for properties, whose values they tell, and the functions of the C `coupled` and `generalized`."""
+
 METHOD_NAMES = r"_?(at|of)"
 """Names that methods may have nevertheless, as they are read with an argument: `motion.at(t)`, `Problem.of(stand)`."""
 
@@ -82,7 +89,10 @@ PROPERTY_NAMES = r"passed"
 """Names that properties may have nevertheless: the verdict of a report."""
 
 PROGRAM_NAMES = "generator/mahovik/core/lower/"
-"""Functions here are named like the functions of the emitted C that they make."""
+"""Functions here are named like the functions of the emitted C that they make; PARTICIPLES holds here too."""
+
+FORMULA_NAMES = "generator/mahovik/core/derive/"
+"""Functions here are named like what a formula is called after an operation: `rotated`."""
 
 SOURCES = sorted(
     path
@@ -126,9 +136,21 @@ def names(text: str) -> Iterator[tuple[int, str]]:
             yield node.lineno, node.name
 
 
+def participles(path: Path, text: str) -> Iterator[tuple[int, str]]:
+    """Line and name of every function of the package or of a tool, but for properties, that is a lone participle."""
+    if not name_of(path).startswith(("generator/", "tools/")) or name_of(path).startswith(FORMULA_NAMES):
+        return
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.FunctionDef) and not _is_property(node) and re.fullmatch(PARTICIPLES, node.name):
+            yield node.lineno, node.name
+
+
 def _names_allowed(method: ast.FunctionDef) -> str:
-    is_property = any(ast.unparse(each).endswith("property") for each in method.decorator_list)
-    return PROPERTY_NAMES if is_property else METHOD_NAMES
+    return PROPERTY_NAMES if _is_property(method) else METHOD_NAMES
+
+
+def _is_property(method: ast.FunctionDef) -> bool:
+    return any(ast.unparse(each).endswith("property") for each in method.decorator_list)
 
 
 def faults(path: Path) -> list[str]:
@@ -143,6 +165,7 @@ def faults(path: Path) -> list[str]:
             found += [
                 f"{line}: named {name!r}" for line, name in names(text) if re.fullmatch(NAMES, name, re.IGNORECASE)
             ]
+        found += [f"{line}: named {name!r}, a participle" for line, name in participles(path, text)]
     if path.name == "CHANGELOG.md":
         text = re.sub(r"`[^`\n]*`", "``", text)  # names and messages of earlier versions
     lower = text.lower()  # quicker than a search that ignores case
@@ -167,6 +190,14 @@ def at(t): ...
 def test_names_of_methods_are_seen() -> None:
     found = [line for line, name in names(METHODS) if re.fullmatch(NAMES, name)]
     assert sorted(found) == [4, 8, 9]
+
+
+def test_participles_are_seen() -> None:
+    text = (
+        "def rendered(): ...\ndef coupled(): ...\ndef _given(): ...\nclass A:\n    @property\n    def held(self): ..."
+    )
+    assert [name for _, name in participles(REPOSITORY / "tools/tool.py", text)] == ["rendered", "_given"]
+    assert list(participles(REPOSITORY / FORMULA_NAMES / "module.py", text)) == []
 
 
 @pytest.mark.parametrize("folder", sorted({path.parent for path in SOURCES}), ids=name_of)

@@ -65,17 +65,17 @@ def instructions(name: str) -> dict[str, int]:
         program = PROGRAM.replace("RATES", "" if stand.hold is None else ", u_dot").replace("NAME", stand.name)
         Path(folder, "main.c").write_text(program, encoding="utf-8")
         subprocess.run([*COMPILER, "main.c", f"{stand.name}.c", "-o", "main"], cwd=folder, check=True)
-        return {function: _counted(folder, f"{stand.name}_{function}") for function in FUNCTIONS}
+        return {function: _count(folder, f"{stand.name}_{function}") for function in FUNCTIONS}
 
 
-def _counted(folder: str, symbol: str) -> int:
+def _count(folder: str, symbol: str) -> int:
     options = ["--tool=callgrind", "--callgrind-out-file=/dev/null", f"--toggle-collect={symbol}"]
     done = subprocess.run(["valgrind", *options, "./main"], cwd=folder, capture_output=True, text=True, check=True)
     (found,) = re.findall(r"Collected : (\d+)", done.stderr)
     return int(found)
 
 
-def measured() -> list[dict[str, Any]]:
+def measure() -> list[dict[str, Any]]:
     """A row for each hold."""
     counts = {name: instructions(name) for name in HOLDS}
     free = counts["free"]
@@ -116,7 +116,7 @@ CAMPAIGN = Campaign("held", campaign.Block("docs/results/held.md", "held"), page
 def main() -> None:
     """Measures, keeps, renders the page."""
     given = campaign.parser(__doc__, print=False).parse_args()
-    found = {"rows": measured()}
+    found = {"rows": measure()}
     if given.print:
         print(page(found))
     else:

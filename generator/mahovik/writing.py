@@ -103,7 +103,7 @@ def write_all(
 
 
 @contextlib.contextmanager
-def synced(path: Path) -> Iterator[Path]:
+def write_synced(path: Path) -> Iterator[Path]:
     """Yield a draft beside a file, to be written by the body; at its end the draft takes the place of the file.
 
     Before that it is on the disk, and its folder after that, so that a loss of power leaves the old file or the new

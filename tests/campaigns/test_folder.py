@@ -14,14 +14,14 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.out.campaign.cluster import connect
 from mahovik.out.campaign.dataset import status
 from mahovik.out.campaign.face import Campaign, CampaignFolder
-from mahovik.out.campaign.folder import _opened
+from mahovik.out.campaign.folder import _open
 from mahovik.out.campaign.manifest import read_manifest
 
 
 @pytest.fixture(autouse=True)
 def forget_opened() -> None:
     """Make the next one read the campaign file, like a new process."""
-    _opened.cache_clear()
+    _open.cache_clear()
 
 
 def prepare(tmp_path: Path, **values: object) -> CampaignFolder:
@@ -47,7 +47,7 @@ def test_a_folder_can_be_moved_with_its_campaign(tmp_path: Path) -> None:
     (tmp_path / "here").mkdir()
     prepare(tmp_path / "here").shard(0)
     (tmp_path / "here").rename(tmp_path / "there")
-    _opened.cache_clear()
+    _open.cache_clear()
     assert CampaignFolder(tmp_path / "there" / "out", load=load_stub).shard(1).number == 1
     assert status(tmp_path / "there" / "out").rows == 16
 
@@ -58,7 +58,7 @@ def test_another_campaign_is_refused(tmp_path: Path) -> None:
         file = write_stub(tmp_path / "c.json", **{"samples": 40, "shard_size": 8, "stand_file": "stand.toml"} | values)
         with pytest.raises(UsageError, match=f'out: holds rows of another campaign, "stub": {what} differs; undo'):
             Campaign(file, load=load_stub).prepare(tmp_path / "out")
-        _opened.cache_clear()
+        _open.cache_clear()
         with pytest.raises(UsageError, match="holds rows of another campaign"):
             CampaignFolder(tmp_path / "out", load=load_stub).shard(1)
 
@@ -68,7 +68,7 @@ def test_a_changed_stand_is_refused_with_its_changes(tmp_path: Path) -> None:
     stand = mahovik.load(tmp_path / "stand.toml")
     name = stand.flywheels[0].name
     stand.replace({"carrier.mass": 31.5, f"{name}.unbalance.static": "3 g mm"}).save(tmp_path / "stand.toml")
-    _opened.cache_clear()
+    _open.cache_clear()
     with pytest.raises(UsageError) as refused:
         CampaignFolder(tmp_path / "out", load=load_stub).shard(1)
     said = str(refused.value)

@@ -13,8 +13,6 @@ import sympy as sp
 from sympy.polys.orderings import grevlex
 from sympy.polys.rings import PolyElement, PolyRing
 
-Value = PolyElement | sp.Rational
-
 
 def circle(cos: sp.Expr, sin: sp.Expr) -> tuple[sp.Expr, ...]:
     """c^2 + s^2 = 1."""

@@ -19,7 +19,6 @@ from toolchain.quick import quick
 from toolchain.tools import compile_c, require, require_32_bit, run
 
 TRIED = ("auv6", "demo3", "everything6", "bare0", "bench8", "everything0", "drawn12")
-SWEEP_OF_MAIN = 100
 
 
 @pytest.mark.parametrize("real", ["double", "float"])

@@ -145,7 +145,9 @@ def design(response: np.ndarray, target: np.ndarray, **changed: Any) -> dict[str
 def played(d: dict[str, Any], response: np.ndarray, begin: np.ndarray, rounds: int) -> tuple[Any, np.ndarray]:
     """A carrier that answers at once: coefficients begin + response c. Returns the state and the coefficients."""
     run = interpreter(FORM).run
-    held = interpreter(FORM).filled(ServoForm(Layout(structure(load(path("shaker2"))), DOUBLE).count, FORM).design, d)
+    held = interpreter(FORM).fill_storage(
+        ServoForm(Layout(structure(load(path("shaker2"))), DOUBLE).count, FORM).design, d
+    )
     state, k = run("trim_reset", {})[1]["state"], 0
     while state["rounds"] < rounds:
         theta = 2 * np.pi * (k % 20) / 20

@@ -143,7 +143,7 @@ def test_columns_times_parameters_are_the_equations(data: st.DataObject) -> None
     state: State = replace(data.draw(states(stand)), wrench={})
     at = pieces(stand, state)
     Y, pi = literal.answer(at, stand, state), dict(parameters(stand))
-    expected = literal.needed(stand, state)
+    expected = literal.required_loads(stand, state)
     terms = [Y["Y_carrier"] * pi["Y_carrier"]]
     if stand.flywheels:
         terms += list(Y["Y_flywheel"] * pi["Y_flywheel"][:, None, :])

@@ -23,7 +23,7 @@ from mahovik.core.stand.state import rest_state
 from mahovik.errors import UsageError
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.use.simulate import Case, simulate
-from mahovik.use.simulate.held import allowed_start, home, moved
+from mahovik.use.simulate.held import allowed_start, home, move
 from simulate.test_agreement import LAWS, MIXED, TORQUES
 from verify.test_held_c import HOLDS
 
@@ -173,7 +173,7 @@ def test_motions_along_the_freedoms_are_allowed_and_others_are_not(name: str) ->
     for _ in range(3):
         twist = twist_of(stand.hold, rng.normal(size=len(stand.hold.freedoms)).tolist())
         step = np.array(twist, dtype=np.float64)
-        state = moved(state, carrier_rotation(stand, state), step)
+        state = move(state, carrier_rotation(stand, state), step)
         allowed_start(stand, state)
     if len(stand.hold.freedoms) < 6:
         with pytest.raises(UsageError, match="the pose is off the home pose"):

@@ -14,7 +14,7 @@ from mahovik.core.stand.hold import FREEDOMS, is_closed, kinds, twist_of, twists
 from mahovik.core.stand.model import Freedom, Hold
 from mahovik.core.stand.summary import summarize
 from mahovik.errors import StandError
-from mahovik.proof.reference.hold import blocked
+from mahovik.proof.reference.hold import blocked_directions
 from mahovik.proof.reference.hold import twists as literal_twists
 from mahovik.proof.second.hold import twists as moving_twists
 
@@ -92,7 +92,7 @@ def test_three_ways_to_the_same_twists(freedoms: list[Freedom], pivot: tuple[flo
 
 def test_the_blocked_wrenches_do_no_work() -> None:
     S = twists(hold_of(GOOD[5]))
-    B = blocked(S)
+    B = blocked_directions(S)
     assert B.shape == (6, 4)
     assert np.abs(S.T @ B).max() < 1e-15
     assert np.linalg.matrix_rank(np.hstack([S, B])) == 6

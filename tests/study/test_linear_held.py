@@ -22,7 +22,7 @@ from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.hold import accelerations
 from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.use.simulate.held import home, moved, rates
+from mahovik.use.simulate.held import home, move, rates
 from mahovik.use.study.linear import linear_model, modes
 from mahovik.use.study.rest import rest
 from verify.test_held_c import HOLDS
@@ -66,7 +66,7 @@ def slow_top() -> tuple[Stand, State]:
     stand = replace(stand, hold=Hold(HOLDS["ball joint"], (0.1, -0.2, 0.15), (0.0,) * 3, (0.0,) * 3))
     u = (0.4, -0.7, 0.5)
     assert stand.hold is not None
-    state = moved(home(stand), np.eye(3), np.array(twist_of(stand.hold, (0.3, 0.2, -0.5))))
+    state = move(home(stand), np.eye(3), np.array(twist_of(stand.hold, (0.3, 0.2, -0.5))))
     state = replace(state, u=u, V=twist_of(stand.hold, u))
     return stand, replace(state, phi=(0.3, 1.0, -2.0), phi_dot=(20.0, -30.0, 15.0))
 
@@ -89,7 +89,7 @@ def test_the_derivatives_are_those_of_the_reference() -> None:
 
     def rates_at(x: Array) -> Array:
         q, u, phi, phi_dot = np.split(x, [m, 2 * m, 2 * m + N])
-        displaced = moved(state, C, np.array(twist_of(hold, q.tolist())))
+        displaced = move(state, C, np.array(twist_of(hold, q.tolist())))
         total = np.array(state.u) + u
         displaced = replace(
             displaced,

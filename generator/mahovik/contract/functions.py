@@ -319,7 +319,7 @@ def wants_of(referee: str) -> tuple[str, ...]:
 
 
 def want_fault(want: Sequence[str]) -> str:
-    """What is wrong with a list of wants, in a line: empty, a name that is unknown, two values of one name; else ""."""
+    """A line on a fault of a list of wants: empty, a name that is unknown, two values of one name; "" where none is."""
     if not want:
         return f"want: empty, expected at least one of {', '.join(WANTS)}"
     for name in want:

@@ -14,7 +14,7 @@ from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.errors import ServoError
 
-SHAKER, SAT4, REMUS = (load(stands.path(name)) for name in ("shaker2", "sat4", "remus6"))
+SHAKER, SAT4 = (load(stands.path(name)) for name in ("shaker2", "sat4"))
 LEAST = 'schema = 1\nsample_period = "1 ms"\nbandwidth = "50 Hz"\n'
 INF = (math.inf, math.inf)
 

@@ -20,7 +20,7 @@ from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.draws import Draws
 from mahovik.core.emit.layout import wrap_statement
 from mahovik.core.lower import test_inputs
-from mahovik.core.lower.golden import ACCEPTED, CASES, FAR, LISTED, SWEPT, Golden, tested
+from mahovik.core.lower.golden import ACCEPTED, CASES, FAR, LISTED, SWEPT, Golden, tested_functions
 from mahovik.core.lower.test_inputs import Input
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
@@ -38,7 +38,7 @@ class _SelfTest:
 
     def __init__(self, code: Code, golden: Golden) -> None:
         self._code, self._golden, self._names = code, golden, code.names
-        self._tested = tested(code.program)
+        self._tested = tested_functions(code.program)
         self._structs = {s.name: s for s in code.program.structs}
 
     def text(self, lanes: int, fast: bool) -> str:

@@ -163,5 +163,5 @@ def sum_up_along(
     named: dict[str, Any] = {"table": table, "phi_dot": x.phi_dot, "phi_ddot": phi_ddot, "mu": mu, "sum": sums}
     named |= named_turns(turns)
     name = "sum_along" if phi_ddot is not None else "sum_steady_along"
-    body.call(lib[name], *lib.passed(name, **named))
+    body.call(lib[name], *lib.arguments_of(name, **named))
     return sums

@@ -28,7 +28,7 @@ def center_of_mass_velocity(lib: Library) -> Function:
     for element in own:
         body.set(element, element * table.place.mass_inverse)
     assign(body, list(out.place), derived.momentum_in_E0()[:3, :], {"C": seen.C, "p": own})
-    return body.checked(
+    return body.checked_function(
         "center_of_mass_velocity",
         "Velocity of the mass centre of all bodies, rotation of the flywheels included.",
         (table, x, out),

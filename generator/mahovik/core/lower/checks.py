@@ -65,7 +65,7 @@ def within(lib: Library) -> Function:
             with body.when(and_(value >= -largest, value <= largest)):
                 body.ret(Status("RANGE"))
             body.ret(Status("NOT_FINITE"))
-    function = body.checked(
+    function = body.checked_function(
         "within",
         "Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison.",
         (values, count, limit),
@@ -106,7 +106,7 @@ def check_six(lib: Library) -> Function:
         body.ret(Status("OK"))
     lib.begin(body)
     lib.check(body, "within", values.place, 6, limit.place)
-    return body.checked("check_six", "Are six values finite, and none larger than the limit?", (values, limit))
+    return body.checked_function("check_six", "Are six values finite, and none larger than the limit?", (values, limit))
 
 
 def check_turns(lib: Library) -> Function:
@@ -119,7 +119,7 @@ def check_turns(lib: Library) -> Function:
     with body.loop("s", lib.layout.count) as s:
         norm = body.let("norm2", sine.place[s] * sine.place[s] + cosine.place[s] * cosine.place[s])
         lib.check_unit(body, norm)
-    return body.checked(
+    return body.checked_function(
         "check_turns", "Are sines and cosines finite, and is s^2 + c^2 between 0.999^2 and 1.001^2?", (sine, cosine)
     )
 
@@ -214,7 +214,7 @@ def check_state(lib: Library) -> Function:
     _look_at_all(lib, body, x.place)
     lib.begin(body)
     _look_at_each(lib, body, x.place)
-    return body.checked(
+    return body.checked_function(
         "check_state", "Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length?", (x,)
     )
 
@@ -228,7 +228,7 @@ def check_motion(lib: Library) -> Function:
     lib.begin(body)
     _look_at_each(lib, body, x.place)
     lib.check(body, "within", values.place, lib.layout.count, limit.place)
-    return body.checked(
+    return body.checked_function(
         "check_motion",
         "The same of a state, and then: are values of the flywheels within a limit?",
         (x, values, limit),

@@ -66,7 +66,7 @@ def state_from_coordinates(lib: Library) -> Function:
     for i in range(3):
         body.set(x.place.V[i], v[i])
         body.set(x.place.V[i + 3], omega[i])
-    return body.checked(
+    return body.checked_function(
         "state_from_coordinates",
         "State and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q'.",
         (position, angles, q_dot, q_ddot, x, V_dot),

@@ -143,7 +143,7 @@ class Carried:
     spun: Place
 
 
-def carried(lib: Library, body: Body, seen: Scene) -> Carried:
+def declare_common_terms(lib: Library, body: Body, seen: Scene) -> Carried:
     """Both, into locals."""
     origin_acceleration = body.local(
         "origin_acceleration",
@@ -168,14 +168,16 @@ def couple_flywheel(lib: Library, body: Body, table: Place, s: Place, seen: Scen
         "g": seen.g,
         "out": out,
     }
-    body.call(lib["couple"], *lib.passed("couple", **named))
+    body.call(lib["couple"], *lib.arguments_of("couple", **named))
 
 
 def couple_blocks(
     lib: Library, body: Body, table: Place, b: Place, first: Expr, seen: Scene, by: Carried, out: Place
 ) -> None:
     """Couplings of block b."""
-    body.call(lib["couple_block"], *lib.passed("couple_block", out=out, **_passed(table, b, first, seen, by)))
+    body.call(
+        lib["couple_block"], *lib.arguments_of("couple_block", out=out, **_bind_arguments(table, b, first, seen, by))
+    )
 
 
 def balance_blocks(
@@ -183,11 +185,11 @@ def balance_blocks(
 ) -> None:
     """Drive torques of all blocks, without those of the fluid."""
     with lanes.blocks(lib, body) as (b, first):
-        named = {"V_dot": V_dot, "phi_ddot": phi_ddot, "total": total, **_passed(table, b, first, seen, by)}
-        body.call(lib["balance_block"], *lib.passed("balance_block", **named))
+        named = {"V_dot": V_dot, "phi_ddot": phi_ddot, "total": total, **_bind_arguments(table, b, first, seen, by)}
+        body.call(lib["balance_block"], *lib.arguments_of("balance_block", **named))
 
 
-def _passed(table: Place, b: Place, first: Expr, seen: Scene, by: Carried) -> dict[str, Any]:
+def _bind_arguments(table: Place, b: Place, first: Expr, seen: Scene, by: Carried) -> dict[str, Any]:
     """Arguments of the functions of a block, by name."""
     sine, cosine = seen.turns
     named: dict[str, Any] = {"block": table.block[b], "first": first, "sine": sine, "cosine": cosine}

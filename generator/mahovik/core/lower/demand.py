@@ -55,7 +55,7 @@ def factor(lib: Library) -> Function:
             with body.loop("k", j) as k:
                 body.add(rest, -(G[i][k] * G[j][k]))
             body.set(G[i][j], rest / root)
-    return body.checked(
+    return body.checked_function(
         "factor",
         "Cholesky factor of the mass matrix, in place: K = G G^T.",
         (work,),
@@ -117,7 +117,7 @@ def demand(lib: Library) -> Function:
             with body.loop("i", 6) as i:
                 body.set(w.W[i][s], w.I[i][s] * scale)
     substitute(lib, body, w)
-    return body.checked(
+    return body.checked_function(
         "demand",
         "Matrix and right-hand side of (12) at a state: I, b, and both scaled to W, r.",
         begun.arguments,

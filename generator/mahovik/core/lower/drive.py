@@ -8,9 +8,9 @@ from mahovik.core.lower.coupling import (
     Carried,
     along,
     balance_blocks,
-    carried,
     couple_blocks,
     couple_flywheel,
+    declare_common_terms,
 )
 from mahovik.core.lower.flywheels import AT_NOTES, named_turns, places_of
 from mahovik.core.lower.forward import (
@@ -49,10 +49,10 @@ def torque(lib: Library, at: bool = False) -> Function:
     if layout.sine_input:
         sine, cosine = all_turns(lib, body, x.place, tuple(turns))
         given = {a.name: a.place for a in arguments} | {"sine": sine, "cosine": cosine}
-        body.call(lib["balance"], *lib.passed("balance", **given))
+        body.call(lib["balance"], *lib.arguments_of("balance", **given))
     else:
         _balance(lib, body, arguments)
-    return body.checked(
+    return body.checked_function(
         "torque_at" if at else "torque",
         "Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).",
         arguments,
@@ -97,7 +97,7 @@ def _balance(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
         for element in scratch:
             body.set(element, real(0))
         own_wrenches(lib, body, table, x, seen.turns, seen.V, wrench, scratch, seen.own)
-    alike = carried(lib, body, seen)
+    alike = declare_common_terms(lib, body, seen)
     if layout.lanes > 1:
         _balance_blocks(lib, body, table, seen, alike, moving, place["phi_ddot"], place["tau"])
         return
@@ -162,7 +162,7 @@ def solve_coupled(lib: Library) -> Function:
         solve = _solve if layout.lanes == 1 else _solve_blocks
         solve(lib, body, table.place, seen, (tau.place, locked.place), (K, F), (results[0], results[1]))
         from_stream(body, x.place, seen, results[0])
-    return body.checked(
+    return body.checked_function(
         "solve_coupled",
         "V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK.",
         arguments,
@@ -183,7 +183,7 @@ def _solve(lib: Library, body: Body, table: Place, seen: Scene, given: Pair, sys
     layout = lib.layout
     (tau, locked), (K, F), (V_dot, phi_ddot) = given, system, results
     drives = body.local("drive", (layout.count,), layout.coupling)
-    alike = carried(lib, body, seen)
+    alike = declare_common_terms(lib, body, seen)
     rate = body.local("rate", (layout.count,), comment="accelerations at V* = 0")
     with body.loop("s", layout.count) as s:
         with body.when(equal(locked[s], integer(0))):
@@ -214,7 +214,7 @@ def _solve_blocks(
     layout = lib.layout
     (tau, locked), (K, F), (V_dot, phi_ddot) = given, system, results
     drives = body.local("drive", (layout.blocks,), layout.lane_coupling)
-    alike = carried(lib, body, seen)
+    alike = declare_common_terms(lib, body, seen)
     load = body.local("load", (layout.room,), comment="torques on the flywheels: of drives and of the fluid")
     inverse = body.local("inverse", (layout.room,), comment="1 / Theta_ff; 0 where a lock holds")
     with body.loop("s", layout.count) as s:
@@ -265,13 +265,13 @@ def coupled(lib: Library, at: bool = False) -> Function:
     named |= {"V_dot": motion, "phi_ddot": spins}
     found = [body.local(f"{a.name}_result", a.shape) for a in others]
     named |= {a.name: value for a, value in zip(others, found, strict=True)}
-    lib.check(body, "solve_coupled", *lib.passed("solve_coupled", **named))
+    lib.check(body, "solve_coupled", *lib.arguments_of("solve_coupled", **named))
     body.copy_array(V_dot.place, motion)
     for argument, value in zip(others, found, strict=True):
         body.copy_array(argument.place, value)
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot.place[s], spins[s])
-    return body.checked(
+    return body.checked_function(
         "coupled_at" if at else "coupled",
         "Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first"
         + (", along the freedoms of the hold." if held else "."),

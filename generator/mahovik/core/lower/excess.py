@@ -48,7 +48,7 @@ def excessive(lib: Library) -> Function:
         tau = body.local("tau", (layout.count,), comment="drive torques")
         named = {"table": table.place, "x": x.place, "V_dot": V_dot.place, "tau": tau}
         named |= {a.name: a.place for a in (*turns, *phi_ddot, *wrench)}
-        body.call(lib["balance"], *lib.passed("balance", **named))
+        body.call(lib["balance"], *lib.arguments_of("balance", **named))
         with body.loop("s", layout.count) as s:
             lacks = call(lib["motor_lacks"], p, s, tau[s], x.place.phi_dot[s])
             with body.when(unequal(lacks, integer(0))):

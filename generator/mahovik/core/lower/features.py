@@ -160,7 +160,7 @@ class Features:
     @cached_property
     def _damped_bodies(self) -> frozenset[int]:
         """Indices of the bodies on which any damping acts."""
-        return frozenset(i for of in of_bodies("lower", "damped") for i in of(self.structure))
+        return frozenset(i for of in of_bodies("lower", "damped_bodies") for i in of(self.structure))
 
     @property
     def damped(self) -> bool:

@@ -116,7 +116,7 @@ def external_wrench(
         return
     named = {"table": table, "x": x, "sum": seen.sums, "C": seen.C, "V": seen.V, "g": seen.g, "F": F}
     named |= {"own": seen.own, **named_turns(seen.turns)}
-    passed = lib.passed("external", **named, **{w.name: w.place for w in wrench})
+    passed = lib.arguments_of("external", **named, **{w.name: w.place for w in wrench})
     if lib["external"].returns is None:
         body.call(lib["external"], *passed)
     else:
@@ -171,7 +171,7 @@ def accelerate(lib: Library) -> Function:
         lib.check(body, "factor_carrier", table.place, seen.sums, K)
         body.call(lib["solve_carrier"], table.place, K, F, V_dot.place)
         from_stream(body, x.place, seen, V_dot.place)
-    return body.checked(
+    return body.checked_function(
         "accelerate",
         "K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK."
         if not lib.layout.held
@@ -202,7 +202,7 @@ def equations_along(
         external_wrench(lib, body, table, x, seen, wrench, F)
         freedoms = hold.Freedoms(lib, body, table, sums.P, y)
         named = {"table": table, "sum": sums, "V": x.V, "F": F, "y": freedoms.y}
-        body.call(lib["right_side"], *lib.passed("right_side", **named))
+        body.call(lib["right_side"], *lib.arguments_of("right_side", **named))
         return freedoms, None
     sum_up(lib, body, table, x, seen, phi_ddot)
     external_wrench(lib, body, table, x, seen, wrench, F)
@@ -211,8 +211,8 @@ def equations_along(
         return freedoms, None if seen.stream is None else drift_of(body, x, seen.stream)
     body.call(lib["subtract_rates"], table, seen.sums, seen.V, F)
     drift = without_drift(lib, body, table, x, seen, F)
-    body.call(lib["project_mass"], *lib.passed("project_mass", table=table, sum=seen.sums, P=freedoms.P))
-    body.call(lib["project_wrench"], *lib.passed("project_wrench", table=table, F=F, y=freedoms.y))
+    body.call(lib["project_mass"], *lib.arguments_of("project_mass", table=table, sum=seen.sums, P=freedoms.P))
+    body.call(lib["project_wrench"], *lib.arguments_of("project_wrench", table=table, F=F, y=freedoms.y))
     return freedoms, drift
 
 
@@ -250,13 +250,13 @@ def forward(lib: Library, at: bool = False) -> Function:
     named = {"table": table.place, "x": x.place, "V_dot": result} | named_turns(all_turns(lib, body, x.place, turns))
     named |= {a.name: a.place for a in (*phi_ddot, *wrench)}
     named |= {a.name: found for a, found in zip(held, others, strict=True)}
-    lib.check(body, "accelerate", *lib.passed("accelerate", **named))
+    lib.check(body, "accelerate", *lib.arguments_of("accelerate", **named))
     if lib.layout.held:
         hold.write_twist(lib, body, table.place, others, result)
     body.copy_array(V_dot.place, result)
     for argument, found in zip(held, others, strict=True):
         body.copy_array(argument.place, found)
-    return body.checked(
+    return body.checked_function(
         "forward_at" if at else "forward",
         "Acceleration of the carrier for given accelerations of the flywheels: "
         + ("along the freedoms of the hold, S^T: K V* = F" if lib.layout.held else "K V* = F")
@@ -281,7 +281,7 @@ def wrench_function(lib: Library) -> Function:
     result = body.local("result", (6,))
     external_wrench(lib, body, table.place, x.place, seen, wrench, result)
     body.copy_array(F.place, result)
-    return body.checked(
+    return body.checked_function(
         "wrench",
         "Total external wrench of all bodies at a state.",
         (table, x, *wrench, F),

@@ -69,7 +69,7 @@ class FunctionSet:
         """The state."""
         return Argument("x", self.layout.state, purpose="state; its attitude within 1e-3 of unit length")
 
-    def passed(self, function: str, **named: Operand | None) -> list[Operand]:
+    def arguments_of(self, function: str, **named: Operand | None) -> list[Operand]:
         """The arguments of a function in its order, by name; unused ones are left out."""
         found = [named[a.name] for a in self[function].arguments]
         if any(value is None for value in found):

@@ -43,7 +43,7 @@ def quaternion(lib: Library) -> Function:
         body.call(lib["sincos"], real(0.5) * angles.place[i], s, c)
         binding |= {f"s_{name}": s, f"c_{name}": c}
     assign(body, list(attitude.place), derived.quaternion_of(lib.layout.structure.angles), binding)
-    return body.checked(
+    return body.checked_function(
         "quaternion", "Attitude quaternion of three angles.", (angles, attitude), statuses=STATE_STATUSES, public=True
     )
 
@@ -106,7 +106,7 @@ def generalized(lib: Library) -> Function:
         layout.structure.angles,
     )
     body.call(lib["products"], m, out.place)
-    return body.checked(
+    return body.checked_function(
         "generalized",
         "The equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi''.",
         (table, x, angles, *phi_ddot, *wrench, out),

@@ -92,7 +92,7 @@ def golden(program: Program, values: Values) -> Golden:
     return Golden(planned, cases, {name: tuple(found) for name, found in answers.items()}, player.sweep(SWEPT))
 
 
-def tested(program: Program) -> tuple[Function, ...]:
+def tested_functions(program: Program) -> tuple[Function, ...]:
     """The public functions that are in the self-test: those with answers of at most LARGEST_ANSWER numbers."""
     return tuple(
         f
@@ -124,7 +124,7 @@ class _Player:
 
     def __init__(self, program: Program, values: Values) -> None:
         self.plan = plan(program)
-        self.functions = tested(program)
+        self.functions = tested_functions(program)
         self._program = program
         self._values = values
         self._interpreter: Interpreter = values.interpreter
@@ -136,7 +136,7 @@ class _Player:
         structs = {s.name: s for s in program.structs}
         # filled once: the interpreter takes a record as it is, and functions do not write into what is "in"
         self._filled = {
-            name: self._interpreter.filled(structs[name], value)
+            name: self._interpreter.fill_storage(structs[name], value)
             for name, value in self._constants.items()
             if value is not None and name in structs
         }
@@ -161,7 +161,7 @@ class _Player:
 
     def play(self, function: Function, given: Mapping[str, Any]) -> tuple[int, list[tuple[Argument, Any]]]:
         """Status and outputs; after a refusal only the outputs that are also inputs."""
-        taken = {a.name: self._taken(a, given) for a in function.arguments if a.direction != "out"}
+        taken = {a.name: self._argument_value(a, given) for a in function.arguments if a.direction != "out"}
         value, outputs = self._interpreter.run(function.name, taken)
         status = int(value) if function.returns is Kind.STATUS else STATUS_VALUES["OK"]
         written = [
@@ -173,7 +173,7 @@ class _Player:
             written.append((Argument("value", Kind.REAL), value))
         return status, written
 
-    def _taken(self, a: Argument, given: Mapping[str, Any]) -> Any:
+    def _argument_value(self, a: Argument, given: Mapping[str, Any]) -> Any:
         if isinstance(a.type, Struct) and a.type.name in self._constants:
             kept = a.direction == "in"
             return self._filled[a.type.name] if kept else self._constants[a.type.name]
@@ -187,15 +187,15 @@ class _Player:
 def _scale_masses(struct_: Struct, value: Mapping[str, Any], factor: Any, precision: Precision) -> dict[str, Any]:
     """Parameters with every mass and inertia multiplied."""
 
-    def scaled(type_: Kind | Struct, shape: tuple[Any, ...], given: Any, name: str) -> Any:
+    def scale(type_: Kind | Struct, shape: tuple[Any, ...], given: Any, name: str) -> Any:
         if shape:
-            return [scaled(type_, shape[1:], each, name) for each in given]
+            return [scale(type_, shape[1:], each, name) for each in given]
         if isinstance(type_, Struct):
-            return {f.name: scaled(f.type, f.shape, given[f.name], f.name) for f in type_.fields}
+            return {f.name: scale(f.type, f.shape, given[f.name], f.name) for f in type_.fields}
         number = filled_value(type_, (), given, precision)
         return number * factor if name in SCALED else number
 
-    return {f.name: scaled(f.type, f.shape, value[f.name], f.name) for f in struct_.fields}
+    return {f.name: scale(f.type, f.shape, value[f.name], f.name) for f in struct_.fields}
 
 
 def _bytes(status: int, written: list[tuple[Argument, Any]], precision: Precision) -> bytes:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from mahovik.core.lower import lanes
-from mahovik.core.lower.coupling import along, carried, couple_blocks, couple_flywheel
+from mahovik.core.lower.coupling import along, couple_blocks, couple_flywheel, declare_common_terms
 from mahovik.core.lower.forward import Scene
 from mahovik.core.lower.hold import Freedoms, of_flywheel, room_for_projected
 from mahovik.core.lower.lanes import entry
@@ -58,7 +58,7 @@ def _linear(coupling: Place, drift: Place) -> Expr:
 def _couple(lib: Library, body: Body, table: Place, seen: Scene, columns: Place, bias: Place) -> None:
     """Columns of I and bias torques of all flywheels, one by one or by blocks."""
     layout = lib.layout
-    alike = carried(lib, body, seen)
+    alike = declare_common_terms(lib, body, seen)
     if layout.lanes == 1:
         drive = body.local("drive", (), layout.coupling)
         with body.loop("s", layout.count) as s:

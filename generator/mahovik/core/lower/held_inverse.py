@@ -70,7 +70,7 @@ def _demand(lib: Library) -> Function:
         for j in range(k):
             rest = rest - w.G[k][j] * w.r[j]
         body.set(w.r[k], rest / w.G[k][k])
-    return body.checked(
+    return body.checked_function(
         "demand",
         "Matrix and right-hand side of (12) along the freedoms: S^T I, S^T b, and both scaled to W, r.",
         begun.arguments,
@@ -137,10 +137,10 @@ def _inverse(lib: Library) -> Function:
     named = {"table": table.place, "x": x.place, "V_dot": moved, "phi_ddot": answer}
     named |= named_turns(turns) | {w.name: w.place for w in wrench}
     rates = {"u_dot": body.local("rates", (m,))}
-    lib.check(body, "accelerate", *lib.passed("accelerate", **named, **rates))
+    lib.check(body, "accelerate", *lib.arguments_of("accelerate", **named, **rates))
     write_twist(lib, body, table.place, list(rates.values()), moved)
     lacking = body.local("lacking", (), Kind.INT)
-    body.call(lib["excessive"], *lib.passed("excessive", **named, options=p, flags=lacking))
+    body.call(lib["excessive"], *lib.arguments_of("excessive", **named, options=p, flags=lacking))
     body.set(flags, flags | lacking)
     with body.loop("s", layout.count) as s:
         body.set(o.phi_ddot[s], answer[s])

@@ -110,7 +110,7 @@ def solve_freedoms(lib: Library) -> Function:
         z[j] = body.let(f"x{j + 1}", rest / left[j, j])
     for element, value in zip(x, z, strict=True):
         body.set(element, value)
-    return body.checked(
+    return body.checked_function(
         "solve_freedoms",
         "Solves P x = y, P symmetric and positive definite, by L D L^T; x is written to y.",
         (P, y),
@@ -189,7 +189,7 @@ def write_twist(lib: Library, body: Body, table: Place, u_dot: Sequence[Place], 
     """V* = S u* of the rates of the freedoms, zero without any."""
     if u_dot:
         named = {"table": table, "u": u_dot[0], "V": V_dot}
-        body.call(lib["twist_of_freedoms"], *lib.passed("twist_of_freedoms", **named))
+        body.call(lib["twist_of_freedoms"], *lib.arguments_of("twist_of_freedoms", **named))
         return
     for element in V_dot:
         body.set(element, real(0))

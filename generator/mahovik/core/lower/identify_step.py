@@ -40,7 +40,7 @@ def unbalance_columns(lib: Library) -> Function:
     m = mount.place
     d = body.local("d", (3,), comment="proper acceleration of Os")
     named: dict[str, Any] = {"O": m.origin, "V": V.place, "V_dot": V_dot.place, "g": g.place, "d": d}
-    body.call(lib["proper_acceleration"], *lib.passed("proper_acceleration", **named))
+    body.call(lib["proper_acceleration"], *lib.arguments_of("proper_acceleration", **named))
     bound: dict[str, Any] = {"omega": list(V.place)[3:], "omega_dot": list(V_dot.place)[3:]}
     bound |= {"axis": [m.axes[3 * i] for i in range(3)], "phi_dot": phi_dot.place, "phi_ddot": phi_ddot.place}
     w = body.local("w", (3,), comment="angular velocity of the flywheel")
@@ -147,7 +147,7 @@ def identify_step(lib: Library) -> Function:
     external_wrench(lib, body, table.place, x.place, seen, wrench, F)
     body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
     lib.check(body, "factor_carrier", table.place, seen.sums, K)
-    body.call(lib["solve_carrier"], *lib.passed("solve_carrier", table=table.place, K=K, F=F, y=model))
+    body.call(lib["solve_carrier"], *lib.arguments_of("solve_carrier", table=table.place, K=K, F=F, y=model))
     from_stream(body, x.place, seen, model)
     slopes = body.local("slopes", (6, n), comment="of V* by the unbalances: -K^-1 Y")
     with body.loop("s", layout.count) as s:
@@ -162,10 +162,10 @@ def identify_step(lib: Library) -> Function:
             "g": seen.g,
             "Y": Y,
         }
-        body.call(lib["unbalance_columns"], *lib.passed("unbalance_columns", **named))
+        body.call(lib["unbalance_columns"], *lib.arguments_of("unbalance_columns", **named))
         for k in range(2):
             y = body.local(f"y{k + 2}", (6,))
-            body.call(lib["solve_carrier"], *lib.passed("solve_carrier", table=table.place, K=K, F=Y[k], y=y))
+            body.call(lib["solve_carrier"], *lib.arguments_of("solve_carrier", table=table.place, K=K, F=Y[k], y=y))
             for i in range(6):
                 body.set(slopes[i][s * integer(2) + integer(k)], -y[i])
     _grow(body, at, forget.place, n)
@@ -173,7 +173,7 @@ def identify_step(lib: Library) -> Function:
         variance = body.let("noise_variance", noise.place[channel] * noise.place[channel])
         with body.when(variance >= real(layout.precision.smallest)):
             body.call(lib["take_channel"], slopes[channel], V_dot.place[channel] - model[channel], variance, at)
-    return body.checked(
+    return body.checked_function(
         "identify_step",
         "Static unbalances of all flywheels from the motion of the carrier: one sample of recursive least squares.",
         (table, mounting, x, V_dot, *phi_ddot, *wrench, noise, forget, estimate),

@@ -88,7 +88,7 @@ def inverse(lib: Library) -> Function:
     lacking = body.local("lacking", (), Kind.INT)
     named = {"table": table.place, "x": x.place, "V_dot": moved, "phi_ddot": answer, "options": p, "flags": lacking}
     named |= named_turns(turns) | {w.name: w.place for w in wrench}
-    body.call(lib["excessive"], *lib.passed("excessive", **named))
+    body.call(lib["excessive"], *lib.arguments_of("excessive", **named))
     body.set(flags, flags | lacking)
     with body.loop("s", layout.count) as s:
         body.set(o.phi_ddot[s], answer[s])
@@ -148,7 +148,7 @@ def inverse_alone(lib: Library) -> Function:
     body.set(o.damped_by, real(0))
     with body.when(wanted):
         body.ret(Status("UNREACHABLE"))
-    return body.checked(
+    return body.checked_function(
         "inverse",
         "The wrench that a wanted motion of the carrier needs and no flywheel gives: F - K V* - M V.",
         (table, x, V_dot, *wrench, out),

@@ -9,7 +9,7 @@ from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import carrier as derived_carrier
 from mahovik.core.formula.derived import drive as derived_drive
 from mahovik.core.formula.derived import sensitivity as derived
-from mahovik.core.lower.coupling import along, carried, couple_flywheel
+from mahovik.core.lower.coupling import along, couple_flywheel, declare_common_terms
 from mahovik.core.lower.drive import check_drive
 from mahovik.core.lower.flywheels import Turns, columns_of, let_turn, let_weights, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, external_wrench, scene, sum_up
@@ -42,7 +42,7 @@ def _slopes(
         "axial", (6 * max(1, int(layout.count)),), comment="derivatives by V of the flywheels' own axial moments"
     )
     named = {"table": table, "x": x, "V": seen.V, "Z": Z, "m": m, "C": seen.C, "slope": slope, "axial": axial}
-    body.call(lib["twist_slope"], *lib.passed("twist_slope", **named, **{w.name: w.place for w in wrench}))
+    body.call(lib["twist_slope"], *lib.arguments_of("twist_slope", **named, **{w.name: w.place for w in wrench}))
     return slope, axial
 
 
@@ -71,7 +71,7 @@ def _own(
         named: dict[str, Any] = {"table": table, "frame": table.frame[k], "x": x, "V": V, "V_change": still}
         named |= {"turn_by": real(turn), "speed_by": real(speed), "F": part, "axial": about}
         named |= {w.name: w.place for w in wrench}
-        body.call(lib["own_slope"], *lib.passed("own_slope", **named))
+        body.call(lib["own_slope"], *lib.arguments_of("own_slope", **named))
         with body.loop("i", 6) as i:
             body.add(rhs[i], part[i])
     return about
@@ -97,7 +97,7 @@ def _row_slope(
 ) -> None:
     set_weights(body, changes, by, weights)
     named = {"row": row, "weight": changes, "V": seen.V, "V_dot": V_dot, "g": seen.g, "out": rhs}
-    body.call(lib["row_slope"], *lib.passed("row_slope", **named))
+    body.call(lib["row_slope"], *lib.arguments_of("row_slope", **named))
 
 
 def forward_jacobian(lib: Library) -> Function:
@@ -152,7 +152,7 @@ def forward_jacobian(lib: Library) -> Function:
             solve()
             with body.loop("i", 6) as i:
                 body.set(o.V_dot_phi_ddot[i][s], y[i])
-    return body.checked(
+    return body.checked_function(
         "forward_jacobian",
         "Derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude.",
         (table, x, *phi_ddot, *wrench, out),
@@ -198,7 +198,7 @@ def coupled_jacobian(lib: Library) -> Function:
     body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
     slope, axial = _slopes(lib, body, table.place, x.place, seen, wrench, Z)
     drives = body.local("drive", (layout.count,), layout.coupling)
-    alike = carried(lib, body, seen)
+    alike = declare_common_terms(lib, body, seen)
     K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
     start_schur(lib, body, table.place, seen.sums, K)
     factor = body.local("factor", (), layout.schur_factor)
@@ -233,7 +233,7 @@ def coupled_jacobian(lib: Library) -> Function:
         body.set(work.twist[s], real(1))
         work.reduce(s)
         work.solve(o, "tau", s)
-    return body.checked(
+    return body.checked_function(
         "coupled_jacobian",
         "Derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.",
         (table, x, tau, locked, *wrench, out),

@@ -59,7 +59,7 @@ def matrices(lib: Library) -> Function:
     body.call(lib["velocity_matrix"], seen.V, out.place)
     if layout.flywheels:
         _columns(lib, body, table.place, x.place, seen.turns, seen.V, out.place)
-    return body.checked(
+    return body.checked_function(
         "matrices",
         "The matrices of K V* + M V + I phi'' + J phi' = F at a state.",
         (table, x, *wrench, out),
@@ -118,7 +118,7 @@ def momentum(lib: Library) -> Function:
     body.set(out.place.energy, energy)
     for i in range(3):
         body.set(out.place.center_of_mass[i], sums.mu[i] * table.place.mass_inverse)
-    return body.checked(
+    return body.checked_function(
         "momentum",
         "Momentum screw, kinetic energy and mass centre of the whole system.",
         (table, x, out),

@@ -138,10 +138,10 @@ def mounts(lib: Library) -> Function:
             "W": W,
         }
         named |= {"phi_ddot": phi_ddot[0].place[s], "V_dot": moving, "g": seen.g}
-        body.call(lib["mount_wrench"], *lib.passed("mount_wrench", **named))
+        body.call(lib["mount_wrench"], *lib.arguments_of("mount_wrench", **named))
         with body.loop("j", 6) as j:
             body.set(out.place[s * integer(6) + j], W[j])
-    return body.checked(
+    return body.checked_function(
         "mounts",
         "Wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.",
         (table, mounting, x, V_dot, *phi_ddot, *wrench, out),
@@ -165,12 +165,12 @@ def prepare_mounts(lib: Library) -> Function:
             body.set(m.first_moment[i], w.body.mass * w.body.center_of_mass[i])
         body.copy_array(m.inertia, w.body.inertia)
         named = {"parameters": p, "w": w, "O": m.origin, "R": m.axes}
-        body.call(lib["place_flywheel"], *lib.passed("place_flywheel", **named))
+        body.call(lib["place_flywheel"], *lib.arguments_of("place_flywheel", **named))
         if layout.flywheel_displaces:
             body.set(m.displaced_mass, w.body.displaced_mass)
             for i in range(3):
                 body.set(m.displaced_moment[i], w.body.displaced_mass * w.body.displaced_center[i])
-    return body.checked(
+    return body.checked_function(
         "prepare_mounts",
         "Makes the second table, which the function mounts needs.",
         (parameters, mounting),

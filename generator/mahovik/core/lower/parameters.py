@@ -83,7 +83,7 @@ def check_inertia(lib: Library) -> Function:
         rest = body.let("p32", P[2, 1] - l31 * P[1, 0])
         d3 = body.let("d3", P[2, 2] - l31 * P[2, 0] - rest / d2 * rest)
         lib.guard(body, Not(d3 > 0), "NOT_POSITIVE_DEFINITE")
-    return body.checked(
+    return body.checked_function(
         "check_inertia",
         "Are the second moments about the centre of mass positive semidefinite? Then a body can have this inertia.",
         (mass, center, inertia),
@@ -119,7 +119,7 @@ def check_added_mass(lib: Library) -> Function:
         with body.when(m[i][i] > 0):
             lib.guard(body, Not(diagonal > 0), "NOT_POSITIVE_DEFINITE")
         body.set(factor[i][i], select(m[i][i] > 0, diagonal, real(1)))
-    return body.checked(
+    return body.checked_function(
         "check_added_mass",
         "Is the added mass finite, symmetric to the bit and positive semidefinite?",
         (added,),
@@ -147,7 +147,7 @@ def translation_block(lib: Library) -> Function:
     r = body.let("r", 1 / d)
     for k in range(6):
         body.set(inverse.place[k], cofactor[k] * r)
-    return body.checked(
+    return body.checked_function(
         "translation_block",
         "Constant translational block of K with added mass, A = m E + Lambda_11, and its inverse.",
         (p, mass, A, inverse),
@@ -190,13 +190,13 @@ def check_parameters(lib: Library) -> Function:
             lib.check(body, f"check_{layout.flywheel_body.name}", w.body)
             lib.guard(body, Not(w.body.inertia[0] >= real(lib.thresholds.least)), "NOT_POSITIVE_DEFINITE")
             named = {"parameters": p, "w": w, "O": O, "R": R}
-            lib.check(body, "place_flywheel", *lib.passed("place_flywheel", **named))
+            lib.check(body, "place_flywheel", *lib.arguments_of("place_flywheel", **named))
             body.add(total, w.body.mass)
             body.add(size, _trace(w.body.inertia) + w.body.mass * _square(O))
     if points:
         with body.loop("k", points) as k:
             named = {"parameters": p, "w": p.point[k], "O": O, "R": R}
-            lib.check(body, "place_point", *lib.passed("place_point", **named))
+            lib.check(body, "place_point", *lib.arguments_of("place_point", **named))
     lib.guard(body, Not(total >= real(lib.thresholds.least)), "NOT_POSITIVE_DEFINITE")
     lib.guard(body, Not(size <= lib.thresholds.inertia), "RANGE")
     if layout.added_mass:
@@ -205,7 +205,7 @@ def check_parameters(lib: Library) -> Function:
         lib.check(body, "check_added_mass", p.added_mass)
         lib.check(body, "translation_block", p, total, A, inverse)
     mounts = ("BAD_ARGUMENT",) if layout.instruments and (layout.flywheels or points) else ()
-    return body.checked(
+    return body.checked_function(
         "check_parameters",
         "Are the parameters finite and in range, the axes nonzero, and the bodies physically possible?",
         (parameters,),

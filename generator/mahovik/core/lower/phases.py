@@ -51,7 +51,7 @@ def wrap(lib: Library) -> Function:
         body.set(angle, call(lib["unwound"], phi.place, select(angle > pi, k + 1, k - 1)))
     body.set(out.place, select(angle > pi, pi, select(angle < -pi, -pi, angle)))
     error = {"double": "5e-16", "float": "3e-7"}[precision.name]
-    return body.checked(
+    return body.checked_function(
         "wrap",
         "The angle wrapped to [-pi, pi] (pi rounded to the nearest real).",
         (phi, out),
@@ -79,7 +79,7 @@ def phase_of_counts(lib: Library) -> Function:
     with body.loop("i", 2):
         body.set(place, select(place > half, place - size, select(place < -half, place + size, place)))
     body.set(phi.place, place / Convert(per_turn.place, Kind.REAL) * real(nearest(2 * PI, precision)))
-    return body.checked(
+    return body.checked_function(
         "phase_of_counts",
         "Phase for a count of an encoder.",
         (count, per_turn, zero, phi),
@@ -109,7 +109,7 @@ def speed_of_counts(lib: Library) -> Function:
     limit = lib.limits["MAX_SPEED"].expression
     lib.guard(body, Not(and_(speed >= -limit, speed <= limit)), "RANGE")
     body.set(phi_dot.place, speed)
-    return body.checked(
+    return body.checked_function(
         "speed_of_counts",
         "Mean speed of a flywheel from the counts of one interval.",
         (moved, per_turn, dt, phi_dot),
@@ -155,7 +155,7 @@ def accumulate(lib: Library) -> Function:
     body.set(e.place, select(place < 0, place + turn, select(place < turn, place, place - turn)))
     body.set(e.counter, counter.place)
     body.set(e.moved, moved)
-    return body.checked(
+    return body.checked_function(
         "accumulate",
         "Takes one reading of an encoder's counter, which may wrap: place in the turn and counts moved, both exact.",
         (encoder, counter, bits, per_turn),

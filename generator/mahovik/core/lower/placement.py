@@ -40,7 +40,7 @@ def frame_of_axes(lib: Library) -> Function:
         body.set(R.place[3 * i], e1[i])
         body.set(R.place[3 * i + 1], e2[i])
         body.set(R.place[3 * i + 2], third[i])
-    return body.checked(
+    return body.checked_function(
         "frame_of_axes",
         "Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it.",
         (axis, zero, R),
@@ -58,17 +58,17 @@ def _unit(lib: Library, body: Body, a: Place, out: Place, name: str, least: Expr
 
 def place_flywheel(lib: Library) -> Function:
     """Origin and mounting axes of a flywheel in E1, through the instrument that carries it."""
-    return _placed(
+    return _placement_function(
         lib, "place_flywheel", lib.layout.flywheel_parameters, "Origin and axes (at phi = 0) of a flywheel in E1."
     )
 
 
 def place_point(lib: Library) -> Function:
     """Origin and axes of a point in E1, through the instrument that carries it."""
-    return _placed(lib, "place_point", lib.layout.point_parameters, "Origin and axes of a point in E1.")
+    return _placement_function(lib, "place_point", lib.layout.point_parameters, "Origin and axes of a point in E1.")
 
 
-def _placed(lib: Library, name: str, struct: Struct, purpose: str) -> Function:
+def _placement_function(lib: Library, name: str, struct: Struct, purpose: str) -> Function:
     p = Argument("parameters", lib.layout.parameters)
     w = Argument("w", struct)
     O = Argument("O", Kind.REAL, (3,), "out", "m", "Os in E1")
@@ -97,4 +97,4 @@ def _placed(lib: Library, name: str, struct: Struct, purpose: str) -> Function:
             assign(body, list(at), derived_wrench.rotated(), {"C": Rp, "a": w.place.position})
             for i in range(3):
                 body.set(O.place[i], q.position[i] + at[i])
-    return body.checked(name, purpose, (p, w, O, R), statuses=("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT"))
+    return body.checked_function(name, purpose, (p, w, O, R), statuses=("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT"))

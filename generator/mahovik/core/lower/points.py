@@ -73,8 +73,8 @@ def points(lib: Library) -> Function:
         named["g"] = g
     with body.loop("k", layout.sensor_count) as k:
         here = {"sensor": table.place.sensor[k], "out": out.place[k]}
-        body.call(lib["sense"], *lib.passed("sense", **named, **here))
-    return body.checked(
+        body.call(lib["sense"], *lib.arguments_of("sense", **named, **here))
+    return body.checked_function(
         "points",
         "Readings of an accelerometer and a gyro at each instrument and point.",
         (table, x, V_dot, out),

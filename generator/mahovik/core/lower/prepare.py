@@ -97,7 +97,7 @@ def prepare(lib: Library) -> Function:
         body.set(origin[i], real(0))
     for i in range(9):
         body.set(R[i], real(identity[i]))
-    work.fixed(p.carrier)
+    work.fill_fixed_body(p.carrier)
     if layout.instruments:
         _instruments(lib, work, p)
     if layout.flywheels:
@@ -189,15 +189,15 @@ class _Work:
         for i in range(6):
             self.body.add(self.totals.J[i], self.J1[i])
 
-    def fixed(self, b: Place) -> None:
+    def fill_fixed_body(self, b: Place) -> None:
         """A body that does not turn: origin and R are set."""
         self.first_moment(b)
         args = (b.mass, self.b, b.inertia, self.origin, self.R, self.mu, self.J1, integer(0), self.t)
         self.body.call(self.lib["carry"], *args)
         self.add(b.mass)
-        self.displaced(b, None)
+        self.fill_displaced_mass(b, None)
 
-    def displaced(self, b: Place, row: Place | None) -> None:
+    def fill_displaced_mass(self, b: Place, row: Place | None) -> None:
         """Displaced mass and its first moment about O1; the turning part of a flywheel's goes to its row."""
         if self.totals.weight_mass is None or self.totals.displaced is None:
             return
@@ -229,7 +229,7 @@ def _instruments(lib: Library, work: _Work, p: Place) -> None:
     with body.loop("k", lib.layout.instruments) as k:
         q = p.instrument[k]
         work.place_instrument(q)
-        work.fixed(q.body)
+        work.fill_fixed_body(q.body)
 
 
 def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
@@ -264,7 +264,7 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
         body.set(row.spin, w.body.inertia[0])
         body.set(row.spin_inv, 1 / w.body.inertia[0])
         body.set(row.spin_root_inv, 1 / call(lib["sqrt"], w.body.inertia[0]))
-        work.displaced(w.body, row)
+        work.fill_displaced_mass(w.body, row)
         if lib.layout.along:
             along.prepare_row(lib, body, out, row)
         if lib.layout.lanes > 1:
@@ -273,7 +273,7 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
 
 def _place(lib: Library, body: Body, p: Place, w: Place, work: _Work, function: str = "place_flywheel") -> None:
     named = {"parameters": p, "w": w, "O": work.origin, "R": work.R}
-    body.call(lib[function], *lib.passed(function, **named))
+    body.call(lib[function], *lib.arguments_of(function, **named))
 
 
 def _sensors(lib: Library, work: _Work, p: Place, out: Place) -> None:

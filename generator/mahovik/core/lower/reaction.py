@@ -32,7 +32,7 @@ def reaction(lib: Library) -> Function:
     result = body.local("result", (6,))
     body.call(lib["react"], table.place, seen.sums, moving, F, result)
     body.copy_array(found.place, result)
-    return body.checked(
+    return body.checked_function(
         "reaction",
         "Wrench of the hold on the carrier for a motion: R = K V* - (F - M V - sum(I phi'' + J phi')).",
         (table, x, V_dot, *phi_ddot, *wrench, found),

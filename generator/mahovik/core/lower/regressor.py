@@ -135,7 +135,7 @@ _OWN = {"d": "in Es: proper acceleration of Os", "a": "angular acceleration", "w
 def _proper(lib: Library, body: Body, O: Place, V: Place, V_dot: Place, g: Place) -> Place:
     d = body.local("d", (3,), comment="proper acceleration of its origin, in E1")
     named = {"O": O, "V": V, "V_dot": V_dot, "g": g, "d": d}
-    body.call(lib["proper_acceleration"], *lib.passed("proper_acceleration", **named))
+    body.call(lib["proper_acceleration"], *lib.arguments_of("proper_acceleration", **named))
     return d
 
 
@@ -172,8 +172,8 @@ def regressor(lib: Library) -> Function:
                 "Y": result.Y_flywheel[s],
                 "drive": result.Y_drive[s],
             }
-            body.call(lib["flywheel_columns"], *lib.passed("flywheel_columns", **named))
-    return body.checked(
+            body.call(lib["flywheel_columns"], *lib.arguments_of("flywheel_columns", **named))
+    return body.checked_function(
         "regressor",
         "What (8) and the drive torques take of each mass, first moment and moment of inertia: they are linear in all.",
         (table, *((mounting,) if layout.flywheels else ()), x, V_dot, *phi_ddot, out),

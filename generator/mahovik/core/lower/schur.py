@@ -112,7 +112,7 @@ def factor_schur(lib: Library) -> Function:
     assign(body, list(f.U), derived_carrier.schur_coupling(True), binding)
     assign(body, list(S), derived_carrier.reduced_inertia(True), binding)
     lib.check(body, "factor3", S, f.L)
-    return body.checked(
+    return body.checked_function(
         "factor_schur",
         "Factors [A B^T; B D], symmetric positive definite, by blocks of 3x3.",
         (schur, out),

@@ -60,8 +60,8 @@ def own_slope(lib: Library) -> Function:
         slopes = named | {"change": change, "P": P_change}
         for name, slope in of_bodies("lower", "BY_TWIST"):
             if name in lib:
-                body.call(lib[name], *lib.passed(name, **named))
-                body.call(lib[slope], *lib.passed(slope, **slopes))
+                body.call(lib[name], *lib.arguments_of(name, **named))
+                body.call(lib[slope], *lib.arguments_of(slope, **slopes))
     if layout.own_inputs:
         with body.when(frame.place.wrench >= 0), body.loop("i", 6) as i:
             body.add(P[i], wrench[0].place[frame.place.wrench * integer(6) + i])
@@ -199,13 +199,13 @@ def _add_slopes(lib: Library, body: Body, everything: dict[str, Any], axial: Pla
         named = everything | {"damper": table.damper, "P": F}
         for _, slope in of_bodies("lower", "BY_TWIST"):
             if slope in lib:
-                body.call(lib[slope], *lib.passed(slope, **named))
+                body.call(lib[slope], *lib.arguments_of(slope, **named))
     if layout.own_damped:
         with body.loop("k", len(layout.own)) as k:
             part = body.local("part", (6,))
             about = body.local("about", (1,))
             named = everything | {"frame": table.frame[k], "F": part, "axial": about}
-            body.call(lib["own_slope"], *lib.passed("own_slope", **named))
+            body.call(lib["own_slope"], *lib.arguments_of("own_slope", **named))
             with body.loop("i", 6) as i:
                 body.add(F[i], part[i])
             if layout.own_turning:

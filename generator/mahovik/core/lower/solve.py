@@ -87,7 +87,7 @@ def factor3(lib: Library) -> Function:
     lib.guard(body, Not(d3 >= least), "NOT_POSITIVE_DEFINITE")
     for name, value in (("r1", r1), ("r2", r2), ("d3", d3), ("l21", l21), ("l31", l31), ("l32", l32)):
         body.set(f.member(name), value)
-    return body.checked(
+    return body.checked_function(
         "factor3",
         "Factors a symmetric positive definite 3x3 matrix: S = L D L^T.",
         (S, out),
@@ -132,7 +132,7 @@ def factor_carrier(lib: Library) -> Function:
     S = body.local("S", (6,), comment="J - B A^-1 B^T" if added else "inertia about the mass centre")
     assign(body, list(S), derived.reduced_inertia(added), binding)
     lib.check(body, "factor3", S, out.place.L)
-    return body.checked(
+    return body.checked_function(
         "factor_carrier",
         "Factors K: its translational block is constant, so that a 3x3 matrix is left.",
         (table, sums, out),

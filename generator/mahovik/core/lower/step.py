@@ -59,7 +59,7 @@ def _rate(lib: Library, torques: bool) -> Function:
     if torques:
         given["phi_ddot"] = out.phi_dot
     motion = "solve_coupled" if torques else "accelerate"
-    lib.check(body, motion, *lib.passed(motion, **given))
+    lib.check(body, motion, *lib.arguments_of(motion, **given))
     if layout.held and not torques:
         hold.write_twist(lib, body, table.place, others, out.V)
     body.call(lib["rotation"], x.place.attitude, C)
@@ -71,8 +71,8 @@ def _rate(lib: Library, torques: bool) -> Function:
             body.set(out.phi[s], x.place.phi_dot[s])
             if not torques:
                 body.set(out.phi_dot[s], drive[0].place[s])
-    return body.checked(
-        named(lib, "rate", torques),
+    return body.checked_function(
+        form_name(lib, "rate", torques),
         "Time derivatives of the state under " + ("drive torques." if torques else "given flywheel accelerations."),
         (table, x, *drive, rate),
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
@@ -117,7 +117,7 @@ def _finish(lib: Library) -> Function:
     if lib.layout.flywheels:
         with body.loop("s", lib.layout.count) as s:
             body.set(x.place.phi[s], call(lib["wrapped"], x.place.phi[s]))
-    return body.checked(
+    return body.checked_function(
         "finish",
         "Normalizes the quaternion and wraps the phases to [-pi, pi]; RANGE if the state is out of range.",
         (x,),
@@ -146,10 +146,10 @@ def _stages(lib: Library, torques: bool) -> Function:
     lib.begin(body)
     y, sum_ = stage.place, total.place
     k = body.local("k", (), layout.state, "time derivatives at a stage")
-    rate = named(lib, "rate", torques)
+    rate = form_name(lib, "rate", torques)
 
     def rate_at(at: Place, out: Place) -> list[Operand]:
-        return lib.passed(rate, table=table.place, x=at, rate=out, **{a.name: a.place for a in drive})
+        return lib.arguments_of(rate, table=table.place, x=at, rate=out, **{a.name: a.place for a in drive})
 
     lib.check(body, rate, *rate_at(x.place, k))
     half = body.let("half", real(0.5) * h.place)
@@ -162,15 +162,15 @@ def _stages(lib: Library, torques: bool) -> Function:
             body.call(lib["advance"], x.place, k, length, y)
             lib.check_as(body, "RANGE", rate, *rate_at(y, k))
             _accumulate(lib, body, sum_, k, weight)
-    return body.checked(
-        named(lib, "stages", torques),
+    return body.checked_function(
+        form_name(lib, "stages", torques),
         "Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE.",
         (table, x, *drive, h, order, stage, total),
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )
 
 
-def named(lib: Library, name: str, torques: bool) -> str:
+def form_name(lib: Library, name: str, torques: bool) -> str:
     """Name of the form of a function for torques, or for given accelerations; one of both without flywheels."""
     return name if torques or not lib.layout.flywheels else f"{name}_driven"
 
@@ -228,8 +228,8 @@ def increment(lib: Library, body: Body, arguments: tuple[Argument, ...], torques
     by_name = {a.name: a.place for a in arguments}
     y = body.local("y", (), lib.layout.state, "state of a stage; then the new state")
     total = body.local("total", (), lib.layout.state, "sum of the rates at the stages")
-    stages = named(lib, "stages", torques)
-    lib.check(body, stages, *lib.passed(stages, **by_name, y=y, total=total, h=by_name["dt"]))
+    stages = form_name(lib, "stages", torques)
+    lib.check(body, stages, *lib.arguments_of(stages, **by_name, y=y, total=total, h=by_name["dt"]))
     dt = by_name["dt"]
     over = body.let("over", select(equal(by_name["order"], integer(2)), dt, dt / 6), "times the sum: the increment")
     return y, total, over
@@ -273,8 +273,8 @@ def _step(lib: Library, torques: bool) -> Function:
         body.call(lib["keep_pivot"], arguments[0].place, x.place, y)
     finish_step(lib, body, arguments, turning, ((out.place, y),))
     what = "drive torques" if torques else "given flywheel accelerations"
-    return body.checked(
-        named(lib, "step", torques),
+    return body.checked_function(
+        form_name(lib, "step", torques),
         f"State after one time step; {what} and wrenches are held constant.",
         (*arguments, out),
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT", "COARSE"),

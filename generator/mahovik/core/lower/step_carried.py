@@ -16,8 +16,8 @@ from mahovik.core.lower.step import (
     check_step,
     fastest,
     finish_step,
+    form_name,
     increment,
-    named,
     next_argument,
     step_arguments,
 )
@@ -109,7 +109,7 @@ def _finish(lib: Library) -> Function:
         body.set(kept, lost)
         body.set(q[i], total)
     check_again(lib, body, x.place)
-    return body.checked(
+    return body.checked_function(
         "finish_carried",
         "Normalizes the quaternion, rounding kept in the carry; RANGE if the state is out of range.",
         (x, carry),
@@ -133,14 +133,14 @@ def _step(lib: Library, torques: bool) -> Function:
     lib.check_as(body, "RANGE", "finish_carried", y, kept)
     finish_step(lib, body, arguments, turning, ((carry.place, kept), (out.place, y)))
     what = "drive torques" if torques else "given flywheel accelerations"
-    return body.checked(
-        named(lib, "step", torques) + "_carried",
+    return body.checked_function(
+        form_name(lib, "step", torques) + "_carried",
         f"State after one time step under {what} and wrenches, held constant; sums are compensated by a carry.",
         (*arguments, carry, out),
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT", "COARSE"),
         notes=(
-            f"Statuses as of {named(lib, 'step', torques)}. A carry belongs to its state: where another state is set, "
-            "set the carry to zero.",
+            f"Statuses as of {form_name(lib, 'step', torques)}. A carry belongs to its state: where another state is"
+            " set, set the carry to zero.",
         ),
         public=True,
     )

@@ -183,7 +183,7 @@ class _Laws:
                 body = stand.bodies[own.index]
                 damper = self._damper(body, rows)
                 _check_range(stand, layout, f"{body.name}.damping", damper)
-                frame.damper = self._program.filled(layout.damper, damper)
+                frame.damper = self._program.fill_storage(layout.damper, damper)
         laws |= rows
         for law in layout.law_tables:
             laws |= law.values(stand, self._program.run)
@@ -191,7 +191,7 @@ class _Laws:
             field = layout.table.field(name)
             assert field is not None
             _check_range(stand, layout, name, value)
-            setattr(table, name, self._program.filled(field.type, value, field.shape))
+            setattr(table, name, self._program.fill_storage(field.type, value, field.shape))
         return table
 
     def _damper(self, body: StandBody, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:

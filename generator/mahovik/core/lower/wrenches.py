@@ -93,7 +93,7 @@ def own_wrenches(
     with body.loop("k", len(lib.layout.own)) as k:
         everything = {"table": table, "frame": table.frame[k], "x": x, "V": V, "F": F, "own": own}
         everything |= {w.name: w.place for w in wrench} | named_turns(turns)
-        body.call(lib["own_wrench"], *lib.passed("own_wrench", **everything))
+        body.call(lib["own_wrench"], *lib.arguments_of("own_wrench", **everything))
 
 
 def _weight(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums: Place, g: Place, F: Place) -> None:
@@ -118,7 +118,7 @@ def _weight(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums
 def _damp(lib: Library, body: Body, table: Place, damper: Place, V: Place, P: Place) -> None:
     for name, _ in of_bodies("lower", "BY_TWIST"):
         if name in lib:
-            body.call(lib[name], *lib.passed(name, table=table, damper=damper, V=V, P=P))
+            body.call(lib[name], *lib.arguments_of(name, table=table, damper=damper, V=V, P=P))
 
 
 def own_wrench(lib: Library) -> Function:

@@ -101,7 +101,7 @@ class Body:
         """The function of this body, without a status."""
         return Function(name, purpose, arguments, self.statements, equation, returns, (), notes, public)
 
-    def checked(
+    def checked_function(
         self,
         name: str,
         purpose: str,

@@ -70,7 +70,7 @@ class Interpreter:
         """Zeroed storage of that type; a scalar is a list of one."""
         return new_value(type_, shape, self._precision)
 
-    def filled(self, type_: Kind | Struct, value: Any, shape: tuple[Any, ...] = ()) -> Any:
+    def fill_storage(self, type_: Kind | Struct, value: Any, shape: tuple[Any, ...] = ()) -> Any:
         """Storage of that type, filled from plain numbers, dicts and lists."""
         return filled_value(type_, shape, value, self._precision)
 

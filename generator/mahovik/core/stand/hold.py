@@ -128,7 +128,7 @@ def _twist(freedom: Freedom, pivot: Array) -> Array:
     return np.concatenate([np.cross(pivot, unit), unit])
 
 
-def _scaled(S: Array) -> Array:
+def _scale(S: Array) -> Array:
     """S with lengths divided by the largest arm, columns of length 1."""
     turning = np.linalg.norm(S[3:], axis=0)
     arms = np.linalg.norm(S[:3], axis=0)[turning > 0] / turning[turning > 0]
@@ -139,7 +139,7 @@ def _scaled(S: Array) -> Array:
 
 def _first_dependent(S: Array) -> int | None:
     """Number of the first column that those before it give; None where all are independent."""
-    scaled = _scaled(S)
+    scaled = _scale(S)
     for k in range(1, scaled.shape[1]):
         if _distance(scaled[:, k], scaled[:, :k]) < DEPENDENT:
             return k
@@ -159,7 +159,7 @@ def is_closed(hold: Hold) -> bool:
 
     The bracket of (v, omega) and (v', omega') is (omega x v' + v x omega', omega x omega').
     """
-    S = _scaled(twists(hold))
+    S = _scale(twists(hold))
     for i in range(S.shape[1]):
         for j in range(i):
             v, omega, v2, omega2 = S[:3, i], S[3:, i], S[:3, j], S[3:, j]

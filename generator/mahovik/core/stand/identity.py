@@ -41,7 +41,7 @@ def identities(stand: Stand) -> Identities:
         numbers |= law.SCHEMA.content(stand.law(law.SCHEMA.data))
     body_of = {body.name: body for body in stand.bodies}
     for body in (numbers["carrier"], *numbers["instruments"], *numbers["flywheels"]):
-        given = {type(law): _given(law) for law in body_of[body["name"]].laws}
+        given = {type(law): _without_defaults(law) for law in body_of[body["name"]].laws}
         del body["laws"]
         body |= {law.key: given.get(law.data) for law in body_schemas() if law.data in given or not law.optional}
         if not any(body["center_of_mass"]):
@@ -49,7 +49,7 @@ def identities(stand: Stand) -> Identities:
     return Identities(_digest(form), _digest({"structure": form, "numbers": numbers}))
 
 
-def _given(law: LawData) -> dict[str, Any]:
+def _without_defaults(law: LawData) -> dict[str, Any]:
     """The data of a law of a body without members at their default, as in a file without their keys."""
     defaults = {f.name: f.default for f in fields(law) if f.default is not MISSING}
     return {name: value for name, value in asdict(law).items() if name not in defaults or value != defaults[name]}

@@ -24,10 +24,10 @@ INT, REAL = Kind.INT, Kind.REAL
 
 def words(structure: Structure) -> str:
     """The law in a word; empty where the stand does not have it."""
-    return "cross-flow drag" if damped(structure) else ""
+    return "cross-flow drag" if damped_bodies(structure) else ""
 
 
-def damped(structure: Structure) -> set[int]:
+def damped_bodies(structure: Structure) -> set[int]:
     """Indices of the bodies that have cross-flow drag."""
     return {index for index, _, _ in structure.law("cross_flow") or ()}
 

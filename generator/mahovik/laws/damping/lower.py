@@ -24,10 +24,10 @@ INT = Kind.INT
 
 def words(structure: Structure) -> str:
     """The law in a word; empty where the stand does not have it."""
-    return "damping" if damped(structure) else ""
+    return "damping" if damped_bodies(structure) else ""
 
 
-def damped(structure: Structure) -> set[int]:
+def damped_bodies(structure: Structure) -> set[int]:
     """Indices of the bodies on which any damping acts."""
     with_terms = (index for index, _ in structure.law("damping_terms"))
     products = structure.law("products_in_derivatives") or ()
@@ -124,13 +124,13 @@ BY_TWIST = ("damp", "damp_slope")
 
 def add_functions(lib: FunctionSet) -> None:
     """The damping of one body, where any body is damped."""
-    if damped(lib.layout.structure):
+    if damped_bodies(lib.layout.structure):
         lib.add(damp(lib))
 
 
 def add_slopes(lib: FunctionSet) -> None:
     """The change of one body's damping."""
-    if damped(lib.layout.structure):
+    if damped_bodies(lib.layout.structure):
         lib.add(damp_slope(lib))
 
 

@@ -32,7 +32,7 @@ class TwistLaw:
             first, second = (np.abs(v[:, a.component]) if a.absolute else v[:, a.component] for a in term.of)
             P[:, term.wrench] += term.value * first * second
         if self.added_mass is not None:
-            P += _crossed(v, v @ np.array(self.added_mass).T)
+            P += _cross(v, v @ np.array(self.added_mass).T)
         return P
 
     def rate(self, v: Array) -> Array:
@@ -50,11 +50,11 @@ class TwistLaw:
         if self.added_mass is not None:
             Lambda = np.array(self.added_mass)
             for k, unit in enumerate(np.eye(6)):
-                D[:, :, k] += _crossed(unit, v @ Lambda.T) + _crossed(v, Lambda[:, k])
+                D[:, :, k] += _cross(unit, v @ Lambda.T) + _cross(v, Lambda[:, k])
         return D
 
 
-def _crossed(v: Array, Z: Array) -> Array:
+def _cross(v: Array, Z: Array) -> Array:
     """Phi(v) Z (M, 6) of twists v and momenta Z, either (6) or (M, 6)."""
     linear, angular, p, h = v[..., :3], v[..., 3:], Z[..., :3], Z[..., 3:]
     return np.concatenate([np.cross(angular, p), np.cross(linear, p) + np.cross(angular, h)], axis=-1)

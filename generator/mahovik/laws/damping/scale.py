@@ -24,10 +24,10 @@ def scale(body: Body, gravity: float, twist: Array) -> Array:
     if damping.contains_products and (added := getattr(body, "added_mass", None)) is not None:
         Z = np.abs(np.array(added)) @ twist
         v, omega, p, h = twist[:3], twist[3:], Z[:3], Z[3:]
-        total += np.concatenate([_crossed(omega, p), _crossed(v, p) + _crossed(omega, h)])
+        total += np.concatenate([_cross(omega, p), _cross(v, p) + _cross(omega, h)])
     return total
 
 
-def _crossed(a: Array, b: Array) -> Array:
+def _cross(a: Array, b: Array) -> Array:
     """Magnitudes (3) of both products in each component of a x b."""
     return a[[1, 2, 0]] * b[[2, 0, 1]] + a[[2, 0, 1]] * b[[1, 2, 0]]

@@ -25,10 +25,10 @@ RIGHT_ANGLE = math.pi / 2
 
 def words(structure: Structure) -> str:
     """The law in a word; empty where the stand does not have it."""
-    return "fins" if damped(structure) else ""
+    return "fins" if damped_bodies(structure) else ""
 
 
-def damped(structure: Structure) -> set[int]:
+def damped_bodies(structure: Structure) -> set[int]:
     """Indices of the bodies that have fins."""
     return {index for index, _ in structure.law("fins") or ()}
 

@@ -70,7 +70,7 @@ def _slope(given: FinTable) -> float:
     return found
 
 
-def _induced(given: FinTable) -> float:
+def _induced_drag(given: FinTable) -> float:
     """Induced drag: as given, else 1/(pi e A) with the efficiency e, 0.7 by default; 0 without aspect ratio."""
     if given.induced is not None:
         return given.induced
@@ -81,7 +81,7 @@ def _induced(given: FinTable) -> float:
 def read(given: list[FinTable]) -> Fins | None:
     """The fins of one body; None where there is none."""
     fins = tuple(
-        Fin(t.name, t.position, t.chord, t.span, t.density, t.area, _slope(t), t.drag, _induced(t), t.stall,
+        Fin(t.name, t.position, t.chord, t.span, t.density, t.area, _slope(t), t.drag, _induced_drag(t), t.stall,
             t.deflection, t.speed, t.incidence)
         for t in given
     )  # fmt: skip

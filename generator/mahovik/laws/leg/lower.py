@@ -82,7 +82,7 @@ class Legs(LawLowering):
         """Adds the change of every leg's force."""
         with body.loop("k", lib.layout.structure.law("legs")) as k:
             named = {"leg": table.leg[k], "x": x, "C": C, "change": change, "F": F}
-            body.call(lib["add_leg_slope"], *lib.passed("add_leg_slope", **named))
+            body.call(lib["add_leg_slope"], *lib.arguments_of("add_leg_slope", **named))
 
 
 LOWERING = Legs()
@@ -131,7 +131,7 @@ def add_leg(lib: FunctionSet) -> Function:
     for i in range(3):
         body.set(force[i], tension * direction[i])
     add_force(body, list(F.place), point, list(force), None)
-    return body.checked(
+    return body.checked_function(
         "add_leg",
         "Adds the wrench of one leg; RANGE if its ends meet, since it then has no direction.",
         (law, x, C, F),

@@ -24,10 +24,10 @@ INT, REAL = Kind.INT, Kind.REAL
 
 def words(structure: Structure) -> str:
     """The law in a word; empty where the stand does not have it."""
-    return "propellers" if damped(structure) else ""
+    return "propellers" if damped_bodies(structure) else ""
 
 
-def damped(structure: Structure) -> set[int]:
+def damped_bodies(structure: Structure) -> set[int]:
     """Indices of the bodies that have propellers."""
     return {index for index, _ in structure.law("propellers") or ()}
 
@@ -132,7 +132,7 @@ def add_propellers(lib: FunctionSet) -> Function:
     first, last = damper.place.first_propeller, damper.place.last_propeller
     with body.loop("k", last, start=first, most=most) as k:
         p = table.place.propeller[k]
-        u = _met(lib, body, p, _velocity(body, p, V.place, "velocity"))
+        u = _inflow(lib, body, p, _velocity(body, p, V.place, "velocity"))
         squares = (magnitude(p.speed) * p.speed, magnitude(p.speed) * u, magnitude(u) * u)
         thrust = body.let("thrust", _sum(p.thrust, squares))
         _add(body, p, thrust, body.let("torque", _sum(p.torque, squares)), P.place)
@@ -156,7 +156,7 @@ def add_propellers_slope(lib: FunctionSet) -> Function:
     with body.loop("k", last, start=first, most=most) as k:
         p = table.place.propeller[k]
         velocity = _velocity(body, p, V.place, "velocity")
-        u = _met(lib, body, p, velocity)
+        u = _inflow(lib, body, p, velocity)
         by = _velocity(body, p, change.place, "velocity_by")
         u_by = body.local("u_by", comment="change of u")
         body.set(u_by, _dot(p.axis, by))
@@ -183,7 +183,7 @@ def _velocity(body: Statements, p: Place, V: Place, name: str) -> Place:
     return at
 
 
-def _met(lib: FunctionSet, body: Statements, p: Place, velocity: Place) -> Place:
+def _inflow(lib: FunctionSet, body: Statements, p: Place, velocity: Place) -> Place:
     """The velocity u that the propeller meets."""
     u = body.local("u", comment="velocity that it meets")
     body.set(u, _dot(p.axis, velocity))

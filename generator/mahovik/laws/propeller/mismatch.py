@@ -14,7 +14,9 @@ def with_mismatch(draw: Errors, law: LawData) -> Propellers | None:
     if not isinstance(law, Propellers):
         return None
 
-    def measured(k: Vec3) -> Vec3:
+    def with_errors(k: Vec3) -> Vec3:
         return (draw.times(k[0]), draw.times(k[1]), draw.times(k[2]))
 
-    return Propellers(tuple(replace(p, thrust=measured(p.thrust), torque=measured(p.torque)) for p in law.propellers))
+    return Propellers(
+        tuple(replace(p, thrust=with_errors(p.thrust), torque=with_errors(p.torque)) for p in law.propellers)
+    )

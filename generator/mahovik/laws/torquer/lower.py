@@ -82,7 +82,7 @@ class Torquers(LawLowering):
         body.call(lib["rotate_back"], C, table.magnetic_field, field)
         with body.loop("k", len(lib.layout.structure.law("torquers"))) as k:
             named = {"table": table, "torquer": table.torquer[k], "field": field, "F": F}
-            body.call(lib["add_torquer"], *lib.passed("add_torquer", **named))
+            body.call(lib["add_torquer"], *lib.arguments_of("add_torquer", **named))
 
 
 LOWERING = Torquers()

@@ -24,7 +24,7 @@ from mahovik.out.campaign.shards import (
     units_text,
 )
 from mahovik.out.functions.notices import OnProgress, Progress, tell
-from mahovik.writing import drafts_below, synced
+from mahovik.writing import drafts_below, write_synced
 
 OLD = 300.0
 """s after which no process still writes a draft: that takes a part of a second."""
@@ -168,7 +168,7 @@ def merge(folder: Path, path: Path, progress: OnProgress | None = None) -> int:
     require_complete(found, folder)
     manifest, count = found.manifest, 0
     columns = schema(manifest).with_metadata({UNITS: units_text(manifest)})
-    with synced(path) as draft, parquet.ParquetWriter(draft, columns, use_dictionary=["error"]) as file:
+    with write_synced(path) as draft, parquet.ParquetWriter(draft, columns, use_dictionary=["error"]) as file:
         for number in range(manifest.shards):
             tell(progress, Progress("merging shards", number, manifest.shards))
             table = read_shard(folder, manifest, number).cast(columns)

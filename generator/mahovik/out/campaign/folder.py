@@ -48,11 +48,11 @@ def open_work(folder: Path, load: Load = load_campaign) -> Work:
     """
     manifest = read_manifest(folder)
     manifest.require_version(str(folder))
-    return _opened((folder.resolve() / manifest.file).resolve(), manifest.digest, str(folder), load)
+    return _open((folder.resolve() / manifest.file).resolve(), manifest.digest, str(folder), load)
 
 
 @lru_cache(maxsize=2)
-def _opened(path: Path, _digest: str, folder: str, load: Load) -> Work:
+def _open(path: Path, _digest: str, folder: str, load: Load) -> Work:
     manifest = read_manifest(Path(folder))
     work = load(path, manifest.shard_size)
     require_same(manifest, work, folder)

@@ -21,7 +21,7 @@ import numpy as np
 from mahovik.errors import MahovikError, UsageError
 from mahovik.out.campaign.manifest import Manifest
 from mahovik.out.campaign.rows import Rows
-from mahovik.writing import synced
+from mahovik.writing import write_synced
 
 ROWS = "rows"
 """Folder of the shards."""
@@ -84,7 +84,7 @@ def write_shard(folder: Path, manifest: Manifest, number: int, rows: Rows) -> Re
     _require_rows(manifest, number, rows, first, count)
     content = _content(manifest, rows)
     found = hashlib.sha256(content).hexdigest()
-    with synced(shard_path(folder, number)) as draft:
+    with write_synced(shard_path(folder, number)) as draft:
         draft.write_bytes(content.replace(HASH + b"\x18\x40" + ZEROS, HASH + b"\x18\x40" + found.encode()))
     return Record(number, count, sum(bool(each) for each in rows.reason), found)
 

@@ -64,7 +64,7 @@ def held_state(stand: Stand, state: State) -> State:
     return replace(state, V=V, V_dot=V_dot)
 
 
-def blocked(S: Array) -> Array:
+def blocked_directions(S: Array) -> Array:
     """B (6 x (6 - m)): directions of wrenches that do no work in the columns of S, S^T B = 0."""
     Q, _ = np.linalg.qr(S, mode="complete")
     return np.asarray(Q[:, S.shape[1] :])
@@ -73,7 +73,7 @@ def blocked(S: Array) -> Array:
 def held_forward(at: Pieces, hold: Hold, phi_ddot: Array) -> HeldMotion:
     """Motion and reaction for given phi_ddot (N): K V_r* - B r = F - M V_r - J phi' - I phi'', B^T V* = 0."""
     S = twists(hold)
-    B = blocked(S)
+    B = blocked_directions(S)
     none = np.zeros((B.shape[1], B.shape[1]))
     system = np.block([[at.K, -B], [B.T, none]])
     right = at.F - bias(at) - at.I @ phi_ddot - at.K @ at.stream_rate()
@@ -87,7 +87,7 @@ def held_coupled(at: Pieces, hold: Hold, tau: Array, locked: Array | None = None
     `locked` (N, bool): flywheels kept at phi'' = 0, without their rows and columns.
     """
     S = twists(hold)
-    B = blocked(S)
+    B = blocked_directions(S)
     N, count = len(at.flywheels), B.shape[1]
     system = np.block(
         [

@@ -39,7 +39,7 @@ class Column:
         return Column(self.wrench - other.wrench, self.tau - other.tau)
 
 
-def needed(stand: Stand, state: State) -> Column:
+def required_loads(stand: Stand, state: State) -> Column:
     """K V_r* + M V_r + I phi'' + J phi' - F (6), and tau (N): what the motion of the state takes besides F."""
     at = pieces(stand, state)
     V_dot, phi_ddot = vector(state.V_dot), vector(state.phi_ddot)
@@ -85,8 +85,8 @@ def body_columns(stand: Stand, state: State, name: str) -> list[Column]:
     """The ten columns of a body: mass, first moment, J about its origin, in its own frame."""
     bare, found = massless(stand), []
     for given, taken in units():
-        column = needed(_with_body(bare, name, *given), state)
-        found.append(column if taken is None else column - needed(_with_body(bare, name, *taken), state))
+        column = required_loads(_with_body(bare, name, *given), state)
+        found.append(column if taken is None else column - required_loads(_with_body(bare, name, *taken), state))
     return found
 
 
@@ -112,7 +112,7 @@ def added_mass_columns(stand: Stand, state: State) -> list[Column]:
             Lambda = np.zeros((6, 6))
             Lambda[i, j] = Lambda[j, i] = 1.0
             given = cast(Mat6, tuple(tuple(row) for row in Lambda.tolist()))
-            found.append(needed(replace(bare, carrier=replace(bare.carrier, added_mass=given)), state))
+            found.append(required_loads(replace(bare, carrier=replace(bare.carrier, added_mass=given)), state))
     return found
 
 

@@ -37,8 +37,8 @@ class InterpreterBackend(ProgramBackend):
 
 def prepare_records(interpreter: Interpreter, layout: Layout, table: Any, mounting: Any) -> tuple[Any, Any]:
     """Table and mounting as records, which the interpreter takes as they are: made once, for every call."""
-    records = None if mounting is None else interpreter.filled(layout.mount_table, mounting)
-    return interpreter.filled(layout.table, table), records
+    records = None if mounting is None else interpreter.fill_storage(layout.mount_table, mounting)
+    return interpreter.fill_storage(layout.table, table), records
 
 
 class CBackend(ProgramBackend):

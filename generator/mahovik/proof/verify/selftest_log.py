@@ -14,7 +14,7 @@ from typing import TypeVar
 from mahovik import __version__
 from mahovik.contract.functions import is_public
 from mahovik.core.emit.generate import Generated, generate_all
-from mahovik.core.lower.golden import CASES, FAR, sweep_hashes, tested
+from mahovik.core.lower.golden import CASES, FAR, sweep_hashes, tested_functions
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.targets import TARGETS
@@ -248,7 +248,7 @@ def judge_log(text: str, where: str, stand: Stand | None = None, only: tuple[str
         lines = identity_problems(one, named)
         if not lines:
             made = generate_all(named, one.real, one.lanes, only=only)
-            wanted = [f.name for f in tested(made.program)]
+            wanted = [f.name for f in tested_functions(made.program)]
             if lines := part_problems(one, wanted, only):
                 found += _with_run_numbers([*problems(one), *lines], number, runs)
                 continue

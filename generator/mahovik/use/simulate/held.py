@@ -38,7 +38,7 @@ def home(stand: Stand) -> State:
     )
 
 
-def moved(state: State, C: Array, step: Array) -> State:
+def move(state: State, C: Array, step: Array) -> State:
     """The state moved by exp(step), a twist in E1 (6; m, rad): along its screw, so that a closed set is not left."""
     turned = C @ Rotation.from_rotvec(step[3:]).as_matrix()
     position = np.array(state.position) + C @ (_left_jacobian(step[3:]) @ step[:3])

@@ -142,9 +142,9 @@ class InterpreterMachine:
         """Set a state and a table; None: the default."""
         given = self.default_table() if table is None else table
         layout = self.generated.layout
-        self._table = self._interpreter.filled(layout.table, plain(given))
-        self._x = self._interpreter.filled(layout.state, {name: list(v) for name, v in state.items()})
-        self._carry = self._interpreter.filled(layout.carry, {"rounding": [0.0] * sum(map(len, state.values()))})
+        self._table = self._interpreter.fill_storage(layout.table, plain(given))
+        self._x = self._interpreter.fill_storage(layout.state, {name: list(v) for name, v in state.items()})
+        self._carry = self._interpreter.fill_storage(layout.carry, {"rounding": [0.0] * sum(map(len, state.values()))})
 
     def write(self, written: Mapping[str, Reals], stream: Reals | None, carry: Reals | None = None) -> None:
         """Write members of the state, the table's stream, and the carry."""

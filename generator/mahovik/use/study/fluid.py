@@ -127,7 +127,7 @@ def _radius(body: Body) -> float:
 
 def added_mass(stand: Stand) -> AddedMass | None:
     """The whole added mass; None without."""
-    parts = [np.array(body.added_mass) for body in _fixed(stand) if body.added_mass is not None]
+    parts = [np.array(body.added_mass) for body in _fixed_bodies(stand) if body.added_mass is not None]
     if not parts:
         return None
     Lambda = np.asarray(sum(parts))
@@ -137,7 +137,7 @@ def added_mass(stand: Stand) -> AddedMass | None:
     return AddedMass(least, len(kept), float(Lambda[0, 0] - Lambda[1, 1]), float(Lambda[2, 2] - Lambda[0, 0]))
 
 
-def _fixed(stand: Stand) -> Iterator[Carrier | Instrument]:
+def _fixed_bodies(stand: Stand) -> Iterator[Carrier | Instrument]:
     yield stand.carrier
     yield from stand.instruments
 

@@ -19,7 +19,7 @@ from mahovik.proof.reference import Pieces, pieces
 from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.hold import free_equations
-from mahovik.use.simulate.held import home, moved
+from mahovik.use.simulate.held import home, move
 
 Array = NDArray[np.float64]
 
@@ -149,7 +149,7 @@ class _Search:
                 step = self.scale.T @ np.linalg.lstsq(S, pull, rcond=FREE)[0]
             if carried:
                 step = self.at_home(step, self.scale.T @ rows[soft].T)
-            self.state = self.displaced(at.C, limit_step(step))
+            self.state = self.displace(at.C, limit_step(step))
         at = self.at(self.state)
         if carried:
             most = np.abs(self.acceleration(at)).max()
@@ -162,11 +162,11 @@ class _Search:
         """The state pushed along its most negative stiffness, by `size` (m or rad)."""
         values, vectors = np.linalg.eig(self.stiffness())
         direction = self.scale.T @ np.real(vectors[:, int(np.argmin(values.real))])
-        return self.displaced(self.at(self.state).C, size / np.abs(direction).max() * direction)
+        return self.displace(self.at(self.state).C, size / np.abs(direction).max() * direction)
 
-    def displaced(self, C: Array, step: Array) -> State:
+    def displace(self, C: Array, step: Array) -> State:
         """The present state displaced by a small twist in E1 (6); of a held carrier along what its hold allows."""
-        return displaced_state(self.state, C, step) if self.stand.hold is None else moved(self.state, C, step)
+        return displaced_state(self.state, C, step) if self.stand.hold is None else move(self.state, C, step)
 
     @staticmethod
     def at_home(step: Array, free: Array) -> Array:
@@ -204,7 +204,7 @@ class _Search:
         C = self.at(self.state).C
         columns: list[Array] = []
         for step, whole in zip(self.steps, self.scale, strict=True):
-            forward, backward = (self.wrench(self.displaced(C, sign * step), C) for sign in (1.0, -1.0))
+            forward, backward = (self.wrench(self.displace(C, sign * step), C) for sign in (1.0, -1.0))
             scaled = self.scale @ (backward - forward) / 2
             columns.append(scaled * float(np.abs(whole).max() / _DIFFERENCE))
         return np.column_stack(columns)

@@ -63,7 +63,7 @@ def _unit_attitude(lib: Library) -> Function:
     inverse = body.let("inverse", 1 / length.place)
     for i in range(4):
         body.set(q[i], q[i] * inverse)
-    return body.checked("unit_attitude", "Quaternion to unit length.", (attitude, strict, length), public=True)
+    return body.checked_function("unit_attitude", "Quaternion to unit length.", (attitude, strict, length), public=True)
 
 
 def _pose_rates(lib: Library) -> Function:

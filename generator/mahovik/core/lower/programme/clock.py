@@ -68,7 +68,7 @@ def start(lib: Library) -> Function:
     body.set(c.rest, integer(0))
     body.set(c.ticks, ticks.place)
     body.set(c.laps, integer(0))
-    return body.checked(
+    return body.checked_function(
         "programme_start",
         "Clock at phase 0, in which `ticks` control ticks take `periods` periods.",
         (ticks, periods, clock),
@@ -96,7 +96,7 @@ def advance(lib: Library) -> Function:
     body.set(c.laps, c.laps + select(and_(lapped, c.laps < MOST), integer(1), integer(0)))
     body.set(c.rest, select(carry, c.surplus - left, c.rest + c.surplus))
     body.set(c.phase, phase)
-    return body.checked(
+    return body.checked_function(
         "programme_advance",
         "One control tick: the clock goes on, and wraps at the end of the period.",
         (clock,),
@@ -113,7 +113,7 @@ def phase(lib: Library) -> Function:
     body = Body()
     digits = clock.place.phase >> word(precision.width - precision.significand)
     body.set(out.place, Convert(digits, Kind.REAL) * real(2.0**-precision.significand))
-    return body.checked(
+    return body.checked_function(
         "programme_phase",
         "The phase of a clock as the functions of the programme take it.",
         (clock, out),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.programme.form import SECTORS, Form
-from mahovik.core.lower.programme.place import check_phase, phase_argument, spot, turned
+from mahovik.core.lower.programme.place import check_phase, phase_argument, phase_of_winding, spot
 from mahovik.core.lower.programme.quintic import output_arguments
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
@@ -52,11 +52,11 @@ def fourier(lib: Library, form: Form) -> Function:
         body.set(sine, sine * cosine_1 + cosine * sine_1)
         body.set(cosine, turned_cosine)
     with body.loop("s", form.count) as s:
-        angle = turned(lib, body, t.winding[s], at, SECTORS) + phi[s]
+        angle = phase_of_winding(lib, body, t.winding[s], at, SECTORS) + phi[s]
         body.set(phi[s], call(lib["wrapped"], angle))
         body.set(phi_dot[s], t.speed[s] + t.omega * phi_dot[s])
         body.set(phi_ddot[s], t.omega * t.omega * phi_ddot[s])
-    return body.checked(
+    return body.checked_function(
         f"{form.prefix}course",
         "Angles, speeds and accelerations of all flywheels from Fourier coefficients.",
         (table, phase, *outputs),

@@ -69,7 +69,7 @@ def spot(lib: Library, body: Body, phase: Place, parts: int, cyclic: bool) -> Sp
     return Spot(j, u)
 
 
-def turned(lib: Library, body: Body, winding: Place, at: Spot, parts: int) -> Expr:
+def phase_of_winding(lib: Library, body: Body, winding: Place, at: Spot, parts: int) -> Expr:
     """2 pi winding * phase, less whole turns (rad): whole turns are removed as integers, exactly."""
     turn = nearest(2 * PI / Fraction(parts), lib.layout.precision)
     product = Convert(winding, Kind.WORD) * Convert(at.j, Kind.WORD)

@@ -50,7 +50,9 @@ class Player:
         self._made = made
         self._precision: Precision = made.program.precision
         self._interpreter = Interpreter(made.program)
-        self._tables = {c.form.part: self._interpreter.filled(c.form.table, values[c.form.part]) for c in made.courses}
+        self._tables = {
+            c.form.part: self._interpreter.fill_storage(c.form.table, values[c.form.part]) for c in made.courses
+        }
 
     def at(self, course: Course, phase: float) -> tuple[int, dict[str, Any]]:
         """Status and outputs by name."""
@@ -62,7 +64,7 @@ class Player:
         """Outputs (M, N each) by name at good phases."""
         outputs = [a for a in course.inner.arguments if a.direction != "in"]
         storage = [self._interpreter.argument(a) for a in outputs]
-        table, scalar = self._tables[course.form.part], self._interpreter.filled
+        table, scalar = self._tables[course.form.part], self._interpreter.fill_storage
         found = np.empty((len(phases), len(outputs), int(course.form.count)))
         for row, phase in zip(found, phases, strict=True):
             self._interpreter.call(course.inner.name, table, scalar(Kind.REAL, phase), *storage)

@@ -12,7 +12,7 @@ from math import prod
 
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.programme.form import Form
-from mahovik.core.lower.programme.place import Spot, check_phase, phase_argument, spot, turned
+from mahovik.core.lower.programme.place import Spot, check_phase, phase_argument, phase_of_winding, spot
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Convert, Expr, Place, integer, real, select
@@ -49,7 +49,7 @@ def quintic(lib: Library, form: Form) -> Function:
         angle = first.phi[s] + u * (v0 + u * (a0 * 0.5 + u * (c3 + u * (c4 + u * c5))))
         speed = (v0 + u * (a0 + u * (real(3) * c3 + u * (real(4) * c4 + u * (real(5) * c5))))) * t.rate
         if form.cyclic:
-            angle = turned(lib, body, t.winding[s], at, form.rows) + t.mean[s] + angle
+            angle = phase_of_winding(lib, body, t.winding[s], at, form.rows) + t.mean[s] + angle
             speed = t.speed[s] + speed
         body.set(phi[s], call(lib["wrapped"], angle))
         body.set(phi_dot[s], speed)
@@ -57,7 +57,7 @@ def quintic(lib: Library, form: Form) -> Function:
         body.set(phi_ddot[s], second * (t.rate * t.rate))
     if form.torque:
         _torques(body, form, t, at, outputs[3].place)
-    return body.checked(
+    return body.checked_function(
         f"{form.prefix}course",
         "Angles, speeds and accelerations of all flywheels from a table of nodes.",
         (table, phase, *outputs),

@@ -43,7 +43,7 @@ class Golden:
     trim: int | None
 
 
-def lost(sample: int, flywheel: int) -> bool:
+def is_lost(sample: int, flywheel: int) -> bool:
     """Whether an encoder gives no good reading in a sample of the run."""
     return (sample + flywheel) % LOST == 0
 
@@ -101,7 +101,7 @@ def _servo(
             "phi": [a - b for a, b in zip(phi_ref, angle, strict=True)],
             "phi_dot": [a - b for a, b in zip(phi_dot_ref, speed, strict=True)],
         }
-        inputs["invalid"] = invalid = [int(lost(number, s)) for s in range(n)]
+        inputs["invalid"] = invalid = [int(is_lost(number, s)) for s in range(n)]
         for name in ("phi", "phi_dot"):
             inputs[name] = [precision.largest if bad else x for bad, x in zip(invalid, inputs[name], strict=True)]
         status, found = interpreter.run("servo_step", inputs)
@@ -115,7 +115,7 @@ def _trim(interpreter: Interpreter, precision: Precision, form: ServoForm, desig
     assert form.trim is not None
     drawn, total, n = DrawGenerator(precision), fnv1a(b""), int(form.count)
     state = interpreter.run("trim_reset", {})[1]["state"]
-    filled = interpreter.filled(form.design, {**design, "settling": SETTLING, "window": WINDOW})
+    filled = interpreter.fill_storage(form.design, {**design, "settling": SETTLING, "window": WINDOW})
     for _ in range(SWEEP):
         phase, pose = drawn.phase(), drawn.reals(6, LARGEST["pose"])
         given = {"position": pose[:3], "attitude": [1.0, *pose[3:]]}

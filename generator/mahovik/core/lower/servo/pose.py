@@ -34,7 +34,7 @@ def coordinates(lib: Library, form: ServoForm) -> Function:
     for i, number in enumerate(chosen):
         own = position.place[number] if number < 3 else _angle(lib, lib.layout.structure.angles, C, number)
         body.set(q.place[i], own)
-    return body.checked(
+    return body.checked_function(
         "trim_coordinates",
         "Coordinates of the carrier that the trim takes, from its pose.",
         (position, attitude, q),

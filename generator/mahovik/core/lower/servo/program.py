@@ -27,7 +27,7 @@ def lower_servo(layout: Layout, form: ServoForm) -> Program:
     lib.add(routines.unwind(precision))
     lib.add(routines.wrap(precision, lib["unwound"]))
     lib.add(checks.within(lib))
-    step.clamped(lib)
+    step.clamp_function(lib)
     step.dry(lib)
     lib.add(step.reset(form))
     lib.add(step.step(lib, form))

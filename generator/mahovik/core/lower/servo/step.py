@@ -27,7 +27,7 @@ def reset(form: ServoForm) -> Function:
     with body.loop("s", form.count) as s:
         for name in ("integral", "speed", "torque"):
             body.set(state.place.member(name)[s], real(0))
-    return body.checked(
+    return body.checked_function(
         "servo_reset",
         "Servos at rest: before the first sample, and whenever the drives were off.",
         (state,),
@@ -36,7 +36,7 @@ def reset(form: ServoForm) -> Function:
     )
 
 
-def clamped(lib: Library) -> Function:
+def clamp_function(lib: Library) -> Function:
     """`clamped(value, low, high)`."""
     value, low, high = (Argument(name, Kind.REAL) for name in ("value", "low", "high"))
     body = Body()
@@ -116,7 +116,7 @@ def step(lib: Library, form: ServoForm) -> Function:
         body.set(tau.place[s], given)
     with body.when(unequal(cut, integer(0))):
         body.ret(Status("LIMITED"))
-    return body.checked(
+    return body.checked_function(
         "servo_step",
         "One sample of the servos of all flywheels.",
         (gains, state, phi_ref, phi_dot_ref, tau_ff, phi, phi_dot, invalid, tau),

@@ -45,7 +45,7 @@ def reset(form: ServoForm) -> Function:
     with body.loop("s", form.count) as s, body.loop("i", trim.terms) as i:
         body.set(x.wanted[s][i], real(0))
         body.set(x.present[s][i], real(0))
-    return body.checked("trim_reset", "A trim without corrections.", (state,), statuses=("OK",), public=True)
+    return body.checked_function("trim_reset", "A trim without corrections.", (state,), statuses=("OK",), public=True)
 
 
 def basis(lib: Library, form: ServoForm) -> Function:
@@ -125,7 +125,7 @@ def correct(lib: Library, form: ServoForm) -> Function:
     with body.when(unequal(cut, integer(0))):
         body.ret(Status("LIMITED"))
     return lib.add(
-        body.checked(
+        body.checked_function(
             "trim_correct",
             "The corrections of one flywheel less matrix times error, inside the limit.",
             (design, flywheel, state),

@@ -42,7 +42,7 @@ def demand_turning(lib: Library) -> Function:
     F = body.local("F", (6,), comment="wrench (7); then b = F - M V_r - J phi'")
     external_wrench(lib, body, table.place, x.place, seen, wrench, F)
     body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
-    binding = _reduced(body, carrier_binding(lib, table.place, seen.sums), layout.added_mass)
+    binding = _reduce(body, carrier_binding(lib, table.place, seen.sums), layout.added_mass)
     S = body.local("S", (6,), comment="inertia left when v* is eliminated: about the mass centre")
     assign(body, list(S), derived.reduced_inertia(layout.added_mass), binding)
     factor3(lib, body, S, w)
@@ -57,7 +57,7 @@ def demand_turning(lib: Library) -> Function:
         six = list(column)
         assign(body, list(moment), derived.reduced_moment(layout.added_mass), binding | {"f": six[:3], "n": six[3:]})
         substitute3(body, w.G, list(moment), [w.W[i][s] for i in range(3)], "W")
-    return body.checked(
+    return body.checked_function(
         "demand_turning",
         "The turning part of (12) at omega* = 0: moments of I and of the right-hand side, by the inertia's factor U.",
         (table, x, *turns, *wrench, work),
@@ -66,7 +66,7 @@ def demand_turning(lib: Library) -> Function:
     )
 
 
-def _reduced(body: Body, binding: dict[str, Any], added: bool) -> dict[str, Any]:
+def _reduce(body: Body, binding: dict[str, Any], added: bool) -> dict[str, Any]:
     """The binding with what eliminating v* takes: B and U = A^-1 B^T with added mass, else rho."""
     if not added:
         rho = body.local("rho", (3,), comment="mass centre from O1, in E1")
@@ -143,7 +143,7 @@ def base_demand(
             zip(("sine", "cosine"), turns, strict=True)
         )
         named |= {"wrench": place["wrench"]} if inputs else {}
-        lib.check(body, "demand_turning", *lib.passed("demand_turning", **named))
+        lib.check(body, "demand_turning", *lib.arguments_of("demand_turning", **named))
         if scaled:
             body.call(lib["scale_turning"], place["table"], work)
         return
@@ -165,7 +165,7 @@ def project(lib: Library, rows: Rows) -> Function:
     body = Body()
     Y = body.local("Y", (count, size), comment="rows: columns of G^-1 S^T, then of Q")
     known = body.local("known", (count,), comment="s - a, then L^-1 (s - a)")
-    for number, value in enumerate(rows.known(body, table.place, x.place.V)):
+    for number, value in enumerate(rows.known_terms(body, table.place, x.place.V)):
         body.set(known[number], value - demand.place[number])
     rows.fill(body, table.place, Y)
     with body.loop("j", count) as j:

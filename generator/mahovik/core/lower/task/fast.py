@@ -41,11 +41,11 @@ def inverse_fast_task(lib: Library, rows: Rows, at: bool = False) -> Function:
     demanded = demanded_rows(body, use)
     answer = body.local("answer", (layout.count,))
 
-    def chosen() -> None:
+    def choose() -> None:
         if direct:
             body.call(lib["scale_turning"], table.place, work)
         L = body.local("L", (m, m), comment="factor of the norm of the demand")
-        body.call(lib[f"project_{name}"], *lib.passed(f"project_{name}", **place, use=use, work=work, L=L))
+        body.call(lib[f"project_{name}"], *lib.arguments_of(f"project_{name}", **place, use=use, work=work, L=L))
         if m > int(layout.count):
             with body.when(demanded > int(layout.count)):
                 tall_answer(lib, body, work, p, m, answer)
@@ -61,9 +61,9 @@ def inverse_fast_task(lib: Library, rows: Rows, at: bool = False) -> Function:
             own = Scaling(lambda s: entry(lib, table.place, s, "spin_inv") / p.weight[s], None, work.G, work.sigma)
             wide_answer(lib, body, work, p, 3, answer, own)
         with body.otherwise():
-            chosen()
+            choose()
     else:
-        chosen()
+        choose()
     check_answer(lib, body, answer, layout.count)
     flags = spin_up_excess(lib, body, (table.place, x.place, p), answer)
     with body.loop("s", layout.count) as s:

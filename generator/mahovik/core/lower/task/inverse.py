@@ -62,7 +62,7 @@ def inverse_task(lib: Library, rows: Rows) -> Function:
     turns = turns_of(lib, body, x.place)
     base_demand(lib, body, rows, place, turns, work)
     project = f"project_{name}"
-    body.call(lib[project], *lib.passed(project, **place, use=use, work=work, L=L))
+    body.call(lib[project], *lib.arguments_of(project, **place, use=use, work=work, L=L))
     demanded = demanded_rows(body, use)
     wanted = body.local("wanted")
     body.set(wanted, real(0))
@@ -88,12 +88,12 @@ def inverse_task(lib: Library, rows: Rows) -> Function:
     moved = body.local("moved", (6,), comment="V* that results, by (8)")
     named = {"table": table.place, "x": x.place, "phi_ddot": answer, "V_dot": moved}
     named |= named_turns(turns) | {w.name: w.place for w in wrench}
-    lib.check(body, "accelerate", *lib.passed("accelerate", **named))
+    lib.check(body, "accelerate", *lib.arguments_of("accelerate", **named))
     residual = rows.residual(body, place, moved, use)
     check_answer(lib, body, moved, 6)
     check_answer(lib, body, residual, m)
     lacking = body.local("lacking", (), Kind.INT)
-    body.call(lib["excessive"], *lib.passed("excessive", **named, options=p, flags=lacking))
+    body.call(lib["excessive"], *lib.arguments_of("excessive", **named, options=p, flags=lacking))
     body.set(flags, flags | lacking)
     with body.loop("s", layout.count) as s:
         body.set(o.phi_ddot[s], answer[s])

@@ -72,7 +72,7 @@ class Rows:
         binding: dict[str, Any] = {"omega": self.sensor(table, row).origin, "O": self.axis(table, row)}
         return [translate(each, binding) for each in derived.turning_velocity()]
 
-    def known(self, body: Body, table: Place, V: Place) -> list[Expr]:
+    def known_terms(self, body: Body, table: Place, V: Place) -> list[Expr]:
         """s: one a row, at the twist V (6) of the carrier relative to E0."""
         turned: dict[str, Place] = {}
         found: list[Expr] = []
@@ -89,7 +89,7 @@ class Rows:
             found.append(_dot(self.axis(table, row), list(turned[row.of])))
         return found
 
-    def reached(self, table: Place, V_dot: Place) -> list[Expr]:
+    def reached_rows(self, table: Place, V_dot: Place) -> list[Expr]:
         """S V*: one a row."""
         found: list[Expr] = []
         for row in self.task.rows:
@@ -105,7 +105,7 @@ class Rows:
         """Demand minus reached (m), 0 of a free row; `given`: table, x, demand."""
         table, demand = given["table"], given["demand"]
         residual = body.local("residual", (len(self),))
-        pairs = zip(self.known(body, table, given["x"].V), self.reached(table, V_dot), strict=True)
+        pairs = zip(self.known_terms(body, table, given["x"].V), self.reached_rows(table, V_dot), strict=True)
         for j, (known, reached) in enumerate(pairs):
             missing = demand[j] - reached - known if self.task.rows[j].of else demand[j] - reached
             left = body.let(f"left_{j + 1}", missing)

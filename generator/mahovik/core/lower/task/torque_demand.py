@@ -12,7 +12,7 @@ from typing import Any
 
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.formula.derived import carrier as derived
-from mahovik.core.lower.coupling import carried, couple_flywheel
+from mahovik.core.lower.coupling import couple_flywheel, declare_common_terms
 from mahovik.core.lower.demand import substitute
 from mahovik.core.lower.flywheels import places_of
 from mahovik.core.lower.forward import STATE_STATUSES, external_wrench, relative_rate, scene, sum_up
@@ -50,7 +50,7 @@ def torque_demand(lib: Library, turning: bool) -> Function:
     body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
     K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
     start_schur(lib, body, table.place, seen.sums, K)
-    alike = carried(lib, body, seen)
+    alike = declare_common_terms(lib, body, seen)
     coupling = body.local("drive", (), layout.coupling)
     with body.loop("s", layout.count) as s:
         couple_flywheel(lib, body, table.place, s, seen, alike, coupling)
@@ -74,7 +74,7 @@ def torque_demand(lib: Library, turning: bool) -> Function:
             body.set(element, real(0))
         _whole(lib, body, w, K, F, relative_rate(body, x.place, still, seen.stream))
     what = "the turning part of the motion" if turning else "the motion"
-    return body.checked(
+    return body.checked_function(
         "torque_demand_turning" if turning else "torque_demand",
         f"How {what} depends on the drive torques, scaled, at V* = 0.",
         (table, x, *turns, preferred, locked, *wrench, work, tau_0),

@@ -60,9 +60,9 @@ def torque_for_task(lib: Library, rows: Rows) -> Function:
     turns = turns_of(lib, body, x.place)
     named = place | named_turns(turns) | {"preferred": preferred, "work": work, "tau_0": tau_0}
     base = "torque_demand_turning" if rows.turning else "torque_demand"
-    lib.check(body, base, *lib.passed(base, **named))
+    lib.check(body, base, *lib.arguments_of(base, **named))
     project = f"project_{name}"
-    body.call(lib[project], *lib.passed(project, **place, use=use, work=work, L=L))
+    body.call(lib[project], *lib.arguments_of(project, **place, use=use, work=work, L=L))
     W = body.local("W", (m * int(N),), comment="rows, one after the other")
     r = body.local("r", (m,))
     with body.loop("i", m) as i:
@@ -102,7 +102,7 @@ def torque_for_task(lib: Library, rows: Rows) -> Function:
             body.set(flags, flag(flags, "LIMITED"))
     moved, spins = body.local("moved", (6,), comment="V* that results"), body.local("spins", (N,))
     named = place | named_turns(turns) | {"tau": tau, "V_dot": moved, "phi_ddot": spins}
-    lib.check(body, "solve_coupled", *lib.passed("solve_coupled", **named))
+    lib.check(body, "solve_coupled", *lib.arguments_of("solve_coupled", **named))
     residual = rows.residual(body, place, moved, use)
     check_answer(lib, body, tau, N)
     check_answer(lib, body, spins, N)

@@ -61,12 +61,15 @@ class HeldPinocchio:
         torque = pin.rnea(self.model, data, q, v, np.concatenate([state.u_dot, state.phi_ddot]), outside)[m:].copy()
         found = pin.aba(self.model, data, q, v, np.concatenate([np.zeros(m), state.tau]), outside).copy()
         return {
-            "forward": {"u_dot": u_dot, **self._carried(data, q, v, np.concatenate([u_dot, state.phi_ddot]), outside)},
-            "coupled": {"u_dot": found[:m], "phi_ddot": found[m:], **self._carried(data, q, v, found, outside)},
+            "forward": {
+                "u_dot": u_dot,
+                **self._carrier_values(data, q, v, np.concatenate([u_dot, state.phi_ddot]), outside),
+            },
+            "coupled": {"u_dot": found[:m], "phi_ddot": found[m:], **self._carrier_values(data, q, v, found, outside)},
             "torque": {"tau": torque},
         }
 
-    def _carried(self, data: Any, q: Array, v: Array, rates: Array, outside: pin.StdVec_Force) -> Values:
+    def _carrier_values(self, data: Any, q: Array, v: Array, rates: Array, outside: pin.StdVec_Force) -> Values:
         """Wrench of the root joint on the carrier, and V_dot, in E1 about O1."""
         pin.rnea(self.model, data, q, v, rates, outside)
         reaction = self._in_E1.act(data.f[ROOT]).vector.copy()

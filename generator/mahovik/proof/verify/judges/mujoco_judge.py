@@ -19,6 +19,7 @@ from mahovik.proof.verify.judges.rigid import (
     Values,
     attitude,
     frames,
+    free_answers,
     quaternion_rate,
     tree,
 )
@@ -68,18 +69,8 @@ class MujocoJudge:
         forces = T.T @ (data.qfrc_inverse - outside)[order]
         mujoco.mj_rnePostConstraint(model, data)
         mounts = [self._mount(body) for body in self._bodies if body.turns]
-        return {
-            "K": full[:6, :6],
-            "I": full[:6, 6:],
-            "bias": bias[:6],
-            "V_dot_forward": np.linalg.solve(full[:6, :6], -bias[:6] - full[:6, 6:] @ phi_ddot),
-            "V_dot": accelerations[:6],
-            "phi_ddot": accelerations[6:],
-            "base_wrench": forces[:6],
-            "tau": forces[6:],
-            "mount_wrench": np.array(mounts).reshape(-1, 6),
-            "points": {frame.name: self._point(frame.name) for frame in frames(self.stand)},
-        }
+        found = free_answers(full, bias, phi_ddot, accelerations, forces, mounts)
+        return {**found, "points": {frame.name: self._point(frame.name) for frame in frames(self.stand)}}
 
     def rates(self, y: Array, tau: Array) -> Array:
         """See OutsideJudge; y = (qpos, qvel), flywheels in the stand's order."""

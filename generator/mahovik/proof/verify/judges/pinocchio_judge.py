@@ -20,6 +20,7 @@ from mahovik.proof.verify.judges.rigid import (
     about_first,
     attitude,
     frames,
+    free_answers,
     quaternion_rate,
     tree,
 )
@@ -80,18 +81,8 @@ class PinocchioJudge:
         given = np.concatenate([state.V_dot, phi_ddot])
         forces = pin.rnea(self.model, self.data, q, v, given, outside).copy()
         mounts = [self._mount(number, phi) for number, phi in enumerate(state.phi)]
-        return {
-            "K": full[:6, :6],
-            "I": full[:6, 6:],
-            "bias": bias[:6],
-            "V_dot_forward": np.linalg.solve(full[:6, :6], -bias[:6] - full[:6, 6:] @ phi_ddot),
-            "V_dot": accelerations[:6],
-            "phi_ddot": accelerations[6:],
-            "base_wrench": forces[:6],
-            "tau": forces[6:],
-            "mount_wrench": np.array(mounts).reshape(-1, 6),
-            "points": self._points(q, v, given),
-        }
+        found = free_answers(full, bias, phi_ddot, accelerations, forces, mounts)
+        return {**found, "points": self._points(q, v, given)}
 
     def rates(self, y: Array, tau: Array) -> Array:
         """See OutsideJudge; y = (position, quaternion, phi, V, phi_dot), the quaternion with w last."""

@@ -87,6 +87,27 @@ class Frame:
     axes: Array
 
 
+def free_answers(
+    full: Array, bias: Array, phi_ddot: Array, accelerations: Array, forces: Array, mounts: Sequence[Array]
+) -> Values:
+    """Answers of a judge but for `points`, of its equations full (V_dot, phi_ddot) + bias = (0, tau).
+
+    `accelerations`: (V_dot, phi_ddot) under the drive torques; `forces`: base wrench and tau of the state's motion.
+    """
+    K, I = full[:6, :6], full[:6, 6:]
+    return {
+        "K": K,
+        "I": I,
+        "bias": bias[:6],
+        "V_dot_forward": np.linalg.solve(K, -bias[:6] - I @ phi_ddot),
+        "V_dot": accelerations[:6],
+        "phi_ddot": accelerations[6:],
+        "base_wrench": forces[:6],
+        "tau": forces[6:],
+        "mount_wrench": np.array(mounts).reshape(-1, 6),
+    }
+
+
 def missing(stand: Stand) -> list[str]:
     """Features of the stand that no judge has."""
     found = []
