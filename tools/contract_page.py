@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import campaign
 
-from mahovik.contract.functions import CHOSEN, FUNCTIONS, OF_TASKS
+from mahovik.contract.functions import CHOSEN, ROWS
 
 PAGE = campaign.Block("docs/architecture.md", "functions: tools/contract_page.py")
 HEAD = ("function", "equation", "gives", "want", "batch", "judges")
@@ -16,7 +16,7 @@ HEAD = ("function", "equation", "gives", "want", "batch", "judges")
 def table() -> str:
     """One line for each row of the contract; forms that take sines and cosines have the row of their function."""
     lines = []
-    for row in (FUNCTIONS | OF_TASKS | CHOSEN).values():
+    for row in (ROWS | CHOSEN).values():
         if not row.name.endswith("_at"):
             gives, judges = ", ".join(row.gives), ", ".join(row.judges)
             marks = ("yes" if row.want else "", "yes" if row.batch else "")

@@ -336,7 +336,7 @@ def rewritten(stand: Stand) -> Iterator[Plant]:
                 importlib.invalidate_caches()
                 found = importlib.import_module(package)
                 of_laws = importlib.import_module(f"{package}.of_laws")
-                of_laws.parts("second"), of_laws.body_parts("second")  # loaded while the folder exists
+                of_laws.parts("second"), of_laws.parts("second", of_laws.BODY_LAWS)  # loaded while the folder exists
         yield Plant(name, "second derivation rewritten", answers_of(found.Second(stand)))
 
 

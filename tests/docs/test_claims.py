@@ -8,12 +8,12 @@ from typing import Any
 import pytest
 
 from docs.pages import PAGES, ROOT, prose, rows
-from mahovik.contract.functions import FUNCTIONS, OF_TASKS
+from mahovik.contract.functions import ROWS
 from mahovik.core.stand.schema import EncoderTable, MotorTable
 from mahovik.proof.evidence.pieces.source import EVA
 
 DOCS = ROOT / "docs"
-UNCLAIMED = {name for name, row in (FUNCTIONS | OF_TASKS).items() if not row.claimed and not name.endswith("_at")}
+UNCLAIMED = {name for name, row in ROWS.items() if not row.claimed and not name.endswith("_at")}
 WORDS = [*PAGES, *sorted((ROOT / "templates").glob("*.j2")), *sorted((ROOT / "generator").rglob("*.py"))]
 TOO_MUCH = (r"\bthe proof that\b", r"\bshares? no (formula|code)\b", r"\bwithout a shared formula\b")
 

@@ -49,6 +49,7 @@ SLOW = {
     "docs/results/rounding.md",
     "docs/studies.md",
     "docs/targets.md",
+    "docs/tutorial-held.md",
     "docs/tutorial-satellite.md",
     "docs/tutorial.md",
     "docs/verification.md",

@@ -49,9 +49,9 @@ def test_every_want_is_spoken_for() -> None:
     ("want", "message"),
     [
         ([], "empty"),
-        (["forwards"], "'forwards' is unknown"),
-        (["forward", "coupled"], "both give 'V_dot'"),
-        (["inverse", "momentum", "coupled"], "both give 'phi_ddot'"),
+        (["forwards"], 'unknown "forwards"'),
+        (["forward", "coupled"], "both give V_dot"),
+        (["inverse", "momentum", "coupled"], "both give phi_ddot"),
     ],
 )
 def test_refused_wants(want: str, message: str) -> None:

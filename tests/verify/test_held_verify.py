@@ -11,6 +11,7 @@ import pytest
 
 from cli.run import run
 from cli.test_eval_held import TEXT
+from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.hold import OF_FREE_CARRIERS
 from mahovik.core.stand.hold import twist_of, twists
 from mahovik.core.stand.model import Stand
@@ -23,6 +24,7 @@ from mahovik.proof.reference.hold import held_forward
 from mahovik.proof.second import Second
 from mahovik.proof.verify import harness
 from mahovik.proof.verify.bounds import DOUBLE
+from mahovik.proof.verify.c_backend import InterpreterBackend
 from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case
@@ -107,6 +109,18 @@ def test_an_error_of_a_digit_is_seen(quantity: str) -> None:
             own.compare(Request(name, state, ("forward",)), "forward", wrong)
     verdicts = {row.quantity: row.verdict for row in own.rows()}
     assert verdicts.pop(quantity) == "FAILED" and set(verdicts.values()) == {"ok"}
+
+
+def test_accelerations_out_of_range_have_no_reaction_and_all_else_is_compared() -> None:
+    """A drive torque at its limit turns a small wheel faster than `reaction` takes: `coupled` answers, and passes."""
+    stand = loads(TEXT)
+    state = next(state for name, state in draw(stand, 1, 22, wrenches=False) if name.startswith("limits"))
+    own = InterpreterBackend(generate_all(stand))
+    found = own.evaluate(state, ["coupled"])
+    assert max(map(abs, found["phi_ddot"])) > 1e9 and "reaction" not in found
+    judged = Judge(stand, DOUBLE)
+    judged.compare(Request("limits", state, ("coupled",)), "coupled", found)
+    assert {row.quantity: row.verdict for row in judged.rows()} == dict.fromkeys(("u_dot", "V_dot", "phi_ddot"), "ok")
 
 
 class ByReference:

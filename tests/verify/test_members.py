@@ -15,7 +15,8 @@ from mahovik.contract.status import BITS, STATUS_VALUES
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Struct
 from mahovik.core.stand import load
-from mahovik.core.stand.model import Flywheel
+from mahovik.core.stand.hold import FREEDOMS
+from mahovik.core.stand.model import Flywheel, Hold
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
@@ -29,9 +30,12 @@ from mahovik.proof.verify.harness import judge
 def example(name: str) -> Case:
     """An example that takes sines and cosines of the phases, and a run-time wrench, with two states.
 
+    `held` is demo3 on a vertical axis.
     Of sat4 the flywheels are balanced here: four of them reach three directions.
     """
-    stand = load(stands.path(name))
+    stand = load(stands.path("demo3" if name == "held" else name))
+    if name == "held":
+        stand = replace(stand, hold=Hold((FREEDOMS["yaw"],), (0.1, 0.0, 0.0), (0.0,) * 3, (0.0,) * 3))
     if name == "sat4":
         stand = replace(stand, flywheels=tuple(balanced(s) for s in stand.flywheels))
     stand = replace(stand, phase_input="sincos", carrier=replace(stand.carrier, wrench_input=True))
@@ -47,8 +51,8 @@ def balanced(s: Flywheel) -> Flywheel:
 
 
 def case_with(function: str) -> Case:
-    """A stand that has the function: demo3, but for `points`."""
-    return example("sat4" if function == "points" else "demo3")
+    """A stand that has the function: demo3, but for `points` and `reaction`."""
+    return example({"points": "sat4", "reaction": "held"}.get(function, "demo3"))
 
 
 def cases_of_statuses(function: str) -> list[Case]:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from mahovik.contract.chosen import CHOSEN
 from mahovik.contract.public_function import ANY, BITS, JUDGES, NORMAL, REFEREES, PublicFunction
 
 __all__ = [
-    "ANY", "BATCH_FUNCTIONS", "BITS", "CHOSEN", "CONFLICTS", "FUNCTIONS", "JUDGES", "NORMAL", "OF_TASKS", "REFEREES",
-    "TASK_CONFLICTS", "TASK_TAKERS", "TASK_WANTS", "WANTS", "PublicFunction", "is_public", "row_of", "task_of",
-    "wants_of",
+    "ALL_WANTS", "ANY", "BATCH_FUNCTIONS", "BITS", "CHOSEN", "CONFLICTS", "FUNCTIONS", "JUDGES", "NORMAL", "OF_TASKS",
+    "REFEREES", "ROWS", "TASK_CONFLICTS", "TASK_TAKERS", "TASK_WANTS", "WANTS", "PublicFunction", "is_public",
+    "row_of", "task_of", "want_fault", "wants_of",
 ]  # fmt: skip
 
 _STATE = ("table", "x")
@@ -286,10 +286,16 @@ WANTS = tuple(row.name for row in FUNCTIONS.values() if row.want)
 TASK_WANTS = tuple(row.name for row in OF_TASKS.values() if row.want)
 """Wants of states with a task alone."""
 
+ALL_WANTS = (*WANTS, *TASK_WANTS)
+"""Every want of `eval`."""
+
+ROWS = FUNCTIONS | OF_TASKS
+"""Rows by name, but for those of CHOSEN; of tasks, under the names without that of the task."""
+
 BATCH_FUNCTIONS = tuple(row.name for row in FUNCTIONS.values() if row.batch)
 """Functions with a batch form."""
 
-_GIVES = {name: row.gives for name, row in (FUNCTIONS | OF_TASKS).items() if row.want}
+_GIVES = {name: row.gives for name, row in ROWS.items() if row.want}
 
 CONFLICTS = tuple(
     (first, second, name)
@@ -310,6 +316,19 @@ TASK_CONFLICTS = tuple(name for name in WANTS if "V_dot" in FUNCTIONS[name].give
 def wants_of(referee: str) -> tuple[str, ...]:
     """Wants that a referee can answer, in the order of the evaluation contract."""
     return tuple(name for name in WANTS if referee in FUNCTIONS[name].judges)
+
+
+def want_fault(want: Sequence[str]) -> str:
+    """What is wrong with a list of wants, in a line: empty, a name that is unknown, two values of one name; else ""."""
+    if not want:
+        return f"want: empty, expected at least one of {', '.join(WANTS)}"
+    for name in want:
+        if name not in ALL_WANTS:
+            return f'want: unknown "{name}", expected one of {", ".join(ALL_WANTS)}'
+    for first, second, value in CONFLICTS:
+        if first in want and second in want:
+            return f'want: "{first}" and "{second}" both give {value}, ask for them in two states'
+    return ""
 
 
 def task_of(function: str) -> str:
@@ -337,7 +356,7 @@ def row_of(function: str) -> PublicFunction:
     if not task:
         return (FUNCTIONS | CHOSEN)[function]
     name = function.replace(f"_{task}", "", 1)
-    row = OF_TASKS[name] if name in OF_TASKS else FUNCTIONS[name]
+    row = ROWS[name]
     inverts = row.want and name in FUNCTIONS
     gives = ("phi_ddot", "V_dot", *row.gives[1:]) if inverts else row.gives
     return replace(

@@ -24,16 +24,11 @@ def part(law: str, name: str) -> Any:
     return None if find_spec(module) is None else import_module(module)
 
 
-def parts(name: str) -> tuple[Any, ...]:
-    """The modules `name` of all laws that have one, in the order of LAWS."""
-    return tuple(found for law in LAWS if (found := part(law, name)) is not None)
-
-
-def body_parts(name: str) -> tuple[Any, ...]:
-    """The modules `name` of the laws of bodies that have one, in the order of BODY_LAWS."""
-    return tuple(found for law in BODY_LAWS if (found := part(law, name)) is not None)
+def parts(name: str, laws: tuple[str, ...] = LAWS) -> tuple[Any, ...]:
+    """The modules `name` of those laws that have one, in their order."""
+    return tuple(found for law in laws if (found := part(law, name)) is not None)
 
 
 def of_bodies(name: str, content: str) -> tuple[Any, ...]:
     """What those modules have under the name `content`, where they have it."""
-    return tuple(getattr(module, content) for module in body_parts(name) if hasattr(module, content))
+    return tuple(getattr(module, content) for module in parts(name, BODY_LAWS) if hasattr(module, content))

@@ -114,6 +114,11 @@ class Features:
         found: Iterable[LawLowering] = (part.LOWERING for part in parts("lower"))
         return tuple(law for law in found if law.present(self.structure))
 
+    @property
+    def body_laws(self) -> tuple[str, ...]:
+        """The laws of bodies that the stand has, in words."""
+        return tuple(name for words in of_bodies("lower", "words") if (name := words(self.structure)))
+
     @cached_property
     def displaces(self) -> bool:
         """Any displaced mass under gravity."""

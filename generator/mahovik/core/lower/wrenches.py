@@ -63,14 +63,9 @@ def external(lib: Library) -> Function:
 
 def _kinds(lib: Library) -> str:
     layout = lib.layout
-    kinds = {
-        "weight": layout.weight,
-        "buoyancy": layout.displaces,
-        "damping": layout.damped,
-        **dict.fromkeys((law.words for law in layout.law_tables), True),
-        "run-time wrenches": bool(layout.inputs),
-    }
-    return ", ".join(name for name, there in kinds.items() if there) or "no kind at all"
+    of_carrier = [law.words for law in layout.law_tables]
+    names = [*layout.body_laws, *of_carrier, *(["run-time wrenches"] if layout.inputs else [])]
+    return ", ".join(names) or "no kind at all"
 
 
 def own_argument(lib: Library) -> Argument:

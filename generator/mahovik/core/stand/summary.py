@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from mahovik.contract.laws import body_parts, of_bodies, parts
+from mahovik.contract.laws import BODY_LAWS, of_bodies, parts
 from mahovik.core.stand.balance import eccentric_velocity, grade, plane_velocity
 from mahovik.core.stand.capacity import Capacity, momentum_capacity, torque_capacity
 from mahovik.core.stand.hold import idle_laws, words
@@ -195,7 +195,7 @@ def _warnings(stand: Stand) -> list[str]:
             f"{_FIRST_AXIS[stand.angles] + 1} of E0: a turn about the vertical passes there, it is a heading"
             + (f' ("{better[0]}" has no such heading with this gravity)' if better else "")
         )
-    texts = [law for law in (*parts("text"), *body_parts("text")) if law.CARRIES_WEIGHT]
+    texts = [law for law in (*parts("text"), *parts("text", BODY_LAWS)) if law.CARRIES_WEIGHT]
     if stand.hold is None and any(stand.gravity) and not any(law.short(stand) for law in texts):
         *names, last = (law.NAME for law in texts)
         found.append(f"nothing carries the weight (no {', '.join(names)} or {last}): the stand falls freely")

@@ -15,6 +15,11 @@ BODY_FIELDS = (
 )
 
 
+def words(structure: Structure) -> str:
+    """The law in a word; empty where the stand does not have it."""
+    return "buoyancy" if displaces(structure) else ""
+
+
 def displaces(structure: Structure) -> bool:
     """Whether any body displaces mass under gravity."""
     return structure.law("buoyancy") or flywheel_displaces(structure)

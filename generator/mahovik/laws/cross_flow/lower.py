@@ -22,6 +22,11 @@ from mahovik.laws.cross_flow.strips import strips_of
 INT, REAL = Kind.INT, Kind.REAL
 
 
+def words(structure: Structure) -> str:
+    """The law in a word; empty where the stand does not have it."""
+    return "cross-flow drag" if damped_bodies(structure) else ""
+
+
 def damped_bodies(structure: Structure) -> set[int]:
     """Indices of the bodies that have cross-flow drag."""
     return {index for index, _, _ in structure.law("cross_flow") or ()}

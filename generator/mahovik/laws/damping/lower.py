@@ -22,6 +22,11 @@ from mahovik.laws.damping.data import Damping
 INT = Kind.INT
 
 
+def words(structure: Structure) -> str:
+    """The law in a word; empty where the stand does not have it."""
+    return "damping" if damped_bodies(structure) else ""
+
+
 def damped_bodies(structure: Structure) -> set[int]:
     """Indices of the bodies on which any damping acts."""
     with_terms = (index for index, _ in structure.law("damping_terms"))

@@ -23,6 +23,11 @@ INT, REAL = Kind.INT, Kind.REAL
 RIGHT_ANGLE = math.pi / 2
 
 
+def words(structure: Structure) -> str:
+    """The law in a word; empty where the stand does not have it."""
+    return "fins" if damped_bodies(structure) else ""
+
+
 def damped_bodies(structure: Structure) -> set[int]:
     """Indices of the bodies that have fins."""
     return {index for index, _ in structure.law("fins") or ()}

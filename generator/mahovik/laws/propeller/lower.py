@@ -22,6 +22,11 @@ from mahovik.laws.propeller.strips import screw_of
 INT, REAL = Kind.INT, Kind.REAL
 
 
+def words(structure: Structure) -> str:
+    """The law in a word; empty where the stand does not have it."""
+    return "propellers" if damped_bodies(structure) else ""
+
+
 def damped_bodies(structure: Structure) -> set[int]:
     """Indices of the bodies that have propellers."""
     return {index for index, _ in structure.law("propellers") or ()}

@@ -12,11 +12,17 @@ from mahovik.core.formula.derived import FormulaModule
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
 from mahovik.core.program.expression import Place
+from mahovik.core.stand.structure_facts import Structure
 
 if TYPE_CHECKING:
     from mahovik.laws.weight import derive as formulas
 else:  # without SymPy, until a formula has to be derived
     formulas = FormulaModule("laws.weight.derive")
+
+
+def words(structure: Structure) -> str:
+    """The law in a word; empty where the stand does not have it."""
+    return "weight" if structure.weight else ""
 
 
 def add_weight(body: Body, displaces: bool, numbers: Mapping[str, Any], F: Place) -> None:

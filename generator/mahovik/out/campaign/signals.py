@@ -96,13 +96,6 @@ def sensors(stand: Stand) -> tuple[str, ...]:
     return (*(p.name for p in stand.instruments), *(p.name for p in stand.points))
 
 
-def find_signal(name: str) -> Kind:
-    """The signal of a name. Raises UsageError."""
-    if name not in SIGNALS:
-        raise UsageError(f'unknown "{name}"{suggestion(name, SIGNALS)}')
-    return SIGNALS[name]
-
-
 def find_part(stand: Stand, kind: Kind, at: str | None, of: str | None) -> str:
     """The name that a signal belongs to; "" for the whole stand. Raises UsageError, which begins with the key."""
     key, given = ("at", at) if kind.place == "point" else ("of", of)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,22 +23,14 @@ from mahovik.out.cli.options import (
 from mahovik.out.cli.output import INTERRUPTED, print_json_text, print_table, require_suffix
 from mahovik.out.cli.progress import progress
 from mahovik.out.cli.rest import read_phases
-from mahovik.writing import probe
+from mahovik.out.cli.sweep import PICTURES, SHOWN, SUFFIXES, TimeLimit, check_place
+from mahovik.out.functions.motor_limits import RPM
 
 if TYPE_CHECKING:
     from mahovik.out.functions.jitter import Jitter
 
-PICTURES = (".svg", ".png")
-SUFFIXES = (".csv", ".json", *PICTURES)
-
-RPM = 9.549296585513721
-"""1 rad/s in rpm."""
-
 FAR_OFF = 0.01
 """Difference of the RMS to first order from that of the full equations above which a sweep warns."""
-
-SHOWN = 12
-"""Lines in the table."""
 
 
 def _table(declaration: str, help: str) -> Any:
@@ -118,18 +109,14 @@ def jitter(
             raise UsageError(f"--{name}: no speed is swept; give a range, as w1=0..6000rpm")
     turned = read_phases(stand, phases)
     if output is not None:
-        _check_place(Path(output), suffix)
-    end = None if seconds is None else time.monotonic() + seconds
-
-    def go_on(done: int) -> bool:
-        return end is None or done == 0 or time.monotonic() < end
-
+        check_place(output, suffix)
+    limit = TimeLimit(seconds)
     with progress(f"jitter of {stand.name}, speeds") as stage:
         found = run(
             stand, speeds, point, quantity=quantity, steps=steps, phases=turned,
             harmonics=_files("--harmonics", harmonics), noise=_files("--noise", noise),
             inner_modes=_files("--inner-modes", inner_modes), modes=modes, sight=sight, require=require,
-            order=order, exact=exact, go_on=go_on, progress=stage.show,
+            order=order, exact=exact, go_on=limit.go_on, progress=stage.show,
         )  # fmt: skip
     if output is not None:
         _write(found, Path(output), suffix)
@@ -142,7 +129,7 @@ def jitter(
     if not found.met:
         raise SystemExit(1)
     if found.interrupted:
-        cut = end is not None and time.monotonic() >= end
+        cut = limit.is_over()
         words = "warning: --time cut the exact solutions" if cut else "error: interrupted"
         click.echo(f"{words}: {len(found)} speeds are done", err=True)
         if not cut:
@@ -158,15 +145,6 @@ def _files(name: str, given: tuple[str, ...]) -> dict[str, str]:
             raise UsageError(f"{name} {each}: expected NAME=FILE.csv, each name once")
         found[wheel] = path
     return found
-
-
-def _check_place(path: Path, suffix: str) -> None:
-    """Check, before anything is computed, that the file can be written. Raises UsageError."""
-    if suffix in PICTURES:
-        from mahovik.out.report.plot.draw import require
-
-        require("plot")
-    probe(path)
 
 
 def _write(found: Jitter, path: Path, suffix: str) -> None:

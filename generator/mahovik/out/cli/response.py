@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,18 +13,11 @@ from mahovik.out.cli.options import JSON, STAND_FILE, choice, command, file_opti
 from mahovik.out.cli.output import INTERRUPTED, print_json_text, print_table, require_suffix
 from mahovik.out.cli.progress import progress
 from mahovik.out.cli.rest import read_phases
+from mahovik.out.cli.sweep import SHOWN, SUFFIXES, TimeLimit, check_place
+from mahovik.out.functions.motor_limits import RPM
 
 if TYPE_CHECKING:
     from mahovik.use.study.response.sweep import Sweep
-
-PICTURES = (".svg", ".png")
-SUFFIXES = (".csv", ".json", *PICTURES)
-
-RPM = 9.549296585513721
-"""1 rad/s in rpm."""
-
-SHOWN = 12
-"""Lines of orders in the table."""
 
 
 @command()
@@ -82,15 +74,11 @@ def response(
         raise UsageError("--steps: no speed is swept; give a range, as w1=0..6000rpm")
     turned = read_phases(stand, phases)
     if output is not None:
-        _check_place(Path(output), suffix)
-    end = None if seconds is None else time.monotonic() + seconds
-
-    def go_on(done: int) -> bool:
-        return end is None or done == 0 or time.monotonic() < end
-
+        check_place(output, suffix)
+    limit = TimeLimit(seconds)
     with progress(f"response of {stand.name}, speeds") as stage:
         found = run(
-            stand, speeds, point, steps=steps, quantity=quantity, band=band, phases=turned, go_on=go_on,
+            stand, speeds, point, steps=steps, quantity=quantity, band=band, phases=turned, go_on=limit.go_on,
             progress=stage.show,
         ).sweep  # fmt: skip
     if output is not None:
@@ -102,22 +90,11 @@ def response(
     else:
         _print(found)
     if found.interrupted:
-        cut = "--time cut the sweep" if end is not None and time.monotonic() >= end else "interrupted"
+        cut = "--time cut the sweep" if limit.is_over() else "interrupted"
         done = f"{len(found.steps)} of {steps} speeds are done"
         click.echo(f"{'warning' if cut[0] == '-' else 'error'}: {cut}: {done}", err=True)
         if cut == "interrupted":
             raise SystemExit(INTERRUPTED)
-
-
-def _check_place(path: Path, suffix: str) -> None:
-    """Check, before anything is computed, that the file can be written. Raises UsageError."""
-    from mahovik.writing import probe
-
-    if suffix in PICTURES:
-        from mahovik.out.report.plot.draw import require
-
-        require("plot")
-    probe(path)
 
 
 def _write(found: Sweep, path: Path, suffix: str) -> None:

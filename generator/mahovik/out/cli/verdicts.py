@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 def print_report(found: Report, by: str = "") -> None:
     """Differences of every quantity from the reference, and the conclusion. `by`: head of the column of wants."""
-    from mahovik.contract.functions import TASK_WANTS, WANTS, is_public
+    from mahovik.contract.functions import ALL_WANTS, is_public
     from mahovik.proof.verify.report import conclusion, has_one_bound
 
     print_line(f"{found.judged} of {found.stand}   {_identities(found)}   seed {found.seed}")
@@ -25,7 +25,7 @@ def print_report(found: Report, by: str = "") -> None:
     pairs = ("second>", "between>") if third else ()
     bound = () if has_one_bound(found.rows) else ("accepted>",)
     named = {row.want for row in found.rows if row.want}
-    by = by or ("want" if named <= {*WANTS, *TASK_WANTS} else "function" if all(map(is_public, named)) else "judge")
+    by = by or ("want" if named <= {*ALL_WANTS} else "function" if all(map(is_public, named)) else "judge")
     columns = ("quantity", by, "states>", "worst>", *bound, *pairs, "at state", "verdict")
     rows = []
     for row in found.rows:

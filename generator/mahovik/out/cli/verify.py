@@ -242,13 +242,13 @@ def read_wants(text: str | None) -> tuple[str, ...]:
     """The wants of `--want`. Raises UsageError."""
     if text is None:
         return ()
-    from mahovik.contract.functions import TASK_WANTS, WANTS
+    from mahovik.contract.functions import ALL_WANTS
     from mahovik.nearest import suggestion
 
     names = tuple(dict.fromkeys(name.strip() for name in text.split(",")))
     for name in names:
-        if name not in (*WANTS, *TASK_WANTS):
-            raise UsageError(f'--want: unknown "{name}"{suggestion(name, (*WANTS, *TASK_WANTS))}')
+        if name not in ALL_WANTS:
+            raise UsageError(f'--want: unknown "{name}"{suggestion(name, ALL_WANTS)}')
     return names
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.contract.functions import CONFLICTS, TASK_CONFLICTS, TASK_TAKERS, TASK_WANTS, wants_of
+from mahovik.contract.functions import TASK_CONFLICTS, TASK_TAKERS, TASK_WANTS, want_fault, wants_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
@@ -35,18 +35,6 @@ OF_HELD: Mapping[str, Callable[..., Values]] = {
     "inverse": hold.answer_inverse,
 }
 """Wants that a held carrier answers in its freedoms; others are those of the free carrier at V = S u, V* = S u*."""
-
-
-def check_want(want: Sequence[str]) -> None:
-    """StateError where `want` is empty, has an unknown name, or asks for two values of one name."""
-    if not want:
-        raise StateError("want: empty; name at least one of " + ", ".join(ANSWERS))
-    for name in want:
-        if name not in ANSWERS and name not in OF_TASKS:
-            raise StateError(f"want: {name!r} is unknown; known are " + ", ".join([*ANSWERS, *OF_TASKS]))
-    for first, second, value in CONFLICTS:
-        if first in want and second in want:
-            raise StateError(f"want: {first!r} and {second!r} both give {value!r}; ask for them in two states")
 
 
 def check_task_want(want: Sequence[str], task: str) -> None:
@@ -81,7 +69,8 @@ def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None 
     `generalized` with a quaternion or at a singular attitude; `momentum` of a stand without mass; a result that is not
     finite.
     """
-    check_want(want)
+    if fault := want_fault(want):
+        raise StateError(fault)
     values: Values = {}
     with np.errstate(all="ignore"):  # what overflows is not finite, and is reported below
         state = hold.held_state(stand, state)

@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 
 from mahovik.contract import laws
-from mahovik.contract.functions import CONFLICTS, wants_of
+from mahovik.contract.functions import want_fault, wants_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
@@ -72,7 +72,11 @@ class Second:
         Raises StateError for wants that are unknown, not there or contradict each other, a state that does not fit the
         stand or the want, one where a law is undefined, what CasADi refuses, and results that are not finite.
         """
-        check_want(want)
+        for name in want:
+            if name not in WANTS:
+                raise StateError(f"want: the second derivation (casadi) has no {name!r}; it has " + ", ".join(WANTS))
+        if fault := want_fault(want):
+            raise StateError(fault)
         if state.task:
             raise StateError("task: the second derivation has no tasks, ask the backends c or numpy")
         if self.stand.hold is not None:
@@ -146,18 +150,6 @@ class Second:
         for name in state.wrench:
             if name not in names:
                 raise StateError(f"wrench: {name!r} is no body of the stand; known are " + ", ".join(names))
-
-
-def check_want(want: Sequence[str]) -> None:
-    """StateError where a want is missing, not there, or one of two that give one name two values."""
-    if not want:
-        raise StateError("want: empty; name at least one of " + ", ".join(WANTS))
-    for name in want:
-        if name not in WANTS:
-            raise StateError(f"want: the second derivation (casadi) has no {name!r}; it has " + ", ".join(WANTS))
-    for first, second, value in CONFLICTS:
-        if first in want and second in want:
-            raise StateError(f"want: {first!r} and {second!r} both give {value!r}; ask for them in two states")
 
 
 def _finite(value: Any) -> bool:

@@ -6,11 +6,13 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, TASK_WANTS, WANTS
+from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, TASK_WANTS, WANTS, want_fault
+from mahovik.contract.quantities import limits_of
 from mahovik.contract.status import refusal_reason, status_words
 from mahovik.core.lower.hold import OF_FREE_CARRIERS
 from mahovik.core.lower.test_inputs import first_of
@@ -61,9 +63,9 @@ class FunctionBackend(ABC):
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
         """Results by the names of stand.md. Raises StateError."""
+        if fault := want_fault(want):
+            raise StateError(fault)
         for name in want:
-            if name not in (*WANTS, *TASK_WANTS):
-                raise StateError(f'want: unknown "{name}", expected one of {", ".join((*WANTS, *TASK_WANTS))}')
             if name in TASK_WANTS and not state.task:
                 raise StateError(f'want: "{name}" needs a task and its demand')
             if self.layout.held and name in OF_FREE_CARRIERS:
@@ -104,9 +106,14 @@ class FunctionBackend(ABC):
         return self.with_reaction(inputs, self._call("forward", inputs))
 
     def with_reaction(self, inputs: Mapping[str, Any], motion: dict[str, Any]) -> dict[str, Any]:
-        """A motion, with its reaction where the carrier is held, and no rates of no freedoms where it is clamped."""
+        """A motion, with its reaction where the carrier is held, and no rates of no freedoms where it is clamped.
+
+        Accelerations that `reaction` does not take have none, as `is_beyond` says.
+        """
         if not self.layout.held:
             return motion
+        if is_beyond(motion):
+            return {"u_dot": []} | motion
         found = self._call("reaction", {**inputs, **motion})
         return {"u_dot": []} | motion | found
 
@@ -204,6 +211,15 @@ class FunctionBackend(ABC):
             return {"points": {}}
         readings = self._call("points", inputs)["out"]
         return {"points": dict(zip(self.layout.sensors, readings, strict=True))}
+
+
+def is_beyond(motion: Mapping[str, Any]) -> bool:
+    """Whether an acceleration that results is out of the range of those that functions take."""
+    for name in ("V_dot", "phi_ddot"):
+        limits = cycle(limits_of(name))
+        if any(not abs(x) <= limit for x, limit in zip(motion.get(name, ()), limits, strict=False)):
+            return True
+    return False
 
 
 class ProgramBackend(FunctionBackend):

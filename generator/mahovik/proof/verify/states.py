@@ -13,7 +13,7 @@ from typing import IO, Any, cast
 
 import numpy as np
 
-from mahovik.contract.functions import CONFLICTS, TASK_CONFLICTS, TASK_WANTS, WANTS
+from mahovik.contract.functions import ALL_WANTS, TASK_CONFLICTS, TASK_WANTS, WANTS, want_fault
 from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH, Quantity
 from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Stand, Vec6
@@ -154,13 +154,12 @@ def _want(found: dict[str, Any]) -> tuple[str, ...]:
     for name in given:
         if not isinstance(name, str):
             raise StateError(f"want: expected names, found {excerpt(name)}")
-        if name not in (*WANTS, *TASK_WANTS):
-            raise StateError(f'want: unknown "{name}"{suggestion(name, (*WANTS, *TASK_WANTS))}')
+        if name not in ALL_WANTS:
+            raise StateError(f'want: unknown "{name}"{suggestion(name, ALL_WANTS)}')
         if name in TASK_WANTS and "task" not in found:
             raise StateError(f'want: "{name}" needs a task, {{"task": NAME, "demand": [...]}}')
-    for first, second, value in CONFLICTS:
-        if first in given and second in given:
-            raise StateError(f'want: "{first}" and "{second}" both give {value}, ask for them in two states')
+    if fault := want_fault(given):
+        raise StateError(fault)
     return tuple(given)
 
 

@@ -15,9 +15,8 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.required import Slew
 from mahovik.core.motion.required.slew import rows_of
-from mahovik.core.motion.servo import COORDINATES
 from mahovik.proof.verify.programme.mechanics import scale_of
-from mahovik.use.control.record import STILL, Following, Record, displacement_shares, following
+from mahovik.use.control.record import Errors, Following, Record, displacement_shares, following
 from mahovik.use.plan.array import Array
 
 ARCSEC = np.pi / 648000.0
@@ -32,51 +31,22 @@ class SlewEnd:
     rate: float
 
 
-@dataclass(frozen=True, eq=False)
-class Tracking:
-    """Errors over the run of a finite programme (all in m and rad).
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Tracking(Errors):
+    """Errors over the run of a finite programme; the motion's amplitude is its largest distance from its beginning.
 
-    amplitude  (6): largest distance of the required motion from its beginning
-    peak, rms, end   (6): of the error, and the error at the end
-    share, share_rms, share_end   the same of all six together, by the inertia's norm, as shares of the largest of the
-               motion
-    apart      (N): largest distance of the flywheels from the programme, rad
+    end        (6): the error at the end
+    share_end  that of all six together, as `share`
     slew       where it ends; None: the motion is no slew with rows that turn
     """
 
-    amplitude: Array
-    peak: Array
-    rms: Array
     end: Array
-    share: float
-    share_rms: float
     share_end: float
-    apart: Array
     slew: SlewEnd | None
 
-    def shares(self) -> list[float | None]:
-        """Peak errors over each coordinate's own amplitude; None for one that is held still."""
-        return [float(p / a) if a > STILL else None for p, a in zip(self.peak, self.amplitude, strict=True)]
-
     def as_json(self) -> Mapping[str, Any]:
-        """The object for `--json`, in SI."""
-        coordinates = {
-            name: {
-                "amplitude": float(self.amplitude[i]),
-                "peak": float(self.peak[i]),
-                "rms": float(self.rms[i]),
-                "end": float(self.end[i]),
-                "share": self.shares()[i],
-            }
-            for i, name in enumerate(COORDINATES)
-        }
-        found = {
-            "error": self.share,
-            "error_rms": self.share_rms,
-            "error_end": self.share_end,
-            "coordinates": coordinates,
-            "flywheels_apart": self.apart.tolist(),
-        }
+        """See Errors."""
+        found = {"error_end": self.share_end, **self._object({"end": self.end})}
         return found if self.slew is None else found | {"slew_end": {"angle": self.slew.angle, "rate": self.slew.rate}}
 
 

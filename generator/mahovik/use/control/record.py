@@ -116,25 +116,20 @@ STILL = 1e-9
 """m, rad: a coordinate with a smaller amplitude is held still."""
 
 
-@dataclass(frozen=True, eq=False)
-class Following:
-    """Errors over the last `periods` whole periods of a run (all in m and rad).
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Errors:
+    """Errors of following a required motion (all in m and rad).
 
-    amplitude  (6): of the required motion about its mean
-    peak, rms  (6): of the error about its mean
-    mean       (6): of the error
-    harmonics  (K, 6): amplitudes of the error at harmonics 1..K of the programme
+    amplitude  (6): of the required motion
+    peak, rms  (6): of the error
     share, share_rms   largest and root mean square of the error of all six together, by the inertia's norm, as shares
                of the largest of the motion: no choice of units or axes changes them (proof/verify/programme/scale.py)
     apart      (N): largest distance of the flywheels from the programme, rad
     """
 
-    periods: int
     amplitude: Array
     peak: Array
     rms: Array
-    mean: Array
-    harmonics: Array
     share: float
     share_rms: float
     apart: Array
@@ -145,24 +140,37 @@ class Following:
 
     def as_json(self) -> Mapping[str, Any]:
         """The object for `--json`, in SI."""
-        coordinates = {
-            name: {
-                "amplitude": float(self.amplitude[i]),
-                "peak": float(self.peak[i]),
-                "rms": float(self.rms[i]),
-                "mean": float(self.mean[i]),
-                "share": self.shares()[i],
-                "harmonics": self.harmonics[:, i].tolist(),
-            }
-            for i, name in enumerate(COORDINATES)
-        }
+        return self._object({})
+
+    def _object(self, of_coordinates: Mapping[str, Array]) -> dict[str, Any]:
+        """That object with more values of each coordinate; the first axis of these counts the coordinates."""
+        values = {"amplitude": self.amplitude, "peak": self.peak, "rms": self.rms, **of_coordinates}
         return {
-            "periods": self.periods,
             "error": self.share,
             "error_rms": self.share_rms,
-            "coordinates": coordinates,
+            "coordinates": {
+                name: {"share": share, **{key: value[i].tolist() for key, value in values.items()}}
+                for i, (name, share) in enumerate(zip(COORDINATES, self.shares(), strict=True))
+            },
             "flywheels_apart": self.apart.tolist(),
         }
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Following(Errors):
+    """Errors over the last `periods` whole periods of a run, about their mean; so is the amplitude of the motion.
+
+    mean       (6): of the error
+    harmonics  (K, 6): amplitudes of the error at harmonics 1..K of the programme
+    """
+
+    periods: int
+    mean: Array
+    harmonics: Array
+
+    def as_json(self) -> Mapping[str, Any]:
+        """See Errors."""
+        return {"periods": self.periods, **self._object({"mean": self.mean, "harmonics": self.harmonics.T})}
 
 
 def following(record: Record, periods: int) -> Following:

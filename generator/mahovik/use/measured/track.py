@@ -29,16 +29,6 @@ class Track:
         """Usual step of time in s."""
         return float(np.median(np.diff(self.t))) if len(self.t) > 1 else 0.0
 
-    @property
-    def has_sensors(self) -> bool:
-        """Whether a channel is anything but the motion of a flywheel."""
-        return not all(moves(name) for name in self.values)
-
-    @property
-    def has_flywheels(self) -> bool:
-        """Whether a channel shows the motion of a flywheel."""
-        return any(map(moves, self.values))
-
 
 def moves(name: Name) -> bool:
     """Whether a channel shows the motion or the drive of a flywheel: smooth, so that it can be interpolated."""

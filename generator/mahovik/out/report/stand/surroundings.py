@@ -28,7 +28,7 @@ def _fluid(stand: Stand) -> Markup:
     parts = []
     bearers: list[Carrier | Instrument] = [stand.carrier, *stand.instruments]
     added = [body.name for body in bearers if body.added_mass is not None]
-    acting = [(text.NAME, text.bearers(stand)) for text in laws.body_parts("text")]
+    acting = [(text.NAME, text.bearers(stand)) for text in laws.parts("text", laws.BODY_LAWS)]
     for what, names in (("added mass", added), *acting):
         if names:
             parts.append(Markup("{} of {}").format(what, ", ".join(names)))

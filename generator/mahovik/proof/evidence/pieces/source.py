@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import mahovik
-from mahovik.contract.functions import FUNCTIONS, OF_TASKS
+from mahovik.contract.functions import ROWS
 from mahovik.core.emit.eva import drivers
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.manifest import digest
@@ -204,9 +204,7 @@ def _eva_command(subject: Subject) -> str:
     return f"sh c/{subject.stand.name}_eva.sh{chosen}"
 
 
-_UNCLAIMED = ", ".join(
-    f"`{row.name}`" for row in (FUNCTIONS | OF_TASKS).values() if not row.claimed and not row.name.endswith("_at")
-)
+_UNCLAIMED = ", ".join(f"`{row.name}`" for row in ROWS.values() if not row.claimed and not row.name.endswith("_at"))
 
 EVA = Piece(
     name="eva",

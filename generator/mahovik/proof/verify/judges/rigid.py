@@ -92,7 +92,11 @@ def missing(stand: Stand) -> list[str]:
     found = []
     for body in stand.bodies:
         found += [f"{body.name}: added_mass"] * (getattr(body, "added_mass", None) is not None)
-        found += [f"{body.name}: {text.NAME}" for text in laws.body_parts("text") if body.name in text.bearers(stand)]
+        found += [
+            f"{body.name}: {text.NAME}"
+            for text in laws.parts("text", laws.BODY_LAWS)
+            if body.name in text.bearers(stand)
+        ]
     found += ["stream"] * (stand.stream is not None)
     return found + [law.NAME for law in laws.parts("text") if law.short(stand)]
 
