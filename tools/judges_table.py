@@ -27,7 +27,8 @@ ITS_WORDS = (*(QUANTITIES[key] for key in ("K", "V_dot", "phi_ddot")), MOTION)
 
 NOTE = (
     "Basilisk: stands whose flywheels are reduced to what its reaction wheel can represent; "
-    "[the cases where it is\nnot exact](docs/results/judges.md#where-its-model-is-not-exact) are shown as well.\n"
+    "[the cases where it is\nnot exact](docs/results/judges.md#where-its-model-is-not-exact) are shown as well. "
+    "Its rotors on a\nhinge take every flywheel as it is.\n"
 )
 
 BASILISK = """
