@@ -11,6 +11,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from mahovik import stands
+from mahovik.contract.quantities import RPM
 from mahovik.core.motion.programme import RunUpTable, Samples, save_programme
 from mahovik.core.motion.required.model import Bounds
 from mahovik.core.stand import load
@@ -19,7 +20,7 @@ from mahovik.out.report.plot import response as orders
 from mahovik.out.report.plot import run
 from mahovik.out.report.plot.draw import draw, draw_panel
 from mahovik.out.report.plot.panel import Line, Mark, Panel, border
-from mahovik.out.report.plot.programme import RPM, panels
+from mahovik.out.report.plot.programme import panels
 from mahovik.out.report.plot.tags import spread, tag_ends, tag_lines
 from mahovik.use.study.response.speeds import read_speeds
 from mahovik.use.study.response.sweep import sweep

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import Enum
+
+RPM = 30 / math.pi
+"""1 rad/s in rpm."""
 
 
 @dataclass(frozen=True)

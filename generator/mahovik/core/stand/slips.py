@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.contract.quantities import RPM
 from mahovik.core.stand.balance import eccentric_velocity, grade_words
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
@@ -29,8 +30,6 @@ At most a ninth of the mass is so far from the centre; the origin of a uniform r
 
 DENSEST = 22.6e3
 """Density of osmium, kg/m3: a body of known mass and inertia is not denser than the densest metal."""
-
-RPM = 30 / math.pi
 
 
 def slips(

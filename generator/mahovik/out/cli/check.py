@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
+from mahovik.contract.quantities import RPM
 from mahovik.errors import UsageError
 from mahovik.out.cli.check_fluid import fluid_object, print_fluid
 from mahovik.out.cli.fitting import column_that_fits, fitting_unit
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     from mahovik.core.stand.units import Dimension
     from mahovik.core.stand.written import Written
 
-RPM = 30 / math.pi
 
 Column = tuple[str, list[str]]
 """Title and cells."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from mahovik.contract.quantities import RPM
 from mahovik.errors import UsageError
 from mahovik.out.cli import quantities
 from mahovik.out.cli.options import JSON, STAND_FILE, choice, command, file_option, is_given, load_stand, option
@@ -14,7 +15,6 @@ from mahovik.out.cli.output import INTERRUPTED, print_json_text, print_table, re
 from mahovik.out.cli.progress import progress
 from mahovik.out.cli.rest import read_phases
 from mahovik.out.cli.sweep import SHOWN, SUFFIXES, TimeLimit, check_place
-from mahovik.out.functions.motor_limits import RPM
 
 if TYPE_CHECKING:
     from mahovik.use.study.response.sweep import Sweep

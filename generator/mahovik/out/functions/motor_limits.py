@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from mahovik.contract.quantities import RPM
 from mahovik.out.functions.notices import warn
 
 if TYPE_CHECKING:
@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 FAST = 1000.0
 """Speed in rad/s, 9549 rpm, above which a number without unit is asked about."""
 
-RPM = 30 / math.pi
 _EXPONENT = re.compile(r"[eE][+-]?\d+")
 
 

@@ -7,11 +7,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from mahovik.contract.quantities import RPM
 from mahovik.out.report.plot.inline import HEIGHT, LEFT, RIGHT, WIDTH
 from mahovik.out.report.plot.panel import Array, Line, Mark, Panel
 from mahovik.use.measured.orders import OrderMap
-
-RPM = 30.0 / math.pi
 
 DECADES = 3.0
 """Powers of ten below the largest amplitude that are shown."""

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from mahovik.contract.quantities import RPM
 from mahovik.out.report.plot.panel import Array, Levels, Line, Panel
 from mahovik.use.study.jitter.lines import coherent
 from mahovik.use.study.jitter.quantity import ARCSEC
 from mahovik.use.study.jitter.spectrum import budget, spectrum
 from mahovik.use.study.jitter.study import Jitter
-
-RPM = 30.0 / np.pi
 
 DECADES = 4.0
 """Powers of ten below the largest amplitude that are shown."""

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from mahovik.contract.quantities import RPM
 from mahovik.core.motion.programme import Angles, Programme
 from mahovik.out.report.plot.panel import Array, Panel, family, limit
 from mahovik.proof.verify.programme.finding import tolerance_for
@@ -26,7 +27,6 @@ ROUNDING = 1e-6
 NEAR = 0.3
 """A bound is drawn where the lines reach this share of it."""
 
-RPM = 30 / np.pi
 AXES = ("x", "y", "z")
 ANGLES = ("psi", "theta", "phi")
 

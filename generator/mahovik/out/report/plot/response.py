@@ -6,10 +6,9 @@ import re
 
 import numpy as np
 
+from mahovik.contract.quantities import RPM
 from mahovik.out.report.plot.panel import Array, Dots, Levels, Line, Panel
 from mahovik.use.study.response.sweep import OrderLine, Step, Sweep
-
-RPM = 30.0 / np.pi
 
 DECADES = 4.0
 """Below the largest amplitude that are shown."""

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.quantities import RPM
 from mahovik.errors import UsageError
 from mahovik.out.report.plot.panel import Array, Line, Panel, family
 from mahovik.use.simulate.run import IDENTITY
@@ -20,7 +21,6 @@ from mahovik.writing import format_of
 
 SUFFIXES = (".csv", ".parquet")
 
-RPM = 30 / np.pi
 
 MOST = 6
 """Points whose readings are shown."""

@@ -8,6 +8,7 @@ import numpy as np
 from markupsafe import Markup
 
 from mahovik.contract.laws import of_bodies
+from mahovik.contract.quantities import RPM
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
 from mahovik.core.stand.summary import Summary, UnbalanceRow, summarize
@@ -17,8 +18,6 @@ from mahovik.out.report.stand.material import Material, Section
 from mahovik.out.report.stand.matrices import Side, matrix
 from mahovik.out.report.stand.surroundings import surroundings
 from mahovik.use.study.resolution import shortfalls
-
-RPM = 30 / math.pi
 
 
 def section(material: Material) -> Section | None:

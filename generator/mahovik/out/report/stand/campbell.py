@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from mahovik.contract.quantities import RPM
 from mahovik.core.stand.summary import summarize
 from mahovik.errors import CheckError
 from mahovik.out.report.plot.inline import charts
@@ -14,8 +15,6 @@ from mahovik.out.report.stand.markup import figure, paragraph, table
 from mahovik.out.report.stand.material import Material, Section
 from mahovik.use.study.campbell import Campbell, campbell
 from mahovik.use.study.response.scene import Scene
-
-RPM = 30.0 / math.pi
 
 POINTS = 121
 """Speeds in each diagram."""

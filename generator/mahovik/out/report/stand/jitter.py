@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from mahovik.contract.quantities import RPM
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.summary import summarize
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.report.plot.inline import charts
-from mahovik.out.report.plot.jitter import RPM, report_panels
+from mahovik.out.report.plot.jitter import report_panels
 from mahovik.out.report.stand.markup import paragraph
 from mahovik.out.report.stand.material import Material, Section
 from mahovik.use.study.jitter import Jitter, View, jitter

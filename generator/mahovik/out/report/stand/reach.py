@@ -8,13 +8,12 @@ from collections.abc import Sequence
 import numpy as np
 from markupsafe import Markup
 
+from mahovik.contract.quantities import RPM
 from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.panel import Array, Line, Panel, border, family, si_prefix
 from mahovik.out.report.stand.markup import figure, paragraph, table
 from mahovik.out.report.stand.material import Material, Section
 from mahovik.use.study.reach import Reach, reach
-
-RPM = 30.0 / math.pi
 
 BEYOND = 1.1
 """End of the abscissa, in units of the speed limit."""

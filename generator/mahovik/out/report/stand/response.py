@@ -7,11 +7,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from mahovik.contract.quantities import RPM
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.summary import summarize
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.report.plot.inline import charts
-from mahovik.out.report.plot.response import RPM, panels
+from mahovik.out.report.plot.response import panels
 from mahovik.out.report.stand.markup import paragraph
 from mahovik.out.report.stand.material import Material, Section
 from mahovik.use.study.response.speeds import ALL, read_speeds

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.quantities import RPM
 from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.lines import COMBINATION, LineName
 from mahovik.use.study.jitter.quantity import ARCSEC
@@ -17,7 +18,6 @@ from mahovik.use.study.jitter.spectrum import budget, spectrum
 from mahovik.use.study.jitter.study import Jitter
 from mahovik.use.study.linear.model import encode_lines
 
-RPM = 30.0 / np.pi
 AXES = ("x", "y", "z")
 SUMS = ("rms", "rss", "worst", "mean")
 SHOWN = 60

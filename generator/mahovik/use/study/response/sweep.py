@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.quantities import RPM
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
 from mahovik.use.plan.array import Array, Complex
@@ -178,8 +179,6 @@ def _step(
     spectrum = found.points[point].harmonics(quantity)
     return Step(value, turning, found.frequencies, spectrum, found.natural, found.hold, found.multiplier)
 
-
-RPM = 30.0 / np.pi
 
 NEGLIGIBLE = 1e-9
 """Part of the largest amplitude of a step: smaller harmonics are not written."""
