@@ -18,8 +18,9 @@ from mahovik.core.motion.servo import read_servo
 from mahovik.core.stand import Stand
 from mahovik.core.stand.model import Mat3
 from mahovik.core.stand.write import dumps
+from mahovik.proof.verify.programme.slew import ARCSEC
 from mahovik.use.control.causes import contributions
-from mahovik.use.control.finite import ARCSEC, tracking
+from mahovik.use.control.finite import tracking
 from mahovik.use.control.loop import Case, close_loop
 from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.plan.slew import plan_slew

@@ -204,7 +204,7 @@ def _where(found: Following | Tracking, case: Case) -> str:
 
 
 def _arcsec(angle: float) -> str:
-    from mahovik.use.control.finite import ARCSEC
+    from mahovik.proof.verify.programme.slew import ARCSEC
 
     return f"{angle / ARCSEC:.3g}"
 

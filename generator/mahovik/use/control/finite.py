@@ -19,9 +19,6 @@ from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.use.control.record import Errors, Following, Record, displacement_shares, following
 from mahovik.use.plan.array import Array
 
-ARCSEC = np.pi / 648000.0
-"""rad."""
-
 
 @dataclass(frozen=True)
 class SlewEnd:
