@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ from mahovik.core.stand import Stand, State, loads
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.summary import summarize
 from mahovik.laws.fin.data import Fin, Fins
+from mahovik.laws.propeller.data import Propellers
 from mahovik.proof.reference import evaluate
 from mahovik.proof.verify.c_backend import CBackend
 
@@ -31,11 +33,26 @@ def restoring(stand: Stand, state: State, weight: float, G: float, buoyancy: flo
 
 
 def nps(stand: Stand, state: State) -> tuple[Array, Array]:
-    """Mass matrix and right-hand side of Healey and Lienard (1993), planes at zero and no propeller."""
+    """Mass matrix and right-hand side of Healey and Lienard (1993), without the propeller's race.
+
+    Of rudder and planes what u^2 has as a factor.
+    """
     V = np.array(state.V)
     J = np.array([[2038.0, 13.58, 13.58], [13.58, 13587.0, 13.58], [13.58, 13.58, 13587.0]])
     M = rigid_mass(5454.54, (0.0, 0.0, 0.061), J) + npsauv.added_mass(1000.0)
     right = npsauv.products(5454.54, V, heave=-1.0, pitch=1.0) + npsauv.hydrodynamic(V, 1000.0) + block_drag(V)
+    rudder, stern, port, starboard = (fin.deflection for fin in deflected(stand))
+    bow, u = port + starboard, V[0]
+    force = 500.0 * 5.3**2 * u**2
+    screws = stand.carrier.law(Propellers)
+    assert screws is not None
+    turning = 0.012 * screws.propellers[0].speed
+    right[0] += 500.0 * 5.3**2 * 0.00385 * (abs(turning) * turning - abs(u) * u)
+    right[0] -= force * 1e-2 * (rudder**2 + stern**2)
+    right[1] += force * 2.7e-2 * rudder
+    right[2] -= force * (7.3e-2 * stern + 1.3e-2 * bow)
+    right[4] += 5.3 * force * (-4.1e-2 * stern + 3.5e-3 * bow)
+    right[5] -= 5.3 * force * 1.3e-2 * rudder
     return M, right + restoring(stand, state, 53400.0, 0.061, 53400.0, 0.0)
 
 
@@ -79,7 +96,7 @@ def deflected(stand: Stand) -> tuple[Fin, ...]:
 
 
 def dsrv(stand: Stand, state: State) -> tuple[Array, Array]:
-    """Z and M of Healey (1992) in their primed units times rho/2 L^n, stern plane at zero; the rest a rigid body.
+    """Z and M of Healey (1992) in their primed units times rho/2 L^n, Z_delta below zero; the rest a rigid body.
 
     Z_qdot and M_wdot by their mean; the righting moment with the sine of the pitch angle, and as large in roll.
     """
@@ -93,6 +110,9 @@ def dsrv(stand: Stand, state: State) -> tuple[Array, Array]:
     right = rigid_products(m, (0.0, 0.0, 0.0), J * np.eye(3), V)
     right[2] += -0.017455 * r[3] * u * q - 0.043938 * r[2] * u * w
     right[4] += -0.01131 * r[4] * u * q + 0.011175 * r[3] * u * w
+    (plane,) = deflected(stand)
+    right[2] -= 0.027695 * r[2] * u**2 * plane.deflection
+    right[4] -= 0.012797 * r[3] * u**2 * plane.deflection
     righting = 0.156276 * r[3] * np.cross(DOWN, to_body(stand, state, DOWN))
     return M, right + np.concatenate([np.zeros(3), righting])
 
@@ -104,8 +124,15 @@ PAPERS = {"nps_auv2": nps, "remus100": remus, "dsrv": dsrv}
 def test_stand_is_the_published_vehicle(name: str) -> None:
     """The wrench K V* that the C needs, against the paper's, in parts of the sum of its terms."""
     text = (VEHICLES / f"{name}.toml").read_text(encoding="utf-8")
-    rudder, *rest = text.split("deflection = 0.0")
-    stand = loads("deflection = 0.1".join([rudder, "deflection = -0.2".join(rest)])) if rest else loads(text)
+    deflections = iter((0.1, -0.2, 0.15, -0.05))
+    stand = loads(
+        re.sub(
+            "deflection = 0.0",
+            lambda _: f"deflection = {next(deflections)}",
+            text.replace("speed = 0.0", "speed = 150.0"),
+        )
+    )
+    assert len(deflected(stand)) == text.count("[[fin]]") > 0
     program = CBackend(stand)
     assert not [line for line in summarize(stand).warnings if "added mass" in line]
     for number in range(8):
