@@ -53,6 +53,39 @@ def test_every_row_agrees(name: str, flywheels: int) -> None:
     assert {"u_dot", "V_dot", "tau", "energy"} <= seconds
 
 
+UNREACHED = """
+schema = 1
+name = "held"
+gravity = [0, 0, -9.81]
+carrier = {{ mass = 0.3, inertia = [6e-4, 6e-4, 2e-5] }}
+hold = {{ {hold} }}
+[[flywheel]]
+name = "wheel"
+position = [0, 0, 0.12]
+axis = [0, 1, 0]
+zero = [0, 0, 1]
+mass = 0.25
+spin_inertia = 4e-4
+transverse_inertia = 2.2e-4
+"""
+SLOW_STREAM = """
+schema = 1
+name = "held"
+stream = [-2, 0, 0]
+carrier = { mass = 30, inertia = [1, 1, 1], damping = { linear = [5, 5, 5, 1, 1, 1] } }
+hold = { freedoms = [] }
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "text", [*(UNREACHED.format(hold=h) for h in ("freedoms = []", "freedoms = ['x', 'y', 'yaw']")), SLOW_STREAM]
+)
+def test_clamped_or_out_of_the_flywheels_reach(text: str) -> None:
+    found = verify_c(loads(text), count=STATES)
+    assert found.passed, [(row.want, row.quantity, row.reason) for row in found.failures]
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "features", "real"),

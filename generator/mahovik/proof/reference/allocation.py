@@ -58,6 +58,8 @@ def weighted_solution(scaled: ScaledDemand, weight: Array, rank: int, near: floa
 
 def largest_damping(scaled: ScaledDemand, rank: int, near: float, damping: float) -> float:
     """The largest lambda_i that `weighted` applies; 0 where it applies none."""
+    if rank == 0:
+        return 0.0
     sigma = np.linalg.svd(scaled.W, compute_uv=False)[:rank]
     ratios = sigma / sigma[0]
     return float(max((damping * sigma[0] * (1 - x / near) for x in ratios if x < near), default=0.0))

@@ -153,7 +153,8 @@ class CBackend(ProgramBackend):
 
     def table(self) -> Any:
         """The compiled default table as plain data."""
-        return self.library.value(self.complete.program.function("forward"), "table")
+        takers = (f for f in self.complete.program.functions if f.public and any(a.name == "table" for a in f.arguments))
+        return self.library.value(next(takers), "table")
 
 
 def _write_files(files: Mapping[str, str], scratch: Path) -> Path:

@@ -83,10 +83,11 @@ def _motors(
     nothing = {name: [0.0] * case.count for name in ("motor_viscous", "motor_coulomb")}
     nothing |= {"motor_coulomb_speed": [1.0] * case.count}
     if kind == 2:
-        most = case.nearest_numbers(np.max(np.abs(phi_ddot) * enough) * np.ones(case.count))
+        sizes = np.abs(phi_ddot) if np.any(phi_ddot) else np.ones(case.count)  # a bound is above zero
+        most = case.nearest_numbers(np.max(sizes * enough) * np.ones(case.count))
         wheels = tuple(replace(s, motor=None) for s in case.stand.flywheels)
         if short is not None:
-            most = case.nearest_numbers(np.max(np.abs(phi_ddot)) * (1.0 - ROOM) * np.ones(case.count))
+            most = case.nearest_numbers(np.max(sizes) * (1.0 - ROOM) * np.ones(case.count))
         stand = replace(case.stand, flywheels=wheels, inverse_most=float(most[0]))
         limits = {"most": list(most), "motor_torque": [none] * case.count, "motor_speed": [none] * case.count}
         return stand, limits | nothing
@@ -105,7 +106,8 @@ def _motors(
     ]
     speed = np.abs(at.phi_dot) * rng.uniform(1.5, 4.0, case.count) + 1.0
     room = np.where(np.array(own) * at.phi_dot > 0, 1 - np.abs(at.phi_dot) / speed, 1.0)
-    limit = case.nearest_numbers(np.abs(own) / (room if kind == 0 else 1.0) * enough)
+    least = 1e-9 * np.diag(at.Theta_ff)  # far above the rounding that a torque of zero is left with
+    limit = case.nearest_numbers(np.maximum(np.abs(own) / (room if kind == 0 else 1.0) * enough, least))
     speed = case.nearest_numbers(speed)
     motors = [
         Motor(float(limit[k]), float(speed[k]) if kind == 0 else None, None, None, None, *map(float, bearing[:, k]))

@@ -11,6 +11,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
+from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
@@ -160,7 +161,11 @@ class Motion:
         return off
 
     def observed_order(self, order: int, time: float) -> float | None:
-        """The power of the step with which errors fall; None where they are hidden by rounding, or far from small."""
+        """The power of the step with which errors fall; None where they are hidden by rounding, or far from small, or
+        where so slow a motion takes steps that the C refuses.
+        """
+        if time / COARSE[order][0] > BOUNDS["MAX_STEP"].value:
+            return None
         errors = [self.error(order, n, time) for n in COARSE[order]]
         if errors[-1] < 100 * self._case.unit or errors[0] > LARGE:
             return None
