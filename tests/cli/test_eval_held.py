@@ -147,7 +147,8 @@ TURN = {"schema": 1, "name": "turn", "type": "periodic", "period": 1.0}
 def test_a_plan_of_what_is_blocked_names_the_direction(
     file: str, text: str, cos: list[float], reason: str, tmp_path: Path
 ) -> None:
-    Path(file).write_text(TEXT.replace('["pitch"]', text))
+    held = TEXT.replace('["pitch"]', text)
+    Path(file).write_text(held if text != "[]" else held.replace("pivot = [0, 0, -0.2]\n", ""))
     (tmp_path / "m.json").write_text(json.dumps(TURN | {"harmonics": [{"k": 1, "cos": cos}]}))
     message = refused("plan", file, "--motion", str(tmp_path / "m.json"), "-o", str(tmp_path / "p.json"))
     assert reason in message and len(message.strip().splitlines()) == 1

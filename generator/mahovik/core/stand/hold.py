@@ -88,15 +88,15 @@ def hold_of(table: HoldTable, problems: Problems) -> Hold | None:
         found = f"{', '.join(given)} given together" if given else "it is not said how the carrier can move"
         problems.add("hold", f'{found}, expected one of {", ".join(_WAYS)}, such as freedoms = ["yaw"]')
         return None
-    if table.pivot is not None and given[0] in ("slide", "basis"):
-        problems.add("hold", "pivot", f"given together with {given[0]}, where nothing turns about it: leave it out")
-        return None
     if table.axis is not None:
         freedoms: tuple[Freedom, ...] = (Freedom("turn", table.axis),)
     elif table.slide is not None:
         freedoms = (Freedom("slide", table.slide),)
     else:
         freedoms = table.freedoms if table.freedoms is not None else table.basis or ()
+    if table.pivot is not None and all(freedom.kind != "turn" for freedom in freedoms):
+        problems.add("hold", "pivot", f"given together with {given[0]}, where nothing turns about it: leave it out")
+        return None
     hold = Hold(freedoms, table.pivot or ZERO3, table.position, table.angles)
     row = _first_dependent(twists(hold))
     if row is not None:
