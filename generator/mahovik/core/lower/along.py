@@ -159,7 +159,7 @@ def prepare_constant(lib: Library, body: Body, table: Place) -> None:
 def sum_up_along(
     lib: Library, body: Body, table: Place, x: Place, turns: Turns, phi_ddot: Place | None, whole: Place
 ) -> Place:
-    """The sums along the freedoms; without phi_ddot those of constant speeds. `whole` gets the moment for the weight."""
+    """The sums along the freedoms; without phi_ddot at constant speeds. `whole` gets the moment for the weight."""
     sums = body.local("along", (), lib.layout.along_sums, "sums along the freedoms")
     named: dict[str, Any] = {"table": table, "phi_dot": x.phi_dot, "phi_ddot": phi_ddot, "whole": whole, "sum": sums}
     named |= named_turns(turns)
