@@ -15,6 +15,8 @@ from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
+from mahovik.proof.verify.judges.compare import verify_judges
+from mahovik.proof.verify.judges.held import compare_held
 from mahovik.proof.verify.judges.held_mujoco import HeldMujoco
 from mahovik.proof.verify.judges.held_pinocchio import HeldPinocchio
 
@@ -93,3 +95,30 @@ def test_what_no_joint_has_is_refused(judge: Any) -> None:
     assert stand.hold is not None
     with pytest.raises(UsageError, match=r"expected"):
         judge(replace(stand, hold=replace(stand.hold, freedoms=odd)))
+
+
+@pytest.mark.parametrize("name", HOLDS)
+def test_the_command_judges_the_c(name: str) -> None:
+    stand, _ = stand_and_state(name, 3, flywheels=2)
+    found = verify_judges(stand, count=5)
+    assert found.passed
+    assert {row.want for row in found.rows if row.verdict == "ok"} == {"pinocchio", "mujoco"}
+    words = {row.quantity for row in found.rows if row.verdict == "ok"}
+    assert {"u_dot for given phi_ddot", "reaction for given tau", "tau, inverse dynamics"} <= words
+
+
+def test_c_with_the_pivot_elsewhere_fails() -> None:
+    stand, state = stand_and_state("ball joint", 3, flywheels=1)
+    assert stand.hold is not None
+    moved = replace(stand, hold=replace(stand.hold, pivot=(0.3, -0.2, 0.15 + 1e-9)))
+    rows = compare_held(stand, [HeldPinocchio(stand)], NumpyBackend(moved), [("one", state)])
+    assert {row.want for row in rows if row.verdict == "FAILED"} == {"pinocchio"}
+
+
+def test_a_hold_without_a_joint_is_not_judged() -> None:
+    stand, _ = stand_and_state("hinge", 1, flywheels=1)
+    assert stand.hold is not None
+    odd = (Freedom("twist", twist=(1.0, 0.0, 0.0, 0.0, 0.0, 0.3)),)
+    found = verify_judges(replace(stand, hold=replace(stand.hold, freedoms=odd)), count=2)
+    assert not found.passed
+    assert all(row.verdict == "not compared" and row.reason for row in found.rows)

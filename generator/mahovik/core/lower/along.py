@@ -37,12 +37,13 @@ def sum_along(lib: Library, steady: bool = False) -> Function:
     table, turns = lib.table_argument(), lib.turn_arguments()
     phi_dot = Argument("phi_dot", Kind.REAL, (layout.count,), unit="rad/s")
     phi_ddot = () if steady else (Argument("phi_ddot", Kind.REAL, (layout.count,), unit="rad/s2"),)
-    mu = Argument("mu", Kind.REAL, (3,), "out", "kg m", "first moment of all bodies about O1")
+    whole = Argument("whole", layout.sums, (), "inout", purpose="its first moment mu is set")
+    mu = whole.place.mu
     sums = Argument("sum", layout.along_sums, (), "out")
     weights: tuple[str, ...] = ("c2", "s2", "dc", "ds", "dc2", "ds2", "ddc", "dds")
     parts, body, momenta = derived_rows.sums(), Body(), momenta_needed(layout.ways)
     if layout.weight:
-        body.copy_array(mu.place, table.place.first_moment)
+        body.copy_array(mu, table.place.first_moment)
     body.copy_array(sums.place.P, table.place.P_0)
     for name in ("P_dot", "g", *(("h",) if momenta else ())):
         for each in sums.place.member(name):
@@ -57,7 +58,7 @@ def sum_along(lib: Library, steady: bool = False) -> Function:
         if layout.weight:
             body.note("first moment")
             columns_of_mu = {"mu_c": row.mu_c, "mu_s": row.mu_s}
-            assign(body, list(mu.place), parts.mu, bound | columns_of_mu, add=True)
+            assign(body, list(mu), parts.mu, bound | columns_of_mu, add=True)
         body.note("mass matrix along the freedoms and its rate")
         for i in range(place_of(m, 0)):
             here = bound | {f"J_{n}": [row.member(f"P_{n}")[i]] for n in ("c", "s", "2c", "2s")}
@@ -74,7 +75,7 @@ def sum_along(lib: Library, steady: bool = False) -> Function:
         "sum_steady_along" if steady else "sum_along",
         "Mass matrix of all bodies along the freedoms, and the flywheels' terms; w = phi'"
         + (" is constant." if steady else ", a = phi''."),
-        (table, *turns, phi_dot, *phi_ddot, mu, sums),
+        (table, *turns, phi_dot, *phi_ddot, whole, sums),
         equation="(2), (5), (6)",
     )
 
@@ -156,11 +157,11 @@ def prepare_constant(lib: Library, body: Body, table: Place) -> None:
 
 
 def sum_up_along(
-    lib: Library, body: Body, table: Place, x: Place, turns: Turns, phi_ddot: Place | None, mu: Place
+    lib: Library, body: Body, table: Place, x: Place, turns: Turns, phi_ddot: Place | None, whole: Place
 ) -> Place:
-    """The sums along the freedoms; without phi_ddot those of constant speeds. `mu` gets the moment for the weight."""
+    """The sums along the freedoms; without phi_ddot at constant speeds. `whole` gets the moment for the weight."""
     sums = body.local("along", (), lib.layout.along_sums, "sums along the freedoms")
-    named: dict[str, Any] = {"table": table, "phi_dot": x.phi_dot, "phi_ddot": phi_ddot, "mu": mu, "sum": sums}
+    named: dict[str, Any] = {"table": table, "phi_dot": x.phi_dot, "phi_ddot": phi_ddot, "whole": whole, "sum": sums}
     named |= named_turns(turns)
     name = "sum_along" if phi_ddot is not None else "sum_steady_along"
     body.call(lib[name], *lib.arguments_of(name, **named))

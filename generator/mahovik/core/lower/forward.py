@@ -198,7 +198,7 @@ def equations_along(
     """
     F = body.local("F", (6,), comment="wrench (7)" if lib.layout.along else "wrench (7); then what is to be projected")
     if lib.layout.along:
-        sums = along.sum_up_along(lib, body, table, x, seen.turns, phi_ddot, seen.sums.mu)
+        sums = along.sum_up_along(lib, body, table, x, seen.turns, phi_ddot, seen.sums)
         external_wrench(lib, body, table, x, seen, wrench, F)
         freedoms = hold.Freedoms(lib, body, table, sums.P, y)
         named = {"table": table, "sum": sums, "V": x.V, "F": F, "y": freedoms.y}

@@ -185,10 +185,17 @@ def sort(body: Body, work: Place, rows: int = 6) -> None:
 def choose_rank(
     lib: Library, body: Body, p: Place, work: Place, rank: Place, damped: Place, flags: Place, rows: int = 6
 ) -> None:
-    """Choose the rows used, and damp near-singular ones: r sigma^2 / (sigma^2 + lambda^2)."""
+    """Choose the rows used, and damp near-singular ones: r sigma^2 / (sigma^2 + lambda^2).
+
+    The only row of a held carrier has the largest singular value: never near-singular, for `near` is at most 1.
+    """
     first = work.sigma[0]
     body.set(rank, integer(0))
     body.set(damped, real(0))
+    if rows == 1 and lib.layout.held:
+        with body.when(first > 0):
+            body.set(rank, integer(1))
+        return
     with body.loop("i", rows) as i, body.when(work.sigma[i] > lib.thresholds.rank * first):
         body.set(rank, rank + 1)
         ratio = body.let("ratio", work.sigma[i] / first)

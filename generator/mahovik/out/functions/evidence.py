@@ -115,7 +115,7 @@ def verify(
     from mahovik.proof.verify.folder_stand import stand_in
     from mahovik.proof.verify.harness import verify_c
 
-    own: CoreStand = Stand.of(stand, held=not judges)
+    own: CoreStand = Stand.of(stand, held=True)
     folder, words = None if against is None else Path(against), f"verify {own.name}"
     if judges and folder is not None:
         raise UsageError("--judges judges a fresh copy: not with --with, --against")

@@ -135,11 +135,9 @@ ROUNDING = Piece(
 def _ask_judges(subject: Subject, tell: Tell) -> Outcome:
     if subject.real != "double":
         return Outcome(Verdict.NOTHING, "the judges calculate in double: collect the evidence of the C in double")
-    if subject.stand.hold is not None:
-        return _of_free_carriers("the judges of this piece")
     if not any(body.mass > 0.0 for body in subject.stand.bodies):
         return Outcome(Verdict.NOTHING, "no body of the stand has a mass")
-    tell("equations and motions")
+    tell("equations and motions" if subject.stand.hold is None else "equations")
     found = verify_judges(subject.stand, count=subject.choose(50, 200), bare=True)
     if not any(row.verdict in ("ok", "FAILED") for row in found.rows):
         return Outcome(Verdict.NOTHING, "; ".join(dict.fromkeys(row.reason for row in found.rows)), table=_table(found))
@@ -162,7 +160,8 @@ JUDGES = Piece(
     title="Programs of others",
     shows=(
         "Mass matrix, bias forces, accelerations, joint forces and a free motion agree with Pinocchio, MuJoCo and, for "
-        "stands that its model can be, Basilisk: nobody of these projects knows this one."
+        "stands that its model can be, Basilisk: nobody of these projects knows this one. Of a held carrier "
+        "accelerations, the reaction and drive torques agree with the joint itself."
     ),
     limits=(
         "Suspension, legs, fluid and stream, which they do not have: the stand is judged without. For these the three "

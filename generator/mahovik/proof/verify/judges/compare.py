@@ -23,6 +23,7 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.compare import Differences, Row, difference
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import Progress, report
+from mahovik.proof.verify.judges.held import HeldJudge, compare_held
 from mahovik.proof.verify.judges.rigid import (
     Array,
     JudgeError,
@@ -141,6 +142,12 @@ JUDGES = {
 }
 """Module and class of every judge, imported on demand."""
 
+HELD = {
+    "pinocchio": ("mahovik.proof.verify.judges.held_pinocchio", "HeldPinocchio"),
+    "mujoco": ("mahovik.proof.verify.judges.held_mujoco", "HeldMujoco"),
+}
+"""Of held carriers."""
+
 PARTIAL = {
     "basilisk": ("mahovik.proof.verify.judges.basilisk_judge", "BasiliskJudge", "pip install bsk"),
     "basilisk rotors": ("mahovik.proof.verify.judges.basilisk_rotor", "BasiliskRotorJudge", "pip install bsk"),
@@ -196,7 +203,9 @@ def load_judges(stand: Stand, names: Sequence[str] = tuple(JUDGES)) -> list[Judg
 
 
 def _load(stand: Stand, name: str) -> Judge:
-    module, kind, *install = JUDGES.get(name) or PARTIAL[name]
+    if stand.hold is not None and name not in HELD:
+        raise JudgeError(f"--judges: {name} judges free carriers only")
+    module, kind, *install = (JUDGES if stand.hold is None else HELD).get(name) or PARTIAL[name]
     try:
         judge = getattr(importlib.import_module(module), kind)
         return cast(Judge, judge(stand))
@@ -221,6 +230,7 @@ def verify_judges(
 
     A judge that refuses the stand has one row that says why; if all do, nothing was compared and the report does not
     pass. `bare`: of the stand without what no judge has; the report names it. `until`: s, of the free motion.
+    A held carrier is judged state by state, with the joint itself, and without a motion.
     """
     if bare:
         if (lacking := missing(stand)) and least_eigenvalue(bare_stand(stand))[0] < LEAST_EIGENVALUE:
@@ -238,6 +248,11 @@ def verify_judges(
             absent.append(_skipped_row(name, str(error).removeprefix("--judges: ")))
     if not judges:
         return _without_judges(stand, absent, seed, count)
+    if stand.hold is not None:
+        states = [(name, near_origin(state)) for name, state in draw(stand, seed, count)]
+        rows = compare_held(stand, cast(list[HeldJudge], judges), CBackend(stand), states, progress)
+        who = ", ".join(f"{judge.name} {judge.version}" for judge in judges)
+        return report(stand, f"generated C against {who}", seed, count, DOUBLE.default, [*rows, *absent])
     found = compare_with_judges(stand, judges, seed=seed, count=count, until=until, progress=progress)
     return replace(found, rows=(*found.rows, *absent))
 
