@@ -122,7 +122,7 @@ def no_flywheel_rate(original: Callable[..., None]) -> Callable[..., None]:
     """A flywheel's damping sees the twist of its mount: no f phi'."""
 
     def found(lib: Any, body: Any, stand: Any, frame: Any, x: Any, *rest: Any) -> None:
-        members = {"layout": SimpleNamespace(own_turning=False), "passed": lib.passed}
+        members = {"layout": SimpleNamespace(own_turning=False), "arguments_of": lib.arguments_of}
         of_lib = {"__getitem__": lambda _, name: lib[name], "__contains__": lambda _, name: name in lib}
         blind = type("Blind", (), members | of_lib)()
         original(blind, body, stand, frame, x, *rest)

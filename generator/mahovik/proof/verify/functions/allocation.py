@@ -171,14 +171,15 @@ def inverse_rows(case: Case) -> Iterator[Row]:
             rank = int(found["rank"])
             check_rank(case, scaled, rank)
             expected = weighted_solution(scaled, weight, rank)
-            plain.note(found["phi_ddot"], expected, scale_of(scaled, weight, rank, expected), name)
+            loss = _loss_along_freedoms(case, state, scaled)
+            plain.note(found["phi_ddot"], expected, loss * scale_of(scaled, weight, rank, expected), name)
             beside.note(state, options, status, found, scaled, name)
             options = options_of(case, number, near=NEAR, damping=DAMPING)
             options |= {key: float(np.float32(options[key])) for key in ("near", "damping")}
             near, damping = options["near"], options["damping"]
             status, found = answer_of(case, given, options)
             answer = weighted_solution(scaled, weight, rank, near, damping)
-            scale = damped_scale(case, scaled, options, rank, answer)
+            scale = loss * damped_scale(case, scaled, options, rank, answer)
             damped.note(found["phi_ddot"], answer, scale, name)
             share = largest_damping(scaled, rank, near, damping)
             damped_by.note(found["damped_by"], share, np.linalg.norm(scaled.W), name)
@@ -192,6 +193,21 @@ def inverse_rows(case: Case) -> Iterator[Row]:
     for row in (plain, damped, damped_by, limited):
         yield row.with_verdict()
     yield from beside.rows()
+
+
+def _loss_along_freedoms(case: Case, state: State, scaled: ScaledDemand) -> float:
+    """Relative errors of W = (S^T K S)^-1/2 S^T I Theta_ff^-1/2 and of r of a held carrier in units of rounding.
+
+    They grow where most of the terms of (8) is blocked by the hold, by what W and r are smaller than these terms.
+    """
+    if case.stand.hold is None:
+        return 1.0
+    m = Magnitudes(case.stand, state, case.at(state), case.bounds.cuts)
+    root = np.abs(scaled.root)
+    columns = np.linalg.norm(root @ m.free.S_I / np.sqrt(np.diag(m.at.Theta_ff)))
+    terms = np.linalg.norm(root @ m.free.S.T @ (m.S_bias + m.S_K @ (np.abs(state.V_dot) + m.stream_rate)))
+    pairs = ((columns, np.linalg.norm(scaled.W)), (terms, np.linalg.norm(scaled.r)), (1.0, 1.0))
+    return float(max(terms / kept for terms, kept in pairs if kept > 0.0))
 
 
 def _left_over(case: Case, beside: Diagnoses) -> Iterator[Row]:
