@@ -87,6 +87,19 @@ def test_the_c_and_the_literal_reference_move_alike(name: str, text: str) -> Non
         assert np.abs(found.data[:, i] - other.data[:, i]).max() <= 1e-5 * size, column
 
 
+@pytest.mark.parametrize("pivot", [0.0, 0.3])
+def test_speed_decays_by_the_friction_of_the_axle(pivot: float) -> None:
+    """Without weight u = u_0 exp(-c t / J), wherever the axle is: a moment is the same about any point."""
+    friction, lever = 0.08, 0.2 + pivot
+    damping = {"linear": np.diag([0, 0, 0, 0, friction, 0]).tolist()}
+    document = {**PENDULUM, "name": "axle", "gravity": [0, 0, 0], "carrier": {**PENDULUM["carrier"], "damping": damping},
+                "hold": {"freedoms": ["pitch"], "pivot": [0, 0, pivot]}}  # fmt: skip
+    found = mahovik.simulate(mahovik.Stand.from_dict(document), 2.0, start={"u": [1.5]}, dt=1e-3, every=0.1).run
+    inertia = 0.02 + 2.5 * lever**2 + 0.001
+    expected = 1.5 * np.exp(-friction / inertia * np.arange(len(found["omega_y [rad/s]"])) * 0.1)
+    assert found["omega_y [rad/s]"] == pytest.approx(expected, rel=1e-9)
+
+
 def test_a_clamped_wheel_shows_its_centrifugal_force_and_weight() -> None:
     """A wheel on a force table: m e Omega^2 turns in the plane of the wheel, and the weight stands still."""
     document = {**PENDULUM, "name": "table", "hold": {"freedoms": []}}
