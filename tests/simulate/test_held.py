@@ -100,6 +100,24 @@ def test_speed_decays_by_the_friction_of_the_axle(pivot: float) -> None:
     assert found["omega_y [rad/s]"] == pytest.approx(expected, rel=1e-9)
 
 
+@pytest.mark.parametrize("pivot", [0.0, 0.3])
+def test_spring_of_the_axle_swings_by_its_closed_formula(pivot: float) -> None:
+    """J a'' + c a' + k (a - a_0) = 0, wherever the axle is and however far it turns from the zero of the spring."""
+    friction, spring, zero, apart = 0.08, 3.0, 0.4, 2.0
+    suspension = {"stiffness": np.diag([0, 0, 0, 0, spring, 0]).tolist(),
+                  "damping": np.diag([0, 0, 0, 0, friction, 0]).tolist(), "angles": [0, zero, 0]}  # fmt: skip
+    document = {**PENDULUM, "name": "spring", "gravity": [0, 0, 0], "suspension": suspension,
+                "hold": {"freedoms": ["pitch"], "pivot": [0, 0, pivot]}}  # fmt: skip
+    start = {"angles": [0, zero + apart, 0]}
+    found = mahovik.simulate(mahovik.Stand.from_dict(document), 2.0, start=start, dt=1e-3, every=0.1).run
+    inertia = 0.02 + 2.5 * (0.2 + pivot) ** 2 + 0.001
+    decay = friction / (2 * inertia)
+    circular = np.sqrt(spring / inertia - decay**2)
+    t = np.arange(len(found["qy"])) * 0.1
+    swing = np.exp(-decay * t) * (np.cos(circular * t) + decay / circular * np.sin(circular * t))
+    assert 2 * np.arctan2(found["qy"], found["qw"]) == pytest.approx(zero + apart * swing, abs=1e-8)
+
+
 def test_a_clamped_wheel_shows_its_centrifugal_force_and_weight() -> None:
     """A wheel on a force table: m e Omega^2 turns in the plane of the wheel, and the weight stands still."""
     document = {**PENDULUM, "name": "table", "hold": {"freedoms": []}}
