@@ -92,7 +92,8 @@ def test_speed_decays_by_the_friction_of_the_axle(pivot: float) -> None:
     """Without weight u = u_0 exp(-c t / J), wherever the axle is: a moment is the same about any point."""
     friction, lever = 0.08, 0.2 + pivot
     damping = {"linear": np.diag([0, 0, 0, 0, friction, 0]).tolist()}
-    document = {**PENDULUM, "name": "axle", "gravity": [0, 0, 0], "carrier": {**PENDULUM["carrier"], "damping": damping},
+    carrier = {**PENDULUM["carrier"], "damping": damping}
+    document = {**PENDULUM, "name": "axle", "gravity": [0, 0, 0], "carrier": carrier,
                 "hold": {"freedoms": ["pitch"], "pivot": [0, 0, pivot]}}  # fmt: skip
     found = mahovik.simulate(mahovik.Stand.from_dict(document), 2.0, start={"u": [1.5]}, dt=1e-3, every=0.1).run
     inertia = 0.02 + 2.5 * lever**2 + 0.001
