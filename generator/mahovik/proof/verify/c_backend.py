@@ -153,7 +153,9 @@ class CBackend(ProgramBackend):
 
     def table(self) -> Any:
         """The compiled default table as plain data."""
-        takers = (f for f in self.complete.program.functions if f.public and any(a.name == "table" for a in f.arguments))
+        takers = (
+            f for f in self.complete.program.functions if f.public and any(a.name == "table" for a in f.arguments)
+        )
         return self.library.value(next(takers), "table")
 
 
