@@ -15,7 +15,7 @@ from mahovik.core.program.walk import used_variables, with_blocks
 def without_idle_calls(functions: Sequence[Function]) -> tuple[Function, ...]:
     """The functions without calls of idle ones and the checks of their status; without such calls they are the same."""
     idle = {function.name for function in functions if not function.public and _is_idle(function)}
-    return tuple(_without(function, idle) for function in functions) if idle else tuple(functions)
+    return tuple(_leave_out(function, idle) for function in functions) if idle else tuple(functions)
 
 
 def _is_idle(function: Function) -> bool:
@@ -25,7 +25,7 @@ def _is_idle(function: Function) -> bool:
     return False
 
 
-def _without(function: Function, idle: set[str]) -> Function:
+def _leave_out(function: Function, idle: set[str]) -> Function:
     body = _block(function.body, idle)
     used = used_variables(body)
     before = used_variables(function.body)
