@@ -13,7 +13,9 @@
 #define SYST_CSR (*(volatile uint32_t *)0xE000E010u)
 #define SYST_RVR (*(volatile uint32_t *)0xE000E014u)
 #define SYST_CVR (*(volatile uint32_t *)0xE000E018u)
+#define SCB_ICSR (*(volatile uint32_t *)0xE000ED04u)
 #define TICKS_A_TURN 0x1000000u /* a counter of 24 bits */
+#define SYSTICK_PENDING 0x4000000u
 
 void board_exit(int status);
 void board_systick(void);
@@ -60,9 +62,9 @@ unsigned long board_ticks(void)
         while (SYST_CVR == 0u) { /* loaded at the next tick */
         }
     }
-    do { /* a turn may end between the two readings */
+    do { /* a turn may end between the two readings, or before its interrupt has counted it */
         turn = turns;
         left = SYST_CVR;
-    } while (turn != turns);
+    } while (turn != turns || (SCB_ICSR & SYSTICK_PENDING) != 0u);
     return (unsigned long)(((uint64_t)turn * TICKS_A_TURN + (TICKS_A_TURN - 1u - left)) * 1000u / BOARD_MHZ);
 }

@@ -47,6 +47,7 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.task.functions import add_tasks
 from mahovik.core.program.function import Function, Program
+from mahovik.core.program.idle_calls import without_idle_calls
 from mahovik.core.program.restrict import restrict_program
 from mahovik.core.program.short_loops import without_short_loops
 from mahovik.core.program.types import Precision, Struct
@@ -206,8 +207,8 @@ def _program(lib: Library) -> Program:
         turning = (flywheels.sum_spin(lib, steady, apart=True) for steady in (True, False))
         spare = (flywheels.sum_mass(lib, apart=True), *turning)
     functions = reachable(lib.functions)
-    if layout.held:  # matrices of one freedom have one row
-        functions = tuple(map(without_short_loops, functions))
+    if layout.held:  # matrices of one freedom have one row, and clamped carriers no equations
+        functions = without_idle_calls(tuple(map(without_short_loops, functions)))
     program = Program(layout.structure.name, layout.precision, counts, _structs(lib), functions, spare)
     if layout.held:  # without the structs of what only a free carrier has
         public = [f.name for f in functions if f.public]

@@ -80,9 +80,9 @@ class _Rewriter:
                 if number is not None:
                     meanings[id(variable)] = Const(number, Kind.INT)
                     return ()
-                return (replace(s, variable=self._renamed(variable, meanings, moved), value=new),)
+                return (replace(s, variable=self._rename(variable, meanings, moved), value=new),)
             case Declare(variable):
-                return (replace(s, variable=self._renamed(variable, meanings, moved)),)
+                return (replace(s, variable=self._rename(variable, meanings, moved)),)
             case Set(place, value):
                 return (replace(s, place=_place(place, meanings), value=_expr(value, meanings)),)
             case Copy(target, source):
@@ -114,7 +114,7 @@ class _Rewriter:
         inner = self.block(s.body, meanings)
         return (replace(s, start=start, stop=stop, body=inner),) if inner else ()
 
-    def _renamed(self, variable: Variable, meanings: Meanings, moved: bool) -> Variable:
+    def _rename(self, variable: Variable, meanings: Meanings, moved: bool) -> Variable:
         if not moved or variable.name not in self._shared:
             return variable
         new = self._fresh.like(variable)
@@ -127,7 +127,7 @@ def _expr(e: Expr, meanings: Meanings) -> Expr:
     substituted = substitution(meanings)
 
     def leaf(place: Place) -> Expr:
-        path = tuple(_folded(step) if isinstance(step, Expr) else step for step in place.path)
+        path = tuple(_fold(step) if isinstance(step, Expr) else step for step in place.path)
         return substituted(Place(place.root, path, place.type, place.shape))
 
     return _without_idle_choices(rebuilt(e, leaf))
@@ -147,7 +147,7 @@ def _place(place: Place, meanings: Meanings) -> Place:
     return found
 
 
-def _folded(e: Expr) -> Expr:
+def _fold(e: Expr) -> Expr:
     number = _literal(e)
     return e if number is None else Const(number, Kind.INT)
 

@@ -146,7 +146,7 @@ HELD = {
     "pinocchio": ("mahovik.proof.verify.judges.held_pinocchio", "HeldPinocchio"),
     "mujoco": ("mahovik.proof.verify.judges.held_mujoco", "HeldMujoco"),
 }
-"""Of held carriers."""
+"""Module and class of every judge of held carriers."""
 
 PARTIAL = {
     "basilisk": ("mahovik.proof.verify.judges.basilisk_judge", "BasiliskJudge", "pip install bsk"),

@@ -29,7 +29,7 @@ class HeldJudge(Protocol):
     version: str
 
     def evaluate(self, state: State) -> dict[str, Values]:
-        """By want of GIVEN: u_dot (m), V_dot (6) and reaction (6) in E1 about O1, phi_ddot, tau (N); some of them."""
+        """Answers to each want of GIVEN: some of u_dot (m), V_dot, reaction (6, in E1 about O1), phi_ddot, tau (N)."""
 
 
 def compare_held(

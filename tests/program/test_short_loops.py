@@ -1,0 +1,114 @@
+"""Loops of one turn and of none go; results keep their bits."""
+
+from __future__ import annotations
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from mahovik.core.program.build import Body, call
+from mahovik.core.program.expression import Place, Status, integer, real, select, unequal
+from mahovik.core.program.function import Function
+from mahovik.core.program.idle_calls import without_idle_calls
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.short_loops import without_short_loops
+from mahovik.core.program.statement import Declare, Let, Loop, Note
+from mahovik.core.program.types import Kind
+from mahovik.core.program.validate import validate
+from mahovik.core.program.walk import called_names, statements
+from program.small import argument, function, program
+
+ROWS = 3
+
+
+def solver(rows: int) -> Function:
+    """Everything that a short loop may hold: nested bounds, locals of one name, choices, literals that are replaced."""
+
+    def write(body: Body, x: Place, out: Place) -> None:
+        for each in out:
+            body.set(each, x[0])
+        with body.loop("i", rows) as i:
+            total = body.local("total")
+            body.set(total, real(0))
+            with body.loop("k", i) as k:
+                body.add(total, out[k] * x[k])
+            with body.loop("k", rows, start=i + 1) as k:
+                body.add(total, out[k] - x[k])
+            body.set(out[i], real(0))
+            body.set(out[i], real(1))
+            body.add(out[i], select(i < 1, x[i], x[0]) + total)
+        with body.loop("t", rows) as t:
+            last = body.let("last", integer(rows - 1) - t)
+            total = body.let("total", 3 * out[last])
+            with body.when(total > 1):
+                body.set(out[last], total * x[last])
+        body.note("exchange neighbours")
+        with body.loop("pass", rows - 1), body.loop("i", rows - 1) as i:
+            kept = body.let("kept", out[i])
+            body.set(out[i], out[i + 1])
+            body.set(out[i + 1], kept)
+
+    return function("f", [argument("x", Kind.REAL, (ROWS,)), argument("out", Kind.REAL, (ROWS,), "out")], write)
+
+
+def outputs(f: Function, x: list[float]) -> list[float]:
+    """`out` of the function."""
+    checked = program(f)
+    validate(checked)
+    return [float(value) for value in Interpreter(checked).run("f", {"x": x})[1]["out"]]
+
+
+NUMBERS = st.lists(st.floats(-1e3, 1e3), min_size=ROWS, max_size=ROWS)
+
+
+@given(st.integers(1, ROWS), NUMBERS)
+def test_results_keep_their_bits(rows: int, x: list[float]) -> None:
+    given_function = solver(rows)
+    assert list(map(repr, outputs(without_short_loops(given_function), x))) == list(
+        map(repr, outputs(given_function, x))
+    )
+
+
+def test_one_row_has_no_loops() -> None:
+    body = list(statements(without_short_loops(solver(1)).body))
+    assert not any(isinstance(s, Loop | Note) for s in body)
+    names = [s.variable.name for s in body if isinstance(s, Let | Declare)]
+    assert len(names) == len(set(names)) == 2
+
+
+def test_a_function_with_longer_loops_alone_stays_the_same() -> None:
+    def write(body: Body, x: Place, out: Place) -> None:
+        with body.loop("i", ROWS) as i:
+            body.set(out[i], x[i])
+
+    arguments = [argument("x", Kind.REAL, (ROWS,)), argument("out", Kind.REAL, (ROWS,), "out")]
+    f = function("f", arguments, write)
+    assert without_short_loops(f) is f
+
+
+def test_calls_that_only_return_ok_go_with_their_checks() -> None:
+    idle = function("idle", [], lambda body: body.ret(Status("OK")), Kind.STATUS, public=False)
+    strict = function("strict", [], lambda body: body.ret(Status("RANGE")), Kind.STATUS, public=False)
+
+    def write(body: Body, out: Place) -> None:
+        status = body.local("status", (), Kind.STATUS)
+        for each in (idle, strict):
+            body.set(status, call(each))
+            with body.when(unequal(status, Status("OK"))):
+                body.ret(status)
+        body.set(out[0], real(1))
+        body.ret(Status("OK"))
+
+    def only_idle(body: Body, out: Place) -> None:
+        status = body.local("status", (), Kind.STATUS)
+        body.set(status, call(idle))
+        with body.when(unequal(status, Status("OK"))):
+            body.ret(status)
+        body.set(out[0], real(1))
+
+    out = [argument("out", Kind.REAL, (1,), "out")]
+    both, one = function("f", out, write, Kind.STATUS), function("g", out, only_idle)
+    found = without_idle_calls([idle, strict, both, one])
+    assert called_names(found[2].body) == {"strict"}
+    assert called_names(found[3].body) == set()
+    assert not any(isinstance(s, Declare) for s in found[3].body)
+    validate(program(*found))
