@@ -200,6 +200,9 @@ def test_the_hardest_direction_is_out_of_reach(count: int) -> None:
         {"limit": [0.0] * 6},
         {"near": 1.5},
         {"damping": -0.1},
+        {"motor_viscous": [0.0] * 5 + [-1e-3]},
+        {"motor_coulomb": [-1e-3] + [0.0] * 5},
+        {"motor_coulomb_speed": [1.0] * 5 + [0.0]},
     ],
 )
 def test_bad_options_are_refused(options: dict[str, Any]) -> None:

@@ -33,8 +33,14 @@ REASONS: dict[tuple[str, str], str] = {
         "sign of a term: V[0] = x->V[0] - u[0]",
     ): "a gap: of this function EXCESSIVE alone is made, and a stream "
     "hardly ever decides it; `torque` has the same lines of its own, which are judged",
-    ("torque_for_pointing", "and / or exchanged: if (!(shares[0]"): "a gap: torque_for refuses a wrong damping that it "
-    "does not use, and no test gives it one",
+    (
+        "inverse",
+        "and / or exchanged: if (options->motor_viscous[s]",
+    ): "a gap: the campaign does not notice it, though a test gives each wrong number of a motor by itself",
+    (
+        "torque_for_pointing",
+        "comparison turned round: if (!(shares[0]",
+    ): "a gap: torque_for refuses a wrong damping that it does not use, and no test gives it one",
     (
         "rotation_vector",
         "number times 1.5: if (square > 1.0e-30)",
