@@ -22,7 +22,6 @@ from study.test_diagnose import BY_NAME, as_float, diagnoser, names, planted, st
 HALF_EXPLAINED = [
     "buoyancy at the centre of mass",
     "stream ignored in damping",
-    "leg damping without omega",
     "attitude angles in degrees",
 ]
 """Without these in the dictionary another fault explains 70 to 89 % of their error in `forward` and `torque`."""

@@ -128,13 +128,13 @@ def test_outputs_of_points_are_on_their_circle(tmp_path: Path) -> None:
 )
 def test_a_hold_without_coordinates_is_refused(text: str, reason: str, tmp_path: Path) -> None:
     path = tmp_path / "pendulum.toml"
-    path.write_text(TEXT.replace('["pitch"]', text))
+    path.write_text(TEXT.replace('["pitch"]\npivot = [0, 0, -0.2]', text))
     message = refused("modes", str(path), status=1)
     assert reason in message and len(message.strip().splitlines()) == 1
 
 
 def test_flywheels_of_a_clamped_carrier_turn_alone() -> None:
-    stand = loads(TEXT.replace('["pitch"]', "[]"))
+    stand = loads(TEXT.replace('["pitch"]\npivot = [0, 0, -0.2]', "[]"))
     found = linear_model(stand, home(stand), [])
     assert pytest.approx(np.array([[0, 1], [0, 0]])) == found.A and found.B[1, 0] == pytest.approx(1 / SPIN)
     with pytest.raises(CheckError, match="no flywheel is free"):

@@ -46,7 +46,7 @@ def check(
     ),
     fluid: str | None = option(
         "--fluid",
-        'Report passivity, added mass and growth of small motions at this velocity ahead, "2 m/s" or m/s.',
+        'Print passivity, added mass and growth of small motions at this velocity ahead, "2 m/s" or m/s.',
         metavar="VELOCITY",
     ),
     as_json: bool = json_option("Print JSON instead of tables."),

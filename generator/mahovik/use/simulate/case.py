@@ -184,7 +184,7 @@ def read_start(text: str, stand: Stand, keys: tuple[str, ...] = START_KEYS, hint
             if not isinstance(found, dict):
                 raise StateError("state: expected an object")
             refuse_duplicates(found)
-        _refuse_unknown(found, keys, hint)
+        _refuse_unknown(found, keys if stand.hold else tuple(key for key in keys if key != "u"), hint)
         state = read_request(stand, {**found, "want": ["forward"]}).state
         return state if stand.hold is None else complete_start(stand, state, found.keys())
     except StateError as error:

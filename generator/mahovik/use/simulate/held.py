@@ -8,7 +8,6 @@ from dataclasses import replace
 from typing import cast
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.hold import TWIST_NAMES, is_closed, twist_of, twists, words
 from mahovik.core.stand.model import Hold, Stand, Vec3
@@ -40,6 +39,8 @@ def home(stand: Stand) -> State:
 
 def move(state: State, C: Array, step: Array) -> State:
     """The state moved by exp(step), a twist in E1 (6; m, rad): along its screw, so that a closed set is not left."""
+    from scipy.spatial.transform import Rotation
+
     turned = C @ Rotation.from_rotvec(step[3:]).as_matrix()
     position = np.array(state.position) + C @ (_left_jacobian(step[3:]) @ step[:3])
     return replace(state, position=cast(Vec3, tuple(position.tolist())), angles=None, quaternion=_quaternion(turned))
@@ -88,6 +89,8 @@ def _has_coordinates(hold: Hold) -> bool:
 
 def _off_freedoms(stand: Stand, hold: Hold, state: State) -> Array:
     """Part (6; m, rad) of the twist from the home pose to that of the state which no freedom gives."""
+    from scipy.spatial.transform import Rotation
+
     at_home = home(stand)
     C0, C = carrier_rotation(stand, at_home), carrier_rotation(stand, state)
     turned = Rotation.from_matrix(C0.T @ C).as_rotvec()
@@ -107,6 +110,8 @@ def _left_jacobian(r: Array) -> Array:
 
 
 def _quaternion(C: Array) -> Quaternion:
+    from scipy.spatial.transform import Rotation
+
     x, y, z, w = Rotation.from_matrix(C).as_quat().tolist()
     return w, x, y, z
 
