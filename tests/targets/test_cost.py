@@ -11,6 +11,7 @@ import pytest
 
 from cli.run import BENCH8, DEMO3, refused, run
 from mahovik.core.stand import load
+from mahovik.core.toolchain.workload import SHORT_CALL, Line, read
 from mahovik.errors import UsageError
 from mahovik.proof.cost.check import compare
 from mahovik.proof.cost.measure import Costs, FunctionCost, TargetCost, measure, parse_targets
@@ -64,6 +65,18 @@ def test_painted_stack_confirms_the_frames(bench8: dict[tuple[str, str], TargetC
         for f in found.functions:
             assert f.routines or f.painted <= f.stack, f.function
         assert sum(f.painted >= 0.9 * f.stack - 16 for f in found.functions) >= len(found.functions) - 2
+
+
+@pytest.mark.slow
+def test_a_short_call_costs_a_whole_number(monkeypatch: pytest.MonkeyPatch) -> None:
+    """So many calls are counted that neither the counter's step nor the text around the loop changes the figure."""
+    lines: list[Line] = []
+    monkeypatch.setattr("mahovik.proof.cost.measure.read", lambda text: lines.extend(read(text)) or read(text))
+    measure(load(DEMO3), [(target("m4"), "float")])
+    short = [line for line in lines if line.instructions / line.calls < 0.9 * SHORT_CALL]
+    assert {"wrap", "accumulate", "forward"} <= {line.function for line in short}
+    for line in short:
+        assert abs(line.instructions / line.calls - round(line.instructions / line.calls)) < 0.25, line
 
 
 def test_functions_that_contain_others_cost_more(bench8: dict[tuple[str, str], TargetCost]) -> None:

@@ -19,7 +19,10 @@ from mahovik.core.program.types import Precision
 LONG_CALL = 100_000
 """Instructions; a call as long is counted once: the coarsest counter is good to 50 instructions."""
 
-MANY = 50
+SHORT_CALL = 5_000
+"""Instructions; a call as short is counted over so many that the mean is its exact number."""
+
+SOME, MANY = 50, 400
 
 _OF_THE_STAND = {row.symbol: row.default for row in TABLES.values() if row.default}
 """Arguments that the emitted C has constants for."""
@@ -64,6 +67,8 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]], recorder: bo
         name=program.name,
         states=len(states),
         long_call=LONG_CALL,
+        short_call=SHORT_CALL,
+        some=SOME,
         many=MANY,
         constants=[_constant(a, states, names, program.precision) for a in taken.values()],
         outputs=[declaration(names, a, key) for key, a in written.items()],
