@@ -1,4 +1,4 @@
-"""Byte-identical output from run to run: another process, hash seed, folder, locale, time zone."""
+"""Byte-identical output from run to run: another process, hash seed, folder, locale, time zone, processor."""
 
 import os
 import subprocess
@@ -44,3 +44,31 @@ def test_two_processes_write_the_same_bytes(name: str, tmp_path: Path) -> None:
         found.append(done.stdout)
     assert found[0] == found[1]
     assert len(found[0]) > 10_000
+
+
+DESIGN_SCRIPT = """
+import sys
+from mahovik.core.stand import load
+from mahovik.out.export.attitude import attitude_sources
+from mahovik.use.control.attitude import LoopOptions
+for text in attitude_sources(load(sys.argv[1]), LoopOptions(), "double").files.values():
+    sys.stdout.buffer.write(text.encode("ascii"))
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["eye4", "sat4"])
+def test_designed_loops_have_the_same_bytes_on_every_processor(name: str) -> None:
+    """OpenBLAS sums in another order on each kind of processor; what is designed with it is rounded before it is C."""
+    found = set()
+    for processor in ("Prescott", "Haswell", "SkylakeX"):
+        done = subprocess.run(
+            [sys.executable, "-c", DESIGN_SCRIPT, examples.path(name)],
+            env=os.environ | {"OPENBLAS_CORETYPE": processor},
+            capture_output=True,
+            check=False,
+        )
+        assert done.returncode == 0, done.stderr.decode()
+        found.add(done.stdout)
+    assert len(found) == 1
+    assert len(found.pop()) > 10_000

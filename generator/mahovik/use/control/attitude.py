@@ -121,7 +121,8 @@ def design_attitude(stand: Stand, options: LoopOptions) -> AttitudeDesign:
     capacity = momentum_capacity(stand).alone
     along = np.eye(3)[int(np.argmax(np.round(capacity, 9)))]  # where the flywheels hold most
     for_unit = np.linalg.pinv(axes.T * spins) @ along
-    speeds = preferred + options.momentum * for_unit
+    # The last digits of a pseudo-inverse differ from processor to processor; the emitted C has the same everywhere.
+    speeds = np.round(preferred + options.momentum * for_unit, 9)
     _check_speeds(stand, preferred, for_unit, options.momentum)
     fastest, quickest = _limits(stand, float(np.abs(speeds).max()))
     dumps = stand.carrier.wrench_input
