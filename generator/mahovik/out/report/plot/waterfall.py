@@ -15,6 +15,9 @@ from mahovik.out.report.plot.panel import Array, Levels, Line, Panel
 PARTS = 16
 """Stretches of the run, side by side; a spectrum is of the length of one."""
 
+PADDED = 4
+"""Length to which zeros extend a stretch, in its own: a line is drawn as a smooth peak."""
+
 CASCADE = 24
 """Spectra in the waterfall of lines."""
 
@@ -51,7 +54,7 @@ def panels(columns: Mapping[str, Array], name: str) -> list[Panel]:
     rows = CASCADE * FINE
     length = 2 * (len(t) // PARTS // 2)
     starts = np.linspace(0, len(t) - length, rows).astype(int)
-    frequency = np.arange(length // 2 + 1) / (length * dt)
+    frequency = np.arange(PADDED * length // 2 + 1) / (PADDED * length * dt)
     size = np.array([_amplitudes(y[start : start + length]) for start in starts])
     times = t[starts] + 0.5 * length * dt
     largest = float(size.max()) or 1.0
@@ -97,10 +100,10 @@ def _step(t: Array) -> float:
 
 
 def _amplitudes(y: Array) -> Array:
-    """Amplitude of each frequency of a stretch (M,), its mean left out: (M/2 + 1,)."""
+    """Amplitude of each frequency of a stretch (M,), its mean left out: (PADDED M/2 + 1,)."""
     window = np.hanning(len(y) + 1)[:-1]
     about_mean = y - (window @ y) / window.sum()
-    return np.asarray(2.0 * np.abs(np.fft.rfft(window * about_mean)) / window.sum())
+    return np.asarray(2.0 * np.abs(np.fft.rfft(window * about_mean, PADDED * len(y))) / window.sum())
 
 
 def _lines(times: Array, frequency: Array, size: Array, floor: float) -> tuple[Line, ...]:
