@@ -67,6 +67,7 @@ help:
 	@echo "make linear-campaign  linear models against CasADi, steady states against the C: docs/results/linear.md, docs/results/response.md"
 	@echo "make jitter-picture  the sweep that the README shows: docs/jitter.svg"
 	@echo "make satellite-picture  the jitter of the satellite's tutorial: docs/satellite-jitter.svg"
+	@echo "make held-pictures  runs the pages on held carriers, and keeps what they draw: docs/held-*.svg, docs/swing-up.svg"
 	@echo "make response-picture  a sweep of bench8's speed: docs/response.svg"
 	@echo "make quiet-campaign  how much quieter quiet makes sat4 and random satellites: docs/results/quiet.md; minutes"
 	@echo "make balance-campaign  published cases of balancing, and times with measured data: docs/results/balancing.md"
@@ -247,6 +248,9 @@ jitter-campaign: setup-test
 
 linear-campaign: setup-test
 	$(BIN)/python tools/linear_campaign.py --write
+
+held-pictures: setup-test
+	$(BIN)/python tools/held_pictures.py
 
 response-picture: setup-test
 	$(BIN)/mahovik response generator/mahovik/stands/bench8.toml --at carrier \

@@ -99,6 +99,13 @@ def test_a_state_that_does_not_fit_is_an_error_line(
     assert reason in found["error"]
 
 
+def test_a_project_for_a_board_is_written(file: str, tmp_path: Path) -> None:
+    folder = tmp_path / "board"
+    assert run("export", "target", file, "--target", "m4", "-o", str(folder)).exit_code == 0
+    assert "reaction" in (folder / "pendulum_selftest.c").read_text()
+    assert "typedef float" in (folder / "pendulum.h").read_text()
+
+
 def test_a_free_carrier_has_no_u(tmp_path: Path) -> None:
     free = tmp_path / "free.toml"
     free.write_text(TEXT.replace('[hold]\nfreedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', ""))

@@ -17,7 +17,7 @@ from mahovik.core.motion.required.model import Bounds
 from mahovik.core.stand import load
 from mahovik.out.cli import main
 from mahovik.out.report.plot import response as orders
-from mahovik.out.report.plot import run
+from mahovik.out.report.plot import run, waterfall
 from mahovik.out.report.plot.draw import draw, draw_panel
 from mahovik.out.report.plot.panel import Line, Mark, Panel, border
 from mahovik.out.report.plot.programme import panels
@@ -122,6 +122,59 @@ def test_a_run_that_follows_is_shown_at_its_end_and_its_error_all_along() -> Non
     assert len(error.x) == 1000 and np.abs(error.y).max() == pytest.approx(0.1, rel=0.01)
 
 
+def test_of_a_held_run_what_moves_and_the_reaction_are_shown() -> None:
+    t = np.linspace(0.0, 3.0, 31)
+    zero, angle = 0.0 * t, 2.0 * np.pi * t  # three whole turns
+    columns = {"t [s]": t} | {f"{a} [m]": zero for a in "xyz"} | {f"v_{a} [m/s]": zero for a in "xyz"}
+    columns |= {"qw": np.cos(angle / 2), "qx": zero, "qy": np.sin(angle / 2), "qz": zero}
+    columns |= {f"hold.reaction.{a} [N]": zero + 5.0 for a in "xyz"}
+    columns |= {f"hold.reaction.{a} [N m]": zero + 1e-17 for a in "kmn"}
+    shown = run.panels(columns)
+    assert [panel.quantity.partition(",")[0] for panel in shown] == ["turn", "force of the hold"]
+    turn = by_quantity(shown, "turn, deg").lines[1].y
+    assert np.abs(turn - np.degrees(angle)).max() < 1e-9
+    free = {name: values for name, values in columns.items() if not name.startswith("hold")}
+    assert [panel.quantity.partition(",")[0] for panel in run.panels(free)] == ["O1", "turn", "carrier"]
+
+
+def test_a_waterfall_follows_the_speed_and_has_the_amplitude() -> None:
+    t = np.arange(4000) * 1e-3
+    speed = 20.0 * np.pi * (1.0 + t)  # 10 Hz to 50 Hz
+    phase = 20.0 * np.pi * (t + t**2 / 2)
+    columns = {"t [s]": t, "hold.reaction.x [N]": 9.81 + 3.0 * np.cos(phase), "phi_dot w1 [rad/s]": speed}
+    lines, levels = waterfall.panels(columns, "hold.reaction.x")
+    assert levels.levels is not None and levels.levels.quantity == "hold.reaction.x, N"
+    value, edges = levels.levels.value, levels.levels.x
+    assert value.shape == (len(levels.levels.y) - 1, len(edges) - 1)
+    turning = levels.lines[0]
+    for row, (hertz, time) in enumerate(zip(turning.x, turning.y, strict=True)):
+        assert hertz == pytest.approx(10.0 * (1.0 + time))
+        k = int(np.nanargmax(value[row]))
+        assert edges[k] - 2.0 <= hertz <= edges[k + 1] + 2.0  # a spectrum is 4 Hz wide
+    assert 1.5 < np.nanmax(value) <= 3.0  # smeared over the 2.5 Hz by which the speed rises in a stretch
+    assert len(lines.lines) == waterfall.CASCADE
+    steady = waterfall.panels(columns | {"hold.reaction.x [N]": 3.0 * np.cos(80.0 * np.pi * t)}, "hold.reaction.x [N]")
+    assert steady[1].levels is not None and np.nanmax(steady[1].levels.value) == pytest.approx(3.0, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("rows", "name", "words"),
+    [
+        (300, "hold.reaction.y", 'no column "hold.reaction.y", did you mean'),
+        (300, "t", 'no column "t"'),
+        (30, "hold.reaction.x", "30 rows, expected at least 256"),
+        (-300, "hold.reaction.x", "not evenly spaced"),
+    ],
+)
+def test_what_has_no_waterfall_is_refused(rows: int, name: str, words: str, tmp_path: Path) -> None:
+    times = [0.1 * i + (0.01 if rows < 0 and i > 100 else 0.0) for i in range(abs(rows))]
+    path = tmp_path / "run.csv"
+    path.write_text("t [s],hold.reaction.x [N]\n" + "".join(f"{t},1.0\n" for t in times))
+    found = plot("--run", path, "--waterfall", name, "-o", tmp_path / "w.svg")
+    assert found.exit_code == 2 and words in " ".join(found.output.split()), found.output
+    assert not (tmp_path / "w.svg").exists()
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -144,6 +197,7 @@ def test_wrong_use_is_refused(programme: Path, tmp_path: Path) -> None:
         (["--programme", programme, *WITH[:1], "-o", tmp_path / "a.svg"], "give both or neither"),
         (["--programme", tmp_path / "none.json", "-o", tmp_path / "a.svg"], "none.json"),
         (["--run", tmp_path / "none.csv", "-o", tmp_path / "a.svg"], "cannot be read"),
+        (["--programme", programme, "--waterfall", "x", "-o", tmp_path / "a.svg"], "--waterfall: only of a run"),
     ):
         found = plot(*arguments)
         assert found.exit_code == 2 and words in found.output, found.output

@@ -241,8 +241,8 @@ def lines(hold: Hold) -> list[str]:
 
 
 TAKE_HELD = (
-    "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize` "
-    "and `judge-log`"
+    "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, "
+    "`judge-log` and `export target`"
 )
 """Commands that take held carriers."""
 

@@ -102,7 +102,7 @@ def target(
 
     stand_file, (name,) = stand_first(stand_file, further, {"--target": target_name}, former=("--target", STAND))
     found = exportable(name)
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     chosen = real or found.real or "double"
     folder = Path(output if output is not None else f"{stand.name}-{name}")
     with progress(f"generate {stand.name} for {name}"):

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.cli.options import STAND_FILE_OR_NONE, command, file_option, load_stand
+from mahovik.out.cli.options import STAND_FILE_OR_NONE, command, file_option, load_stand, option
 from mahovik.out.cli.output import require_suffix
 from mahovik.out.cli.progress import progress
 from mahovik.out.cli.stand_first import note_order
@@ -21,6 +21,9 @@ def plot(
     programme_file: str | None = file_option("--programme", "P.json", "Draw this programme of `mahovik plan`."),
     motion_file: str | None = file_option("--motion", "M.json", "Compare with this required motion; needs STAND.toml."),
     run_file: str | None = file_option("--run", "RUN.csv|RUN.parquet", "Draw this run of `mahovik simulate`."),
+    waterfall: str | None = option(
+        "--waterfall", "Draw spectra of this column of the run over time.", metavar="COLUMN"
+    ),
     output: str = file_option("-o", "FILE.svg|FILE.png", "Write the picture to this file.", required=True),
     former_stand: str | None = file_option("--stand", "STAND.toml", "Read the stand of the programme.", hidden=True),
 ) -> None:
@@ -28,9 +31,11 @@ def plot(
 
     Of a programme it shows speeds and accelerations of the flywheels; with its stand and motion also the carrier's
     required and achieved motion, by (8), drive torques and the residual of (12). Of a run of `mahovik simulate` it
-    shows the carrier's motion, speeds, torques.
+    shows the carrier's motion, speeds, torques, and of a held carrier the reaction. COLUMN is a name in its first line,
+    without the unit, such as hold.reaction.x.
     """
     from mahovik.out.report.plot import run
+    from mahovik.out.report.plot import waterfall as spectra
     from mahovik.out.report.plot.draw import SUFFIXES, draw
     from mahovik.writing import probe, write
 
@@ -47,6 +52,8 @@ def plot(
         raise UsageError("expected --programme P.json or --run RUN.csv, one of them")
     target = Path(output)
     with_stand = stand_file is not None or motion_file is not None
+    if waterfall is not None and run_file is None:
+        raise UsageError("--waterfall: only of a run; give --run RUN.csv, or remove it")
     if run_file is not None and with_stand:
         raise UsageError("STAND.toml, --motion: not used for a run; remove them")
     if with_stand and (stand_file is None or motion_file is None):
@@ -56,7 +63,9 @@ def plot(
         if run_file is None:
             title, shown = _programme_panels(source, stand_file, motion_file)
         else:
-            title, shown = Path(source).stem, run.panels(run.read(Path(source)))
+            columns = run.read(Path(source))
+            title = Path(source).stem
+            shown = run.panels(columns) if waterfall is None else spectra.panels(columns, waterfall)
         picture = draw(title, shown, suffix)
     write(target, picture)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -89,7 +90,7 @@ def panels(columns: Mapping[str, Array]) -> list[Panel]:
     flywheels, margins of motors, readings of points.
 
     Of a run that follows a programme: what is required beside what is achieved, and the error; only the last has all
-    of the run.
+    of the run. Of a held carrier: the reaction of the hold, and of the carrier only what moves.
     """
     t = columns["t [s]"]
     if follows_programme(columns):
@@ -98,14 +99,36 @@ def panels(columns: Mapping[str, Array]) -> list[Panel]:
     else:
         place = _group("O1, mm, from the start", t, columns, [f"{a} [m]" for a in "xyz"], 1e3, from_start=True)
         carrier = [place, _turn(t, columns)]
-    found = [
+    motion = [
         *carrier,
         _group("carrier, m/s, in E1", t, columns, [f"v_{a} [m/s]" for a in "xyz"]),
         _group("carrier, rad/s, in E1", t, columns, [f"omega_{a} [rad/s]" for a in "xyz"]),
+    ]
+    reaction = _reaction(t, columns)
+    if any(name.startswith("hold.reaction.") for name in columns):
+        motion = [panel for panel in motion if any(np.ptp(line.y) > STILL for line in panel.lines)]
+    found = [
+        *motion,
+        *reaction,
         *(_flywheels(quantity, t, columns, kind, unit) for quantity, kind, unit in _WHEELS),
         *_points(t, columns),
     ]
     return [panel for panel in found if panel.lines]
+
+
+STILL = 1e-9
+"""Range or size of a quantity in the units of its panel that is rounding, where a hold blocks or allows all."""
+
+
+def _reaction(t: Array, columns: Mapping[str, Array]) -> list[Panel]:
+    """Force and moment of the hold on the carrier; none of a free carrier."""
+    found = []
+    for kind, unit, letters in (("force", "N", "xyz"), ("moment", "N m", "kmn")):
+        names = [f"hold.reaction.{letter} [{unit}]" for letter in letters]
+        if all(name in columns for name in names):
+            values = np.stack([columns[name] for name in names], axis=1)
+            found.append(Panel(f"{kind} of the hold, {unit}, in E1 about O1", family(list(letters), t, values)))
+    return [panel for panel in found if any(np.abs(line.y).max() > STILL for line in panel.lines)]
 
 
 _WHEELS = (("speed, rpm", "phi_dot", RPM), ("drive torque, N m", "tau", 1.0), ("margin of motors, N m", "margin", 1.0))
@@ -140,16 +163,29 @@ def _points(t: Array, columns: Mapping[str, Array]) -> list[Panel]:
 
 
 def _turn(t: Array, columns: Mapping[str, Array]) -> Panel:
-    """Rotation vector of the carrier from its attitude at the start, in E1."""
+    """Rotation vector of the carrier from its attitude at the start, in E1, without jumps at half a turn."""
     from scipy.spatial.transform import Rotation
 
     names = ("qx", "qy", "qz", "qw")
     if any(name not in columns for name in names):
         return Panel("", ())
     attitude = Rotation.from_quat(np.stack([columns[name] for name in names], axis=1))
-    vector = 1e3 * (attitude[0].inv() * attitude).as_rotvec()
-    lines = tuple(Line(f"about {a}", t, vector[:, i], i) for i, a in enumerate("xyz"))
-    return Panel("turn, mrad, from the start", lines)
+    vector = _without_jumps((attitude[0].inv() * attitude).as_rotvec())
+    large = float(np.abs(vector).max()) > 1.0
+    scale, unit = (math.degrees(1.0), "deg") if large else (1e3, "mrad")
+    return Panel(f"turn, {unit}, from the start", family([f"about {a}" for a in "xyz"], t, scale * vector))
+
+
+def _without_jumps(vectors: Array) -> Array:
+    """Rotation vectors (M, 3), each with the whole turns that bring it nearest to the one before."""
+    found = vectors.copy()
+    for row in range(1, len(found)):
+        angle = float(np.linalg.norm(found[row]))
+        if angle > 0.0:
+            axis = found[row] / angle
+            turns = round((float(axis @ found[row - 1]) - angle) / (2.0 * math.pi))
+            found[row] += 2.0 * math.pi * turns * axis
+    return found
 
 
 def _flywheels(quantity: str, t: Array, columns: Mapping[str, Array], kind: str, unit: float) -> Panel:
