@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from types import MappingProxyType
 
 import numpy as np
@@ -10,6 +11,8 @@ from hypothesis import strategies as st
 
 from mahovik.contract.laws import LAWS
 from mahovik.core.stand import Stand, State
+from mahovik.core.stand.hold import FREEDOMS
+from mahovik.core.stand.model import Freedom, Hold
 from mahovik.core.stand.random import EXTREMES, SEQUENCES, Features, extreme_state, random_stand, random_state
 from mahovik.core.stand.random_state import MAX_PHASE
 
@@ -79,6 +82,27 @@ def stands(
     )
     flywheels = draw(st.integers(min_flywheels, max_flywheels))
     return random_stand(np.random.default_rng(draw(_SEEDS)), flywheels, has)
+
+
+@st.composite
+def held_stands(draw: st.DrawFn, min_flywheels: int = 0, max_flywheels: int = 4, *, clamped: bool = True) -> Stand:
+    """General stands with a hold of every kind: named freedoms, an axis, a rail, any basis, and clamped if allowed."""
+    stand = draw(stands(min_flywheels, max_flywheels))
+    rng = np.random.default_rng(draw(_SEEDS))
+    a, b, c = rng.normal(size=3).tolist()
+    kind = draw(st.sampled_from(("named", "axis", "slide", "basis")))
+    if kind == "named":
+        names = draw(st.lists(st.sampled_from(tuple(FREEDOMS)), min_size=0 if clamped else 1, unique=True))
+        freedoms = tuple(FREEDOMS[name] for name in names)
+    elif kind == "basis":
+        rows = rng.normal(size=(draw(st.integers(1, 3)), 6)).tolist()
+        freedoms = tuple(Freedom("twist", twist=tuple(row)) for row in rows)
+    else:
+        freedoms = (Freedom("turn" if kind == "axis" else "slide", (a, b, c)),)
+    turns = any(freedom.kind == "turn" for freedom in freedoms)
+    x, y, z = rng.normal(scale=0.3, size=3).tolist()
+    still = (0.0, 0.0, 0.0)
+    return replace(stand, tasks=(), hold=Hold(freedoms, (x, y, z) if turns else still, still, still))
 
 
 def states(stand: Stand, *, extreme: bool = False, phase_limit: float = MAX_PHASE) -> st.SearchStrategy[State]:

@@ -114,7 +114,6 @@ def test_a_free_carrier_has_no_u(tmp_path: Path) -> None:
 
 
 TAKE_FREE_CARRIERS = (
-    "verify --rigorous",
     "report -o page.html",
     "derive",
     "cost",

@@ -24,7 +24,7 @@ from mahovik.errors import UsageError
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.use.simulate import Case, simulate
 from mahovik.use.simulate.held import allowed_start, home, move
-from simulate.test_agreement import LAWS, MIXED, TORQUES
+from simulate.test_agreement import LAWS, MIXED, TORQUES, worst
 from verify.test_held_c import HOLDS
 
 PENDULUM: dict[str, Any] = {
@@ -175,9 +175,14 @@ def test_a_start_that_the_hold_does_not_allow_is_refused(
     assert not output.exists()
 
 
-def test_a_carry_and_a_speed_off_the_freedoms_are_refused(file: str, tmp_path: Path) -> None:
-    message = refused("simulate", file, "--until", "0.1", "--carried", "-o", str(tmp_path / "run.csv"))
-    assert "no step_carried yet" in message
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["hinge", "ball joint"])
+def test_a_carried_run_is_the_plain_one_but_for_rounding(name: str) -> None:
+    plain, carried = (simulate(case(busy(name), MIXED, carried=each, dt=4e-4)) for each in (False, True))
+    assert worst(carried, plain) < 1e-9
+
+
+def test_a_speed_off_the_freedoms_is_refused() -> None:
     stand = loads(TEXT)
     state = replace(home(stand), u=(), V=(0.0, 0.0, 0.0, 0.0, 0.0, 1.0))
     with pytest.raises(UsageError, match=r"V moves along yaw, which \[hold\] blocks"):

@@ -23,6 +23,7 @@ from simulate.flights import Recorder
 
 CASES = [
     ("demo3", "float"),
+    ("held3", "double"),
     *(
         pytest.param(each, marks=pytest.mark.slow)
         for each in (("everything6", "double"), ("bench8", "double"), ("everything0", "float"))

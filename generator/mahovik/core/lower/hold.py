@@ -26,8 +26,7 @@ HELD_STATUSES = ("OK", "NOT_POSITIVE_DEFINITE")
 OF_FREE_CARRIERS = frozenset(
     name
     for name in FUNCTIONS
-    if name.startswith(("inverse_fast", "generalized", "state_from_coordinates"))
-    or name.endswith(("_jacobian", "_carried"))
+    if name.startswith(("inverse_fast", "generalized", "state_from_coordinates")) or name.endswith("_jacobian")
 )
 """Names of functions that the C of a held carrier does not have yet."""
 

@@ -150,8 +150,7 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         lib.add(mounts.mount_wrench(lib))
         lib.add(mounts.mounts(lib))
         lib.add(mounts.prepare_mounts(lib))
-    if not layout.held:
-        step_carried.add_all(lib)
+    step_carried.add_all(lib)
     _add_others(lib)
     if "regressor" in chosen:
         regressor.add_all(lib)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.step import (
@@ -21,6 +22,7 @@ from mahovik.core.lower.step import (
     next_argument,
     step_arguments,
 )
+from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, and_, as_expr, real
@@ -33,6 +35,8 @@ def add_all(lib: Library) -> None:
     """Adds the step functions with a carry: by torques, and by given accelerations of the flywheels."""
     lib.add(_advance(lib))
     lib.add(_finish(lib))
+    if lib.layout.held:
+        lib.add(_keep_pivot(lib))
     for torques in (True, False) if lib.layout.flywheels else (False,):
         lib.add(_step(lib, torques))
 
@@ -117,6 +121,51 @@ def _finish(lib: Library) -> Function:
     )
 
 
+def _keep_pivot(lib: Library) -> Function:
+    """Takes from a step, and from its carry, what moved the pivot where the hold does not let it go.
+
+    How far the pivot went is a difference of near numbers, which rounding hardly changes, and it goes into a sum that
+    is compensated: what the steps add up to stays at the pivot, however many they are.
+    """
+    table, x = lib.table_argument(), lib.state_argument()
+    before = Argument("before", lib.layout.carry, purpose="of the state before the step")
+    after = Argument("y", lib.layout.state, (), "inout", purpose="state after the step")
+    carry = Argument("carry", lib.layout.carry, (), "inout", purpose="of the state after the step")
+    first = next(first for name, _, first in _numbers(lib) if name == "position")
+    body = Body()
+    rotated = derived_wrench.rotated()
+    C = body.local("C", (9,), comment="attitude before the step")
+    end = body.local("end", (9,), comment="attitude after the step")
+    arm = body.local("arm", (3,), comment="from O1 to the pivot before the step, in E0")
+    reached = body.local("reached", (3,), comment="likewise after the step")
+    way = body.local("way", (3,), comment="how the pivot went, in E0")
+    own = body.local("own", (3,), comment="in E1")
+    slid = body.local("slid", (3,), comment="its part along what slides, in E1; then in E0")
+    body.call(lib["rotation"], x.place.attitude, C)
+    body.call(lib["rotation"], after.place.attitude, end)
+    assign(body, list(arm), rotated, {"C": C, "a": table.place.pivot})
+    assign(body, list(reached), rotated, {"C": end, "a": table.place.pivot})
+    for i in range(3):
+        moved = (after.place.position[i] - x.place.position[i]) + (reached[i] - arm[i])
+        kept = carry.place.rounding[first + i] - before.place.rounding[first + i]
+        body.set(way[i], moved + kept)
+    body.call(lib["rotate_back"], C, way, own)
+    allowed = body.local("allowed", (3,), comment="of what slides, in E1")
+    assign(body, list(allowed), rotated, {"C": table.place.sliding, "a": own})
+    assign(body, list(slid), rotated, {"C": C, "a": allowed})
+    for i in range(3):
+        with body.block():
+            part = carry.place.rounding[first + i] - (way[i] - slid[i])
+            total, lost = _sum(body, after.place.position[i], body.let("part", part), "sum")
+            body.set(carry.place.rounding[first + i], lost)
+            body.set(after.place.position[i], total)
+    return body.function(
+        "keep_pivot_carried",
+        "Puts the pivot of the hold back to where it can slide, by a sum that the carry compensates.",
+        (table, x, before, after, carry),
+    )
+
+
 def _step(lib: Library, torques: bool) -> Function:
     """One step with a carry."""
     arguments, carry, out = step_arguments(lib, torques), _carry(lib), next_argument(lib)
@@ -131,6 +180,8 @@ def _step(lib: Library, torques: bool) -> Function:
     body.copy(kept, carry.place)
     body.call(lib["advance_carried"], x.place, total, over, kept, y)
     lib.check_as(body, "RANGE", "finish_carried", y, kept)
+    if lib.layout.held:
+        body.call(lib["keep_pivot_carried"], arguments[0].place, x.place, carry.place, y, kept)
     finish_step(lib, body, arguments, turning, ((carry.place, kept), (out.place, y)))
     what = "drive torques" if torques else "given flywheel accelerations"
     return body.checked_function(

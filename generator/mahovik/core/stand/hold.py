@@ -241,7 +241,7 @@ def lines(hold: Hold) -> list[str]:
 
 
 TAKE_HELD = (
-    "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, "
+    "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, `replay`, "
     "`judge-log` and `export target`"
 )
 """Commands that take held carriers."""

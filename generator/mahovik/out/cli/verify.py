@@ -115,7 +115,7 @@ def verify(
     from mahovik.out.functions import evidence
 
     wants = read_wants(want)
-    stand, folder = load_stand(stand_file, held=not rigorous), None if against is None else Path(against)
+    stand, folder = load_stand(stand_file, held=True), None if against is None else Path(against)
     if rigorous:
         from mahovik.proof.verify.folder_stand import stand_in
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from flint import arb, arb_mat
 
 from mahovik.errors import StateError
-from mahovik.proof.rigorous.ball import block, column, dot, elements, number, part, zeros
+from mahovik.proof.rigorous.ball import block, dot, elements, number, part, zeros
 from mahovik.proof.rigorous.bodies import Spinning
 from mahovik.proof.rigorous.pieces import Pieces
 from mahovik.proof.rigorous.rotation import elementary
@@ -40,21 +40,20 @@ def mount_on_flywheel(at: Pieces, s: Spinning, V_dot: arb_mat, phi_ddot: arb) ->
     return s.Theta * V_s_dot + Phi(V_s) * (s.Theta * V_s) - at.P[s.body.name]
 
 
-def mount_wrenches(at: Pieces, V_dot: Sequence[float], phi_ddot: Sequence[float]) -> list[arb_mat]:
+def mount_wrenches(at: Pieces, V_dot: arb_mat, phi_ddot: Sequence[float]) -> list[arb_mat]:
     """Wrench of the mount on every flywheel (6 each)."""
-    given = column(V_dot)
     return [
-        mount_on_flywheel(at, s, given, acceleration)
+        mount_on_flywheel(at, s, V_dot, acceleration)
         for s, acceleration in zip(at.flywheels, map(number, phi_ddot), strict=True)
     ]
 
 
-def torque(at: Pieces, V_dot: Sequence[float], phi_ddot: Sequence[float]) -> list[arb]:
+def torque(at: Pieces, V_dot: arb_mat, phi_ddot: Sequence[float]) -> list[arb]:
     """tau_s = f^T (Theta_s V_s* + Phi(V_s) Z_s - P_s) (N, N m)."""
     return [dot(f(), wrench) for wrench in mount_wrenches(at, V_dot, phi_ddot)]
 
 
-def mounts(at: Pieces, phi: Sequence[float], V_dot: Sequence[float], phi_ddot: Sequence[float]) -> list[list[arb]]:
+def mounts(at: Pieces, phi: Sequence[float], V_dot: arb_mat, phi_ddot: Sequence[float]) -> list[list[arb]]:
     """diag(C1, C1)(phi_s) of the mount wrenches (N x 6): about Os, in the flywheel's axes at phi_s = 0."""
     wrenches = mount_wrenches(at, V_dot, phi_ddot)
     return [elements(diagonal(elementary(1, angle)) * w) for angle, w in zip(phi, wrenches, strict=True)]
@@ -70,17 +69,28 @@ def coupled(at: Pieces, tau: Sequence[float]) -> tuple[arb_mat, list[arb]]:
     if not N:
         return forward(at, ()), []
     right = at.F - at.bias
+    I = block([list(at.I)])
+    x = solve(block([[at.K, I], [I.transpose(), spin_inertia(at)]]), block([[right], [spin_up_torques(at, tau)]]))
+    return part(x, slice(0, 6)) - at.drift, elements(part(x, slice(6, 6 + N)))
+
+
+def spin_up_torques(at: Pieces, tau: Sequence[float]) -> arb_mat:
+    """tau - f^T (Theta_s V_s* + Phi(V_s) Z_s - P_s) at V_r* = 0, phi'' = 0 (N; N m)."""
     rows: list[list[arb]] = []
     for s, given in zip(at.flywheels, map(number, tau), strict=True):
         V_s, e = s.twist(at.V_r), spin()
         velocity = s.Theta * e * s.L.transpose() * at.V_r * -s.phi_dot + Phi(V_s) * s.Theta * V_s
         rows.append([given - dot(f(), velocity) + dot(f(), at.P[s.body.name])])
-    I = block([list(at.I)])
+    return arb_mat(rows)
+
+
+def spin_inertia(at: Pieces) -> arb_mat:
+    """Theta_ff = diag(f^T Theta_s f) (N x N, kg m2)."""
+    N = len(at.flywheels)
     Theta_ff = zeros(N, N)
     for i, s in enumerate(at.flywheels):
         Theta_ff[i, i] = dot(f(), s.Theta * f())
-    x = solve(block([[at.K, I], [I.transpose(), Theta_ff]]), block([[right], [arb_mat(rows)]]))
-    return part(x, slice(0, 6)) - at.drift, elements(part(x, slice(6, 6 + N)))
+    return Theta_ff
 
 
 def momentum(at: Pieces) -> arb_mat:

@@ -10,7 +10,7 @@ from flint import arb, arb_mat, ctx
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.rigorous import equations
+from mahovik.proof.rigorous import equations, hold
 from mahovik.proof.rigorous.ball import elements
 from mahovik.proof.rigorous.pieces import Pieces, pieces
 
@@ -54,18 +54,29 @@ def want_forward(at: Pieces, state: State) -> Balls:
 
 def want_torque(at: Pieces, state: State) -> Balls:
     """tau (N)."""
-    return {"tau": equations.torque(at, state.V_dot, state.phi_ddot)}
+    return {"tau": equations.torque(at, at.V_dot, state.phi_ddot)}
 
 
 def want_mounts(at: Pieces, state: State) -> Balls:
     """mount_wrench (Nx6)."""
-    return {"mount_wrench": equations.mounts(at, state.phi, state.V_dot, state.phi_ddot)}
+    return {"mount_wrench": equations.mounts(at, state.phi, at.V_dot, state.phi_ddot)}
 
 
 def want_coupled(at: Pieces, state: State) -> Balls:
     """V_dot (6), phi_ddot (N)."""
     V_dot, phi_ddot = equations.coupled(at, state.tau)
     return {"V_dot": elements(V_dot), "phi_ddot": phi_ddot}
+
+
+def want_held_forward(at: Pieces, state: State) -> Balls:
+    """u_dot (m), V_dot, reaction (6)."""
+    return dict(vars(hold.forward(at, at.S, state.phi_ddot)))
+
+
+def want_held_coupled(at: Pieces, state: State) -> Balls:
+    """u_dot (m), V_dot, reaction (6), phi_ddot (N)."""
+    motion, phi_ddot = hold.coupled(at, at.S, state.tau)
+    return dict(vars(motion)) | {"phi_ddot": phi_ddot}
 
 
 ANSWERS: Mapping[str, Callable[[Pieces, State], Balls]] = {
@@ -77,6 +88,9 @@ ANSWERS: Mapping[str, Callable[[Pieces, State], Balls]] = {
     "momentum": want_momentum,
 }
 """Wants that have an enclosure."""
+
+OF_HELD: Mapping[str, Callable[[Pieces, State], Balls]] = {"forward": want_held_forward, "coupled": want_held_coupled}
+"""Wants that are answered along the freedoms of a held carrier."""
 
 
 def pieces_at(stand: Stand, state: State, bits: int = BITS) -> Pieces:
@@ -92,7 +106,8 @@ def evaluate(at: Pieces, state: State, want: str, bits: int = BITS) -> Balls:
     tell (a singular matrix, half a turn).
     """
     with ctx.workprec(bits):
-        return ANSWERS[want](at, state)
+        answers = {**ANSWERS, **OF_HELD} if at.held else ANSWERS
+        return answers[want](at, state)
 
 
 def enclose(found_at: Callable[[int], Balls], narrow: Callable[[Balls], bool]) -> Balls:

@@ -13,6 +13,7 @@ from mahovik.proof.rigorous.ball import column, cross, part, zeros
 from mahovik.proof.rigorous.bodies import PlacedBody, Spinning, added_mass, fixed_bodies, flywheels
 from mahovik.proof.rigorous.rotation import carrier_rotation
 from mahovik.proof.rigorous.screw import ANGULAR, Phi, f, screw_of_parts, spin, transfer
+from mahovik.proof.rigorous.twists import twist, twists
 from mahovik.proof.rigorous.wrenches import external_wrenches
 
 
@@ -20,8 +21,11 @@ from mahovik.proof.rigorous.wrenches import external_wrenches
 class Pieces:
     """Terms of the equations.
 
+    held         whether the carrier is held
     L1           6x6: transfer from E1 to E0
+    S            6xm: twists of a held carrier at unit speeds of its freedoms; None of a free or clamped carrier
     V, V_r       6: twist of E1 relative to E0, and to the fluid, V_r = V - (C^T u, 0)
+    V_dot        6: the given derivative of the components of V
     drift        6: (omega x C^T u, 0), so that V* = V_r* - drift
     fixed        carrier and instruments
     flywheels    flywheels at their phases
@@ -33,9 +37,12 @@ class Pieces:
     F            6, (7)
     """
 
+    held: bool
     L1: arb_mat
+    S: arb_mat | None
     V: arb_mat
     V_r: arb_mat
+    V_dot: arb_mat
     drift: arb_mat
     fixed: tuple[PlacedBody, ...]
     flywheels: tuple[Spinning, ...]
@@ -59,7 +66,7 @@ def pieces(stand: Stand, state: State) -> Pieces:
     """The pieces of `stand` at `state`, at the working precision. StateError where a law is undefined."""
     C = carrier_rotation(stand, state)
     u = C.transpose() * column(stand.stream or (0.0, 0.0, 0.0))
-    V = column(state.V)
+    V = twist(stand, state.V, state.u)
     V_r = V - screw_of_parts(u, zeros(3))
     fixed, spinning = fixed_bodies(stand), flywheels(stand, state)
     everywhere = (*fixed, *spinning)
@@ -73,9 +80,12 @@ def pieces(stand: Stand, state: State) -> Pieces:
     )
     P = external_wrenches(stand, state, C, V, V_r, everywhere)
     return Pieces(
+        held=stand.hold is not None,
         L1=transfer(column(state.position), C),
+        S=twists(stand),
         V=V,
         V_r=V_r,
+        V_dot=twist(stand, state.V_dot, state.u_dot),
         drift=screw_of_parts(cross(part(V, ANGULAR)) * u, zeros(3)),
         fixed=fixed,
         flywheels=spinning,

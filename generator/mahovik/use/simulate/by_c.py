@@ -43,10 +43,8 @@ class CMotion:
         self._x = ffi.new(f"{case.stand.name}_state *")
         kind = self.c.program.precision.scalar
         self._view = np.frombuffer(ffi.buffer(self._x), dtype=kind)
-        self._carry, self._rounding = ffi.NULL, np.zeros(13 + 2 * N, dtype=kind)
-        if case.stand.hold is None:  # the C of a held carrier has none
-            self._carry = ffi.new(f"{case.stand.name}_step_carry *")
-            self._rounding = np.frombuffer(ffi.buffer(self._carry), dtype=kind)
+        self._carry = ffi.new(f"{case.stand.name}_step_carry *")
+        self._rounding = np.frombuffer(ffi.buffer(self._carry), dtype=kind)
         self._phi, self._phi_dot = slice(13, 13 + N), slice(13 + N, 13 + 2 * N)
         self._drive = np.zeros(max(N, 1), dtype=kind)
         self._given = np.array(case.regime.has_speed_law, dtype=bool)

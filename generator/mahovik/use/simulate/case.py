@@ -77,8 +77,6 @@ class Case:
             raise UsageError(f"--order {self.order}: expected 4 or 2")
         if self.real not in ("double", "float"):
             raise UsageError(f"--real {self.real}: expected double or float")
-        if self.carried and self.stand.hold is not None:
-            raise UsageError("--carried: the C of a held carrier has no step_carried yet; leave it out")
         if self.until / self.every > MAX_ROWS:
             raise UsageError(f"--every {self.every:g}: more than {MAX_ROWS // 1_000_000} million rows")
 

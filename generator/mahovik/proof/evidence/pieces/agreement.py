@@ -90,8 +90,6 @@ def _of_free_carriers(what: str) -> Outcome:
 
 
 def _measure_rounding(subject: Subject, tell: Tell) -> Outcome:
-    if subject.stand.hold is not None:
-        return _of_free_carriers("enclosures")
     from mahovik.proof.verify.rounding.measure import (
         as_json,
         conclusion,

@@ -17,7 +17,7 @@ Balls = NDArray[np.object_]
 NARROW = 2.0**-16
 """Largest radius of a ball, ulp of the scale: it adds nothing visible to an error."""
 
-SCREWS = ("V_dot", "F", "Z", "Z0", "mount_wrench")
+SCREWS = ("V_dot", "F", "Z", "Z0", "mount_wrench", "reaction")
 """Their last index is that of a screw: three linear components, three angular."""
 
 SCREW_ROWS = ("K", "K_dot", "M", "I", "J")

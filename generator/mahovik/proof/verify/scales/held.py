@@ -41,5 +41,20 @@ def held_coupled(m: Magnitudes, hold: Hold, on_flywheels: Array, locked: Array) 
 
 def _motion(m: Magnitudes, u_dot: Array, right: Array) -> dict[str, Any]:
     """Scales of what belongs to those of u_dot (m) and of the right-hand side of (8) (6)."""
-    V_dot = m.free.S @ u_dot
-    return {"u_dot": u_dot, "V_dot": V_dot, "reaction": right + m.S_K @ V_dot}
+    return {
+        "u_dot": u_dot,
+        "V_dot": twist_magnitudes(m) @ u_dot,
+        "reaction": right + m.S_K @ m.free.S @ u_dot,
+    }
+
+
+def twist_magnitudes(m: Magnitudes) -> Array:
+    """Scale of S (6xm): of pivot x e the sum of its terms, since these may cancel."""
+    assert m.stand.hold is not None
+    found = m.free.S.copy()
+    x, y, z = np.abs(np.array(m.stand.hold.pivot))
+    arms = np.array([[0.0, z, y], [z, 0.0, x], [y, x, 0.0]])
+    for k, freedom in enumerate(m.stand.hold.freedoms):
+        if freedom.kind == "turn":
+            found[:3, k] = arms @ found[3:, k]
+    return found
