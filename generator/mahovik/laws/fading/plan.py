@@ -19,7 +19,7 @@ class TwistLaw:
 
     def wrench(self, v: Array) -> Array:
         """-exp(-rate U) linear v (M, 6; N, N m)."""
-        return -self._fade(v)[:, None] * (v @ np.array(self.law.linear).T)
+        return np.asarray(-self._fade(v)[:, None] * (v @ np.array(self.law.linear).T))
 
     def rate(self, v: Array) -> Array:
         """dP/dv (M, 6, 6) of `wrench`. U has the slope 0 at U = 0."""
