@@ -1,4 +1,4 @@
-"""Accuracy of sincos, sqrt, atan2 and wrap, compiled, against Arb: writes the tables of docs/results/arithmetic.md.
+"""Accuracy of sincos, sqrt, atan2, exp and wrap, compiled, against Arb: tables of docs/results/arithmetic.md.
 
 python tools/math_campaign.py [--samples 100000] [--quick | --proven]
 """
@@ -14,9 +14,10 @@ import math_proof
 import numpy as np
 from flint import arb
 from kept import Campaign, Figures, Measured
-from math_judge import LAST_NEAR, Row, every_float, every_root, largest_error, rows, run
+from math_judge import LAST_NEAR, Row, every_float, every_power, every_root, largest_error, rows, run
 
 from mahovik.core.program.types import DOUBLE, FLOAT
+from mahovik.core.routines.exponential import LOWEST
 
 MEASURED_HEAD = ("routine", "real", "arguments", "count", "worst error", "where", "must be at most")
 PROVEN_HEAD = ("what", "real", "proven bound", "must be at most")
@@ -38,7 +39,7 @@ def proven_page(found: Figures) -> str:
 
 ROUTINES: dict[str, tuple[str, int, Any]] = {
     "sin": ("sincos", 0, arb.sin), "cos": ("sincos", 1, arb.cos), "sqrt": ("sqrt", 0, arb.sqrt),
-    "atan2": ("atan2", 0, arb.atan2),
+    "atan2": ("atan2", 0, arb.atan2), "exp": ("exp", 0, arb.exp),
 }  # fmt: skip
 """Name in C, number of the result, judge."""
 
@@ -95,10 +96,10 @@ def main() -> None:
         raise SystemExit(0 if all(row.good for row in proofs) else 1)
     found = list(rows(options.samples))
     if options.quick:
-        found += [*every_float(0.5, LAST_NEAR), every_root(1.0, 4.0)]
+        found += [*every_float(0.5, LAST_NEAR), every_root(1.0, 4.0), every_power(-0.5, -2.0)]
     else:
         found += [*every_float(0.0, LAST_NEAR), *every_float(LAST_NEAR, FLOAT.max_phase)]
-        found += [every_root(0.0, FLOAT.largest)]
+        found += [every_root(0.0, FLOAT.largest), every_power(0.0, LOWEST["float"])]
     print(*map(_cells, [*found, *proofs]), sep="\n")
     if not options.quick:
         MEASURED.keep({"rows": [vars(row) for row in found]})

@@ -1,4 +1,4 @@
-"""Judges of sincos, sqrt, atan2 and wrap, compiled: Arb on samples, and every float.
+"""Judges of sincos, sqrt, atan2, exp and wrap, compiled: Arb on samples, and every float.
 
 Arb computes with error bounds of its own, so it is a judge that cannot be wrong by much: 200 bits here. Floats are
 few enough to take all of them, in C, against the double functions of the C library.
@@ -27,7 +27,8 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import Statements
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
-from mahovik.core.routines import atan2, sincos, square_root, unwind, wrap
+from mahovik.core.routines import atan2, exponential, sincos, square_root, unwind, wrap
+from mahovik.core.routines.exponential import LOWEST
 
 BITS = 200
 NEAR = 8 * np.pi
@@ -49,6 +50,7 @@ DECLARATIONS = """
 void all_sincos({real} *x, {real} *sine, {real} *cosine, int count);
 void all_sqrt({real} *x, {real} *root, int count);
 void all_atan2({real} *y, {real} *x, {real} *angle, int count);
+void all_exp({real} *x, {real} *power, int count);
 void all_wrap({real} *x, {real} *angle, int count);
 """
 LOOPS = """
@@ -58,11 +60,14 @@ void all_sqrt(t_real *x, t_real *root, int count)
 { for (int i = 0; i < count; ++i) { root[i] = t_sqrt(x[i]); } }
 void all_atan2(t_real *y, t_real *x, t_real *angle, int count)
 { for (int i = 0; i < count; ++i) { angle[i] = t_atan2(y[i], x[i]); } }
+void all_exp(t_real *x, t_real *power, int count)
+{ for (int i = 0; i < count; ++i) { power[i] = t_exp(x[i]); } }
 void all_wrap(t_real *x, t_real *angle, int count)
 { for (int i = 0; i < count; ++i) { angle[i] = t_wrapped(x[i]); } }
 """
 SCAN_DECLARATIONS = """
 void scan_sincos(uint32_t first, uint32_t last, double worst[2], float at[2]);
+void scan_exp(uint32_t first, uint32_t last, double worst[2], float at[2]);
 uint32_t scan_sqrt(uint32_t first, uint32_t last);
 """
 # every float of a range of bit patterns; worst: in units of the last place, then absolute
@@ -87,6 +92,14 @@ void scan_sincos(uint32_t first, uint32_t last, double worst[2], float at[2])
         note((double)cosine, cos((double)x), x, worst, at);
     }
 }
+void scan_exp(uint32_t first, uint32_t last, double worst[2], float at[2])
+{
+    worst[0] = worst[1] = 0.0;
+    for (uint32_t word = first; word <= last; ++word) {
+        const float x = t_real_of(word);
+        note((double)t_exp(x), exp((double)x), x, worst, at);
+    }
+}
 uint32_t scan_sqrt(uint32_t first, uint32_t last)
 {
     uint32_t wrong = 0;
@@ -104,6 +117,7 @@ def functions(precision: Precision) -> Iterator[Function]:
     yield sincos(precision)
     yield square_root(precision)
     yield atan2(precision)
+    yield exponential(precision)
     turned = unwind(precision)
     yield turned
     yield wrap(precision, turned)
@@ -216,6 +230,17 @@ def points(precision: Precision, count: int) -> tuple[Array, Array]:
     return y_, x_
 
 
+def exponents(precision: Precision, count: int) -> Array:
+    """Exponents of the whole range, of every size, beside the borders where k of the reduction changes, the last."""
+    draw = np.random.default_rng(6)
+    lowest = LOWEST[precision.name]
+    borders = -(np.arange(int(-lowest / np.log(2))) + 0.5) * np.log(2)
+    small = -np.exp(draw.uniform(np.log(1e-30), np.log(-lowest), count // 2))
+    parts = [draw.uniform(lowest, 0, count), small, neighbours(precision, borders), [lowest, 0.0]]
+    found = np.concatenate([np.asarray(p, dtype=precision.scalar) for p in parts])
+    return np.asarray(found[(found >= lowest) & (found <= 0)])
+
+
 # ---- judging ----
 
 
@@ -289,6 +314,10 @@ def rows(samples: int) -> Iterator[Row]:
         y, x, angle = y[kept], x[kept], angle[kept]
         worst, i = largest_error(precision, [y, x], angle, arb.atan2)
         yield Row("atan2", name, "all directions", len(y), worst, "ulp", f"y = {y[i]!s}, x = {x[i]!s}", 2.0)
+        x = exponents(precision, samples)
+        (power,) = run(precision, "exp", x)
+        worst, i = largest_error(precision, [x], power, arb.exp)
+        yield Row("exp", name, f"{LOWEST[name]:g} to 0", len(x), worst, "ulp", f"x = {x[i]!s}", 1.0)
         x = angles(precision, precision.max_phase, samples, 5)
         (angle,) = run(precision, "wrap", x)
         turn = np.round((x.astype(float) - angle.astype(float)) / (2 * np.pi))
@@ -318,3 +347,13 @@ def every_root(first: float, last: float) -> Row:
     begin, end = (int(np.float32(v).view(np.uint32)) for v in (first, last))
     wrong = float(compiled.scan_sqrt(begin, end))
     return Row("sqrt", "float", f"every float of {first:g} to {last:.3g}", end - begin + 1, wrong, "wrong", "", 0.0)
+
+
+def every_power(first: float, last: float) -> Row:
+    """exp at every float from `last` up to `first`, both not positive, by the C library's double function."""
+    ffi, compiled = library(FLOAT)
+    begin, end = (int(np.float32(abs(v)).view(np.uint32)) | 1 << 31 for v in (first, last))
+    worst, at = ffi.new("double[2]"), ffi.new("float[2]")
+    compiled.scan_exp(begin, end, worst, at)
+    where = f"x = {np.float32(at[0])!s}"
+    return Row("exp", "float", f"every float of {last:g} to {first:g}", end - begin + 1, worst[0], "ulp", where, 1.0)

@@ -25,12 +25,14 @@ from flint import arb, arb_poly, ctx, fmpq
 
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.routines.arc_tangent import POLYNOMIALS as ARC_TANGENT
+from mahovik.core.routines.exponential import POLYNOMIALS as EXPONENTIAL
 from mahovik.core.routines.real_constants import PI
 from mahovik.core.routines.sincos import POLYNOMIALS as SINCOS
 from mahovik.core.routines.sincos import SMALL_TURNS, half_pi_parts
 
 BITS = 300
 REDUCED = 0.7855  # |r| after reduction: pi/4, and a little where x (2/pi) is rounded to the wrong side of a tie
+HALF_LN_2 = 0.3466  # |r| after reduction by ln 2, with the same margin
 PIECES = 400
 MOST_TURNS = 16  # quarter turns up to 8 pi
 BELOW_ONE = 1 - 1e-9
@@ -85,9 +87,9 @@ def pieces(span: float) -> Iterator[tuple[arb, arb]]:
 
 @cache
 def approximation(name: str, precision: Precision) -> float:
-    """Largest error: relative of sine and arc tangent, absolute of the cosine."""
+    """Largest error: relative of sines and arc tangent, absolute of cosines."""
     ctx.prec = BITS
-    fits = SINCOS[precision.name]
+    fits, powers = SINCOS[precision.name], EXPONENTIAL[precision.name]
     signs = [(-1) ** (k + 1) for k in range(TAYLOR)]
     if name == "sine":  # r^3 S(z): over sin r, at least 0.9 r
         series = [fmpq(s, math.factorial(2 * k + 3)) for k, s in enumerate(signs)]
@@ -97,6 +99,14 @@ def approximation(name: str, precision: Precision) -> float:
         series = [fmpq(-s, math.factorial(2 * k + 4)) for k, s in enumerate(signs)]
         gap, span = difference(fits.cosine, series, precision), REDUCED
         rest = arb(1) / math.factorial(2 * TAYLOR + 4)
+    elif name == "hyperbolic sine":  # r^3 S(z): over sinh r, the rest a geometric series
+        series = [fmpq(1, math.factorial(2 * k + 3)) for k in range(TAYLOR)]
+        gap, span = difference(powers.sine, series, precision), HALF_LN_2
+        rest = arb(2) / math.factorial(2 * TAYLOR + 3)
+    elif name == "hyperbolic cosine":  # z^2 C(z), absolute
+        series = [fmpq(1, math.factorial(2 * k + 4)) for k in range(TAYLOR)]
+        gap, span = difference(powers.cosine, series, precision), HALF_LN_2
+        rest = arb(2) / math.factorial(2 * TAYLOR + 4)
     else:  # t^3 A(z): z <= 1/4, the series alternates, its rest is below its first term left out
         terms = 2 * TAYLOR
         series = [fmpq((-1) ** (k + 1), 2 * k + 3) for k in range(terms)]
@@ -105,9 +115,9 @@ def approximation(name: str, precision: Precision) -> float:
     worst = arb(0)
     for low, high in pieces(span):
         error = high * (largest_value(gap, low, high) + rest)
-        if name == "cosine":
+        if name in ("cosine", "hyperbolic cosine"):
             error = error * high
-        else:  # r / sin r and t / atan t rise with r
+        elif name != "hyperbolic sine":  # r / sin r and t / atan t rise with r; r / sinh r is below 1
             r = high.sqrt()
             error = error * r / (r.sin() if name == "sine" else r.atan())
         worst = max(worst, error.upper())
@@ -274,6 +284,8 @@ def rows(precisions: Sequence[Precision] = (DOUBLE, FLOAT)) -> Iterator[Row]:
             ("sine", "polynomial of the sine, relative", 0.04 * unit),
             ("cosine", "polynomial of the cosine, absolute", 0.04 * unit),
             ("arc tangent", "polynomial of the arc tangent, relative", 0.1 * unit),
+            ("hyperbolic sine", "polynomial of the hyperbolic sine, relative", 0.04 * unit),
+            ("hyperbolic cosine", "polynomial of the hyperbolic cosine, absolute", 0.04 * unit),
         ):
             yield Row(words, name, approximation(what, precision), "", most)
         for sine in (True, False):

@@ -46,11 +46,21 @@ def _arc_tangent(r: Real) -> Real:
     return (mp.atan(r) - r) / r**3
 
 
+def _hyperbolic_sine(r: Real) -> Real:
+    return (mp.sinh(r) - r) / r**3
+
+
+def _hyperbolic_cosine(r: Real) -> Real:
+    return (mp.cosh(r) - 1 - r**2 / 2) / r**4
+
+
 # Reduction by pi/2 leaves |r| <= pi/4, and a little more where x*(2/pi) is rounded to the wrong side of a tie:
 # in float, half an ulp of 637 quarter turns.
 REDUCED = 0.7855
 # Two cases of the arc tangent meet at 1/2, where comparison and subtraction are exact.
 HALVED = 0.5
+# Reduction by ln 2 leaves (ln 2)/2, and in float half an ulp of 126 of them.
+HALF_LN_2 = 0.3466
 
 PROBLEMS = (
     Problem(
@@ -79,6 +89,24 @@ PROBLEMS = (
         lambda r: r**3 / mp.atan(r),
         HALVED,
         {"double": 12, "float": 5},
+    ),
+    Problem(
+        "hyperbolic sine",
+        "sinh r = r + r^3 P(z)",
+        "relative",
+        _hyperbolic_sine,
+        lambda r: r**3 / mp.sinh(r),
+        HALF_LN_2,
+        {"double": 5, "float": 3},
+    ),
+    Problem(
+        "hyperbolic cosine",
+        "cosh r = 1 + z/2 + z^2 P(z)",
+        "absolute",
+        _hyperbolic_cosine,
+        lambda r: r**4,
+        HALF_LN_2,
+        {"double": 5, "float": 2},
     ),
 )
 

@@ -10,6 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from laws.vessel import CARRIER, POD
+from laws.vessel import RUDDER as RUDDER_TEXT
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import Stand, dumps, identities, loads
 from mahovik.core.stand.random import BARE, Features, random_stand, random_state
@@ -22,15 +24,10 @@ from mahovik.proof import reference
 from mahovik.proof.verify.c_backend import CBackend
 from second.agreement import AGREEMENT, differences, expectations
 
-FILE = """
-schema = 1
-name = "vessel"
-[carrier]
-mass = 30.0
-inertia = [0.2, 3.0, 3.0]
-[[instrument]]
-name = "pod"
-position = [0.3, 0, 0.2]
+FILE = (
+    CARRIER
+    + POD
+    + """
 [[fin]]
 name = "hull"
 density = "1025 kg/m^3"
@@ -47,17 +44,9 @@ lift_slope = 0.7
 induced = 1.43
 deflection = "10 deg"
 incidence = false
-[[fin]]
-name = "rudder"
-mount = "pod"
-position = [-0.7, 0, 0.1]
-span = [0, 0.1, -2]
-density = 1025
-area = 0.01
-aspect = 3
-stall = "15 deg"
-drag = 0.01
 """
+    + RUDDER_TEXT
+)
 
 RUDDER = Fin(
     "rudder", (-0.7, 0.2, 0.1), (2.0, 0.1, 0.0), (0.1, 0.3, -1.0), 1025.0, 0.02, 3.1, 0.02, 0.15, 0.3, 0.1, "across",

@@ -1,49 +1,25 @@
-"""Fins, propellers and strips of many states at once, each with inputs and numbers of its own."""
+"""Inputs of fins and propellers: many states at once, each with its own; what is refused; their names in the header."""
 
 from __future__ import annotations
 
+import copy
+import math
 from dataclasses import replace
+from functools import cache
+from typing import Any
 
 import numpy as np
+import pytest
 
 import mahovik
+from laws.vessel import CARRIER, POD, PROPELLER, RUDDER, STRIPS
+from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import dumps, loads, rest_state
+from mahovik.errors import StandError
 from mahovik.proof import reference
+from mahovik.proof.verify.c_backend import CBackend
 
-FILE = """
-schema = 1
-name = "vessel"
-[carrier]
-mass = 30.0
-inertia = [0.2, 3.0, 3.0]
-[carrier.cross_flow]
-density = 1025
-x = [-0.7, 0, 0.7]
-height = [0.1, 0.19, 0]
-breadth = [0, 0.19, 0]
-drag_y = 1.1
-drag_z = [1.0, 1.1, 1.0]
-[[instrument]]
-name = "pod"
-position = [0.3, 0, 0.2]
-[[fin]]
-name = "rudder"
-mount = "pod"
-position = [-0.7, 0, 0.1]
-span = [0, 0.1, -2]
-density = 1025
-area = 0.01
-aspect = 3
-stall = "15 deg"
-[[propeller]]
-name = "main"
-position = ["-80 cm", 0, 0]
-axis = [1, 0.1, 0]
-density = 1026
-diameter = "14 cm"
-thrust = [0.4566, -0.4174]
-torque = [0.07, -0.0585]
-"""
+FILE = CARRIER + STRIPS + POD + RUDDER + PROPELLER + "axis = [1, 0.1, 0]\n"
 
 
 def test_each_state_has_its_own_inputs() -> None:
@@ -64,3 +40,62 @@ def test_each_state_has_its_own_inputs() -> None:
         stand = loads(dumps(tables.stand(k)))
         alone = reference.evaluate(stand, replace(rest_state(stand), V=V), ["forward"])["V_dot"]
         np.testing.assert_allclose(many[k], alone, rtol=1e-12, atol=1e-12)
+
+
+@cache
+def backend() -> CBackend:
+    """C of the vessel, and the same program in the interpreter."""
+    return CBackend(loads(FILE))
+
+
+def with_input(array: str, member: str, value: float) -> dict[str, Any]:
+    """The default table as plain data, with one input changed."""
+    table: dict[str, Any] = copy.deepcopy(backend().table())
+    table[array][0][member] = value
+    return table
+
+
+USERS = ("forward", "wrench", "matrices", "coupled_jacobian", "forward_jacobian", "step", "inverse", "reaction")
+"""Functions with the wrench of (7), those of them that a stand without flywheels has."""
+
+
+@pytest.mark.parametrize(("array", "member", "most"), [("fin", "deflection", 1.5), ("propeller", "speed", 1e5)])
+@pytest.mark.parametrize("who", ["C", "interpreter"])
+def test_an_input_that_is_no_number_is_refused(who: str, array: str, member: str, most: float) -> None:
+    """By every function that needs the wrench, with the outputs untouched; at the end of its range it is taken."""
+    c = backend()
+    judged = c if who == "C" else c.interpreter
+    state = rest_state(loads(FILE))
+    inputs = c.arguments(replace(state, V=(1.0, 0.2, 0.1, 0.0, 0.05, 0.1))) | {"dt": 1e-3, "order": 4}
+    known = {f.name: f for f in c.program.functions if f.public}
+    asked = [name for name in USERS if name in known]
+    assert {"forward", "wrench", "matrices", "forward_jacobian", "step"} <= set(asked)
+    values = {math.nan: -1, math.inf: -1, -math.inf: -1, most * 1.01: -2, -most * 1.01: -2, most: 0, -most: 0}
+    for name in asked:
+        for value, status in values.items():
+            found, _ = judged.call(name, inputs | {"table": with_input(array, member, value)})
+            assert min(found, 0) == status, (name, value)
+
+
+def test_momentum_asks_no_fin() -> None:
+    """What does not depend on the wrench does not look at its inputs."""
+    c = backend()
+    inputs = c.arguments(rest_state(loads(FILE))) | {"table": with_input("fin", "deflection", math.nan)}
+    assert c.call("momentum", inputs)[0] == 0
+
+
+def test_the_header_numbers_fins_and_propellers() -> None:
+    """In the order of the table: body by body."""
+    second = RUDDER.replace('"rudder"', '"bow"').replace('mount = "pod"\n', "")
+    text = generate_all(loads(FILE + second)).files["vessel.h"]
+    assert "enum { VESSEL_FIN_BOW, VESSEL_FIN_RUDDER, VESSEL_FINS = 2 };" in text
+    assert "enum { VESSEL_PROPELLER_MAIN, VESSEL_PROPELLERS = 1 };" in text
+    assert "vessel_fin fin[VESSEL_FINS];" in text
+    other = generate_all(loads(CARRIER + STRIPS)).files["vessel.h"]
+    assert "FINS" not in other
+    assert "PROPELLERS" not in other
+
+
+def test_a_speed_beyond_the_range_of_the_C_is_refused() -> None:
+    with pytest.raises(StandError, match="is above 100000"):
+        loads(FILE + 'speed = "1e6 rad/s"\n')

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from laws.vessel import CARRIER, POD, PROPELLER
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import Stand, dumps, identities, loads
 from mahovik.core.stand.random import BARE, Features, random_stand, random_state
@@ -23,22 +24,11 @@ from mahovik.proof import reference
 from mahovik.proof.verify.c_backend import CBackend
 from second.agreement import AGREEMENT, differences, expectations
 
-FILE = """
-schema = 1
-name = "vessel"
-[carrier]
-mass = 30.0
-inertia = [0.2, 3.0, 3.0]
-[[instrument]]
-name = "pod"
-position = [0.3, 0, 0.2]
-[[propeller]]
-name = "main"
-position = ["-80 cm", 0, 0]
-density = 1026
-diameter = "14 cm"
-thrust = [0.4566, -0.4174]
-torque = [0.07, -0.0585]
+FILE = (
+    CARRIER
+    + POD
+    + PROPELLER
+    + """
 speed = "1500 rpm"
 wake = 0.056
 deduction = 0.1
@@ -52,6 +42,7 @@ density = "1026 kg/m^3"
 diameter = 0.1
 thrust = [0.4, -0.3, -0.1]
 """
+)
 
 MAIN = Propeller(
     "main", (-0.8, 0.1, 0.05), (2.0, 0.1, 0.2), 1026.0, 0.14, (0.46, -0.42, -0.1), (0.07, -0.06, 0.01), 150.0,

@@ -15,7 +15,7 @@ from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import Statements
 from mahovik.core.program.types import Precision
-from mahovik.core.routines import atan2, sincos, square_root
+from mahovik.core.routines import atan2, exponential, sincos, square_root
 from toolchain.tools import require
 
 FLAGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wfloat-equal", "-Wshadow", "-Werror")
@@ -35,6 +35,7 @@ DECLARATIONS = """
 void all_sincos(const {real} *restrict x, {real} *restrict sine, {real} *restrict cosine, int count);
 void all_sqrt(const {real} *restrict x, {real} *restrict root, int count);
 void all_atan2(const {real} *restrict y, const {real} *restrict x, {real} *restrict angle, int count);
+void all_exp(const {real} *restrict x, {real} *restrict power, int count);
 """
 
 LOOPS = """
@@ -44,6 +45,8 @@ void all_sqrt(const t_real *restrict x, t_real *restrict root, int count)
 { for (int i = 0; i < count; ++i) { root[i] = t_sqrt(x[i]); } }
 void all_atan2(const t_real *restrict y, const t_real *restrict x, t_real *restrict angle, int count)
 { for (int i = 0; i < count; ++i) { angle[i] = t_atan2(y[i], x[i]); } }
+void all_exp(const t_real *restrict x, t_real *restrict power, int count)
+{ for (int i = 0; i < count; ++i) { power[i] = t_exp(x[i]); } }
 """
 
 
@@ -53,7 +56,7 @@ def source(precision: Precision) -> str:
     statements = Statements(names, Expressions(names, precision))
     kinds = {"real": precision.name, "width": precision.width}
     parts = [HEAD.format(**kinds)]
-    for make in (sincos, square_root, atan2):
+    for make in (sincos, square_root, atan2, exponential):
         function = make(precision)
         body = "\n".join(statements.block(function.body, "    "))
         parts.append(f"{prototype(function, names)}\n{{\n{body}\n}}")

@@ -10,7 +10,7 @@ import numpy as np
 from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import Precision
-from mahovik.core.routines import atan2, sincos, square_root
+from mahovik.core.routines import atan2, exponential, sincos, square_root
 
 Real = Any
 """A number of Python, NumPy or mpmath."""
@@ -20,7 +20,7 @@ BITS = 200  # of the reference: arguments near multiples of pi/2 cancel about 60
 @cache
 def interpreter(precision: Precision) -> Interpreter:
     """All routines of one precision."""
-    functions = tuple(make(precision) for make in (sincos, square_root, atan2))
+    functions = tuple(make(precision) for make in (sincos, square_root, atan2, exponential))
     return Interpreter(Program("routines", precision, (), (), functions))
 
 

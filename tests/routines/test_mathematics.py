@@ -15,6 +15,7 @@ from flint import arb
 from docs.pages import ROOT, rows
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.routines import arc_tangent
+from mahovik.core.routines.exponential import POLYNOMIALS as EXPONENTIAL
 from mahovik.core.routines.sincos import POLYNOMIALS as SINCOS
 from toolchain.tools import require
 
@@ -29,7 +30,7 @@ def compiler() -> None:
 def test_a_small_campaign_keeps_every_bound() -> None:
     found = list(campaign.rows(4000))
     assert {(r.routine, r.precision) for r in found} == {
-        (name, p) for name in ("sin", "cos", "sqrt", "atan2", "wrap") for p in ("double", "float")
+        (name, p) for name in ("sin", "cos", "sqrt", "atan2", "exp", "wrap") for p in ("double", "float")
     }
     assert [row for row in found if not row.good] == []
     # an ulp that was measured ten times too small or too large would be seen
@@ -58,7 +59,7 @@ def test_the_judge_sees_an_error(precision: Precision) -> None:
 @pytest.mark.slow
 def test_all_that_is_proven_holds() -> None:
     found = list(proof.rows())
-    assert len(found) == 14
+    assert len(found) == 18
     assert [row for row in found if not row.good] == []
 
 
@@ -66,7 +67,11 @@ def test_all_that_is_proven_holds() -> None:
 def test_a_proven_bound_of_a_polynomial_is_above_what_is_found_and_near_it(precision: Precision) -> None:
     """tools/minimax.py found these by samples."""
     fits, arcs = SINCOS[precision.name], arc_tangent.POLYNOMIALS[precision.name]
-    for what, found in (("sine", fits.sine_error), ("cosine", fits.cosine_error), ("arc tangent", arcs.error)):
+    powers = EXPONENTIAL[precision.name]
+    for what, found in (
+        ("sine", fits.sine_error), ("cosine", fits.cosine_error), ("arc tangent", arcs.error),
+        ("hyperbolic sine", powers.sine_error), ("hyperbolic cosine", powers.cosine_error),
+    ):  # fmt: skip
         assert 0.98 * found < proof.approximation(what, precision) < 1.3 * found
 
 

@@ -7,6 +7,7 @@ import mpmath as mp
 import pytest
 
 from mahovik.core.routines import arc_tangent
+from mahovik.core.routines.exponential import POLYNOMIALS as EXPONENTIAL
 from mahovik.core.routines.sincos import POLYNOMIALS as SINCOS
 
 
@@ -16,6 +17,10 @@ def used(name: str, precision: str) -> tuple[list[Any], float]:
         coefficients, error = SINCOS[precision].sine, SINCOS[precision].sine_error
     elif name == "cosine":
         coefficients, error = SINCOS[precision].cosine, SINCOS[precision].cosine_error
+    elif name == "hyperbolic sine":
+        coefficients, error = EXPONENTIAL[precision].sine, EXPONENTIAL[precision].sine_error
+    elif name == "hyperbolic cosine":
+        coefficients, error = EXPONENTIAL[precision].cosine, EXPONENTIAL[precision].cosine_error
     else:
         fit = arc_tangent.POLYNOMIALS[precision]
         coefficients, error = fit.coefficients, fit.error

@@ -15,6 +15,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, Features, random_stand
 from mahovik.errors import StateError
 from mahovik.laws.cross_flow.data import CrossFlow
+from mahovik.laws.fading.data import FadingDamping
 from mahovik.laws.fin.data import Fin, Fins
 from mahovik.laws.propeller.data import Propeller, Propellers
 from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
@@ -47,7 +48,9 @@ def stand() -> Stand:
     propeller = Propeller(
         "b", (-0.4, 0, 0.1), (1, 0.1, 0), 1000.0, 0.2, ahead, around, 80.0, 0.2, 0.1, whole=False, left=False
     )
-    carrier = found.carrier.with_laws(drag, Fins((fin,)), Propellers((propeller,)))
+    rows = tuple(tuple(9.0 * (i == j) + 0.3 * (i - 2 * j) for j in range(6)) for i in range(6))
+    fading = FadingDamping(rows, 0.7)  # type: ignore[arg-type]
+    carrier = found.carrier.with_laws(drag, Fins((fin,)), Propellers((propeller,)), fading)
     return replace(found, carrier=carrier, flywheels=(replace(first, mount="carrier"), replace(second, mount="i1")))
 
 

@@ -11,7 +11,8 @@ import pytest
 
 from cli.run import refused, run
 from mahovik.core.stand import Stand, loads
-from mahovik.use.study.fluid import added_mass, fluid, growth
+from mahovik.use.plan.residual.body_laws import twist_laws
+from mahovik.use.study.fluid import added_mass, fluid, growth, power_of
 
 HEAD = """
 schema = 1
@@ -121,3 +122,30 @@ def test_check_prints_it(tmp_path: Path) -> None:
         message = refused("check", str(file), "--fluid", wrong)
         assert message.startswith("error: --fluid: ")
         assert words in message
+
+
+def test_a_propeller_is_an_engine_and_no_damping(tmp_path: Path) -> None:
+    """Its thrust does work from the first speed on, and the damping of the hull none: they are told apart."""
+    propeller = """
+[[propeller]]
+name = "main"
+density = 1025
+diameter = 0.14
+thrust = [0.45, -0.4]
+speed = "1500 rpm"
+"""
+    passive = "[carrier.damping]\nlinear = [3, 9, 9, 0.2, 2, 2]\n"
+    stand = loads(HEAD + passive + propeller)
+    found = fluid(stand, 1.5)
+    assert found.engines == ("carrier",)
+    assert [power.positive for power in found.powers] == [False, False]
+    laws = twist_laws(stand.carrier)
+    assert laws is not None
+    assert power_of(stand.carrier, laws, True).positive  # with the propeller
+    assert fluid(loads(HEAD + passive), 1.5).engines == ()
+    file = tmp_path / "hull.toml"
+    file.write_text(HEAD + propeller, encoding="utf-8")
+    text = run("check", str(file), "--fluid", "1.5").stdout
+    assert "no body has a law of its twist relative to the fluid but propellers" in text
+    assert "propellers on carrier: they are there to drive" in text
+    assert json.loads(run("check", str(file), "--fluid", "1.5", "--json").stdout)["fluid"]["engines"] == ["carrier"]

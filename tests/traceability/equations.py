@@ -125,7 +125,7 @@ ROLES: dict[str, tuple[str, ...]] = {
     ),
     "phases and encoders": ("wrap", "phase_of_counts", "speed_of_counts", "accumulate"),
     "own mathematics": (
-        "sincos", "sincos_each", "sqrt", "atan2", "unwound", "wrapped", "orthogonalise", "orthogonalise_*",
+        "sincos", "sincos_each", "sqrt", "atan2", "exp", "unwound", "wrapped", "orthogonalise", "orthogonalise_*",
     ),
     "tasks": ("scale_turning", "project_*", "inverse_*", "torque_demand*", "torque_for_*"),
     "linear algebra": (

@@ -23,7 +23,7 @@ from mahovik.core.stand.identity import Identities
 ROUTINE = "routine"
 """Set of the drivers of the routines that work on bits; the other sets are those of the contract."""
 
-ROUTINES = ("sincos", "sqrt", "atan2")
+ROUTINES = ("sincos", "sqrt", "atan2", "exp")
 
 _UNROLLED = 6
 """Iterations that Eva follows one by one, even if it cannot determine their number: at least an array's length."""
@@ -90,6 +90,7 @@ def eva_files(program: Program, identities: Identities) -> dict[str, str]:
     words: dict[str, Any] = {
         "suffix": "" if code.precision.name == "double" else "f",
         "atan2": any(f.name == "atan2" for f in program.functions),
+        "exp": any(f.name == "exp" for f in program.functions),
         "angles": _angles(program),
         "unroll": max([_UNROLLED, *(int(n) for c in program.structs for f in c.fields for n in f.shape)]),
         "public": [f.name for f in code.public],

@@ -12,6 +12,7 @@ from mahovik.core.emit.link import link
 from mahovik.core.emit.log_format import RESERVED, table_bytes
 from mahovik.core.emit.names import RESERVED as OF_STANDS
 from mahovik.core.emit.status import statuses
+from mahovik.core.lower.actuators import run_time_inputs
 from mahovik.core.lower.golden import fnv1a
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import limits
@@ -164,7 +165,7 @@ class _Printer:
         ]
 
     def _enums(self) -> list[list[str]]:
-        """Enumerators of flywheels and of run-time wrenches."""
+        """Enumerators of flywheels, of run-time wrenches and other inputs, and of sensors."""
         layout = self._layout
         taken = {c.name for c in self._program.counts} | set(limits(self._program.precision))
         taken |= OF_STANDS | RESERVED | OF_PROGRAMMES
@@ -182,6 +183,9 @@ class _Printer:
             entries = self._names.enumerators(names, taken, "WRENCH_")
             count = layout.input_count
             found.append(self._enum(entries, count.name, len(names), f"{count.comment}: six numbers each"))
+        for given in run_time_inputs(layout.structure):
+            entries = self._names.enumerators(given.names, taken, given.prefix)
+            found.append(self._enum(entries, given.count.name, len(given.names), given.count.comment))
         if layout.sensors:
             entries = self._names.enumerators(list(layout.sensors), taken, "SENSOR_")
             count = layout.sensor_count

@@ -11,6 +11,7 @@ from mahovik.core.program.expression import Operand, Place, Status, unequal
 from mahovik.core.program.function import Function
 from mahovik.core.program.prune import prune
 from mahovik.core.program.types import Kind, Precision, Struct
+from mahovik.core.routines import exponential
 from mahovik.core.stand.structure_facts import Structure
 
 
@@ -50,6 +51,11 @@ class FunctionSet:
         function = prune(function)
         self._functions[function.name] = function
         return function
+
+    def add_exponential(self) -> None:
+        """Adds the function `exp`, for a law that needs it, unless it is there."""
+        if "exp" not in self:
+            self.add(exponential(self.layout.precision))
 
     def __getitem__(self, name: str) -> Function:
         return self._functions[name]

@@ -9,6 +9,7 @@ from mahovik.contract.functions import FUNCTIONS
 from mahovik.contract.laws import of_bodies
 from mahovik.core import routines
 from mahovik.core.lower import (
+    actuators,
     allocate,
     along,
     checks,
@@ -278,6 +279,7 @@ def _add_wrenches(lib: Library) -> None:
         lib.add(wrenches.own_wrench(lib))
     for law in lib.layout.law_tables:
         law.add_functions(lib)
+    actuators.add_check(lib)
     lib.add(wrenches.external(lib))
 
 

@@ -48,6 +48,7 @@ FLUX_DENSITY = Unit("T", kg=1, s=-2, A=-1, quantity="MagneticFluxDensity")
 MAGNETIC_MOMENT = Unit("A.m2", m=2, A=1, quantity="MagneticMoment")
 LINE_DENSITY = Unit("kg/m", kg=1, m=-1, quantity="LinearDensity")
 PER_RADIAN = Unit("1/rad", rad=-1)
+SECOND_PER_METRE = Unit("s/m", m=-1, s=1)
 
 DISPLAY = {
     "rad": (("deg", 180 / math.pi),),

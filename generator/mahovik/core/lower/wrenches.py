@@ -32,9 +32,11 @@ def external(lib: Library) -> Function:
     turns = places_of(given)
     body = Body()
     laws = lib.layout.law_tables
-    refuses = any(law.refuses for law in laws)
-    if refuses:
+    refuses, checked = any(law.refuses for law in laws), "check_actuators" in lib
+    if refuses or checked:
         lib.begin(body)
+    if checked:
+        lib.check(body, "check_actuators", table.place)
     for element in F.place:
         body.set(element, real(0))
     if layout.weight:
@@ -48,7 +50,7 @@ def external(lib: Library) -> Function:
         own_wrenches(lib, body, table.place, x.place, turns, V.place, wrench, F.place, own.place)
     for law in laws:
         law.act(lib, body, table.place, x.place, C.place, F.place)
-    if refuses:
+    if refuses or checked:
         body.ret(Status("OK"))
     return Function(
         "external",
@@ -56,8 +58,8 @@ def external(lib: Library) -> Function:
         (table, x, *given, sums, C, V, g, *wrench, F, own),
         body.statements,
         equation="(7)",
-        returns=Kind.STATUS if refuses else None,
-        statuses=("OK", "RANGE") if refuses else (),
+        returns=Kind.STATUS if refuses or checked else None,
+        statuses=("OK", "NOT_FINITE", "RANGE") if checked else ("OK", "RANGE") if refuses else (),
     )
 
 

@@ -1,4 +1,4 @@
-"""pi to 256 bits, its parts, and what routines know about an element type."""
+"""pi and ln 2 to 256 bits, their parts, and what routines know about an element type."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from mahovik.core.program.expression import Expr, real
 from mahovik.core.program.types import Precision
 
 PI = Fraction(0x3243F6A8885A308D313198A2E03707344A4093822299F31D0082EFA98EC4E6C89, 1 << 256)
+LN_2 = Fraction(0xB17217F7D1CF79ABC9E3B39803F2F6AF40F343267298B62D8A0D175B8BAAFA2BE, 1 << 260)
 
 
 def split(value: Fraction, precision: Precision, lowest_bits: Sequence[int]) -> list[float]:

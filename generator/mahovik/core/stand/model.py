@@ -46,6 +46,11 @@ class LawData:
         return False
 
     @property
+    def drives(self) -> bool:
+        """Whether a law of bodies is an engine: it is there to do work on its body."""
+        return False
+
+    @property
     def rows(self) -> tuple[int, ...] | None:
         """Components that its wrench on the carrier can have, in E1 about O1; None where any."""
         return None

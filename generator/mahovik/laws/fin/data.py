@@ -12,6 +12,10 @@ SPEEDS: tuple[Speed, ...] = ("along", "across", "whole")
 """The components of the fin's velocity in U^2, along chord, span, normal: a; a and c; a, b and c."""
 
 
+MOST_DEFLECTION = 1.5
+"""Largest deflection, rad, in the file and at run time."""
+
+
 @dataclass(frozen=True)
 class Fin:
     """A lifting surface; its velocity relative to the fluid has a, b, c along chord, span, normal = chord x span.

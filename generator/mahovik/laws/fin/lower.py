@@ -8,15 +8,16 @@ from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.member import Member, members
+from mahovik.core.lower.run_time_input import RunTimeInput
 from mahovik.core.program.build import Body as Statements
 from mahovik.core.program.build import call
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, and_, magnitude, real, select
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.laws.fin.data import SPEEDS, Fins
+from mahovik.laws.fin.data import MOST_DEFLECTION, SPEEDS, Fins
 from mahovik.laws.fin.strips import axes_of
 
 INT, REAL = Kind.INT, Kind.REAL
@@ -38,6 +39,14 @@ def fin_count(structure: Structure) -> int:
     return len(_kinds(structure))
 
 
+def run_time_input(structure: Structure) -> RunTimeInput | None:
+    """The deflections; None without fins."""
+    names = tuple(name for name, _, _ in _kinds(structure))
+    count = NamedCount("FINS", len(names), "fins: those of the table, whose deflections are inputs")
+    words = "deflections of fins"
+    return RunTimeInput("fin", "deflection", MOST_DEFLECTION, count, names, "FIN_", words) if names else None
+
+
 def _kinds(structure: Structure) -> list[tuple[str, bool, bool]]:
     """Name of each fin, whether the angle of the flow counts, whether it stalls."""
     return [kind for _, kinds in structure.law("fins") or () for kind in kinds]
@@ -54,7 +63,7 @@ def _stalls(structure: Structure) -> bool:
 def fin_struct(stalls: bool, incidence: bool) -> Struct:
     """One fin; `stall` and `incidence` only where any fin has them."""
     fields = [
-        Field("deflection", REAL, (), "rad", "may be set at run time"),
+        Field("deflection", REAL, (), "rad", f"may be set at run time; at most {MOST_DEFLECTION:g}"),
         Field("position", REAL, (3,), "m", "in the body's frame, as the axes"),
         Field("chord", REAL, (3,), "", "axes of length one: forward"),
         Field("span", REAL, (3,), "", "to the side"),
@@ -74,8 +83,8 @@ def fin_struct(stalls: bool, incidence: bool) -> Struct:
 
 def table_fields(structure: Structure) -> list[Field]:
     """The fins of all bodies, where there are any."""
-    count = fin_count(structure)
-    return [Field("fin", fin_struct(_stalls(structure), _feels_flow(structure)), (count,))] if count else []
+    given = run_time_input(structure)
+    return [Field("fin", fin_struct(_stalls(structure), _feels_flow(structure)), (given.count,))] if given else []
 
 
 def damper_fields(structure: Structure) -> list[Field]:

@@ -15,7 +15,7 @@ from mahovik.core.stand.law import BodyLawSchema
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.toml import fields, line_of
 from mahovik.core.stand.units import Dimension, QuantityError, show
-from mahovik.laws.fin.data import SPEEDS, Fin, Fins, Speed
+from mahovik.laws.fin.data import MOST_DEFLECTION, SPEEDS, Fin, Fins, Speed
 
 DENSITY = Dimension("a density", "kg/m^3")
 AREA = Dimension("an area", "m^2")
@@ -45,7 +45,7 @@ class FinTable(Table):
     drag: Annotated[float, scalar(units.PLAIN, least=0.0)] = 0.0
     induced: Annotated[float | None, scalar(units.PLAIN, least=0.0)] = None
     stall: Annotated[float | None, scalar(units.ANGLE, above=0.0, most=1.5)] = None
-    deflection: Annotated[float, scalar(units.ANGLE, least=-1.5, most=1.5)] = 0.0
+    deflection: Annotated[float, scalar(units.ANGLE, least=-MOST_DEFLECTION, most=MOST_DEFLECTION)] = 0.0
     speed: Annotated[Speed, validator(_speed)] = "across"
     incidence: Flag = True
 

@@ -6,6 +6,9 @@ from dataclasses import dataclass
 
 from mahovik.core.stand.model import LawData, Vec3
 
+MOST_SPEED = 1e5
+"""Largest speed, rad/s, in the file and at run time: that of a flywheel."""
+
 
 @dataclass(frozen=True)
 class Propeller:
@@ -47,6 +50,11 @@ class Propellers(LawData):
     @property
     def nonlinear(self) -> bool:
         """True: thrust is quadratic."""
+        return True
+
+    @property
+    def drives(self) -> bool:
+        """True: thrust does work."""
         return True
 
     @property

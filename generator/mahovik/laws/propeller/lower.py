@@ -8,12 +8,13 @@ from typing import Any
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.member import Member, member
+from mahovik.core.lower.run_time_input import RunTimeInput
 from mahovik.core.program.build import Body as Statements
 from mahovik.core.program.build import call
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, magnitude, real, select
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.structure_facts import Structure
 from mahovik.laws.propeller.data import Propellers
@@ -37,6 +38,14 @@ def propeller_count(structure: Structure) -> int:
     return sum(len(kinds) for _, kinds in structure.law("propellers") or ())
 
 
+def run_time_input(structure: Structure) -> RunTimeInput | None:
+    """The speeds; None without propellers."""
+    names = tuple(name for _, kinds in structure.law("propellers") or () for name, _ in kinds)
+    count = NamedCount("PROPELLERS", len(names), "propellers: those of the table, whose speeds are inputs")
+    words = "speeds of propellers"
+    return RunTimeInput("propeller", "speed", "MAX_SPEED", count, names, "PROPELLER_", words) if names else None
+
+
 def _whole(structure: Structure) -> bool:
     """Whether any propeller meets the length of the velocity."""
     return any(whole for _, kinds in structure.law("propellers") or () for _, whole in kinds)
@@ -45,7 +54,7 @@ def _whole(structure: Structure) -> bool:
 def propeller_struct(structure: Structure) -> Struct:
     """One propeller; `whole` only where any is so."""
     fields = [
-        Field("speed", REAL, (), "rad/s", "n; may be set at run time"),
+        Field("speed", REAL, (), "rad/s", "n; may be set at run time, up to MAX_SPEED"),
         Field("position", REAL, (3,), "m", "in the body's frame, as the axis"),
         Field("axis", REAL, (3,), "", "direction of the thrust, of length one"),
         Field("thrust", REAL, (3,), "SI", "t0, t1, t2: thrust += t0 |n| n + t1 |n| u + t2 |u| u, u the velocity"),
@@ -58,8 +67,8 @@ def propeller_struct(structure: Structure) -> Struct:
 
 def table_fields(structure: Structure) -> list[Field]:
     """The propellers of all bodies, where there are any."""
-    count = propeller_count(structure)
-    return [Field("propeller", propeller_struct(structure), (count,))] if count else []
+    given = run_time_input(structure)
+    return [Field("propeller", propeller_struct(structure), (given.count,))] if given else []
 
 
 def damper_fields(structure: Structure) -> list[Field]:

@@ -11,7 +11,7 @@ from mahovik.core.stand.model import Stand, Vec3
 from mahovik.core.stand.shapes import vec3
 from mahovik.core.stand.toml import fields
 from mahovik.core.stand.units import Dimension, QuantityError
-from mahovik.laws.propeller.data import Propeller, Propellers
+from mahovik.laws.propeller.data import MOST_SPEED, Propeller, Propellers
 
 DENSITY = Dimension("a density", "kg/m^3")
 _KEYS = (
@@ -42,7 +42,7 @@ class PropellerTable(Table):
     diameter: Annotated[float, scalar(units.LENGTH, above=0.0)]
     thrust: Polynomial
     torque: Polynomial = ZERO3
-    speed: Annotated[float, scalar(units.SPEED)] = 0.0
+    speed: Annotated[float, scalar(units.SPEED, least=-MOST_SPEED, most=MOST_SPEED)] = 0.0
     wake: Fraction = 0.0
     deduction: Fraction = 0.0
     whole: Flag = False

@@ -32,7 +32,11 @@ def print_fluid(found: Fluid) -> None:
         )
         print_table(("laws of the fluid on", "twists", "drives", "at u v w p q r>", "power, W"), rows)
     else:
-        print_line("fluid: no body has a law of its twist relative to the fluid")
+        print_line(
+            "fluid: no body has a law of its twist relative to the fluid" + (" but propellers" * bool(found.engines))
+        )
+    if found.engines:
+        print_line(f"propellers on {', '.join(found.engines)}: they are there to drive, so the table leaves them out")
     added = found.added_mass
     if added is not None:
         kind = "definite" if added.least > 1e-9 else "semidefinite"

@@ -67,11 +67,14 @@ class AddedMass:
 class Fluid:
     """What `mahovik check --fluid` prints.
 
+    powers    of all laws of the fluid but engines
+    engines   bodies with laws that are there to drive, such as propellers
     velocity  ahead, m/s, along axis 1 of the carrier
     growth    largest growth rate of small motions from there, 1/s, flywheels at rest, without weight and supports
     """
 
     powers: tuple[Power, ...]
+    engines: tuple[str, ...]
     added_mass: AddedMass | None
     velocity: float
     growth: float
@@ -82,10 +85,16 @@ def fluid(stand: Stand, velocity: float) -> Fluid:
     powers = tuple(
         power_of(body, laws, ahead)
         for body in stand.bodies
-        if (laws := twist_laws(body)) is not None
+        if (laws := twist_laws(_without_engines(body))) is not None
         for ahead in (False, True)
     )
-    return Fluid(powers, added_mass(stand), velocity, growth(stand, velocity))
+    engines = tuple(body.name for body in stand.bodies if any(law.drives for law in body.laws))
+    return Fluid(powers, engines, added_mass(stand), velocity, growth(stand, velocity))
+
+
+def _without_engines(body: Body) -> Body:
+    """The body without laws that are there to drive."""
+    return replace(body, laws=tuple(law for law in body.laws if not law.drives))
 
 
 def power_of(body: Body, laws: TwistLaws, ahead: bool) -> Power:

@@ -75,6 +75,7 @@ ROUTINES: Mapping[str, Callable[..., Any]] = {
     "sincos_each": sincos_each,
     "sqrt": lambda x: x.nonnegative_part().sqrt(),  # a ball may reach below zero though its number does not
     "atan2": arb.atan2,
+    "exp": arb.exp,
 }
 """Functions of Arb in the place of the program's own, so that its polynomials count as rounding."""
 

@@ -1,0 +1,1 @@
+"""Linear damping of a body that fades with its speed through the fluid."""

@@ -1,0 +1,23 @@
+"""Fading damping of a body, literally, (7); `V_r` (6) is its twist relative to the fluid, all in the body's frame."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from mahovik.core.stand.model import Body
+from mahovik.laws.fading.data import FadingDamping
+from mahovik.proof.reference.array import Array
+
+
+def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """Wrench (6; N, N m) of the fading damping; none where there is none."""
+    law = body.law(FadingDamping)
+    return {} if law is None else {"fading damping": fading_damping(law, V_r)}
+
+
+def fading_damping(law: FadingDamping, V_r: Array) -> Array:
+    """-exp(-rate U) linear V_r (6; N, N m), U = |v|."""
+    U = float(np.linalg.norm(V_r[:3]))
+    return np.asarray(-math.exp(-law.rate * U) * (np.array(law.linear) @ V_r))

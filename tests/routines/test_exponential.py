@@ -1,0 +1,120 @@
+"""exp of numbers that are not positive: against mpmath, bit for bit in C, and at every float."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from mahovik.core.program.types import DOUBLE, FLOAT, Precision
+from mahovik.core.routines.exponential import LOWEST, ln_2_parts
+from routines.compiled import run
+from routines.run import BITS, call, error_in_last_places, exact, neighbours
+
+PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)
+WORST = 0.9
+"""Units in the last place that the routine promises."""
+
+
+def exponents(precision: Precision, count: int) -> np.ndarray:
+    """Arguments of the whole range, of every size, and beside the borders of two k."""
+    draw = np.random.default_rng(6)
+    lowest = LOWEST[precision.name]
+    borders = -np.log(2) * (draw.integers(0, int(-lowest / np.log(2)), count // 4) + 0.5)
+    parts = [
+        draw.uniform(lowest, 0, count),
+        -np.exp(draw.uniform(np.log(1e-30), np.log(-lowest), count)),
+        borders * (1 + np.finfo(precision.scalar).eps * draw.integers(-3, 4, len(borders))),
+        [lowest, 0.0, -0.0],
+    ]
+    found = np.concatenate(parts).astype(precision.scalar)
+    return found[found >= lowest]
+
+
+def worst_error(precision: Precision, x: np.ndarray, got: np.ndarray) -> float:
+    """Largest error in units in the last place, by mpmath."""
+    with mp.workprec(BITS):
+        return max(error_in_last_places(precision, b, mp.exp(exact(a))) for a, b in zip(x, got, strict=True))
+
+
+@PRECISIONS
+def test_error_is_below_what_is_promised(precision: Precision) -> None:
+    x = exponents(precision, 8000)
+    (got,) = run(precision, "exp", x)
+    assert 0.5 < worst_error(precision, x, got) < WORST
+
+
+@PRECISIONS
+def test_compiled_is_the_interpreter_bit_for_bit(precision: Precision) -> None:
+    x = np.concatenate([exponents(precision, 700), np.array([-1e4, -1e30, -1e-40])]).astype(precision.scalar)
+    (compiled,) = run(precision, "exp", x)
+    assert compiled.tobytes() == np.array([call(precision, "exp", value) for value in x]).tobytes()
+
+
+@PRECISIONS
+@pytest.mark.parametrize("flags", (("-O0",), ("-O3",), ("-Os",)), ids=lambda f: f[0])
+def test_optimisation_changes_no_bit(precision: Precision, flags: tuple[str, ...]) -> None:
+    x = exponents(precision, 100_000)
+    assert run(precision, "exp", x)[0].tobytes() == run(precision, "exp", x, flags=flags)[0].tobytes()
+
+
+@PRECISIONS
+def test_underflow_is_zero_by_definition(precision: Precision) -> None:
+    """The last result above it is normal: a processor that flushes subnormals has the same bits."""
+    lowest = precision.scalar(LOWEST[precision.name])
+    below = np.nextafter(lowest, precision.scalar(-np.inf))
+    largest = -precision.scalar(np.finfo(precision.scalar).max)
+    for x in (below, precision.scalar(2 * float(lowest)), largest):
+        assert np.copysign(1.0, call(precision, "exp", x)) == 1 and call(precision, "exp", x) == 0
+    assert call(precision, "exp", lowest) > np.finfo(precision.scalar).smallest_normal
+    assert [call(precision, "exp", zero) for zero in (0.0, -0.0)] == [1, 1]
+
+
+@PRECISIONS
+def test_results_fall_with_the_argument_and_never_exceed_one(precision: Precision) -> None:
+    """Over many neighbours, also across the borders of two k: an error below a unit allows a step back of one unit."""
+    x = np.sort(exponents(precision, 20_000))
+    (got,) = run(precision, "exp", x)
+    assert got.max() == 1
+    assert np.all(np.diff(got) >= -np.spacing(got[:-1]))
+    tiny = [value for border in (-np.log(2) / 2, -0.1, -1e-9) for value in neighbours(precision, border)]
+    assert max(call(precision, "exp", value) for value in tiny) <= 1
+
+
+@PRECISIONS
+def test_first_part_of_the_logarithm_has_exact_products(precision: Precision) -> None:
+    first, second = ln_2_parts(precision)
+    for k in range(int(-LOWEST[precision.name] / np.log(2)) + 2):
+        assert exact(precision.scalar(k) * precision.scalar(first)) == k * mp.mpf(first)
+    with mp.workprec(BITS):
+        assert abs(mp.mpf(first) + mp.mpf(second) - mp.log(2)) < mp.mpf(2) ** -(2 * precision.significand - 12)
+
+
+def scan(first: int, last: int) -> tuple[float, Any]:
+    """Worst error, in units in the last place, over the floats with these bits; and where."""
+    worst, where = 0.0, 0.0
+    for start in range(first, last, 1 << 22):
+        x = np.arange(start, min(start + (1 << 22), last), dtype=np.uint32).view(np.float32)
+        (got,) = run(FLOAT, "exp", x)
+        true = np.exp(x.astype(np.float64))
+        errors = np.abs(got - true) / np.spacing(true.astype(np.float32))
+        k = int(np.argmax(errors))
+        if errors[k] > worst:
+            worst, where = float(errors[k]), x[k]
+    return worst, where
+
+
+def test_every_float_of_two_binades() -> None:
+    """-1/2 to -2: k is 1, 2 or 3."""
+    sign = 1 << 31
+    worst, where = scan(sign | 126 << 23, sign | 128 << 23)
+    assert 0.5 < worst < WORST, where
+
+
+@pytest.mark.slow
+def test_every_float() -> None:
+    """All 1,119 million of them from -0 to -87."""
+    worst, where = scan(1 << 31, int(np.float32(LOWEST["float"]).view(np.uint32)) + 1)
+    assert 0.5 < worst < WORST, where
