@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -10,9 +11,10 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from cli.run import run
 from laws.held_stands import agree, enclosed, held, moved, rail, table
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.stand import Stand, identities
+from mahovik.core.stand import Stand, dumps, identities
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.random_state import random_state
 from mahovik.errors import StandError
@@ -199,3 +201,12 @@ def test_refusals(hold: str, text: str, words: str) -> None:
         held(hold, text)
     assert words in str(caught.value)
     assert len(str(caught.value).splitlines()) == 1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("hold", "freedom"), [("rail", "x"), ("plane", "pitch"), ("skew hinge", "1")])
+def test_verify_passes_with_friction_and_stops(hold: str, freedom: str, tmp_path: Path) -> None:
+    friction = table("friction", freedom=freedom, viscous=0.3, coulomb=2, breakaway=3, stribeck_speed=0.05)
+    path = tmp_path / "held.toml"
+    path.write_text(dumps(held(hold, GIVEN[hold] + friction)), encoding="utf-8")
+    assert "FAILED" not in run(["verify", str(path)]).stdout

@@ -46,3 +46,13 @@ def unit_wrenches(hold: Hold) -> Array:
         d, none = d / np.linalg.norm(d), np.zeros(3)
         columns.append(np.concatenate([d, none] if freedom.kind == "slide" else [none, d]))
     return np.asarray(to_frame @ np.linalg.pinv(np.column_stack(columns)).T)
+
+
+def branches(stand: Stand, state: State, at: Pose) -> Array:
+    """Sign and power of four of each speed, counted in its smoothing: between them friction changes its steepness."""
+    found = []
+    for friction in frictions_of(stand):
+        assert stand.hold is not None
+        u = float(unit_wrenches(stand.hold)[:, friction.freedom] @ at.V) / friction.smoothing
+        found += [math.copysign(1.0, u), math.floor(math.log2(1.0 + abs(u)) / 2.0)]
+    return np.array(found)
