@@ -20,7 +20,9 @@ from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.laws.cross_flow.data import CrossFlow
 from mahovik.laws.damping.data import Factor
 from mahovik.laws.fin.data import Fin, Fins
+from mahovik.laws.friction.data import Friction, Frictions
 from mahovik.laws.propeller.data import Propeller, Propellers
+from mahovik.laws.stop.data import Stop, Stops
 from mahovik.stands import names, path
 from strategies import stands
 
@@ -82,6 +84,8 @@ def test_every_number_of_a_stand_changes_its_physics() -> None:
     fin = Fin("a", (1.5, 2.0, 2.5), (3.0, 3.5, 4.0), (4.5, 5.0, 5.5), 6.0, 6.5, 7.0, 7.5, 8.0, 8.5, 9.0, "across", True)
     ahead, around = (7.0, 7.5, 8.0), (8.5, 9.0, 9.5)
     propeller = Propeller("b", (1, 2, 3), (4, 5, 6), 6.5, 7.0, ahead, around, 10.0, 0.5, 0.75, whole=True, left=False)
+    along = Frictions((Friction(0, "x", 1.0, 2.0, 3.0, 4.0, 5.0),)), Stops((Stop(0, "x", 6.0, True, 7.0, 8.0),))
+    stand = stand.with_laws(*along)
     stand = replace(stand, carrier=stand.carrier.with_laws(drag, Fins((fin,)), Propellers((propeller,))))
     found = {"as it is": identities(stand).physics}
     for place, other in with_one_other(stand, ""):

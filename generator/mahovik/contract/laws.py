@@ -13,7 +13,7 @@ from typing import Any
 BODY_LAWS = ("weight", "buoyancy", "damping", "cross_flow", "fin", "propeller", "fading")
 """Folders of the laws that act on every body in its own frame."""
 
-LAWS = ("suspension", "leg", "torquer")
+LAWS = ("suspension", "leg", "torquer", "friction", "stop")
 """Folders of the laws between E0 and the carrier; they come after those of the bodies."""
 
 

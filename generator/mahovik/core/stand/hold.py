@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from fractions import Fraction
+from operator import mul
 from typing import Annotated, Any
 
 import numpy as np
@@ -126,6 +128,64 @@ def _twist(freedom: Freedom, pivot: Array) -> Array:
     if freedom.kind == "slide":
         return np.concatenate([unit, np.zeros(3)])
     return np.concatenate([np.cross(pivot, unit), unit])
+
+
+def wrenches(hold: Hold) -> Array:
+    """W (6 x m), S^T W = E: wrench at O1 in E1 of a force 1 along each freedom, which has no power in the others.
+
+    A force through the pivot of what slides, a moment of what turns, S (S^T S)^-1 of a basis. By it u = W^T V.
+    """
+    if any(freedom.kind == "twist" for freedom in hold.freedoms):
+        return _dual(twists(hold))
+    pivot, columns = np.array(hold.pivot), []
+    for freedom in hold.freedoms:
+        direction = _twist(freedom, np.zeros(3))
+        at_pivot = np.cross(pivot, direction[:3])
+        columns.append(np.concatenate([direction[:3], direction[3:] + at_pivot]))
+    return np.array(columns, dtype=np.float64).reshape(-1, 6).T
+
+
+def _dual(S: Array) -> Array:
+    """S (S^T S)^-1 of independent columns, exact before it is rounded: the same bits on every machine."""
+    columns = [[Fraction(x) for x in column] for column in S.T.tolist()]
+    rows = [[*(sum(map(mul, a, b), Fraction(0)) for b in columns), *a] for a in columns]  # (S^T S | S^T), to be reduced
+    for k in range(len(rows)):
+        scaled = [x / rows[k][k] for x in rows[k]]
+        rows = [
+            scaled if i == k else [x - row[k] * y for x, y in zip(row, scaled, strict=True)]
+            for i, row in enumerate(rows)
+        ]
+    return np.array([[float(x) for x in row[len(columns) :]] for row in rows], dtype=np.float64).reshape(-1, 6).T
+
+
+def find_freedom(hold: Hold, name: str | None) -> int:
+    """Number of the freedom that a table of the hold is about; without a name the only one. Raises QuantityError."""
+    names = freedom_names(hold)
+    if not names:
+        raise QuantityError("the hold is clamped: it has no freedom")
+    if name is None and len(names) > 1:
+        raise QuantityError(f"required where there are several freedoms, expected one of {', '.join(names)}")
+    if name is not None and name not in names:
+        raise QuantityError(
+            f"{show(name)} is no freedom of this hold{suggestion(name, names)}, expected one of {', '.join(names)}"
+        )
+    return 0 if name is None else names.index(name)
+
+
+def coordinate_problem(hold: Hold, freedom: int) -> str | None:
+    """Why a freedom has no coordinate whose rate is its speed; None where it has one.
+
+    The angle about an axis is one where nothing else turns, the way along a direction where nothing turns it.
+    """
+    own = hold.freedoms[freedom]
+    turns = [each for each in hold.freedoms if each.kind == "turn"]
+    if own.kind == "twist":
+        return "a freedom of a basis has no coordinate"
+    if own.kind == "turn" and len(turns) > 1:
+        return "where several freedoms turn, none has an angle of its own"
+    if own.kind == "slide" and any(each.direction != own.direction for each in turns):
+        return "where another freedom turns its direction, what slides has no coordinate of its own"
+    return None
 
 
 def _scale(S: Array) -> Array:

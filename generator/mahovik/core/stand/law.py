@@ -7,7 +7,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from mahovik.core.stand.fields import Table
-from mahovik.core.stand.model import LawData, Stand
+from mahovik.core.stand.model import Hold, LawData, Stand
+
+Note = Callable[..., None]
+"""Notes a problem of the file: the parts of the key path, the last the reason."""
 
 TablesByKey = Mapping[str, Sequence[Any]]
 """The valid tables of a stand file by key: one of `[key]`, any number of `[[key]]`."""
@@ -26,6 +29,8 @@ class LawSchema:
     tables      `[key]`
     arrays      `[[key]]`
     mounted     those of the arrays whose items have a name and a `mount`, the carrier or an instrument
+    held        `[[hold.key]]`: tables of the hold, each about one of its freedoms
+    read_held   makes the data of these, and notes their problems; None where they do nothing
     """
 
     data: type[LawData]
@@ -37,6 +42,8 @@ class LawSchema:
     tables: Mapping[str, type[Table]] = field(default_factory=dict)
     arrays: Mapping[str, type[Table]] = field(default_factory=dict)
     mounted: tuple[str, ...] = ()
+    held: Mapping[str, type[Table]] = field(default_factory=dict)
+    read_held: Callable[[TablesByKey, Hold, Note], LawData | None] = lambda given, hold, note: None
 
 
 @dataclass(frozen=True)

@@ -42,7 +42,7 @@ class LawData:
 
     @property
     def has_kinks(self) -> bool:
-        """Whether a law of bodies depends on magnitudes of the twist, so that its derivatives jump."""
+        """Whether its derivatives jump, as those of a law of bodies that depends on magnitudes of the twist."""
         return False
 
     @property
@@ -260,8 +260,8 @@ class Stand(WithLaws):
 
     @property
     def has_kinks(self) -> bool:
-        """Whether a law of any body has derivatives that jump."""
-        return any(law.has_kinks for body in self.bodies for law in body.laws)
+        """Whether a law of any body, or one between E0 and the carrier, has derivatives that jump."""
+        return any(law.has_kinks for bearer in (self, *self.bodies) for law in bearer.laws)
 
     def __repr__(self) -> str:
         parts = {"instrument": self.instruments, "flywheel": self.flywheels, "point": self.points}

@@ -15,8 +15,15 @@ from mahovik.core.stand.content import readable
 from mahovik.core.stand.fields import Table
 from mahovik.core.stand.hold import HoldTable, hold_of
 from mahovik.core.stand.law import BodyLawSchema, LawSchema
-from mahovik.core.stand.law_schemas import AnyTable, mounted_keys, mounted_schemas, with_laws
-from mahovik.core.stand.model import Carrier, Flywheel, Instrument, LawData, Point, Stand, Task
+from mahovik.core.stand.law_schemas import (
+    AnyTable,
+    held_schemas,
+    hold_with_laws,
+    mounted_keys,
+    mounted_schemas,
+    with_laws,
+)
+from mahovik.core.stand.model import Carrier, Flywheel, Hold, Instrument, LawData, Point, Stand, Task
 from mahovik.core.stand.problems import Problems, keys_of
 from mahovik.core.stand.schema import (
     CarrierTable,
@@ -110,8 +117,10 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
     points: list[Point] = [build.point(table) for _, table in point_tables]
     tasks = _tasks(problems, document)
     in_order = len(problems.lines)
-    hold_table = _table(problems, document, "hold", HoldTable)
+    hold_table = _table(problems, document, "hold", hold_with_laws())
     hold = hold_of(hold_table, problems) if hold_table and len(problems.lines) == in_order else None
+    if hold_table and hold:
+        laws += _held_laws(problems, hold_table, hold)
     if tasks and "hold" in document:
         problems.add("task", "tasks of a carrier with [hold] are not there yet: expected one without the other")
     if physics:
@@ -176,6 +185,16 @@ def _law(problems: Problems, document: dict[str, Any], schema: LawSchema) -> Law
     for key, table in schema.arrays.items():
         given[key] = [item for _, item in _array(problems, document, key, table)]
     return schema.read(header, given)
+
+
+def _held_laws(problems: Problems, table: HoldTable, hold: Hold) -> list[LawData | None]:
+    """The data of the laws whose tables are those of the hold."""
+
+    def note(*words: str) -> None:
+        problems.add("hold", *words)
+
+    given = {key: getattr(table, key) for law in held_schemas() for key in law.held}
+    return [law.read_held(given, hold, note) for law in held_schemas()]
 
 
 def _bearing(body: AnyBody, mounted: Sequence[tuple[BodyLawSchema, Sequence[tuple[str, Any]]]]) -> AnyBody:

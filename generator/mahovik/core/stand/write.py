@@ -40,12 +40,14 @@ def dumps(stand: Stand, comments: Mapping[str, Sequence[str]] = _NONE) -> str:
     if stand.inverse_most != INVERSE_MOST:
         lines.append(line_of("inverse_most", stand.inverse_most))
     schemas = [part.SCHEMA for part in parts("schema")]
-    given = [law.lines(data) for law in schemas if (data := stand.law(law.data)) is not None]
+    given = [law.lines(data) for law in schemas if not law.held and (data := stand.law(law.data)) is not None]
     lines += [line for header, _ in given for line in header]
     lines += [*head("[carrier]", "carrier"), *_body(stand.carrier)]
     lines += [line for _, tables in given for line in tables]
     if stand.hold is not None:
         lines += hold_lines(stand.hold)
+        along = [law.lines(data) for law in schemas if law.held and (data := stand.law(law.data)) is not None]
+        lines += [line for _, tables in along for line in tables]
     for instrument in stand.instruments:
         lines += [
             *head("[[instrument]]", instrument.name),

@@ -11,6 +11,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
+from mahovik.contract import laws
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
@@ -18,6 +19,7 @@ from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.hold import acceleration, accelerations
+from mahovik.proof.reference.pose import Pose
 from mahovik.proof.reference.rotation import carrier_rotation, quaternion_rotation
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.verify.compare import Row
@@ -95,7 +97,8 @@ class Motion:
         self._start = _flat(state, carrier_rotation(case.stand, state))
         # a power of two, so that a float has it and its halves exactly
         self.time = 2.0 ** math.floor(math.log2(RADIANS / self._rate()))
-        self._smooth = not case.stand.has_kinks
+        self._dragged = any(law.has_kinks for body in case.stand.bodies for law in body.laws)
+        self._smooth = not self._dragged and not self._branches(self._start).size
         self._kink_within = math.inf  # s: shortest time known to have a kink
 
     def first(self, parts: Sequence[float], judged: Callable[[float], float | None]) -> float | None:
@@ -119,11 +122,21 @@ class Motion:
         return way, _group_sizes(self._start, way[:, -1] - self._start, self._case.count)
 
     def _has_kink(self, time: float) -> bool:
-        """Whether a component of some body's twist relative to the fluid changes sign: |V| has a kink there."""
+        """Whether a component of some body's twist relative to the fluid changes sign, where |V| has a kink, or a law
+        passes to another branch."""
         if self._smooth:
             return False
-        signs = np.array([np.sign(self._twists(y)) for y in self._reference_states(time)[0].T])
-        return bool(np.any(signs != signs[0]))
+        branches = np.array([self._branches(y) for y in self._reference_states(time)[0].T])
+        return bool(np.any(branches != branches[0]))
+
+    def _branches(self, y: Array) -> Array:
+        """Signs of the twists where a drag has kinks, and the branches of the laws on the carrier that have some."""
+        C = y[3:12].reshape(3, 3)
+        state, at = self._at(y, C), Pose(y[:3], C, y[12:18])
+        found = [
+            law.branches(self._case.stand, state, at) for law in laws.parts("reference") if hasattr(law, "branches")
+        ]
+        return np.concatenate([np.zeros(0), *found, *([np.sign(self._twists(y))] if self._dragged else [])])
 
     def _twists(self, y: Array) -> Array:
         """Twists of all bodies relative to the fluid, one after the other, each in its own frame."""

@@ -1,0 +1,68 @@
+"""Friction along the freedoms by Rayleigh's dissipation function of their speeds."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from mahovik.core.stand.model import Hold, Stand
+from mahovik.core.stand.state import State
+from mahovik.laws.friction.data import Friction, frictions_of
+from mahovik.proof.second.chart import Expr
+from mahovik.proof.second.rotation import Array
+
+
+def inputs(stand: Stand) -> dict[str, tuple[int, int]]:
+    """No inputs of its own."""
+    return {}
+
+
+def force(stand: Stand, inputs: dict[str, Expr]) -> Expr:
+    """Generalized force (6) -dR/dq' of the function R of all frictions, q' = V here."""
+    frictions, hold = frictions_of(stand), stand.hold
+    if not frictions or hold is None:
+        return ca.MX.zeros(6)
+    V = ca.SX.sym("V", 6)
+    u = _speeds(hold, V)
+    R = sum(_dissipation(friction, u[friction.freedom]) for friction in frictions)
+    return ca.Function("friction_force", [V], [-ca.gradient(R, V)])(inputs["V"])
+
+
+def _dissipation(friction: Friction, u: Expr) -> Expr:
+    """R (W) with dR/du the force against a speed u.
+
+    w = sqrt(u^2 + smoothing^2) is what the smoothed sign u/w is the slope of; the rise times this sign is the slope of
+    an arc tangent of w, since u^2 = w^2 - smoothing^2 and the Stribeck speed is the larger of the two.
+    """
+    w = ca.sqrt(u**2 + friction.smoothing**2)
+    R = friction.viscous * u**2 / 2 + friction.coulomb * w
+    if friction.stribeck_speed is not None:
+        span = ca.sqrt(friction.stribeck_speed**2 - friction.smoothing**2)
+        R += (friction.breakaway - friction.coulomb) * friction.stribeck_speed**2 / span * ca.atan(w / span)
+    return R
+
+
+def _speeds(hold: Hold, V: Expr) -> Expr:
+    """Speeds (m) of the freedoms: turning about an axis, the pivot along a direction; of a basis least squares."""
+    if hold.freedoms[0].kind == "twist":
+        S = ca.DM(np.array([freedom.twist for freedom in hold.freedoms]).T)
+        return ca.solve(S.T @ S, S.T @ V)
+    at_pivot = V[:3] + ca.cross(V[3:], ca.DM(hold.pivot))
+    found = []
+    for freedom in hold.freedoms:
+        direction = ca.DM(freedom.direction) / max(abs(x) for x in freedom.direction)
+        part = at_pivot if freedom.kind == "slide" else V[3:]
+        found.append(ca.dot(direction / ca.norm_2(direction), part))
+    return ca.vertcat(*found)
+
+
+def arguments(stand: Stand, state: State, C: Array) -> dict[str, Any]:
+    """No inputs of its own."""
+    return {}
+
+
+def arguments_near(stand: Stand, C0: Array, place: Expr, C: Expr) -> dict[str, Expr]:
+    """No inputs of its own."""
+    return {}

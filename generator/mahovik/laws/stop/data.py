@@ -1,0 +1,44 @@
+"""Raw data of the end stops of a hold, as the stand file gives them, in SI."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mahovik.core.stand.model import LawData, Stand
+
+
+@dataclass(frozen=True)
+class Stop:
+    """A stop of one freedom: pushes back where its coordinate, counted from the home pose, is beyond `at`.
+
+    freedom    its number in the order of the hold; `name` as the file has it
+    at         m or rad
+    above      it stops what goes above `at`; else what goes below
+    stiffness  N/m or N m/rad
+    damping    per depth, N s/m2 or N m s/rad2
+    """
+
+    freedom: int
+    name: str
+    at: float
+    above: bool
+    stiffness: float
+    damping: float
+
+
+@dataclass(frozen=True)
+class Stops(LawData):
+    """All stops of a stand, in the order of the file."""
+
+    stops: tuple[Stop, ...]
+
+    @property
+    def has_kinks(self) -> bool:
+        """True: stiffness and damping begin at the stop."""
+        return True
+
+
+def stops_of(stand: Stand) -> tuple[Stop, ...]:
+    """The stops of a stand; empty where it has none."""
+    found = stand.law(Stops)
+    return () if found is None else found.stops

@@ -1,0 +1,81 @@
+"""Force of the stops by the potential of a spring and a dissipation function, in the coordinate of their freedom."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from mahovik.core.stand.model import Freedom, Hold, Stand
+from mahovik.core.stand.state import State
+from mahovik.laws.stop.data import Stop, stops_of
+from mahovik.proof.second.chart import Expr
+from mahovik.proof.second.rotation import Array, by_angles
+
+
+def inputs(stand: Stand) -> dict[str, tuple[int, int]]:
+    """No inputs of its own."""
+    return {}
+
+
+def force(stand: Stand, inputs: dict[str, Expr]) -> Expr:
+    """Generalized force (6) of all stops on the carrier: by the power of each in the speed of its freedom."""
+    hold, total = stand.hold, ca.MX.zeros(6)
+    if hold is None:
+        return total
+    C0 = by_angles(stand.angles, ca.DM(hold.angles))
+    for stop in stops_of(stand):
+        freedom = hold.freedoms[stop.freedom]
+        q = _coordinate(hold, freedom, C0, inputs["position"], inputs["C"])
+        V = ca.SX.sym("V", 6)
+        speed = ca.Function("speed", [V], [_speed(hold, freedom, V), ca.gradient(_speed(hold, freedom, V), V)])
+        u, by_V = speed(inputs["V"])
+        total += _force(stop)(q, u) * by_V
+    return total
+
+
+def _force(stop: Stop) -> Expr:
+    """(q, u) -> -dU/dq - dR/du of U = stiffness d^2/2 and R = damping d u^2/2, d the depth; zero where that pulls."""
+    q, u = ca.SX.sym("q"), ca.SX.sym("u")
+    depth = q - stop.at if stop.above else stop.at - q
+    U, R = stop.stiffness * depth**2 / 2, stop.damping * depth * u**2 / 2
+    found = -ca.gradient(U, q) - ca.gradient(R, u)
+    pushes = found < 0 if stop.above else found > 0
+    return ca.Function("stop_force", [q, u], [ca.if_else(ca.logic_and(depth > 0, pushes), found, 0)])
+
+
+def _coordinate(hold: Hold, freedom: Freedom, C0: Expr, place: Expr, C: Expr) -> Expr:
+    """Way (m) of the pivot in the axes of the home pose, or angle (rad) by which two arms have turned."""
+    d = _unit(freedom)
+    if freedom.kind == "slide":
+        pivot = ca.DM(hold.pivot)
+        return ca.dot(d, C0.T @ (place + C @ pivot - ca.DM(hold.position)) - pivot)
+    first = np.eye(3)[int(np.argmin(np.abs(d.full())))]
+    b = ca.cross(d, ca.DM(first))
+    b = b / ca.norm_2(b)
+    c = ca.cross(d, b)
+    turned_b, turned_c = C0.T @ (C @ b), C0.T @ (C @ c)
+    return ca.atan2(ca.dot(c, turned_b) - ca.dot(b, turned_c), ca.dot(b, turned_b) + ca.dot(c, turned_c))
+
+
+def _speed(hold: Hold, freedom: Freedom, V: Expr) -> Expr:
+    """Speed of turning about the axis, or of the pivot along the direction."""
+    if freedom.kind == "turn":
+        return ca.dot(_unit(freedom), V[3:])
+    return ca.dot(_unit(freedom), V[:3] + ca.cross(V[3:], ca.DM(hold.pivot)))
+
+
+def _unit(freedom: Freedom) -> Expr:
+    scaled = ca.DM(freedom.direction) / max(abs(x) for x in freedom.direction)
+    return scaled / ca.norm_2(scaled)
+
+
+def arguments(stand: Stand, state: State, C: Array) -> dict[str, Any]:
+    """No inputs of its own."""
+    return {}
+
+
+def arguments_near(stand: Stand, C0: Array, place: Expr, C: Expr) -> dict[str, Expr]:
+    """No inputs of its own."""
+    return {}

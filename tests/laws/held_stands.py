@@ -1,0 +1,97 @@
+"""Held stands with friction and stops of every kind of freedom, for tests of these laws."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from mahovik.core.stand import Stand, dumps, loads
+from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.state import State
+from mahovik.proof.verify.c_backend import CBackend
+from second.agreement import AGREEMENT, differences, expectations
+
+BODIES = """
+schema = 1
+name = "held"
+gravity = [0, 0, -9.81]
+[carrier]
+mass = 2.0
+center_of_mass = [0, 0.01, 0.05]
+inertia = [0.02, 0.03, 0.01]
+inertia_about = "center_of_mass"
+[[flywheel]]
+name = "w1"
+axis = [0, 1, 0]
+zero = [0, 0, 1]
+mass = 0.5
+spin_inertia = 1e-3
+transverse_inertia = 6e-4
+unbalance = { static = "4 g cm", dynamic = "9 g cm^2" }
+"""
+
+POSE = "pivot = [0.1, -0.2, 0.3]\nposition = [0.3, 0.1, 0.2]\nangles = [0.1, 0.2, 0.3]\n"
+
+HOLDS = {
+    "rail": 'freedoms = ["x"]\nposition = [0.3, 0.1, 0.2]\nangles = [0.1, 0.2, 0.3]\n',
+    "skew rail": "slide = [1, -2, 2]\n",
+    "hinge": 'freedoms = ["pitch"]\n' + POSE,
+    "skew hinge": "axis = [1, 2, 4]\n" + POSE,
+    "plane": 'freedoms = ["x", "z", "pitch"]\n' + POSE,
+    "cylinder": 'freedoms = ["y", "pitch"]\n' + POSE,
+    "ball": 'freedoms = ["roll", "pitch", "yaw"]\n' + POSE,
+    "basis": "basis = [[1, 0.2, 0, 0, 0, 1], [0, 1, 1, 0.3, 0, 0]]\n",
+}
+
+
+def held(hold: str, tables: str = "") -> Stand:
+    """A stand with one flywheel; `hold` names one of HOLDS or is text of its own."""
+    return loads(f"{BODIES}[hold]\n{HOLDS.get(hold, hold)}{tables}")
+
+
+def table(kind: str, **keys: Any) -> str:
+    """A table of the hold as text."""
+    given = (f'{key} = "{value}"' if isinstance(value, str) else f"{key} = {value}" for key, value in keys.items())
+    return f"[[hold.{kind}]]\n" + "\n".join(given) + "\n"
+
+
+def agree(stand: Stand, seeds: Sequence[int]) -> None:
+    """The literal reference, the second derivation and the compiled C answer alike, and the file comes back."""
+    from mahovik.proof.second import Second
+
+    assert loads(dumps(stand)) == stand
+    backend, second = CBackend(stand), Second(stand)
+    for seed in seeds:
+        state = random_state(stand, np.random.default_rng(seed))
+        expected = expectations(stand, state)
+        for ask in (second.evaluate, backend.evaluate):
+            assert max(differences(ask, state, expected).values()) <= AGREEMENT
+
+
+def enclosed(stand: Stand, state: State) -> None:
+    """F of (7) in balls is that of the literal reference."""
+    from mahovik.proof import reference, rigorous
+    from rigorous.balls import middles
+
+    found = rigorous.pieces_at(stand, state).F
+    np.testing.assert_allclose(middles(found.tolist()).ravel(), reference.pieces(stand, state).F, rtol=1e-9, atol=1e-12)
+
+
+def moved(document: dict[str, Any], speed: float, until: float, **more: Any) -> Any:
+    """A run of a stand of one freedom from the home pose at a speed, in short steps."""
+    import mahovik
+
+    stand = mahovik.Stand.from_dict(document)
+    return mahovik.simulate(stand, until, start={"u": [speed]}, **{"dt": 1e-4, "every": 0.01, **more}).run
+
+
+def rail(mass: float, **hold: Any) -> dict[str, Any]:
+    """A mass on a rail along x, without weight."""
+    return {
+        "schema": 1,
+        "name": "rail",
+        "carrier": {"mass": mass, "inertia": [0.1, 0.1, 0.1]},
+        "hold": {"freedoms": ["x"], **hold},
+    }

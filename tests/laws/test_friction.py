@@ -1,0 +1,198 @@
+"""Friction along the freedoms of a hold: in every derivation and in the C; closed formulas; what is refused."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from laws.held_stands import HOLDS, agree, enclosed, held, moved, rail, table
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.stand import identities, loads
+from mahovik.core.stand.hold import twists, wrenches
+from mahovik.core.stand.random_state import random_state
+from mahovik.errors import StandError
+from mahovik.laws.friction import plan
+from mahovik.laws.friction.data import Friction, Frictions
+from mahovik.laws.friction.reference import drag, unit_wrenches, wrench
+from mahovik.proof import reference
+from mahovik.proof.reference.pose import Pose
+from second.agreement import differences, expectations
+from toolchain.quick import quick
+
+GIVEN = {
+    "rail": table("friction", viscous="3 N s/m", coulomb="2 N", breakaway=3, stribeck_speed="50 mm/s"),
+    "skew rail": table("friction", coulomb=2),
+    "hinge": table("friction", viscous="0.2 N m s/rad", coulomb="1 N m", smoothing="1 rpm"),
+    "skew hinge": table("friction", freedom="1", breakaway=3, stribeck_speed=0.5),
+    "plane": table("friction", freedom="z", viscous=0.2) + table("friction", freedom="pitch", coulomb=0.7),
+    "cylinder": table("friction", freedom="pitch", breakaway=1, stribeck_speed=2),
+    "ball": table("friction", freedom="yaw", viscous=0.01, coulomb=0.2),
+    "basis": table("friction", freedom="2", viscous=0.4, coulomb=0.3, breakaway=0.6, stribeck_speed=0.3),
+}
+"""Tables for each hold of HOLDS."""
+
+
+@pytest.mark.parametrize("name", quick(3, ("skew hinge", "basis", "plane", "rail", "skew rail", "hinge", "cylinder",
+                                           "ball")))  # fmt: skip
+def test_derivations_and_C_agree(name: str) -> None:
+    agree(held(name, GIVEN[name]), range(3))
+
+
+def test_a_missing_friction_would_be_seen() -> None:
+    """The comparison above can fail."""
+    stand = held("hinge", GIVEN["hinge"])
+    state = random_state(stand, np.random.default_rng(0))
+    bare = stand.without_laws(Frictions)
+    found = differences(lambda s, w: reference.evaluate(bare, s, w), state, expectations(stand, state))
+    assert max(found.values()) > 1e-6
+
+
+@pytest.mark.parametrize("name", HOLDS)
+def test_the_unit_wrench_of_a_freedom_has_no_power_in_the_others(name: str) -> None:
+    hold = held(name).hold
+    assert hold is not None
+    np.testing.assert_allclose(wrenches(hold).T @ twists(hold), np.eye(len(hold.freedoms)), rtol=0, atol=1e-15)
+    np.testing.assert_allclose(wrenches(hold), unit_wrenches(hold), rtol=0, atol=1e-14)
+
+
+def test_levels_by_hand() -> None:
+    """Coulomb's level far above the Stribeck speed, half of the rise at it, the slope of the sign at rest."""
+    friction = Friction(0, "x", 0.5, 2.0, 3.0, 0.1, 1e-6)
+    assert drag(friction, 1e4) == pytest.approx(0.5e4 + 2.0, rel=1e-9)
+    assert drag(friction, -0.1) == pytest.approx(-(0.05 + 2.5), rel=1e-9)
+    assert drag(friction, 1e-9) == pytest.approx(1e-9 * (0.5 + 3.0 / 1e-6), rel=1e-6)
+    assert drag(replace(friction, viscous=0.0, stribeck_speed=None), 1e-6) == pytest.approx(2.0 / math.sqrt(2.0))
+
+
+_POSITIVE = st.floats(1e-3, 1e3)
+
+
+@settings(deadline=None)
+@given(st.sampled_from(sorted(HOLDS)), _POSITIVE, _POSITIVE, _POSITIVE, st.floats(1.01, 1e3), st.integers(0, 99))
+def test_friction_never_does_positive_work(
+    name: str, viscous: float, coulomb: float, rise: float, factor: float, seed: int
+) -> None:
+    """Its power -drag(u) u is not positive at any speed, and no larger against another freedom than rounding."""
+    hold = held(name).hold
+    assert hold is not None
+    rng = np.random.default_rng(seed)
+    u = rng.normal(size=len(hold.freedoms)) * 10.0 ** rng.uniform(-4, 3)
+    for k in range(len(u)):
+        friction = Friction(k, "", viscous, coulomb, coulomb + rise, 1e-2 * factor, 1e-2)
+        V = twists(hold) @ u
+        F = wrench(friction, hold, Pose(np.zeros(3), np.eye(3), V))
+        rounding = 1e-13 * float(np.abs(F) @ np.abs(V))
+        power = float(F @ V)
+        assert power <= rounding
+        assert power == pytest.approx(-drag(friction, float(u[k])) * float(u[k]), rel=1e-6, abs=rounding + 1e-9)
+
+
+def test_a_sliding_mass_stops_after_the_way_of_coulomb() -> None:
+    """m v^2 / (2 coulomb), which is v^2 / (2 mu g) where coulomb = mu m g; by the smoothing a little more, exactly
+    m / coulomb (v w + s^2 asinh(v/s)) / 2, w = sqrt(v^2 + s^2)."""
+    mass, mu, v, s = 2.0, 0.3, 1.5, 1e-2
+    coulomb = mu * mass * 9.81
+    run = moved(rail(mass, friction=[{"coulomb": coulomb, "smoothing": s}]), v, 1.0)
+    exact = mass / coulomb * (v * math.hypot(v, s) + s**2 * math.asinh(v / s)) / 2
+    assert run["x [m]"][-1] == pytest.approx(exact, rel=1e-9)
+    assert run["x [m]"][-1] == pytest.approx(v**2 / (2 * mu * 9.81), rel=1e-3)
+    half = int(np.searchsorted(run["t [s]"], 0.25))
+    slower = v - mu * 9.81 * run["t [s]"][half]
+    assert run["v_x [m/s]"][half] == pytest.approx(slower, abs=2e-4)
+
+
+def test_viscous_friction_alone_decays_exponentially() -> None:
+    run = moved(rail(2.0, friction=[{"viscous": 3.0}]), 1.0, 1.0)
+    np.testing.assert_allclose(run["v_x [m/s]"], np.exp(-1.5 * run["t [s]"]), rtol=1e-9)
+
+
+def test_breakaway_holds_what_coulomb_lets_go() -> None:
+    """On a slope, a push between coulomb and breakaway moves the mass only if it moves already."""
+    friction = [{"coulomb": 1.0, "breakaway": 3.0, "stribeck_speed": 0.05, "smoothing": 1e-3}]
+    slope = rail(2.0, friction=friction) | {"gravity": [1.0, 0.0, 0.0]}  # 2 N along the rail
+    assert moved(slope, 0.0, 0.5)["v_x [m/s]"][-1] < 1e-3
+    assert moved(slope, 0.3, 0.5)["v_x [m/s]"][-1] > 0.5
+
+
+@pytest.mark.parametrize("name", ("skew hinge", "basis", "plane"))
+def test_rigorous_balls_hold_the_friction(name: str) -> None:
+    stand = held(name, GIVEN[name])
+    enclosed(stand, random_state(stand, np.random.default_rng(5)))
+
+
+@pytest.mark.parametrize("name", ("skew hinge", "basis", "plane"))
+def test_slopes_of_planning(name: str) -> None:
+    """The wrench is the literal one, its slopes are differences of it."""
+    stand = held(name, GIVEN[name])
+    state = random_state(stand, np.random.default_rng(6))
+    pieces = reference.pieces(stand, state)
+    V = pieces.V / 10.0
+
+    def at(twist: Any) -> Any:
+        return SimpleNamespace(C=pieces.C[None], O1=np.zeros((1, 3)), V=np.asarray(twist)[None])
+
+    slopes = plan.slopes(stand, at(V))
+    assert not slopes.by_pose.any()
+    for k, step in enumerate(1e-6 * np.eye(6)):
+        difference = (plan.wrench(stand, at(V + step)) - plan.wrench(stand, at(V - step)))[0] / 2e-6
+        np.testing.assert_allclose(slopes.by_twist[0][:, k], difference, rtol=1e-6, atol=1e-7)
+    kinds = pieces.terms["carrier"]
+    own = sum(wrench for kind, wrench in kinds.items() if kind.startswith("friction"))
+    np.testing.assert_allclose(plan.wrench(stand, at(pieces.V))[0], own, rtol=1e-12, atol=1e-13)
+
+
+def test_numbers_are_no_structure_and_nothing_is_there_without_it() -> None:
+    stand, bare = held("hinge", GIVEN["hinge"]), held("hinge")
+    other = held("hinge", table("friction", viscous=7))
+    assert identities(other).structure == identities(stand).structure != identities(bare).structure
+    assert identities(other).physics != identities(stand).physics
+    assert "held_rub(" in generate_all(stand).files["held.c"]
+    assert "held_rub(" not in generate_all(bare).files["held.c"]
+    assert held("hinge", table("friction", viscous=0)) == bare  # it does nothing
+
+
+@pytest.mark.parametrize(
+    ("hold", "text", "words"),
+    [
+        ("plane", table("friction", coulomb=1), "hold, friction[0], freedom: required where there are several"),
+        (
+            "plane",
+            table("friction", freedom="pich"),
+            'freedom: "pich" is no freedom of this hold, did you mean "pitch"?',
+        ),
+        ("hinge", table("friction", coulomb=-1), "hold, friction[0], coulomb: -1 N m is negative"),
+        ("hinge", table("friction", coulomb="1 N"), 'coulomb: unit "N" does not fit, expected a torque (N m)'),
+        ("rail", table("friction", viscous="1 N m s/rad"), "friction[0], viscous: unit"),
+        ("rail", table("friction", breakaway=1), "stribeck_speed: required with breakaway"),
+        ("rail", table("friction", coulomb=1, stribeck_speed=1), "breakaway: required with stribeck_speed"),
+        ("rail", table("friction", coulomb=2, breakaway=1), "breakaway: 1 is below coulomb, 2"),
+        (
+            "rail",
+            table("friction", breakaway=1, stribeck_speed=0.01),
+            "0.01 m/s is not above smoothing",
+        ),
+        ("rail", table("friction", coulomb=1, smoothing=0), "smoothing: 0 m/s: expected above 0"),
+        ("rail", table("friction", viscous=1) * 2, "friction[1], freedom: x has friction already"),
+        ("rail", table("friction", viscos=1), 'friction[0]: unknown key "viscos", did you mean "viscous"?'),
+        ("rail", "friction = 3\n", "hold, friction: expected a list, found 3"),
+        ("freedoms = []\n", table("friction", viscous=1), "freedom: the hold is clamped: it has no freedom"),
+    ],
+)
+def test_refusals(hold: str, text: str, words: str) -> None:
+    """Each names the place and what was found."""
+    with pytest.raises(StandError) as caught:
+        held(hold, text)
+    assert words in str(caught.value)
+    assert len(str(caught.value).splitlines()) == 1
+
+
+def test_friction_needs_a_hold() -> None:
+    with pytest.raises(StandError, match="it is not said how the carrier can move"):
+        loads('schema = 1\nname = "s"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n[[hold.friction]]\nviscous = 1\n')

@@ -1,0 +1,212 @@
+"""Stops of the freedoms of a hold: in every derivation and in the C; closed formulas; what is refused."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from cli.run import run
+from laws.held_stands import agree, enclosed, held, moved, rail, table
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.stand import Stand, dumps, identities
+from mahovik.core.stand.hold import twists
+from mahovik.core.stand.random_state import random_state
+from mahovik.errors import StandError
+from mahovik.laws.stop import plan
+from mahovik.laws.stop.data import Stops, stops_of
+from mahovik.laws.stop.reference import coordinate, wrench
+from mahovik.proof import reference
+from mahovik.proof.reference.pose import Pose
+from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.use.simulate.held import home, move
+from second.agreement import differences, expectations
+from toolchain.quick import quick
+
+GIVEN = {
+    "rail": table("stop", at="-10 mm", stiffness="10 N/mm", damping=100) + table("stop", at="10 mm", stiffness=900),
+    "skew rail": table("stop", at=0.0, side="above", stiffness=30),
+    "hinge": table("stop", at="-20 deg", side="above", stiffness="5 N m/deg", damping=3),
+    "skew hinge": table("stop", at=2, side="below", stiffness=7, damping=0.3),
+    "plane": table("stop", freedom="pitch", at="10 deg", side="above", stiffness=40),
+    "cylinder": table("stop", freedom="y", at=0.1, stiffness=50, damping=3)
+    + table("stop", freedom="pitch", at=-0.1, stiffness=20),
+}
+"""Tables for each hold that has a coordinate."""
+
+
+@pytest.mark.parametrize("name", quick(3, ("skew hinge", "cylinder", "plane", "rail", "skew rail", "hinge")))
+def test_derivations_and_C_agree(name: str) -> None:
+    agree(held(name, GIVEN[name]), range(4))
+
+
+def test_a_missing_stop_would_be_seen() -> None:
+    """The comparison above can fail."""
+    stand = held("skew hinge", GIVEN["skew hinge"])
+    state = random_state(stand, np.random.default_rng(2))
+    bare = stand.without_laws(Stops)
+    found = differences(lambda s, w: reference.evaluate(bare, s, w), state, expectations(stand, state))
+    assert max(found.values()) > 1e-6
+
+
+@pytest.mark.parametrize("name", GIVEN)
+def test_the_rate_of_a_coordinate_is_the_speed_of_its_freedom(name: str) -> None:
+    """At poses that the hold allows: from home along the freedoms, then on."""
+    stand = held(name, GIVEN[name])
+    hold, rng = stand.hold, np.random.default_rng(3)
+    assert hold is not None
+
+    def at(state: Any, V: Any) -> Pose:
+        return Pose(np.array(state.position), carrier_rotation(stand, state), V)
+
+    S = twists(hold)
+    state = home(stand)
+    for _ in range(3):
+        state = move(state, carrier_rotation(stand, state), S @ rng.uniform(-0.5, 0.5, S.shape[1]))
+    u: Any = rng.normal(size=S.shape[1])
+    ends = [move(state, carrier_rotation(stand, state), sign * 1e-5 * (S @ u)) for sign in (1, -1)]
+    for stop in stops_of(stand):
+        freedom = hold.freedoms[stop.freedom]
+        after, before = (coordinate(hold, freedom, stand.angles, at(end, S @ u)) for end in ends)
+        assert (after - before) / 2e-5 == pytest.approx(float(u[stop.freedom]), rel=1e-6)
+
+
+def test_a_stop_pushes_back_and_never_pulls() -> None:
+    """No force before the stop; beyond it none along the way into it, at whatever speed."""
+    stand = held("skew rail", GIVEN["skew rail"].replace("stiffness = 30", "stiffness = 30\ndamping = 1e4"))
+    (stop,), hold = stops_of(stand), stand.hold
+    assert hold is not None
+    S = twists(hold)[:, 0]
+    for place in np.linspace(-0.1, 0.1, 21):
+        for u in (-10.0, -0.1, 0.0, 0.1, 10.0):
+            F = wrench(stop, hold, stand.angles, Pose(place * S[:3], np.eye(3), u * S))
+            along = float(F @ S)
+            assert along <= 0.0
+            assert along == pytest.approx(-max(0.0, place) * max(0.0, 30 + 1e4 * u), rel=1e-12, abs=1e-12)
+
+
+def test_a_mass_bounces_off_an_undamped_stop() -> None:
+    """It comes back as fast, after half a period in the stop, from a depth of v sqrt(m/k)."""
+    mass, stiffness, v = 2.0, 8e3, 0.5
+    run = moved(rail(mass, stop=[{"at": 0.1, "stiffness": stiffness}]), v, 0.5, every=5e-4)
+    assert run["v_x [m/s]"][-1] == pytest.approx(-v, rel=1e-6)
+    assert run["x [m]"].max() - 0.1 == pytest.approx(v * math.sqrt(mass / stiffness), rel=1e-3)
+    inside = np.ptp(run["t [s]"][run["x [m]"] > 0.1])
+    assert inside == pytest.approx(math.pi * math.sqrt(mass / stiffness), abs=2e-3)
+
+
+def test_a_damped_stop_returns_what_hunt_and_crossley_say() -> None:
+    """m v dv/dx = -k x (1 + d v), d = damping / stiffness: v/d - ln(1 + d v)/d^2 is the same on the way in and out."""
+    stiffness, damping, v = 8e3, 8e3, 0.5
+    run = moved(rail(2.0, stop=[{"at": 0.1, "stiffness": stiffness, "damping": damping}]), v, 0.45, every=2e-4)
+    d, back = damping / stiffness, run["v_x [m/s]"][-1]
+    assert -v < back < 0.0
+
+    def level(speed: float) -> float:
+        return speed / d - math.log(1 + d * speed) / d**2
+
+    assert level(back) == pytest.approx(level(v), rel=1e-5)
+    depth = math.sqrt(2 * 2.0 / stiffness * level(v))
+    assert run["x [m]"].max() - 0.1 == pytest.approx(depth, rel=1e-2)
+
+
+def test_a_pendulum_rests_on_its_stop() -> None:
+    """Against the moment of the weight: stiffness times depth is m g r cos(angle), from the position of rest."""
+    import mahovik
+
+    document = {
+        "schema": 1, "name": "arm", "gravity": [0, 0, -9.81],
+        "carrier": {"mass": 2.0, "center_of_mass": [0.2, 0, 0], "inertia": [0.1, 0.1, 0.1],
+                    "inertia_about": "center_of_mass"},
+        "hold": {"freedoms": ["pitch"], "angles": [0, "5 deg", 0], "stop": [{"at": "5 deg", "stiffness": 50.0}]},
+    }  # fmt: skip
+    stand = mahovik.Stand.from_dict(document)
+    state = mahovik.rest(stand).result.state
+    assert state.quaternion is not None
+    angle = 2 * math.atan2(state.quaternion[2], state.quaternion[0])
+    assert angle > math.radians(10)
+    assert 50.0 * (angle - math.radians(10)) == pytest.approx(2.0 * 9.81 * 0.2 * math.cos(angle), rel=1e-9)
+
+
+@pytest.mark.parametrize("name", GIVEN)
+def test_rigorous_balls_hold_the_push(name: str) -> None:
+    stand = held(name, GIVEN[name])
+    for seed in range(3):
+        enclosed(stand, random_state(stand, np.random.default_rng(seed)))
+
+
+@pytest.mark.parametrize("name", GIVEN)
+def test_slopes_of_planning(name: str) -> None:
+    """The wrench is the literal one at any pose; its slopes are differences of it over small steps of the pose."""
+    stand = held(name, GIVEN[name])
+    for seed in range(3):
+        _compare_slopes(stand, seed)
+
+
+def _compare_slopes(stand: Stand, seed: int) -> None:
+    pieces = reference.pieces(stand, state := random_state(stand, np.random.default_rng(seed)))
+    place = np.array(state.position)
+
+    def at(shift: Any, turned: Any, V: Any) -> Any:
+        C = pieces.C @ Rotation.from_rotvec(turned).as_matrix()
+        return SimpleNamespace(C=C[None], O1=(place + pieces.C @ shift)[None], V=V[None])
+
+    zero = np.zeros(3)
+    slopes = plan.slopes(stand, at(zero, zero, pieces.V))
+    kinds = pieces.terms["carrier"]
+    own = sum(wrench for kind, wrench in kinds.items() if kind.startswith("stop"))
+    np.testing.assert_allclose(plan.wrench(stand, at(zero, zero, pieces.V))[0], own, rtol=1e-11, atol=1e-12)
+    for k, step in enumerate(1e-6 * np.eye(6)):
+        ends = [plan.wrench(stand, at(s * step[:3], s * step[3:], pieces.V))[0] for s in (1, -1)]
+        size = 1e-6 * max(1.0, np.abs(slopes.by_pose).max())
+        np.testing.assert_allclose(slopes.by_pose[0][:, k], (ends[0] - ends[1]) / 2e-6, rtol=1e-5, atol=size)
+        ends = [plan.wrench(stand, at(zero, zero, pieces.V + s * step))[0] for s in (1, -1)]
+        size = 1e-6 * max(1.0, np.abs(slopes.by_twist).max())
+        np.testing.assert_allclose(slopes.by_twist[0][:, k], (ends[0] - ends[1]) / 2e-6, rtol=1e-5, atol=size)
+
+
+def test_numbers_are_no_structure_and_nothing_is_there_without_it() -> None:
+    stand, bare = held("hinge", GIVEN["hinge"]), held("hinge")
+    other = held("hinge", table("stop", at=1, stiffness=7))
+    assert identities(other).structure == identities(stand).structure != identities(bare).structure
+    assert identities(other).physics != identities(stand).physics
+    assert "stop" in generate_all(stand).files["held.h"]
+    assert "stop" not in generate_all(bare).files["held.h"]
+
+
+@pytest.mark.parametrize(
+    ("hold", "text", "words"),
+    [
+        ("ball", table("stop", freedom="yaw", at=1, stiffness=1), "where several freedoms turn, none has an angle"),
+        ("plane", table("stop", freedom="x", at=1, stiffness=1), "another freedom turns its direction"),
+        ("basis", table("stop", freedom="1", at=1, stiffness=1), "a freedom of a basis has no coordinate"),
+        ("hinge", table("stop", at="175 deg", stiffness=1), "at: 3.05433 rad is more than 170 deg"),
+        ("hinge", table("stop", at=0, stiffness=1), "side: required where `at` is zero"),
+        ("hinge", table("stop", at=1, side="left", stiffness=1), 'side: expected "above" or "below"'),
+        ("hinge", table("stop", at=1), "hold, stop[0], stiffness: required, but missing"),
+        ("hinge", table("stop", at=1, stiffness=0), "stiffness: 0 N m/rad is not above 0"),
+        ("hinge", table("stop", at="1 mm", stiffness=1), 'at: unit "mm" does not fit, expected an angle (rad)'),
+        ("rail", table("stop", at=1, stiffness=1, damping="1 N s/m"), "expected a damping per depth (N s/m^2)"),
+        ("rail", table("stop", at=1, stiffness=1, freedom="y"), 'freedom: "y" is no freedom of this hold'),
+    ],
+)
+def test_refusals(hold: str, text: str, words: str) -> None:
+    """Each names the place and what was found."""
+    with pytest.raises(StandError) as caught:
+        held(hold, text)
+    assert words in str(caught.value)
+    assert len(str(caught.value).splitlines()) == 1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("hold", "freedom"), [("rail", "x"), ("plane", "pitch"), ("skew hinge", "1")])
+def test_verify_passes_with_friction_and_stops(hold: str, freedom: str, tmp_path: Path) -> None:
+    friction = table("friction", freedom=freedom, viscous=0.3, coulomb=2, breakaway=3, stribeck_speed=0.05)
+    path = tmp_path / "held.toml"
+    path.write_text(dumps(held(hold, GIVEN[hold] + friction)), encoding="utf-8")
+    assert "FAILED" not in run(["verify", str(path)]).stdout
