@@ -28,6 +28,12 @@ class Build(Protocol):
 PLAIN: Build = compiler._build
 """The build itself, for tests of the compiler's use."""
 
+UNOPTIMISED = (*compiler.BITS, "-O0")
+"""Flags of libraries of the Python interface, in tests."""
+
+SHIPPED: dict[str, tuple[str, ...]] = {}
+"""Flags of these libraries for users, by their names in `core/toolchain/arrays.py`."""
+
 KEPT = 500
 """Libraries that stay; the ones not used for longest go first."""
 
@@ -65,14 +71,17 @@ def caching(build: Build, folder: Path) -> Build:
 def install(folder: Path) -> None:
     """Keep what this process builds from now on; a library for this process is built without optimisation.
 
-    The bits do not depend on it, and gcc takes a quarter of the time. tests/emit/test_bits.py holds all optimisations
-    to the same bits, and commands in processes of their own build as for users.
+    The bits do not depend on it, and gcc takes a quarter of the time. tests/emit/test_bits.py and
+    tests/api/test_optimised.py hold all optimisations to the same bits, and commands in processes of their own build as
+    for users, unless they find the library of a Python model that a test has built already.
     """
-    from mahovik.core.toolchain import library
+    from mahovik.core.toolchain import arrays, library  # here, as they load NumPy
 
     folder.mkdir(parents=True, exist_ok=True)
     compiler._build = caching(compiler._build, folder)
     vars(library)["build_shared"] = partial(compiler.build_shared, optimisation="-O0")
+    SHIPPED.update(SINGLE=arrays.SINGLE, BATCH=arrays.BATCH)
+    vars(arrays).update(dict.fromkeys(SHIPPED, UNOPTIMISED))
 
 
 def tidy(folder: Path) -> None:
