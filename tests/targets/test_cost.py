@@ -69,7 +69,7 @@ def test_painted_stack_confirms_the_frames(bench8: dict[tuple[str, str], TargetC
 
 @pytest.mark.slow
 def test_a_short_call_costs_a_whole_number(monkeypatch: pytest.MonkeyPatch) -> None:
-    """So many calls are counted that neither the counter's step nor the text around the loop changes the figure."""
+    """Calls are counted often enough that neither the counter's step nor the text around the loop changes the figure."""
     lines: list[Line] = []
     monkeypatch.setattr("mahovik.proof.cost.measure.read", lambda text: lines.extend(read(text)) or read(text))
     measure(load(DEMO3), [(target("m4"), "float")])
