@@ -314,6 +314,22 @@ def test_a_project_and_a_delivered_folder_are_not_mixed(folder: Path, tmp_path: 
     assert run("export", "target", DEMO3, "--target", "host", "-o", str(project)).exit_code == 0
 
 
+def test_a_program_of_the_user_stays_in_a_project(tmp_path: Path) -> None:
+    project, own = tmp_path / "project", "int main(void) { return 0; }\n"
+    export = ("export", "target", DEMO3, "--target", "host", "-o", str(project))
+    assert run(*export).exit_code == 0
+    before = contents(project)
+    (project / "main.c").write_text(own)
+    for _ in range(2):
+        (project / "demo3.h").unlink()
+        done = run(*export)
+        assert done.exit_code == 0 and f"{project / 'main.c'} is yours and stays as it is" in done.output
+        assert contents(project) == before | {"main.c": own.encode()}
+    (project / "board.c").write_text(own)
+    assert "board.c: was changed by hand" in refused(*export)
+    assert contents(project) == before | {"main.c": own.encode(), "board.c": own.encode()}
+
+
 # ---- --check ----
 
 

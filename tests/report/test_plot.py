@@ -138,7 +138,7 @@ def test_of_a_held_run_what_moves_and_the_reaction_are_shown() -> None:
 
 
 def test_a_waterfall_follows_the_speed_and_has_the_amplitude() -> None:
-    t = np.arange(4000) * 1e-3
+    t = np.linspace(0.0, 3.999, 4000)
     speed = 20.0 * np.pi * (1.0 + t)  # 10 Hz to 50 Hz
     phase = 20.0 * np.pi * (t + t**2 / 2)
     columns = {"t [s]": t, "hold.reaction.x [N]": 9.81 + 3.0 * np.cos(phase), "phi_dot w1 [rad/s]": speed}

@@ -94,8 +94,8 @@ def target(
     """Write a project that runs the self-test on a board.
 
     C of the stand, self-test, startup, linker script, console, Makefile, README: `make run` there runs it on the
-    emulator; the README says what to change for another board. Never overwrites files of others, nor a folder of
-    `mahovik generate`.
+    emulator; the README says what to change for another board. Put your own program into main.c: it stays when the
+    project is written again. Never overwrites other files of yours, nor a folder of `mahovik generate`.
     """
     from mahovik.out.export.target import exportable, project
     from mahovik.proof.verify.delivery import deliver
@@ -107,7 +107,7 @@ def target(
     folder = Path(output if output is not None else f"{stand.name}-{name}")
     with progress(f"generate {stand.name} for {name}"):
         files = project(stand, found, chosen)
-    done = deliver(folder, stand, chosen, files, found.name)
+    done = deliver(folder, stand, chosen, files, found.name, replaceable=("main.c",))
     print_paths(done.paths, done.notes)
 
 

@@ -67,15 +67,20 @@ def deliver(
     lanes: int = 1,
     fast: bool = False,
     only: Sequence[str] = (),
+    replaceable: Sequence[str] = (),
 ) -> Delivery:
     """Writes the files of a stand and their manifest; `project`: the target whose exported project they are.
+
+    Of the `replaceable` files, which a user may replace by others, those that were changed stay as they are.
 
     Raises UsageError where a file there is not the generator's own, and for a project in the place of a delivered
     folder or the reverse. COST.md of the same C stays and is listed, and so do accepted figures; a COST.md of other
     C, and what an older generator left, is removed.
     """
     old = _manifest(folder)
-    _refuse_foreign(folder, stand, files, old)
+    replaced = _replaced_files(folder, old, replaceable)
+    written = {name: text for name, text in files.items() if name not in replaced}
+    _refuse_foreign(folder, stand, written, old)
     if old is not None and bool(old.get("project")) != bool(project):
         what = f"the project of target {old['project']}" if old.get("project") else "what `mahovik generate` delivers"
         raise UsageError(f"{folder}: holds {what}: choose another folder, nothing was written")
@@ -85,8 +90,8 @@ def deliver(
     stale = [n for n in _unchanged_files(folder, old) if n not in files and n not in kept]
     if cost is not None and not kept and COST_PAGE not in stale and re.search(r"\b[0-9a-f]{64}\b", cost):
         stale.append(COST_PAGE)
-    paths = write_all(folder, {**files, NAME: manifest(stand, real, {**files, **kept}, project, lanes, fast, only)})
-    notes = []
+    paths = write_all(folder, {**written, NAME: manifest(stand, real, {**files, **kept}, project, lanes, fast, only)})
+    notes = [f"{folder / name} is yours and stays as it is" for name in replaced]
     for name in stale:
         (folder / name).unlink(missing_ok=True)
         why = (
@@ -277,6 +282,13 @@ def _unchanged_files(folder: Path, old: Mapping[str, Any] | None) -> list[str]:
         return []
     names = [n for n in old["files"] if Path(n).name == n and (folder / n).is_file()]
     return [n for n in names if digest((folder / n).read_bytes()) == old["files"][n]]
+
+
+def _replaced_files(folder: Path, old: Mapping[str, Any] | None, names: Sequence[str]) -> list[str]:
+    """Files among `names` that the old manifest lists and that have been changed since."""
+    listed = old["files"] if old is not None else {}
+    there = [name for name in names if name in listed and (folder / name).is_file()]
+    return [name for name in there if digest((folder / name).read_bytes()) != listed[name]]
 
 
 def _kept_files(folder: Path, stand: Stand, files: Mapping[str, str]) -> dict[str, str]:
