@@ -42,13 +42,14 @@ GENERAL = {
 """Random general stands: name to flywheels and features. The name is the stand's as well."""
 
 AIR = replace(EVERYTHING, fluid=False, stream=False, tasks=0)
+STREAM = replace(AIR, stream=True)
 _HOME = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 
 HELD = {
     "held3": (3, AIR, Hold((FREEDOMS["yaw"], FREEDOMS["z"]), (0.1, 0.2, 0.3), *_HOME)),
     "hinge5": (5, AIR, Hold((Freedom("turn", (1.0, -2.0, 0.5)),), (0.1, 0.2, 0.3), *_HOME)),
-    "clamped4": (4, replace(AIR, stream=True), Hold((), (0.0, 0.0, 0.0), *_HOME)),
-    "joint4": (4, replace(AIR, stream=True), Hold((FREEDOMS["roll"], FREEDOMS["pitch"], FREEDOMS["yaw"]), (0.1, 0.2, 0.3), *_HOME)),
+    "clamped4": (4, STREAM, Hold((), (0.0, 0.0, 0.0), *_HOME)),
+    "joint4": (4, STREAM, Hold(tuple(FREEDOMS[n] for n in ("roll", "pitch", "yaw")), (0.1, 0.2, 0.3), *_HOME)),
     "edge2": (
         2,
         AIR,
