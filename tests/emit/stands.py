@@ -15,7 +15,7 @@ from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Program
 from mahovik.core.stand import load
 from mahovik.core.stand.hold import FREEDOMS
-from mahovik.core.stand.model import Body, Carrier, Hold, Instrument, LawData, Stand
+from mahovik.core.stand.model import Body, Carrier, Freedom, Hold, Instrument, LawData, Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
 from mahovik.laws.buoyancy.data import Buoyancy
 from mahovik.laws.damping.data import Damping
@@ -41,8 +41,22 @@ GENERAL = {
 }
 """Random general stands: name to flywheels and features. The name is the stand's as well."""
 
-HELD = {"held3": (3, Hold((FREEDOMS["yaw"], FREEDOMS["z"]), (0.1, 0.2, 0.3), (0.0,) * 3, (0.0,) * 3))}
-"""Random general stands whose carrier is held: name to flywheels and hold."""
+AIR = replace(EVERYTHING, fluid=False, stream=False, tasks=0)
+STREAM = replace(AIR, stream=True)
+_HOME = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+
+HELD = {
+    "held3": (3, AIR, Hold((FREEDOMS["yaw"], FREEDOMS["z"]), (0.1, 0.2, 0.3), *_HOME)),
+    "hinge5": (5, AIR, Hold((Freedom("turn", (1.0, -2.0, 0.5)),), (0.1, 0.2, 0.3), *_HOME)),
+    "clamped4": (4, STREAM, Hold((), (0.0, 0.0, 0.0), *_HOME)),
+    "joint4": (4, STREAM, Hold(tuple(FREEDOMS[n] for n in ("roll", "pitch", "yaw")), (0.1, 0.2, 0.3), *_HOME)),
+    "edge2": (
+        2,
+        AIR,
+        Hold((Freedom("twist", twist=(1.0, 0.2, 0.0, 0.0, 0.0, 0.3)), FREEDOMS["yaw"]), *_HOME, _HOME[0]),
+    ),
+}
+"""Random general stands whose carrier is held: name to flywheels, features and hold."""
 
 NAMES = (*examples.names(), *GENERAL)
 
@@ -51,10 +65,8 @@ NAMES = (*examples.names(), *GENERAL)
 def stand(name: str) -> Stand:
     """An example stand, one of GENERAL, or one of HELD."""
     if name in HELD:
-        flywheels, hold = HELD[name]
-        given = random_stand(
-            np.random.default_rng(3), flywheels, replace(EVERYTHING, fluid=False, stream=False, tasks=0), name
-        )
+        flywheels, features, hold = HELD[name]
+        given = random_stand(np.random.default_rng(3), flywheels, features, name)
         return replace(given, hold=hold)
     if name in GENERAL:
         flywheels, features = GENERAL[name]

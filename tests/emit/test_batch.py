@@ -12,13 +12,13 @@ import pytest
 from numpy.typing import NDArray
 
 from emit.batches import OPTIONS, Arrays, Batched, Numbers, aligned
-from emit.stands import stand, write
+from emit.stands import HELD, stand, write
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.batch import Batch
 from toolchain.tools import compile_c, require, run
 
-KINDS = ("bench8", "demo3", "remus6", "auv6", "shaker2", "everything0", "everything1", "wet7", "held3")
+KINDS = ("bench8", "demo3", "remus6", "auv6", "shaker2", "everything0", "everything1", "wet7", *HELD)
 LENGTHS = (1, 7, 8, 9, 41)
 
 

@@ -24,11 +24,12 @@ from mahovik.core.program.types import Kind
 HELD_STATUSES = ("OK", "NOT_POSITIVE_DEFINITE")
 
 OF_FREE_CARRIERS = frozenset(
-    name
-    for name in FUNCTIONS
-    if name.startswith(("inverse_fast", "generalized", "state_from_coordinates")) or name.endswith("_jacobian")
+    name for name in FUNCTIONS if name.startswith(("inverse_fast", "generalized", "state_from_coordinates"))
 )
 """Names of functions that the C of a held carrier does not have yet."""
+
+OF_FREEDOMS = frozenset(("inverse", "forward_jacobian", "coupled_jacobian"))
+"""Names of functions that the C of a clamped carrier does not have: they are along the freedoms."""
 
 
 def add_all(lib: Library) -> None:

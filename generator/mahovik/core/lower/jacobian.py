@@ -27,7 +27,7 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
-def _slopes(
+def twist_slopes(
     lib: Library, body: Body, table: Place, x: Place, seen: Scene, wrench: tuple[Argument, ...], Z: Place
 ) -> tuple[Place, Place]:
     """Derivative of the remainder by V, and of the own axial moments."""
@@ -46,7 +46,7 @@ def _slopes(
     return slope, axial
 
 
-def _own(
+def own_change(
     lib: Library,
     body: Body,
     table: Place,
@@ -77,14 +77,14 @@ def _own(
     return about
 
 
-def _row_weights(body: Body, x: Place, turns: Turns, s: Place, acceleration: Expr) -> dict[str, Expr]:
+def row_weights(body: Body, x: Place, turns: Turns, s: Place, acceleration: Expr) -> dict[str, Expr]:
     """All weights of row s by name."""
     given = let_turn(body, turns, s)
     given |= {"phi_dot": x.phi_dot[s], "phi_ddot": acceleration}
     return let_weights(body, given, ("c2", "s2", "dc", "ds", "dc2", "ds2", "ddc", "dds"))
 
 
-def _row_slope(
+def change_of_row(
     lib: Library,
     body: Body,
     row: Place,
@@ -95,6 +95,7 @@ def _row_slope(
     V_dot: Place,
     rhs: Place,
 ) -> None:
+    """Set rhs to the change of what is left of (8) with the phase or speed of a row, by its weights' derivatives."""
     set_weights(body, changes, by, weights)
     named = {"row": row, "weight": changes, "V": seen.V, "V_dot": V_dot, "g": seen.g, "out": rhs}
     body.call(lib["row_slope"], *lib.arguments_of("row_slope", **named))
@@ -121,7 +122,7 @@ def forward_jacobian(lib: Library) -> Function:
     K = body.local("K", (), layout.carrier_factor)
     lib.check(body, "factor_carrier", table.place, seen.sums, K)
     body.call(lib["solve_carrier"], table.place, K, F, motion)
-    slope, _ = _slopes(lib, body, table.place, x.place, seen, wrench, Z)
+    slope, _ = twist_slopes(lib, body, table.place, x.place, seen, wrench, Z)
 
     def solve() -> None:
         body.call(lib["solve_carrier"], table.place, K, rhs, y)
@@ -137,14 +138,14 @@ def forward_jacobian(lib: Library) -> Function:
         changes = body.local("change", (len(WEIGHTS),), comment="changes of the harmonic weights of a flywheel")
         with body.loop("s", layout.count) as s:
             row = row_of(lib, body, table.place, s)
-            weights = _row_weights(body, x.place, seen.turns, s, phi_ddot[0].place[s])
+            weights = row_weights(body, x.place, seen.turns, s, phi_ddot[0].place[s])
             for target, by, turn, speed in (
                 (o.V_dot_phi, derived.by_phase(), 1, 0),
                 (o.V_dot_phi_dot, derived.by_speed(), 0, 1),
             ):
                 with body.block():
-                    _row_slope(lib, body, row, by, weights, changes, seen, motion, rhs)
-                    _own(lib, body, table.place, x.place, seen.V, wrench, s, rhs, turn, speed)
+                    change_of_row(lib, body, row, by, weights, changes, seen, motion, rhs)
+                    own_change(lib, body, table.place, x.place, seen.V, wrench, s, rhs, turn, speed)
                     solve()
                     with body.loop("i", 6) as i:
                         body.set(target[i][s], y[i])
@@ -196,7 +197,7 @@ def coupled_jacobian(lib: Library) -> Function:
             body.add(motion[i], drift[i])
     Z = body.local("Z", (6,), comment="momentum screw (2)")
     body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
-    slope, axial = _slopes(lib, body, table.place, x.place, seen, wrench, Z)
+    slope, axial = twist_slopes(lib, body, table.place, x.place, seen, wrench, Z)
     drives = body.local("drive", (layout.count,), layout.coupling)
     alike = declare_common_terms(lib, body, seen)
     K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
@@ -208,20 +209,20 @@ def coupled_jacobian(lib: Library) -> Function:
         with body.when(equal(locked.place[s], integer(0))):
             body.call(lib["eliminate"], drives[s].I, entry(lib, table.place, s, "spin_inv"), real(0), K, work.rhs)
     lib.check(body, "factor_schur", K, factor)
-    _by_twist(lib, work, o, x.place, seen, slope, axial)
+    _by_twist(lib, work, o, seen, slope, axial)
     _drift(body, o.V_dot_V, seen.stream)
     changes = body.local("change", (len(WEIGHTS),), comment="changes of the harmonic weights of a flywheel")
     with body.loop("s", layout.count) as s:
         row = row_of(lib, body, table.place, s)
-        weights = _row_weights(body, x.place, seen.turns, s, spins[s])
+        weights = row_weights(body, x.place, seen.turns, s, spins[s])
         for name, by, turn, speed in (("phi", derived.by_phase(), 1, 0), ("phi_dot", derived.by_speed(), 0, 1)):
             with body.block():
-                _row_slope(lib, body, row, by, weights, changes, seen, motion, work.rhs)
-                about = _own(lib, body, table.place, x.place, seen.V, wrench, s, work.rhs, turn, speed)
+                change_of_row(lib, body, row, by, weights, changes, seen, motion, work.rhs)
+                about = own_change(lib, body, table.place, x.place, seen.V, wrench, s, work.rhs, turn, speed)
                 work.clear()
                 if turn:
                     body.set(
-                        work.twist[s], -_torque_slope(lib, body, row, weights, seen, alike.origin_acceleration, motion)
+                        work.twist[s], -torque_slope(lib, body, row, weights, seen, alike.origin_acceleration, motion)
                     )
                 if about is not None:
                     body.add(work.twist[s], about[0])
@@ -247,8 +248,8 @@ class _Work:
     """Right-hand sides of the coupled equations and their solution: rhs (6) of the carrier, twist (N) of the drives."""
 
     def __init__(self, lib: Library, body: Body, table: Place, locked: Place, drives: Place, factor: Place) -> None:
-        self._lib, self._body, self._table, self._locked = lib, body, table, locked
-        self._drives, self._factor = drives, factor
+        self._lib, self.body, self.table, self._locked = lib, body, table, locked
+        self.drives, self._factor = drives, factor
         self.rhs = body.local("rhs", (6,), comment="right-hand side of the carrier")
         self.twist = body.local("drive_rhs", (lib.layout.count,), comment="right-hand sides of the drives")
         self._y = body.local("y", (6,))
@@ -257,25 +258,25 @@ class _Work:
 
     def clear(self) -> None:
         """Set the right-hand sides of the drives to zero."""
-        with self._body.loop("t", self._lib.layout.count) as t:
-            self._body.set(self.twist[t], real(0))
+        with self.body.loop("t", self._lib.layout.count) as t:
+            self.body.set(self.twist[t], real(0))
 
     def reduce(self, t: Place) -> None:
         """Take the share of flywheel t, unless it is locked, from the carrier's right-hand side."""
-        body = self._body
+        body = self.body
         with body.when(equal(self._locked[t], integer(0))):
-            share = body.let("share", self.twist[t] * entry(self._lib, self._table, t, "spin_inv"))
+            share = body.let("share", self.twist[t] * entry(self._lib, self.table, t, "spin_inv"))
             with body.loop("i", 6) as i:
-                body.add(self.rhs[i], -(self._drives[t].I[i] * share))
+                body.add(self.rhs[i], -(self.drives[t].I[i] * share))
 
     def reduce_all(self) -> None:
         """Take the shares of all flywheels."""
-        with self._body.loop("t", self._lib.layout.count) as t:
+        with self.body.loop("t", self._lib.layout.count) as t:
             self.reduce(t)
 
     def solve(self, o: Place, name: str, column: Place) -> None:
         """V* and phi'' of the reduced right-hand sides into a column of the derivatives by `name`."""
-        body, count = self._body, self._lib.layout.count
+        body, count = self.body, self._lib.layout.count
         body.call(self._lib["solve_schur"], self._factor, self.rhs, self._y)
         with body.loop("i", 6) as i:
             body.set(o.member(f"V_dot_{name}")[i][column], self._y[i])
@@ -283,13 +284,13 @@ class _Work:
             target = o.member(f"phi_ddot_{name}")[t][column]
             body.set(target, real(0))
             with body.when(equal(self._locked[t], integer(0))):
-                left = self.twist[t] - along(list(self._drives[t].I), self._y)
-                body.set(target, left * entry(self._lib, self._table, t, "spin_inv"))
+                left = self.twist[t] - along(list(self.drives[t].I), self._y)
+                body.set(target, left * entry(self._lib, self.table, t, "spin_inv"))
 
 
-def _by_twist(lib: Library, work: _Work, o: Place, x: Place, seen: Scene, slope: Place, axial: Place) -> None:
-    """Derivatives by V."""
-    layout, body = lib.layout, work._body
+def bias_slopes(lib: Library, body: Body, table: Place, seen: Scene, drives: Place) -> Place:
+    """Derivatives of the bias torques of all flywheels by V (N x 6), from their columns of I in `drives`."""
+    layout = lib.layout
     slopes_by_V = body.local("drive_slope", (layout.count, 6), comment="derivatives of the bias torques by V")
     slopes = body.local("J_p", (6,), comment="dJ / dphi")
     turned = body.local("turned", (3,), comment="J' omega")
@@ -298,12 +299,19 @@ def _by_twist(lib: Library, work: _Work, o: Place, x: Place, seen: Scene, slope:
         for name in ("two_c2", "two_s2"):
             binding[name] = body.let(name, translate(derived_rows.weights()[name], binding))
         _, J_p = derived_drive.phase_derivatives()
-        assign(body, list(slopes), J_p, binding | columns_of(row_of(lib, body, work._table, s)))
-        bound = parts_of_twist(seen.V) | {"J_p": slopes, "turned": turned, "mu_p": list(work._drives[s].I)[:3]}
+        assign(body, list(slopes), J_p, binding | columns_of(row_of(lib, body, table, s)))
+        bound = parts_of_twist(seen.V) | {"J_p": slopes, "turned": turned, "mu_p": list(drives[s].I)[:3]}
         assign(body, list(turned), derived_drive.turned_spin(), bound)
         by = derived.bias_torque_by_twist()
         for k in range(6):
             body.set(slopes_by_V[s][k], translate(by[k], bound))
+    return slopes_by_V
+
+
+def _by_twist(lib: Library, work: _Work, o: Place, seen: Scene, slope: Place, axial: Place) -> None:
+    """Derivatives by V."""
+    layout, body = lib.layout, work.body
+    slopes_by_V = bias_slopes(lib, body, work.table, seen, work.drives)
     with body.loop("j", 6) as j:
         with body.loop("i", 6) as i:
             body.set(work.rhs[i], slope[i * integer(6) + j])
@@ -316,7 +324,7 @@ def _by_twist(lib: Library, work: _Work, o: Place, x: Place, seen: Scene, slope:
         work.solve(o, "V", j)
 
 
-def _torque_slope(
+def torque_slope(
     lib: Library,
     body: Body,
     row: Place,

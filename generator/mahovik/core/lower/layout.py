@@ -316,26 +316,29 @@ class Layout(Tables):
         )
         return Struct(f"inverse_{task.name}_result", f"Result of inverse_{task.name} and its quality.", fields)
 
+    @property
+    def _moved(self) -> tuple[str, str, str, int]:
+        """What Jacobians are of: names of its rate and of itself, the symbol of the rate, how many numbers it has."""
+        return ("u_dot", "u", "u*", self.freedoms) if self.held else ("V_dot", "V", "V*", 6)
+
     @cached_property
     def forward_jacobian_result(self) -> Struct:
-        fields = [Field("V_dot_V", REAL, (6, 6), "", "of V* by V: row i, column j")]
-        if self.flywheels:
-            fields += [
-                Field("V_dot_phi", REAL, (6, self.count), "", "of V* by the phases"),
-                Field("V_dot_phi_dot", REAL, (6, self.count), "", "by the speeds"),
-                Field("V_dot_phi_ddot", REAL, (6, self.count), "", "by the accelerations"),
-            ]
+        rate, speed, of, rows = self._moved
+        fields = [Field(f"{rate}_{speed}", REAL, (rows, rows), "", f"of {of} by {speed}: row i, column j")]
+        words = {"phi": f"of {of} by the phases", "phi_dot": "by the speeds", "phi_ddot": "by the accelerations"}
+        for by, text in words.items() if self.flywheels else ():
+            fields.append(Field(f"{rate}_{by}", REAL, (rows, self.count), "", text))
         return Struct("forward_jacobian_result", "Derivatives of forward.", tuple(fields))
 
     @cached_property
     def coupled_jacobian_result(self) -> Struct:
-        n = self.count
+        (rate, speed, of, rows), n = self._moved, self.count
         fields = (
-            Field("V_dot_V", REAL, (6, 6), "", "of V* by V: row i, column j"),
-            Field("V_dot_phi", REAL, (6, n), "", "of V* by the phases"),
-            Field("V_dot_phi_dot", REAL, (6, n), "", "by the speeds"),
-            Field("V_dot_tau", REAL, (6, n), "", "by the drive torques"),
-            Field("phi_ddot_V", REAL, (n, 6), "", "of phi'' by V: row s, column j"),
+            Field(f"{rate}_{speed}", REAL, (rows, rows), "", f"of {of} by {speed}: row i, column j"),
+            Field(f"{rate}_phi", REAL, (rows, n), "", f"of {of} by the phases"),
+            Field(f"{rate}_phi_dot", REAL, (rows, n), "", "by the speeds"),
+            Field(f"{rate}_tau", REAL, (rows, n), "", "by the drive torques"),
+            Field(f"phi_ddot_{speed}", REAL, (n, rows), "", f"of phi'' by {speed}: row s, column j"),
             Field("phi_ddot_phi", REAL, (n, n), "", "of phi'' by the phases"),
             Field("phi_ddot_phi_dot", REAL, (n, n), "", "by the speeds"),
             Field("phi_ddot_tau", REAL, (n, n), "", "by the drive torques"),
@@ -353,16 +356,11 @@ class Layout(Tables):
 
     @cached_property
     def matrices(self) -> Struct:
+        relative = ", at V relative to the stream" if self.stream else ""
         fields = [
             Field("K", REAL, (6, 6), "kg, kg m, kg m2", "mass matrix (2)"),
             Field("K_dot", REAL, (6, 6), "per s", "its rate (6)"),
-            Field(
-                "M",
-                REAL,
-                (6, 6),
-                "per s",
-                "velocity matrix (9)" + (", at V relative to the stream" if self.stream else ""),
-            ),
+            Field("M", REAL, (6, 6), "per s", f"velocity matrix (9){relative}"),
         ]
         if self.flywheels:
             fields += [

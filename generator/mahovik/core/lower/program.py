@@ -22,6 +22,7 @@ from mahovik.core.lower import (
     forward,
     generalized,
     held_inverse,
+    held_jacobian,
     hold,
     identify_step,
     inverse,
@@ -132,8 +133,9 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         lib.add(phases.phase_of_counts(lib))
         lib.add(phases.speed_of_counts(lib))
         lib.add(phases.accumulate(lib))
-    if not layout.held:
+    if layout.freedoms or not layout.held:
         _add_jacobians(lib)
+    if not layout.held:
         _add_inverse(lib)
     elif layout.freedoms and layout.flywheels:
         held_inverse.add_inverse(lib)
@@ -245,7 +247,7 @@ def _add_others(lib: Library) -> None:
     """Functions of the contract that are not added above: each is a file of its name in this folder."""
     for name, row in FUNCTIONS.items():
         here = not row.needs or bool(getattr(lib.layout, row.needs))
-        here &= not (lib.layout.held and name in (*hold.OF_FREE_CARRIERS, "inverse"))
+        here &= not (lib.layout.held and name in hold.OF_FREE_CARRIERS | hold.OF_FREEDOMS)
         if name not in lib and here and find_spec(f"mahovik.core.lower.{name}"):
             lib.add(getattr(import_module(f"mahovik.core.lower.{name}"), name)(lib))
 
@@ -296,9 +298,10 @@ def _add_jacobians(lib: Library) -> None:
     lib.add(sensitivity.twist_slope(lib))
     if layout.flywheels:
         lib.add(sensitivity.row_slope(lib))
-    lib.add(jacobian.forward_jacobian(lib))
+    of = held_jacobian if layout.held else jacobian
+    lib.add(of.forward_jacobian(lib))
     if layout.flywheels:
-        lib.add(jacobian.coupled_jacobian(lib))
+        lib.add(of.coupled_jacobian(lib))
 
 
 def _structs(lib: Library) -> tuple[Struct, ...]:
@@ -335,8 +338,8 @@ def _structs(lib: Library) -> tuple[Struct, ...]:
         layout.inverse_result,
         *(layout.task_result(task) for task in layout.structure.tasks),
         *(layout.torque_for_result(task) for task in layout.structure.tasks),
-        *((layout.coupled_jacobian_result,) if layout.flywheels else ()),
-        layout.forward_jacobian_result,
+        *((layout.coupled_jacobian_result,) if layout.flywheels and (layout.freedoms or not layout.held) else ()),
+        *((layout.forward_jacobian_result,) if layout.freedoms or not layout.held else ()),
         *((layout.regressor_result,) if "regressor" in lib else ()),
         *((layout.estimate,) if "identify_step" in lib else ()),
     ):

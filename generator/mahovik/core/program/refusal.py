@@ -45,7 +45,7 @@ from mahovik.core.program.statement import (
     When,
 )
 from mahovik.core.program.types import Kind, Precision
-from mahovik.core.program.walk import blocks, called_names, inside, statements, with_blocks
+from mahovik.core.program.walk import blocks, called_names, inside, statements, used_variables, with_blocks
 
 REFUSED = "refused"
 """Name of the argument."""
@@ -133,10 +133,10 @@ class _Refusing:
         if function.returns is not Kind.STATUS:
             return function
         self._probes = not _only_looks(function)
-        arguments = (*function.arguments, self._refused)
-        return replace(
-            function, arguments=arguments, body=self._body(function.body), returns=None, statuses=(), public=False
-        )
+        body, arguments = self._body(function.body), function.arguments
+        if function.public or id(self._refused.variable) in used_variables(body):
+            arguments = (*arguments, self._refused)  # others never refuse, such as the rates of a clamped carrier
+        return replace(function, arguments=arguments, body=body, returns=None, statuses=(), public=False)
 
     def _body(self, body: Statements) -> Statements:
         found: list[Statement] = []
@@ -150,15 +150,21 @@ class _Refusing:
             looks = []
             if call is None:
                 found += self._statement(s)
-            elif other is not None:
+            elif other is not None and self._may_refuse(call):
                 found += self._rename_status(call, other)
             else:
                 found.append(self._do(call))
         return (*found, *self._merge_probes(looks))
 
     def _do(self, call: Call, refused: Place | None = None) -> Do:
-        code = self._refused.place if refused is None else refused
-        return Do(Call(self._done[call.signature.name].signature, (*call.arguments, code)))
+        signature, arguments = self._done[call.signature.name].signature, call.arguments
+        if not self._may_refuse(call):
+            return Do(Call(signature, arguments))
+        return Do(Call(signature, (*arguments, self._refused.place if refused is None else refused)))
+
+    def _may_refuse(self, call: Call) -> bool:
+        """Whether the function that is called has `refused`."""
+        return any(a.name == REFUSED for a in self._done[call.signature.name].arguments)
 
     def _rename_status(self, call: Call, s: Return) -> Iterator[Statement]:
         """A call after which another status is returned than its own."""

@@ -10,6 +10,8 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
+from mahovik.proof.second import hold
+from mahovik.proof.second.chart import Expr
 from mahovik.proof.second.evaluate import PROBLEMS, Second
 from mahovik.proof.second.problems import coupled
 from mahovik.proof.second.rotation import Array
@@ -24,12 +26,24 @@ class Derivatives:
     def __init__(self, second: Second, want: str, by: Sequence[str], locked: Sequence[bool] = ()) -> None:
         self._second = second
         system = second.system
-        found = coupled(system, locked) if want == "coupled" else PROBLEMS[want](system)
+        if system.stand.hold is None:
+            found = coupled(system, locked) if want == "coupled" else PROBLEMS[want](system)
+        else:
+            whole = hold.coupled(system, locked) if want == "coupled" else hold.forward(system)
+            found = {name: value for name, value in whole.items() if name in ("u_dot", "phi_ddot")}
         self._names = [(value, name) for value in found for name in by]
-        parts = [ca.jacobian(found[value], system.inputs[name]) for value, name in self._names]
+        parts = [self._slope(found[value], name) for value, name in self._names]
         self._function = ca.Function("derivatives", list(system.inputs.values()), parts, list(system.inputs), [
             f"{value}_{name}" for value, name in self._names
         ])  # fmt: skip
+
+    def _slope(self, value: Expr, name: str) -> Expr:
+        """Derivative of a value by an input, or by `u` of a held carrier, V = S u."""
+        system = self._second.system
+        if name != "u":
+            return ca.jacobian(value, system.inputs[name])
+        assert system.stand.hold is not None
+        return ca.jacobian(value, system.V) @ ca.DM(hold.twists(system.stand.hold))
 
     @property
     def stand(self) -> Stand:

@@ -66,8 +66,11 @@ def forward(system: System) -> Results:
     return {"u_dot": found, "V_dot": S @ found, "reaction": ca.substitute(reaction, u_dot, found)}
 
 
-def coupled(system: System) -> Results:
-    """u_dot (m), V_dot (6), reaction (6) and phi_ddot (N) for given tau."""
+def coupled(system: System, locked: Sequence[bool] = ()) -> Results:
+    """u_dot (m), V_dot (6), reaction (6) and phi_ddot (N) for given tau.
+
+    `locked` (N, none by default): flywheels for whose equation stands phi_ddot = 0, as their torques are reactions.
+    """
     S = _basis(system)
     m = S.shape[1]
     unknown = ca.MX.sym("unknown", m + system.N)
@@ -75,7 +78,9 @@ def coupled(system: System) -> Results:
     applied, on_flywheels = system.applied_force()
     inertial, of_flywheels = system.inertial_force(S @ u_dot, phi_ddot)
     reaction = inertial - applied
-    left = ca.vertcat(S.T @ reaction, of_flywheels - on_flywheels - system.inputs["tau"])
+    stopped = ca.DM([float(x) for x in locked] or [0.0] * system.N)
+    driven = of_flywheels - on_flywheels - system.inputs["tau"]
+    left = ca.vertcat(S.T @ reaction, (1 - stopped) * driven + stopped * phi_ddot)
     found = _where_zero(left, unknown)
     return {
         "u_dot": found[:m],

@@ -138,6 +138,8 @@ def free_only_rows(stand: Stand) -> list[Row]:
     names = [name for name in FUNCTIONS if name in OF_FREE_CARRIERS and name not in CHOSEN and not name.endswith("_at")]
     if not (stand.hold.freedoms and stand.flywheels):
         names.append("inverse")
+    if not stand.hold.freedoms:
+        names += [name for name in ("forward_jacobian", "coupled_jacobian") if stand.flywheels or name[0] == "f"]
     return [Row(name, "not there", verdict="not compared", reason=reason) for name in names]
 
 

@@ -59,9 +59,10 @@ class CMotion:
         self._view[self._phi_dot] = case.phi_dot0
         self._reaction = Reaction(self.c, self._x) if case.regime.mixes_speed_and_torque else None
         self._steepness = Steepness(case)
-        self._mobility: Mobility | HeldMobility | None = None
+        self._mobility: Mobility | ClampedMobility | None = None
         if self._steepness.matters:
-            make = Mobility if case.stand.hold is None else HeldMobility
+            hold = case.stand.hold
+            make = Mobility if hold is None or hold.freedoms else ClampedMobility
             self._mobility = make(self.c, self._x, self._locked[:N].tolist())
             self._steepness.check(case.dt, self._mobility.matrix())
 
@@ -312,8 +313,8 @@ class Mobility:
         return np.abs(self._view)
 
 
-class HeldMobility:
-    """Mobility of a held carrier, whose C has no Jacobians: by calls of `coupled`, which is linear in the torques."""
+class ClampedMobility:
+    """Mobility of a clamped carrier, whose C has no Jacobians: by calls of `coupled`, linear in the torques."""
 
     def __init__(self, c: CBackend, x: Any, locked: list[int]) -> None:
         self._c, self._inputs = c, {"x": x, "locked": locked, "table": c.library.default("default")}

@@ -31,8 +31,8 @@ CONDITION = 10.0
 def jacobian_rows(case: Case, function: str) -> Iterator[Row]:
     """All matrices of `forward_jacobian` or `coupled_jacobian`: the worst of them."""
     want = function.removesuffix("_jacobian")
-    names = FUNCTIONS[function].gives if case.count else ("V_dot_V",)
-    by = tuple(dict.fromkeys(re.sub("^(V_dot|phi_ddot)_", "", name) for name in names))
+    names = _matrices(case, function)
+    by = tuple(dict.fromkeys(re.sub("^(V_dot|u_dot|phi_ddot)_", "", name) for name in names))
     row = Comparison(function, "derivatives", CONDITION * case.bounds.default, case.bounds.floor)
     derivatives = Derivatives(case.second, want, by)
     for name, state in case.states[:STATES]:
@@ -53,10 +53,26 @@ def jacobian_rows(case: Case, function: str) -> Iterator[Row]:
         yield _row_with_locks(case, names, by)
 
 
+def _matrices(case: Case, function: str) -> tuple[str, ...]:
+    """Names of the matrices; of a held carrier u stands in place of V."""
+    names = FUNCTIONS[function].gives if case.count else ("V_dot_V",)
+    if case.stand.hold is None:
+        return names
+    return tuple(re.sub("_V$", "_u", re.sub("^V_dot", "u_dot", name)) for name in names)
+
+
+def _speeds(case: Case, state: State) -> Array:
+    """Of each freedom the largest |u| of its kind: sliding, turning, or one of a basis."""
+    assert case.stand.hold is not None
+    kinds = [freedom.kind for freedom in case.stand.hold.freedoms]
+    return np.array([max(abs(u) for u, other in zip(state.u, kinds, strict=True) if other == kind) for kind in kinds])
+
+
 def derivative_scales(case: Case, state: State, want: str, by: Sequence[str]) -> dict[str, Array]:
     """Scale of an acceleration over the size of what it is differentiated by: the largest |v|, |omega|, |phi'| ..."""
     own = scales(case.stand, state, case.at(state), want, case.bounds.cuts)
     sizes: dict[str, Any] = {
+        "u": None if case.stand.hold is None else _speeds(case, state),
         "V": np.repeat([np.abs(state.V[:3]).max(), np.abs(state.V[3:]).max()], 3),
         "phi": np.ones(case.count),
         "phi_dot": np.full(case.count, np.abs(state.phi_dot).max(initial=1e-9)),
