@@ -98,7 +98,7 @@ class TwistFunction:
 
     @contextmanager
     def each(self, array: str, most: int, index: str = "k") -> Iterator[Place]:
-        """Loop over the structs of an array of the table that are of the body, first_X .. last_X - 1: at most `most`."""
+        """Loop over the structs of an array of the table that belong to the body, at most `most`."""
         first, last = (self.damper.member(f"{end}_{array}") for end in ("first", "last"))
         with self.body.loop(index, last, start=first, most=most) as k:
             yield self.table.member(array)[k]
