@@ -27,11 +27,15 @@ KINDS = (EVERYTHING, Features(), BARE, Features())
 """Features of the stands, in turn; of those drawn, every second takes run-time wrenches on all bodies."""
 
 
+FLOW_FROM = 50
+"""Number of the first stand with strips, fins, propellers and fading damping. Kept results have those before it."""
+
+
 def random_stands(count: int) -> Iterator[Stand]:
     """The first `count` stands of the campaign: always the same ones."""
     for number in range(count):
         kind = KINDS[(number + number // len(COUNTS)) % len(KINDS)]
-        features = replace(kind, angles=SEQUENCES[number % len(SEQUENCES)])
+        features = replace(kind, angles=SEQUENCES[number % len(SEQUENCES)], flow=number >= FLOW_FROM)
         flywheels = COUNTS[number % len(COUNTS)]
         stand = random_stand(np.random.default_rng(number), flywheels, features, f"random{number}")
         yield stand if number % 2 else with_all_inputs(stand)

@@ -1,6 +1,6 @@
 """Random stands, compiled, against both derivations: one line per stand; exit status 1 where any of them disagree.
 
-python tools/verify_campaign.py [--stands 50] [--states 60] [--jobs 2] [--write]
+python tools/verify_campaign.py [--stands 62] [--states 60] [--jobs 2] [--write]
 
 With --write the summary goes into docs/results/verification.md as well.
 """
@@ -90,7 +90,7 @@ CAMPAIGN = Campaign(
 
 def main() -> None:
     """Run it."""
-    given = campaign.parser(__doc__, stands=50, states=60, jobs=campaign.cores(), write=False).parse_args()
+    given = campaign.parser(__doc__, stands=62, states=60, jobs=campaign.cores(), write=False).parse_args()
     verdicts = []
     for verdict in campaign.map_rows(verdict_on, given.jobs, range(given.stands), [given.states] * given.stands):
         print(verdict.line, flush=True)

@@ -14,13 +14,13 @@ import symforce
 
 symforce.set_epsilon_to_number()
 
-# These imports come second (E402): SymForce wants its epsilon before anything of it is used.
-import symforce.symbolic as sf  # noqa: E402
-from symforce import codegen, values  # noqa: E402
+# SymForce wants its epsilon before anything of it is used, here or by an import: so these come second.
+import symforce.symbolic as sf  # noqa: E402 - after the epsilon
+from symforce import codegen, values  # noqa: E402 - after the epsilon
 
-from mahovik.proof.reference.bodies import spatial_inertia  # noqa: E402
-from mahovik.proof.reference.rotation import flywheel_mounting  # noqa: E402
-from mahovik_bench.cases import case  # noqa: E402
+from mahovik.proof.reference.bodies import spatial_inertia  # noqa: E402 - after the epsilon
+from mahovik.proof.reference.rotation import flywheel_mounting  # noqa: E402 - after the epsilon
+from mahovik_bench.cases import case  # noqa: E402 - after the epsilon
 
 ZERO = sf.Matrix(3, 3)
 

@@ -62,7 +62,7 @@ USERS = ("forward", "wrench", "matrices", "coupled_jacobian", "forward_jacobian"
 @pytest.mark.parametrize(("array", "member", "most"), [("fin", "deflection", 1.5), ("propeller", "speed", 1e5)])
 @pytest.mark.parametrize("who", ["C", "interpreter"])
 def test_an_input_that_is_no_number_is_refused(who: str, array: str, member: str, most: float) -> None:
-    """By every function that needs the wrench, with the outputs untouched; at the end of its range it is taken."""
+    """Every function that needs the wrench refuses it; at the end of its range it is accepted."""
     c = backend()
     judged = c if who == "C" else c.interpreter
     state = rest_state(loads(FILE))

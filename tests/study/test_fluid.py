@@ -125,7 +125,7 @@ def test_check_prints_it(tmp_path: Path) -> None:
 
 
 def test_a_propeller_is_an_engine_and_no_damping(tmp_path: Path) -> None:
-    """Its thrust does work from the first speed on, and the damping of the hull none: they are told apart."""
+    """The report has the thrust, which does work from the first speed on, apart from the damping, which does none."""
     propeller = """
 [[propeller]]
 name = "main"

@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
-import pytest
-from random_stands import WHAT_MATTERS, random_stands, verify_random
+from dataclasses import replace
 
-from mahovik.core.stand import Stand, load
+import numpy as np
+import pytest
+from random_stands import COUNTS, FLOW_FROM, WHAT_MATTERS, random_stands, verify_random
+
+from mahovik.core.stand import Stand, dumps, load, loads
+from mahovik.core.stand.random import Features, random_stand
+from mahovik.laws.cross_flow.data import CrossFlow
+from mahovik.laws.fading.data import FadingDamping
+from mahovik.laws.fin.data import Fins
+from mahovik.laws.propeller.data import Propellers
 from mahovik.proof.verify.report import conclusion
 from mahovik.stands import names, path
 
@@ -46,3 +54,30 @@ def test_three_ways_agree(stand: Stand) -> None:
 def test_the_campaign_is_the_same_every_time_and_each_stand_another() -> None:
     assert [*random_stands(4)] == [*random_stands(12)][:4]
     assert len(set(random_stands(12))) == 12
+
+
+FLOWING = [*random_stands(FLOW_FROM + len(COUNTS))][FLOW_FROM:]
+LATER_LAWS = (CrossFlow, Fins, Propellers, FadingDamping)
+
+
+def test_stands_after_those_of_kept_results_have_every_law_of_fluid() -> None:
+    """Their files come back, so their numbers are possible ones; what else is drawn is drawn as without."""
+    for stand in FLOWING:
+        assert all(stand.carrier.law(law) is not None for law in LATER_LAWS)
+        assert dumps(loads(dumps(stand))) == dumps(stand)
+    assert {law for stand in FLOWING for body in stand.flywheels for law in map(type, body.laws)} >= {
+        CrossFlow, FadingDamping
+    }  # fmt: skip
+    features = Features(instruments=1)
+    plain = random_stand(np.random.default_rng(3), 2, features)
+    flowing = random_stand(np.random.default_rng(3), 2, replace(features, flow=True))
+    bodies = zip(plain.bodies, flowing.bodies, strict=True)
+    assert all(body.without_laws(*LATER_LAWS) == before for before, body in bodies)
+    assert not any(body.law(law) for body in plain.bodies for law in LATER_LAWS)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("stand", FLOWING, ids=lambda stand: f"{stand.name}, {len(stand.flywheels)}")
+def test_three_ways_agree_in_a_flow(stand: Stand) -> None:
+    found = verify_random(stand, STATES)
+    assert found.passed, conclusion(found)

@@ -13,7 +13,7 @@ from mahovik.core.stand.structure_facts import Structure
 
 
 def run_time_inputs(structure: Structure) -> tuple[RunTimeInput, ...]:
-    """Those that the stand has."""
+    """Inputs in the table that laws of the stand take at run time."""
     return tuple(each for of in of_bodies("lower", "run_time_input") if (each := of(structure)) is not None)
 
 

@@ -1,15 +1,22 @@
-"""The lowering of a law of `laws/`: members of structs, and functions, that it adds to a stand's program."""
+"""The lowering of a law of `laws/`: members of structs, and functions, that it adds to a stand's program.
+
+Of a law between E0 and the carrier `LawLowering`; of one that acts on a body in its own frame by functions that begin
+as `TwistFunction` does.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.member import Member
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place
-from mahovik.core.program.types import Field
+from mahovik.core.program.function import Function
+from mahovik.core.program.types import Field, Kind
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure_facts import Structure
 
@@ -65,3 +72,37 @@ class LawLowering:
 
     def slope(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, change: Place, F: Place) -> None:
         """Adds the change of its wrench with a change of twist to F."""
+
+
+class TwistFunction:
+    """A function that adds the wrench of a body by its own twist to P, or with `slope` its change with the twist.
+
+    table, damper  prepared table, and its part that belongs to the body
+    V, change      twist of the body relative to the fluid, and its change, in the body's frame
+    P              wrench of the body, or its change, to which the function adds
+    body           statements
+    """
+
+    def __init__(self, lib: FunctionSet, slope: bool = False) -> None:
+        real, six = Kind.REAL, (6,)
+        V = Argument("V", real, six, purpose="twist relative to the fluid, in the body's frame")
+        change = Argument("change", real, six, purpose="change of that twist")
+        if slope:
+            P = Argument("P", real, six, "inout", purpose="change of the wrench; this change is added to it")
+        else:
+            P = Argument("P", real, six, "inout", "N, N m", "wrench; this law is added to it")
+        table, damper = lib.table_argument(), Argument("damper", lib.layout.damper)
+        self._arguments = (table, damper, V, *((change,) if slope else ()), P)
+        self.table, self.damper, self.V, self.change, self.P = (a.place for a in (table, damper, V, change, P))
+        self.body = Body()
+
+    @contextmanager
+    def each(self, array: str, most: int, index: str = "k") -> Iterator[Place]:
+        """Loop over the structs of an array of the table that belong to the body, at most `most`."""
+        first, last = (self.damper.member(f"{end}_{array}") for end in ("first", "last"))
+        with self.body.loop(index, last, start=first, most=most) as k:
+            yield self.table.member(array)[k]
+
+    def function(self, name: str, purpose: str) -> Function:
+        """The function."""
+        return self.body.function(name, purpose, self._arguments, equation="(7)")

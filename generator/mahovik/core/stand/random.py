@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Any, cast
+from dataclasses import dataclass, field, replace
+from typing import Any, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,6 +38,7 @@ from mahovik.core.stand.task import dependent_rows, places_of
 __all__ = ["BARE", "EVERYTHING", "EXTREMES", "SEQUENCES", "Features", "extreme_state", "random_stand", "random_state"]
 
 Array = NDArray[np.float64]
+AnyBody = TypeVar("AnyBody", Carrier, Instrument, Flywheel)
 
 SEQUENCES: tuple[Sequence, ...] = ("ship", "aircraft", "euler")
 
@@ -50,6 +51,7 @@ class Features:
     wrench_inputs   some bodies take a run-time wrench
     laws            how many of each law of `laws/`, by its folder; where there can be one only, 1 or more gives it
     tasks           how many, each of one to six rows
+    flow            the other laws of fluid as well: strips, fins, propellers, damping that fades
     """
 
     angles: Sequence | None = None
@@ -62,6 +64,7 @@ class Features:
     motors: bool | None = None
     laws: Mapping[str, int] = field(default_factory=dict)
     tasks: int | None = None
+    flow: bool = False
 
 
 EVERYTHING = Features(None, 2, True, True, True, 2, True, True, dict.fromkeys(LAWS, 2), 2)
@@ -111,7 +114,7 @@ def random_stand(
         Point(f"p{k + 1}", mounts[int(rng.integers(len(mounts)))], draw.vec3(0.2), draw.vec3(1.0))
         for k in range(draw.count(features.points, 2))
     )
-    return Stand(
+    found = Stand(
         name=name,
         angles=angles,
         gravity=gravity,
@@ -122,6 +125,22 @@ def random_stand(
         points=points,
         tasks=_tasks(_tasks_generator(rng), features.tasks, instruments, points) if flywheels else (),
         laws=tuple(law for law in laws if law is not None),
+    )
+    return _with_flow(found, Draw(rng.spawn(1)[0])) if features.flow else found
+
+
+def _with_flow(stand: Stand, draw: Draw) -> Stand:
+    """The stand with laws of the fluid that came later, by a generator of its own: other draws stay as they are."""
+
+    def flowing(body: AnyBody) -> AnyBody:
+        drawn = [make(draw, body) for make in of_bodies("random", "random_flow")]
+        return body.with_laws(*(law for law in drawn if law is not None))
+
+    return replace(
+        stand,
+        carrier=flowing(stand.carrier),
+        instruments=tuple(map(flowing, stand.instruments)),
+        flywheels=tuple(map(flowing, stand.flywheels)),
     )
 
 

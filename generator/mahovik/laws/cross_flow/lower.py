@@ -7,10 +7,10 @@ from typing import Any
 
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
+from mahovik.core.lower.law import TwistFunction
 from mahovik.core.lower.member import Member, member
 from mahovik.core.program.build import Body as Statements
 from mahovik.core.program.build import call
-from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, magnitude, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
@@ -113,42 +113,29 @@ def add_slopes(lib: FunctionSet) -> None:
 
 def add_strips(lib: FunctionSet) -> Function:
     """Cross-flow drag of one body in its own frame, added to a wrench."""
-    table, damper = lib.table_argument(), Argument("damper", lib.layout.damper)
-    V = Argument("V", REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
-    P = Argument("P", REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
-    body = Statements()
-    count = strip_count(lib.layout.structure)
-    with body.loop("k", damper.place.last_strip, start=damper.place.first_strip, most=count) as k:
-        strip = table.place.strip[k]
-        v, w = _velocity(body, strip, V.place, "v", "w")
+    adding = TwistFunction(lib)
+    body = adding.body
+    with adding.each("strip", strip_count(lib.layout.structure)) as strip:
+        v, w = _velocity(body, strip, adding.V, "v", "w")
         Y, Z = _force(body, -(strip.y * (v * magnitude(v))), -(strip.z * (w * magnitude(w))))
         if _together(lib.layout.structure):
             with body.when(strip.together > 0):
                 drag, _ = _drag(lib, body, strip, v, w)
                 body.set(Y, -(drag * v))
                 body.set(Z, -(drag * w))
-        _add(body, strip, Y, Z, P.place)
-    return Function(
-        "add_strips",
-        "Adds the cross-flow drag of one body to its wrench, both in the body's own frame.",
-        (table, damper, V, P),
-        body.statements,
-        equation="(7)",
+        _add(body, strip, Y, Z, adding.P)
+    return adding.function(
+        "add_strips", "Adds the cross-flow drag of one body to its wrench, both in the body's own frame."
     )
 
 
 def add_strips_slope(lib: FunctionSet) -> Function:
     """Derivative of one body's cross-flow drag by its twist, times a twist."""
-    table, damper = lib.table_argument(), Argument("damper", lib.layout.damper)
-    V = Argument("V", REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
-    change = Argument("change", REAL, (6,), purpose="change of that twist")
-    P = Argument("P", REAL, (6,), "inout", purpose="change of the wrench; this change is added to it")
-    body = Statements()
-    count = strip_count(lib.layout.structure)
-    with body.loop("k", damper.place.last_strip, start=damper.place.first_strip, most=count) as k:
-        strip = table.place.strip[k]
-        v, w = _velocity(body, strip, V.place, "v", "w")
-        dv, dw = _velocity(body, strip, change.place, "dv", "dw")
+    adding = TwistFunction(lib, slope=True)
+    body = adding.body
+    with adding.each("strip", strip_count(lib.layout.structure)) as strip:
+        v, w = _velocity(body, strip, adding.V, "v", "w")
+        dv, dw = _velocity(body, strip, adding.change, "dv", "dw")
         Y, Z = _force(body, -(strip.y * (2 * magnitude(v) * dv)), -(strip.z * (2 * magnitude(w) * dw)))
         if _together(lib.layout.structure):
             with body.when(strip.together > 0):
@@ -158,14 +145,8 @@ def add_strips_slope(lib: FunctionSet) -> Function:
                 drag_by = body.let("drag_by", (square_by - drag * speed_by) / speed)
                 body.set(Y, -(drag_by * v + drag * dv))
                 body.set(Z, -(drag_by * w + drag * dw))
-        _add(body, strip, Y, Z, P.place)
-    return Function(
-        "add_strips_slope",
-        "Change of the cross-flow drag of one body with its twist.",
-        (table, damper, V, change, P),
-        body.statements,
-        equation="(7)",
-    )
+        _add(body, strip, Y, Z, adding.P)
+    return adding.function("add_strips_slope", "Change of the cross-flow drag of one body with its twist.")
 
 
 def _velocity(body: Statements, strip: Place, V: Place, along_y: str, along_z: str) -> tuple[Place, Place]:

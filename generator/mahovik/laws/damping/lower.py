@@ -8,10 +8,10 @@ from typing import Any
 from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
+from mahovik.core.lower.law import TwistFunction
 from mahovik.core.lower.member import Member, matrix, member
 from mahovik.core.lower.symbolic import translate
 from mahovik.core.program.build import Body as Statements
-from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, magnitude, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
@@ -137,93 +137,70 @@ def add_slopes(lib: FunctionSet) -> None:
 def damp(lib: FunctionSet) -> Function:
     """Damping of one body in its own frame, added to a wrench."""
     struct, terms = lib.layout.damper, term_count(lib.layout.structure)
-    damper = Argument("damper", struct)
-    V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
-    P = Argument("P", Kind.REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
-    table = lib.table_argument()
-    body = Statements()
+    adding = TwistFunction(lib)
+    body, damper, V, P = adding.body, adding.damper, adding.V, adding.P
     factors: Place | None = None
     if terms or struct.field("quadratic") is not None:
         factors = body.local("x", (12,), comment="u v w p q r and their magnitudes")
         for k in range(6):
-            body.set(factors[k], V.place[k])
+            body.set(factors[k], V[k])
         for k in range(6):
-            body.set(factors[k + 6], magnitude(V.place[k]))
+            body.set(factors[k + 6], magnitude(V[k]))
     if struct.field("linear") is not None:
         with body.loop("i", 6) as i:
             row = derived.row_times("linear", "V")
-            body.add(P.place[i], -translate(row, {"linear": damper.place.linear[i], "V": V.place}))
+            body.add(P[i], -translate(row, {"linear": damper.linear[i], "V": V}))
     if struct.field("quadratic") is not None:
         assert factors is not None
         with body.loop("i", 6) as i, body.loop("j", 6) as j:
-            drag = damper.place.quadratic[i][j] * (factors[j] * factors[j + 6])
-            body.add(P.place[i], -drag)
+            drag = damper.quadratic[i][j] * (factors[j] * factors[j + 6])
+            body.add(P[i], -drag)
     if terms:
         assert factors is not None
-        first, last = damper.place.first_term, damper.place.last_term
-        with body.loop("t", last, start=first, most=terms) as t:
-            term = table.place.term[t]
-            body.add(P.place[term.wrench], term.value * factors[term.first] * factors[term.second])
+        with adding.each("term", terms, "t") as term:
+            body.add(P[term.wrench], term.value * factors[term.first] * factors[term.second])
     if struct.field("contained") is not None:
         Z = body.local("Z", (6,), comment="momentum of the added mass")
-        _times(body, damper.place.contained, V.place, Z)
-        _add_crossed(body, V.place, Z, P.place)
-    return Function(
-        "damp",
-        "Adds the damping of one body to its wrench, both in the body's own frame.",
-        (table, damper, V, P),
-        body.statements,
-        equation="(7)",
-    )
+        _times(body, damper.contained, V, Z)
+        _add_crossed(body, V, Z, P)
+    return adding.function("damp", "Adds the damping of one body to its wrench, both in the body's own frame.")
 
 
 def damp_slope(lib: FunctionSet) -> Function:
     """Derivative of one body's damping by its twist, times a twist."""
-    table = lib.table_argument()
     struct, terms = lib.layout.damper, term_count(lib.layout.structure)
-    damper = Argument("damper", struct)
-    V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
-    change = Argument("change", Kind.REAL, (6,), purpose="change of that twist")
-    P = Argument("P", Kind.REAL, (6,), "inout", purpose="change of the wrench; this change is added to it")
-    body = Statements()
+    adding = TwistFunction(lib, slope=True)
+    body, damper, V, change, P = adding.body, adding.damper, adding.V, adding.change, adding.P
     x, dx = None, None
     if terms or struct.field("quadratic") is not None:
         x = body.local("x", (12,), comment="u v w p q r and their magnitudes")
         dx = body.local("dx", (12,), comment="their changes with the twist")
         for k in range(6):
-            body.set(x[k], V.place[k])
-            body.set(x[k + 6], magnitude(V.place[k]))
-            body.set(dx[k], change.place[k])
-            body.set(dx[k + 6], select(V.place[k] < 0, -change.place[k], change.place[k]))
+            body.set(x[k], V[k])
+            body.set(x[k + 6], magnitude(V[k]))
+            body.set(dx[k], change[k])
+            body.set(dx[k + 6], select(V[k] < 0, -change[k], change[k]))
     if struct.field("linear") is not None:
         with body.loop("i", 6) as i:
             row = derived.row_times("linear", "V")
-            body.add(P.place[i], -translate(row, {"linear": damper.place.linear[i], "V": change.place}))
+            body.add(P[i], -translate(row, {"linear": damper.linear[i], "V": change}))
     if struct.field("quadratic") is not None:
         assert x is not None and dx is not None
         with body.loop("i", 6) as i, body.loop("j", 6) as j:
-            body.add(P.place[i], -(damper.place.quadratic[i][j] * (2 * x[j + 6] * dx[j])))
+            body.add(P[i], -(damper.quadratic[i][j] * (2 * x[j + 6] * dx[j])))
     if terms:
         assert x is not None and dx is not None
-        first, last = damper.place.first_term, damper.place.last_term
-        with body.loop("t", last, start=first, most=terms) as t:
-            term = table.place.term[t]
+        with adding.each("term", terms, "t") as term:
             slope = dx[term.first] * x[term.second] + x[term.first] * dx[term.second]
-            body.add(P.place[term.wrench], term.value * slope)
+            body.add(P[term.wrench], term.value * slope)
     if struct.field("contained") is not None:
         Z = body.local("Z", (6,), comment="momentum of the added mass")
         dZ = body.local("dZ", (6,), comment="its change")
-        _times(body, damper.place.contained, V.place, Z)
-        _times(body, damper.place.contained, change.place, dZ)
-        _add_crossed(body, change.place, Z, P.place)
-        _add_crossed(body, V.place, dZ, P.place)
-    return Function(
-        "damp_slope",
-        "Change of the damping of one body with its twist.",
-        (table, damper, V, change, P),
-        body.statements,
-        equation="(7)",
-    )
+        _times(body, damper.contained, V, Z)
+        _times(body, damper.contained, change, dZ)
+        _add_crossed(body, change, Z, P)
+        _add_crossed(body, V, dZ, P)
+    return adding.function("damp_slope", "Change of the damping of one body with its twist.")
 
 
 def _times(body: Statements, added_mass: Place, V: Place, Z: Place) -> None:

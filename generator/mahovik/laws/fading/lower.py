@@ -8,11 +8,11 @@ from typing import Any
 from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
+from mahovik.core.lower.law import TwistFunction
 from mahovik.core.lower.member import Member, matrix, member
 from mahovik.core.lower.symbolic import translate
 from mahovik.core.program.build import Body as Statements
 from mahovik.core.program.build import call
-from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
@@ -82,41 +82,27 @@ def add_slopes(lib: FunctionSet) -> None:
 
 def add_fading(lib: FunctionSet) -> Function:
     """Fading damping of one body in its own frame, added to a wrench."""
-    damper = Argument("damper", lib.layout.damper)
-    V = Argument("V", REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
-    P = Argument("P", REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
-    body = Statements()
-    _, fade = _fade(lib, body, damper.place, V.place)
+    adding = TwistFunction(lib)
+    body, damper, V = adding.body, adding.damper, adding.V
+    _, fade = _fade(lib, body, damper, V)
     with body.loop("i", 6) as i:
-        body.add(P.place[i], -(fade * _row(damper.place, i, V.place)))
-    return body.function(
-        "add_fading",
-        "Adds the fading damping of one body to its wrench, both in the body's own frame.",
-        (damper, V, P),
-        equation="(7)",
+        body.add(adding.P[i], -(fade * _row(damper, i, V)))
+    return adding.function(
+        "add_fading", "Adds the fading damping of one body to its wrench, both in the body's own frame."
     )
 
 
 def add_fading_slope(lib: FunctionSet) -> Function:
     """Derivative of one body's fading damping by its twist, times a twist."""
-    damper = Argument("damper", lib.layout.damper)
-    V = Argument("V", REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
-    change = Argument("change", REAL, (6,), purpose="change of that twist")
-    P = Argument("P", REAL, (6,), "inout", purpose="change of the wrench; this change is added to it")
-    body = Statements()
-    speed, fade = _fade(lib, body, damper.place, V.place)
-    dV = change.place
-    speed_by = body.let("speed_by", _dot(V.place, dV) / select(speed > 0, speed, real(1)), "change of the speed")
-    exponent_by = body.let("exponent_by", damper.place.fading_rate * speed_by)
+    adding = TwistFunction(lib, slope=True)
+    body, damper, V, change = adding.body, adding.damper, adding.V, adding.change
+    speed, fade = _fade(lib, body, damper, V)
+    speed_by = body.let("speed_by", _dot(V, change) / select(speed > 0, speed, real(1)), "change of the speed")
+    exponent_by = body.let("exponent_by", damper.fading_rate * speed_by)
     with body.loop("i", 6) as i:
-        slope = _row(damper.place, i, dV) - exponent_by * _row(damper.place, i, V.place)
-        body.add(P.place[i], -(fade * slope))
-    return body.function(
-        "add_fading_slope",
-        "Change of the fading damping of one body with its twist.",
-        (damper, V, change, P),
-        equation="(7)",
-    )
+        slope = _row(damper, i, change) - exponent_by * _row(damper, i, V)
+        body.add(adding.P[i], -(fade * slope))
+    return adding.function("add_fading_slope", "Change of the fading damping of one body with its twist.")
 
 
 def _fade(lib: FunctionSet, body: Statements, damper: Place, V: Place) -> tuple[Place, Place]:

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
+from mahovik.core.lower.law import TwistFunction
 from mahovik.core.lower.member import Member, members
 from mahovik.core.lower.run_time_input import RunTimeInput
 from mahovik.core.program.build import Body as Statements
 from mahovik.core.program.build import call
-from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, and_, magnitude, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
@@ -139,38 +139,27 @@ def add_slopes(lib: FunctionSet) -> None:
 
 def add_fins(lib: FunctionSet) -> Function:
     """Lift and drag of the fins of one body in its own frame, added to a wrench."""
-    table, damper = lib.table_argument(), Argument("damper", lib.layout.damper)
-    V = Argument("V", REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
-    P = Argument("P", REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
-    body = Statements()
-    with body.loop("k", damper.place.last_fin, start=damper.place.first_fin, most=fin_count(lib.layout.structure)) as k:
-        fin = table.place.fin[k]
-        flow = _Flow(lib, body, fin, V.place)
+    adding = TwistFunction(lib)
+    body = adding.body
+    with adding.each("fin", fin_count(lib.layout.structure)) as fin:
+        flow = _Flow(lib, body, fin, adding.V)
         lift = body.let("lift", flow.pressure * flow.C_L)
         drag = body.let("drag", flow.pressure * (fin.drag + fin.induced * flow.C_L * flow.C_L))
         along = body.let("along", lift * flow.up - drag * flow.along, "force along the chord")
         across = body.let("across", -(lift * flow.along + drag * flow.up), "force along the normal")
-        _add(body, fin, along, across, P.place)
-    return Function(
-        "add_fins",
-        "Adds lift and drag of the fins of one body to its wrench, both in the body's own frame.",
-        (table, damper, V, P),
-        body.statements,
-        equation="(7)",
+        _add(body, fin, along, across, adding.P)
+    return adding.function(
+        "add_fins", "Adds lift and drag of the fins of one body to its wrench, both in the body's own frame."
     )
 
 
 def add_fins_slope(lib: FunctionSet) -> Function:
     """Derivative of that wrench by the body's twist, times a twist."""
-    table, damper = lib.table_argument(), Argument("damper", lib.layout.damper)
-    V = Argument("V", REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
-    change = Argument("change", REAL, (6,), purpose="change of that twist")
-    P = Argument("P", REAL, (6,), "inout", purpose="change of the wrench; this change is added to it")
-    body = Statements()
-    with body.loop("k", damper.place.last_fin, start=damper.place.first_fin, most=fin_count(lib.layout.structure)) as k:
-        fin = table.place.fin[k]
-        flow = _Flow(lib, body, fin, V.place)
-        flow.change(body, fin, change.place)
+    adding = TwistFunction(lib, slope=True)
+    body = adding.body
+    with adding.each("fin", fin_count(lib.layout.structure)) as fin:
+        flow = _Flow(lib, body, fin, adding.V)
+        flow.change(body, fin, adding.change)
         C_D = body.let("C_D", fin.drag + fin.induced * flow.C_L * flow.C_L)
         C_D_by = 2 * fin.induced * flow.C_L * flow.C_L_by
         lift, drag = body.let("lift", flow.pressure * flow.C_L), body.let("drag", flow.pressure * C_D)
@@ -180,14 +169,8 @@ def add_fins_slope(lib: FunctionSet) -> Function:
         along = body.let("along", lift_by * flow.up - drag_by * flow.along + by_turn)
         by_turn = (lift * flow.up - drag * flow.along) * flow.turn
         across = body.let("across", by_turn - (lift_by * flow.along + drag_by * flow.up))
-        _add(body, fin, along, across, P.place)
-    return Function(
-        "add_fins_slope",
-        "Change of lift and drag of the fins of one body with its twist.",
-        (table, damper, V, change, P),
-        body.statements,
-        equation="(7)",
-    )
+        _add(body, fin, along, across, adding.P)
+    return adding.function("add_fins_slope", "Change of lift and drag of the fins of one body with its twist.")
 
 
 class _Flow:

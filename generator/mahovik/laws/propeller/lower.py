@@ -7,11 +7,11 @@ from typing import Any
 
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
+from mahovik.core.lower.law import TwistFunction
 from mahovik.core.lower.member import Member, member
 from mahovik.core.lower.run_time_input import RunTimeInput
 from mahovik.core.program.build import Body as Statements
 from mahovik.core.program.build import call
-from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, magnitude, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
@@ -134,39 +134,27 @@ def add_slopes(lib: FunctionSet) -> None:
 
 def add_propellers(lib: FunctionSet) -> Function:
     """Thrust and torque of the propellers of one body in its own frame, added to a wrench."""
-    table, damper = lib.table_argument(), Argument("damper", lib.layout.damper)
-    V = Argument("V", REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
-    P = Argument("P", REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
-    body, most = Statements(), propeller_count(lib.layout.structure)
-    first, last = damper.place.first_propeller, damper.place.last_propeller
-    with body.loop("k", last, start=first, most=most) as k:
-        p = table.place.propeller[k]
-        u = _inflow(lib, body, p, _velocity(body, p, V.place, "velocity"))
+    adding = TwistFunction(lib)
+    body = adding.body
+    with adding.each("propeller", propeller_count(lib.layout.structure)) as p:
+        u = _inflow(lib, body, p, _velocity(body, p, adding.V, "velocity"))
         squares = (magnitude(p.speed) * p.speed, magnitude(p.speed) * u, magnitude(u) * u)
         thrust = body.let("thrust", _sum(p.thrust, squares))
-        _add(body, p, thrust, body.let("torque", _sum(p.torque, squares)), P.place)
-    return Function(
+        _add(body, p, thrust, body.let("torque", _sum(p.torque, squares)), adding.P)
+    return adding.function(
         "add_propellers",
         "Adds thrust and torque of the propellers of one body to its wrench, both in the body's own frame.",
-        (table, damper, V, P),
-        body.statements,
-        equation="(7)",
     )
 
 
 def add_propellers_slope(lib: FunctionSet) -> Function:
     """Derivative of that wrench by the body's twist, times a twist."""
-    table, damper = lib.table_argument(), Argument("damper", lib.layout.damper)
-    V = Argument("V", REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
-    change = Argument("change", REAL, (6,), purpose="change of that twist")
-    P = Argument("P", REAL, (6,), "inout", purpose="change of the wrench; this change is added to it")
-    body, most = Statements(), propeller_count(lib.layout.structure)
-    first, last = damper.place.first_propeller, damper.place.last_propeller
-    with body.loop("k", last, start=first, most=most) as k:
-        p = table.place.propeller[k]
-        velocity = _velocity(body, p, V.place, "velocity")
+    adding = TwistFunction(lib, slope=True)
+    body = adding.body
+    with adding.each("propeller", propeller_count(lib.layout.structure)) as p:
+        velocity = _velocity(body, p, adding.V, "velocity")
         u = _inflow(lib, body, p, velocity)
-        by = _velocity(body, p, change.place, "velocity_by")
+        by = _velocity(body, p, adding.change, "velocity_by")
         u_by = body.local("u_by", comment="change of u")
         body.set(u_by, _dot(p.axis, by))
         if _whole(lib.layout.structure):
@@ -174,13 +162,9 @@ def add_propellers_slope(lib: FunctionSet) -> Function:
                 body.set(u_by, _dot(velocity, by) / select(u > 0, u, real(1)))
         of_turn, of_flow = body.let("turn", magnitude(p.speed) * u_by), body.let("flow", 2 * magnitude(u) * u_by)
         thrust = body.let("thrust", p.thrust[1] * of_turn + p.thrust[2] * of_flow)
-        _add(body, p, thrust, body.let("torque", p.torque[1] * of_turn + p.torque[2] * of_flow), P.place)
-    return Function(
-        "add_propellers_slope",
-        "Change of thrust and torque of the propellers of one body with its twist.",
-        (table, damper, V, change, P),
-        body.statements,
-        equation="(7)",
+        _add(body, p, thrust, body.let("torque", p.torque[1] * of_turn + p.torque[2] * of_flow), adding.P)
+    return adding.function(
+        "add_propellers_slope", "Change of thrust and torque of the propellers of one body with its twist."
     )
 
 

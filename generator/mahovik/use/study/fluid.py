@@ -68,7 +68,7 @@ class Fluid:
     """What `mahovik check --fluid` prints.
 
     powers    of all laws of the fluid but engines
-    engines   bodies with laws that are there to drive, such as propellers
+    engines   bodies with laws that drive by their purpose, such as propellers
     velocity  ahead, m/s, along axis 1 of the carrier
     growth    largest growth rate of small motions from there, 1/s, flywheels at rest, without weight and supports
     """
@@ -93,7 +93,7 @@ def fluid(stand: Stand, velocity: float) -> Fluid:
 
 
 def _without_engines(body: Body) -> Body:
-    """The body without laws that are there to drive."""
+    """The body without its propellers and other engines."""
     return replace(body, laws=tuple(law for law in body.laws if not law.drives))
 
 

@@ -30,7 +30,11 @@ TOLERANCE = 1e-14
 
 
 class BasiliskSpacecraft:
-    """A free spacecraft whose flywheels are state effectors; see MovingJudge."""
+    """A free spacecraft whose flywheels are state effectors; see MovingJudge.
+
+    Methods of flywheels that raise NotImplementedError have another form for reaction wheels than for rotors on hinges:
+    the class of each has its own.
+    """
 
     name: str
     version: str = Basilisk.__version__
