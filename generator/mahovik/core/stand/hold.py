@@ -301,8 +301,8 @@ def lines(hold: Hold) -> list[str]:
 
 
 TAKE_HELD = (
-    "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize` "
-    "and `judge-log`"
+    "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, "
+    "`response` and `judge-log`"
 )
 """Commands that take held carriers."""
 
