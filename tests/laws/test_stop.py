@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+import mahovik
 from cli.run import run
 from laws.held_stands import agree, enclosed, held_stand, moved, rail, table
 from mahovik.core.emit.generate import generate_all
@@ -115,18 +116,18 @@ def test_a_damped_stop_returns_what_hunt_and_crossley_say() -> None:
     assert run["x [m]"].max() - 0.1 == pytest.approx(depth, rel=1e-2)
 
 
-def test_a_pendulum_rests_on_its_stop() -> None:
-    """Against the moment of the weight: stiffness times depth is m g r cos(angle), from the position of rest."""
-    import mahovik
-
+@pytest.mark.parametrize("home", [0.0, 5.0])
+def test_a_pendulum_rests_on_its_stop(home: float) -> None:
+    """Against the moment of the weight: stiffness times depth is m g r cos(angle). The search begins at the home pose,
+    where at a right angle to the weight nothing changes its moment."""
     document = {
         "schema": 1, "name": "arm", "gravity": [0, 0, -9.81],
         "carrier": {"mass": 2.0, "center_of_mass": [0.2, 0, 0], "inertia": [0.1, 0.1, 0.1],
                     "inertia_about": "center_of_mass"},
-        "hold": {"freedoms": ["pitch"], "angles": [0, "5 deg", 0], "stop": [{"at": "5 deg", "stiffness": 50.0}]},
+        "hold": {"freedoms": ["pitch"], "angles": [0, f"{home} deg", 0],
+                 "stop": [{"at": f"{10 - home} deg", "stiffness": 50.0}]},
     }  # fmt: skip
-    stand = mahovik.Stand.from_dict(document)
-    state = mahovik.rest(stand).result.state
+    state = mahovik.rest(mahovik.Stand.from_dict(document)).result.state
     assert state.quaternion is not None
     angle = 2 * math.atan2(state.quaternion[2], state.quaternion[0])
     assert angle > math.radians(10)
