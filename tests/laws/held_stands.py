@@ -46,7 +46,7 @@ HOLDS = {
 }
 
 
-def held(hold: str, tables: str = "") -> Stand:
+def held_stand(hold: str, tables: str = "") -> Stand:
     """A stand with one flywheel; `hold` names one of HOLDS or is text of its own."""
     return loads(f"{BODIES}[hold]\n{HOLDS.get(hold, hold)}{tables}")
 

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from laws.held_stands import HOLDS, agree, enclosed, held, moved, rail, table
+from laws.held_stands import HOLDS, agree, enclosed, held_stand, moved, rail, table
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import identities, loads
 from mahovik.core.stand.hold import twists, wrenches
@@ -42,12 +42,12 @@ GIVEN = {
 @pytest.mark.parametrize("name", quick(3, ("skew hinge", "basis", "plane", "rail", "skew rail", "hinge", "cylinder",
                                            "ball")))  # fmt: skip
 def test_derivations_and_C_agree(name: str) -> None:
-    agree(held(name, GIVEN[name]), range(3))
+    agree(held_stand(name, GIVEN[name]), range(3))
 
 
 def test_a_missing_friction_would_be_seen() -> None:
     """The comparison above can fail."""
-    stand = held("hinge", GIVEN["hinge"])
+    stand = held_stand("hinge", GIVEN["hinge"])
     state = random_state(stand, np.random.default_rng(0))
     bare = stand.without_laws(Frictions)
     found = differences(lambda s, w: reference.evaluate(bare, s, w), state, expectations(stand, state))
@@ -56,7 +56,7 @@ def test_a_missing_friction_would_be_seen() -> None:
 
 @pytest.mark.parametrize("name", HOLDS)
 def test_the_unit_wrench_of_a_freedom_has_no_power_in_the_others(name: str) -> None:
-    hold = held(name).hold
+    hold = held_stand(name).hold
     assert hold is not None
     np.testing.assert_allclose(wrenches(hold).T @ twists(hold), np.eye(len(hold.freedoms)), rtol=0, atol=1e-15)
     np.testing.assert_allclose(wrenches(hold), unit_wrenches(hold), rtol=0, atol=1e-14)
@@ -79,8 +79,8 @@ _POSITIVE = st.floats(1e-3, 1e3)
 def test_friction_never_does_positive_work(
     name: str, viscous: float, coulomb: float, rise: float, factor: float, seed: int
 ) -> None:
-    """Its power -drag(u) u is not positive at any speed, and no larger against another freedom than rounding."""
-    hold = held(name).hold
+    """The power -drag(u) u is not positive at any speed, and no larger against another freedom than rounding."""
+    hold = held_stand(name).hold
     assert hold is not None
     rng = np.random.default_rng(seed)
     u = rng.normal(size=len(hold.freedoms)) * 10.0 ** rng.uniform(-4, 3)
@@ -123,39 +123,39 @@ def test_breakaway_holds_what_coulomb_lets_go() -> None:
 
 @pytest.mark.parametrize("name", ("skew hinge", "basis", "plane"))
 def test_rigorous_balls_hold_the_friction(name: str) -> None:
-    stand = held(name, GIVEN[name])
+    stand = held_stand(name, GIVEN[name])
     enclosed(stand, random_state(stand, np.random.default_rng(5)))
 
 
 @pytest.mark.parametrize("name", ("skew hinge", "basis", "plane"))
 def test_slopes_of_planning(name: str) -> None:
     """The wrench is the literal one, its slopes are differences of it."""
-    stand = held(name, GIVEN[name])
+    stand = held_stand(name, GIVEN[name])
     state = random_state(stand, np.random.default_rng(6))
     pieces = reference.pieces(stand, state)
     V = pieces.V / 10.0
 
-    def at(twist: Any) -> Any:
+    def pose_of(twist: Any) -> Any:
         return SimpleNamespace(C=pieces.C[None], O1=np.zeros((1, 3)), V=np.asarray(twist)[None])
 
-    slopes = plan.slopes(stand, at(V))
+    slopes = plan.slopes(stand, pose_of(V))
     assert not slopes.by_pose.any()
     for k, step in enumerate(1e-6 * np.eye(6)):
-        difference = (plan.wrench(stand, at(V + step)) - plan.wrench(stand, at(V - step)))[0] / 2e-6
+        difference = (plan.wrench(stand, pose_of(V + step)) - plan.wrench(stand, pose_of(V - step)))[0] / 2e-6
         np.testing.assert_allclose(slopes.by_twist[0][:, k], difference, rtol=1e-6, atol=1e-7)
     kinds = pieces.terms["carrier"]
     own = sum(wrench for kind, wrench in kinds.items() if kind.startswith("friction"))
-    np.testing.assert_allclose(plan.wrench(stand, at(pieces.V))[0], own, rtol=1e-12, atol=1e-13)
+    np.testing.assert_allclose(plan.wrench(stand, pose_of(pieces.V))[0], own, rtol=1e-12, atol=1e-13)
 
 
 def test_numbers_are_no_structure_and_nothing_is_there_without_it() -> None:
-    stand, bare = held("hinge", GIVEN["hinge"]), held("hinge")
-    other = held("hinge", table("friction", viscous=7))
+    stand, bare = held_stand("hinge", GIVEN["hinge"]), held_stand("hinge")
+    other = held_stand("hinge", table("friction", viscous=7))
     assert identities(other).structure == identities(stand).structure != identities(bare).structure
     assert identities(other).physics != identities(stand).physics
     assert "held_rub(" in generate_all(stand).files["held.c"]
     assert "held_rub(" not in generate_all(bare).files["held.c"]
-    assert held("hinge", table("friction", viscous=0)) == bare  # it does nothing
+    assert held_stand("hinge", table("friction", viscous=0)) == bare  # it does nothing
 
 
 @pytest.mark.parametrize(
@@ -188,7 +188,7 @@ def test_numbers_are_no_structure_and_nothing_is_there_without_it() -> None:
 def test_refusals(hold: str, text: str, words: str) -> None:
     """Each names the place and what was found."""
     with pytest.raises(StandError) as caught:
-        held(hold, text)
+        held_stand(hold, text)
     assert words in str(caught.value)
     assert len(str(caught.value).splitlines()) == 1
 

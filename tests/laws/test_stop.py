@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+import mahovik
 from cli.run import run
-from laws.held_stands import agree, enclosed, held, moved, rail, table
+from laws.held_stands import agree, enclosed, held_stand, moved, rail, table
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import Stand, dumps, identities
 from mahovik.core.stand.hold import twists
@@ -42,12 +43,12 @@ GIVEN = {
 
 @pytest.mark.parametrize("name", quick(3, ("skew hinge", "cylinder", "plane", "rail", "skew rail", "hinge")))
 def test_derivations_and_C_agree(name: str) -> None:
-    agree(held(name, GIVEN[name]), range(4))
+    agree(held_stand(name, GIVEN[name]), range(4))
 
 
 def test_a_missing_stop_would_be_seen() -> None:
     """The comparison above can fail."""
-    stand = held("skew hinge", GIVEN["skew hinge"])
+    stand = held_stand("skew hinge", GIVEN["skew hinge"])
     state = random_state(stand, np.random.default_rng(2))
     bare = stand.without_laws(Stops)
     found = differences(lambda s, w: reference.evaluate(bare, s, w), state, expectations(stand, state))
@@ -57,11 +58,11 @@ def test_a_missing_stop_would_be_seen() -> None:
 @pytest.mark.parametrize("name", GIVEN)
 def test_the_rate_of_a_coordinate_is_the_speed_of_its_freedom(name: str) -> None:
     """At poses that the hold allows: from home along the freedoms, then on."""
-    stand = held(name, GIVEN[name])
+    stand = held_stand(name, GIVEN[name])
     hold, rng = stand.hold, np.random.default_rng(3)
     assert hold is not None
 
-    def at(state: Any, V: Any) -> Pose:
+    def pose_of(state: Any, V: Any) -> Pose:
         return Pose(np.array(state.position), carrier_rotation(stand, state), V)
 
     S = twists(hold)
@@ -72,13 +73,13 @@ def test_the_rate_of_a_coordinate_is_the_speed_of_its_freedom(name: str) -> None
     ends = [move(state, carrier_rotation(stand, state), sign * 1e-5 * (S @ u)) for sign in (1, -1)]
     for stop in stops_of(stand):
         freedom = hold.freedoms[stop.freedom]
-        after, before = (coordinate(hold, freedom, stand.angles, at(end, S @ u)) for end in ends)
+        after, before = (coordinate(hold, freedom, stand.angles, pose_of(end, S @ u)) for end in ends)
         assert (after - before) / 2e-5 == pytest.approx(float(u[stop.freedom]), rel=1e-6)
 
 
 def test_a_stop_pushes_back_and_never_pulls() -> None:
     """No force before the stop; beyond it none along the way into it, at whatever speed."""
-    stand = held("skew rail", GIVEN["skew rail"].replace("stiffness = 30", "stiffness = 30\ndamping = 1e4"))
+    stand = held_stand("skew rail", GIVEN["skew rail"].replace("stiffness = 30", "stiffness = 30\ndamping = 1e4"))
     (stop,), hold = stops_of(stand), stand.hold
     assert hold is not None
     S = twists(hold)[:, 0]
@@ -115,18 +116,18 @@ def test_a_damped_stop_returns_what_hunt_and_crossley_say() -> None:
     assert run["x [m]"].max() - 0.1 == pytest.approx(depth, rel=1e-2)
 
 
-def test_a_pendulum_rests_on_its_stop() -> None:
-    """Against the moment of the weight: stiffness times depth is m g r cos(angle), from the position of rest."""
-    import mahovik
-
+@pytest.mark.parametrize("home", [0.0, 5.0])
+def test_a_pendulum_rests_on_its_stop(home: float) -> None:
+    """Against the moment of the weight: stiffness times depth is m g r cos(angle). The search begins at the home pose,
+    where at a right angle to the weight nothing changes its moment."""
     document = {
         "schema": 1, "name": "arm", "gravity": [0, 0, -9.81],
         "carrier": {"mass": 2.0, "center_of_mass": [0.2, 0, 0], "inertia": [0.1, 0.1, 0.1],
                     "inertia_about": "center_of_mass"},
-        "hold": {"freedoms": ["pitch"], "angles": [0, "5 deg", 0], "stop": [{"at": "5 deg", "stiffness": 50.0}]},
+        "hold": {"freedoms": ["pitch"], "angles": [0, f"{home} deg", 0],
+                 "stop": [{"at": f"{10 - home} deg", "stiffness": 50.0}]},
     }  # fmt: skip
-    stand = mahovik.Stand.from_dict(document)
-    state = mahovik.rest(stand).result.state
+    state = mahovik.rest(mahovik.Stand.from_dict(document)).result.state
     assert state.quaternion is not None
     angle = 2 * math.atan2(state.quaternion[2], state.quaternion[0])
     assert angle > math.radians(10)
@@ -135,7 +136,7 @@ def test_a_pendulum_rests_on_its_stop() -> None:
 
 @pytest.mark.parametrize("name", GIVEN)
 def test_rigorous_balls_hold_the_push(name: str) -> None:
-    stand = held(name, GIVEN[name])
+    stand = held_stand(name, GIVEN[name])
     for seed in range(3):
         enclosed(stand, random_state(stand, np.random.default_rng(seed)))
 
@@ -143,7 +144,7 @@ def test_rigorous_balls_hold_the_push(name: str) -> None:
 @pytest.mark.parametrize("name", GIVEN)
 def test_slopes_of_planning(name: str) -> None:
     """The wrench is the literal one at any pose; its slopes are differences of it over small steps of the pose."""
-    stand = held(name, GIVEN[name])
+    stand = held_stand(name, GIVEN[name])
     for seed in range(3):
         _compare_slopes(stand, seed)
 
@@ -152,27 +153,27 @@ def _compare_slopes(stand: Stand, seed: int) -> None:
     pieces = reference.pieces(stand, state := random_state(stand, np.random.default_rng(seed)))
     place = np.array(state.position)
 
-    def at(shift: Any, turned: Any, V: Any) -> Any:
+    def pose_of(shift: Any, turned: Any, V: Any) -> Any:
         C = pieces.C @ Rotation.from_rotvec(turned).as_matrix()
         return SimpleNamespace(C=C[None], O1=(place + pieces.C @ shift)[None], V=V[None])
 
     zero = np.zeros(3)
-    slopes = plan.slopes(stand, at(zero, zero, pieces.V))
+    slopes = plan.slopes(stand, pose_of(zero, zero, pieces.V))
     kinds = pieces.terms["carrier"]
     own = sum(wrench for kind, wrench in kinds.items() if kind.startswith("stop"))
-    np.testing.assert_allclose(plan.wrench(stand, at(zero, zero, pieces.V))[0], own, rtol=1e-11, atol=1e-12)
+    np.testing.assert_allclose(plan.wrench(stand, pose_of(zero, zero, pieces.V))[0], own, rtol=1e-11, atol=1e-12)
     for k, step in enumerate(1e-6 * np.eye(6)):
-        ends = [plan.wrench(stand, at(s * step[:3], s * step[3:], pieces.V))[0] for s in (1, -1)]
+        ends = [plan.wrench(stand, pose_of(s * step[:3], s * step[3:], pieces.V))[0] for s in (1, -1)]
         size = 1e-6 * max(1.0, np.abs(slopes.by_pose).max())
         np.testing.assert_allclose(slopes.by_pose[0][:, k], (ends[0] - ends[1]) / 2e-6, rtol=1e-5, atol=size)
-        ends = [plan.wrench(stand, at(zero, zero, pieces.V + s * step))[0] for s in (1, -1)]
+        ends = [plan.wrench(stand, pose_of(zero, zero, pieces.V + s * step))[0] for s in (1, -1)]
         size = 1e-6 * max(1.0, np.abs(slopes.by_twist).max())
         np.testing.assert_allclose(slopes.by_twist[0][:, k], (ends[0] - ends[1]) / 2e-6, rtol=1e-5, atol=size)
 
 
 def test_numbers_are_no_structure_and_nothing_is_there_without_it() -> None:
-    stand, bare = held("hinge", GIVEN["hinge"]), held("hinge")
-    other = held("hinge", table("stop", at=1, stiffness=7))
+    stand, bare = held_stand("hinge", GIVEN["hinge"]), held_stand("hinge")
+    other = held_stand("hinge", table("stop", at=1, stiffness=7))
     assert identities(other).structure == identities(stand).structure != identities(bare).structure
     assert identities(other).physics != identities(stand).physics
     assert "stop" in generate_all(stand).files["held.h"]
@@ -198,7 +199,7 @@ def test_numbers_are_no_structure_and_nothing_is_there_without_it() -> None:
 def test_refusals(hold: str, text: str, words: str) -> None:
     """Each names the place and what was found."""
     with pytest.raises(StandError) as caught:
-        held(hold, text)
+        held_stand(hold, text)
     assert words in str(caught.value)
     assert len(str(caught.value).splitlines()) == 1
 
@@ -208,5 +209,5 @@ def test_refusals(hold: str, text: str, words: str) -> None:
 def test_verify_passes_with_friction_and_stops(hold: str, freedom: str, tmp_path: Path) -> None:
     friction = table("friction", freedom=freedom, viscous=0.3, coulomb=2, breakaway=3, stribeck_speed=0.05)
     path = tmp_path / "held.toml"
-    path.write_text(dumps(held(hold, GIVEN[hold] + friction)), encoding="utf-8")
-    assert "FAILED" not in run(["verify", str(path)]).stdout
+    path.write_text(dumps(held_stand(hold, GIVEN[hold] + friction)), encoding="utf-8")
+    assert "FAILED" not in run("verify", str(path)).stdout

@@ -157,3 +157,8 @@ def test_the_identities_know_the_hold() -> None:
     assert len({each.physics for each in names}) == 3
     assert names[0].structure != names[1].structure == names[2].structure
     assert identities(replace(one, hold=None)) == names[0]
+
+
+def test_check_names_what_acts_along_the_freedoms() -> None:
+    text = 'freedoms = ["x"]\n[[hold.friction]]\nviscous = 1\n[[hold.stop]]\nat = 1\nstiffness = 1'
+    assert summarize(loads(with_hold(text))).hold.endswith("; friction of x; stops of x")

@@ -139,3 +139,17 @@ def test_flywheels_of_a_clamped_carrier_turn_alone() -> None:
     assert pytest.approx(np.array([[0, 1], [0, 0]])) == found.A and found.B[1, 0] == pytest.approx(1 / SPIN)
     with pytest.raises(CheckError, match="no flywheel is free"):
         linear_model(stand, home(stand), [], locked=True)
+
+
+def test_friction_and_a_stop_are_in_the_linear_model() -> None:
+    """At rest the smoothed sign has the slope breakaway / smoothing; a stop that carries the weight is a spring."""
+    hold = "slide = [1, 0, 0]\n[[hold.friction]]\nviscous = 3\ncoulomb = 0.1\nbreakaway = 0.2\nstribeck_speed = 1\n"
+    stop = "smoothing = 0.1\n[[hold.stop]]\nat = 0.01\nstiffness = 500\ndamping = 100\n"
+    text = TEXT.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]', hold + stop)
+    stand = replace(loads(text), gravity=(2.0, 0.0, 0.0))
+    found = rest(stand).state
+    depth = 2.5 * 2.0 / 500
+    assert found.position[0] == pytest.approx(0.01 + depth, rel=1e-9)
+    model = linear_model(stand, found, [], locked=True)
+    drag = 3 + 0.2 / 0.1 + 100 * depth
+    assert pytest.approx(np.array([[0, 1], [-500 / 2.5, -drag / 2.5]]), abs=1e-6) == model.A

@@ -301,8 +301,8 @@ def lines(hold: Hold) -> list[str]:
 
 
 TAKE_HELD = (
-    "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, `replay`, "
-    "`judge-log` and `export target`"
+    "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, "
+    "`response`, `replay`, `judge-log` and `export target`"
 )
 """Commands that take held carriers."""
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from mahovik.contract.laws import BODY_LAWS, of_bodies, parts
+from mahovik.contract.laws import BODY_LAWS, LAWS, of_bodies, part, parts
 from mahovik.core.stand.balance import eccentric_velocity, grade, plane_velocity
 from mahovik.core.stand.capacity import Capacity, momentum_capacity, torque_capacity
 from mahovik.core.stand.hold import idle_laws, words
@@ -145,8 +145,16 @@ def summarize(
         torque=torque_capacity(stand),
         warnings=(*_warnings(stand), *slips(stand, [row.speed for row in unbalance], known, written)),
         tasks=tuple(TaskSummary(task.name, tuple(map(row_name, task.rows))) for task in stand.tasks),
-        hold="" if stand.hold is None else words(stand.hold),
+        hold=_hold(stand),
     )
+
+
+def _hold(stand: Stand) -> str:
+    """How the carrier can move, and what acts along its freedoms; empty where it is free."""
+    if stand.hold is None:
+        return ""
+    own = (part(law, "text").short(stand) for law in LAWS if part(law, "schema").SCHEMA.held)
+    return "; ".join([words(stand.hold), *filter(None, own)])
 
 
 def _unbalance(flywheel: Flywheel, asked: float | None, planes: float | None) -> UnbalanceRow:

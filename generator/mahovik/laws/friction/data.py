@@ -11,7 +11,7 @@ from mahovik.core.stand.model import LawData, Stand
 class Friction:
     """Friction of one freedom at its speed u: a force (N) along what slides, a moment (N m) about what turns.
 
-    freedom         its number in the order of the hold; `name` as the file has it
+    freedom         its number in the order of the hold; `name` is that of the file
     viscous         N s/m or N m s/rad
     coulomb         at high speed, N or N m
     breakaway       at low speed, N or N m; `coulomb` where there is no rise

@@ -15,7 +15,7 @@ from mahovik.use.plan.residual.slopes import Slopes
 def wrench(stand: Stand, at: Twists) -> Array:
     """Wrench (M, 6; N, N m) of all frictions on the carrier about O1 in E1."""
     F = np.zeros((len(at.V), 6))
-    for friction, along in _along(stand):
+    for friction, along in _frictions(stand):
         drag, _ = _drag(friction, at.V @ along)
         F -= drag[:, None] * along
     return F
@@ -24,13 +24,13 @@ def wrench(stand: Stand, at: Twists) -> Array:
 def slopes(stand: Stand, at: Twists) -> Slopes:
     """Derivatives of the wrench by pose, none, and twist."""
     by_twist = np.zeros((len(at.V), 6, 6))
-    for friction, along in _along(stand):
+    for friction, along in _frictions(stand):
         _, slope = _drag(friction, at.V @ along)
         by_twist -= slope[:, None, None] * np.outer(along, along)
     return Slopes(np.zeros_like(by_twist), by_twist)
 
 
-def _along(stand: Stand) -> list[tuple[Friction, Array]]:
+def _frictions(stand: Stand) -> list[tuple[Friction, Array]]:
     """Each friction with the wrench (6) of a force 1 along its freedom."""
     if stand.hold is None:
         return []

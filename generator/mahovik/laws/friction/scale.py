@@ -28,6 +28,6 @@ def scale(stand: Stand, state: State, at: Pose) -> Array:
 
 
 def _drag(friction: Friction, terms: float, speed: float) -> float:
-    """By the size of the speed's terms; the smoothed sign changes by their part of the smoothing."""
+    """Scale of one force: the smoothed sign changes by the part of the smoothing that the speed's terms are."""
     steepness = terms / math.hypot(speed, friction.smoothing)
     return friction.viscous * terms + friction.breakaway * (1.0 + steepness)

@@ -52,7 +52,11 @@ def read_held(given: TablesByKey, hold: Hold, note: Note) -> Frictions | None:
         if friction is None:
             continue
         if any(other.freedom == friction.freedom for other in found):
-            note(f"friction[{k}]", "freedom", f"{friction.name} has friction already: expected one table a freedom")
+            note(
+                f"friction[{k}]",
+                "freedom",
+                f"{friction.name} has friction already: expected one table for each freedom",
+            )
         found.append(friction)
     kept = tuple(friction for friction in found if friction.viscous or friction.breakaway)
     return Frictions(kept) if kept else None

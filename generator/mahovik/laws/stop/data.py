@@ -11,7 +11,7 @@ from mahovik.core.stand.model import LawData, Stand
 class Stop:
     """A stop of one freedom: pushes back where its coordinate, counted from the home pose, is beyond `at`.
 
-    freedom    its number in the order of the hold; `name` as the file has it
+    freedom    its number in the order of the hold; `name` is that of the file
     at         m or rad
     above      it stops what goes above `at`; else what goes below
     stiffness  N/m or N m/rad

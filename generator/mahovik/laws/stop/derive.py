@@ -34,7 +34,7 @@ def relative() -> sp.Matrix:
     return matrix("C0").T * matrix("C")
 
 
-def turned() -> sp.Matrix:
+def sine_and_cosine() -> sp.Matrix:
     """(2 sine, 2 cosine), times a common factor, of the angle by which R turns about the axis a of length 1.
 
     They are tr(<a>^T R) and tr R - a^T R a.

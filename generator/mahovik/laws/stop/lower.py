@@ -118,12 +118,12 @@ def _row(stop: Row, hold: Hold, kind: str, direction: Any, C0: list[float]) -> d
     if kind == "turn":
         # the moment of the freedom is its axis
         return own | {"axis": direction[3:].tolist(), "C0": list(C0)}
-    axis = _turned(C0, direction[:3].tolist())
-    home = [place + arm for place, arm in zip(hold.position, _turned(C0, list(hold.pivot)), strict=True)]
+    axis = _rotate(C0, direction[:3].tolist())
+    home = [place + arm for place, arm in zip(hold.position, _rotate(C0, list(hold.pivot)), strict=True)]
     return own | {"axis": axis, "home": home}
 
 
-def _turned(C: list[float], a: list[float]) -> list[float]:
+def _rotate(C: list[float], a: list[float]) -> list[float]:
     """C a, in a fixed order of summation."""
     return [C[3 * i] * a[0] + C[3 * i + 1] * a[1] + C[3 * i + 2] * a[2] for i in range(3)]
 
@@ -154,7 +154,7 @@ def stop_turn(lib: FunctionSet) -> Function:
     body = Body()
     R = body.local("R", (9,), comment="attitude from the home pose, row by row")
     assign(body, list(R), formulas.relative(), {"C0": law.place.C0, "C": C.place})
-    sine, cosine = formulas.turned()
+    sine, cosine = formulas.sine_and_cosine()
     bound = {"axis": law.place.axis, "R": R}
     s = body.let("sine", translate(sine, bound), "times a factor that the cosine has too")
     c = body.let("cosine", translate(cosine, bound))

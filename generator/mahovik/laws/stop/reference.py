@@ -44,11 +44,11 @@ def coordinate(hold: Hold, freedom: Freedom, sequence: Sequence, at: Pose) -> fl
         pivot = np.array(hold.pivot)
         gone = at.O1 + at.C @ pivot - (np.array(hold.position) + C0 @ pivot)
         return float((C0 @ d) @ gone)
-    sine, cosine = _turned(C0.T @ at.C, d)
+    sine, cosine = _sine_and_cosine(C0.T @ at.C, d)
     return math.atan2(sine, cosine)
 
 
-def _turned(R: Array, a: Array) -> tuple[float, float]:
+def _sine_and_cosine(R: Array, a: Array) -> tuple[float, float]:
     """Sine and cosine of the angle about a, times one factor: by the skew part of R, and by its part across a."""
     about = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
     across = np.eye(3) - np.outer(a, a)
@@ -61,14 +61,14 @@ def _unit(freedom: Freedom) -> Array:
 
 
 def margin(stand: Stand, state: State) -> float:
-    """Angle (rad) to the half turn, where the angle of a stop begins anew; 0 where it has no angle at all."""
+    """Angle (rad) to the half turn, where the angle of a stop begins again; 0 where it has no angle at all."""
     hold, least = stand.hold, math.pi
     for stop in stops_of(stand) if hold else ():
         assert hold is not None
         freedom = hold.freedoms[stop.freedom]
         if freedom.kind == "turn":
             R = attitude(stand.angles, *hold.angles).T @ carrier_rotation(stand, state)
-            sine, cosine = _turned(R, _unit(freedom))
+            sine, cosine = _sine_and_cosine(R, _unit(freedom))
             least = min(least, math.hypot(sine, cosine), math.pi - abs(math.atan2(sine, cosine)))
     return least
 

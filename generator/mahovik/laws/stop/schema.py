@@ -26,7 +26,7 @@ _FORCES: dict[FreedomKind, tuple[Dimension, Dimension, Dimension]] = {
 """Coordinate, stiffness and damping of a freedom of a kind."""
 
 LARGEST_ANGLE = math.radians(170.0)
-"""rad: an angle counts to half a turn, where it begins anew; a stop nearer to it could be passed."""
+"""rad: an angle counts to half a turn, where it begins again; a stop nearer to it could be passed."""
 
 
 def _side(raw: Any) -> bool:
@@ -80,7 +80,7 @@ def _stop(table: StopTable, hold: Hold, note: Note) -> Stop | None:
         return None
     at, stiffness, damping = (float(x or 0.0) for x in numbers.values())
     if kind == "turn" and abs(at) > LARGEST_ANGLE:
-        note("at", f"{at:.6g} rad is more than 170 deg: an angle begins anew at half a turn")
+        note("at", f"{at:.6g} rad is more than 170 deg: an angle begins again at half a turn")
         return None
     if table.side is None and at == 0.0:
         note("side", 'required where `at` is zero, expected "above" or "below" (where the coordinate may not go)')

@@ -32,7 +32,11 @@ def response(
         required=True,
     ),
     point: str = option(
-        "--at", "Measure at a point or instrument; carrier stands for O1.", metavar="POINT", required=True
+        "--at",
+        "Measure at a point or instrument; carrier stands for O1. Of a held carrier also hold.reaction, or a freedom "
+        "as hold.pitch.",
+        metavar="POINT",
+        required=True,
     ),
     steps: int = option(
         "--steps",
@@ -41,8 +45,10 @@ def response(
         type=click.IntRange(2, 100000),
         default=61,
     ),
-    quantity: str = choice(
-        "--quantity", ["acceleration", "velocity", "displacement"], "Find this quantity.", default="acceleration"
+    quantity: str | None = choice(
+        "--quantity",
+        ["acceleration", "velocity", "displacement", "force", "moment"],
+        "Find this quantity; default acceleration, of the reaction force.",
     ),
     band: tuple[float, float] | None = option(
         "--band", "Print also the RMS of the harmonics within this band.", metavar="A..BHz", parse=quantities.band
@@ -63,13 +69,13 @@ def response(
     The solutions are exact for the full equations, not linearised. Speeds must be in whole ratios: the motion has their
     common period. Ctrl-C keeps the speeds that are done.
     """
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     suffix = "" if output is None else require_suffix(output, SUFFIXES)
     from mahovik.out.functions.vibration import response as run
-    from mahovik.use.study.linear.model import places
+    from mahovik.use.study.response.outputs import output_of
     from mahovik.use.study.response.speeds import read_speeds
 
-    places(stand, [point])
+    output_of(stand, point, quantity)
     if read_speeds(stand, speeds).sweep is None and is_given("steps"):
         raise UsageError("--steps: no speed is swept; give a range, as w1=0..6000rpm")
     turned = read_phases(stand, phases)

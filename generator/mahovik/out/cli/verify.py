@@ -63,7 +63,9 @@ def verify(
     name: str = option("--name", "Judge the servos of the programme of this name in C.", default="programme"),
     judges: bool = flag("--judges", "Judge by Pinocchio, MuJoCo and, if possible, Basilisk."),
     rigorous: bool = flag("--rigorous", "Bound the true error of the C by enclosures of the exact answer."),
-    bare: bool = flag("--bare", "Leave out fluid, stream, suspension, legs and torquers, with --judges."),
+    bare: bool = flag(
+        "--bare", "Leave out fluid, stream, suspension, legs, torquers, friction and stops, with --judges."
+    ),
     targets: str | None = option(
         "--targets",
         "Check for the same bits on processors: all, quick, m7,rv64gc,...; both element types.",

@@ -16,8 +16,9 @@ from mahovik.out.functions.given import Number, StandGiven, by_flywheel, quantit
 from mahovik.out.functions.motor_limits import warn_of_speeds
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
+from mahovik.use.study.response.outputs import output_of
 from mahovik.use.study.response.speeds import ALL, SpeedPlan, read_speeds
-from mahovik.use.study.response.sweep import AXES, Sweep
+from mahovik.use.study.response.sweep import Sweep
 from mahovik.use.study.response.sweep import sweep as sweep_speeds
 
 if TYPE_CHECKING:
@@ -41,10 +42,7 @@ class Response(Table):
         sweep, unit = self.sweep, self.sweep.unit
         speeds = np.array([step.turning.speeds for step in sweep.steps]).reshape(len(sweep.steps), -1)
         found = [Column(f"speed {name}", "rad/s", speeds[:, s]) for s, name in enumerate(sweep.plan.names)]
-        bands = [("rms", sweep.rms())] + ([("band rms", sweep.rms(sweep.band))] if sweep.band else [])
-        for name, each in bands:
-            found += [Column(f"{name} {axis}", unit, each[:, i]) for i, axis in enumerate(AXES)]
-            found.append(Column(f"{name} xyz", unit, np.linalg.norm(each, axis=1)))
+        found += [Column(name, unit, values) for name, values in sweep.rms_columns()]
         return (*found, *(Column(line.name, unit, line.size) for line in sweep.lines()))
 
     @property
@@ -74,7 +72,7 @@ def response(
     at: str,
     *,
     steps: int = 61,
-    quantity: str = "acceleration",
+    quantity: str | None = None,
     band: tuple[float, float] | None = None,
     phases: Mapping[str, Number] | Sequence[Number] | None = None,
     go_on: Callable[[int], bool] | None = None,
@@ -84,17 +82,17 @@ def response(
 
     speeds   by flywheel: `{"w1": "0..6000rpm", "w2": "-0.5*w1", "w3": 100.0}`; rad/s, or a text as of `--speed`; one
              may be swept; those not named stand still; "all" is every flywheel
-    at       a point or instrument, "carrier" for O1; steps of the sweep
-    quantity "acceleration", "velocity" or "displacement"; band (Hz) of a second RMS
+    at       a point or instrument, "carrier" for O1; of a held carrier also a freedom, "hold.pitch", or the wrench of
+             the hold on the carrier about O1 in E1, "hold.reaction"; steps of the sweep
+    quantity "acceleration" (default), "velocity", "displacement"; of the reaction "force" (default), "moment"
+    band     Hz, of a second RMS
     phases   at t = 0, rad or a text, by flywheel
     go_on    gets the number of speeds done, and ends the sweep with False
 
     Ctrl-C keeps the speeds that are done. Raises StandError, UsageError, CheckError.
     """
-    from mahovik.use.study.linear.model import places
-
-    own = Stand.of(stand)
-    places(own, [at])
+    own = Stand.of(stand, held=True)
+    output_of(own, at, quantity)
     texts = [speed_text(*each) for each in speeds.items()] if isinstance(speeds, Mapping) else list(speeds)
     asked = read_speeds(own, texts)
     warn_of_planned_speeds(own, asked, texts)

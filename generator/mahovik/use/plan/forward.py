@@ -176,7 +176,12 @@ class Chart:
 
     def acceleration(self, given: Drive, y: Array) -> Array:
         """V* (M, 6; m/s2, rad/s2) by (8) at states y (M, 12), with the flywheels' motion at the same M times."""
-        own, at = self.mechanics, self.twists(y)
+        at = self.twists(y)
+        return np.asarray((given.inverse @ self.wrench(given, at))[:, :, 0] - at.V_r_dot)
+
+    def wrench(self, given: Drive, at: Twists) -> Array:
+        """F - M V_r - I phi'' - J phi' (M, 6, 1; N, N m), which is K V_r* of a free carrier."""
+        own = self.mechanics
         column = at.V_r[:, :, None]
         wrench = own.base.balance(at._replace(V_r_dot=np.zeros_like(at.V)))[:, :, None]
         momentum = given.Theta @ column
@@ -191,7 +196,7 @@ class Chart:
             if damping is not None:
                 damped = flywheel_damping(own.tables, s, at.V_r, given.phi[:, s], given.phi_dot[:, s])[0]
                 wrench[:, :, 0] += damped[:6].T
-        return np.asarray((given.inverse @ wrench)[:, :, 0] - at.V_r_dot)
+        return np.asarray(wrench)
 
     def rate(self, given: Drive, y: Array) -> Array:
         """y' (M, 12)."""

@@ -32,6 +32,7 @@ FREE = 1e-8
 MOST = 200  # most iterations; some tens are usual
 _PUSHES = (0.05, -0.05, 0.5)  # m or rad
 _TURN, _SHIFT = 0.3, 0.1  # rad, m: limit of a step
+_FAR = 1e12  # beyond the limit of a step
 _DIFFERENCE = 1e-5  # m, rad: step of the differences for the stiffness
 
 
@@ -89,6 +90,7 @@ class _Search:
         self.stand = stand
         self.bodies = bodies_of(stand)
         self.state = state
+        self.stops = any(law.has_kinks for law in stand.laws)
         free = free_equations(pieces(stand, state), stand)
         self.scale = np.linalg.inv(np.linalg.cholesky(free.K)) @ free.S.T  # G^-1 S^T; K depends only on the phases
         self.steps = [column * (_DIFFERENCE / np.abs(column).max()) for column in self.scale]
@@ -137,7 +139,10 @@ class _Search:
             carried = loose <= 1e-9 * (1.0 + norm)
             stuck = stuck + 1 if not carried and math.isclose(loose, loose_before, rel_tol=1e-3) else 0
             loose_before = loose
-            if sizes[0] == 0.0 or stuck > 12:
+            if sizes[0] == 0.0 and self.stops:  # on to the next stop
+                self.state = self.displace(at.C, limit_step(self.scale.T @ pull * _FAR))
+                continue
+            if sizes[0] == 0.0 or (stuck > 12 and not self.stops):
                 break
             h = 2.0 / sizes[0] if h == 0.0 else min(h * max(0.3, min(last / norm, 4.0)), 1e12 / sizes[0])
             last = norm

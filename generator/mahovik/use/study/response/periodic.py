@@ -7,8 +7,9 @@ where unbalance is. The result is seen as motion of points fixed on the carrier,
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Protocol
 
 import numpy as np
 from scipy.linalg import expm
@@ -21,6 +22,7 @@ from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.plan.forward import Drive
 from mahovik.use.study.linear.model import Place, places
+from mahovik.use.study.response.held import HeldScene
 from mahovik.use.study.response.scene import FREE, Scene
 from mahovik.use.study.response.speeds import Turning, common_period
 from mahovik.use.study.rest import rest
@@ -125,6 +127,13 @@ QUANTITIES = ("displacement", "velocity", "acceleration")
 UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s2"}
 
 
+class Motion(Protocol):
+    """A periodic motion by its harmonics."""
+
+    def harmonics(self, quantity: str) -> Complex:
+        """(H + 1, axes) complex amplitudes a_k: the quantity is the real part of sum a_k exp(i k base t)."""
+
+
 @dataclass(frozen=True, eq=False)
 class PointMotion:
     """Motion of one point at M uniform nodes (M, 3 each), from its place at rest, in E0, on its axes at rest."""
@@ -196,6 +205,7 @@ class Periodic:
     turning      base frequency and turns; the speeds are turning.speeds
     y, V_dot     (M, 12), (M, 6): states in the chart about rest, y = (x, r, V), and V*
     points       displacement, velocity, acceleration of each point, by name
+    held         of a held carrier its freedoms and the reaction, by name: see `HeldScene.outputs`
     hold         (6; N, N m): constant wrench on the carrier in E1 that keeps its mean place along free directions;
                  zero to rounding if momentum is conserved
     multiplier   largest modulus of the multipliers of the linear equations along the course
@@ -203,7 +213,7 @@ class Periodic:
     natural      (Hz): frequencies of the linear equations, mean over the period, ascending, without free ones
     """
 
-    scene: Scene
+    scene: Scene | HeldScene
     turning: Turning
     y: Array
     V_dot: Array
@@ -212,6 +222,11 @@ class Periodic:
     multiplier: float
     tail: float
     natural: Array
+    held: Mapping[str, Motion] = field(default_factory=dict)
+
+    def motion_of(self, name: str) -> Motion:
+        """The motion of a point, or what a held carrier has besides, by name."""
+        return self.held[name] if name in self.held else self.points[name]
 
     @property
     def stable(self) -> bool:
@@ -225,7 +240,7 @@ class Periodic:
 
 
 def periodic_response(
-    stand: Stand | Scene,
+    stand: Stand | Scene | HeldScene,
     speeds: Sequence[float],
     points: Sequence[str] | None = None,
     phases: Sequence[float] | None = None,
@@ -235,17 +250,46 @@ def periodic_response(
     `stand`: or its Scene, for many speeds; `points`: names, None for all; `phases` (N, rad) at t = 0, default 0.
     Raises UsageError: unknown point, no common period. CheckError: no equilibrium, or no steady state is found.
     """
-    scene = stand if isinstance(stand, Scene) else Scene.of(stand)
+    scene = scene_of(stand) if isinstance(stand, Stand) else stand
     seen = places(scene.stand, points)
     turning = common_period(speeds)
     start = np.zeros(len(turning.turns)) if phases is None else np.array(phases, dtype=np.float64)
     if not turning.base:
         return _at_rest(scene, turning, seen, start)
+    if not scene.count:
+        return _clamped_response(scene, turning, seen, start)
     search = _Search(scene, turning, start)
     return search.result(seen)
 
 
-def _at_rest(scene: Scene, turning: Turning, seen: tuple[Place, ...], phases: Array) -> Periodic:
+def scene_of(stand: Stand) -> Scene | HeldScene:
+    """The scene of a free or held carrier. Raises CheckError: the stand has no equilibrium."""
+    return Scene.of(stand) if stand.hold is None else HeldScene.of(stand)
+
+
+def flywheel_sums(scene: Scene | HeldScene, turning: Turning, phases: Array, M: int) -> Drive:
+    """Sums of the flywheels at M nodes of the period."""
+    t = np.arange(M)[:, None] / M
+    turns = np.array(turning.turns, dtype=np.float64)
+    phi = phases + 2.0 * np.pi * np.remainder(turns * t, 1.0)
+    return scene.drive(phi, np.tile(turning.base * turns, (M, 1)))
+
+
+def _clamped_response(scene: Scene | HeldScene, turning: Turning, seen: tuple[Place, ...], phases: Array) -> Periodic:
+    """Result of a carrier that does not move: wrenches of the flywheels have few waves a turn."""
+    M = odd_length(2 * max(8, PER_TURN * max(map(abs, turning.turns))) + 1)
+    given = flywheel_sums(scene, turning, phases, M)
+    y, V_dot = np.zeros((M, 12)), np.zeros((M, 6))
+    motions = {place.name: point_motion(place, y, V_dot) for place in seen}
+    held = _held_motions(scene, given, np.zeros((M, 0)), V_dot)
+    return Periodic(scene, turning, y, V_dot, motions, np.zeros(6), 1.0, 0.0, np.zeros(0), held)
+
+
+def _held_motions(scene: Scene | HeldScene, given: Drive, y: Array, V_dot: Array) -> Mapping[str, Motion]:
+    return scene.outputs(given, y, V_dot) if isinstance(scene, HeldScene) else {}
+
+
+def _at_rest(scene: Scene | HeldScene, turning: Turning, seen: tuple[Place, ...], phases: Array) -> Periodic:
     """Result with all flywheels at rest: one node, no harmonics."""
     state = rest(scene.stand, phases.tolist()).state
     chart = scene.chart
@@ -253,19 +297,21 @@ def _at_rest(scene: Scene, turning: Turning, seen: tuple[Place, ...], phases: Ar
     x = (np.array(state.position) - chart.O1) @ chart.C
     y, V_dot = np.concatenate([x, turned.as_rotvec(), np.zeros(6)])[None], np.zeros((1, 6))
     given = scene.drive(phases[None], np.zeros((1, len(phases))))
-    J = scene.jacobian(given, y, V_dot)
-    growing = float(np.linalg.eigvals(J[0]).real.max()) > np.sqrt(FREE)
+    own = scene.at_pose(y)
+    J = scene.jacobian(given, own, V_dot) if scene.count else np.zeros((1, 0, 0))
+    growing = float(np.linalg.eigvals(J[0]).real.max(initial=0.0)) > np.sqrt(FREE)
     motions = {place.name: point_motion(place, y, V_dot) for place in seen}
-    return Periodic(scene, turning, y, V_dot, motions, np.zeros(6), np.inf if growing else 1.0, 0.0, natural(J))
+    held = _held_motions(scene, given, own, V_dot)
+    return Periodic(scene, turning, y, V_dot, motions, np.zeros(6), np.inf if growing else 1.0, 0.0, natural(J), held)
 
 
 class _Search:
     """Newton's method at a number of harmonics, doubled until the highest ones are negligible."""
 
-    def __init__(self, scene: Scene, turning: Turning, phases: Array) -> None:
+    def __init__(self, scene: Scene | HeldScene, turning: Turning, phases: Array) -> None:
         self.scene, self.turning, self.phases = scene, turning, phases
         f = scene.free.shape[1]
-        self.y, self.h = np.zeros((1, 12)), np.zeros(f)
+        self.y, self.h = np.zeros((1, 2 * scene.count)), np.zeros(f)
         H = max(8, PER_TURN * max(map(abs, turning.turns)))
         enough = KINKED_TAIL if scene.stand.has_kinks else TAIL
         before = np.inf
@@ -282,33 +328,29 @@ class _Search:
         given = ", ".join(f"{x:.6g}" for x in self.turning.speeds)
         return f"{self.scene.stand.name} at speeds {given} rad/s: no periodic steady state found"
 
-    def _flywheel_sums(self, M: int) -> Drive:
-        """Sums of the flywheels at the nodes."""
-        t = np.arange(M)[:, None] / M
-        turns = np.array(self.turning.turns, dtype=np.float64)
-        phi = self.phases + 2.0 * np.pi * np.remainder(turns * t, 1.0)
-        return self.scene.drive(phi, np.tile(self.turning.base * turns, (M, 1)))
-
     def _solve(self, H: int) -> None:
         """The course with H harmonics. Raises CheckError."""
         M = odd_length(2 * H + 1)
         scene, base = self.scene, self.turning.base
-        self.given = given = self._flywheel_sums(M)
+        self.given = given = flywheel_sums(scene, self.turning, self.phases, M)
         y, h, push = resample(self.y, M), self.h, scene.effect_of_wrench(given)
         fastest = base * max(map(abs, self.turning.turns))
-        size = np.repeat([1.0, fastest], 6)
-        for _ in range(STEPS):
-            rate = scene.chart.rate(given, y) + push @ h
-            J = scene.jacobian(given, y, rate[:, 6:])
+        size = np.repeat([1.0, fastest], scene.count)
+        for number in range(STEPS):
+            rate = scene.rate(given, y) + push @ h
+            left = rate - derivative(y, base)
+            if number and np.abs(left).max() <= scene.noise:
+                return
+            J = scene.jacobian(given, y, scene.twist(rate[:, scene.count :]))
             linear = LinearSystem(J, push, scene.free_displacement, base, size)
-            step = linear.solve(rate - derivative(y, base), -scene.free_displacement @ y.mean(axis=0))
+            step = linear.solve(left, -scene.free_displacement @ y.mean(axis=0))
             if step is None:
                 break
             y, h = y + step[0], h + step[1]
-            if not np.all(np.isfinite(y)) or np.abs(y[:, 3:6]).max() > LARGEST:
+            self.y, self.h, self.J = y, h, J
+            if not np.all(np.isfinite(y)) or np.abs(scene.whole(y)[:, 3:6]).max() > LARGEST:
                 break
             if np.abs(step[0] / size).max() <= NEWTON_TOLERANCE * np.abs(y / size).max() + ROUNDING / fastest**2:
-                self.y, self.h, self.J = y, h, J
                 return
         raise CheckError(f"{self._failure()}: an undamped resonance, or the carrier moves too violently")
 
@@ -327,15 +369,17 @@ class _Search:
     def V_dot(self) -> Array:
         """V* (M, 6)."""
         scene = self.scene
-        return scene.chart.acceleration(self.given, self.y) + (scene.effect_of_wrench(self.given) @ self.h)[:, 6:]
+        pushed = (scene.effect_of_wrench(self.given) @ self.h)[:, scene.count :]
+        return scene.acceleration(self.given, self.y) + scene.twist(pushed)
 
     def result(self, seen: tuple[Place, ...]) -> Periodic:
         """The result of the course."""
-        V_dot = self.V_dot()
-        motions = {place.name: point_motion(place, self.y, V_dot) for place in seen}
+        V_dot, y = self.V_dot(), self.scene.whole(self.y)
+        motions = {place.name: point_motion(place, y, V_dot) for place in seen}
         multiplier = largest_multiplier(self.J, self.turning.period)
         hold = self.scene.wrench @ self.h
-        return Periodic(self.scene, self.turning, self.y, V_dot, motions, hold, multiplier, self.tail, natural(self.J))
+        held = _held_motions(self.scene, self.given, self.y, V_dot)
+        return Periodic(self.scene, self.turning, y, V_dot, motions, hold, multiplier, self.tail, natural(self.J), held)
 
 
 def largest_multiplier(J: Array, period: float) -> float:

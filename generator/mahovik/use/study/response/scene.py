@@ -55,6 +55,36 @@ class Scene:
         return Scene(stand, chart, state, scale.T @ free.T, K)
 
     @property
+    def count(self) -> int:
+        """Coordinates of the carrier; a state has as many speeds."""
+        return 6
+
+    @property
+    def noise(self) -> float:
+        """m/s2, rad/s2: what rounding leaves of y' in a steady state; not known, where steps tell it."""
+        return 0.0
+
+    def rate(self, given: Drive, y: Array) -> Array:
+        """y' (M, 12)."""
+        return self.chart.rate(given, y)
+
+    def acceleration(self, given: Drive, y: Array) -> Array:
+        """V* (M, 6)."""
+        return self.chart.acceleration(given, y)
+
+    def twist(self, speeds: Array) -> Array:
+        """Twist (M, 6) of the speeds in a state, and likewise V* of their rates."""
+        return speeds
+
+    def at_pose(self, y: Array) -> Array:
+        """The state in own coordinates of a pose at rest, `y` (1, 12)."""
+        return y
+
+    def whole(self, y: Array) -> Array:
+        """States (M, 12) in the chart about rest."""
+        return y
+
+    @property
     def free_displacement(self) -> Array:
         """(f, 12): displacement along the free directions from a state."""
         return np.hstack([self.free.T @ self.K, np.zeros((self.free.shape[1], 6))])

@@ -18,7 +18,9 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.linear.model import encode_lines
-from mahovik.use.study.response.periodic import UNITS, UNSTABLE, periodic_response, rms
+from mahovik.use.study.response.held import HeldScene
+from mahovik.use.study.response.outputs import AXES, Output, output_of
+from mahovik.use.study.response.periodic import UNSTABLE, periodic_response, rms, scene_of
 from mahovik.use.study.response.scene import Scene
 from mahovik.use.study.response.speeds import SpeedPlan, Turning, common_period
 
@@ -93,11 +95,8 @@ class Sweep:
     band: tuple[float, float] | None
     steps: tuple[Step, ...]
     interrupted: bool = False
-
-    @property
-    def unit(self) -> str:
-        """Unit of the amplitudes."""
-        return UNITS[self.quantity]
+    axes: tuple[str, ...] = AXES
+    unit: str = ""
 
     @property
     def values(self) -> Array:
@@ -105,10 +104,20 @@ class Sweep:
         return np.array([step.value for step in self.steps])
 
     def rms(self, band: tuple[float, float] | None = None) -> Array:
-        """(steps, 3): root mean square on each axis, of all or within a band (Hz); NaN: no steady state."""
+        """(steps, axes): root mean square on each axis, of all or within a band (Hz); NaN: no steady state."""
         found = [rms(step.amplitudes, step.frequencies, band) for step in self.steps]
         missing = np.array([step.problem is not None for step in self.steps])
-        return np.where(missing[:, None], np.nan, np.array(found).reshape(-1, 3))
+        return np.where(missing[:, None], np.nan, np.array(found).reshape(-1, len(self.axes)))
+
+    def rms_columns(self) -> list[tuple[str, Array]]:
+        """RMS along each axis and, of several, together, each with its name; then those within the band."""
+        parts = [("rms", self.rms())] + ([("band rms", self.rms(self.band))] if self.band else [])
+        found = []
+        for name, table in parts:
+            found += [(f"{name} {axis}", table[:, i]) for i, axis in enumerate(self.axes)]
+            if len(self.axes) > 1:
+                found.append((f"{name} {''.join(self.axes)}", np.linalg.norm(table, axis=1)))
+        return found
 
     def lines(self) -> tuple[OrderLine, ...]:
         """Orders of the flywheels that turn, largest amplitude first."""
@@ -142,48 +151,47 @@ def sweep(
     steps: int,
     point: str,
     *,
-    quantity: str = "acceleration",
+    quantity: str | None = None,
     band: tuple[float, float] | None = None,
     phases: Sequence[float] | None = None,
     go_on: Callable[[int], bool] = lambda done: True,
 ) -> Sweep:
     """Steady states at `steps` speeds. `go_on` (steps done) is called before each; Ctrl-C or False ends early.
 
-    Raises UsageError before anything is computed: unknown point, speeds without a common period. CheckError: no
-    equilibrium, or no step has a steady state.
+    `point`: or another name of `output_of`. Raises UsageError before anything is computed: unknown point, speeds
+    without a common period. CheckError: no equilibrium, or no step has a steady state.
     """
-    values = asked.values(steps)
+    output, values = output_of(stand, point, quantity), asked.values(steps)
     turnings = [common_period(asked.speeds(value)) for value in values]
     found: list[Step] = []
     try:
-        scene = Scene.of(stand)
+        scene = scene_of(stand)
         for value, turning in zip(values, turnings, strict=True):
             if not go_on(len(found)):
                 break
-            found.append(_step(scene, value, turning, point, quantity, phases))
+            found.append(_step(scene, value, turning, output, phases))
     except KeyboardInterrupt:
         pass
     if found and all(step.problem is not None for step in found):
         raise CheckError(str(found[0].problem))
-    return Sweep(stand, asked, point, quantity, band, tuple(found), len(found) < len(values))
+    missing = len(found) < len(values)
+    return Sweep(stand, asked, point, output.quantity, band, tuple(found), missing, output.axes, output.unit)
 
 
 def _step(
-    scene: Scene, value: float, turning: Turning, point: str, quantity: str, phases: Sequence[float] | None
+    scene: Scene | HeldScene, value: float, turning: Turning, output: Output, phases: Sequence[float] | None
 ) -> Step:
     try:
-        found = periodic_response(scene, turning.speeds, [point], phases)
+        found = periodic_response(scene, turning.speeds, output.points, phases)
     except CheckError as error:
-        none = np.zeros((0, 3), dtype=np.complex128)
+        none = np.zeros((0, len(output.axes)), dtype=np.complex128)
         return Step(value, turning, np.zeros(0), none, np.zeros(0), np.zeros(6), np.nan, str(error))
-    spectrum = found.points[point].harmonics(quantity)
+    spectrum = found.motion_of(output.name).harmonics(output.quantity)
     return Step(value, turning, found.frequencies, spectrum, found.natural, found.hold, found.multiplier)
 
 
 NEGLIGIBLE = 1e-9
 """Part of the largest amplitude of a step: smaller harmonics are not written."""
-
-AXES = ("x", "y", "z")
 
 
 def as_object(found: Sweep) -> dict[str, Any]:
@@ -242,19 +250,16 @@ def json_text(found: Sweep) -> str:
 
 def csv_text(found: Sweep) -> str:
     """A row per speed: speeds, RMS on the axes and together, within the band, amplitudes of the orders."""
-    unit, lines = found.unit, found.lines()
+    unit, lines, columns = found.unit, found.lines(), found.rms_columns()
     names = [f"speed {name} [rpm]" for name in found.plan.names]
-    parts = [("rms", found.rms())] + ([("band rms", found.rms(found.band))] if found.band else [])
-    for name, _ in parts:
-        names += [f"{name} {axis} [{unit}]" for axis in (*AXES, "xyz")]
+    names += [f"{name} [{unit}]" for name, _ in columns]
     names += [f"{line.name} [{unit}]" for line in lines]
     file = io.StringIO()
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(names)
     for i, step in enumerate(found.steps):
         row = [RPM * speed for speed in step.turning.speeds]
-        for _, table in parts:
-            row += [*table[i], float(np.linalg.norm(table[i]))]
+        row += [values[i] for _, values in columns]
         row += [float(line.size[i]) for line in lines]
         writer.writerow([f"{x:.12g}" if np.isfinite(x) else "" for x in row])
     return file.getvalue()

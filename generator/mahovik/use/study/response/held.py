@@ -1,0 +1,215 @@
+"""A held stand at rest, prepared for response: coordinates of its freedoms about the rest, and the reaction.
+
+The freedoms are a closed set, so that every pose that the hold allows is that at rest moved by exp(S xi). A state is
+y = (xi, u), 2 m numbers, V = S u, and with ad, the bracket with the twist S xi along the freedoms,
+
+    xi' = ad/(1 - exp(-ad)) u,    S^T K S u' = S^T (b - K d),    R = K (V* + d) - b,
+
+b = F - M V_r - I phi'' - J phi', d = (omega x C^T u_0, 0) of a stream u_0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from mahovik.core.stand.hold import freedom_names, twists
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.use.plan.array import Array, Complex
+from mahovik.use.plan.forward import Chart, Drive, drive
+from mahovik.use.plan.residual import Mechanics
+from mahovik.use.plan.residual.by_carrier import by_carrier, slopes_of_residual
+from mahovik.use.plan.residual.spatial import skew
+from mahovik.use.study.response.scene import FREE, LEAST
+from mahovik.use.study.rest import accuracy, rest
+
+TERMS = 30
+"""Terms of a power series in ad: at 2 rad the last is below 1e-22."""
+
+SMALL = 1e-2
+"""rad: below it the left Jacobian of a rotation is taken from a series."""
+
+REACTION = "hold.reaction"
+"""Name of the reaction among what is seen."""
+
+
+@dataclass(frozen=True, eq=False)
+class HeldMotion:
+    """A freedom, or the reaction, over a period: values (M, axes) by quantity."""
+
+    values: Mapping[str, Array]
+
+    def harmonics(self, quantity: str) -> Complex:
+        """(H + 1, axes) complex amplitudes a_k: the quantity is the real part of sum a_k exp(i k base t)."""
+        found = self.values[quantity]
+        spectrum = np.fft.rfft(found, axis=0) * (2.0 / len(found))
+        spectrum[0] /= 2.0
+        return np.asarray(spectrum)
+
+
+@dataclass(frozen=True, eq=False)
+class HeldScene:
+    """Data independent of speeds, computed once for a held stand.
+
+    chart     of states (x, r, V) about the rest
+    rest      the state there
+    S         (6, m): twists of the freedoms
+    along     (m, f): directions without restoring force, orthonormal in S^T K S
+    K         (6, 6) at rest
+    noise     m/s2, rad/s2: V* that rounding leaves at rest, where the hold takes most of the weight
+    """
+
+    stand: Stand
+    chart: Chart
+    rest: State
+    S: Array
+    along: Array
+    K: Array
+    noise: float
+
+    @staticmethod
+    def of(stand: Stand) -> HeldScene:
+        """Scene of a held stand. Raises CheckError: no equilibrium, or the freedoms are not a closed set."""
+        assert stand.hold is not None
+        state, S = rest(stand).state, twists(stand.hold)
+        mechanics = Mechanics.of(stand)
+        chart = Chart(mechanics, np.array(state.position), carrier_rotation(stand, state))
+        still = np.array([state.phi]), np.zeros((1, mechanics.N))
+        by = by_carrier(mechanics, chart.twists(np.zeros((1, 12))), *still)
+        K = -by.by_twist_dot[0]
+        along = np.zeros((S.shape[1], 0))
+        if S.shape[1]:
+            scale = np.linalg.inv(np.linalg.cholesky(S.T @ K @ S))
+            _, sizes, rows = np.linalg.svd(scale @ S.T @ by.by_pose[0] @ S @ scale.T)
+            along = scale.T @ rows[sizes <= max(FREE * sizes[0], LEAST)].T
+        noise = float(accuracy(stand, state).max()) if S.shape[1] else 0.0
+        return HeldScene(stand, chart, state, S, along, K, noise)
+
+    @property
+    def count(self) -> int:
+        """Freedoms of the carrier; a state has as many speeds."""
+        return int(self.S.shape[1])
+
+    @property
+    def free(self) -> Array:
+        """(6, f): directions in E1 without restoring force."""
+        return np.asarray(self.S @ self.along)
+
+    @property
+    def free_displacement(self) -> Array:
+        """(f, 2 m): displacement along the free directions from a state."""
+        P = self.S.T @ self.K @ self.S
+        return np.hstack([self.along.T @ P, np.zeros((self.along.shape[1], self.count))])
+
+    @property
+    def wrench(self) -> Array:
+        """(6, f): wrench in E1 about O1 that accelerates the stand at rest along a free direction by 1."""
+        return np.asarray(self.K @ self.free)
+
+    def drive(self, phi: Array, phi_dot: Array) -> Drive:
+        """Sums of flywheels at constant speeds (M, N each)."""
+        return drive(self.chart.mechanics, phi, phi_dot, np.zeros_like(phi))
+
+    def effect_of_wrench(self, given: Drive) -> Array:
+        """(M, 2 m, f): effect of a constant wrench along a free direction on y'."""
+        acceleration = self._solve(given, np.broadcast_to(self.wrench, (len(given.Theta), *self.wrench.shape)))
+        return np.concatenate([np.zeros_like(acceleration), acceleration], axis=1)
+
+    def rate(self, given: Drive, y: Array) -> Array:
+        """y' (M, 2 m)."""
+        xi, u = np.hsplit(y, 2)
+        moved = np.linalg.solve(self._pose_rate(xi), u[:, :, None])[:, :, 0]
+        return np.hstack([moved, self._speed_rates(given, y)])
+
+    def acceleration(self, given: Drive, y: Array) -> Array:
+        """V* (M, 6)."""
+        return self.twist(self._speed_rates(given, y))
+
+    def twist(self, speeds: Array) -> Array:
+        """V = S u (M, 6) of the speeds in a state, and V* of their rates."""
+        return np.asarray(speeds @ self.S.T)
+
+    def whole(self, y: Array) -> Array:
+        """States (M, 12) in the chart about rest: its x, r are those of exp(S xi)."""
+        xi, u = np.hsplit(y, 2)
+        moved = xi @ self.S.T
+        r = moved[:, 3:]
+        return np.hstack([(_left_jacobian(r) @ moved[:, :3, None])[:, :, 0], r, u @ self.S.T])
+
+    def at_pose(self, y: Array) -> Array:
+        """The state (1, 2 m) of a pose at rest, `y` (1, 12), that the hold allows."""
+        r = y[:, 3:6]
+        moved = np.hstack([np.linalg.solve(_left_jacobian(r), y[:, :3, None])[:, :, 0], r])
+        return np.hstack([moved @ np.linalg.pinv(self.S).T, np.zeros((1, self.count))])
+
+    def jacobian(self, given: Drive, y: Array, V_dot: Array) -> Array:
+        """dy'/dy (M, 2 m, 2 m), with V* (M, 6) given. Exact except for terms of third order in xi in its rate."""
+        m, (xi, u), at = self.count, np.hsplit(y, 2), self.chart.twists(self.whole(y))
+        by = slopes_of_residual(self.chart.mechanics, at._replace(V_r_dot=at.V_r_dot + V_dot), given)
+        ad, ad_u, pose_rate = self._ad(xi), self._ad(u), self._pose_rate(xi)
+        turned = self._ad((ad @ u[:, :, None])[:, :, 0])
+        J = np.zeros((len(y), 2 * m, 2 * m))
+        J[:, :m, :m] = -ad_u / 2 - (turned + ad @ ad_u) / 12
+        J[:, :m, m:] = np.linalg.inv(pose_rate)
+        J[:, m:, :m] = self._solve(given, by.by_pose @ self.S) @ pose_rate
+        J[:, m:, m:] = self._solve(given, by.by_twist @ self.S)
+        return J
+
+    def outputs(self, given: Drive, y: Array, V_dot: Array) -> dict[str, HeldMotion]:
+        """The reaction R, force and moment about O1 in E1; displacement, velocity, acceleration of every freedom."""
+        assert self.stand.hold is not None
+        at = self.chart.twists(self.whole(y))
+        moved = (V_dot + at.V_r_dot)[:, :, None]
+        R = (self._mass(given) @ moved - self.chart.wrench(given, at))[:, :, 0]
+        found = {REACTION: HeldMotion({"force": R[:, :3], "moment": R[:, 3:]})}
+        xi, u = np.hsplit(y, 2)
+        u_dot = V_dot @ np.linalg.pinv(self.S).T
+        for k, name in enumerate(freedom_names(self.stand.hold)):
+            columns = {"displacement": xi, "velocity": u, "acceleration": u_dot}
+            found[f"hold.{name}"] = HeldMotion({key: each[:, k : k + 1] for key, each in columns.items()})
+        return found
+
+    def _mass(self, given: Drive) -> Array:
+        """K (M, 6, 6)."""
+        return np.asarray(given.Theta + self.chart.mechanics.base.K)
+
+    def _solve(self, given: Drive, right: Array) -> Array:
+        """(S^T K S)^-1 S^T of wrenches (M, 6, n)."""
+        return np.asarray(np.linalg.solve(self.S.T @ self._mass(given) @ self.S, self.S.T @ right))
+
+    def _speed_rates(self, given: Drive, y: Array) -> Array:
+        """u' (M, m)."""
+        at = self.chart.twists(self.whole(y))
+        right = self.chart.wrench(given, at) - self._mass(given) @ at.V_r_dot[:, :, None]
+        return np.asarray(self._solve(given, right)[:, :, 0])
+
+    def _ad(self, xi: Array) -> Array:
+        """Bracket with the twists S xi along the freedoms (M, m, m): [S xi, S u] = S ad u."""
+        moved = xi @ self.S.T
+        whole = np.zeros((len(xi), 6, 6))
+        whole[:, :3, :3] = whole[:, 3:, 3:] = skew(moved[:, 3:])
+        whole[:, :3, 3:] = skew(moved[:, :3])
+        return np.asarray(np.linalg.pinv(self.S) @ whole @ self.S)
+
+    def _pose_rate(self, xi: Array) -> Array:
+        """(1 - exp(-ad))/ad (M, m, m): u is that times xi'."""
+        ad = self._ad(xi)
+        found = np.broadcast_to(np.eye(self.count), ad.shape)
+        for k in range(TERMS, 1, -1):
+            found = np.eye(self.count) - ad @ found / k
+        return np.asarray(found)
+
+
+def _left_jacobian(r: Array) -> Array:
+    """J (M, 3, 3) of rotation vectors r (M, 3): exp of the twist (v, r) shifts by J v."""
+    angle = np.linalg.norm(r, axis=1)[:, None, None]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        first, second = (1.0 - np.cos(angle)) / angle**2, (angle - np.sin(angle)) / angle**3
+    first = np.where(angle < SMALL, 0.5 - angle**2 / 24.0 + angle**4 / 720.0, first)
+    second = np.where(angle < SMALL, 1.0 / 6.0 - angle**2 / 120.0 + angle**4 / 5040.0, second)
+    turned = skew(r)
+    return np.asarray(np.eye(3) + first * turned + second * (turned @ turned))
