@@ -50,7 +50,7 @@ def moderate(N: int, **options: object) -> face.Excitation:
 @pytest.fixture
 def few(monkeypatch: pytest.MonkeyPatch) -> None:
     """A search of some programmes."""
-    monkeypatch.setattr(face, "EVALUATIONS", 40)
+    monkeypatch.setattr(face, "EVALUATIONS", 16)
 
 
 @given(st.lists(st.floats(0.0, 1.0), min_size=15, max_size=15), st.floats(0.0, 1.0))
@@ -121,7 +121,7 @@ def test_predicted_errors_are_those_of_the_estimation() -> None:
 @pytest.mark.usefixtures("few")
 def test_a_search_lowers_the_variance_inside_the_bounds(tmp_path: Path) -> None:
     found = moderate(3, acceleration=50.0)
-    assert found.status == "OK" and found.gain > 1.5 and found.effort["tried"] == 40
+    assert found.status == "OK" and found.gain > 1.5 and found.effort["tried"] == 16
     kept = found.found.peaks
     assert kept.speed.max() <= 1000 * np.pi / 30 and kept.speed_min.min() >= 400 * np.pi / 30
     assert (found["error"] > 0.0).all() and found["error"].shape == (12,)

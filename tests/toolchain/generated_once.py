@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial, wraps
 from importlib import import_module
+from inspect import signature
 from types import ModuleType
 from typing import Any
 
@@ -74,14 +75,17 @@ def _same(names: Any, before: dict[Any, Any]) -> bool:
 
 
 def once(make: Callable[..., Any], usable: Callable[[], bool]) -> Callable[..., Any]:
-    """`make`, whose results are remembered by their arguments; files of C are the caller's own."""
+    """`make`, whose results are remembered by their arguments, however passed; files of C are the caller's own."""
     known: dict[bytes, Any] = {}
+    parameters = signature(make)
 
     @wraps(make)
     def found(*arguments: Any, **named: Any) -> Any:
         if not usable():
             return make(*arguments, **named)
-        key = repr(named).encode() + pickle.dumps(arguments)
+        bound = parameters.bind(*arguments, **named)
+        bound.apply_defaults()
+        key = pickle.dumps(bound.arguments)
         if key not in known:
             known[key] = make(*arguments, **named)
         result = known[key]
