@@ -28,10 +28,10 @@ from strategies import held_stands
 from verify.test_held_c import DRY, HOLDS, WET, stand_of
 
 SPIN = 0.001
-"""Of the pendulum's flywheel about its axis, kg m2; the hinge is parallel to it."""
+"""Inertia of the pendulum's flywheel about its axis, kg m2; the hinge is parallel to it."""
 
 LOCKED = 0.02 + 2.5 * 0.2**2
-"""Of the pendulum about its hinge without that, kg m2."""
+"""Inertia of the pendulum about its hinge without that, kg m2."""
 
 FUNCTIONS = ("forward_jacobian", "coupled_jacobian")
 

@@ -62,7 +62,7 @@ def _matrices(case: Case, function: str) -> tuple[str, ...]:
 
 
 def _speeds(case: Case, state: State) -> Array:
-    """Of each freedom the largest |u| of its kind: sliding, turning, or one of a basis."""
+    """The largest |u| of the freedoms of one kind, for each freedom: sliding, turning, or one of a basis."""
     assert case.stand.hold is not None
     kinds = [freedom.kind for freedom in case.stand.hold.freedoms]
     return np.array([max(abs(u) for u, other in zip(state.u, kinds, strict=True) if other == kind) for kind in kinds])
