@@ -19,6 +19,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.laws.cross_flow.data import CrossFlow
 from mahovik.laws.damping.data import Factor
+from mahovik.laws.fading.data import FadingDamping
 from mahovik.laws.fin.data import Fin, Fins
 from mahovik.laws.propeller.data import Propeller, Propellers
 from mahovik.stands import names, path
@@ -82,12 +83,14 @@ def test_every_number_of_a_stand_changes_its_physics() -> None:
     fin = Fin("a", (1.5, 2.0, 2.5), (3.0, 3.5, 4.0), (4.5, 5.0, 5.5), 6.0, 6.5, 7.0, 7.5, 8.0, 8.5, 9.0, "across", True)
     ahead, around = (7.0, 7.5, 8.0), (8.5, 9.0, 9.5)
     propeller = Propeller("b", (1, 2, 3), (4, 5, 6), 6.5, 7.0, ahead, around, 10.0, 0.5, 0.75, whole=True, left=False)
-    stand = replace(stand, carrier=stand.carrier.with_laws(drag, Fins((fin,)), Propellers((propeller,))))
+    fading = FadingDamping(tuple(tuple(6.0 * i + j + 1 for j in range(6)) for i in range(6)), 2.0)  # type: ignore[arg-type]
+    laws = (drag, Fins((fin,)), Propellers((propeller,)), fading)
+    stand = replace(stand, carrier=stand.carrier.with_laws(*laws))
     found = {"as it is": identities(stand).physics}
     for place, other in with_one_other(stand, ""):
         found[place] = identities(other).physics
-    laws = {law.SCHEMA.data for law in parts("schema")} | {law.data for law in body_schemas()}
-    assert all(any(f" {law.__name__}." in place for place in found) for law in laws)
+    kinds = {law.SCHEMA.data for law in parts("schema")} | {law.data for law in body_schemas()}
+    assert all(any(f" {law.__name__}." in place for place in found) for law in kinds)
     places: dict[str, str] = {}
     same = [(place, places[digest]) for place, digest in found.items() if places.setdefault(digest, place) != place]
     assert same == []
