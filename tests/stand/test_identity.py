@@ -19,6 +19,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.laws.cross_flow.data import CrossFlow
 from mahovik.laws.damping.data import Factor
+from mahovik.laws.fading.data import FadingDamping
 from mahovik.laws.fin.data import Fin, Fins
 from mahovik.laws.friction.data import Friction, Frictions
 from mahovik.laws.propeller.data import Propeller, Propellers
@@ -86,12 +87,14 @@ def test_every_number_of_a_stand_changes_its_physics() -> None:
     propeller = Propeller("b", (1, 2, 3), (4, 5, 6), 6.5, 7.0, ahead, around, 10.0, 0.5, 0.75, whole=True, left=False)
     along = Frictions((Friction(0, "x", 1.0, 2.0, 3.0, 4.0, 5.0),)), Stops((Stop(0, "x", 6.0, True, 7.0, 8.0),))
     stand = stand.with_laws(*along)
-    stand = replace(stand, carrier=stand.carrier.with_laws(drag, Fins((fin,)), Propellers((propeller,))))
+    fading = FadingDamping(tuple(tuple(6.0 * i + j + 1 for j in range(6)) for i in range(6)), 2.0)  # type: ignore[arg-type]
+    laws = (drag, Fins((fin,)), Propellers((propeller,)), fading)
+    stand = replace(stand, carrier=stand.carrier.with_laws(*laws))
     found = {"as it is": identities(stand).physics}
     for place, other in with_one_other(stand, ""):
         found[place] = identities(other).physics
-    laws = {law.SCHEMA.data for law in parts("schema")} | {law.data for law in body_schemas()}
-    assert all(any(f" {law.__name__}." in place for place in found) for law in laws)
+    kinds = {law.SCHEMA.data for law in parts("schema")} | {law.data for law in body_schemas()}
+    assert all(any(f" {law.__name__}." in place for place in found) for law in kinds)
     places: dict[str, str] = {}
     same = [(place, places[digest]) for place, digest in found.items() if places.setdefault(digest, place) != place]
     assert same == []
