@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
@@ -116,31 +116,35 @@ def name_of(path: Path) -> str:
     return path.relative_to(REPOSITORY).as_posix()
 
 
-def docstrings(text: str) -> Iterator[tuple[int, str]]:
+def nodes_of(text: str) -> list[ast.AST]:
+    """All nodes of the syntax tree of a module."""
+    return list(ast.walk(ast.parse(text)))
+
+
+def docstrings(nodes: Sequence[ast.AST]) -> Iterator[tuple[int, str]]:
     """Line and text of every docstring: of modules, classes, functions, and of values (a string after the value)."""
-    bodies = (getattr(node, "body", None) for node in ast.walk(ast.parse(text)))
+    bodies = (getattr(node, "body", None) for node in nodes)
     for statement in (each for body in bodies if isinstance(body, list) for each in body):
         value = statement.value if isinstance(statement, ast.Expr) else None
         if isinstance(value, ast.Constant) and isinstance(value.value, str):
             yield value.lineno, value.value
 
 
-def names(text: str) -> Iterator[tuple[int, str]]:
+def names(nodes: Sequence[ast.AST]) -> Iterator[tuple[int, str]]:
     """Line and name of every function, class and method of a module, also inside functions, but for METHOD_NAMES."""
-    tree = ast.parse(text)
-    methods = {each for node in ast.walk(tree) if isinstance(node, ast.ClassDef) for each in node.body}
-    for node in ast.walk(tree):
+    methods = {each for node in nodes if isinstance(node, ast.ClassDef) for each in node.body}
+    for node in nodes:
         if isinstance(node, ast.FunctionDef | ast.ClassDef) and not (
             node in methods and isinstance(node, ast.FunctionDef) and re.fullmatch(_names_allowed(node), node.name)
         ):
             yield node.lineno, node.name
 
 
-def participles(path: Path, text: str) -> Iterator[tuple[int, str]]:
+def participles(path: Path, nodes: Sequence[ast.AST]) -> Iterator[tuple[int, str]]:
     """Line and name of every function of the package or of a tool, but for properties, that is a lone participle."""
     if not name_of(path).startswith(("generator/", "tools/")) or name_of(path).startswith(FORMULA_NAMES):
         return
-    for node in ast.walk(ast.parse(text)):
+    for node in nodes:
         if isinstance(node, ast.FunctionDef) and not _is_property(node) and re.fullmatch(PARTICIPLES, node.name):
             yield node.lineno, node.name
 
@@ -158,14 +162,15 @@ def faults(path: Path) -> list[str]:
     text = path.read_text()
     found = []
     if path.suffix == ".py":
-        for line, docstring in docstrings(text):
+        nodes = nodes_of(text)
+        for line, docstring in docstrings(nodes):
             first = docstring.strip().partition("\n")[0]
             found += [f"{line}: opens with {first!r}" for rule in OPENINGS if re.match(rule, first)]
         if not name_of(path).startswith(PROGRAM_NAMES):
             found += [
-                f"{line}: named {name!r}" for line, name in names(text) if re.fullmatch(NAMES, name, re.IGNORECASE)
+                f"{line}: named {name!r}" for line, name in names(nodes) if re.fullmatch(NAMES, name, re.IGNORECASE)
             ]
-        found += [f"{line}: named {name!r}, a participle" for line, name in participles(path, text)]
+        found += [f"{line}: named {name!r}, a participle" for line, name in participles(path, nodes)]
     if path.name == "CHANGELOG.md":
         text = re.sub(r"`[^`\n]*`", "``", text)  # names and messages of earlier versions
     lower = text.lower()  # quicker than a search that ignores case
@@ -188,7 +193,7 @@ def at(t): ...
 
 
 def test_names_of_methods_are_seen() -> None:
-    found = [line for line, name in names(METHODS) if re.fullmatch(NAMES, name)]
+    found = [line for line, name in names(nodes_of(METHODS)) if re.fullmatch(NAMES, name)]
     assert sorted(found) == [4, 8, 9]
 
 
@@ -196,8 +201,9 @@ def test_participles_are_seen() -> None:
     text = (
         "def rendered(): ...\ndef coupled(): ...\ndef _given(): ...\nclass A:\n    @property\n    def held(self): ..."
     )
-    assert [name for _, name in participles(REPOSITORY / "tools/tool.py", text)] == ["rendered", "_given"]
-    assert list(participles(REPOSITORY / FORMULA_NAMES / "module.py", text)) == []
+    nodes = nodes_of(text)
+    assert [name for _, name in participles(REPOSITORY / "tools/tool.py", nodes)] == ["rendered", "_given"]
+    assert list(participles(REPOSITORY / FORMULA_NAMES / "module.py", nodes)) == []
 
 
 @pytest.mark.parametrize("folder", sorted({path.parent for path in SOURCES}), ids=name_of)

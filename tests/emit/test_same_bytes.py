@@ -1,4 +1,4 @@
-"""Byte-identical output from run to run: another process, hash seed, folder, locale, time zone, processor."""
+"""The generator writes the same bytes in every process: hash seed, folder, locale, time zone, processor change nothing."""
 
 import os
 import subprocess

@@ -24,8 +24,8 @@ from toolchain.tools import compile_c, require
 GENERATED = Path(__file__).resolve().parents[2] / "generated"
 
 ROOM = 1104
-"""Bytes above three times the measured stack that a bound may be: small functions on a processor with large registers
-in mind, and `prepare_mounts` in float, whose deep chain of small functions gcc compiles into one."""
+"""Bytes by which a bound may exceed three times the measured stack. Small functions need it, since the bound holds for
+a processor with large registers, and `prepare_mounts` in float, whose chain of functions gcc compiles into one."""
 
 LEVELS = ("-O1", "-O2", "-O3", "-Os")
 
@@ -37,7 +37,7 @@ def stated(header: str) -> dict[str, int]:
 
 
 def frames(listing: Path, prefix: str) -> Mapping[str, int]:
-    """Frames by function without the stand's prefix; of clones of a function the largest, of its parts the sum."""
+    """Read the frame of each function (bytes, by name without prefix): the largest clone, the sum of parts."""
     found: dict[str, int] = {}
     for line in listing.read_text().splitlines():
         place, size, kind = line.split("\t")
@@ -49,7 +49,7 @@ def frames(listing: Path, prefix: str) -> Mapping[str, int]:
 
 
 def chains(program: Program, taken: Mapping[str, int]) -> dict[str, int]:
-    """Bytes along the deepest chain of calls, by function; what was compiled into its callers has no frame."""
+    """Return the bytes along the deepest chain of calls from each function; an inlined function has no frame."""
     found: dict[str, int] = {}
     for f in program.functions:
         found[f.name] = taken.get(f.name, 0) + max((found[name] for name in called_names(f.body)), default=0)
@@ -64,7 +64,7 @@ def measured(program: Program, source: Path, compiler: str, level: str) -> dict[
 
 
 def check(bounds: Mapping[str, int], found: Mapping[str, int], room: int) -> None:
-    """Each bound against what was measured."""
+    """Assert that every bound covers the measured stack, and is not far above it."""
     for name, bound in bounds.items():
         assert found[name] <= bound <= 3 * found[name] + room, (name, found[name], bound)
 

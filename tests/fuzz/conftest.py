@@ -1,4 +1,4 @@
-"""Whatever is read: no reader may take more memory than this beyond what the process has."""
+"""A limit of memory for readers of arbitrary input."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 
 ROOM = 2 << 30
-"""Bytes of address space: a refusal needs none of it, a count of 10^9 numbers needs it all."""
+"""Bytes of address space that a reader may add to those of the process. A refusal needs almost none; reading 10^9
+numbers exceeds it."""
 
 
 @pytest.fixture

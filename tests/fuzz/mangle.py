@@ -119,7 +119,7 @@ _PIECES = (b"\0" * 300, b"\xff" * 9, b"\r", b"\n", b"\xef\xbb\xbf", b"[" * 9999)
 
 @st.composite
 def spoiled_bytes(draw: st.DrawFn, examples: Sequence[bytes], longest: int = 1 << 16) -> bytes:
-    """Bytes flipped, cut out, put in, doubled; or any bytes at all."""
+    """Damage an example file up to four times: flip, remove, insert or repeat bytes, or replace all of them."""
     data = draw(st.sampled_from(list(examples)))
     for _ in range(draw(st.integers(1, 4))):
         first, last = sorted(draw(st.tuples(*[st.integers(0, len(data))] * 2)))

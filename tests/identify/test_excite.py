@@ -83,7 +83,7 @@ def test_constant_speeds_are_distinct_and_reach_both_bounds() -> None:
 
 
 def test_information_is_that_of_a_dense_least_squares() -> None:
-    """Offsets as columns of their own, all unknowns in one matrix."""
+    """The covariance equals that of one least-squares problem in which the offsets of the channels are unknowns too."""
     rng = np.random.default_rng(2)
     free = Free(build(bench8(1)), ["w1.unbalance.static", "carrier.mass"])
     T, C, k = 40, 6, 2

@@ -68,6 +68,12 @@ def differences(
     return found
 
 
+def worst_difference(stand: Stand, state: State, *evaluates: Callable[[State, Sequence[str]], dict[str, Any]]) -> float:
+    """Largest difference over natural scale between the literal reference and any of these, at one state."""
+    expected = expectations(stand, state)
+    return max(max(differences(evaluate, state, expected).values()) for evaluate in evaluates)
+
+
 def attempt(
     evaluate: Callable[[State, Sequence[str]], dict[str, Any]], state: State, want: str
 ) -> dict[str, Any] | None:

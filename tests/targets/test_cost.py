@@ -69,14 +69,15 @@ def test_painted_stack_confirms_the_frames(bench8: dict[tuple[str, str], TargetC
 
 @pytest.mark.slow
 def test_a_short_call_costs_a_whole_number(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Calls are counted often enough that neither the counter's step nor the text around the loop changes the figure."""
+    """Enough calls are counted that neither the counter's step nor the text around the loop changes the figure."""
     lines: list[Line] = []
 
-    def keep(printed: str) -> list[Line]:
-        lines.extend(read(printed))
-        return lines
+    def read_and_keep(text: str) -> list[Line]:
+        found = read(text)
+        lines.extend(found)
+        return found
 
-    monkeypatch.setattr("mahovik.proof.cost.measure.read", keep)
+    monkeypatch.setattr("mahovik.proof.cost.measure.read", read_and_keep)
     measure(load(DEMO3), [(target("m4"), "float")])
     short = [line for line in lines if line.instructions / line.calls < 0.9 * SHORT_CALL]
     assert {"wrap", "accumulate", "forward"} <= {line.function for line in short}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -50,37 +51,46 @@ def browser() -> Iterator[Browser]:
         yield found
 
 
+SCENES: dict[str, Callable[[], Stand]] = {
+    "demo3": lambda: load(path("demo3")),
+    "none": lambda: random_stand(np.random.default_rng(1), 0, BARE),
+    "many": lambda: random_stand(
+        np.random.default_rng(2), 64, Features(laws={"leg": 2}, points=2, instruments=2, fluid=True)
+    ),
+}
+"""Stands by name whose reports have drawing and animation alone."""
+
+
 @pytest.fixture(scope="session")
-def reports(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
-    """Reports by name: whole ones of bench8 with a run; of other stands drawing and animation alone."""
+def reports(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
+    """Report by name, written when it is first asked for: a whole one of bench8 with a run, or one of SCENES."""
     folder = tmp_path_factory.mktemp("reports")
-    bench8 = load(path("bench8"))
-    scenes = {
-        "demo3": load(path("demo3")),
-        "none": random_stand(np.random.default_rng(1), 0, BARE),
-        "many": random_stand(
-            np.random.default_rng(2), 64, Features(laws={"leg": 2}, points=2, instruments=2, fluid=True)
-        ),
-    }
-    found = {name: folder / f"{name}.html" for name in ("bench8", *scenes)}
-    material = replace(gather(bench8, "bench8.toml"), run=made_run(bench8))
-    found["bench8"].write_text(assembled.page(material).html, encoding="utf-8")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(assembled, "ORDER", ("drawing", "animation"))
-        patch.setattr(assembled, "BESIDE", ("drawing",))
-        patch.setattr(assembled, "generate_once", lambda stand: None)  # no C for these
-        for name, stand in scenes.items():
-            found[name].write_text(assembled.page(gather(stand, f"{name}.toml")).html, encoding="utf-8")
-    return found
+
+    @cache
+    def report(name: str) -> Path:
+        found = folder / f"{name}.html"
+        if name == "bench8":
+            stand = load(path(name))
+            text = assembled.page(replace(gather(stand, f"{name}.toml"), run=made_run(stand))).html
+        else:
+            with pytest.MonkeyPatch.context() as patch:
+                patch.setattr(assembled, "ORDER", ("drawing", "animation"))
+                patch.setattr(assembled, "BESIDE", ("drawing",))
+                patch.setattr(assembled, "generate_once", lambda stand: None)  # no C for these
+                text = assembled.page(gather(SCENES[name](), f"{name}.toml")).html
+        found.write_text(text, encoding="utf-8")
+        return found
+
+    return report
 
 
 @pytest.fixture
-def opened(browser: Browser, reports: dict[str, Path]) -> Iterator[Opener]:
+def opened(browser: Browser, reports: Callable[[str], Path]) -> Iterator[Opener]:
     """Opens a report by its name; options are those of a browser's context."""
     open_ones: list[Opened] = []
 
     def one(name: str, **context: Any) -> Opened:
-        open_ones.append(Opened(browser, reports[name], **context))
+        open_ones.append(Opened(browser, reports(name), **context))
         return open_ones[-1]
 
     yield one

@@ -74,7 +74,7 @@ def own_twist_rate() -> sp.Matrix:
 
 def turned_twist() -> sp.Matrix:
     """[C1]^T of six numbers `U`, with c, s of the phase."""
-    return _turned_back() * vector("U", 6)
+    return _to_turning_axes() * vector("U", 6)
 
 
 def own_momentum() -> sp.Matrix:
@@ -91,10 +91,11 @@ def own_rate() -> sp.Matrix:
 
 def turned_forward() -> sp.Matrix:
     """diag(C1, C1) of six numbers `W`: to the axes at phi = 0, which do not turn."""
-    return _turned_back().T * vector("W", 6)
+    return _to_turning_axes().T * vector("W", 6)
 
 
-def _turned_back() -> sp.Matrix:
+def _to_turning_axes() -> sp.Matrix:
+    """[C1]^T: from the axes at phi = 0 to those of the flywheel, which turn."""
     c, s = sp.symbols("c s")
     C1 = sp.Matrix([[1, 0, 0], [0, c, -s], [0, s, c]])
     return bracket(C1).T

@@ -32,8 +32,8 @@ def turn_back() -> Function:
     out = Argument("out", Kind.REAL, (3,), "out", purpose="must not overlap a")
     body, p = Body(), q.place
     k = body.let("k", 2 / (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3]))
-    half = [body.let(f"t{i + 1}", translate(x, {"q": p, "a": a.place})) for i, x in enumerate(derived.half_turned())]
-    assign(body, list(out.place), derived.turned_back(), {"q": p, "a": a.place, "t": half, "k": k})
+    half = [body.let(f"t{i + 1}", translate(x, {"q": p, "a": a.place})) for i, x in enumerate(derived.half_rotation())]
+    assign(body, list(out.place), derived.inverse_rotation(), {"q": p, "a": a.place, "t": half, "k": k})
     return body.function("turn_back", "C^T a of a quaternion of any length: no matrix is needed.", (q, a, out))
 
 

@@ -20,7 +20,7 @@ LONG_CALL = 100_000
 """Instructions; a call as long is counted once: the coarsest counter is good to 50 instructions."""
 
 SHORT_CALL = 5_000
-"""Instructions; a call as short is counted often enough that the mean is its exact number."""
+"""Instructions; a call as short is counted MANY times: the mean is then its exact number."""
 
 SOME, MANY = 50, 400
 

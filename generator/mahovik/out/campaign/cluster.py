@@ -142,7 +142,7 @@ def require_scheduler(scheduler: str) -> None:
 
 
 async def _identity(scheduler: str) -> None:
-    """Ask a scheduler who it is. The call can be cancelled, where a Client of dask would try again for a long time."""
+    """Request the identity of a scheduler. The call can be cancelled; a Client would try again for a long time."""
     async with import_module("distributed.core").rpc(scheduler) as asked:
         await asked.identity()
 

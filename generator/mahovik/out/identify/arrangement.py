@@ -35,7 +35,7 @@ MUCH, ABOVE = 1.0 / 3.0, 5.0
 """A fit is bad where it leaves more than this share of a channel's data, and this many times its noise."""
 
 
-def badly_fitted(fit: Fit, runs: Sequence[Run]) -> list[str]:
+def bad_fits(fit: Fit, runs: Sequence[Run]) -> list[str]:
     """One line for each run of whose channels the stand leaves much more than noise."""
     lines = []
     for r, run in enumerate(runs):
@@ -83,8 +83,8 @@ class Look:
         self.by = np.concatenate([fit.by_theta[r][self.there], fit.by_start[r][self.there]], axis=2)
         self.noise = noise_beside(run, self.residuals)
         self.heard = has_signal(run, self.residuals)
-        told = np.sqrt(np.mean(self.predicted**2, axis=0)) > HEARD * self.noise if self.enough else self.heard
-        self.alive: list[int] = np.flatnonzero(self.heard | told).tolist()
+        expected = np.sqrt(np.mean(self.predicted**2, axis=0)) > HEARD * self.noise if self.enough else self.heard
+        self.alive: list[int] = np.flatnonzero(self.heard | expected).tolist()
         self.spread = np.nanstd(run.measured, axis=0)
         self.units = np.where(self.heard, self.spread, self.noise)
 

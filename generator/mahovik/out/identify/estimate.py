@@ -19,7 +19,7 @@ from mahovik.out.identify.gauss_newton import Loss, minimise, triangle, weights_
 from mahovik.out.identify.jacobian import START_SCALE, slopes, values
 from mahovik.out.identify.predict import START
 from mahovik.out.identify.run import Run, noise_of
-from mahovik.out.identify.sight import untold
+from mahovik.out.identify.sight import undetermined_directions
 
 Array = NDArray[np.float64]
 
@@ -90,7 +90,7 @@ class Problem:
         """Keep these combinations of free numbers, unit vectors in natural sizes, as in the stand file."""
         self._held = np.array(directions).reshape(-1, self.k)
 
-    def without_held(self, z: Array) -> Array:
+    def restore_held(self, z: Array) -> Array:
         """z with the held combinations at their values in the stand file."""
         found = z.copy()
         found[: self.k] -= self._held.T @ (self._held @ z[: self.k])
@@ -215,10 +215,10 @@ def estimate(
         z = minimise(problem.residuals, problem.jacobian, z, loss)
         problem.reweigh(z, loss)
     information = _information(problem, z, loss)
-    held = [] if fixed else untold(free, runs, problem.split(z)[0], information)
+    held = [] if fixed else undetermined_directions(free, runs, problem.split(z)[0], information)
     if held:
         problem.hold(held)
-        z = minimise(problem.residuals, problem.jacobian, problem.without_held(z), loss)
+        z = minimise(problem.residuals, problem.jacobian, problem.restore_held(z), loss)
         problem.reweigh(z, loss)
         information = _information(problem, z, loss)
     return _result(problem, z, information, held)

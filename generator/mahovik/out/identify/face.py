@@ -155,7 +155,7 @@ def identify(
     from mahovik.core.stand.units import TIME
     from mahovik.out.api.model import build
     from mahovik.out.campaign.signals import sensors
-    from mahovik.out.identify.arrangement import badly_fitted
+    from mahovik.out.identify.arrangement import bad_fits
     from mahovik.out.identify.estimate import estimate
     from mahovik.out.identify.free import Free
     from mahovik.out.identify.gauss_newton import LOSSES
@@ -187,7 +187,7 @@ def identify(
             _share(tests, estimate(numbers, tests, loss, theta=theta, fixed=True))
             for theta in (fit.theta, numbers.nominal)
         )
-    lost, told = unobservable(numbers, runs, fit.theta, fit.noise, fit.held)
+    lost, advice = unobservable(numbers, runs, fit.theta, fit.noise, fit.held)
     notes = [note for each in (*recordings, *others) for note in each.notes] + [
         note for run in runs for note in run.notes
     ]
@@ -206,7 +206,7 @@ def identify(
         {run.source: _channels(run, fit, r) for r, run in enumerate(runs)},
         _share(runs, fit),
         None if checked is None else (checked[0], checked[1]),
-        (*notes, *told, *_without_signal(runs, fit), *badly_fitted(fit, runs), *wrong_ways(numbers, fit, runs)),
+        (*notes, *advice, *_without_signal(runs, fit), *bad_fits(fit, runs), *wrong_ways(numbers, fit, runs)),
         tuple(seen),
         Comparison(tuple(recordings), tuple(runs), numbers, fit),
     )
@@ -269,8 +269,8 @@ def _sizes(run: Run, fit: Fit, r: int) -> tuple[Array, Array]:
 def _share(runs: Sequence[Run], fit: Fit) -> float:
     """Mean over the channels with a signal; over all that are not constant, if none has; NaN if all are constant."""
     sizes = [left / spread for left, spread in (_sizes(run, fit, r) for r, run in enumerate(runs))]
-    shares, told = np.concatenate(sizes), _with_signal(runs, fit)
-    own = shares[told] if told.any() else shares[np.isfinite(shares)]
+    shares, with_signal = np.concatenate(sizes), _with_signal(runs, fit)
+    own = shares[with_signal] if with_signal.any() else shares[np.isfinite(shares)]
     return float(np.sqrt(np.mean(own**2))) if own.size else math.nan
 
 

@@ -58,7 +58,7 @@ def unobservable(
     constant = all(bool(np.all(high - low <= STEADY * np.abs(high) + 1e-6)) for low, high in ranges)
     weak = [direction for direction in held if not _is_whole(direction)]
     together: set[str] = set()
-    for a, b, speed, apart in _of_one_speed(free, runs, ranges):
+    for a, b, speed, apart in _pairs_of_one_speed(free, runs, ranges):
         pair = {a, b}
         lost = any(_is_of(_name_direction(free, direction), pair) for direction in weak)
         together |= pair if lost else set()
@@ -75,12 +75,12 @@ def unobservable(
         by_advice.setdefault(_advice([name], constant, changing, ranges, free), {}).setdefault(name)
     for advice, found in by_advice.items():
         lines.append(f"{', '.join(found)}: {'are' if len(found) > 1 else 'is'} {advice}")
-    told: set[frozenset[str]] = set()
+    reported: set[frozenset[str]] = set()
     for direction, changing in zip(weak, shown[len(whole) :], strict=True):
         names = _name_direction(free, direction)
-        if frozenset(names) in told:
+        if frozenset(names) in reported:
             continue
-        told.add(frozenset(names))
+        reported.add(frozenset(names))
         if _is_of(names, together):
             continue
         many = "their combination is" if len(names) > 1 else "is"
@@ -88,8 +88,8 @@ def unobservable(
     return lines, notes
 
 
-def untold(free: Free, runs: Sequence[Run], theta: Array, information: Array) -> list[Array]:
-    """Unit vectors (k), in natural sizes, that the data cannot tell: whole numbers first, then combinations."""
+def undetermined_directions(free: Free, runs: Sequence[Run], theta: Array, information: Array) -> list[Array]:
+    """Unit vectors (k), in natural sizes, that the data do not determine: whole numbers first, then combinations."""
     k = len(information)
     whole = _unseen(free, runs, theta, information)
     rest = [i for i in range(k) if i not in whole]
@@ -107,7 +107,7 @@ def _unseen(free: Free, runs: Sequence[Run], theta: Array, information: Array) -
     Flywheels of one speed have unbalances of which only combinations are unseen.
     """
     ranges = [speeds(run.predictor._case.regime, run.duration) for run in runs]
-    together = {name for a, b, *_ in _of_one_speed(free, runs, ranges) for name in (a, b)}
+    together = {name for a, b, *_ in _pairs_of_one_speed(free, runs, ranges) for name in (a, b)}
     alone = np.linalg.norm(information, axis=0)
     inverse = np.linalg.pinv(information.T @ information + WIDE**-2 * np.eye(len(information)))
     still = _still(free, ranges)
@@ -206,7 +206,7 @@ def _still(free: Free, ranges: Sequence[tuple[Array, Array]]) -> list[str]:
     ]
 
 
-def _of_one_speed(
+def _pairs_of_one_speed(
     free: Free, runs: Sequence[Run], ranges: Sequence[tuple[Array, Array]]
 ) -> list[tuple[str, str, float, float]]:
     """Pairs of flywheels with free unbalances that no run tells apart, their speed, and the speed between that does."""

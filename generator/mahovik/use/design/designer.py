@@ -124,8 +124,8 @@ def residual_by_harmonic(problem: Problem, course: Periodic) -> list[float]:
     spectrum = np.fft.rfft(rows, axis=0) / M
     spectrum[1:] *= 2.0
     sizes = np.linalg.norm(np.abs(spectrum), axis=1)
-    told = np.flatnonzero(sizes > max(1e-3 * float(sizes.max(initial=0.0)), ZERO_HARMONIC))
-    return [float(x) for x in sizes[: (int(told.max()) if told.size else 0) + 1]]
+    relevant = np.flatnonzero(sizes > max(1e-3 * float(sizes.max(initial=0.0)), ZERO_HARMONIC))
+    return [float(x) for x in sizes[: (int(relevant.max()) if relevant.size else 0) + 1]]
 
 
 AFTER = 30.0
@@ -198,18 +198,18 @@ def _outcome(found: Search, options: DesignOptions, budget: Budget, effort: dict
     residual = float(programme.report["residual"])
     quality = chosen.task.freedom.quality
     status: Status = "APPROXIMATE" if wrong else "OK"
-    told: tuple[str, ...] = ()
+    words: tuple[str, ...] = ()
     if wrong:
-        told = (
+        words = (
             f"the programme is not exact: its relative residual is {residual:.2g}, accepted up to {quality:g} "
             "(`quality`); more flywheels or more freedom can make it exact",
             f"verify-programme refuses it: {wrong}",
         )
     if over:
-        status, told = "OK_LIMIT", (*told, *over)
+        status, words = "OK_LIMIT", (*words, *over)
     points = pareto_front(found.found, options.pareto, budget) if options.pareto else []
     return Outcome(
-        status, told, residual, stand, programme, chosen.cost, tuple(changes(chosen)),
+        status, words, residual, stand, programme, chosen.cost, tuple(changes(chosen)),
         {"before": flywheel_totals(chosen.task.space.stand), "after": flywheel_totals(stand)},
         tuple(points), effort, found.interrupted,
     )  # fmt: skip

@@ -163,8 +163,8 @@ def summary(found: Outcome) -> list[str]:
         pair = " and ".join(after["nearest"]["flywheels"])
         lines.append(f"nearest flywheels {pair}: {1e3 * after['nearest']['distance']:.4g} mm")
     peaks = {"speed": "rad/s", "acceleration": "rad/s2", "torque": "N m"}
-    told = ", ".join(f"{kind} {max(report['peak_' + kind]):.4g} {unit}" for kind, unit in peaks.items())
-    lines.append(f"winding {list(found.programme.winding)}, harmonics {report['harmonics']}, peaks: {told}")
+    largest = ", ".join(f"{kind} {max(report['peak_' + kind]):.4g} {unit}" for kind, unit in peaks.items())
+    lines.append(f"winding {list(found.programme.winding)}, harmonics {report['harmonics']}, peaks: {largest}")
     lines.append(
         f"relative residual {found.residual:.2g}; by harmonics 0, 1, ..: "
         + ", ".join(f"{x:.1g}" for x in report["residual_by_harmonic"])

@@ -1,7 +1,7 @@
 """Offset and drift between the clocks of two files from a channel that both have, by cross-correlation.
 
-Only an offset that the signals show once is taken: a steady hum fits at every period. A drift is taken where the
-offsets of three parts of the recording lie on a line that is steeper than their own accuracy.
+An offset is accepted only if one peak of the correlation stands out: a steady hum fits at every period. A drift is
+accepted where the offsets of three parts of the recording lie on a line that is steeper than their own accuracy.
 """
 
 from __future__ import annotations

@@ -76,11 +76,11 @@ def failed_items(programme: Programme, of: str = "") -> str:
     found = [each for each in programme.report.get("verification", ()) if each["name"].startswith(of)]
     wrong = [each for each in found if not each["passed"] and "bound" not in each["name"].split()]
     values = [f"{each['value']:.3g}, at most" if each["value"] is not None else "not finite, at most" for each in wrong]
-    told = [
+    lines = [
         f"{each['name']} {value} {each['limit']:.3g}, {each['words']}"
         for each, value in zip(wrong, values, strict=True)
     ]
-    return "; ".join(told)
+    return "; ".join(lines)
 
 
 def drop_refused_tables(programme: Programme) -> Programme:

@@ -100,9 +100,9 @@ def _plan_periodic(
     effort = _effort(found, options, budget) | {"objective_spread": [each.objective for each, _ in candidates.motions]}
 
     def programmes() -> Iterator[Programme]:
-        for each, told in candidates.motions:
+        for each, more in candidates.motions:
             with defer_interrupt(whole.interrupt, again=True):
-                programme = _periodic_programme(problem, motion, each, {"search": effort, **told})
+                programme = _periodic_programme(problem, motion, each, {"search": effort, **more})
             programme = with_runup(problem.stand, motion, programme, options.seed, whole, say)
             if options.verify:
                 say("verifying")
@@ -137,7 +137,7 @@ def _plan_finite(
         )
         found.interrupted |= candidates.interrupted
         found.cut = budget.cut or candidates.cut
-    reports = [{**_finite_report(problem, cost, each), **told} for each, told in candidates.motions]
+    reports = [{**_finite_report(problem, cost, each), **more} for each, more in candidates.motions]
     order = sorted(range(len(reports)), key=lambda k: (len(reports[k]["exceeded"]) > 0, reports[k]["objective"]))
     effort = _effort(found, options, budget) | {"objective_spread": [reports[k]["objective"] for k in order]}
     found.doing = "verifying"
@@ -221,7 +221,7 @@ def _finite_not_found_message(found: Search[FiniteSolution]) -> str:
 
 
 def _periodic_programme(
-    problem: Problem, motion: RequiredMotion, chosen: Candidate, told: Mapping[str, Any]
+    problem: Problem, motion: RequiredMotion, chosen: Candidate, more: Mapping[str, Any]
 ) -> Programme:
     """The programme with its report."""
     own = repeat_motion(chosen.motion, round(motion.span / problem.motion.span))
@@ -233,7 +233,7 @@ def _periodic_programme(
         "exceeded": [each.words for each in chosen.exceeded_bounds],
         "harmonics": own.H,
         **figures(problem, chosen.motion),
-        **told,
+        **more,
     }
     course = Fourier(np.array(own.mean), np.array(own.cos), np.array(own.sin))
     return make_programme(problem.stand, motion, own.bias, tuple(int(n) for n in own.winding), course, report)

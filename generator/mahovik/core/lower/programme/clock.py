@@ -1,4 +1,4 @@
-"""The phase of a programme by control ticks: an integer that wraps, so that nothing drifts, however long it runs.
+"""The phase of a programme, counted in control ticks as an integer that wraps: it does not drift over long runs.
 
 `ticks` ticks are `periods` periods, two whole numbers. The phase is a word, 2^width to a period; a tick adds
 floor(2^width periods / ticks) to it, and what division leaves over is carried from tick to tick in `rest`, in parts of

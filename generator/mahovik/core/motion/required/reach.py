@@ -33,8 +33,8 @@ def check(motion: RequiredMotion, stand: Stand, problems: Problems) -> None:
     if motion.bounds.deviation is not None:
         least, bound = float(np.linalg.norm((course.q - motion.mean)[:, :3], axis=1).max()), motion.bounds.deviation[0]
         if bound < least:
-            told = f"{bound:g} m is below the deviation of the motion itself, {least:g} m"
-            problems.add("bounds", "deviation", f"linear: {told}")
+            excess = f"{bound:g} m is below the deviation of the motion itself, {least:g} m"
+            problems.add("bounds", "deviation", f"linear: {excess}")
     theta = course.q[:, 4]
     name, value = ("sin", np.sin(theta)) if stand.angles == "euler" else ("cos", np.cos(theta))
     i = int(np.argmin(np.abs(value)))

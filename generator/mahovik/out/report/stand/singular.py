@@ -37,15 +37,18 @@ def section(material: Material) -> Section | None:
     shown = panels(x, abscissa, sigma)
     found = condition(sigma)
     worst = int(np.argmax(found))
-    told = f"condition number {_number(found.min())} to {_number(found[worst])}"
+    extremes = f"condition number {_number(found.min())} to {_number(found[worst])}"
     place = f"largest at {abscissa.split(',')[0]} = {x[worst]:.4g} {abscissa.split(', ')[1]}"
     words = (
         f"Of ``K^-1/2 I Theta_ff^-1/2`` in (12), as ``inverse`` scales it: the same for any units, origin and axes, "
-        f"and always below 1. {where} The {told}, {place}. "
+        f"and always below 1. {where} The {extremes}, {place}. "
     )
     words += _rank(sigma)
     return Section(
-        "singular", "Singular values of the scaled I", "".join([paragraph(words), charts(shown)]), summary=told
+        "singular",
+        "Singular values of the scaled I",
+        "".join([paragraph(words), charts(shown)]),
+        summary=extremes,
     )
 
 

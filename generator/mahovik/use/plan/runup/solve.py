@@ -214,10 +214,10 @@ def shortcomings(programme: Programme) -> tuple[str, ...]:
     """Problems of run-up and run-down, one per line: not found, or a bound exceeded."""
     lines = []
     for key in ("runup", "rundown"):
-        told = programme.report.get(key, {})
-        if "reason" in told:
-            lines.append(told["reason"])
-        lines += told.get("exceeded", ())
+        report = programme.report.get(key, {})
+        if "reason" in report:
+            lines.append(report["reason"])
+        lines += report.get("exceeded", ())
     return tuple(lines)
 
 

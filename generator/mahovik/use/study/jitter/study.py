@@ -178,9 +178,9 @@ class _Study:
         return balance(self.scene, self.speeds[i].tolist(), self.phases.tolist(), self.order)
 
     def _exact_lines(self, found: Balance) -> Lines:
-        return self._without_tabled(exact_lines(found, self.chain.seen, self.phases, self.chain))
+        return self._drop_tabled(exact_lines(found, self.chain.seen, self.phases, self.chain))
 
-    def _without_tabled(self, lines: Lines) -> Lines:
+    def _drop_tabled(self, lines: Lines) -> Lines:
         """Lines without those that a maker's table replaces."""
         tables = self.chain.makers.harmonics
         which = [
@@ -270,7 +270,7 @@ class _Study:
                 hold = max(hold, one.hold, key=lambda w: float(np.abs(w).max()))
         except KeyboardInterrupt:
             interrupted = True
-        lines = self._without_tabled(own)
+        lines = self._drop_tabled(own)
         return self._result(
             lines,
             "first order",
