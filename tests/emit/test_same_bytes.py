@@ -1,4 +1,4 @@
-"""The generator writes the same bytes in every process: hash seed, folder, locale, time zone, processor change nothing."""
+"""The generator writes the same bytes in every process: no hash seed, folder, locale, time zone or processor matters."""
 
 import os
 import subprocess
