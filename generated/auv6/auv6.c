@@ -575,11 +575,11 @@ static auv6_status auv6_factor3(const auv6_real S[6], auv6_factors3 *restrict L)
     const auv6_real d3 = S[2] - l31 * S[4] - l32 * p32;
     if (!(d3 >= 2.2250738585072014e-308)) { return AUV6_NOT_POSITIVE_DEFINITE; }
     L->r1 = r1;
+    L->r2 = r2;
+    L->d3 = d3;
     L->l21 = l21;
     L->l31 = l31;
-    L->r2 = r2;
     L->l32 = l32;
-    L->d3 = d3;
     return AUV6_OK;
 }
 
@@ -637,13 +637,12 @@ static void auv6_solve_carrier(const auv6_table *table, const auv6_carrier_facto
     moment[1] = F[4] - K->U[1] * F[0] - K->U[4] * F[1] - K->U[7] * F[2];
     moment[2] = F[5] - K->U[2] * F[0] - K->U[5] * F[1] - K->U[8] * F[2];
     auv6_solve3(&K->L, moment, omega_dot);
-    const auv6_real v1_dot = table->A_inv[0] * F[0] + table->A_inv[3] * F[1] + table->A_inv[4] * F[2]
-        - K->U[0] * omega_dot[0] - K->U[1] * omega_dot[1] - K->U[2] * omega_dot[2];
-    const auv6_real v2_dot = table->A_inv[1] * F[1] + table->A_inv[3] * F[0] + table->A_inv[5] * F[2]
-        - K->U[3] * omega_dot[0] - K->U[4] * omega_dot[1] - K->U[5] * omega_dot[2];
-    const auv6_real v3_dot = table->A_inv[2] * F[2] + table->A_inv[4] * F[0] + table->A_inv[5] * F[1]
-        - K->U[6] * omega_dot[0] - K->U[7] * omega_dot[1] - K->U[8] * omega_dot[2];
-    y[0] = v1_dot;        y[1] = v2_dot;        y[2] = v3_dot;
+    y[0] = table->A_inv[0] * F[0] + table->A_inv[3] * F[1] + table->A_inv[4] * F[2] - K->U[0] * omega_dot[0]
+        - K->U[1] * omega_dot[1] - K->U[2] * omega_dot[2];
+    y[1] = table->A_inv[1] * F[1] + table->A_inv[3] * F[0] + table->A_inv[5] * F[2] - K->U[3] * omega_dot[0]
+        - K->U[4] * omega_dot[1] - K->U[5] * omega_dot[2];
+    y[2] = table->A_inv[2] * F[2] + table->A_inv[4] * F[0] + table->A_inv[5] * F[1] - K->U[6] * omega_dot[0]
+        - K->U[7] * omega_dot[1] - K->U[8] * omega_dot[2];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
 }
 

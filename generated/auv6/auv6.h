@@ -249,11 +249,11 @@ typedef struct auv6_encoder {
 /* A symmetric 3x3 matrix factored, L D L^T. */
 typedef struct auv6_factors3 {
     auv6_real r1;   /* 1 / D, of the last D itself */
+    auv6_real r2;
+    auv6_real d3;
     auv6_real l21;  /* L below its diagonal */
     auv6_real l31;
-    auv6_real r2;
     auv6_real l32;
-    auv6_real d3;
 } auv6_factors3;
 
 /* K of the carrier factored. */

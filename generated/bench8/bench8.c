@@ -683,11 +683,11 @@ static bench8_status bench8_factor3(const bench8_real S[6], bench8_factors3 *res
     const bench8_real d3 = S[2] - l31 * S[4] - l32 * p32;
     if (!(d3 >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
     L->r1 = r1;
+    L->r2 = r2;
+    L->d3 = d3;
     L->l21 = l21;
     L->l31 = l31;
-    L->r2 = r2;
     L->l32 = l32;
-    L->d3 = d3;
     return BENCH8_OK;
 }
 
@@ -709,16 +709,16 @@ static bench8_status bench8_factor_carrier(const bench8_table *table, const benc
                                            bench8_carrier_factor *restrict K)
 {
     bench8_status status;
-    const bench8_real rho1 = table->mass_inverse * sum->mu[0];  /* mass centre from O1, in E1 */
-    const bench8_real rho2 = table->mass_inverse * sum->mu[1];
-    const bench8_real rho3 = table->mass_inverse * sum->mu[2];
+    K->rho[0] = table->mass_inverse * sum->mu[0];
+    K->rho[1] = table->mass_inverse * sum->mu[1];
+    K->rho[2] = table->mass_inverse * sum->mu[2];
     bench8_real S[6];  /* inertia about the mass centre */
-    S[0] = sum->J[0] - sum->mu[1] * rho2 - sum->mu[2] * rho3;
-    S[1] = sum->J[1] - sum->mu[0] * rho1 - sum->mu[2] * rho3;
-    S[2] = sum->J[2] - sum->mu[0] * rho1 - sum->mu[1] * rho2;
-    S[3] = sum->J[3] + sum->mu[1] * rho1;
-    S[4] = sum->J[4] + sum->mu[2] * rho1;
-    S[5] = sum->J[5] + sum->mu[2] * rho2;
+    S[0] = sum->J[0] - sum->mu[1] * K->rho[1] - sum->mu[2] * K->rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * K->rho[0] - sum->mu[2] * K->rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * K->rho[0] - sum->mu[1] * K->rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * K->rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * K->rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * K->rho[1];
     status = bench8_factor3(S, &K->L);
     if (status != BENCH8_OK) { return status; }
     return BENCH8_OK;
@@ -726,22 +726,18 @@ static bench8_status bench8_factor_carrier(const bench8_table *table, const benc
 
 /* Solves K y = F by the factors of K, (8). */
 BENCH8_CODE
-static void bench8_solve_carrier(const bench8_table *table, const bench8_sums *sum,
-                                 const bench8_carrier_factor *K, const bench8_real F[6], bench8_real y[6])
+static void bench8_solve_carrier(const bench8_table *table, const bench8_carrier_factor *K,
+                                 const bench8_real F[6], bench8_real y[restrict 6])
 {
-    const bench8_real rho1 = table->mass_inverse * sum->mu[0];  /* mass centre from O1, in E1 */
-    const bench8_real rho2 = table->mass_inverse * sum->mu[1];
-    const bench8_real rho3 = table->mass_inverse * sum->mu[2];
     bench8_real moment[3];  /* about the mass centre */
     bench8_real omega_dot[3];
-    moment[0] = F[1] * rho3 + F[3] - F[2] * rho2;
-    moment[1] = F[2] * rho1 + F[4] - F[0] * rho3;
-    moment[2] = F[0] * rho2 + F[5] - F[1] * rho1;
+    moment[0] = F[1] * K->rho[2] + F[3] - F[2] * K->rho[1];
+    moment[1] = F[2] * K->rho[0] + F[4] - F[0] * K->rho[2];
+    moment[2] = F[0] * K->rho[1] + F[5] - F[1] * K->rho[0];
     bench8_solve3(&K->L, moment, omega_dot);
-    const bench8_real v1_dot = F[0] * table->mass_inverse + omega_dot[2] * rho2 - omega_dot[1] * rho3;
-    const bench8_real v2_dot = F[1] * table->mass_inverse + omega_dot[0] * rho3 - omega_dot[2] * rho1;
-    const bench8_real v3_dot = F[2] * table->mass_inverse + omega_dot[1] * rho1 - omega_dot[0] * rho2;
-    y[0] = v1_dot;        y[1] = v2_dot;        y[2] = v3_dot;
+    y[0] = F[0] * table->mass_inverse + omega_dot[2] * K->rho[1] - omega_dot[1] * K->rho[2];
+    y[1] = F[1] * table->mass_inverse + omega_dot[0] * K->rho[2] - omega_dot[2] * K->rho[0];
+    y[2] = F[2] * table->mass_inverse + omega_dot[1] * K->rho[0] - omega_dot[0] * K->rho[1];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
 }
 
@@ -750,7 +746,7 @@ static void bench8_solve_carrier(const bench8_table *table, const bench8_sums *s
 BENCH8_CODE
 static bench8_status bench8_accelerate(const bench8_table *table, const bench8_state *x,
                                        const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
-                                       const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6])
+                                       const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[restrict 6])
 {
     bench8_status status;
     bench8_real C[9];  /* attitude */
@@ -766,7 +762,7 @@ static bench8_status bench8_accelerate(const bench8_table *table, const bench8_s
     bench8_subtract_rates(table, &sum, x->V, F);
     status = bench8_factor_carrier(table, &sum, &K);
     if (status != BENCH8_OK) { return status; }
-    bench8_solve_carrier(table, &sum, &K, F, V_dot);
+    bench8_solve_carrier(table, &K, F, V_dot);
     return BENCH8_OK;
 }
 
@@ -778,11 +774,14 @@ bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
     if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_motion(x, phi_ddot, BENCH8_MAX_ACCELERATION);
     if (status != BENCH8_OK) { return status; }
+    bench8_real result[6];
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    status = bench8_accelerate(table, x, sine, cosine, phi_ddot, V_dot);
+    status = bench8_accelerate(table, x, sine, cosine, phi_ddot, result);
     if (status != BENCH8_OK) { return status; }
+    V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
+    V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
     return BENCH8_OK;
 }
 
@@ -1784,7 +1783,7 @@ bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_st
     bench8_carrier_factor K;
     status = bench8_factor_carrier(table, &sum, &K);
     if (status != BENCH8_OK) { return status; }
-    bench8_solve_carrier(table, &sum, &K, F, V_result);
+    bench8_solve_carrier(table, &K, F, V_result);
     bench8_matrices_result m;
     m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
     m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
@@ -1817,7 +1816,7 @@ bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_st
         for (int i = 0; i < 6; ++i) {
             rhs[i] = slope[i * 6 + j];
         }
-        bench8_solve_carrier(table, &sum, &K, rhs, y);
+        bench8_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1840,7 +1839,7 @@ bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_st
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             bench8_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
-            bench8_solve_carrier(table, &sum, &K, rhs, y);
+            bench8_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1851,7 +1850,7 @@ bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_st
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             bench8_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
-            bench8_solve_carrier(table, &sum, &K, rhs, y);
+            bench8_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
@@ -1865,7 +1864,7 @@ bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_st
             - table->flywheel[s].t_0[1];
         rhs[5] = -table->flywheel[s].t_c[2] * c_phi - table->flywheel[s].t_s[2] * s_phi
             - table->flywheel[s].t_0[2];
-        bench8_solve_carrier(table, &sum, &K, rhs, y);
+        bench8_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_phi_ddot[i][s] = y[i];
         }

@@ -205,16 +205,17 @@ typedef struct bench8_encoder {
 /* A symmetric 3x3 matrix factored, L D L^T. */
 typedef struct bench8_factors3 {
     bench8_real r1;   /* 1 / D, of the last D itself */
+    bench8_real r2;
+    bench8_real d3;
     bench8_real l21;  /* L below its diagonal */
     bench8_real l31;
-    bench8_real r2;
     bench8_real l32;
-    bench8_real d3;
 } bench8_factors3;
 
 /* K of the carrier factored. */
 typedef struct bench8_carrier_factor {
-    bench8_factors3 L;  /* what is left of the inertia */
+    bench8_real rho[3];  /* m; mass centre from O1, in E1 */
+    bench8_factors3 L;   /* what is left of the inertia */
 } bench8_carrier_factor;
 
 /* K with free flywheels eliminated, factored. */
@@ -291,7 +292,7 @@ extern const bench8_inverse_options bench8_default_options;       /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2711 operations on reals, 6 of them divisions. Stack: at most 2272 bytes. */
+ * At most 2708 operations on reals, 6 of them divisions. Stack: at most 2368 bytes. */
 bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
                              const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6]);
 
@@ -376,7 +377,7 @@ bench8_status bench8_step(const bench8_table *table, const bench8_state *x, cons
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 11529 operations on reals, 30 of them divisions. Stack: at most 3728 bytes. */
+ * At most 11517 operations on reals, 30 of them divisions. Stack: at most 3760 bytes. */
 bench8_status bench8_step_driven(const bench8_table *table, const bench8_state *x,
                                  const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                  bench8_state *next);
@@ -430,7 +431,7 @@ bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, 
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 9805 operations on reals, 36 of them divisions. Stack: at most 5136 bytes. */
+ * At most 9712 operations on reals, 36 of them divisions. Stack: at most 5168 bytes. */
 bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_state *x,
                                       const bench8_real phi_ddot[BENCH8_N],
                                       bench8_forward_jacobian_result *out);
@@ -517,7 +518,7 @@ bench8_status bench8_state_from_coordinates(const bench8_real position[3], const
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 7374 operations on reals, 11 of them divisions. Stack: at most 5056 bytes. */
+ * At most 7371 operations on reals, 11 of them divisions. Stack: at most 5152 bytes. */
 bench8_status bench8_generalized(const bench8_table *table, const bench8_state *x,
                                  const bench8_real angles[3], const bench8_real phi_ddot[BENCH8_N],
                                  bench8_generalized_result *out);
@@ -588,7 +589,7 @@ bench8_status bench8_step_carried(const bench8_table *table, const bench8_state 
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 11905 operations on reals, 30 of them divisions. Stack: at most 4016 bytes. */
+ * At most 11893 operations on reals, 30 of them divisions. Stack: at most 4048 bytes. */
 bench8_status bench8_step_driven_carried(const bench8_table *table, const bench8_state *x,
                                          const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                          bench8_step_carry *carry, bench8_state *next);

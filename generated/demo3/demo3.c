@@ -566,11 +566,11 @@ static demo3_status demo3_factor3(const demo3_real S[6], demo3_factors3 *restric
     const demo3_real d3 = S[2] - l31 * S[4] - l32 * p32;
     if (!(d3 >= 2.2250738585072014e-308)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
     L->r1 = r1;
+    L->r2 = r2;
+    L->d3 = d3;
     L->l21 = l21;
     L->l31 = l31;
-    L->r2 = r2;
     L->l32 = l32;
-    L->d3 = d3;
     return DEMO3_OK;
 }
 
@@ -592,16 +592,16 @@ static demo3_status demo3_factor_carrier(const demo3_table *table, const demo3_s
                                          demo3_carrier_factor *restrict K)
 {
     demo3_status status;
-    const demo3_real rho1 = table->mass_inverse * sum->mu[0];  /* mass centre from O1, in E1 */
-    const demo3_real rho2 = table->mass_inverse * sum->mu[1];
-    const demo3_real rho3 = table->mass_inverse * sum->mu[2];
+    K->rho[0] = table->mass_inverse * sum->mu[0];
+    K->rho[1] = table->mass_inverse * sum->mu[1];
+    K->rho[2] = table->mass_inverse * sum->mu[2];
     demo3_real S[6];  /* inertia about the mass centre */
-    S[0] = sum->J[0] - sum->mu[1] * rho2 - sum->mu[2] * rho3;
-    S[1] = sum->J[1] - sum->mu[0] * rho1 - sum->mu[2] * rho3;
-    S[2] = sum->J[2] - sum->mu[0] * rho1 - sum->mu[1] * rho2;
-    S[3] = sum->J[3] + sum->mu[1] * rho1;
-    S[4] = sum->J[4] + sum->mu[2] * rho1;
-    S[5] = sum->J[5] + sum->mu[2] * rho2;
+    S[0] = sum->J[0] - sum->mu[1] * K->rho[1] - sum->mu[2] * K->rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * K->rho[0] - sum->mu[2] * K->rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * K->rho[0] - sum->mu[1] * K->rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * K->rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * K->rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * K->rho[1];
     status = demo3_factor3(S, &K->L);
     if (status != DEMO3_OK) { return status; }
     return DEMO3_OK;
@@ -609,22 +609,18 @@ static demo3_status demo3_factor_carrier(const demo3_table *table, const demo3_s
 
 /* Solves K y = F by the factors of K, (8). */
 DEMO3_CODE
-static void demo3_solve_carrier(const demo3_table *table, const demo3_sums *sum,
-                                const demo3_carrier_factor *K, const demo3_real F[6], demo3_real y[6])
+static void demo3_solve_carrier(const demo3_table *table, const demo3_carrier_factor *K,
+                                const demo3_real F[6], demo3_real y[restrict 6])
 {
-    const demo3_real rho1 = table->mass_inverse * sum->mu[0];  /* mass centre from O1, in E1 */
-    const demo3_real rho2 = table->mass_inverse * sum->mu[1];
-    const demo3_real rho3 = table->mass_inverse * sum->mu[2];
     demo3_real moment[3];  /* about the mass centre */
     demo3_real omega_dot[3];
-    moment[0] = F[1] * rho3 + F[3] - F[2] * rho2;
-    moment[1] = F[2] * rho1 + F[4] - F[0] * rho3;
-    moment[2] = F[0] * rho2 + F[5] - F[1] * rho1;
+    moment[0] = F[1] * K->rho[2] + F[3] - F[2] * K->rho[1];
+    moment[1] = F[2] * K->rho[0] + F[4] - F[0] * K->rho[2];
+    moment[2] = F[0] * K->rho[1] + F[5] - F[1] * K->rho[0];
     demo3_solve3(&K->L, moment, omega_dot);
-    const demo3_real v1_dot = F[0] * table->mass_inverse + omega_dot[2] * rho2 - omega_dot[1] * rho3;
-    const demo3_real v2_dot = F[1] * table->mass_inverse + omega_dot[0] * rho3 - omega_dot[2] * rho1;
-    const demo3_real v3_dot = F[2] * table->mass_inverse + omega_dot[1] * rho1 - omega_dot[0] * rho2;
-    y[0] = v1_dot;        y[1] = v2_dot;        y[2] = v3_dot;
+    y[0] = F[0] * table->mass_inverse + omega_dot[2] * K->rho[1] - omega_dot[1] * K->rho[2];
+    y[1] = F[1] * table->mass_inverse + omega_dot[0] * K->rho[2] - omega_dot[2] * K->rho[0];
+    y[2] = F[2] * table->mass_inverse + omega_dot[1] * K->rho[0] - omega_dot[0] * K->rho[1];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
 }
 
@@ -633,7 +629,7 @@ static void demo3_solve_carrier(const demo3_table *table, const demo3_sums *sum,
 DEMO3_CODE
 static demo3_status demo3_accelerate(const demo3_table *table, const demo3_state *x,
                                      const demo3_real sine[DEMO3_N], const demo3_real cosine[DEMO3_N],
-                                     const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[6])
+                                     const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[restrict 6])
 {
     demo3_status status;
     demo3_sums sum;
@@ -646,7 +642,7 @@ static demo3_status demo3_accelerate(const demo3_table *table, const demo3_state
     demo3_subtract_rates(table, &sum, x->V, F);
     status = demo3_factor_carrier(table, &sum, &K);
     if (status != DEMO3_OK) { return status; }
-    demo3_solve_carrier(table, &sum, &K, F, V_dot);
+    demo3_solve_carrier(table, &K, F, V_dot);
     return DEMO3_OK;
 }
 
@@ -658,11 +654,14 @@ demo3_status demo3_forward(const demo3_table *table, const demo3_state *x,
     if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_motion(x, phi_ddot, DEMO3_MAX_ACCELERATION);
     if (status != DEMO3_OK) { return status; }
+    demo3_real result[6];
     demo3_real sine[DEMO3_N];
     demo3_real cosine[DEMO3_N];
     demo3_sincos_each(x->phi, sine, cosine);
-    status = demo3_accelerate(table, x, sine, cosine, phi_ddot, V_dot);
+    status = demo3_accelerate(table, x, sine, cosine, phi_ddot, result);
     if (status != DEMO3_OK) { return status; }
+    V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
+    V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
     return DEMO3_OK;
 }
 
@@ -1605,7 +1604,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
     demo3_carrier_factor K;
     status = demo3_factor_carrier(table, &sum, &K);
     if (status != DEMO3_OK) { return status; }
-    demo3_solve_carrier(table, &sum, &K, F, V_result);
+    demo3_solve_carrier(table, &K, F, V_result);
     demo3_matrices_result m;
     m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
     m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
@@ -1638,7 +1637,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
         for (int i = 0; i < 6; ++i) {
             rhs[i] = slope[i * 6 + j];
         }
-        demo3_solve_carrier(table, &sum, &K, rhs, y);
+        demo3_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1661,7 +1660,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             demo3_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            demo3_solve_carrier(table, &sum, &K, rhs, y);
+            demo3_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1672,7 +1671,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             demo3_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            demo3_solve_carrier(table, &sum, &K, rhs, y);
+            demo3_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
@@ -1686,7 +1685,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
             - table->flywheel[s].t_0[1];
         rhs[5] = -table->flywheel[s].t_c[2] * c_phi - table->flywheel[s].t_s[2] * s_phi
             - table->flywheel[s].t_0[2];
-        demo3_solve_carrier(table, &sum, &K, rhs, y);
+        demo3_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_phi_ddot[i][s] = y[i];
         }

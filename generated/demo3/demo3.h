@@ -194,16 +194,17 @@ typedef struct demo3_encoder {
 /* A symmetric 3x3 matrix factored, L D L^T. */
 typedef struct demo3_factors3 {
     demo3_real r1;   /* 1 / D, of the last D itself */
+    demo3_real r2;
+    demo3_real d3;
     demo3_real l21;  /* L below its diagonal */
     demo3_real l31;
-    demo3_real r2;
     demo3_real l32;
-    demo3_real d3;
 } demo3_factors3;
 
 /* K of the carrier factored. */
 typedef struct demo3_carrier_factor {
-    demo3_factors3 L;  /* what is left of the inertia */
+    demo3_real rho[3];  /* m; mass centre from O1, in E1 */
+    demo3_factors3 L;   /* what is left of the inertia */
 } demo3_carrier_factor;
 
 /* K with free flywheels eliminated, factored. */
@@ -280,7 +281,7 @@ extern const demo3_inverse_options demo3_default_options;         /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1080 operations on reals, 3 of them divisions. Stack: at most 1616 bytes. */
+ * At most 1077 operations on reals, 3 of them divisions. Stack: at most 1680 bytes. */
 demo3_status demo3_forward(const demo3_table *table, const demo3_state *x,
                            const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[6]);
 
@@ -356,7 +357,7 @@ demo3_status demo3_step(const demo3_table *table, const demo3_state *x, const de
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 4815 operations on reals, 18 of them divisions. Stack: at most 2768 bytes. */
+ * At most 4803 operations on reals, 18 of them divisions. Stack: at most 2768 bytes. */
 demo3_status demo3_step_driven(const demo3_table *table, const demo3_state *x,
                                const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                demo3_state *next);
@@ -410,7 +411,7 @@ demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4011 operations on reals, 18 of them divisions. Stack: at most 3968 bytes. */
+ * At most 3963 operations on reals, 18 of them divisions. Stack: at most 4000 bytes. */
 demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state *x,
                                     const demo3_real phi_ddot[DEMO3_N], demo3_forward_jacobian_result *out);
 
@@ -495,7 +496,7 @@ demo3_status demo3_state_from_coordinates(const demo3_real position[3], const de
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4017 operations on reals, 5 of them divisions. Stack: at most 3712 bytes. */
+ * At most 4014 operations on reals, 5 of them divisions. Stack: at most 3776 bytes. */
 demo3_status demo3_generalized(const demo3_table *table, const demo3_state *x, const demo3_real angles[3],
                                const demo3_real phi_ddot[DEMO3_N], demo3_generalized_result *out);
 
@@ -563,7 +564,7 @@ demo3_status demo3_step_carried(const demo3_table *table, const demo3_state *x,
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5056 operations on reals, 18 of them divisions. Stack: at most 2976 bytes. */
+ * At most 5044 operations on reals, 18 of them divisions. Stack: at most 2976 bytes. */
 demo3_status demo3_step_driven_carried(const demo3_table *table, const demo3_state *x,
                                        const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                        demo3_step_carry *carry, demo3_state *next);

@@ -573,11 +573,11 @@ static eye4_status eye4_factor3(const eye4_real S[6], eye4_factors3 *restrict L)
     const eye4_real d3 = S[2] - l31 * S[4] - l32 * p32;
     if (!(d3 >= 2.2250738585072014e-308)) { return EYE4_NOT_POSITIVE_DEFINITE; }
     L->r1 = r1;
+    L->r2 = r2;
+    L->d3 = d3;
     L->l21 = l21;
     L->l31 = l31;
-    L->r2 = r2;
     L->l32 = l32;
-    L->d3 = d3;
     return EYE4_OK;
 }
 
@@ -599,16 +599,16 @@ static eye4_status eye4_factor_carrier(const eye4_table *table, const eye4_sums 
                                        eye4_carrier_factor *restrict K)
 {
     eye4_status status;
-    const eye4_real rho1 = table->mass_inverse * sum->mu[0];  /* mass centre from O1, in E1 */
-    const eye4_real rho2 = table->mass_inverse * sum->mu[1];
-    const eye4_real rho3 = table->mass_inverse * sum->mu[2];
+    K->rho[0] = table->mass_inverse * sum->mu[0];
+    K->rho[1] = table->mass_inverse * sum->mu[1];
+    K->rho[2] = table->mass_inverse * sum->mu[2];
     eye4_real S[6];  /* inertia about the mass centre */
-    S[0] = sum->J[0] - sum->mu[1] * rho2 - sum->mu[2] * rho3;
-    S[1] = sum->J[1] - sum->mu[0] * rho1 - sum->mu[2] * rho3;
-    S[2] = sum->J[2] - sum->mu[0] * rho1 - sum->mu[1] * rho2;
-    S[3] = sum->J[3] + sum->mu[1] * rho1;
-    S[4] = sum->J[4] + sum->mu[2] * rho1;
-    S[5] = sum->J[5] + sum->mu[2] * rho2;
+    S[0] = sum->J[0] - sum->mu[1] * K->rho[1] - sum->mu[2] * K->rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * K->rho[0] - sum->mu[2] * K->rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * K->rho[0] - sum->mu[1] * K->rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * K->rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * K->rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * K->rho[1];
     status = eye4_factor3(S, &K->L);
     if (status != EYE4_OK) { return status; }
     return EYE4_OK;
@@ -616,22 +616,18 @@ static eye4_status eye4_factor_carrier(const eye4_table *table, const eye4_sums 
 
 /* Solves K y = F by the factors of K, (8). */
 EYE4_CODE
-static void eye4_solve_carrier(const eye4_table *table, const eye4_sums *sum, const eye4_carrier_factor *K,
-                               const eye4_real F[6], eye4_real y[6])
+static void eye4_solve_carrier(const eye4_table *table, const eye4_carrier_factor *K, const eye4_real F[6],
+                               eye4_real y[restrict 6])
 {
-    const eye4_real rho1 = table->mass_inverse * sum->mu[0];  /* mass centre from O1, in E1 */
-    const eye4_real rho2 = table->mass_inverse * sum->mu[1];
-    const eye4_real rho3 = table->mass_inverse * sum->mu[2];
     eye4_real moment[3];  /* about the mass centre */
     eye4_real omega_dot[3];
-    moment[0] = F[1] * rho3 + F[3] - F[2] * rho2;
-    moment[1] = F[2] * rho1 + F[4] - F[0] * rho3;
-    moment[2] = F[0] * rho2 + F[5] - F[1] * rho1;
+    moment[0] = F[1] * K->rho[2] + F[3] - F[2] * K->rho[1];
+    moment[1] = F[2] * K->rho[0] + F[4] - F[0] * K->rho[2];
+    moment[2] = F[0] * K->rho[1] + F[5] - F[1] * K->rho[0];
     eye4_solve3(&K->L, moment, omega_dot);
-    const eye4_real v1_dot = F[0] * table->mass_inverse + omega_dot[2] * rho2 - omega_dot[1] * rho3;
-    const eye4_real v2_dot = F[1] * table->mass_inverse + omega_dot[0] * rho3 - omega_dot[2] * rho1;
-    const eye4_real v3_dot = F[2] * table->mass_inverse + omega_dot[1] * rho1 - omega_dot[0] * rho2;
-    y[0] = v1_dot;        y[1] = v2_dot;        y[2] = v3_dot;
+    y[0] = F[0] * table->mass_inverse + omega_dot[2] * K->rho[1] - omega_dot[1] * K->rho[2];
+    y[1] = F[1] * table->mass_inverse + omega_dot[0] * K->rho[2] - omega_dot[2] * K->rho[0];
+    y[2] = F[2] * table->mass_inverse + omega_dot[1] * K->rho[0] - omega_dot[0] * K->rho[1];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
 }
 
@@ -641,7 +637,7 @@ EYE4_CODE
 static eye4_status eye4_accelerate(const eye4_table *table, const eye4_state *x,
                                    const eye4_real sine[EYE4_N], const eye4_real cosine[EYE4_N],
                                    const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
-                                   eye4_real V_dot[6])
+                                   eye4_real V_dot[restrict 6])
 {
     eye4_status status;
     eye4_sums sum;
@@ -653,7 +649,7 @@ static eye4_status eye4_accelerate(const eye4_table *table, const eye4_state *x,
     eye4_subtract_rates(table, &sum, x->V, F);
     status = eye4_factor_carrier(table, &sum, &K);
     if (status != EYE4_OK) { return status; }
-    eye4_solve_carrier(table, &sum, &K, F, V_dot);
+    eye4_solve_carrier(table, &K, F, V_dot);
     return EYE4_OK;
 }
 
@@ -668,11 +664,14 @@ eye4_status eye4_forward(const eye4_table *table, const eye4_state *x, const eye
     if (status != EYE4_OK) { return status; }
     status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
+    eye4_real result[6];
     eye4_real sine[EYE4_N];
     eye4_real cosine[EYE4_N];
     eye4_sincos_each(x->phi, sine, cosine);
-    status = eye4_accelerate(table, x, sine, cosine, phi_ddot, wrench, V_dot);
+    status = eye4_accelerate(table, x, sine, cosine, phi_ddot, wrench, result);
     if (status != EYE4_OK) { return status; }
+    V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
+    V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
     return EYE4_OK;
 }
 
@@ -1650,7 +1649,7 @@ eye4_status eye4_forward_jacobian(const eye4_table *table, const eye4_state *x,
     eye4_carrier_factor K;
     status = eye4_factor_carrier(table, &sum, &K);
     if (status != EYE4_OK) { return status; }
-    eye4_solve_carrier(table, &sum, &K, F, V_result);
+    eye4_solve_carrier(table, &K, F, V_result);
     eye4_matrices_result m;
     m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
     m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
@@ -1683,7 +1682,7 @@ eye4_status eye4_forward_jacobian(const eye4_table *table, const eye4_state *x,
         for (int i = 0; i < 6; ++i) {
             rhs[i] = slope[i * 6 + j];
         }
-        eye4_solve_carrier(table, &sum, &K, rhs, y);
+        eye4_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1706,7 +1705,7 @@ eye4_status eye4_forward_jacobian(const eye4_table *table, const eye4_state *x,
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             eye4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            eye4_solve_carrier(table, &sum, &K, rhs, y);
+            eye4_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1717,7 +1716,7 @@ eye4_status eye4_forward_jacobian(const eye4_table *table, const eye4_state *x,
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             eye4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            eye4_solve_carrier(table, &sum, &K, rhs, y);
+            eye4_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
@@ -1731,7 +1730,7 @@ eye4_status eye4_forward_jacobian(const eye4_table *table, const eye4_state *x,
             - table->flywheel[s].t_0[1];
         rhs[5] = -table->flywheel[s].t_c[2] * c_phi - table->flywheel[s].t_s[2] * s_phi
             - table->flywheel[s].t_0[2];
-        eye4_solve_carrier(table, &sum, &K, rhs, y);
+        eye4_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_phi_ddot[i][s] = y[i];
         }

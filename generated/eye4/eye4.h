@@ -224,16 +224,17 @@ typedef struct eye4_encoder {
 /* A symmetric 3x3 matrix factored, L D L^T. */
 typedef struct eye4_factors3 {
     eye4_real r1;   /* 1 / D, of the last D itself */
+    eye4_real r2;
+    eye4_real d3;
     eye4_real l21;  /* L below its diagonal */
     eye4_real l31;
-    eye4_real r2;
     eye4_real l32;
-    eye4_real d3;
 } eye4_factors3;
 
 /* K of the carrier factored. */
 typedef struct eye4_carrier_factor {
-    eye4_factors3 L;  /* what is left of the inertia */
+    eye4_real rho[3];  /* m; mass centre from O1, in E1 */
+    eye4_factors3 L;   /* what is left of the inertia */
 } eye4_carrier_factor;
 
 /* K with free flywheels eliminated, factored. */
@@ -344,7 +345,7 @@ extern const eye4_inverse_options eye4_default_options;           /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1362 operations on reals, 3 of them divisions. Stack: at most 1664 bytes. */
+ * At most 1359 operations on reals, 3 of them divisions. Stack: at most 1728 bytes. */
 eye4_status eye4_forward(const eye4_table *table, const eye4_state *x, const eye4_real phi_ddot[EYE4_N],
                          const eye4_real wrench[6], eye4_real V_dot[6]);
 
@@ -439,7 +440,7 @@ eye4_status eye4_step(const eye4_table *table, const eye4_state *x, const eye4_r
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5883 operations on reals, 18 of them divisions. Stack: at most 2896 bytes. */
+ * At most 5871 operations on reals, 18 of them divisions. Stack: at most 2896 bytes. */
 eye4_status eye4_step_driven(const eye4_table *table, const eye4_state *x, const eye4_real phi_ddot[EYE4_N],
                              const eye4_real wrench[6], eye4_real dt, int order, eye4_state *next);
 
@@ -494,7 +495,7 @@ eye4_status eye4_accumulate(eye4_encoder *encoder, int counter, int bits, int pe
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5080 operations on reals, 21 of them divisions. Stack: at most 4128 bytes. */
+ * At most 5023 operations on reals, 21 of them divisions. Stack: at most 4160 bytes. */
 eye4_status eye4_forward_jacobian(const eye4_table *table, const eye4_state *x,
                                   const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                                   eye4_forward_jacobian_result *out);
@@ -568,7 +569,7 @@ eye4_status eye4_inverse_fast(const eye4_table *table, const eye4_state *x, cons
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 11793 operations on reals, 417 of them divisions. Stack: at most 4384 bytes. */
+ * At most 11790 operations on reals, 417 of them divisions. Stack: at most 4384 bytes. */
 eye4_status eye4_inverse_pointing(const eye4_table *table, const eye4_state *x, const eye4_real demand[3],
                                   const eye4_inverse_options *options, const eye4_real wrench[6],
                                   eye4_inverse_pointing_result *out);
@@ -664,7 +665,7 @@ eye4_status eye4_state_from_coordinates(const eye4_real position[3], const eye4_
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4600 operations on reals, 5 of them divisions. Stack: at most 3904 bytes. */
+ * At most 4597 operations on reals, 5 of them divisions. Stack: at most 3968 bytes. */
 eye4_status eye4_generalized(const eye4_table *table, const eye4_state *x, const eye4_real angles[3],
                              const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                              eye4_generalized_result *out);
@@ -739,7 +740,7 @@ eye4_status eye4_step_carried(const eye4_table *table, const eye4_state *x, cons
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 6151 operations on reals, 18 of them divisions. Stack: at most 3120 bytes. */
+ * At most 6139 operations on reals, 18 of them divisions. Stack: at most 3120 bytes. */
 eye4_status eye4_step_driven_carried(const eye4_table *table, const eye4_state *x,
                                      const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                                      eye4_real dt, int order, eye4_step_carry *carry, eye4_state *next);

@@ -571,11 +571,11 @@ static remus6_status remus6_factor3(const remus6_real S[6], remus6_factors3 *res
     const remus6_real d3 = S[2] - l31 * S[4] - l32 * p32;
     if (!(d3 >= 2.2250738585072014e-308)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
     L->r1 = r1;
+    L->r2 = r2;
+    L->d3 = d3;
     L->l21 = l21;
     L->l31 = l31;
-    L->r2 = r2;
     L->l32 = l32;
-    L->d3 = d3;
     return REMUS6_OK;
 }
 
@@ -633,13 +633,12 @@ static void remus6_solve_carrier(const remus6_table *table, const remus6_carrier
     moment[1] = F[4] - K->U[1] * F[0] - K->U[4] * F[1] - K->U[7] * F[2];
     moment[2] = F[5] - K->U[2] * F[0] - K->U[5] * F[1] - K->U[8] * F[2];
     remus6_solve3(&K->L, moment, omega_dot);
-    const remus6_real v1_dot = table->A_inv[0] * F[0] + table->A_inv[3] * F[1] + table->A_inv[4] * F[2]
-        - K->U[0] * omega_dot[0] - K->U[1] * omega_dot[1] - K->U[2] * omega_dot[2];
-    const remus6_real v2_dot = table->A_inv[1] * F[1] + table->A_inv[3] * F[0] + table->A_inv[5] * F[2]
-        - K->U[3] * omega_dot[0] - K->U[4] * omega_dot[1] - K->U[5] * omega_dot[2];
-    const remus6_real v3_dot = table->A_inv[2] * F[2] + table->A_inv[4] * F[0] + table->A_inv[5] * F[1]
-        - K->U[6] * omega_dot[0] - K->U[7] * omega_dot[1] - K->U[8] * omega_dot[2];
-    y[0] = v1_dot;        y[1] = v2_dot;        y[2] = v3_dot;
+    y[0] = table->A_inv[0] * F[0] + table->A_inv[3] * F[1] + table->A_inv[4] * F[2] - K->U[0] * omega_dot[0]
+        - K->U[1] * omega_dot[1] - K->U[2] * omega_dot[2];
+    y[1] = table->A_inv[1] * F[1] + table->A_inv[3] * F[0] + table->A_inv[5] * F[2] - K->U[3] * omega_dot[0]
+        - K->U[4] * omega_dot[1] - K->U[5] * omega_dot[2];
+    y[2] = table->A_inv[2] * F[2] + table->A_inv[4] * F[0] + table->A_inv[5] * F[1] - K->U[6] * omega_dot[0]
+        - K->U[7] * omega_dot[1] - K->U[8] * omega_dot[2];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
 }
 

@@ -268,11 +268,11 @@ typedef struct remus6_encoder {
 /* A symmetric 3x3 matrix factored, L D L^T. */
 typedef struct remus6_factors3 {
     remus6_real r1;   /* 1 / D, of the last D itself */
+    remus6_real r2;
+    remus6_real d3;
     remus6_real l21;  /* L below its diagonal */
     remus6_real l31;
-    remus6_real r2;
     remus6_real l32;
-    remus6_real d3;
 } remus6_factors3;
 
 /* K of the carrier factored. */

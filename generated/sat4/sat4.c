@@ -563,11 +563,11 @@ static sat4_status sat4_factor3(const sat4_real S[6], sat4_factors3 *restrict L)
     const sat4_real d3 = S[2] - l31 * S[4] - l32 * p32;
     if (!(d3 >= 2.2250738585072014e-308)) { return SAT4_NOT_POSITIVE_DEFINITE; }
     L->r1 = r1;
+    L->r2 = r2;
+    L->d3 = d3;
     L->l21 = l21;
     L->l31 = l31;
-    L->r2 = r2;
     L->l32 = l32;
-    L->d3 = d3;
     return SAT4_OK;
 }
 
@@ -589,16 +589,16 @@ static sat4_status sat4_factor_carrier(const sat4_table *table, const sat4_sums 
                                        sat4_carrier_factor *restrict K)
 {
     sat4_status status;
-    const sat4_real rho1 = table->mass_inverse * sum->mu[0];  /* mass centre from O1, in E1 */
-    const sat4_real rho2 = table->mass_inverse * sum->mu[1];
-    const sat4_real rho3 = table->mass_inverse * sum->mu[2];
+    K->rho[0] = table->mass_inverse * sum->mu[0];
+    K->rho[1] = table->mass_inverse * sum->mu[1];
+    K->rho[2] = table->mass_inverse * sum->mu[2];
     sat4_real S[6];  /* inertia about the mass centre */
-    S[0] = sum->J[0] - sum->mu[1] * rho2 - sum->mu[2] * rho3;
-    S[1] = sum->J[1] - sum->mu[0] * rho1 - sum->mu[2] * rho3;
-    S[2] = sum->J[2] - sum->mu[0] * rho1 - sum->mu[1] * rho2;
-    S[3] = sum->J[3] + sum->mu[1] * rho1;
-    S[4] = sum->J[4] + sum->mu[2] * rho1;
-    S[5] = sum->J[5] + sum->mu[2] * rho2;
+    S[0] = sum->J[0] - sum->mu[1] * K->rho[1] - sum->mu[2] * K->rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * K->rho[0] - sum->mu[2] * K->rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * K->rho[0] - sum->mu[1] * K->rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * K->rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * K->rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * K->rho[1];
     status = sat4_factor3(S, &K->L);
     if (status != SAT4_OK) { return status; }
     return SAT4_OK;
@@ -606,22 +606,18 @@ static sat4_status sat4_factor_carrier(const sat4_table *table, const sat4_sums 
 
 /* Solves K y = F by the factors of K, (8). */
 SAT4_CODE
-static void sat4_solve_carrier(const sat4_table *table, const sat4_sums *sum, const sat4_carrier_factor *K,
-                               const sat4_real F[6], sat4_real y[6])
+static void sat4_solve_carrier(const sat4_table *table, const sat4_carrier_factor *K, const sat4_real F[6],
+                               sat4_real y[restrict 6])
 {
-    const sat4_real rho1 = table->mass_inverse * sum->mu[0];  /* mass centre from O1, in E1 */
-    const sat4_real rho2 = table->mass_inverse * sum->mu[1];
-    const sat4_real rho3 = table->mass_inverse * sum->mu[2];
     sat4_real moment[3];  /* about the mass centre */
     sat4_real omega_dot[3];
-    moment[0] = F[1] * rho3 + F[3] - F[2] * rho2;
-    moment[1] = F[2] * rho1 + F[4] - F[0] * rho3;
-    moment[2] = F[0] * rho2 + F[5] - F[1] * rho1;
+    moment[0] = F[1] * K->rho[2] + F[3] - F[2] * K->rho[1];
+    moment[1] = F[2] * K->rho[0] + F[4] - F[0] * K->rho[2];
+    moment[2] = F[0] * K->rho[1] + F[5] - F[1] * K->rho[0];
     sat4_solve3(&K->L, moment, omega_dot);
-    const sat4_real v1_dot = F[0] * table->mass_inverse + omega_dot[2] * rho2 - omega_dot[1] * rho3;
-    const sat4_real v2_dot = F[1] * table->mass_inverse + omega_dot[0] * rho3 - omega_dot[2] * rho1;
-    const sat4_real v3_dot = F[2] * table->mass_inverse + omega_dot[1] * rho1 - omega_dot[0] * rho2;
-    y[0] = v1_dot;        y[1] = v2_dot;        y[2] = v3_dot;
+    y[0] = F[0] * table->mass_inverse + omega_dot[2] * K->rho[1] - omega_dot[1] * K->rho[2];
+    y[1] = F[1] * table->mass_inverse + omega_dot[0] * K->rho[2] - omega_dot[2] * K->rho[0];
+    y[2] = F[2] * table->mass_inverse + omega_dot[1] * K->rho[0] - omega_dot[0] * K->rho[1];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
 }
 
@@ -630,7 +626,7 @@ static void sat4_solve_carrier(const sat4_table *table, const sat4_sums *sum, co
 SAT4_CODE
 static sat4_status sat4_accelerate(const sat4_table *table, const sat4_state *x,
                                    const sat4_real sine[SAT4_N], const sat4_real cosine[SAT4_N],
-                                   const sat4_real phi_ddot[SAT4_N], sat4_real V_dot[6])
+                                   const sat4_real phi_ddot[SAT4_N], sat4_real V_dot[restrict 6])
 {
     sat4_status status;
     sat4_sums sum;
@@ -643,7 +639,7 @@ static sat4_status sat4_accelerate(const sat4_table *table, const sat4_state *x,
     sat4_subtract_rates(table, &sum, x->V, F);
     status = sat4_factor_carrier(table, &sum, &K);
     if (status != SAT4_OK) { return status; }
-    sat4_solve_carrier(table, &sum, &K, F, V_dot);
+    sat4_solve_carrier(table, &K, F, V_dot);
     return SAT4_OK;
 }
 
@@ -655,11 +651,14 @@ sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat
     if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_motion(x, phi_ddot, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
+    sat4_real result[6];
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    status = sat4_accelerate(table, x, sine, cosine, phi_ddot, V_dot);
+    status = sat4_accelerate(table, x, sine, cosine, phi_ddot, result);
     if (status != SAT4_OK) { return status; }
+    V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
+    V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
     return SAT4_OK;
 }
 
@@ -1598,7 +1597,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
     sat4_carrier_factor K;
     status = sat4_factor_carrier(table, &sum, &K);
     if (status != SAT4_OK) { return status; }
-    sat4_solve_carrier(table, &sum, &K, F, V_result);
+    sat4_solve_carrier(table, &K, F, V_result);
     sat4_matrices_result m;
     m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
     m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
@@ -1631,7 +1630,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
         for (int i = 0; i < 6; ++i) {
             rhs[i] = slope[i * 6 + j];
         }
-        sat4_solve_carrier(table, &sum, &K, rhs, y);
+        sat4_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1654,7 +1653,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             sat4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            sat4_solve_carrier(table, &sum, &K, rhs, y);
+            sat4_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1665,7 +1664,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             sat4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            sat4_solve_carrier(table, &sum, &K, rhs, y);
+            sat4_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
@@ -1679,7 +1678,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
             - table->flywheel[s].t_0[1];
         rhs[5] = -table->flywheel[s].t_c[2] * c_phi - table->flywheel[s].t_s[2] * s_phi
             - table->flywheel[s].t_0[2];
-        sat4_solve_carrier(table, &sum, &K, rhs, y);
+        sat4_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_phi_ddot[i][s] = y[i];
         }

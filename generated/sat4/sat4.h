@@ -222,16 +222,17 @@ typedef struct sat4_encoder {
 /* A symmetric 3x3 matrix factored, L D L^T. */
 typedef struct sat4_factors3 {
     sat4_real r1;   /* 1 / D, of the last D itself */
+    sat4_real r2;
+    sat4_real d3;
     sat4_real l21;  /* L below its diagonal */
     sat4_real l31;
-    sat4_real r2;
     sat4_real l32;
-    sat4_real d3;
 } sat4_factors3;
 
 /* K of the carrier factored. */
 typedef struct sat4_carrier_factor {
-    sat4_factors3 L;  /* what is left of the inertia */
+    sat4_real rho[3];  /* m; mass centre from O1, in E1 */
+    sat4_factors3 L;   /* what is left of the inertia */
 } sat4_carrier_factor;
 
 /* K with free flywheels eliminated, factored. */
@@ -340,7 +341,7 @@ extern const sat4_inverse_options sat4_default_options;           /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1332 operations on reals, 3 of them divisions. Stack: at most 1648 bytes. */
+ * At most 1329 operations on reals, 3 of them divisions. Stack: at most 1696 bytes. */
 sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                          sat4_real V_dot[6]);
 
@@ -416,7 +417,7 @@ sat4_status sat4_step(const sat4_table *table, const sat4_state *x, const sat4_r
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5861 operations on reals, 18 of them divisions. Stack: at most 2848 bytes. */
+ * At most 5849 operations on reals, 18 of them divisions. Stack: at most 2848 bytes. */
 sat4_status sat4_step_driven(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                              sat4_real dt, int order, sat4_state *next);
 
@@ -469,7 +470,7 @@ sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int pe
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5050 operations on reals, 21 of them divisions. Stack: at most 4112 bytes. */
+ * At most 4993 operations on reals, 21 of them divisions. Stack: at most 4144 bytes. */
 sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
                                   const sat4_real phi_ddot[SAT4_N], sat4_forward_jacobian_result *out);
 
@@ -534,7 +535,7 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 11757 operations on reals, 417 of them divisions. Stack: at most 4368 bytes. */
+ * At most 11754 operations on reals, 417 of them divisions. Stack: at most 4368 bytes. */
 sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, const sat4_real demand[3],
                                   const sat4_inverse_options *options, sat4_inverse_pointing_result *out);
 
@@ -624,7 +625,7 @@ sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4540 operations on reals, 5 of them divisions. Stack: at most 3872 bytes. */
+ * At most 4537 operations on reals, 5 of them divisions. Stack: at most 3936 bytes. */
 sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const sat4_real angles[3],
                              const sat4_real phi_ddot[SAT4_N], sat4_generalized_result *out);
 
@@ -692,7 +693,7 @@ sat4_status sat4_step_carried(const sat4_table *table, const sat4_state *x, cons
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 6129 operations on reals, 18 of them divisions. Stack: at most 3072 bytes. */
+ * At most 6117 operations on reals, 18 of them divisions. Stack: at most 3072 bytes. */
 sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *x,
                                      const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order,
                                      sat4_step_carry *carry, sat4_state *next);

@@ -685,11 +685,11 @@ static shaker2_status shaker2_factor3(const shaker2_real S[6], shaker2_factors3 
     const shaker2_real d3 = S[2] - l31 * S[4] - l32 * p32;
     if (!(d3 >= 2.2250738585072014e-308)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
     L->r1 = r1;
+    L->r2 = r2;
+    L->d3 = d3;
     L->l21 = l21;
     L->l31 = l31;
-    L->r2 = r2;
     L->l32 = l32;
-    L->d3 = d3;
     return SHAKER2_OK;
 }
 
@@ -712,16 +712,16 @@ static shaker2_status shaker2_factor_carrier(const shaker2_table *table, const s
                                              shaker2_carrier_factor *restrict K)
 {
     shaker2_status status;
-    const shaker2_real rho1 = table->mass_inverse * sum->mu[0];  /* mass centre from O1, in E1 */
-    const shaker2_real rho2 = table->mass_inverse * sum->mu[1];
-    const shaker2_real rho3 = table->mass_inverse * sum->mu[2];
+    K->rho[0] = table->mass_inverse * sum->mu[0];
+    K->rho[1] = table->mass_inverse * sum->mu[1];
+    K->rho[2] = table->mass_inverse * sum->mu[2];
     shaker2_real S[6];  /* inertia about the mass centre */
-    S[0] = sum->J[0] - sum->mu[1] * rho2 - sum->mu[2] * rho3;
-    S[1] = sum->J[1] - sum->mu[0] * rho1 - sum->mu[2] * rho3;
-    S[2] = sum->J[2] - sum->mu[0] * rho1 - sum->mu[1] * rho2;
-    S[3] = sum->J[3] + sum->mu[1] * rho1;
-    S[4] = sum->J[4] + sum->mu[2] * rho1;
-    S[5] = sum->J[5] + sum->mu[2] * rho2;
+    S[0] = sum->J[0] - sum->mu[1] * K->rho[1] - sum->mu[2] * K->rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * K->rho[0] - sum->mu[2] * K->rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * K->rho[0] - sum->mu[1] * K->rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * K->rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * K->rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * K->rho[1];
     status = shaker2_factor3(S, &K->L);
     if (status != SHAKER2_OK) { return status; }
     return SHAKER2_OK;
@@ -729,23 +729,18 @@ static shaker2_status shaker2_factor_carrier(const shaker2_table *table, const s
 
 /* Solves K y = F by the factors of K, (8). */
 SHAKER2_CODE
-static void shaker2_solve_carrier(const shaker2_table *table, const shaker2_sums *sum,
-                                  const shaker2_carrier_factor *K, const shaker2_real F[6],
-                                  shaker2_real y[6])
+static void shaker2_solve_carrier(const shaker2_table *table, const shaker2_carrier_factor *K,
+                                  const shaker2_real F[6], shaker2_real y[restrict 6])
 {
-    const shaker2_real rho1 = table->mass_inverse * sum->mu[0];  /* mass centre from O1, in E1 */
-    const shaker2_real rho2 = table->mass_inverse * sum->mu[1];
-    const shaker2_real rho3 = table->mass_inverse * sum->mu[2];
     shaker2_real moment[3];  /* about the mass centre */
     shaker2_real omega_dot[3];
-    moment[0] = F[1] * rho3 + F[3] - F[2] * rho2;
-    moment[1] = F[2] * rho1 + F[4] - F[0] * rho3;
-    moment[2] = F[0] * rho2 + F[5] - F[1] * rho1;
+    moment[0] = F[1] * K->rho[2] + F[3] - F[2] * K->rho[1];
+    moment[1] = F[2] * K->rho[0] + F[4] - F[0] * K->rho[2];
+    moment[2] = F[0] * K->rho[1] + F[5] - F[1] * K->rho[0];
     shaker2_solve3(&K->L, moment, omega_dot);
-    const shaker2_real v1_dot = F[0] * table->mass_inverse + omega_dot[2] * rho2 - omega_dot[1] * rho3;
-    const shaker2_real v2_dot = F[1] * table->mass_inverse + omega_dot[0] * rho3 - omega_dot[2] * rho1;
-    const shaker2_real v3_dot = F[2] * table->mass_inverse + omega_dot[1] * rho1 - omega_dot[0] * rho2;
-    y[0] = v1_dot;        y[1] = v2_dot;        y[2] = v3_dot;
+    y[0] = F[0] * table->mass_inverse + omega_dot[2] * K->rho[1] - omega_dot[1] * K->rho[2];
+    y[1] = F[1] * table->mass_inverse + omega_dot[0] * K->rho[2] - omega_dot[2] * K->rho[0];
+    y[2] = F[2] * table->mass_inverse + omega_dot[1] * K->rho[0] - omega_dot[0] * K->rho[1];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
 }
 
@@ -755,7 +750,8 @@ SHAKER2_CODE
 static shaker2_status shaker2_accelerate(const shaker2_table *table, const shaker2_state *x,
                                          const shaker2_real sine[SHAKER2_N],
                                          const shaker2_real cosine[SHAKER2_N],
-                                         const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6])
+                                         const shaker2_real phi_ddot[SHAKER2_N],
+                                         shaker2_real V_dot[restrict 6])
 {
     shaker2_status status;
     shaker2_real C[9];  /* attitude */
@@ -771,7 +767,7 @@ static shaker2_status shaker2_accelerate(const shaker2_table *table, const shake
     shaker2_subtract_rates(table, &sum, x->V, F);
     status = shaker2_factor_carrier(table, &sum, &K);
     if (status != SHAKER2_OK) { return status; }
-    shaker2_solve_carrier(table, &sum, &K, F, V_dot);
+    shaker2_solve_carrier(table, &K, F, V_dot);
     return SHAKER2_OK;
 }
 
@@ -783,11 +779,14 @@ shaker2_status shaker2_forward(const shaker2_table *table, const shaker2_state *
     if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_motion(x, phi_ddot, SHAKER2_MAX_ACCELERATION);
     if (status != SHAKER2_OK) { return status; }
+    shaker2_real result[6];
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    status = shaker2_accelerate(table, x, sine, cosine, phi_ddot, V_dot);
+    status = shaker2_accelerate(table, x, sine, cosine, phi_ddot, result);
     if (status != SHAKER2_OK) { return status; }
+    V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
+    V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
     return SHAKER2_OK;
 }
 
@@ -1796,7 +1795,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
     shaker2_carrier_factor K;
     status = shaker2_factor_carrier(table, &sum, &K);
     if (status != SHAKER2_OK) { return status; }
-    shaker2_solve_carrier(table, &sum, &K, F, V_result);
+    shaker2_solve_carrier(table, &K, F, V_result);
     shaker2_matrices_result m;
     m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
     m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
@@ -1829,7 +1828,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
         for (int i = 0; i < 6; ++i) {
             rhs[i] = slope[i * 6 + j];
         }
-        shaker2_solve_carrier(table, &sum, &K, rhs, y);
+        shaker2_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1852,7 +1851,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             shaker2_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
-            shaker2_solve_carrier(table, &sum, &K, rhs, y);
+            shaker2_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1863,7 +1862,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             shaker2_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
-            shaker2_solve_carrier(table, &sum, &K, rhs, y);
+            shaker2_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
@@ -1877,7 +1876,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
             - table->flywheel[s].t_0[1];
         rhs[5] = -table->flywheel[s].t_c[2] * c_phi - table->flywheel[s].t_s[2] * s_phi
             - table->flywheel[s].t_0[2];
-        shaker2_solve_carrier(table, &sum, &K, rhs, y);
+        shaker2_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_phi_ddot[i][s] = y[i];
         }

@@ -205,16 +205,17 @@ typedef struct shaker2_encoder {
 /* A symmetric 3x3 matrix factored, L D L^T. */
 typedef struct shaker2_factors3 {
     shaker2_real r1;   /* 1 / D, of the last D itself */
+    shaker2_real r2;
+    shaker2_real d3;
     shaker2_real l21;  /* L below its diagonal */
     shaker2_real l31;
-    shaker2_real r2;
     shaker2_real l32;
-    shaker2_real d3;
 } shaker2_factors3;
 
 /* K of the carrier factored. */
 typedef struct shaker2_carrier_factor {
-    shaker2_factors3 L;  /* what is left of the inertia */
+    shaker2_real rho[3];  /* m; mass centre from O1, in E1 */
+    shaker2_factors3 L;   /* what is left of the inertia */
 } shaker2_carrier_factor;
 
 /* K with free flywheels eliminated, factored. */
@@ -292,7 +293,7 @@ extern const shaker2_inverse_options shaker2_default_options;     /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1199 operations on reals, 6 of them divisions. Stack: at most 2160 bytes. */
+ * At most 1196 operations on reals, 6 of them divisions. Stack: at most 2240 bytes. */
 shaker2_status shaker2_forward(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6]);
 
@@ -381,7 +382,7 @@ shaker2_status shaker2_step(const shaker2_table *table, const shaker2_state *x,
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5253 operations on reals, 30 of them divisions. Stack: at most 3248 bytes. */
+ * At most 5241 operations on reals, 30 of them divisions. Stack: at most 3280 bytes. */
 shaker2_status shaker2_step_driven(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
                                    shaker2_state *next);
@@ -435,7 +436,7 @@ shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bit
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3427 operations on reals, 18 of them divisions. Stack: at most 4288 bytes. */
+ * At most 3388 operations on reals, 18 of them divisions. Stack: at most 4320 bytes. */
 shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker2_state *x,
                                         const shaker2_real phi_ddot[SHAKER2_N],
                                         shaker2_forward_jacobian_result *out);
@@ -523,7 +524,7 @@ shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], co
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4236 operations on reals, 11 of them divisions. Stack: at most 4096 bytes. */
+ * At most 4233 operations on reals, 11 of them divisions. Stack: at most 4192 bytes. */
 shaker2_status shaker2_generalized(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
                                    shaker2_generalized_result *out);
@@ -595,7 +596,7 @@ shaker2_status shaker2_step_carried(const shaker2_table *table, const shaker2_st
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5467 operations on reals, 30 of them divisions. Stack: at most 3424 bytes. */
+ * At most 5455 operations on reals, 30 of them divisions. Stack: at most 3456 bytes. */
 shaker2_status shaker2_step_driven_carried(const shaker2_table *table, const shaker2_state *x,
                                            const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt,
                                            int order, shaker2_step_carry *carry, shaker2_state *next);

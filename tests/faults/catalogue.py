@@ -26,7 +26,7 @@ FAULTS = (
     Fault("a result is written one place further", MEMORY, ("self-test",),
           "torque", r"tau\[s\] = V_dot", "tau[s + 1] = V_dot"),
     Fault("a result is written before the inputs are read", MEMORY, ("in place",),
-          "forward", r"(    name_real sine\[)", r"    V_dot[0] = 0.0;\n\1"),
+          "forward", r"    name_real result\[6\];", "    V_dot[0] = 0.0;\n    name_real result[6];"),
     Fault("a local that keeps its value between calls", MEMORY, ("object",),
           "accelerate", r"    name_sums sum;", "    static name_sums sum;"),
 

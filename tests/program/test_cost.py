@@ -86,14 +86,6 @@ def test_each_further_flywheel_costs_forward_the_same() -> None:
     assert many.divisions == one.divisions
 
 
-def test_two_fifths_of_forward_for_two_flywheels_depend_on_no_flywheel() -> None:
-    """docs/batch.md says so."""
-    few, many = (operations(generated(name).program, "forward").total for name in ("bare5", "bare64"))
-    each = (many - few) / 59
-    fixed = few - 5 * each
-    assert 0.35 < fixed / (fixed + 2 * each) < 0.4
-
-
 def test_operations_that_bound_a_batch() -> None:
     """docs/batch.md says so: equal bits leave no operation out."""
     program = generated("bench8").program

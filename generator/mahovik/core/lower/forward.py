@@ -169,8 +169,7 @@ def accelerate(lib: Library) -> Function:
         external_wrench(lib, body, table.place, x.place, seen, wrench, F)
         body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
         lib.check(body, "factor_carrier", table.place, seen.sums, K)
-        named = {"table": table.place, "sum": seen.sums, "K": K, "F": F, "y": V_dot.place}
-        body.call(lib["solve_carrier"], *lib.arguments_of("solve_carrier", **named))
+        body.call(lib["solve_carrier"], table.place, K, F, V_dot.place)
         from_stream(body, x.place, seen, V_dot.place)
     return body.checked_function(
         "accelerate",
@@ -242,12 +241,11 @@ def forward(lib: Library, at: bool = False) -> Function:
     turns = lib.given_turns() if at else ()
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     purpose = "derivative of the components of V; may overlap any input"
-    V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", purpose, overlaps=True)
+    V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", purpose)
     body = Body()
     check_inputs(lib, body, table, x, phi_ddot, wrench, turns)
     held = hold.results(lib)
-    at_once = not (lib.layout.held or lib.layout.stream)  # solve_carrier writes V_dot when no input is needed any more
-    result = V_dot.place if at_once else body.local("result", (6,))
+    result = body.local("result", (6,))
     others = [body.local(f"{a.name}_result", a.shape) for a in held]
     named = {"table": table.place, "x": x.place, "V_dot": result} | named_turns(all_turns(lib, body, x.place, turns))
     named |= {a.name: a.place for a in (*phi_ddot, *wrench)}
@@ -255,8 +253,7 @@ def forward(lib: Library, at: bool = False) -> Function:
     lib.check(body, "accelerate", *lib.arguments_of("accelerate", **named))
     if lib.layout.held:
         hold.write_twist(lib, body, table.place, others, result)
-    if not at_once:
-        body.copy_array(V_dot.place, result)
+    body.copy_array(V_dot.place, result)
     for argument, found in zip(held, others, strict=True):
         body.copy_array(argument.place, found)
     return body.checked_function(

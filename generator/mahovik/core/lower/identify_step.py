@@ -147,8 +147,7 @@ def identify_step(lib: Library) -> Function:
     external_wrench(lib, body, table.place, x.place, seen, wrench, F)
     body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
     lib.check(body, "factor_carrier", table.place, seen.sums, K)
-    system = {"table": table.place, "sum": seen.sums, "K": K}
-    body.call(lib["solve_carrier"], *lib.arguments_of("solve_carrier", **system, F=F, y=model))
+    body.call(lib["solve_carrier"], *lib.arguments_of("solve_carrier", table=table.place, K=K, F=F, y=model))
     from_stream(body, x.place, seen, model)
     slopes = body.local("slopes", (6, n), comment="of V* by the unbalances: -K^-1 Y")
     with body.loop("s", layout.count) as s:
@@ -166,7 +165,7 @@ def identify_step(lib: Library) -> Function:
         body.call(lib["unbalance_columns"], *lib.arguments_of("unbalance_columns", **named))
         for k in range(2):
             y = body.local(f"y{k + 2}", (6,))
-            body.call(lib["solve_carrier"], *lib.arguments_of("solve_carrier", **system, F=Y[k], y=y))
+            body.call(lib["solve_carrier"], *lib.arguments_of("solve_carrier", table=table.place, K=K, F=Y[k], y=y))
             for i in range(6):
                 body.set(slopes[i][s * integer(2) + integer(k)], -y[i])
     _grow(body, at, forget.place, n)

@@ -121,12 +121,11 @@ def forward_jacobian(lib: Library) -> Function:
     body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
     K = body.local("K", (), layout.carrier_factor)
     lib.check(body, "factor_carrier", table.place, seen.sums, K)
-    system = {"table": table.place, "sum": seen.sums, "K": K}
-    body.call(lib["solve_carrier"], *lib.arguments_of("solve_carrier", **system, F=F, y=motion))
+    body.call(lib["solve_carrier"], table.place, K, F, motion)
     slope, _ = twist_slopes(lib, body, table.place, x.place, seen, wrench, Z)
 
     def solve() -> None:
-        body.call(lib["solve_carrier"], *lib.arguments_of("solve_carrier", **system, F=rhs, y=y))
+        body.call(lib["solve_carrier"], table.place, K, rhs, y)
 
     with body.loop("j", 6) as j:
         with body.loop("i", 6) as i:

@@ -127,15 +127,18 @@ class Layout(Tables):
 
     @cached_property
     def factors3(self) -> Struct:
-        # In the order in which they are found: so a compiler that writes neighbours at once holds back no early one.
-        notes = {"r1": "1 / D, of the last D itself", "l21": "L below its diagonal"}
-        fields = [Field(name, REAL, (), "", notes.get(name, "")) for name in ("r1", "l21", "l31", "r2", "l32", "d3")]
+        fields = [Field(name, REAL, (), "", "") for name in ("r1", "r2", "d3", "l21", "l31", "l32")]
+        fields[0] = Field("r1", REAL, (), "", "1 / D, of the last D itself")
+        fields[3] = Field("l21", REAL, (), "", "L below its diagonal")
         return Struct("factors3", "A symmetric 3x3 matrix factored, L D L^T.", tuple(fields))
 
     @cached_property
     def carrier_factor(self) -> Struct:
-        left = Field("L", self.factors3, (), "", "what is left of the inertia")
-        fields = (Field("U", REAL, (9,), "m", "A^-1 B^T"), left) if self.added_mass else (left,)
+        if self.added_mass:
+            field = Field("U", REAL, (9,), "m", "A^-1 B^T")
+        else:
+            field = Field("rho", REAL, (3,), "m", "mass centre from O1, in E1")
+        fields = (field, Field("L", self.factors3, (), "", "what is left of the inertia"))
         return Struct("carrier_factor", "K of the carrier factored.", fields)
 
     @cached_property

@@ -10,7 +10,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Place, real
+from mahovik.core.program.expression import Not, Place, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -85,7 +85,7 @@ def factor3(lib: Library) -> Function:
     l32 = body.let("l32", rest * r2)
     d3 = body.let("d3", m[2] - l31 * m[4] - l32 * rest)
     lib.guard(body, Not(d3 >= least), "NOT_POSITIVE_DEFINITE")
-    for name, value in (("r1", r1), ("l21", l21), ("l31", l31), ("r2", r2), ("l32", l32), ("d3", d3)):
+    for name, value in (("r1", r1), ("r2", r2), ("d3", d3), ("l21", l21), ("l31", l31), ("l32", l32)):
         body.set(f.member(name), value)
     return body.checked_function(
         "factor3",
@@ -112,15 +112,6 @@ def solve3(lib: Library) -> Function:
     return replace(body.function("solve3", "Solves S y = b by S = L D L^T.", (factor, b, y)), short=True)
 
 
-def _mass_centre(body: Body, binding: dict[str, Any]) -> list[Expr]:
-    """Mass centre from O1, in E1.
-
-    Found again wherever it is used: three products take less time than to read what has just been written in parts.
-    """
-    found = [translate(value, binding) for value in derived.centre_offset()]
-    return [body.let(f"rho{i + 1}", value, "" if i else "mass centre from O1, in E1") for i, value in enumerate(found)]
-
-
 def factor_carrier(lib: Library) -> Function:
     """K with its translational block eliminated by its constant inverse: a 3x3 matrix is left, factored."""
     table = lib.table_argument()
@@ -136,7 +127,8 @@ def factor_carrier(lib: Library) -> Function:
         binding |= {"B": B, "U": out.place.U}
         assign(body, list(out.place.U), derived.schur_coupling(True), binding)
     else:
-        binding["rho"] = _mass_centre(body, binding)
+        assign(body, list(out.place.rho), derived.centre_offset(), binding)
+        binding["rho"] = out.place.rho
     S = body.local("S", (6,), comment="J - B A^-1 B^T" if added else "inertia about the mass centre")
     assign(body, list(S), derived.reduced_inertia(added), binding)
     lib.check(body, "factor3", S, out.place.L)
@@ -150,30 +142,25 @@ def factor_carrier(lib: Library) -> Function:
 
 
 def solve_carrier(lib: Library) -> Function:
-    """K y = (f, n) by the factors of K; written when all is computed."""
-    added = lib.layout.added_mass
+    """K y = (f, n) by the factors of K."""
     table = lib.table_argument()
-    sums = () if added else (Argument("sum", lib.layout.sums),)
     factor = Argument("K", lib.layout.carrier_factor)
     F = Argument("F", Kind.REAL, (6,), "in", "N, N m")
     y = Argument("y", Kind.REAL, (6,), "out", "m/s2, rad/s2", "must not overlap F")
+    added = lib.layout.added_mass
     body = Body()
     six = list(F.place)
-    binding: dict[str, Any] = {"f": six[:3], "n": six[3:]}
-    if added:
-        binding |= {"A_inv": table.place.A_inv, "U": factor.place.U}
-    for given in sums:
-        binding |= carrier_binding(lib, table.place, given.place)
-        binding["rho"] = _mass_centre(body, binding)
     n = body.local("moment", (3,), comment="about the mass centre" if not added else "n - B A^-1 f")
     omega_dot = body.local("omega_dot", (3,))
+    binding: dict[str, Any] = {"f": six[:3], "n": six[3:], "omega_dot": omega_dot}
+    if added:
+        binding |= {"A_inv": table.place.A_inv, "U": factor.place.U}
+    else:
+        binding |= {"m_inverse": table.place.mass_inverse, "rho": factor.place.rho}
     assign(body, list(n), derived.reduced_moment(added), binding)
     body.call(lib["solve3"], factor.place.L, n, omega_dot)
-    binding["omega_dot"] = omega_dot
-    found = [translate(value, binding) for value in derived.linear_part(added)]
-    linear = [body.let(f"v{i + 1}_dot", value) for i, value in enumerate(found)]
-    for target, value in zip(y.place, (*linear, *omega_dot), strict=True):
+    out = list(y.place)
+    assign(body, out[:3], derived.linear_part(added), binding)
+    for target, value in zip(out[3:], omega_dot, strict=True):
         body.set(target, value)
-    return body.function(
-        "solve_carrier", "Solves K y = F by the factors of K.", (table, *sums, factor, F, y), equation="(8)"
-    )
+    return body.function("solve_carrier", "Solves K y = F by the factors of K.", (table, factor, F, y), equation="(8)")
