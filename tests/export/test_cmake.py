@@ -133,7 +133,7 @@ def plain(exported: Path, tmp_path_factory: pytest.TempPathFactory) -> str:
 @pytest.mark.slow
 @pytest.mark.parametrize("flags", ["-O2 -march=native -ffast-math", ""])
 def test_as_a_folder_of_a_project(exported: Path, plain: str, flags: str, tmp_path: Path) -> None:
-    """Whatever flags the project has, the C has its own."""
+    """The C is compiled with its own flags, independent of those of the project."""
     made = build(
         user(tmp_path / "mine", f'add_subdirectory("{exported}" bench8)'),
         f"-DCMAKE_C_FLAGS={flags}",

@@ -95,7 +95,7 @@ def test_instructions_are_counted(name: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", ["m3", "m7", "rv32gc", "rv64gc"])
 def test_painted_stack(name: str, tmp_path: Path) -> None:
-    """Nothing called, nothing used; a block of 1000 bytes is seen."""
+    """An empty program uses no stack; a block of 1000 bytes is measured."""
     found = target(name)
     assert run(found, build(found, {"stack.c": STACK}, tmp_path)).splitlines() == ["nothing", "a thousand"]
 
