@@ -11,11 +11,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from cli.test_eval_held import TEXT
+from laws import test_friction as friction
+from laws import test_stop as stop
+from laws.held_stands import held_stand
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.stand import dumps
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import Features
 from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import rest_state
+from mahovik.laws.friction.data import Frictions
+from mahovik.laws.stop.data import Stops
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
@@ -80,6 +86,18 @@ def test_flywheels_side_by_side_have_the_same_jacobians() -> None:
 def test_jacobians_of_random_held_stands_are_these_derivatives(stand: Stand, seed: int) -> None:
     found = rows_of(stand, seed)
     assert [row.reason for row in found if row.verdict != "ok"] == []
+
+
+@pytest.mark.parametrize("name", ["rail", pytest.param("skew hinge", marks=pytest.mark.slow)])
+def test_friction_and_stops_have_their_part(name: str) -> None:
+    """Their derivatives by the speed are those of the second derivation; without them the comparison fails."""
+    own = loads(dumps(held_stand(name, friction.GIVEN[name] + stop.GIVEN[name])))
+    assert [row.reason for row in rows_of(own) if row.verdict != "ok"] == []
+    for law in (Frictions, Stops):
+        some = ordinary(draw(own, 1, 12, wrenches=False), ["x"], 12)
+        bare = InterpreterBackend(generate_all(own.without_laws(law)))
+        found = jacobian_rows(Case(own, cast(Any, bare), some, DOUBLE, Second(own), 1), "forward_jacobian")
+        assert [row.verdict for row in found] == ["FAILED"]
 
 
 def test_the_pendulum_has_the_derivatives_of_its_closed_formulas() -> None:

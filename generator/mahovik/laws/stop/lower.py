@@ -62,6 +62,7 @@ class Stops(LawLowering):
     """All stops: those of what slides, then those of what turns."""
 
     words = "stops"
+    per_twist = True
 
     def present(self, structure: Structure) -> bool:
         """Whether there is any."""
@@ -101,14 +102,32 @@ class Stops(LawLowering):
 
     def act(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
         """Adds the push of every stop."""
-        for kind in ("slide", "turn"):
-            if count := lib.layout.structure.law(f"{kind}_stops"):
-                with body.loop("k", count) as k:
-                    named = {"law": table.member(f"{kind}_stop")[k], "table": table, "x": x, "C": C, "F": F}
-                    body.call(lib[f"stop_{kind}"], *lib.arguments_of(f"stop_{kind}", **named))
+        _each(lib, body, "", {"table": table, "x": x, "C": C, "F": F})
+
+    def add_slopes(self, lib: FunctionSet) -> None:
+        """The change of the push of one stop."""
+        structure = lib.layout.structure
+        if structure.law("slide_stops"):
+            lib.add(stop_slide(lib, slope=True))
+        if structure.law("turn_stops"):
+            lib.add(stop_turn(lib, slope=True))
+
+    def slope(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, change: Place, F: Place) -> None:
+        """Adds the change of the push of every stop."""
+        _each(lib, body, "_slope", {"table": table, "x": x, "C": C, "change": change, "F": F})
 
 
 LOWERING = Stops()
+
+
+def _each(lib: FunctionSet, body: Body, suffix: str, named: dict[str, Place]) -> None:
+    """Calls the function of every stop whose name ends like this."""
+    for kind in ("slide", "turn"):
+        if count := lib.layout.structure.law(f"{kind}_stops"):
+            name = f"stop_{kind}{suffix}"
+            with body.loop("k", count) as k:
+                law = named["table"].member(f"{kind}_stop")[k]
+                body.call(lib[name], *lib.arguments_of(name, law=law, **named))
 
 
 def _row(stop: Row, hold: Hold, kind: str, direction: Any, C0: list[float]) -> dict[str, Any]:
@@ -128,50 +147,66 @@ def _rotate(C: list[float], a: list[float]) -> list[float]:
     return [C[3 * i] * a[0] + C[3 * i + 1] * a[1] + C[3 * i + 2] * a[2] for i in range(3)]
 
 
-def _arguments(lib: FunctionSet, struct: Struct) -> tuple[Argument, ...]:
-    return (
-        Argument("law", struct),
-        lib.table_argument(),
-        lib.state_argument(),
-        Argument("C", REAL, (9,), purpose="attitude of the carrier"),
-        Argument("F", REAL, (6,), "inout", "N, N m", "wrench; this law is added to it"),
-    )
+class _StopFunction:
+    """A function that adds the push of a stop to F, or with `slope` its change with the twist."""
+
+    def __init__(self, lib: FunctionSet, struct: Struct, slope: bool) -> None:
+        law, table, x = Argument("law", struct), lib.table_argument(), lib.state_argument()
+        C = Argument("C", REAL, (9,), purpose="attitude of the carrier")
+        change = Argument("change", REAL, (6,), purpose="change of the twist")
+        if slope:
+            F = Argument("F", REAL, (6,), "inout", purpose="change of the wrench; this change is added to it")
+        else:
+            F = Argument("F", REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
+        self._arguments = (law, table, x, C, *((change,) if slope else ()), F)
+        self.law, self.table, self.x, self.C, self.F = (a.place for a in (law, table, x, C, F))
+        self.change = change.place if slope else None
+        self.body = Body()
+
+    def finish(self, name: str, what: str, coordinate: Expr) -> Function:
+        """F -= side depth (stiffness + damping side speed) W, where both factors are positive: a stop never pulls."""
+        body, law, F = self.body, self.law, self.F
+        found = formulas.stop()
+        bound = {name: getattr(law, name) for name in ("at", "side", "stiffness", "damping")}
+        depth = body.let("depth", translate(found.depth, bound | {"coordinate": coordinate}), "beyond the stop")
+        moved = {"direction": law.direction, "V": self.x.V}
+        with body.when(depth > 0):
+            speed = body.let("speed", translate(found.speed, moved), "of the freedom")
+            push = body.let("push", translate(found.push, bound | {"speed": speed}), "per depth")
+            with body.when(push > 0, comment="a stop does not pull"):
+                if self.change is None:
+                    force = body.let("force", law.side * (depth * push))
+                else:
+                    speed_by = body.let("speed_by", translate(found.speed, moved | {"V": self.change}))
+                    push_by = body.let("push_by", translate(formulas.push_slope(), bound) * speed_by)
+                    force = body.let("force", law.side * (depth * push_by), "its change")
+                with body.loop("i", 6) as i:
+                    body.add(F[i], -(force * law.direction[i]))
+        if self.change is not None:
+            name, purpose = f"{name}_slope", f"Change of the push of {what} with the twist."
+        else:
+            purpose = f"Adds the push of {what}."
+        return body.function(name, purpose, self._arguments, equation="(7)")
 
 
-def stop_slide(lib: FunctionSet) -> Function:
-    """Push of a stop of what slides, added to F."""
-    law, table, x, C, F = _arguments(lib, SLIDE_STOP)
-    body = Body()
-    bound = {"axis": law.place.axis, "home": law.place.home, "O1": x.place.position, "C": C.place}
-    coordinate = body.let("coordinate", translate(formulas.way(), bound | {"pivot": table.place.pivot}))
-    _push(body, law.place, x.place, coordinate, F.place)
-    return body.function("stop_slide", "Adds the push of a stop of what slides.", (law, table, x, C, F), equation="(7)")
+def stop_slide(lib: FunctionSet, slope: bool = False) -> Function:
+    """Push of a stop of what slides, added to F, or its change with the twist."""
+    adding = _StopFunction(lib, SLIDE_STOP, slope)
+    law, body = adding.law, adding.body
+    bound = {"axis": law.axis, "home": law.home, "O1": adding.x.position, "C": adding.C, "pivot": adding.table.pivot}
+    coordinate = body.let("coordinate", translate(formulas.way(), bound))
+    return adding.finish("stop_slide", "a stop of what slides", coordinate)
 
 
-def stop_turn(lib: FunctionSet) -> Function:
-    """Push of a stop of what turns, added to F."""
-    law, table, x, C, F = _arguments(lib, TURN_STOP)
-    body = Body()
+def stop_turn(lib: FunctionSet, slope: bool = False) -> Function:
+    """Push of a stop of what turns, added to F, or its change with the twist."""
+    adding = _StopFunction(lib, TURN_STOP, slope)
+    law, body = adding.law, adding.body
     R = body.local("R", (9,), comment="attitude from the home pose, row by row")
-    assign(body, list(R), formulas.relative(), {"C0": law.place.C0, "C": C.place})
+    assign(body, list(R), formulas.relative(), {"C0": law.C0, "C": adding.C})
     sine, cosine = formulas.sine_and_cosine()
-    bound = {"axis": law.place.axis, "R": R}
+    bound = {"axis": law.axis, "R": R}
     s = body.let("sine", translate(sine, bound), "times a factor that the cosine has too")
     c = body.let("cosine", translate(cosine, bound))
     coordinate = body.let("coordinate", call(lib["atan2"], s, c), "angle from the home pose")
-    _push(body, law.place, x.place, coordinate, F.place)
-    return body.function("stop_turn", "Adds the push of a stop of what turns.", (law, table, x, C, F), equation="(7)")
-
-
-def _push(body: Body, law: Place, x: Place, coordinate: Expr, F: Place) -> None:
-    """F -= side depth (stiffness + damping side speed) W, where both factors are positive: a stop never pulls."""
-    found = formulas.stop()
-    bound = {name: getattr(law, name) for name in ("at", "side", "stiffness", "damping")}
-    depth = body.let("depth", translate(found.depth, bound | {"coordinate": coordinate}), "beyond the stop")
-    with body.when(depth > 0):
-        speed = body.let("speed", translate(found.speed, {"direction": law.direction, "V": x.V}), "of the freedom")
-        push = body.let("push", translate(found.push, bound | {"speed": speed}), "per depth")
-        with body.when(push > 0, comment="a stop does not pull"):
-            force = body.let("force", law.side * (depth * push))
-            with body.loop("i", 6) as i:
-                body.add(F[i], -(force * law.direction[i]))
+    return adding.finish("stop_turn", "a stop of what turns", coordinate)

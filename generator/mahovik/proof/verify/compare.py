@@ -189,11 +189,15 @@ class Judge:
                 row.note(Differences(off), request, words)
 
     def _compare_at_its_rank(self, request: Request, found: Mapping[str, Any], left_out: Collection[str]) -> None:
-        """Note sigma, and phi_ddot and residual for the rank that was found; status and rank depend on rounding."""
+        """Note sigma, and phi_ddot and residual for the rank that was found; status and rank depend on rounding.
+
+        Where even the largest sigma is within the accepted difference of zero, it may be taken as zero.
+        """
         state, at, cuts = request.state, self._at(request.state), self._bounds.cuts
         sigma, rank = allocation(at, self._stand, np.array(state.V_dot), cuts).sigma, found.get("rank")
         cut = cuts.rank * sigma[0]
-        least, most = int(np.sum(sigma > 10 * cut)), int(np.sum(sigma > cut / 10))
+        noise = float(np.max(self._bounds.of("inverse", "sigma") * self._scales(state, "inverse")["sigma"]))
+        least, most = int(np.sum(sigma > 10 * cut)) if sigma[0] > noise else 0, int(np.sum(sigma > cut / 10))
         if not isinstance(rank, int) or not least <= rank <= most:
             words = f"rank {rank}, expected {least} to {most}"
             self._row("inverse", "rank").note(Differences(math.inf), request, words)
