@@ -118,7 +118,6 @@ TAKE_FREE_CARRIERS = (
     "derive",
     "cost",
     "report -o other.html",
-    "response --speed w1=100 --at tip",
     "jitter --speed w1=100 --at tip",
 )
 
