@@ -195,9 +195,10 @@ class Judge:
         """
         state, at, cuts = request.state, self._at(request.state), self._bounds.cuts
         sigma, rank = allocation(at, self._stand, np.array(state.V_dot), cuts).sigma, found.get("rank")
-        cut = cuts.rank * sigma[0]
-        noise = float(np.max(self._bounds.of("inverse", "sigma") * self._scales(state, "inverse")["sigma"]))
-        least, most = int(np.sum(sigma > 10 * cut)) if sigma[0] > noise else 0, int(np.sum(sigma > cut / 10))
+        largest = sigma[0] if sigma.size else 0.0
+        cut = cuts.rank * largest
+        noise = np.max(self._bounds.of("inverse", "sigma") * self._scales(state, "inverse")["sigma"], initial=0.0)
+        least, most = int(np.sum(sigma > 10 * cut)) if largest > noise else 0, int(np.sum(sigma > cut / 10))
         if not isinstance(rank, int) or not least <= rank <= most:
             words = f"rank {rank}, expected {least} to {most}"
             self._row("inverse", "rank").note(Differences(math.inf), request, words)
@@ -300,10 +301,10 @@ def difference(found: Any, expected: Any, natural: Any, floor: float = DOUBLE.fl
     except (ValueError, TypeError, OverflowError):
         return math.inf, "no array of numbers"
     wanted = np.asarray(expected, dtype=np.float64)
+    if not numbers.size and not wanted.size:
+        return 0.0, ""  # an empty list in JSON has no second length
     if numbers.shape != wanted.shape:
         return math.inf, f"shape {list(numbers.shape)}, expected {list(wanted.shape)}"
-    if not numbers.size:
-        return 0.0, ""
     if not np.isfinite(numbers).all():
         return math.inf, "not finite"
     with np.errstate(over="ignore"):
