@@ -137,6 +137,9 @@ def test_flywheels_of_a_clamped_carrier_turn_alone() -> None:
     stand = loads(TEXT.replace('["pitch"]\npivot = [0, 0, -0.2]', "[]"))
     found = linear_model(stand, home(stand), [])
     assert pytest.approx(np.array([[0, 1], [0, 0]])) == found.A and found.B[1, 0] == pytest.approx(1 / SPIN)
+    assert [str(each) for each in found.states] == ["phi w1 [rad]", "phi_dot w1 [rad/s]"]
+    (mode,) = modes(found).modes
+    assert [each.name for each in modes(found).coordinates] == ["phi w1"] and abs(mode.shape[0]) == 1
     with pytest.raises(CheckError, match="no flywheel is free"):
         linear_model(stand, home(stand), [], locked=True)
 

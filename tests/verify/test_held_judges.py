@@ -122,3 +122,15 @@ def test_a_hold_without_a_joint_is_not_judged() -> None:
     found = verify_judges(replace(stand, hold=replace(stand.hold, freedoms=odd)), count=2)
     assert not found.passed
     assert all(row.verdict == "not compared" and row.reason for row in found.rows)
+
+
+@pytest.mark.parametrize("names", [("x", "yaw"), ("x", "y", "roll")])
+def test_slides_that_a_turn_leads_out_of_are_not_judged(names: tuple[str, ...]) -> None:
+    """MuJoCo keeps them in the world: a knife edge would be accused of another motion's differences."""
+    stand, _ = stand_and_state("plane", 1, flywheels=1)
+    assert stand.hold is not None
+    knife = replace(stand, hold=replace(stand.hold, freedoms=tuple(FREEDOMS[name] for name in names)))
+    with pytest.raises(UsageError, match="keep their directions in the world"):
+        HeldMujoco(knife)
+    found = verify_judges(knife, count=2)
+    assert all(row.verdict == "not compared" and row.reason for row in found.rows)

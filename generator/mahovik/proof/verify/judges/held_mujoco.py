@@ -1,7 +1,9 @@
 """MuJoCo with the joint of a held carrier itself: hinges, slides or a ball in place of the free joint.
 
 At the pose of the state all its coordinates are zero. Slides come first, and MuJoCo keeps their axes in the world,
-where those of S move with the carrier: with u_v the velocity of the pivot, u_v* is what MuJoCo has less omega x u_v.
+where those of S move with the carrier: with u_v the velocity of the pivot, u_v* is what MuJoCo has less omega x u_v. So
+omega x u_v must be along the slides. On a knife edge it is across them: MuJoCo's carrier is held in the world there,
+where that of the stand is held in its own axes, and this is another motion.
 """
 
 from __future__ import annotations
@@ -11,6 +13,7 @@ from xml.etree import ElementTree as ET
 import mujoco
 import numpy as np
 
+from mahovik.core.stand.hold import is_closed
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.verify.judges.mujoco_judge import mjcf
@@ -18,7 +21,7 @@ from mahovik.proof.verify.judges.rigid import Array, JudgeError, Values, attitud
 
 
 class HeldMujoco:
-    """A held stand in MuJoCo. JudgeError: its joints are no slides followed by turns."""
+    """A held stand in MuJoCo. JudgeError: its joints are no slides followed by turns, or no closed set."""
 
     name = "mujoco"
     version = mujoco.__version__
@@ -121,6 +124,11 @@ def _joints(hold: Hold) -> list[ET.Element]:
     turns = kinds.count("turn")
     if turns > 1 or kinds != ["slide"] * (len(kinds) - turns) + ["turn"] * turns:
         raise JudgeError("mujoco: no joints have these freedoms, expected slides, then one turn; or three turns")
+    if not is_closed(hold):
+        raise JudgeError(
+            "mujoco: its slides keep their directions in the world, those of this hold turn with the carrier, expected "
+            "a closed set of freedoms"
+        )
     words = {"turn": "hinge", "slide": "slide"}
     return [
         ET.Element("joint", name=f"hold{k}", type=words[kind], pos=pivot, axis=" ".join(repr(float(x)) for x in axis))

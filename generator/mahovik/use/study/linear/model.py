@@ -57,8 +57,10 @@ def states(stand: Stand, locked: bool) -> tuple[Channel, ...]:
 
     Of a held carrier the freedoms (m) and their speeds (m) in place of pose and V.
     """
-    carrier = [] if stand.hold is None else _freedoms(stand.hold)
-    carrier = carrier or [*triple("", "m"), *triple("r", "rad"), *triple("v_", "m/s"), *triple("omega_", "rad/s")]
+    if stand.hold is None:
+        carrier = [*triple("", "m"), *triple("r", "rad"), *triple("v_", "m/s"), *triple("omega_", "rad/s")]
+    else:
+        carrier = _freedoms(stand.hold)  # none where it is clamped
     if locked:
         return tuple(carrier)
     names = [s.name for s in stand.flywheels]
