@@ -127,7 +127,8 @@ def test_what_takes_free_carriers_says_so_in_one_line(file: str, command: str, t
     before = sorted(tmp_path.iterdir())
     name, *rest = command.split()
     message = refused(name, file, *rest)
-    assert "hold: only `mahovik check`" in message and len(message.strip().splitlines()) == 1
+    assert "expected a stand without [hold]; take" in message and "`mahovik check`" in message
+    assert len(message.strip().splitlines()) == 1
     assert sorted(tmp_path.iterdir()) == before
 
 
@@ -144,7 +145,7 @@ TURN = {"schema": 1, "name": "turn", "type": "periodic", "period": 1.0}
         ),
         ('["z", "yaw"]', [0, 0.1, 0, 0, 0, 0], "turn: asks for motion along y, which [hold] blocks"),
         ('["pitch"]', [0, 0, 0, 0, 0.1, 0], "turn: asks for motion along x, which [hold] blocks"),  # off the pivot
-        ('["yaw"]', [0, 0, 0, 0.1, 0, 0], "hold: only `mahovik check`"),
+        ('["yaw"]', [0, 0, 0, 0.1, 0, 0], "hold: found a held carrier, expected a stand without"),
         ("[]", [0, 0, 0, 0.1, 0, 0], "hold: no freedoms: clamped"),
     ],
 )
@@ -160,7 +161,7 @@ def test_a_plan_of_what_is_blocked_names_the_direction(
 
 
 def test_python_refuses_it_likewise() -> None:
-    with pytest.raises(StandError, match=r"hold: only"):
+    with pytest.raises(StandError, match=r"expected a stand without \[hold\]; take"):
         Stand.of(loads(TEXT))
 
 

@@ -280,8 +280,8 @@ def idle_laws(stand: Stand) -> list[str]:
         if idle:
             name = type(law).__name__.lower()
             found.append(
-                f"{name}: {', '.join(idle)} of its wrench act on what [hold] blocks; they do nothing but add to the "
-                "reaction"
+                f"{name}: [hold] blocks the motion along {', '.join(idle)} of its wrench, which there adds to the "
+                "reaction and does nothing else"
             )
     return found
 
@@ -306,12 +306,15 @@ TAKE_HELD = (
 )
 """Commands that take held carriers."""
 
+INSTEAD = f"take [hold] out to treat the carrier as free, or use what takes a held one: {TAKE_HELD}"
+"""What the user of a held carrier can do where it is refused."""
+
 
 def refuse_hold(stand: Stand, source: str) -> None:
     """StandError for a held carrier, where only a free one can be taken."""
     if stand.hold is not None:
-        taken = f"only {TAKE_HELD} take a held carrier yet"
-        raise StandError([f"{source}: hold: {taken}; expected a stand without [hold]"])
+        found = "found a held carrier, expected a stand without [hold]"
+        raise StandError([f"{source}: hold: {found}; {INSTEAD}"])
 
 
 def twist_of(hold: Hold, u: Sequence[float]) -> Vec6:

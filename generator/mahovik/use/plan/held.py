@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.core.motion.required import RequiredMotion, Slew
-from mahovik.core.stand.hold import TWIST_NAMES, freedom_names, refuse_hold, twists
+from mahovik.core.stand.hold import INSTEAD, TWIST_NAMES, freedom_names, refuse_hold, twists
 from mahovik.core.stand.model import Stand
 from mahovik.errors import MotionError, StandError
 from mahovik.proof.reference.rotation import kinematic_matrix
@@ -27,7 +27,7 @@ def refuse_held(stand: Stand, required: RequiredMotion | Slew) -> None:
         return
     if not stand.hold.freedoms:
         found = "no freedoms: clamped, the carrier does nothing that a programme could be planned for"
-        raise StandError([f"{stand.name}: hold: {found}; expected a stand without [hold]"])
+        raise StandError([f"{stand.name}: hold: {found}; expected a stand without [hold]; {INSTEAD}"])
     if isinstance(required, RequiredMotion):
         _refuse_blocked(stand, required)
     refuse_hold(stand, stand.name)
