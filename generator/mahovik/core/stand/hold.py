@@ -307,7 +307,7 @@ TAKE_HELD = (
 """Commands that take held carriers."""
 
 INSTEAD = f"take [hold] out to treat the carrier as free, or use what takes a held one: {TAKE_HELD}"
-"""What the user of a held carrier can do where it is refused."""
+"""Advice after a refusal of a held carrier."""
 
 
 def refuse_hold(stand: Stand, source: str) -> None:

@@ -16,6 +16,7 @@ from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, l
 from mahovik.core.lower.thresholds import thresholds
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, record
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
+from mahovik.core.stand.hold import freedom_names
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.core.stand.task import row_name
 from mahovik.errors import InputError, RefusedError
@@ -26,8 +27,8 @@ from mahovik.out.api.tables import Tables
 
 OnError = Literal["raise", "nan"]
 
-OF_ROWS = ("residual", "hardest")
-"""Results of a task with a number for each of its rows."""
+OF_ROWS = ("residual", "hardest", "u_dot")
+"""Results with a number for each row of a task, or for each freedom of a held carrier."""
 
 
 class Caller:
@@ -121,6 +122,8 @@ class Caller:
                 else:
                     found.append(field(m, self._stand, self._made.sensors))
         rows = {task.name: tuple(map(row_name, task.rows)) for task in self._stand.tasks}.get(task_of(f.name))
+        if self._stand.hold is not None:
+            rows = tuple(freedom_names(self._stand.hold))
         return tuple(replace(each, labels=(rows,)) if rows and each.name in OF_ROWS else each for each in found)
 
 

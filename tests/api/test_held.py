@@ -1,0 +1,18 @@
+"""Results of held carriers by the names of their freedoms."""
+
+from __future__ import annotations
+
+import mahovik
+from cli.test_eval_held import TEXT
+from mahovik.core.stand.read import loads
+from mahovik.out.api.stands import Stand
+
+
+def test_what_is_of_the_freedoms_has_their_names() -> None:
+    model = mahovik.build(Stand.of(loads(TEXT), held=True))
+    x = model.state(angles=[0, 0.3, 0], V=[0.2 * 0.4, 0, 0, 0, 0.4, 0])  # u = 0.4 rad/s about the pivot
+    moved = model.forward(x, phi_ddot=3.0)
+    assert moved["u_dot", "pitch"] == moved["V_dot", "q"] != 0
+    found = model.inverse(x, V_dot=moved.V_dot)
+    assert {f.name: f.labels for f in found.fields}["residual"] == (("pitch",),)
+    assert abs(found["residual", "pitch"]) < 1e-9 and abs(found["phi_ddot", "w1"] - 3.0) < 1e-9
