@@ -89,7 +89,7 @@ spin_inertia = 4e-3
 transverse_inertia = 2.5e-3
 unbalance = { static = "72 g mm" }
 """
-"""A stand whose only singular value is the sine of the phase times a number, and 0 in the C where its square underflows."""
+"""A stand whose only singular value is the sine of the phase times a number; in the C 0 where its square underflows."""
 
 
 @pytest.mark.slow
