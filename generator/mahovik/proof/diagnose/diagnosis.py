@@ -51,7 +51,7 @@ class Diagnosis:
     outcome     equal: no error beyond double rounding at these states; rounding: none beyond that of float;
                 named: `causes`; terms: `wrong_terms`; unknown: an error that neither explains; nothing: no numbers
     causes      the best first; more than one where answers at these states cannot tell them apart
-    confidence  of `named`, 0 to 1: how well the first explains the error, and how much worse the best of the others does
+    confidence  of `named`, 0 to 1: how well the first explains the error, and how much worse the best other does
     others      the next best, for what they are worth
     unseen      names of faults that have no effect on this stand, in what the program offers
     wrong       quantities with an error, as want: quantity

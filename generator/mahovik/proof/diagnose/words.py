@@ -38,7 +38,7 @@ def short_text(cause: Cause) -> str:
 
 
 def sentences(diagnosis: Diagnosis) -> list[str]:
-    """Lines with the fault of the program, the confidence, and the terms to look at; first the numbers it leaves out."""
+    """Lines with the fault of the program, the confidence, and the terms to look at; before, numbers it leaves out."""
     gaps = [gap.sentence() for gap in diagnosis.gaps]
     if diagnosis.outcome in ("equal", "rounding", "nothing") and (gaps or diagnosis.failed):
         return gaps + _no_difference(diagnosis)
