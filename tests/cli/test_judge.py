@@ -219,7 +219,7 @@ for line in subprocess.run(command, input=sys.stdin.read(), capture_output=True,
 
 @pytest.mark.parametrize("wants", ["forward", "forward,torque"])
 def test_a_program_that_answers_nan(wants: str) -> None:
-    """It is told the component, and not that it has no fault."""
+    """The component is named, and nothing says that there is no fault."""
     command = f"{PYTHON} -c {shlex.quote(NAN)} {{stand}}"
     result = run("judge", DEMO3, "--states", "3", "--with", command, "--explain", "--want", wants)
     assert result.exit_code == 1

@@ -177,12 +177,12 @@ def _diagnosis(
         return Diagnosis("equal")
     offered = tuple(dict.fromkeys(row.want for row in found.rows if row.verdict in ("ok", "FAILED")))
     if not offered:
-        return Diagnosis("nothing", failed=_failed(found))
+        return Diagnosis("nothing", failed=_failure_words(found))
     rows = None if states is None else telling_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
     diagnoser = Diagnoser(stand, seed, offered, rows, tolerance)
     diagnosed = diagnoser.diagnose(answers(diagnoser.requests))
     if diagnosed.outcome in ("equal", "rounding"):
-        return replace(diagnosed, failed=_failed(found))
+        return replace(diagnosed, failed=_failure_words(found))
     silent = {gap.want for gap in diagnosed.gaps if gap.everywhere}
     searched = tuple(want for want in offered if want not in silent)
     if diagnosed.outcome != "unknown" or not set(searched) & set(WANTS):
@@ -199,7 +199,7 @@ def _diagnosis(
         return replace(diagnosed, hindrance=str(error))
 
 
-def _failed(found: Report) -> tuple[str, ...]:
+def _failure_words(found: Report) -> tuple[str, ...]:
     """What failed in the table, with its reason."""
     return tuple(
         f"{row.want} {row.quantity}".strip() + (f" ({row.reason})" if row.reason else "") for row in found.failures

@@ -140,9 +140,9 @@ class Diagnoser:
         found = self.whole.fill(answers)
         found[~np.isfinite(found)] = np.nan
         gaps = gaps_of(self._stand, self.whole, found, answers)
-        return replace(self._compared(found), gaps=gaps)
+        return replace(self._by_numbers(found), gaps=gaps)
 
-    def _compared(self, found: Array) -> Diagnosis:
+    def _by_numbers(self, found: Array) -> Diagnosis:
         """The diagnosis by the numbers that there are."""
         if not np.isfinite(found).any():
             return Diagnosis("nothing")

@@ -12,7 +12,6 @@ from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
 from mahovik.core.stand.state import rest_state
-from mahovik.laws.damping.data import Damping
 from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.forward import forward
 from mahovik.use.plan.residual.body_laws import TwistLaws, twist_laws
@@ -149,7 +148,7 @@ def added_mass(stand: Stand) -> AddedMass | None:
     without = tuple(
         body.name
         for body in _fixed_bodies(stand)
-        if body.added_mass is not None and (damping := body.law(Damping)) is not None and damping.contains_products
+        if body.added_mass is not None and any(law.takes_out_products for law in body.laws)
     )
     sway, heave = float(Lambda[0, 0] - Lambda[1, 1]), float(Lambda[2, 2] - Lambda[0, 0])
     return AddedMass(least, len(kept), sway, heave, without)
