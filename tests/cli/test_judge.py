@@ -204,3 +204,25 @@ def test_a_program_that_gives_the_states_back_has_no_fault() -> None:
 )
 def test_usage_errors(arguments: tuple[str, ...], words: str) -> None:
     assert words in refused("judge", DEMO3, *arguments)
+
+
+NAN = """
+import json, math, subprocess, sys
+command = [sys.executable, "-c", "from mahovik.out.cli import main; main()", "eval", sys.argv[1], "--backend", "numpy"]
+for line in subprocess.run(command, input=sys.stdin.read(), capture_output=True, text=True).stdout.splitlines():
+    found = json.loads(line)
+    if "V_dot" in found and "phi_ddot" not in found:
+        found["V_dot"][2] = math.nan
+    print(json.dumps(found))
+"""
+
+
+@pytest.mark.parametrize("wants", ["forward", "forward,torque"])
+def test_a_program_that_answers_nan(wants: str) -> None:
+    """The component is named, and nothing says that there is no fault."""
+    command = f"{PYTHON} -c {shlex.quote(NAN)} {{stand}}"
+    result = run("judge", DEMO3, "--states", "3", "--with", command, "--explain", "--want", wants)
+    assert result.exit_code == 1
+    assert "(component Z)" in result.stdout
+    assert "forward answers no number at" in result.stdout
+    assert "no fault" not in result.stdout

@@ -17,7 +17,9 @@ from mahovik.errors import StateError
 from mahovik.laws.cross_flow.data import CrossFlow
 from mahovik.laws.fading.data import FadingDamping
 from mahovik.laws.fin.data import Fin, Fins
+from mahovik.laws.friction.faults import FAULTS as FRICTION_FAULTS
 from mahovik.laws.propeller.data import Propeller, Propellers
+from mahovik.laws.stop.faults import FAULTS as STOP_FAULTS
 from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
 from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.diagnose.faults import DICTIONARY
@@ -106,8 +108,10 @@ def test_faults_leave_the_right_answers_as_they_are() -> None:
 SEEN_ELSEWHERE = {
     "sequence, aircraft", "flywheel damping without phi'", "axis of any length not normalised",
     "products of added mass twice",
+    *(fault.name for fault in (*FRICTION_FAULTS, *STOP_FAULTS)),
 }  # fmt: skip
-"""Faults that need another stand: another sequence, a damped flywheel, a mounting by axes, published derivatives."""
+"""Faults that need another stand: another sequence, a damped flywheel, a mounting by axes, published derivatives, a
+held carrier."""
 
 
 def test_every_fault_can_be_seen() -> None:

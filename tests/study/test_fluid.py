@@ -124,6 +124,35 @@ def test_check_prints_it(tmp_path: Path) -> None:
         assert words in message
 
 
+def test_the_moment_of_munk_is_taken_out_where_derivatives_contain_it(tmp_path: Path) -> None:
+    """Then nothing turns a hull without derivatives, and its course is neutral."""
+    file = tmp_path / "hull.toml"
+    file.write_text(f'{HEAD}[carrier.damping]\nderivatives = "with added-mass products"\n', encoding="utf-8")
+    text = " ".join(run("check", str(file), "--fluid", "1.5").stdout.split())
+    assert "about y, taken out with the other products on carrier" in text
+    assert "neutral" in text
+    file.write_text(f"{HEAD}[carrier.damping]\nlinear = [30, 900, 900, 20, 200, 200]\n", encoding="utf-8")
+    text = " ".join(run("check", str(file), "--fluid", "0.5").stdout.split())
+    assert "taken out" not in text
+    assert "small motions decay" in text
+
+
+def test_check_warns_of_fins_without_stall_and_of_fading_damping_that_drives(tmp_path: Path) -> None:
+    file = tmp_path / "hull.toml"
+    fin = '[[fin]]\nname = "rudder"\ndensity = 1025\narea = 0.01\naspect = 3.0\n'
+    fading = "[carrier]\nfading_damping = { linear = [3, -9, 9, 0.2, 2, 2], rate = 3 }\n"
+    body = HEAD.replace("[carrier]\n", fading, 1)
+    assert body != HEAD
+    file.write_text(body + fin, encoding="utf-8")
+    text = " ".join(run("check", str(file)).stdout.split())
+    assert "warning: fin rudder: without `stall`" in text
+    assert "warning: carrier: fading_damping.linear has -9 for v: it drives" in text
+    file.write_text(body.replace("-9", "9") + fin + 'stall = "15 deg"\n', encoding="utf-8")
+    text = run("check", str(file)).stdout
+    assert "stall" not in text
+    assert "drives" not in text
+
+
 def test_a_propeller_is_an_engine_and_no_damping(tmp_path: Path) -> None:
     """The report has the thrust, which does work from the first speed on, apart from the damping, which does none."""
     propeller = """

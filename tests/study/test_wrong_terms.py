@@ -219,7 +219,7 @@ def test_a_momentum_without_a_name_hinders_no_other() -> None:
     assert result.whole
     assert named(result) == {("forward", "Z", "u q", -1.0, 1.0, "m")}
     assert "the error of momentum is not a few terms: nothing of it is named" in sentences(
-        Diagnosis("unknown", terms=result)
+        Diagnosis("unknown").with_terms(result)
     )
 
 
@@ -232,11 +232,13 @@ def test_words_and_data_of_terms() -> None:
     def change(_: Any, right: Any, at: Pieces) -> None:
         right[2] -= 2 * mass("demo3") * at.V_r[0] * at.V_r[4]
 
-    diagnosis = Diagnosis("unknown", terms=found("demo3", change))
+    diagnosis = Diagnosis("unknown").with_terms(found("demo3", change))
+    assert diagnosis.outcome == "terms"
     page = (ROOT / "docs" / "diagnosis.md").read_text(encoding="utf-8")
     assert "\n".join(sentences(diagnosis)) in page
     data = as_object(diagnosis)
     assert (data["verdict"], data["found"][0]["term"], data["found"][0]["coefficient"]) == ("named", "u q", "m")
     assert data["unexplained"] < 1e-9
+    assert (data["outcome"], data["confidence"]) == ("terms", None)
     assert as_object(Diagnosis("unknown"))["verdict"] == "unnamed"
     assert as_object(Diagnosis("equal"))["verdict"] == "none"

@@ -51,6 +51,11 @@ class LawData:
         return False
 
     @property
+    def takes_out_products(self) -> bool:
+        """Whether a law of bodies takes the products of added mass out of the equations, as its own terms have them."""
+        return False
+
+    @property
     def rows(self) -> tuple[int, ...] | None:
         """Components that its wrench on the carrier can have, in E1 about O1; None where any."""
         return None

@@ -10,6 +10,9 @@ from mahovik.out.cli.output import print_line, print_table
 if TYPE_CHECKING:
     from mahovik.use.study.fluid import Fluid
 
+NEUTRAL = 1e-6
+"""Growth over the velocity, 1/m, that rounding may give to a double eigenvalue 0 of derivatives by differences."""
+
 
 def fluid_object(found: Fluid) -> dict[str, Any]:
     """The report for JSON; `speed` is null where no power is positive."""
@@ -43,6 +46,15 @@ def print_fluid(found: Fluid) -> None:
         print_line(
             f"added mass: symmetric, {kind} in its {added.rows} rows (least eigenvalue at unit diagonal "
             f"{added.least:.4g}); moment of Munk {added.sway:.5g} kg u v about z, {added.heave:.5g} kg u w about y"
+            + (f", taken out with the other products on {', '.join(added.without)}" if added.without else "")
         )
-    words = "small motions decay or stay" if found.growth <= 1e-9 * found.velocity else "the course is unstable"
-    print_line(f"at {found.velocity:g} m/s ahead, without weight: growth rate {found.growth:.4g} 1/s, {words}")
+        if added.without:
+            print_line("the derivatives there contain these products as published, so that they count once")
+    print_line(f"at {found.velocity:g} m/s ahead, without weight: growth rate {_growth(found)}")
+
+
+def _growth(found: Fluid) -> str:
+    """The growth rate and what it says."""
+    if abs(found.growth) <= NEUTRAL * found.velocity:
+        return "0, neutral: some small motion neither grows nor decays"
+    return f"{found.growth:.4g} 1/s, {'the course is unstable' if found.growth > 0.0 else 'small motions decay'}"

@@ -177,14 +177,30 @@ def _diagnosis(
         return Diagnosis("equal")
     offered = tuple(dict.fromkeys(row.want for row in found.rows if row.verdict in ("ok", "FAILED")))
     if not offered:
-        return Diagnosis("nothing")
+        return Diagnosis("nothing", failed=_failure_words(found))
     rows = None if states is None else telling_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
     diagnoser = Diagnoser(stand, seed, offered, rows, tolerance)
     diagnosed = diagnoser.diagnose(answers(diagnoser.requests))
-    if diagnosed.outcome != "unknown" or not set(offered) & set(WANTS):
+    if diagnosed.outcome in ("equal", "rounding"):
+        return replace(diagnosed, failed=_failure_words(found))
+    silent = {gap.want for gap in diagnosed.gaps if gap.everywhere}
+    searched = tuple(want for want in offered if want not in silent)
+    if diagnosed.outcome != "unknown" or not set(searched) & set(WANTS):
         return diagnosed
     rounding = ROUNDING if tolerance <= DOUBLE.default else tolerance
     if states is not None:
         states = spread_rows(states, ROWS_OF_TERMS * count(stand))
-    terms = TermSearch(stand, seed, offered, states, rounding)
-    return replace(diagnosed, terms=terms.find(answers(terms.requests)))
+    terms = TermSearch(stand, seed, searched, states, rounding)
+    try:
+        return diagnosed.with_terms(terms.find(answers(terms.requests)))
+    except CheckError as error:
+        if not diagnosed.gaps:
+            raise
+        return replace(diagnosed, hindrance=str(error))
+
+
+def _failure_words(found: Report) -> tuple[str, ...]:
+    """What failed in the table, with its reason."""
+    return tuple(
+        f"{row.want} {row.quantity}".strip() + (f" ({row.reason})" if row.reason else "") for row in found.failures
+    )

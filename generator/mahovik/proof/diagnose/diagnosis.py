@@ -12,6 +12,7 @@ from mahovik.contract.functions import WANTS
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.diagnose.answer_vector import answer_vector
+from mahovik.proof.diagnose.gaps import Gap, gaps_of
 from mahovik.proof.diagnose.predict import Part, Predictions
 from mahovik.proof.diagnose.search import EXACT, Evidence, Finding, Search
 from mahovik.proof.diagnose.states import FIRST, separating_states
@@ -21,7 +22,7 @@ from mahovik.proof.verify.bounds import DOUBLE, FLOAT, Bounds, uniform
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.states import Request
 
-Outcome = Literal["equal", "rounding", "named", "unknown", "nothing"]
+Outcome = Literal["equal", "rounding", "named", "terms", "unknown", "nothing"]
 
 Answers = Callable[[Request], Mapping[str, Any]]
 """Answer of a program to a request: empty if it refused."""
@@ -48,13 +49,16 @@ class Diagnosis:
     """Result of the search of a program's error.
 
     outcome     equal: no error beyond double rounding at these states; rounding: none beyond that of float;
-                named: `causes`; unknown: an error that the dictionary does not explain; nothing: no answers
+                named: `causes`; terms: `wrong_terms`; unknown: an error that neither explains; nothing: no numbers
     causes      the best first; more than one where answers at these states cannot tell them apart
-    confidence  0 to 1: how well the first explains the error, and how much worse the best of the others does
+    confidence  of `named`, 0 to 1: how well the first explains the error, and how much worse the best other does
     others      the next best, for what they are worth
     unseen      names of faults that have no effect on this stand, in what the program offers
     wrong       quantities with an error, as want: quantity
     terms       of an unknown error, the wrong terms that a sparse fit finds, see `terms`; None: not looked for
+    gaps        wants with answers that are no numbers, which are left out of all else
+    failed      what the table says FAILED where the diagnosis finds no difference: it did not compare this
+    hindrance   why wrong terms were not looked for, where gaps leave too few answers
     """
 
     outcome: Outcome
@@ -64,6 +68,9 @@ class Diagnosis:
     unseen: tuple[str, ...] = ()
     wrong: tuple[str, ...] = ()
     terms: TermSearchResult | None = None
+    gaps: tuple[Gap, ...] = ()
+    failed: tuple[str, ...] = ()
+    hindrance: str = ""
 
     @property
     def wrong_terms(self) -> tuple[WrongTerm, ...]:
@@ -74,8 +81,13 @@ class Diagnosis:
     def verdict(self) -> Literal["none", "named", "unnamed"]:
         """Whether there is an error, and whether it has a name: that of a fault, or those of wrong terms."""
         if self.outcome in ("equal", "rounding"):
-            return "none"
-        return "named" if self.outcome == "named" or self.wrong_terms else "unnamed"
+            return "unnamed" if self.gaps or self.failed else "none"
+        return "named" if self.outcome in ("named", "terms") else "unnamed"
+
+    def with_terms(self, found: TermSearchResult) -> Diagnosis:
+        """The diagnosis of an unknown error after the search for wrong terms."""
+        after = replace(self, terms=found)
+        return replace(after, outcome="terms") if after.wrong_terms else after
 
     @property
     def unexplained(self) -> float:
@@ -126,6 +138,12 @@ class Diagnoser:
     def diagnose(self, answers: Answers) -> Diagnosis:
         """The diagnosis of a program by its answers to `requests`."""
         found = self.whole.fill(answers)
+        found[~np.isfinite(found)] = np.nan
+        gaps = gaps_of(self._stand, self.whole, found, answers)
+        return replace(self._by_numbers(found), gaps=gaps)
+
+    def _by_numbers(self, found: Array) -> Diagnosis:
+        """The diagnosis by the numbers that there are."""
         if not np.isfinite(found).any():
             return Diagnosis("nothing")
         fine, coarse = (self._evidence(found, bounds) for bounds in self._bounds)

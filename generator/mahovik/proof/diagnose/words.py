@@ -38,7 +38,27 @@ def short_text(cause: Cause) -> str:
 
 
 def sentences(diagnosis: Diagnosis) -> list[str]:
-    """Lines with the fault of the program, the confidence, and the terms to look at."""
+    """Lines with the fault of the program, the confidence, and the terms to look at; before, numbers it leaves out."""
+    gaps = [gap.sentence() for gap in diagnosis.gaps]
+    if diagnosis.outcome in ("equal", "rounding", "nothing") and (gaps or diagnosis.failed):
+        return gaps + _no_difference(diagnosis)
+    return gaps + _sentences(diagnosis)
+
+
+def _no_difference(diagnosis: Diagnosis) -> list[str]:
+    """A line where nothing differs, though the table says FAILED: what was compared, and what was not."""
+    if diagnosis.outcome == "nothing":
+        return [] if diagnosis.gaps else ["no diagnosis: the program answered nothing that can be compared"]
+    kind = "rounding in float" if diagnosis.outcome == "rounding" else "rounding"
+    if diagnosis.gaps:
+        return [f"the numbers that it does answer differ by no more than {kind}"]
+    return [
+        f"nothing is named: at the states of the diagnosis nothing differs by more than {kind}; "
+        f"not compared there, but FAILED above: {'; '.join(diagnosis.failed)}"
+    ]
+
+
+def _sentences(diagnosis: Diagnosis) -> list[str]:
     match diagnosis.outcome:
         case "equal":
             return ["no fault: nothing differs beyond rounding at the states of the diagnosis"]
@@ -46,7 +66,7 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
             return ["no fault found: the differences are not larger than rounding in float, and look like no fault"]
         case "nothing":
             return ["no diagnosis: the program answered nothing that can be compared"]
-        case "unknown" if diagnosis.wrong_terms:
+        case "terms":
             besides = diagnosis.terms.besides if diagnosis.terms is not None else ()
             more = [f"the error of {want} is not a few terms: nothing of it is named" for want in besides]
             return _term_lines(diagnosis.wrong_terms) + more
@@ -64,6 +84,7 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
             return [
                 f"no fault of the {len(DICTIONARY)} in the dictionary explains it{nearest}",
                 *few,
+                *([f"wrong terms are not looked for: {diagnosis.hindrance}"] if diagnosis.hindrance else []),
                 *_unseen(diagnosis),
             ]
     best, *twins = diagnosis.causes
@@ -88,8 +109,17 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
         "unexplained": diagnosis.unexplained,
         "found": _parts_of_error(diagnosis),
         "causes": [_cause(each) for each in diagnosis.causes],
-        "confidence": diagnosis.confidence,
+        "confidence": diagnosis.confidence if diagnosis.outcome == "named" else None,
         "others": [_cause(each) for each in diagnosis.others],
+        "gaps": [
+            {
+                "want": gap.want,
+                "missing": gap.missing,
+                "states": gap.states,
+                "components": {name: list(each) for name, each in gap.components.items()},
+            }
+            for gap in diagnosis.gaps
+        ],
         "wrong": list(diagnosis.wrong),
         "unseen": list(diagnosis.unseen),
         "dictionary": len(DICTIONARY),

@@ -55,12 +55,14 @@ class AddedMass:
     rows     how many rows are not zero
     sway     N_uv, the moment of Munk about z over u v, kg: Lambda_11 - Lambda_22
     heave    M_uw, about y over u w, kg: Lambda_33 - Lambda_11
+    without  bodies with added mass whose published derivatives contain its products: those of (8) are taken out there
     """
 
     least: float
     rows: int
     sway: float
     heave: float
+    without: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -143,7 +145,13 @@ def added_mass(stand: Stand) -> AddedMass | None:
     kept = np.flatnonzero(np.diag(Lambda))
     root = np.sqrt(np.diag(Lambda)[kept])
     least = float(np.linalg.eigvalsh(Lambda[np.ix_(kept, kept)] / np.outer(root, root))[0])
-    return AddedMass(least, len(kept), float(Lambda[0, 0] - Lambda[1, 1]), float(Lambda[2, 2] - Lambda[0, 0]))
+    without = tuple(
+        body.name
+        for body in _fixed_bodies(stand)
+        if body.added_mass is not None and any(law.takes_out_products for law in body.laws)
+    )
+    sway, heave = float(Lambda[0, 0] - Lambda[1, 1]), float(Lambda[2, 2] - Lambda[0, 0])
+    return AddedMass(least, len(kept), sway, heave, without)
 
 
 def _fixed_bodies(stand: Stand) -> Iterator[Carrier | Instrument]:

@@ -202,7 +202,7 @@ def _plant_faults(subject: Subject, tell: Tell) -> Outcome:
     seen = sum(each["outcome"] == "seen" for each in largest.values())
     absent = sum(each["outcome"] == "no effect here" for each in largest.values())
     rest = len(largest) - seen - absent
-    clear = diagnosis.outcome in _NO_FAULT[subject.real]
+    clear = diagnosis.outcome in _NO_FAULT[subject.real] and not diagnosis.gaps
     figure = f"the C has none; of {len(largest)} faults {seen} would be seen, {absent} have no effect on this stand"
     figure += f", {rest} none beyond rounding" if rest else ""
     files = {"diagnosis.json": json.dumps({"C": as_object(diagnosis), "faults": largest}, indent=1) + "\n"}
