@@ -178,6 +178,12 @@ def test_numbers_are_no_structure_and_nothing_is_there_without_it() -> None:
             table("friction", breakaway=1, stribeck_speed=0.01),
             "0.01 m/s is not above smoothing",
         ),
+        (
+            "rail",
+            table("friction", smoothing=1),
+            "friction[0], viscous: none of viscous, coulomb and breakaway is given",
+        ),
+        ("skew hinge", table("friction", freedom="2"), 'freedom: "2" is no freedom of this hold, expected one of 1'),
         ("rail", table("friction", coulomb=1, smoothing=0), "smoothing: 0 m/s: expected above 0"),
         ("rail", table("friction", viscous=1) * 2, "friction[1], freedom: x has friction already"),
         ("rail", table("friction", viscos=1), 'friction[0]: unknown key "viscos", did you mean "viscous"?'),
@@ -191,6 +197,15 @@ def test_refusals(hold: str, text: str, words: str) -> None:
         held_stand(hold, text)
     assert words in str(caught.value)
     assert len(str(caught.value).splitlines()) == 1
+
+
+def test_a_number_names_a_freedom_that_has_a_name() -> None:
+    """Of an axis along one of E1 too, whose name is that of the direction."""
+    given = [held_stand("axis = [0, 1, 0]\n", table("friction", freedom=name, viscous=1)) for name in ("1", "pitch")]
+    assert given[0] == given[1]
+    assert held_stand("plane", table("friction", freedom="3", viscous=1)) == held_stand(
+        "plane", table("friction", freedom="pitch", viscous=1)
+    )
 
 
 def test_friction_needs_a_hold() -> None:
