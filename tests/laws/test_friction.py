@@ -203,7 +203,7 @@ def test_refusals(hold: str, text: str, words: str) -> None:
 
 
 def test_a_number_names_a_freedom_that_has_a_name() -> None:
-    """Of an axis along one of E1 too, whose name is that of the direction."""
+    """The axis may be one of E1, so that its name is that of the direction."""
     given = [held_stand("axis = [0, 1, 0]\n", table("friction", freedom=name, viscous=1)) for name in ("1", "pitch")]
     assert given[0] == given[1]
     assert held_stand("plane", table("friction", freedom="3", viscous=1)) == held_stand(
@@ -215,7 +215,8 @@ def test_steps_that_are_too_long_for_the_friction_are_warned_of() -> None:
     """m s / F of a rail is 1.2 ms here. A wheel about the same axis gives way, unless its speed is given."""
     stand = held_stand("rail", table("friction", coulomb=2.5, smoothing=1.2e-3))
     (found,) = long_steps(stand, 2e-3)
-    assert (found.freedom, found.bound) == ("x", pytest.approx(2.5 * 1.2e-3 / 2.5, rel=1e-3))
+    assert found.freedom == "x"
+    assert found.bound == pytest.approx(2.5 * 1.2e-3 / 2.5, rel=1e-3)
     assert long_steps(stand, 1e-3) == []
     hinge = held_stand("hinge", table("friction", coulomb=1, smoothing=1e-6))
     free, driven = (long_steps(hinge, 1e-3, [given])[0].bound for given in (False, True))

@@ -226,7 +226,7 @@ def test_refusals(hold: str, text: str, words: str) -> None:
 
 
 def test_a_home_pose_behind_a_stop_is_warned_of() -> None:
-    """Of each such stop; at a stop or before it there is nothing to say."""
+    """Each such stop has a line; a home pose at a stop or before it has none."""
     behind = table("stop", at=0.1, side="below", stiffness=1) + table("stop", at=0.2, stiffness=1)
     (line,) = [line for line in summarize(held_stand("rail", behind)).warnings if "stop" in line]
     assert line.startswith("the home pose is behind the stop of x at 0.1")

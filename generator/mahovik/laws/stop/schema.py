@@ -65,7 +65,7 @@ def read_held(given: TablesByKey, hold: Hold, note: Note) -> Stops | None:
 
 
 def _range_problem(stops: list[Stop], hold: Hold) -> str | None:
-    """What is wrong with the range that the stops of one freedom leave to its coordinate; None where it is in order."""
+    """Problem of the range that the stops of one freedom leave to its coordinate; None where it is in order."""
     name, kind = stops[0].name, hold.freedoms[stops[0].freedom].kind
     highest, lowest = highest_and_lowest(stops)
     if kind == "turn" and math.isinf(highest - lowest):

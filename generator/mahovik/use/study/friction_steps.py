@@ -11,7 +11,6 @@ from mahovik.contract.laws import parts
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.array import Array
 from mahovik.use.simulate.held import home
 
 
@@ -38,18 +37,21 @@ def long_steps(stand: Stand, dt: float, given: Sequence[bool] = ()) -> list[Long
     laws = parts("steps")
     if stand.hold is None or not any(law.longest(stand, [1.0] * len(stand.hold.freedoms)) for law in laws):
         return []
-    inertias = _smallest_inertias(stand, np.array(given or [False] * len(stand.flywheels), dtype=bool))
+    loose = [k for k in range(len(stand.flywheels)) if not (given and given[k])]
+    inertias = _smallest_inertias(stand, loose)
     bounds = [each for law in laws for each in law.longest(stand, inertias)]
     return [LongStep(name, dt, bound) for name, bound in bounds if dt >= bound]
 
 
-def _smallest_inertias(stand: Stand, given: Array) -> list[float]:
+def _smallest_inertias(stand: Stand, loose: Sequence[int]) -> list[float]:
     """Inertia (kg, kg m2) along each freedom in the home pose, where all that is free besides gives way.
 
-    That is 1 / (M^-1)_ii of M = [[S^T K S, S^T I], [I^T S, Theta_ff]] for the flywheels whose speed is not given.
+    That is 1 / (M^-1)_ii of M = [[S^T K S, S^T I], [I^T S, Theta_ff]].
+
+    loose  places of the flywheels whose speed is not given
     """
     assert stand.hold is not None
     at, S = pieces(stand, home(stand)), twists(stand.hold)
-    across, own = S.T @ at.I[:, ~given], at.Theta_ff[np.ix_(~given, ~given)]
+    across, own = S.T @ at.I[:, loose], at.Theta_ff[np.ix_(loose, loose)]
     mobility = np.linalg.pinv(np.block([[S.T @ at.K @ S, across], [across.T, own]]), hermitian=True)
     return [1.0 / float(x) for x in np.diag(mobility)[: S.shape[1]]]
