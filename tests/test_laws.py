@@ -19,6 +19,7 @@ LAW_PARTS = {
     "schema": ("core.stand",),
     "random": ("core.stand",),
     "text": ("core.stand",),
+    "steps": ("core.stand",),
     "derive": ("core.derive",),
     "lower": ("core.stand", "core.program", "core.formula", "core.lower"),
     "reference": ("core.stand", "errors", "proof.reference"),

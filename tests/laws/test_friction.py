@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -12,9 +13,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from cli.run import run
 from laws.held_stands import HOLDS, agree, enclosed, held_stand, moved, rail, table
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.stand import identities, loads
+from mahovik.core.stand import dumps, identities, loads
 from mahovik.core.stand.hold import twists, wrenches
 from mahovik.core.stand.random_state import random_state
 from mahovik.errors import StandError
@@ -23,6 +25,7 @@ from mahovik.laws.friction.data import Friction, Frictions
 from mahovik.laws.friction.reference import drag, unit_wrenches, wrench
 from mahovik.proof import reference
 from mahovik.proof.reference.pose import Pose
+from mahovik.use.study.friction_steps import long_steps
 from second.agreement import differences, expectations
 from toolchain.quick import quick
 
@@ -178,6 +181,12 @@ def test_numbers_are_no_structure_and_nothing_is_there_without_it() -> None:
             table("friction", breakaway=1, stribeck_speed=0.01),
             "0.01 m/s is not above smoothing",
         ),
+        (
+            "rail",
+            table("friction", smoothing=1),
+            "friction[0], viscous: none of viscous, coulomb and breakaway is given",
+        ),
+        ("skew hinge", table("friction", freedom="2"), 'freedom: "2" is no freedom of this hold, expected one of 1'),
         ("rail", table("friction", coulomb=1, smoothing=0), "smoothing: 0 m/s: expected above 0"),
         ("rail", table("friction", viscous=1) * 2, "friction[1], freedom: x has friction already"),
         ("rail", table("friction", viscos=1), 'friction[0]: unknown key "viscos", did you mean "viscous"?'),
@@ -191,6 +200,41 @@ def test_refusals(hold: str, text: str, words: str) -> None:
         held_stand(hold, text)
     assert words in str(caught.value)
     assert len(str(caught.value).splitlines()) == 1
+
+
+def test_a_number_names_a_freedom_that_has_a_name() -> None:
+    """The axis may be one of E1, so that its name is that of the direction."""
+    given = [held_stand("axis = [0, 1, 0]\n", table("friction", freedom=name, viscous=1)) for name in ("1", "pitch")]
+    assert given[0] == given[1]
+    assert held_stand("plane", table("friction", freedom="3", viscous=1)) == held_stand(
+        "plane", table("friction", freedom="pitch", viscous=1)
+    )
+
+
+def test_steps_that_are_too_long_for_the_friction_are_warned_of() -> None:
+    """m s / F of a rail is 1.2 ms here. A wheel about the same axis gives way, unless its speed is given."""
+    stand = held_stand("rail", table("friction", coulomb=2.5, smoothing=1.2e-3))
+    (found,) = long_steps(stand, 2e-3)
+    assert found.freedom == "x"
+    assert found.bound == pytest.approx(2.5 * 1.2e-3 / 2.5, rel=1e-3)
+    assert long_steps(stand, 1e-3) == []
+    hinge = held_stand("hinge", table("friction", coulomb=1, smoothing=1e-6))
+    free, driven = (long_steps(hinge, 1e-3, [given])[0].bound for given in (False, True))
+    assert free < driven
+    coupled = 1e-3 - 4e-5 * 0.3  # kg m2: spin inertia, and the unbalance at the arm to the pivot
+    assert driven - free == pytest.approx(coupled**2 / 1e-3 * 1e-6, rel=1e-9)
+
+
+def test_simulate_and_check_say_the_bound(tmp_path: Path) -> None:
+    path = tmp_path / "rail.toml"
+    path.write_text(dumps(held_stand("rail", table("friction", coulomb=2.5, smoothing=1e-5))), encoding="utf-8")
+    words = "friction of x: a step of 0.0001 s is not shorter than 1e-05 s"
+    assert words in " ".join(run("check", str(path)).stdout.split())
+    assert words not in " ".join(run("check", str(path), "--dt", "9 us").stdout.split())
+    start = tmp_path / "start.json"
+    start.write_text('{"u": [0]}', encoding="utf-8")
+    shown = run("simulate", str(path), "--until", "0.01", "--start", str(start), "-o", str(tmp_path / "run.csv")).stderr
+    assert words in " ".join(shown.split())
 
 
 def test_friction_needs_a_hold() -> None:

@@ -18,6 +18,7 @@ from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import Stand, dumps, identities
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.summary import summarize
 from mahovik.errors import StandError
 from mahovik.laws.stop import plan
 from mahovik.laws.stop.data import Stops, stops_of
@@ -32,11 +33,14 @@ from toolchain.quick import quick
 GIVEN = {
     "rail": table("stop", at="-10 mm", stiffness="10 N/mm", damping=100) + table("stop", at="10 mm", stiffness=900),
     "skew rail": table("stop", at=0.0, side="above", stiffness=30),
-    "hinge": table("stop", at="-20 deg", side="above", stiffness="5 N m/deg", damping=3),
-    "skew hinge": table("stop", at=2, side="below", stiffness=7, damping=0.3),
-    "plane": table("stop", freedom="pitch", at="10 deg", side="above", stiffness=40),
+    "hinge": table("stop", at="-20 deg", side="above", stiffness="5 N m/deg", damping=3)
+    + table("stop", at="-120 deg", stiffness=4),
+    "skew hinge": table("stop", at=2, side="below", stiffness=7, damping=0.3) + table("stop", at=2.5, stiffness=9),
+    "plane": table("stop", freedom="pitch", at="10 deg", side="above", stiffness=40)
+    + table("stop", freedom="3", at="-150 deg", stiffness=30),
     "cylinder": table("stop", freedom="y", at=0.1, stiffness=50, damping=3)
-    + table("stop", freedom="pitch", at=-0.1, stiffness=20),
+    + table("stop", freedom="pitch", at=-0.1, stiffness=20)
+    + table("stop", freedom="pitch", at=2.9, stiffness=10, damping=1),
 }
 """Tables for each hold that has a coordinate."""
 
@@ -125,7 +129,7 @@ def test_a_pendulum_rests_on_its_stop(home: float) -> None:
         "carrier": {"mass": 2.0, "center_of_mass": [0.2, 0, 0], "inertia": [0.1, 0.1, 0.1],
                     "inertia_about": "center_of_mass"},
         "hold": {"freedoms": ["pitch"], "angles": [0, f"{home} deg", 0],
-                 "stop": [{"at": f"{10 - home} deg", "stiffness": 50.0}]},
+                 "stop": [{"at": f"{10 - home} deg", "stiffness": 50.0}, {"at": "-90 deg", "stiffness": 50.0}]},
     }  # fmt: skip
     state = mahovik.rest(mahovik.Stand.from_dict(document)).result.state
     assert state.quaternion is not None
@@ -173,7 +177,7 @@ def _compare_slopes(stand: Stand, seed: int) -> None:
 
 def test_numbers_are_no_structure_and_nothing_is_there_without_it() -> None:
     stand, bare = held_stand("hinge", GIVEN["hinge"]), held_stand("hinge")
-    other = held_stand("hinge", table("stop", at=1, stiffness=7))
+    other = held_stand("hinge", table("stop", at=1, stiffness=7) + table("stop", at=-1, stiffness=7))
     assert identities(other).structure == identities(stand).structure != identities(bare).structure
     assert identities(other).physics != identities(stand).physics
     assert "stop" in generate_all(stand).files["held.h"]
@@ -193,7 +197,24 @@ def test_numbers_are_no_structure_and_nothing_is_there_without_it() -> None:
         ("hinge", table("stop", at=1, stiffness=0), "stiffness: 0 N m/rad is not above 0"),
         ("hinge", table("stop", at="1 mm", stiffness=1), 'at: unit "mm" does not fit, expected an angle (rad)'),
         ("rail", table("stop", at=1, stiffness=1, damping="1 N s/m"), "expected a damping per depth (N s/m^2)"),
-        ("rail", table("stop", at=1, stiffness=1, freedom="y"), 'freedom: "y" is no freedom of this hold'),
+        (
+            "rail",
+            table("stop", at=1, stiffness=1, freedom="y"),
+            'freedom: "y" is no freedom of this hold, expected one of x',
+        ),
+        ("hinge", table("stop", at=1, stiffness=1), 'hold, stop: only side = "above" of pitch has a stop'),
+        ("hinge", table("stop", at=1, stiffness=1), 'expected one of side = "below" too'),
+        ("hinge", table("stop", at=-1, stiffness=1) * 2, 'expected one of side = "above" too'),
+        (
+            "hinge",
+            table("stop", at="-30 deg", side="above", stiffness=1) + table("stop", at=0.5, side="below", stiffness=1),
+            "pitch may not go above -0.523599 rad, nor below 0.5 rad: nothing is left between",
+        ),
+        (
+            "rail",
+            table("stop", at=-0.1, side="above", stiffness=1) + table("stop", at=0.1, side="below", stiffness=1),
+            "x may not go above -0.1 m, nor below 0.1 m",
+        ),
     ],
 )
 def test_refusals(hold: str, text: str, words: str) -> None:
@@ -202,6 +223,24 @@ def test_refusals(hold: str, text: str, words: str) -> None:
         held_stand(hold, text)
     assert words in str(caught.value)
     assert len(str(caught.value).splitlines()) == 1
+
+
+def test_a_home_pose_behind_a_stop_is_warned_of() -> None:
+    """Each such stop has a line; a home pose at a stop or before it has none."""
+    behind = table("stop", at=0.1, side="below", stiffness=1) + table("stop", at=0.2, stiffness=1)
+    (line,) = [line for line in summarize(held_stand("rail", behind)).warnings if "stop" in line]
+    assert line.startswith("the home pose is behind the stop of x at 0.1")
+    before = table("stop", at=0.0, side="below", stiffness=1) + table("stop", at=0.2, stiffness=1)
+    assert not [line for line in summarize(held_stand("rail", before)).warnings if "stop" in line]
+
+
+def test_a_pendulum_between_two_stops_makes_no_energy() -> None:
+    """Thrown from home against one stop it comes back to home as fast, then again from the other."""
+    stop = [{"at": "100 deg", "stiffness": 200.0}, {"at": "-100 deg", "stiffness": 200.0}]
+    document = rail(2.0) | {"hold": {"freedoms": ["pitch"], "stop": stop}}
+    run = moved(document, 3.0, 3.0)
+    assert np.abs(run["omega_y [rad/s]"]).max() == pytest.approx(3.0, rel=1e-6)
+    assert run["omega_y [rad/s]"].min() == pytest.approx(-3.0, rel=1e-3)
 
 
 @pytest.mark.slow

@@ -210,3 +210,12 @@ def test_a_knife_edge_is_refused() -> None:
     document = shaker(False) | {"hold": {"freedoms": ["x", "yaw"]}}
     with pytest.raises(CheckError, match="not a closed set"):
         periodic_response(stand_of(document), [10.0])
+
+
+def test_a_balanced_wheel_has_no_orders() -> None:
+    """Beside the weight that the hold carries, what is left of them is rounding, and is no line."""
+    heavy = table() | {"gravity": [0, 0, -9.81]}
+    assert mahovik.response(stand_of(heavy), ["wheel=1000 rpm"], "hold.reaction").sweep.lines() == ()
+    heavy = table(static="1e-6 g mm") | {"gravity": [0, 0, -9.81]}
+    (line,) = mahovik.response(stand_of(heavy), ["wheel=1000 rpm"], "hold.reaction").sweep.lines()
+    assert line.name == "1 x wheel"

@@ -275,7 +275,7 @@ def test_reports_as_json_and_junit() -> None:
 def test_nothing_but_not_offered_is_no_pass() -> None:
     found = replace(verify_c(DEMO, count=1), rows=(Row("torque", "torque", verdict="not offered"),))
     assert not found.passed
-    assert conclusion(found) == "FAILED: nothing was compared"
+    assert conclusion(found) == "nothing was compared"
 
 
 def test_the_worst_state_replays() -> None:

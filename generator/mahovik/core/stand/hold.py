@@ -159,17 +159,23 @@ def _dual(S: Array) -> Array:
 
 
 def find_freedom(hold: Hold, name: str | None) -> int:
-    """Number of the freedom that a table of the hold is about; without a name the only one. Raises QuantityError."""
+    """Place of the freedom that a table of the hold is about, by its name or its number, "1" for the first.
+
+    Without a name it is the only one. Raises QuantityError.
+    """
     names = freedom_names(hold)
     if not names:
         raise QuantityError("the hold is clamped: it has no freedom")
     if name is None and len(names) > 1:
         raise QuantityError(f"required where there are several freedoms, expected one of {', '.join(names)}")
-    if name is not None and name not in names:
-        raise QuantityError(
-            f"{show(name)} is no freedom of this hold{suggestion(name, names)}, expected one of {', '.join(names)}"
-        )
-    return 0 if name is None else names.index(name)
+    if name is None:
+        return 0
+    numbers = [str(k + 1) for k in range(len(names))]
+    if name in numbers:
+        return numbers.index(name)
+    if name not in names:
+        raise QuantityError(f"{show(name)} is no freedom of this hold{suggestion(name, names)}")
+    return names.index(name)
 
 
 def coordinate_problem(hold: Hold, freedom: int) -> str | None:

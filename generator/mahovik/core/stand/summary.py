@@ -207,7 +207,8 @@ def _warnings(stand: Stand) -> list[str]:
     if stand.hold is None and any(stand.gravity) and not any(law.short(stand) for law in texts):
         *names, last = (law.NAME for law in texts)
         found.append(f"nothing carries the weight (no {', '.join(names)} or {last}): the stand falls freely")
-    of_laws = (line for warnings in of_bodies("text", "warnings") for line in warnings(stand))
+    own = [law.warnings for law in parts("text") if hasattr(law, "warnings")]
+    of_laws = (line for warnings in (*of_bodies("text", "warnings"), *own) for line in warnings(stand))
     return [*found, *of_laws, *idle_laws(stand)]
 
 

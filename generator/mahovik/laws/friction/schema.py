@@ -32,8 +32,8 @@ class FrictionTable(Table):
     """One `[[hold.friction]]`; the units of its numbers are those of the freedom."""
 
     freedom: Text | None = None
-    viscous: Any = 0
-    coulomb: Any = 0
+    viscous: Any = None
+    coulomb: Any = None
     breakaway: Any = None
     stribeck_speed: Any = None
     smoothing: Any = None
@@ -106,6 +106,8 @@ def _problem(
     table: FrictionTable, coulomb: float, breakaway: float, stribeck: float, smoothing: float, unit: str
 ) -> tuple[str, str] | None:
     """Key and words of what several keys tell together."""
+    if table.viscous is None and table.coulomb is None and table.breakaway is None:
+        return "viscous", "none of viscous, coulomb and breakaway is given: this is no friction, expected one of them"
     if breakaway < coulomb:
         return "breakaway", f"{breakaway:g} is below coulomb, {coulomb:g}: friction rises towards low speed"
     if breakaway > coulomb and table.stribeck_speed is None:

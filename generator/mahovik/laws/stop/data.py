@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from mahovik.core.stand.model import LawData, Stand
@@ -36,6 +38,17 @@ class Stops(LawData):
     def has_kinks(self) -> bool:
         """True: stiffness and damping begin at the stop."""
         return True
+
+
+def highest_and_lowest(stops: Iterable[Stop]) -> tuple[float, float]:
+    """Range that the stops of one freedom leave to its coordinate, m or rad; infinite where no stop ends it."""
+    highest, lowest = math.inf, -math.inf
+    for stop in stops:
+        if stop.above:
+            highest = min(highest, stop.at)
+        else:
+            lowest = max(lowest, stop.at)
+    return highest, lowest
 
 
 def stops_of(stand: Stand) -> tuple[Stop, ...]:

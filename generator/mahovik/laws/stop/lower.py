@@ -102,7 +102,7 @@ class Stops(LawLowering):
 
     def act(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
         """Adds the push of every stop."""
-        _each(lib, body, "", {"table": table, "x": x, "C": C, "F": F})
+        _call_all(lib, body, "", {"table": table, "x": x, "C": C, "F": F})
 
     def add_slopes(self, lib: FunctionSet) -> None:
         """The change of the push of one stop."""
@@ -114,13 +114,13 @@ class Stops(LawLowering):
 
     def slope(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, change: Place, F: Place) -> None:
         """Adds the change of the push of every stop."""
-        _each(lib, body, "_slope", {"table": table, "x": x, "C": C, "change": change, "F": F})
+        _call_all(lib, body, "_slope", {"table": table, "x": x, "C": C, "change": change, "F": F})
 
 
 LOWERING = Stops()
 
 
-def _each(lib: FunctionSet, body: Body, suffix: str, named: dict[str, Place]) -> None:
+def _call_all(lib: FunctionSet, body: Body, suffix: str, named: dict[str, Place]) -> None:
     """Calls the function of every stop whose name ends like this."""
     for kind in ("slide", "turn"):
         if count := lib.layout.structure.law(f"{kind}_stops"):

@@ -13,7 +13,7 @@ from mahovik.core.stand.law import LawSchema, Note, TablesByKey
 from mahovik.core.stand.model import FreedomKind, Hold, Stand
 from mahovik.core.stand.toml import fields, line_of
 from mahovik.core.stand.units import Dimension, QuantityError, number, show
-from mahovik.laws.stop.data import Stop, Stops
+from mahovik.laws.stop.data import Stop, Stops, highest_and_lowest
 
 _ROTARY = Dimension("a stiffness", "N m/rad")
 _PER_DEPTH = Dimension("a damping per depth", "N s/m^2")
@@ -57,7 +57,30 @@ def read_held(given: TablesByKey, hold: Hold, note: Note) -> Stops | None:
         stop = _stop(table, hold, lambda *words, k=k: note(f"stop[{k}]", *words))
         if stop is not None:
             found.append(stop)
+    if len(found) == len(given["stop"]):
+        for freedom in dict.fromkeys(stop.freedom for stop in found):
+            if (problem := _range_problem([stop for stop in found if stop.freedom == freedom], hold)) is not None:
+                note("stop", problem)
     return Stops(tuple(found)) if found else None
+
+
+def _range_problem(stops: list[Stop], hold: Hold) -> str | None:
+    """Problem of the range that the stops of one freedom leave to its coordinate; None where it is in order."""
+    name, kind = stops[0].name, hold.freedoms[stops[0].freedom].kind
+    highest, lowest = highest_and_lowest(stops)
+    if kind == "turn" and math.isinf(highest - lowest):
+        given, missing = ("above", "below") if math.isinf(lowest) else ("below", "above")
+        return (
+            f'only side = "{given}" of {name} has a stop: turning the other way it would be met from behind, half a '
+            f'turn from home, where the angle begins again; expected one of side = "{missing}" too'
+        )
+    if lowest > highest:
+        unit = _FORCES[kind][0].si
+        return (
+            f"{name} may not go above {highest:.6g} {unit}, nor below {lowest:.6g} {unit}: nothing is left between; "
+            "expected the stop below under the one above"
+        )
+    return None
 
 
 def _stop(table: StopTable, hold: Hold, note: Note) -> Stop | None:

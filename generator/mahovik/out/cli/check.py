@@ -69,6 +69,7 @@ def check(
     from mahovik.core.stand.summary import summarize
     from mahovik.core.stand.written import written_numbers
     from mahovik.use.study.excess import excess
+    from mahovik.use.study.friction_steps import long_steps
     from mahovik.use.study.increments import USUAL_STEP, lost_increments, lost_increments_line
     from mahovik.use.study.resolution import shortfalls
     from mahovik.use.study.task_reach import task_shortfalls
@@ -80,6 +81,7 @@ def check(
     step = USUAL_STEP if dt is None else read_step(dt)
     lost = lost_increments(stand, [row.speed for row in summary.unbalance], step)
     over, unreached = excess(stand), task_shortfalls(stand)
+    steep = long_steps(stand, step)
     in_fluid = None
     if ahead is not None:
         from mahovik.use.study.fluid import fluid as fluid_of
@@ -94,6 +96,7 @@ def check(
             "physics": names.physics,
             "float": [asdict(each) for each in short],
             "increments": [asdict(each) | {"part": each.part} for each in lost],
+            "friction_steps": [asdict(each) for each in steep],
             "excess": None if over is None else asdict(over),
             "unreached": [asdict(each) for each in unreached],
             "written": [asdict(each) for each in written],
@@ -103,6 +106,7 @@ def check(
         print_json(found)
         return
     steps = [str(each) for each in lost] if dt is not None else [lost_increments_line(lost)] if lost else []
+    steps += map(str, steep)
     _print(summary, names, [*map(str, short), *steps, *([str(over)] if over else []), *map(str, unreached)], written)
     if in_fluid is not None:
         print_fluid(in_fluid)

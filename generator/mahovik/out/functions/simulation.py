@@ -22,6 +22,7 @@ from mahovik.use.simulate.case import HINT, START_KEYS, Case
 from mahovik.use.simulate.held import allowed_start
 from mahovik.use.simulate.run import Run
 from mahovik.use.simulate.run import simulate as run_case
+from mahovik.use.study.friction_steps import long_steps
 from mahovik.use.study.increments import lost_increments, lost_increments_line
 
 if TYPE_CHECKING:
@@ -112,6 +113,9 @@ def simulate(
     chosen, state = _beginning(own, regime, start, until)
     case = Case(own, chosen, state, until, every, dt, order, real, carried)
     warn_of_steps(case)
+    if backend == "c":
+        for each in long_steps(own, dt, chosen.has_speed_law):
+            warn(str(each))
     words = f"simulate {own.name}"
     return Simulation(own, run_case(case, backend, mounts, lambda t: tell(progress, Progress(words, t, until))))
 

@@ -47,7 +47,7 @@ def conclusion(report: Report) -> str:
         names = (row.quantity if row.request is not None else f"{row.want} {row.quantity}" for row in report.failures)
         return f"FAILED: {', '.join(dict.fromkeys(name.strip() for name in names))}"
     if not report.passed:
-        return "FAILED: nothing was compared"
+        return _nothing(report)
     ok = [row for row in report.rows if row.verdict == "ok"]
     quantities = [row for row in ok if row.request is not None] or ok  # of wants: functions have scales of their own
     row = max(quantities, key=lambda row: row.excess)
@@ -56,6 +56,12 @@ def conclusion(report: Report) -> str:
         return f"passed: worst {difference:.1e} of the natural scale, {row.tolerance or report.tolerance:.0e} accepted"
     off = f"{difference:.1e} of the natural scale, {accepted:.0e} accepted"
     return f"passed: nearest to its bound {row.quantity}, {pair}: {off}"
+
+
+def _nothing(report: Report) -> str:
+    """That nothing was compared, with the first reason why; not passed, but nothing failed either."""
+    reason = next((row.reason for row in report.rows if row.reason), "")
+    return f"nothing was compared: {reason}" if reason else "nothing was compared"
 
 
 def has_one_bound(rows: Sequence[Row]) -> bool:

@@ -194,8 +194,8 @@ def load_judges(stand: Stand, names: Sequence[str] = tuple(JUDGES)) -> list[Judg
     found = missing(stand)
     if found:
         raise JudgeError(
-            f"--judges: Pinocchio and MuJoCo know rigid bodies on joints, and not {', '.join(found)}: "
-            "add --bare to have the stand judged without"
+            f"--judges: Pinocchio and MuJoCo know rigid bodies on joints, and not {', '.join(found)}; "
+            f"--bare judges the stand without {'them' if len(found) > 1 else 'it'}"
         )
     if not any(body.mass > 0.0 for body in stand.bodies):
         raise JudgeError("--judges: no body of the stand has a mass")

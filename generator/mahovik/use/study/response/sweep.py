@@ -30,6 +30,9 @@ ORDERS = 6
 SMALLEST_LINE = 1e-6
 """Part of the largest amplitude of all lines below which a line is left out."""
 
+ROUNDING = 1e-12
+"""Part of the largest mean below which a line is rounding, and left out: a balanced wheel shakes a mount by nothing."""
+
 
 @dataclass(frozen=True, eq=False)
 class Step:
@@ -123,7 +126,9 @@ class Sweep:
         """Orders of the flywheels that turn, largest amplitude first."""
         found = [self._line(names, harmonics) for harmonics, names in self._orders().items()]
         largest = max((line.largest for line in found), default=0.0)
-        return tuple(sorted((x for x in found if x.largest > SMALLEST_LINE * largest), key=lambda line: -line.largest))
+        means = (float(step.sizes[0]) for step in self.steps if step.problem is None and len(step.sizes))
+        least = max(SMALLEST_LINE * largest, ROUNDING * max(means, default=0.0))
+        return tuple(sorted((x for x in found if x.largest > least), key=lambda line: -line.largest))
 
     def _orders(self) -> dict[tuple[int, ...], list[str]]:
         """Harmonics by step of the common period -> names of the orders present."""
