@@ -1,4 +1,4 @@
-"""The generator writes the same bytes in every process: no hash seed, folder, locale, time zone or processor matters."""
+"""The generator writes the same bytes in every process: no hash seed, folder, locale, time zone or processor counts."""
 
 import os
 import subprocess
