@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import example as example_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
@@ -95,9 +96,14 @@ def c(tmp_path_factory: pytest.TempPathFactory) -> Attitude:
 
 
 @settings(max_examples=4, deadline=None)
+@example_of(9521807)  # all flywheels pass through zero speed at the end
 @given(st.integers(0, 2**32 - 1))
 def test_it_turns_from_any_attitude_to_any_other(c: Attitude, seed: int) -> None:
-    """With an error of some degrees at first, and perhaps a failed flywheel: the plant is the balanced stand."""
+    """With an error of some degrees at first, and perhaps a failed flywheel: the plant is the balanced stand.
+
+    Medians of the last half minute are compared: where flywheels pass through zero speed, their friction turns round,
+    and the error is some tens of arcsec for seconds.
+    """
     rng = np.random.default_rng(seed)
     config = c.config(period=0.1, slew_rate=0.02, slew_acceleration=1e-3)
     begin, goal = (v / np.linalg.norm(v) for v in rng.normal(size=(2, 4)))
@@ -108,14 +114,16 @@ def test_it_turns_from_any_attitude_to_any_other(c: Attitude, seed: int) -> None
     x.phi_dot[:] = (60.0, -60.0, 60.0, -60.0)
     assert c.call("reset", ct.byref(config), numbers(*begin), ct.byref(loop)) == 0
     assert c.call("slew", ct.byref(config), numbers(*goal), ct.byref(loop)) == 0
+    errors = []
     for _ in range(int(loop.course.duration / config.period) + 900):
         assert c.step(config, loop, x, failed, out) >= 0
         speed, tau = np.array(x.phi_dot), np.array(out.tau)
         most = np.where(tau * speed > 0, 0.1 * (1 - np.abs(speed) / 628.3185307), 0.1)
         assert np.all(np.abs(tau) <= most * (1 + 1e-9))
         assert c.play(x, tau - law.friction(config, speed), failed, np.array(out.moment), config.period) >= 0
-    assert np.linalg.norm(out.demand.error[:]) < ARCSEC
-    assert (law.rotation(goal).inv() * law.rotation(x.attitude)).magnitude() < ARCSEC
+        true = (law.rotation(goal).inv() * law.rotation(x.attitude)).magnitude()
+        errors.append((np.linalg.norm(out.demand.error[:]), true))
+    assert np.all(np.median(errors[-300:], axis=0) < ARCSEC)
     assert np.linalg.norm(out.momentum[:]) < 5e-3
 
 

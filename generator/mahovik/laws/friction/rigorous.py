@@ -14,7 +14,7 @@ from mahovik.proof.rigorous.screw import force_at, screw_of_parts
 def wrenches(stand: Stand, state: State, O1: arb_mat, C: arb_mat, V: arb_mat) -> list[arb_mat]:
     """Wrench (6; N, N m) of the friction of every freedom on the carrier about O1 in E1."""
     hold = stand.hold
-    if hold is None:
+    if hold is None or not frictions_of(stand):
         return []
     along = _unit_wrenches(hold)
     found = []
