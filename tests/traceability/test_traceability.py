@@ -42,11 +42,15 @@ def test_every_function_of_a_stand_has_an_equation_or_a_purpose() -> None:
             assert function.purpose
 
 
+NOT_EXAMINED = {"balance", "exp"}
+"""Names of ROLES that no function of the campaign's stands has; `exp` belongs to damping that fades."""
+
+
 @pytest.mark.slow
 def test_every_function_of_every_stand_has_been_examined() -> None:
     names = set(functions())
     assert {name for of in functions().values() for name in subjects(of)} >= set(EQUATIONS) - {"(13)"}
-    assert all(fnmatch.filter(names, name) for listed in ROLES.values() for name in listed if name != "balance")
+    assert all(fnmatch.filter(names, name) for listed in ROLES.values() for name in set(listed) - NOT_EXAMINED)
     assert set(written.CAMPAIGN.figures()["functions"]) == names
     for name, found in written.CAMPAIGN.figures()["functions"].items():
         assert found["subjects"] == subjects(functions()[name])
