@@ -20,7 +20,6 @@ from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
 from mahovik.use.plan import Plan as CorePlan
 from mahovik.use.plan import PlanOptions, plan_motion
-from mahovik.use.plan.held import refuse_held
 from mahovik.use.plan.outcome import Method
 
 if TYPE_CHECKING:
@@ -184,7 +183,6 @@ def plan(
     """
     own = Stand.of(stand, held=True)
     required = required_of(motion, own)
-    refuse_held(own, required)
     chosen = read_winding(winding, len(own.flywheels), required.periodic)
     if isinstance(required, Slew):
         from mahovik.use.plan.slew import plan_slew

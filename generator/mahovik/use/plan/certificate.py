@@ -10,6 +10,7 @@ import numpy as np
 
 from mahovik.core.motion.programme import Angles, Fourier, Programme, Samples
 from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
@@ -43,6 +44,7 @@ def make_programme(
         periodic=motion.periodic,
         span=motion.span,
         bias=np.where(np.abs(bias) < ROUNDING, 0.0, bias),
+        coordinates=() if stand.hold is None else coordinates_of(stand).names,
         winding=winding,
         course=course,
         report=report,
@@ -134,17 +136,19 @@ def torques_on(problem: Problem, grid: Grid, motion: Periodic, angles: Angles) -
 def singular_values(own: Mechanics, phi: Array) -> tuple[Array, Array | None]:
     """min(6, N) singular values of K^-1/2 I Theta_ff^-1/2 (M, .) at angles (M, N), and its determinant where N = 6.
 
-    The determinant is of G^-1 I Theta_ff^-1/2 with K = G G^T: its sign is that of det I.
+    The determinant is of G^-1 I Theta_ff^-1/2 with K = G G^T: its sign is that of det I. Of a held carrier, rows along
+    its m freedoms take the place of the six.
     """
     scaled: Array = scaled_columns(own, phi)
-    determinants = np.asarray(np.linalg.det(scaled)) if own.N == 6 else None
+    determinants = np.asarray(np.linalg.det(scaled)) if own.N == scaled.shape[1] else None
     return np.asarray(np.linalg.svd(scaled, compute_uv=False)), determinants
 
 
 def scaled_columns(own: Mechanics, phi: Array) -> Array:
-    """G^-1 I Theta_ff^-1/2 (M, 6, N) with K = G G^T, at angles phi (M, N)."""
+    """G^-1 S^T I Theta_ff^-1/2 (M, 6, N; held M, m, N) with S^T K S = G G^T, at angles phi (M, N)."""
     K, I = mass_and_coupling(own, phi)
-    return np.asarray(np.linalg.solve(np.linalg.cholesky(K), I / np.sqrt(own.tables.Theta_ff)))
+    S = own.freedoms
+    return np.asarray(np.linalg.solve(np.linalg.cholesky(S.T @ K @ S), S.T @ I / np.sqrt(own.tables.Theta_ff)))
 
 
 def mass_and_coupling(own: Mechanics, phi: Array) -> tuple[Array, Array]:

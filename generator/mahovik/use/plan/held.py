@@ -1,48 +1,70 @@
-"""Demands on a held carrier that cannot be planned: of a clamped one, and of motions along what its hold blocks."""
+"""What planning asks of a held carrier: mean wrenches along its freedoms, and words about them."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from mahovik.core.motion.required import RequiredMotion, Slew
-from mahovik.core.stand.hold import INSTEAD, TWIST_NAMES, freedom_names, refuse_hold, twists
+from mahovik.core.stand.coordinates import Coordinates, coordinates_of
+from mahovik.core.stand.hold import twists as freedom_twists
+from mahovik.core.stand.hold import wrenches
 from mahovik.core.stand.model import Stand
-from mahovik.errors import MotionError, StandError
-from mahovik.proof.reference.rotation import kinematic_matrix
+from mahovik.errors import MotionError, UsageError
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.outcome import PlanOptions
+from mahovik.use.plan.residual.held_kinematics import held_pose
+from mahovik.use.plan.residual.kinematics import Twists
+from mahovik.use.plan.residual.spatial import transfer
 
-MOMENTS = 64
-"""Times at which a required motion is looked at."""
-
-BLOCKED = 1e-6
-"""Part of the largest speed of a required motion that may be along what the hold blocks: figures of six digits."""
+UNITS = {"m": ("force", "N"), "rad": ("moment", "N m"), "": ("wrench", "")}
+"""What acts along a coordinate of a unit, and its own unit."""
 
 
-def refuse_held(stand: Stand, required: RequiredMotion | Slew) -> None:
-    """Refuse a held carrier: what it cannot do by name, and else that planning takes free carriers only.
-
-    Raises StandError of a clamped carrier and of others that could do what is required; MotionError, with the blocked
-    direction, of those that could not.
-    """
+def refuse_unplannable(stand: Stand, required: RequiredMotion | Slew, options: PlanOptions) -> None:
+    """Refuse what is planned for free carriers alone. Raises StandError, MotionError, UsageError."""
     if stand.hold is None:
         return
-    if not stand.hold.freedoms:
-        found = "no freedoms: clamped, the carrier does nothing that a programme could be planned for"
-        raise StandError([f"{stand.name}: hold: {found}; expected a stand without [hold]; {INSTEAD}"])
-    if isinstance(required, RequiredMotion):
-        _refuse_blocked(stand, required)
-    refuse_hold(stand, stand.name)
+    coordinates = coordinates_of(stand)
+    if isinstance(required, Slew):
+        raise MotionError([f"{required.name}: a slew is of a free carrier; expected a periodic or finite motion"])
+    if len(required.mean) != coordinates.count:
+        raise MotionError([f"{required.name}: is of another carrier; expected rows of {coordinates.words}"])
+    if options.method != "fourier" or options.partition is not None:
+        raise UsageError("--method, --partition: not for a held carrier: leave them out")
 
 
-def _refuse_blocked(stand: Stand, required: RequiredMotion) -> None:
-    """Raises MotionError where the twist of the motion has a part that no freedom gives: B^T V = 0 fails."""
+def mean_along_freedoms(stand: Stand, at: Twists, F: Array) -> Array:
+    """Mean (m) of wrenches F (M, 6) in E1 about O1 along the freedoms, counted in the home pose.
+
+    There the freedoms stay as they are, so that over a period the momentum along them has no change.
+    """
     hold = stand.hold
     assert hold is not None
-    course = required.at(np.linspace(0.0, required.span, MOMENTS))
-    V = np.array([kinematic_matrix(stand.angles, q[3:]) @ rate for q, rate in zip(course.q, course.q_dot, strict=True)])
-    S = twists(hold)
-    off = np.abs(V - V @ (S @ np.linalg.pinv(S)).T).max(axis=0)
-    if off.max() > BLOCKED * np.abs(V).max():
-        name, freedoms = TWIST_NAMES[int(np.argmax(off))], ", ".join(freedom_names(hold))
-        raise MotionError(
-            [f"{required.name}: asks for motion along {name}, which [hold] blocks; expected its freedoms, {freedoms}"]
-        )
+    S = freedom_twists(hold)
+    C0, O0 = (each[0] for each in held_pose(stand, np.zeros((1, S.shape[1]))))
+    found = np.zeros(6)
+    for C, O1, wrench in zip(at.C, at.O1, F, strict=True):
+        found += transfer(C0.T @ (O1 - O0), C0.T @ C) @ wrench
+    return np.asarray(S.T @ found / len(F))
+
+
+def wrench_of(stand: Stand, along: Array) -> Array:
+    """A wrench (..., 6) of what acts along the freedoms (..., m) and nowhere else."""
+    assert stand.hold is not None
+    return np.asarray(along @ wrenches(stand.hold).T)
+
+
+def slide_directions(stand: Stand) -> Array | None:
+    """Directions (3, k) in E0 along which the momentum of a held carrier is free; None of a free one: all."""
+    hold = stand.hold
+    if hold is None:
+        return None
+    C0 = held_pose(stand, np.zeros((1, len(hold.freedoms))))[0][0]
+    slides = [np.array(each.direction) for each in hold.freedoms if each.kind == "slide"]
+    return C0 @ np.array([each / np.linalg.norm(each) for each in slides]).reshape(-1, 3).T
+
+
+def amount(coordinates: Coordinates, k: int, value: float) -> str:
+    """A force or moment along coordinate k in words."""
+    kind, unit = UNITS[coordinates.unit_names[k]]
+    return f"a {kind} along {coordinates.names[k]} of {value:.3g}{f' {unit}' if unit else ''}"

@@ -208,8 +208,9 @@ class StartBatch:
         """Derivatives (K, 6 M, N (2H + 1)) of the rows by the waves."""
         root = self.problem.norm.root / (self.problem.norm.demand * np.sqrt(self.M))
         local = np.stack([root @ getattr(found, name) for name in _PARTS], axis=-1)
-        J = local.reshape(self.K, self.M, 6 * self.N, 3) @ np.stack(self.grid.basis.of_each, axis=1)
-        return np.asarray(J.reshape(self.K, 6 * self.M, -1))
+        rows = self.problem.rows_count
+        J = local.reshape(self.K, self.M, rows * self.N, 3) @ np.stack(self.grid.basis.of_each, axis=1)
+        return np.asarray(J.reshape(self.K, rows * self.M, -1))
 
     def improve(self, steps: int, budget: Budget) -> None:
         """Levenberg-Marquardt on all motions, each with its own damping, lambda (1 + k^2)."""

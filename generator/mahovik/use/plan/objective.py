@@ -27,6 +27,7 @@ import numpy as np
 
 from mahovik.core.motion.programme import Angles
 from mahovik.core.motion.required import Bounds, Objective
+from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
 from mahovik.errors import MotionError
 from mahovik.use.plan.array import Array
@@ -229,7 +230,6 @@ ROUNDING = 1e-9
 """Share of the limit: an excess below this is rounding."""
 
 UNITS = {"speed": "rad/s", "speed_min": "rad/s", "acceleration": "rad/s^2", "torque": "N m", "angle": "rad"}
-COMPONENTS = (("x", "m"), ("y", "m"), ("z", "m"), ("psi", "rad"), ("theta", "rad"), ("phi", "rad"))
 
 
 class ExceededBound(NamedTuple):
@@ -314,7 +314,7 @@ def _least_speed(least: Array, phi_dot: Array, winding: Array, wider: float) -> 
 def bias_hinges(bounds: Bounds, bias: Array) -> tuple[Array, Array]:
     """Hinge rows (6) of the bias, and their slopes (6) by it."""
     if bounds.bias is None:
-        return np.zeros(6), np.zeros(6)
+        return np.zeros(len(bias)), np.zeros(len(bias))
     limit = np.array(bounds.bias, dtype=np.float64)
     bounded = limit > 0.0  # a bias with the limit 0 is not an unknown
     L = np.where(bounded, limit, 1.0)
@@ -327,7 +327,7 @@ def exceeded_bounds(
     bounds: Bounds, stand: Stand, t: Array, angles: Angles, swing: Array, torque: Array, bias: Array
 ) -> tuple[ExceededBound, ...]:
     """Bounds exceeded at the times t (M, s), each flywheel at its largest excess; largest first."""
-    names, found = [s.name for s in stand.flywheels], []
+    names, found, coordinates = [s.name for s in stand.flywheels], [], coordinates_of(stand)
     for kind, (y, limit) in bounded_quantities(bounds, angles, swing, torque).items():
         worst = np.argmax(np.abs(y), axis=0)
         for s, m in enumerate(worst):
@@ -339,7 +339,7 @@ def exceeded_bounds(
     for i, most in enumerate(bounds.bias or ()):
         value = float(abs(bias[i]))
         if value > most * (1.0 + ROUNDING):
-            name, unit = COMPONENTS[i]
+            name, unit = coordinates.names[i], coordinates.unit_names[i]
             found.append(ExceededBound("bias", name, value, most, value / most if most else np.inf, unit, None))
     return tuple(sorted(found, key=lambda each: -each.ratio))
 

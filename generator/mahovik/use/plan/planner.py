@@ -23,6 +23,7 @@ from mahovik.use.plan.certificate import (
     singular_values,
 )
 from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, search_finite, table_of
+from mahovik.use.plan.held import refuse_unplannable
 from mahovik.use.plan.objective import Cost, Rows, exceeded_bounds, has_bounds
 from mahovik.use.plan.ocp import requested_partition
 from mahovik.use.plan.outcome import Candidates, OnProgress, Plan, PlanOptions
@@ -48,6 +49,7 @@ def plan_motion(
     to this stand. MotionError: the bounds exclude the wanted winding.
     """
     options = options or PlanOptions()
+    refuse_unplannable(stand, motion, options)
     plus = requested_partition(stand, options)
     if options.winding is not None:
         motion = with_winding(motion, options.winding)

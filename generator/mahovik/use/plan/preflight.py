@@ -13,7 +13,9 @@ from typing import Literal
 import numpy as np
 
 from mahovik.core.motion.required import Course
+from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.held import amount, mean_along_freedoms, slide_directions, wrench_of
 from mahovik.use.plan.problem import Problem, uniform
 from mahovik.use.plan.residual import PrescribedMotion, prescribe
 from mahovik.use.plan.residual.kinematics import in_E1, twists
@@ -58,7 +60,10 @@ def direction(u: Array) -> str:
 _STEPS = 60
 _TIMES = 32
 _DIFFERENCE = 1e-6
-_LONGEST = np.array([0.05] * 3 + [0.2] * 3)  # m, rad: step
+_LONGEST = {"m": 0.05, "rad": 0.2, "": 0.2}
+"""Longest step of a coordinate, by its unit."""
+_MOMENT = 10.0
+"""1/m: a moment counts as at 0.1 m."""
 _FREE = 1e-6
 """Part of the largest singular value below which a direction is free; differences leave 1e-8."""
 
@@ -79,8 +84,10 @@ def mean_pose(problem: Problem) -> MeanPose:
     t = uniform(problem.motion.span, _TIMES)
     course = problem.motion.at(t)
     free = np.flatnonzero(problem.free)
-    root = np.array([1.0] * 3 + [10.0] * 3)  # a moment counts as at 0.1 m
-    bias = np.zeros(6)
+    coordinates = coordinates_of(problem.stand)
+    root = np.array([_MOMENT if unit == "rad" else 1.0 for unit in coordinates.unit_names])
+    longest = np.array([_LONGEST[unit] for unit in coordinates.unit_names])
+    bias = np.zeros(coordinates.count)
 
     def remaining_wrench(at: Array) -> Array:
         return mean_wrench(problem, course, at)
@@ -89,14 +96,14 @@ def mean_pose(problem: Problem) -> MeanPose:
     for _ in range(_STEPS):
         if not len(free) or np.linalg.norm(found) <= 1e-13 * _force_size(problem):
             break
-        J = np.empty((6, len(free)))
+        J = np.empty((len(bias), len(free)))
         for k, component in enumerate(free):
-            step = np.zeros(6)
+            step = np.zeros(len(bias))
             step[component] = _DIFFERENCE
             J[:, k] = root * (remaining_wrench(bias + step) - remaining_wrench(bias - step)) / (2 * _DIFFERENCE)
-        step = np.zeros(6)
+        step = np.zeros(len(bias))
         step[free] = -np.linalg.lstsq(J, root * found, rcond=_FREE)[0]
-        step *= min(1.0, float(np.min(_LONGEST / np.maximum(np.abs(step), 1e-300))))
+        step *= min(1.0, float(np.min(longest / np.maximum(np.abs(step), 1e-300))))
         for _ in range(12):
             there = remaining_wrench(bias + step)
             if np.linalg.norm(root * there) < np.linalg.norm(root * found):
@@ -109,12 +116,17 @@ def mean_pose(problem: Problem) -> MeanPose:
 
 
 def mean_wrench(problem: Problem, course: Course, bias: Array) -> Array:
-    """Mean over the times of the whole external wrench (6; N, N m), forces and moments about O1 in E0 axes."""
+    """Mean over the times of the whole external wrench (6; N, N m), forces and moments about O1 in E0 axes.
+
+    Of a held carrier: along its freedoms (m), at the home pose.
+    """
     own = problem.mechanics
     at = twists(problem.stand, course._replace(q=course.q + bias))
     F = own.base.wrench(at)
     gravity = in_E1(at.C, np.broadcast_to(problem.stand.gravity, at.O1.shape))
     F = F + gravity @ own.tables.weight[0].sum(axis=0).T
+    if problem.stand.hold is not None:
+        return mean_along_freedoms(problem.stand, at, F)
     parts = [(at.C @ F[:, k : k + 3, None])[:, :, 0].mean(axis=0) for k in (0, 3)]
     return np.concatenate(parts)
 
@@ -123,9 +135,6 @@ def _force_size(problem: Problem) -> float:
     """Weight of everything, or a force of similar meaning if there is none, N."""
     mass = float(problem.mechanics.mean_inertia[0, 0])
     return max(mass * float(np.linalg.norm(problem.stand.gravity)), 1e-6 * mass)
-
-
-COORDINATES = ("x", "y", "z", "psi", "theta", "phi")
 
 
 def _largest_moment(problem: Problem) -> float:
@@ -148,13 +157,14 @@ def _advice(problem: Problem) -> str:
     """Advice if only means that are held are in the way; else empty."""
     if problem.free.all():
         return ""
-    everywhere = mean_pose(replace(problem, free=np.ones(6, dtype=bool)))
-    if _uncarried_part(problem, everywhere) is not None:
+    everywhere = mean_pose(replace(problem, free=np.ones(len(problem.free), dtype=bool)))
+    uncarried = _uncarried_part if problem.stand.hold is None else _uncarried_freedom
+    if uncarried(problem, everywhere) is not None:
         return ""
     given = np.array(problem.motion.free_mean, dtype=bool)
     said = []
     for key, held in (("`free_mean`", np.logical_not(given)), ("a bound 0 of `bias`", given > problem.free)):
-        names = ", ".join(name for name, is_held in zip(COORDINATES, held, strict=True) if is_held)
+        names = ", ".join(name for name, is_held in zip(coordinates_of(problem.stand).names, held, strict=True) if is_held)
         said += [f"{key} holds the mean of {names}"] if names else []
     return f"{' and '.join(said)}: free it, so that the mean pose may shift to where the surroundings carry the wrench"
 
@@ -174,6 +184,9 @@ def check_mean_wrench(problem: Problem, pose: MeanPose, found: Preflight) -> Non
     """
     if any(problem.mechanics.tables.damping):
         return
+    if problem.stand.hold is not None:
+        _check_along_freedoms(problem, pose, found)
+        return
     force, moment = pose.wrench[:3], pose.wrench[3:]
     able = _largest_moment(problem)
     left = _uncarried_part(problem, pose)
@@ -192,8 +205,41 @@ def check_mean_wrench(problem: Problem, pose: MeanPose, found: Preflight) -> Non
             f"unbalanced flywheels give at most {able:.3g} N m; "
             f"{_advice(problem) or 'a suspension that is stiff in rotation would help'}",
         )
-    tilts = dict(zip(("psi", "theta", "phi"), pose.bias[3:].tolist(), strict=True))
-    if max(abs(x) for x in tilts.values()) > _TILT:
+    _warn_of_tilt(problem, pose, found)
+
+
+def _uncarried_freedom(problem: Problem, pose: MeanPose) -> int | None:
+    """The freedom along which most is left at the mean pose that nothing carries; None: all is carried."""
+    units = coordinates_of(problem.stand).unit_names
+    worst, found = problem.tolerance, None
+    for k, value in enumerate(pose.wrench.tolist()):
+        one = np.zeros(len(pose.wrench))
+        one[k] = value
+        share = problem.norm.relative(wrench_of(problem.stand, one)[None])
+        by_weights = units[k] != "m" and abs(value) <= _largest_moment(problem)
+        if share > worst and not by_weights:
+            worst, found = share, k
+    return found
+
+
+def _check_along_freedoms(problem: Problem, pose: MeanPose, found: Preflight) -> None:
+    """Refuses a mean force or moment along a freedom of a held carrier, by its name."""
+    k = _uncarried_freedom(problem, pose)
+    if k is not None:
+        what = amount(coordinates_of(problem.stand), k, abs(float(pose.wrench[k])))
+        helps = _advice(problem) or "a suspension, a leg or a stop that balances it would help"
+        found.refusal = Refusal(
+            "MEAN_WRENCH", f"{what} has no support in the mean: flywheels give none over a period; {helps}"
+        )
+    _warn_of_tilt(problem, pose, found)
+
+
+def _warn_of_tilt(problem: Problem, pose: MeanPose, found: Preflight) -> None:
+    """Warns of a mean pose that is turned far."""
+    own = coordinates_of(problem.stand)
+    pairs = zip(own.names, own.unit_names, pose.bias.tolist(), strict=True)
+    tilts = {name: value for name, unit, value in pairs if unit == "rad"}
+    if tilts and max(abs(x) for x in tilts.values()) > _TILT:
         words = ", ".join(f"{name} {x:.3g} rad" for name, x in tilts.items() if abs(x) > _TELLING)
         found.warnings.append(f"the mean pose is tilted to carry the mean wrench: {words}")
 
@@ -209,8 +255,9 @@ def check_span(problem: Problem, P: Array, found: Preflight) -> None:
 
     All of these are sums of the harmonics of I_s; scaled by K0^-1/2 and to one length each.
     """
-    if problem.N < 6 and problem.N > 0:
-        found.warnings.append(f"{problem.N} flywheels: only special motions have a programme; 6 or more give any")
+    rows = problem.rows_count
+    if problem.N < rows and problem.N > 0:
+        found.warnings.append(f"{problem.N} flywheels: only special motions have a programme; {rows} or more give any")
     root = problem.norm.root
     columns = problem.mechanics.tables.coupling.reshape(-1, 6) @ root.T
     varying = (P - P.mean(axis=0)) @ root.T
@@ -225,8 +272,28 @@ def check_span(problem: Problem, P: Array, found: Preflight) -> None:
     share = float(np.linalg.norm(outside, axis=1).max()) / size
     if share <= _OUTSIDE or found.refusal is not None:
         return
+    if problem.stand.hold is not None:
+        found.refusal = Refusal("SPAN", _span_words_along(problem, outside, share))
+        return
     found.refusal = Refusal(
         "SPAN", _span_words(np.linalg.solve(root, outside.T).T, np.linalg.solve(root, varying.T).T, share)
+    )
+
+
+def _span_words_along(problem: Problem, outside: Array, share: float) -> str:
+    """Message of a held carrier: along which freedom, how much of it, what would help. outside (M, m), scaled."""
+    own = coordinates_of(problem.stand)
+    scaled = problem.norm.root @ wrench_of(problem.stand, np.eye(own.count)).T
+    missing = np.abs(np.linalg.solve(scaled, outside.T)).max(axis=1)
+    k = int(np.argmax(np.abs(outside).max(axis=0)))
+    helps = {
+        "m": f"unbalanced flywheels whose axes are not along {own.names[k]}",
+        "rad": f"flywheels with a part of their axes along that of {own.names[k]}, or unbalanced ones off it,",
+        "": "flywheels that act along it",
+    }[own.unit_names[k]]
+    return (
+        f"{amount(own, k, float(missing[k]))} is required, which these flywheels cannot give at any angles or "
+        f"speeds ({100 * share:.2g} % of the required wrench is outside their span); {helps} would help"
     )
 
 
@@ -267,13 +334,16 @@ def check_first_moment(problem: Problem, force: Array, C: Array, found: Prefligh
     integral is G, kg m. C (M, 3, 3): attitude. The condition is necessary, not sufficient.
     """
     tables = problem.mechanics.tables
+    ways = slide_directions(problem.stand)
+    if ways is not None:
+        force = force @ ways @ ways.T
     varying = np.hstack([force - force.mean(axis=0), np.zeros_like(force)])
-    if problem.norm.relative(varying) <= problem.tolerance:
+    if not varying.any() or problem.norm.relative(varying) <= problem.tolerance:
         return
     G = second_integral(force, problem.motion.span)
-    need, have, way = reach(G, C @ tables.axis.T, tables.unbalance)
+    need, have, way = reach(G, C @ tables.axis.T, tables.unbalance, ways)
     found.reach = need / have if have > 0.0 else np.inf
-    near = _NEAR if problem.N > 6 else _NEAR_OF_SIX
+    near = _NEAR if problem.N > problem.rows_count else _NEAR_OF_SIX
     if found.reach > _SLACK:
         where = direction(way)
         found.refusal = found.refusal or Refusal(
@@ -297,11 +367,17 @@ def second_integral(force: Array, period: float) -> Array:
     return np.fft.irfft(spectrum, len(force), axis=0)
 
 
-def reach(G: Array, axes: Array, unbalance: Array) -> tuple[float, float, Array]:
-    """Need and available amount (kg m) in the direction with the largest ratio; axes (M, 3, N) in E0."""
+def reach(G: Array, axes: Array, unbalance: Array, ways: Array | None = None) -> tuple[float, float, Array]:
+    """Need and available amount (kg m) in the direction with the largest ratio; axes (M, 3, N) in E0.
+
+    ways  (3, k), orthonormal: the only directions that count, where a hold takes the force along others
+    """
     rng = np.random.default_rng(0)
     principal = np.linalg.svd(G, full_matrices=False)[2]
     candidates = np.vstack([np.eye(3), rng.normal(size=(_DIRECTIONS, 3)), principal, _widest(G)])
+    if ways is not None:
+        candidates = candidates @ ways @ ways.T
+        candidates = candidates[np.linalg.norm(candidates, axis=1) > 1e-9 * np.abs(candidates).max()]
     candidates /= np.linalg.norm(candidates, axis=1, keepdims=True)
     along = G @ candidates.T
     need = (along.max(axis=0) - along.min(axis=0)) / 2.0
@@ -332,18 +408,24 @@ def check_bound_reach(problem: Problem, at: PrescribedMotion, found: Preflight) 
     w, a = np.array(bounds.speed), np.array(bounds.acceleration)
     P = at.locked_wrench()
     varying = P - P.mean(axis=0)
-    candidates = [np.eye(6)[k] for k in range(6)]
-    candidates += [np.concatenate([u, np.zeros(3)]) for u in np.linalg.svd(varying[:, :3], full_matrices=False)[2]]
-    candidates += [np.concatenate([np.zeros(3), u]) for u in np.linalg.svd(varying[:, 3:], full_matrices=False)[2]]
+    held = problem.stand.hold is not None
+    candidates = list(problem.mechanics.freedoms.T)
+    if not held:
+        candidates += [np.concatenate([u, np.zeros(3)]) for u in np.linalg.svd(varying[:, :3], full_matrices=False)[2]]
+        candidates += [np.concatenate([np.zeros(3), u]) for u in np.linalg.svd(varying[:, 3:], full_matrices=False)[2]]
     worst, words = 1.0, ""
-    for y in candidates:
+    for k, y in enumerate(candidates):
         need = float(np.abs(varying @ y).max())
         have = float(
             (_largest(problem.mechanics.coupling, y) * a + _largest(problem.mechanics.coupling_slope, y) * w**2).sum()
         )
         have += float((_largest(at.moving, y) * w + _largest(at.fixed[1:], y)).sum())
         if need > worst * have and need > 1e-9 * problem.norm.demand:
-            worst, words = need / max(have, 1e-300), _bound_words(y, need, have)
+            kind, unit = _kind_of(y)
+            what = f"a {kind} along {direction(y[:3] if kind == 'force' else y[3:])} of {need:.3g} {unit}"
+            if held:
+                what, unit = amount(coordinates_of(problem.stand), k, need), ""
+            worst, words = need / max(have, 1e-300), _bound_words(what, unit, need, have)
     if words:
         found.refusal = Refusal("BOUND_REACH", words)
 
@@ -357,11 +439,15 @@ def _largest(harmonics: Array, y: Array) -> Array:
     return np.asarray((np.abs(along[0]) + first + second).max(axis=0))
 
 
-def _bound_words(y: Array, need: float, have: float) -> str:
-    kind, u, unit = ("force", y[:3], "N") if np.any(y[:3]) else ("moment", y[3:], "N m")
+def _kind_of(y: Array) -> tuple[str, str]:
+    """Whether a direction of wrenches is of forces or moments, and the unit."""
+    return ("force", "N") if np.any(y[:3]) else ("moment", "N m")
+
+
+def _bound_words(what: str, unit: str, need: float, have: float) -> str:
     return (
-        f"a {kind} along {direction(u)} of {need:.3g} {unit} is required, flywheels inside the bounds of speed and "
-        f"acceleration give at most {have:.3g} {unit}; that is {need / max(have, 1e-300):.2g} times too little: raise "
+        f"{what} is required, flywheels inside the bounds of speed and "
+        f"acceleration give at most {have:.3g}{f' {unit}' if unit else ''}; that is {need / max(have, 1e-300):.2g} times too little: raise "
         "these bounds, the unbalance or the number of flywheels, or make the motion smaller"
     )
 
@@ -371,7 +457,7 @@ def preflight(problem: Problem) -> Preflight:
     motion = problem.motion
     t = uniform(motion.span, max(128, 16 * problem.highest))
     course = motion.at(t)
-    found = Preflight(np.zeros(6))
+    found = Preflight(np.zeros(problem.rows_count))
     pose = mean_pose(problem)
     found.bias = pose.bias
     if problem.has_kinks:

@@ -156,7 +156,7 @@ class Grid:
 class Problem:
     """Data of a search.
 
-    free       (6, bool): components of the bias that are unknowns
+    free       (6, bool): components of the bias that are unknowns; of a held carrier m, as are all rows
     tolerance  relative residual below which a programme is accepted
     """
 
@@ -192,6 +192,11 @@ class Problem:
         return self.mechanics.N
 
     @property
+    def rows_count(self) -> int:
+        """Rows of the residual: six, or as many as a held carrier has freedoms; the bias has as many components."""
+        return len(self.norm.root)
+
+    @property
     def has_kinks(self) -> bool:
         """Whether forces have kinks, so that sums over few nodes alias."""
         return self.tolerance == EXACT_WITH_KINKS
@@ -225,7 +230,7 @@ class Problem:
     def bias_perturbations(self, course: Course, bias: Array) -> BiasPerturbations:
         """Prescribed coefficients on both sides of a bias, for differences by its free components."""
         moved = np.flatnonzero(self.free)
-        one = np.eye(6)[moved] * _STEP
+        one = np.eye(self.rows_count)[moved] * _STEP
         steps, M = np.vstack([one, -one]), len(course.q)
         tiled = Course(*(np.tile(x, (2 * len(moved), 1)) for x in course))
         at = prescribe(self.mechanics, tiled, bias + np.repeat(steps, M, axis=0))
@@ -234,7 +239,7 @@ class Problem:
     def by_bias(self, grid: Grid, motion: Periodic) -> Array:
         """Derivatives (6 M, F) of the scaled residual by the free components of the bias."""
         R, _ = self.bias_perturbations(grid.course, motion.bias).rates(motion.at(grid.basis))
-        return R[..., self.free].reshape(6 * len(grid.t), -1)
+        return R[..., self.free].reshape(self.rows_count * len(grid.t), -1)
 
     def relative(self, motion: Periodic, times: int = 20) -> float:
         """Relative residual on a grid `times` finer than the motion's harmonics need, without repeated times."""
@@ -252,12 +257,12 @@ class BiasPerturbations(NamedTuple):
 
     def rates(self, angles: Angles) -> tuple[Array, Array]:
         """Derivatives of the relative residual (M, 6, 6) and of tau (M, N, 6) by the bias; fixed components: 0."""
-        F, (M, N) = len(self.components), angles.phi.shape
-        R, tau = np.zeros((M, 6, 6)), np.zeros((M, N, 6))
+        F, (M, N), m = len(self.components), angles.phi.shape, self.problem.rows_count
+        R, tau = np.zeros((M, m, m)), np.zeros((M, N, m))
         if F == 0:
             return R, tau
         W = flywheel_wrenches(self.at, *(np.tile(x, (2 * F, 1)) for x in angles))
-        sides = self.problem.norm.dimensionless(self.at.balance - W[:6].sum(axis=2).T).reshape(2, F, M, 6)
+        sides = self.problem.norm.dimensionless(self.at.balance - W[:6].sum(axis=2).T).reshape(2, F, M, m)
         R[..., self.components] = np.moveaxis((sides[0] - sides[1]) / (2 * _STEP), 0, 2)
         torque = W[6].reshape(2, F, M, N)
         tau[..., self.components] = np.moveaxis((torque[0] - torque[1]) / (2 * _STEP), 0, 2)

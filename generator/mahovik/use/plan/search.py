@@ -118,7 +118,7 @@ def search(
     """
     rng = np.random.default_rng(seed)
     state = Search[Candidate]()
-    kinds = kinds_in_order(problem.motion, problem.N)
+    kinds = kinds_in_order(problem.motion, problem.N, problem.rows_count)
     if most is None:
         most = ROUNDS_IN_BOUNDS if has_bounds(problem.motion.bounds) else ROUNDS
     try:

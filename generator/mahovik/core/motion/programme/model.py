@@ -35,7 +35,8 @@ class Programme:
     motion      name of the required motion
     flywheels   their names, in the stand's order
     periodic, span   period (or duration of a finite programme), s
-    bias        6; m, rad: shift of the motion's mean
+    bias        6; m, rad: shift of the motion's mean; of a held carrier in its coordinates
+    coordinates names of those of a held carrier; empty: the six of a free one
     winding     turns per period of each flywheel; zeros of a finite programme
     course      Fourier (periodic only) or Samples
     runup, rundown   from rest to t = 0, and back
@@ -58,6 +59,7 @@ class Programme:
     rundown: RunUpTable | None = None
     report: Mapping[str, Any] = field(default_factory=dict)
     carrier: PlannedCourse | None = None
+    coordinates: tuple[str, ...] = ()
     unbalance: Unbalance = "resisted"
 
     def planned_for(self, stand: Stand) -> Stand:

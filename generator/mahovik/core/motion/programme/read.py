@@ -14,6 +14,7 @@ from mahovik.core.motion.fields import NOT_NULL, Times, any_list, choice, contex
 from mahovik.core.motion.programme.course import Array, Fourier, Samples
 from mahovik.core.motion.programme.model import Programme, RunUpTable
 from mahovik.core.stand.content import TABLE
+from mahovik.core.stand.coordinates import FREE
 from mahovik.core.stand.fields import Table, Text, scalar, validator
 from mahovik.core.stand.mean import Unbalance
 from mahovik.core.stand.problems import Problems
@@ -104,6 +105,11 @@ class RunUpFields(Table):
     samples: SamplesTable
 
 
+def _bias(raw: Any) -> tuple[float, ...]:
+    """As many numbers as there are."""
+    return vector(raw, (len(raw) if isinstance(raw, list) else len(FREE),), PLAIN)
+
+
 class ProgrammeTable(Table):
     """A programme file."""
 
@@ -112,7 +118,8 @@ class ProgrammeTable(Table):
     flywheels: Annotated[tuple[str, ...], validator(_names)]
     period: Span = None
     duration: Span = None
-    bias: Annotated[tuple[float, ...], validator(lambda raw: vector(raw, (6,), PLAIN))]
+    bias: Annotated[tuple[float, ...], validator(_bias)]
+    coordinates: Annotated[tuple[str, ...], validator(_names)] = ()
     winding: Annotated[tuple[int, ...] | None, context_validator(_turns)] = None
     fourier: Annotated[FourierTable | None, NOT_NULL] = None
     samples: Annotated[SamplesTable | None, NOT_NULL] = None
@@ -145,6 +152,9 @@ def read_programme(text: str, source: str = "programme") -> Programme:
         raise ProgrammeError(problems.lines)
     periodic, span = table.period is not None, table.period or table.duration
     assert span is not None
+    count = len(table.coordinates or FREE)
+    if len(table.bias) != count:
+        problems.add("bias", f"expected {count} numbers, found {len(table.bias)}")
     if periodic and table.winding is None:
         problems.add("winding", "required, but missing")
     if not periodic and any(table.winding or ()):
@@ -169,6 +179,7 @@ def read_programme(text: str, source: str = "programme") -> Programme:
         periodic=periodic,
         span=span,
         bias=np.array(table.bias),
+        coordinates=table.coordinates,
         winding=table.winding or (0,) * N,
         course=course,
         carrier=carrier,

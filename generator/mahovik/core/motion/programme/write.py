@@ -33,6 +33,8 @@ def _object(programme: Programme) -> dict[str, Any]:
         span: float(programme.span),
         "bias": _plain(programme.bias),
     }
+    if programme.coordinates:
+        found["coordinates"] = list(programme.coordinates)
     if programme.periodic:
         found["winding"] = [int(n) for n in programme.winding]
     if isinstance(programme.course, Fourier):

@@ -1,4 +1,4 @@
-"""Courses of the six coordinates q in time, with exact derivatives: harmonics of a period, or a spline of samples."""
+"""Courses of the coordinates q in time, six of a free carrier, with exact derivatives: harmonics of a period, or a spline of samples."""
 
 from __future__ import annotations
 
@@ -46,13 +46,14 @@ class Harmonics:
 class SampledCourse:
     """Quintic spline through samples q (M, 6) at t (M, s) over `span` s: periodic, or from rest to rest.
 
-    Rest: q' = q'' = 0 at both ends of a finite course; outside it nothing moves.
+    Rest: q' = q'' = 0 at both ends of a finite course; outside it nothing moves. groups: columns of one unit each.
     """
 
     span: float
     periodic: bool
     t: Array
     q: Array
+    groups: tuple[tuple[int, ...], ...] = ((0, 1, 2), (3, 4, 5))
 
     @cached_property
     def _splines(self) -> tuple[Any, Any, Any]:
@@ -80,7 +81,7 @@ class SampledCourse:
         M = 16 * len(self.t)
         amplitudes = np.abs(np.fft.rfft(self.at(self.span * np.arange(M) / M).q, axis=0))[1 : (len(self.t) + 1) // 2]
         there = np.zeros(len(amplitudes), dtype=bool)
-        for kind in (amplitudes[:, :3], amplitudes[:, 3:]):
+        for kind in (amplitudes[:, list(group)] for group in self.groups):
             there |= np.any(kind > _PRESENT * kind.max(), axis=1) if kind.any() else False
         return tuple((np.flatnonzero(there) + 1).tolist())
 

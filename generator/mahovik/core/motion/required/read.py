@@ -21,9 +21,11 @@ from mahovik.core.motion.fields import (
 from mahovik.core.motion.required import limits, reach, samples
 from mahovik.core.motion.required.course import Harmonics, SampledCourse
 from mahovik.core.motion.required.model import Bounds, Objective, RequiredMotion, Winding
+from mahovik.core.motion.required.rows import Rows, flags, magnitudes, row
 from mahovik.core.motion.required.slew import Slew
 from mahovik.core.motion.required.slew_file import motion_of_slew, read_slew
 from mahovik.core.stand.content import TABLE
+from mahovik.core.stand.coordinates import SixRows, coordinates_of
 from mahovik.core.stand.echoes import echo
 from mahovik.core.stand.fields import Table, Text, require_bounds, scalar, validator
 from mahovik.core.stand.model import Stand
@@ -51,27 +53,6 @@ ANGULAR_ACCELERATION = Dimension("an angular acceleration", "rad/s^2")
 WINDINGS = ("any", "spin", "rock")
 HIGHEST = 1000
 """Highest harmonic of a file."""
-
-
-def _six(raw: Any, units: tuple[str | None, str | None], words: str = "6 numbers") -> tuple[float, ...]:
-    """Six coordinates, m and rad; `units` of the linear and the angular ones, None for SI or each its own."""
-    if not isinstance(raw, list) or len(raw) != 6:
-        raise QuantityError(f"expected {words}, found {len(raw) if isinstance(raw, list) else show(raw)}")
-    found = []
-    for i, one in enumerate(raw):
-        try:
-            found.append(number(one, LENGTH if i < 3 else ANGLE, units[i // 3]))
-        except QuantityError as error:
-            raise QuantityError(f"[{i}]: {error}") from None
-    return tuple(found)
-
-
-def _bias(raw: Any) -> tuple[float, ...]:
-    found = _six(raw, (None, None), "6 numbers (m, rad)")
-    for i, value in enumerate(found):
-        if value < 0.0:
-            raise QuantityError(f"[{i}]: {value:g} is negative: a bound is a magnitude")
-    return found
 
 
 def _unit(dimension: Dimension, example: str) -> Any:
@@ -104,12 +85,6 @@ def _type(raw: Any) -> str:
     return str(raw)
 
 
-def _six_flags(raw: Any) -> tuple[bool, ...]:
-    if not isinstance(raw, list) or len(raw) != 6 or not all(isinstance(one, bool) for one in raw):
-        raise QuantityError(f"expected 6 of true, false, found {show(raw)}")
-    return tuple(raw)
-
-
 def _winding(raw: Any, context: dict[str, Any]) -> Any:
     N = context["flywheels"]
     if isinstance(raw, str):
@@ -138,9 +113,10 @@ def _weight(value: float, raw: Any) -> None:
 
 
 Each = tuple[float, ...] | None
-Six = Annotated[tuple[float, ...], context_validator(lambda raw, context: _six(raw, context["units"]))]
+Row = Annotated[
+    tuple[float, ...] | None, context_validator(lambda raw, context: row(raw, context["coordinates"], context["units"]))
+]
 Weights = Annotated[Each, per_flywheel(PLAIN, _weight)]
-ZERO6 = (0.0,) * 6
 
 
 class UnitsTable(Table):
@@ -154,8 +130,8 @@ class HarmonicTable(Table):
     """One of `harmonics`."""
 
     k: Annotated[int, validator(_order)]
-    cos: Six = ZERO6
-    sin: Six = ZERO6
+    cos: Row = None
+    sin: Row = None
 
 
 class SamplesTable(Table):
@@ -164,7 +140,9 @@ class SamplesTable(Table):
     t: Times
     q: Annotated[
         tuple[tuple[float, ...], ...],
-        context_validator(lambda raw, context: rows(raw, lambda row: _six(row, context["units"]))),
+        context_validator(
+            lambda raw, context: rows(raw, lambda one: row(one, context["coordinates"], context["units"]))
+        ),
     ]
 
 
@@ -190,13 +168,14 @@ class BoundsTable(Table):
     acceleration: Annotated[Each, _magnitude(ANGULAR_ACCELERATION)] = None
     torque: Annotated[Each, _magnitude(TORQUE)] = None
     angle: Annotated[Each, _magnitude(ANGLE)] = None
-    bias: Annotated[Each, validator(_bias)] = None
+    bias: Annotated[Each, context_validator(lambda raw, context: magnitudes(raw, context["coordinates"]))] = None
     deviation: Annotated[DeviationTable | None, NOT_NULL] = None
     start: Annotated[StartTable | None, NOT_NULL] = None
 
-    def bounds(self) -> Bounds:
-        """The bounds as data."""
-        own = {key: getattr(self, key) for key in ("speed", "speed_min", "acceleration", "torque", "angle", "bias")}
+    def bounds(self, along: Rows) -> Bounds:
+        """The bounds as data; `along`: the coordinates of the bias."""
+        own = {key: getattr(self, key) for key in ("speed", "speed_min", "acceleration", "torque", "angle")}
+        own["bias"] = along.magnitudes(self.bias)
         start = self.start or StartTable()
         deviation = None if self.deviation is None else (self.deviation.linear, self.deviation.angular)
         return Bounds(**own, deviation=deviation, start_phi=start.phi, start_phi_dot=start.phi_dot)
@@ -225,8 +204,10 @@ class MotionTable(Table):
     period: Annotated[float | None, validator(_span)] = None
     duration: Annotated[float | None, validator(_span)] = None
     units: UnitsTable = UnitsTable()
-    mean: Six = ZERO6
-    free_mean: Annotated[tuple[bool, ...], validator(_six_flags)] = (True,) * 6
+    mean: Row = None
+    free_mean: Annotated[
+        tuple[bool, ...] | None, context_validator(lambda raw, context: flags(raw, context["coordinates"]))
+    ] = None
     harmonics: Annotated[list[HarmonicTable] | None, NOT_NULL] = None
     samples: Annotated[SamplesTable | None, NOT_NULL] = None
     winding: Annotated[Winding, context_validator(_winding)] = "any"
@@ -281,6 +262,8 @@ def read_motion_or_slew(text: str, stand: Stand, source: str = "motion") -> Requ
     if "stand" in document and "flywheels" in document:
         raise MotionError([f"{source}: is a programme file; expected a motion file here: were the two swapped?"])
     if document.get("type") == "slew":
+        if stand.hold is not None:
+            raise MotionError([f"{source}: type: a slew is of a free carrier, found [hold]; expected periodic or finite"])
         name = document.get("name") or Path(source).stem.removesuffix(".motion")
         return read_slew(document, stand, str(name), Problems(source))
     return _read_course(document, stand, source)
@@ -290,7 +273,10 @@ def _read_course(document: dict[str, Any], stand: Stand, source: str) -> Require
     """A periodic or a finite motion."""
     problems, N = Problems(source), len(stand.flywheels)
     units = validate_table(UnitsTable, document.get("units", {}), Problems(source)) or UnitsTable()
-    table = validate_table(MotionTable, document, problems, flywheels=N, units=(units.linear, units.angular))
+    coordinates = coordinates_of(stand)
+    along = Rows(coordinates, None if stand.hold is None else SixRows.of(stand), source)
+    context = {"flywheels": N, "units": (units.linear, units.angular), "coordinates": coordinates}
+    table = validate_table(MotionTable, document, problems, **context)
     kind = document.get("type", "periodic")
     for key, (own, other) in _ONLY.items():
         if key in document and kind in ("periodic", "finite") and kind != own:
@@ -302,17 +288,21 @@ def _read_course(document: dict[str, Any], stand: Stand, source: str) -> Require
         problems.add(f"expected one of harmonics, samples, found {' and '.join(given) or 'none'}")
     if table is None:
         raise MotionError(problems.lines)
+    along.refuse_blocked(_rows_of(table))
     _compare(table, stand, problems)
+    bounds = table.bounds.bounds(along)
     periodic = table.type == "periodic"
     span = table.period if periodic else table.duration
     if span is not None:
-        limits.contradictions(problems, table.bounds.bounds(), table.winding, span if periodic else None)
-    course = None if span is None else _course(table, periodic, span, problems)
+        limits.contradictions(problems, bounds, table.winding, span if periodic else None)
+    course = None if span is None else _course(table, periodic, span, along, problems)
     if problems.lines or span is None or course is None:
         raise MotionError(problems.lines)
     motion = RequiredMotion(
-        table.name or Path(source).stem.removesuffix(".motion"), periodic, span, np.array(table.mean), course,
-        table.free_mean, table.winding, table.bounds.bounds(), table.objective.objective(N), table.runup,
+        table.name or Path(source).stem.removesuffix(".motion"), periodic, span,
+        np.array(along.of(table.mean or (0.0,) * coordinates.count)), course,
+        along.flags(table.free_mean or (True,) * coordinates.count),
+        table.winding, bounds, table.objective.objective(N), table.runup,
     )  # fmt: skip
     reach.check(motion, stand, problems)
     if problems.lines:
@@ -324,6 +314,8 @@ def _compare(table: MotionTable, stand: Stand, problems: Problems) -> None:
     """Note keys that contradict each other or the stand."""
     if table.type == "periodic" and table.bounds.start is not None:
         problems.add("bounds", "start", 'not allowed with type "periodic", which begins where it ends')
+    if table.runup is not None and stand.hold is not None:
+        problems.add("runup", "not for a held carrier, which has no run-up yet: leave it out")
     if (deviation := table.bounds.deviation) is not None:
         if table.runup is None:
             words = "needs `runup`: it bounds the carrier on the way there and back"
@@ -344,13 +336,24 @@ def _compare(table: MotionTable, stand: Stand, problems: Problems) -> None:
         )
 
 
-def _course(table: MotionTable, periodic: bool, span: float, problems: Problems) -> Harmonics | SampledCourse | None:
+def _rows_of(table: MotionTable) -> list[tuple[float, ...]]:
+    """Rows that say where the carrier is to be."""
+    found = [table.mean, *(table.samples.q if table.samples is not None else ())]
+    for one in table.harmonics or ():
+        found += [one.cos, one.sin]
+    return [each for each in found if each is not None]
+
+
+def _course(
+    table: MotionTable, periodic: bool, span: float, along: Rows, problems: Problems
+) -> Harmonics | SampledCourse | None:
+    none = (0.0,) * along.coordinates.count
     if table.samples is not None:
-        t, q = np.array(table.samples.t), np.array(table.samples.q).reshape(-1, 6)
+        t, q = np.array(table.samples.t), along.matrix(table.samples.q)
         if len(t) != len(q):
             problems.add("samples", "q", f"{len(q)} rows, but t has {len(t)} numbers")
             return None
-        found = SampledCourse(span, periodic, t, q)
+        found = SampledCourse(span, periodic, t, q, along.coordinates.groups)
         reason = samples.problem(found)
         if reason is not None:
             problems.add("samples", *reason)
@@ -361,5 +364,5 @@ def _course(table: MotionTable, periodic: bool, span: float, problems: Problems)
     for i, k in enumerate(ks):
         if k in ks[:i]:
             problems.add(f"harmonics[{i}]", "k", f"{k} appears twice")
-    cos, sin = (np.array([getattr(one, key) for one in given]).reshape(-1, 6) for key in ("cos", "sin"))
+    cos, sin = (along.matrix(getattr(one, key) or none for one in given) for key in ("cos", "sin"))
     return Harmonics(span, ks, cos, sin)

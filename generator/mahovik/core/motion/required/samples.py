@@ -60,10 +60,12 @@ def _times(given: SampledCourse) -> tuple[str, str] | None:
     return None
 
 
-def _moving(q: Array) -> tuple[Array, Array]:
-    """Ranges of the six, and which of them move."""
-    ranges = np.ptp(q, axis=0)
-    kinds = np.repeat([ranges[:3].max(), ranges[3:].max()], 3)
+def _moving(given: SampledCourse) -> tuple[Array, Array]:
+    """Ranges of the coordinates, and which of them move."""
+    ranges = np.ptp(given.q, axis=0)
+    kinds = np.empty_like(ranges)
+    for group in given.groups:
+        kinds[list(group)] = ranges[list(group)].max()
     return ranges, ranges > _SMALL * kinds
 
 
@@ -74,7 +76,7 @@ def _smooth(given: SampledCourse) -> tuple[str, str] | None:
     if not given.periodic:
         kept[-1] = True
     coarse = quintic(t[kept], q[kept], given.span if given.periodic else None)
-    ranges, moving = _moving(q)
+    ranges, moving = _moving(given)
     missed = np.where(moving, np.abs(coarse(t[~kept]) - q[~kept]) / np.where(moving, ranges, 1.0), 0.0)
     row, column = np.unravel_index(int(np.argmax(missed)), missed.shape)
     if missed[row, column] <= JUMP:
@@ -94,7 +96,7 @@ def _rest(given: SampledCourse) -> tuple[str, str] | None:
 
     free = make_interp_spline(given.t, given.q, k=5)
     fine = np.linspace(0.0, given.t[-1], 8 * len(given.t))
-    _, moving = _moving(given.q)
+    _, moving = _moving(given)
     for order, words in ((1, "speed"), (2, "acceleration")):
         values = np.abs(free.derivative(order)(fine))
         most = values.max(axis=0)

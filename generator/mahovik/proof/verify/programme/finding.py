@@ -11,6 +11,7 @@ import numpy as np
 
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand.coordinates import FREE, coordinates_of
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.proof.reference.array import Array
@@ -110,6 +111,7 @@ def stand_finding(stand: Stand, programme: Programme) -> Finding:
         "structure": (programme.structure, own.structure),
         "physics": (programme.physics, own.physics),
         "flywheels": (", ".join(programme.flywheels), ", ".join(s.name for s in stand.flywheels)),
+        "coordinates": (", ".join(programme.coordinates or FREE), ", ".join(coordinates_of(stand).names)),
     }
     other = [f"{key} is {theirs}, of the stand {ours}" for key, (theirs, ours) in pairs.items() if theirs != ours]
     words = "programme of another stand: " + "; ".join(other) if other else f"{own.structure} {own.physics}"
@@ -117,8 +119,9 @@ def stand_finding(stand: Stand, programme: Programme) -> Finding:
 
 
 def same_flywheels(stand: Stand, programme: Programme) -> bool:
-    """Whether the programme has the flywheels of the stand, without which it cannot be verified."""
-    return programme.flywheels == tuple(s.name for s in stand.flywheels)
+    """Whether the programme has flywheels and coordinates of the stand, without which it cannot be verified."""
+    same = len(programme.bias) == coordinates_of(stand).count
+    return same and programme.flywheels == tuple(s.name for s in stand.flywheels)
 
 
 def motion_finding(motion: RequiredMotion, programme: Programme) -> Finding:

@@ -9,6 +9,7 @@ from functools import lru_cache
 from typing import cast
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.programme import Angles, Fourier, Programme
 from mahovik.core.motion.required import Course, RequiredMotion
@@ -18,19 +19,26 @@ from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Bodies, bodies_of
+from mahovik.proof.reference.hold import twists
 from mahovik.proof.reference.inverse import demand
 from mahovik.proof.reference.rotation import kinematic_matrix, kinematic_matrix_rate
 from mahovik.proof.reference.torque import torque
 from mahovik.proof.verify.programme.finding import Finding, check_limit
+from mahovik.proof.verify.programme.held import held_twist, held_twist_rate, pose, speeds
 
 
 def pieces_at(stand: Stand, q: Array, V: Array, phi: Array, phi_dot: Array) -> Pieces:
-    """Pieces of (1)-(11) at q (6; m, rad), V (6), phi, phi' (N)."""
+    """Pieces of (1)-(11) at q (6; m, rad; of a held carrier the coordinates of its freedoms), V (6), phi, phi' (N)."""
     zeros = (0.0,) * len(phi)
+    position, angles, quaternion = q[:3], q[3:], None
+    if stand.hold is not None:
+        position, C = pose(stand, q)
+        x, y, z, w = Rotation.from_matrix(C).as_quat().tolist()
+        quaternion = (w, x, y, z)
     state = State(
-        position=cast(Vec3, tuple(q[:3].tolist())),
-        angles=cast(Vec3, tuple(q[3:].tolist())),
-        quaternion=None,
+        position=cast(Vec3, tuple(position.tolist())),
+        angles=None if quaternion is not None else cast(Vec3, tuple(angles.tolist())),
+        quaternion=quaternion,
         V=cast(Vec6, tuple(V.tolist())),
         phi=tuple(phi.tolist()),
         phi_dot=tuple(phi_dot.tolist()),
@@ -49,13 +57,23 @@ def _bodies(stand: Stand) -> Bodies:
 
 def twist(stand: Stand, q: Array, q_dot: Array) -> Array:
     """V = A q' (6) of (10)."""
+    if stand.hold is not None:
+        return held_twist(stand, q, q_dot)
     return kinematic_matrix(stand.angles, q[3:]) @ q_dot
 
 
 def twist_rate(stand: Stand, q: Array, q_dot: Array, q_ddot: Array) -> Array:
     """V* = A q'' + D q' (6) of (10)."""
+    if stand.hold is not None:
+        return held_twist_rate(stand, q, q_dot, q_ddot)
     D = kinematic_matrix_rate(stand.angles, q[3:], q_dot[3:])
     return kinematic_matrix(stand.angles, q[3:]) @ q_ddot + D @ q_dot
+
+
+def state_at(stand: Stand, q: Array, q_dot: Array) -> Array:
+    """y = (q, V) (12) of a free carrier, (q, u) (2 m) of a held one."""
+    V = twist(stand, q, q_dot)
+    return np.concatenate([q, V if stand.hold is None else speeds(stand, V)])
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +106,7 @@ _PHASES = 2 * np.pi * np.arange(4) / 4
 
 @dataclass(frozen=True, eq=False)
 class Scale:
-    """K0 (6x6): mean of K over the phases. `wrench`: max of |K0^-1/2 (P - mean P)|; `amplitude`, `speed`: max of
+    """K0 (6x6): mean of K over the phases. S (6xm): freedoms of a held carrier, along which alone wrenches count. `wrench`: max of |K0^-1/2 (P - mean P)|; `amplitude`, `speed`: max of
     |K0^1/2 x| for displacements from the mean pose and for twists along the motion.
     """
 
@@ -96,10 +114,11 @@ class Scale:
     wrench: float
     amplitude: float
     speed: float
+    S: Array | None = None
 
     def wrench_share(self, R: Array) -> float:
         """|K0^-1/2 R| of a wrench (6), as a share."""
-        return math.sqrt(max(float(R @ np.linalg.solve(self.K0, R)), 0.0)) / self.wrench
+        return wrench_norm(self.K0, self.S, R) / self.wrench
 
     def displacement_share(self, x: Array) -> float:
         """|K0^1/2 x| of a small displacement (6; m, rad; in E1 about O1), as a share."""
@@ -119,6 +138,13 @@ def norm(K0: Array, x: Array) -> float:
     return math.sqrt(max(float(x @ K0 @ x), 0.0))
 
 
+def wrench_norm(K0: Array, S: Array | None, R: Array) -> float:
+    """|K0^-1/2 R| of a wrench (6); of a held carrier |(S^T K0 S)^-1/2 S^T R|."""
+    if S is not None:
+        K0, R = S.T @ K0 @ S, S.T @ R
+    return math.sqrt(max(float(R @ np.linalg.solve(K0, R)), 0.0))
+
+
 def scale_of(stand: Stand, motion: RequiredMotion, programme: Programme) -> Scale:
     """The scales of a required motion. For a carrier held still they are those of the flywheels' own unbalance."""
     fastest = max(motion.harmonics, default=1) if motion.periodic else 12
@@ -129,10 +155,14 @@ def scale_of(stand: Stand, motion: RequiredMotion, programme: Programme) -> Scal
     N = len(stand.flywheels)
     locked = [pieces_at(stand, mean, np.zeros(6), np.full(N, phase), np.zeros(N)) for phase in _PHASES]
     K0 = np.mean([at.K for at in locked], axis=0)
+    S = None if stand.hold is None else twists(stand.hold)
     still = not np.any(course.q_dot)
     if still:
         I = np.mean([np.abs(at.I) for at in locked], axis=0)
         omega = 2 * math.pi * max(1, *(abs(n) for n in programme.winding)) / motion.span
+        if S is not None:
+            wrench = sum(wrench_norm(K0, S, each) for each in I.T) * omega**2
+            return Scale(K0, wrench, wrench / omega**2, wrench / omega, S)
         m = math.sqrt(K0[0, 0])
         first_moments = sum(s.mass * math.hypot(*s.center_of_mass[1:]) for s in stand.flywheels)
         wrench = first_moments * omega**2 / m or max(norm(np.linalg.inv(K0), each) for each in I.T) * omega**2
@@ -145,9 +175,8 @@ def scale_of(stand: Stand, motion: RequiredMotion, programme: Programme) -> Scal
         P.append(np.mean([demand(at, V_dot) for at in needed], axis=0))
         amplitude = max(amplitude, norm(K0, twist(stand, q, q - mean)))
         speed = max(speed, norm(K0, V))
-    K0_inverse = np.linalg.inv(K0)
-    wrench = max(norm(K0_inverse, each) for each in np.array(P) - np.mean(P, axis=0))
-    return Scale(K0, wrench, amplitude, speed)
+    wrench = max(wrench_norm(K0, S, each) for each in np.array(P) - np.mean(P, axis=0))
+    return Scale(K0, wrench, amplitude, speed, S)
 
 
 FINER = 20

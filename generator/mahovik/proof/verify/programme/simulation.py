@@ -10,13 +10,16 @@ import numpy as np
 
 from mahovik.core.motion.programme import Angles, Programme, Samples
 from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, solve
 from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.hold import held_forward, twists
 from mahovik.proof.reference.rotation import check_attitude, kinematic_matrix
 from mahovik.proof.verify.programme.finding import Finding, check_limit
-from mahovik.proof.verify.programme.mechanics import Scale, pieces_at, twist
+from mahovik.proof.verify.programme.held import coordinate_rates
+from mahovik.proof.verify.programme.mechanics import Scale, norm, pieces_at, state_at, twist
 
 Course = Callable[[Array], Angles]
 
@@ -32,7 +35,14 @@ FURTHEST = 100.0
 
 
 def rate(stand: Stand, y: Array, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
-    """dy/dt of y = (q, V): q' = A^-1 V by (10), V* by (8). StateError at a singular attitude."""
+    """dy/dt of y = (q, V): q' = A^-1 V by (10), V* by (8). StateError at a singular attitude.
+
+    Of a held carrier y = (q, u), with the coordinates and speeds of its freedoms.
+    """
+    if stand.hold is not None:
+        q, u = np.split(y, 2)
+        at = pieces_at(stand, q, twists(stand.hold) @ u, phi, phi_dot)
+        return np.concatenate([coordinate_rates(stand, q, u), held_forward(at, stand.hold, phi_ddot).u_dot])
     q, V = y[:6], y[6:]
     check_attitude(stand.angles, q[3:])
     at = pieces_at(stand, q, V, phi, phi_dot)
@@ -49,19 +59,20 @@ def simulate(
     error: float = STEP_ERROR,
     furthest: float = np.inf,
 ) -> Array:
-    """y = (q, V) (M, 12) at the times t (M), which begin at the start; no step longer than `longest` (s).
+    """y = (q, V) (M, 12) at the times t (M), which begin at the start; no step longer than `longest` (s); see `rate`.
 
     `error`: of a step, share of the amplitude. StateError where the motion cannot be followed, or is `furthest`
     amplitudes from the start.
     """
     from scipy.integrate import solve_ivp
 
-    m, rad = scale.lengths()
-    atol, rates = _absolute(scale, error), _rates(stand, angles)
+    count = coordinates_of(stand).count
+    lengths = _lengths(stand, scale)
+    atol, rates = _absolute(stand, scale, error), _rates(stand, angles)
 
     def margin(_: float, y: Array) -> float:
-        away = np.abs(y[:6] - start[:6])
-        return float(furthest - max(away[:3].max() / m, away[3:].max() / rad))
+        away = np.abs(y[:count] - start[:count])
+        return float(furthest - np.max(away / lengths))
 
     margin.terminal = True  # type: ignore[attr-defined]  # for SciPy: the event ends the run
     events = margin if np.isfinite(furthest) else None
@@ -88,7 +99,7 @@ def simulate_rows(
 
     starts, steps = rows[:-1], np.diff(rows)
     asked = np.append(starts[:, None] + DOP853.C[: DOP853.n_stages] * steps[:, None], (starts + steps)[:, None], axis=1)
-    atol, rates = _absolute(scale, error), _keep_last(_rates(stand, _tabulate(angles, asked.ravel())))
+    atol, rates = _absolute(stand, scale, error), _keep_last(_rates(stand, _tabulate(angles, asked.ravel())))
     states = [start]
     for begin, end in pairwise(rows.tolist()):
         step = min(longest, end - begin)
@@ -102,11 +113,17 @@ def simulate_rows(
     return np.array(states)
 
 
-def _absolute(scale: Scale, error: float) -> Array:
+def _lengths(stand: Stand, scale: Scale) -> Array:
+    """Displacement along each coordinate that has the whole amplitude; m, rad."""
+    if scale.S is not None:
+        return np.array([scale.amplitude / norm(scale.K0, each) for each in scale.S.T])
+    return np.repeat(scale.lengths(), 3)
+
+
+def _absolute(stand: Stand, scale: Scale, error: float) -> Array:
     """(12; m, rad, m/s, rad/s): this share of the amplitude."""
-    m, rad = scale.lengths()
-    faster = scale.speed / scale.amplitude
-    return error * np.repeat([m, rad, m * faster, rad * faster], 3)
+    lengths, faster = _lengths(stand, scale), scale.speed / scale.amplitude
+    return error * np.concatenate([lengths, lengths * faster])
 
 
 def _rates(stand: Stand, angles: Course) -> Callable[[float, Array], Array]:
@@ -153,7 +170,7 @@ def simulation_finding(
         rows = programme.course.t
     t = np.linspace(0.0, programme.span, 16 * max([*motion.harmonics, 12]) + 1) if rows is None else rows
     course = motion.at(t, programme.bias)
-    start = np.concatenate([course.q[0], twist(stand, course.q[0], course.q_dot[0])])
+    start = state_at(stand, course.q[0], course.q_dot[0])
     try:
         longest = programme.span / STEPS_OF_SPAN
         if rows is None:
@@ -162,13 +179,15 @@ def simulation_finding(
             y = simulate_rows(stand, programme.at, start, rows, scale, longest)
     except StateError as error:
         return Finding("simulation", np.inf, limit, False, str(error))
-    apart = y[:, :6] - course.q
+    apart = y[:, : course.q.shape[1]] - course.q
     shares = [scale.displacement_share(twist(stand, q, x)) for q, x in zip(course.q, apart, strict=True)]
     i = int(np.argmax(shares))
-    words = (
-        f"of (8) from the required state: largest at t = {t[i]:.6g} s, "
-        f"O1 {1e3 * np.linalg.norm(apart[i, :3]):.2g} mm, angles {1e3 * np.linalg.norm(apart[i, 3:]):.2g} mrad away"
-    )
+    away = f"O1 {1e3 * np.linalg.norm(apart[i, :3]):.2g} mm, angles {1e3 * np.linalg.norm(apart[i, 3:]):.2g} mrad"
+    if stand.hold is not None:
+        own = coordinates_of(stand)
+        parts = zip(own.names, np.abs(apart[i]), own.unit_names, strict=True)
+        away = ", ".join(f"{name} {1e3 * x:.2g}{f' m{unit}' if unit else 'e-3'}" for name, x, unit in parts)
+    words = f"of (8) from the required state: largest at t = {t[i]:.6g} s, {away} away"
     return check_limit("simulation", float(shares[i]), limit, words)
 
 
@@ -183,7 +202,8 @@ DIFFERENCE = 1e-6
 
 
 def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> tuple[complex, ...]:
-    """The 12 eigenvalues of the monodromy matrix, the largest modulus first, of a pair that with Im > 0.
+    """The 12 eigenvalues (2 m of a held carrier) of the monodromy matrix, the largest modulus first, of a pair that with
+    Im > 0.
 
     x' = A(t) x along the required motion, y = (q, V), over a period by Magnus's fourth-order steps with A at the
     two points of Gauss. StateError at a singular attitude.
@@ -192,7 +212,7 @@ def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> t
 
     steps = max(STEPS_OF_PERIOD, 2 * max([*motion.harmonics, *map(abs, programme.winding)], default=0))
     h = programme.span / steps
-    monodromy = np.eye(12)
+    monodromy = np.eye(2 * coordinates_of(stand).count)
     for step in range(steps):
         early, late = ((step + 0.5 + side * np.sqrt(3) / 6) * h for side in (-1, 1))
         A1, A2 = (_linear(stand, motion, programme, t) for t in (early, late))
@@ -204,13 +224,13 @@ def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> t
 
 
 def _linear(stand: Stand, motion: RequiredMotion, programme: Programme, t: float) -> Array:
-    """A (12x12): derivatives of (q', V*) by (q, V) at t, by differences."""
+    """A (12x12; 2 m x 2 m of a held carrier): derivatives of (q', V*) by (q, V) at t, by differences."""
     course, angles = motion.at(np.array([t]), programme.bias), programme.at(np.array([t]))
-    y = np.concatenate([course.q[0], twist(stand, course.q[0], course.q_dot[0])])
+    y = state_at(stand, course.q[0], course.q_dot[0])
     phi, phi_dot, phi_ddot = (each[0] for each in angles)
     here = rate(stand, y, phi, phi_dot, phi_ddot)
-    A = np.zeros((12, 12))
-    for i in range(12):
+    A = np.zeros((len(y), len(y)))
+    for i in range(len(y)):
         aside = y.copy()
         aside[i] += DIFFERENCE * (1.0 + abs(y[i]))
         A[:, i] = (rate(stand, aside, phi, phi_dot, phi_ddot) - here) / (aside[i] - y[i])

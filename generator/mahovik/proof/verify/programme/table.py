@@ -6,6 +6,7 @@ import numpy as np
 
 from mahovik.core.motion.programme import Angles, Fourier, Programme, Samples
 from mahovik.core.motion.required import Bounds, RequiredMotion
+from mahovik.core.stand.coordinates import FREE
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.programme.finding import Finding, check_limit, largest
 
@@ -185,7 +186,7 @@ def start_findings(motion: RequiredMotion, programme: Programme, limit: float) -
 
 def bias_findings(motion: RequiredMotion, programme: Programme) -> list[Finding]:
     """Findings on the bias: zero where the mean is not free; within its bound."""
-    names = ("x", "y", "z", "psi", "theta", "phi")
+    names = programme.coordinates or FREE
     held = ~np.array(motion.free_mean)
     worst = int(np.argmax(np.abs(programme.bias) * held))
     value = float(abs(programme.bias[worst])) if held[worst] else 0.0

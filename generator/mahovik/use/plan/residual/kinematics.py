@@ -9,6 +9,7 @@ import numpy as np
 from mahovik.core.motion.required import Course
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists
 from mahovik.use.plan.residual.spatial import AXES, attitude, turn
 
 
@@ -26,7 +27,13 @@ class Twists(NamedTuple):
 
 
 def twists(stand: Stand, course: Course) -> Twists:
-    """V = A q', V* = A q'' + D q' of (10), without the inverse of A: no attitude is singular here."""
+    """V = A q', V* = A q'' + D q' of (10), without the inverse of A: no attitude is singular here.
+
+    Of a held carrier they come from the coordinates of its freedoms.
+    """
+    if stand.hold is not None:
+        C, O1 = held_pose(stand, course.q)
+        return _in_fluid(stand, C, O1, *held_twists(stand, course))
     angles, rates, seconds = (x[:, 3:] for x in (course.q, course.q_dot, course.q_ddot))
     C = attitude(stand.angles, angles)
     a, b, c = (np.eye(3)[axis] for axis in AXES[stand.angles])
@@ -41,11 +48,16 @@ def twists(stand: Stand, course: Course) -> Twists:
     omega_dot += by_psi_dot * psi_dot + by_theta_dot * theta_dot
     v = in_E1(C, course.q_dot[:, :3])
     v_dot = in_E1(C, course.q_ddot[:, :3]) - np.cross(omega, v)
-    u = in_E1(C, np.broadcast_to(stand.stream or (0.0, 0.0, 0.0), v.shape))
-    V = np.hstack([v, omega])
-    V_r = np.hstack([v - u, omega])
-    V_r_dot = np.hstack([v_dot + np.cross(omega, u), omega_dot])
-    return Twists(C, course.q[:, :3], V, V_r, V_r_dot)
+    return _in_fluid(stand, C, course.q[:, :3], np.hstack([v, omega]), np.hstack([v_dot, omega_dot]))
+
+
+def _in_fluid(stand: Stand, C: Array, O1: Array, V: Array, V_dot: Array) -> Twists:
+    """With the twists relative to the fluid."""
+    omega = V[:, 3:]
+    u = in_E1(C, np.broadcast_to(stand.stream or (0.0, 0.0, 0.0), O1.shape))
+    V_r = np.hstack([V[:, :3] - u, omega])
+    V_r_dot = np.hstack([V_dot[:, :3] + np.cross(omega, u), V_dot[:, 3:]])
+    return Twists(C, O1, V, V_r, V_r_dot)
 
 
 def in_E1(C: Array, x: Array) -> Array:

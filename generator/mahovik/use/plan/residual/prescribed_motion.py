@@ -19,6 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.core.motion.required import Course
+from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.carrier import Base
@@ -56,6 +57,11 @@ class Mechanics:
     def mean_inertia(self) -> Array:
         """K0 (6, 6): K of (2), mean over all angles of the flywheels."""
         return np.asarray(self.base.K + self.tables.Theta[0].sum(axis=0))
+
+    @property
+    def freedoms(self) -> Array:
+        """S (6, m) of a held carrier, whose wrenches count along its freedoms alone; E (6, 6) of a free one."""
+        return np.eye(6) if self.stand.hold is None else freedom_twists(self.stand.hold)
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +129,8 @@ _STILL = 1e-9
 class Norm:
     """max_t |root R(t)| / demand.
 
-    root    6x6: G^-1 of K0 = G G^T, K0 the mean K over all angles: its norm is that of K0^-1/2
+    root    6x6: G^-1 of K0 = G G^T, K0 the mean K over all angles: its norm is that of K0^-1/2;
+            of a held carrier m x 6: G^-1 S^T of S^T K0 S = G G^T, so that what the hold takes does not count
     demand  max_t |root (P(t) - mean P)|, P the wrench needed at locked flywheels
     """
 
@@ -138,14 +145,15 @@ class Norm:
         as well, what spinning inertias do at that frequency.
         """
         own = at.mechanics
-        root = np.linalg.inv(np.linalg.cholesky(own.mean_inertia))
+        S = own.freedoms
+        root = np.linalg.inv(np.linalg.cholesky(S.T @ own.mean_inertia @ S)) @ S.T
         P = at.locked_wrench() @ root.T
         demand = float(np.linalg.norm(P - P.mean(axis=0), axis=1).max())
         able = able_at(own, 2.0 * np.pi / span)
         return Norm(root, demand if demand > _STILL * able else able)
 
     def dimensionless(self, R: Array) -> Array:
-        """root R / demand (M, 6), dimensionless."""
+        """root R / demand (M, 6; of a held carrier M, m), dimensionless."""
         return np.asarray(R @ (self.root.T / self.demand))
 
     def relative(self, R: Array) -> float:
@@ -155,6 +163,10 @@ class Norm:
 
 def able_at(own: Mechanics, Omega: float) -> float:
     """Largest wrench of all flywheels together at the speed Omega (rad/s), in the norm's units."""
+    if own.stand.hold is not None:
+        S = own.freedoms
+        root = np.linalg.inv(np.linalg.cholesky(S.T @ own.mean_inertia @ S)) @ S.T
+        return float(np.linalg.norm(own.tables.coupling @ root.T, axis=-1).max(axis=0).sum() * Omega**2)
     K0 = own.mean_inertia
     by_force = own.tables.unbalance.sum() / np.sqrt(K0[0, 0])
     by_moment = own.tables.Theta_ff.sum() / np.sqrt(np.trace(K0[3:, 3:]) / 3.0)
