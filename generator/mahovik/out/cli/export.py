@@ -204,7 +204,7 @@ def programme(
 
     given = {"--programme": programme_file}
     stand_file, (source,) = stand_first(stand_file, further, given, former=(STAND, "--programme"))
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     found = load_programme(source)
     motion = load_motion(Path(motion_file), stand, found) if motion_file is not None else None
     folder = Path(output if output is not None else stand.name)

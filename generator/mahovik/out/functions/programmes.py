@@ -264,7 +264,7 @@ def verify_programme(
     """
     from mahovik.proof.verify import programme as verification
 
-    own = Stand.of(stand)
+    own = Stand.of(stand, held=True)
     found = programme.programme if isinstance(programme, Programme) else programme_of(programme)
     required = _of_course(motion, found) if isinstance(motion, Slew) else motion_of(motion, own, found)
     tell(progress, Progress("by the reference"))

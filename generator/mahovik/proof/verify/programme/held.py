@@ -6,6 +6,7 @@ points of E1 to E0. Its derivatives are those of a product, and V^ = H^-1 H', (V
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 
 import numpy as np
@@ -52,18 +53,28 @@ def coordinate_rates(stand: Stand, q: Array, u: Array) -> Array:
 
 def _product(stand: Stand, q: Array, q_dot: Array, q_ddot: Array) -> tuple[Array, Array, Array]:
     """H and its two derivatives by time (4x4 each)."""
-    from scipy.linalg import expm
-
     home, factors = _factors(stand)
     H, H_dot, H_ddot = home, np.zeros((4, 4)), np.zeros((4, 4))
     for k, S in factors:
-        E = expm(S * q[k])
+        E = _exponential(S, q[k])
         E_dot = S @ E * q_dot[k]
         E_ddot = S @ E_dot * q_dot[k] + S @ E * q_ddot[k]
         H_ddot = H_ddot @ E + 2 * H_dot @ E_dot + H @ E_ddot
         H_dot = H_dot @ E + H @ E_dot
         H = H @ E
     return H, H_dot, H_ddot
+
+
+def _exponential(S: Array, x: float) -> Array:
+    """exp(S x) by Cayley and Hamilton: S^4 = -w^2 S^2 for a turn of w = |omega|, S^2 = 0 without a turn."""
+    w = math.sqrt(S[2, 1] ** 2 + S[0, 2] ** 2 + S[1, 0] ** 2)
+    if w == 0.0:
+        return np.asarray(np.eye(4) + S * x)
+    unit, angle = S / w, w * x
+    square = unit @ unit
+    return np.asarray(
+        np.eye(4) + unit * angle + (1 - math.cos(angle)) * square + (angle - math.sin(angle)) * unit @ square
+    )
 
 
 @lru_cache(maxsize=4)
