@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import numpy as np
+import pytest
+
 import mahovik
 from cli.test_eval_held import TEXT
 from mahovik.core.stand.read import loads
+from mahovik.core.stand.state import State
 from mahovik.out.api.stands import Stand
+from mahovik.proof import reference
+from mahovik.stands import path
 
 
 def test_what_is_of_the_freedoms_has_their_names() -> None:
@@ -16,3 +22,27 @@ def test_what_is_of_the_freedoms_has_their_names() -> None:
     found = model.inverse(x, V_dot=moved.V_dot)
     assert {f.name: f.labels for f in found.fields}["residual"] == (("pitch",),)
     assert abs(found["residual", "pitch"]) < 1e-9 and abs(found["phi_ddot", "w1"] - 3.0) < 1e-9
+
+
+def test_the_reaction_of_arrays_of_motions_is_that_of_each() -> None:
+    stand = Stand.of(loads(TEXT), held=True)
+    model = mahovik.build(stand)
+    rates = np.linspace(-1.0, 1.0, 4)
+    V = np.outer(rates, [0.2, 0, 0, 0, 1, 0])
+    x = model.states(angles=[0, 0.3, 0], V=V, phi_dot=100.0 * rates[:, None])
+    found = model.reaction(x, V_dot=2.0 * V, phi_ddot=5.0)
+    assert found.reaction.shape == (4, 6)
+    for k, u in enumerate(rates.tolist()):
+        state = State(
+            (0.0,) * 3, (0.0, 0.3, 0.0), None, (0.0,) * 6, (0.0,), (100.0 * u,), (5.0,), (0.0,) * 6, (0.0,),
+            u=(u,), u_dot=(2.0 * u,),
+        )  # fmt: skip
+        expected = reference.evaluate(stand, state, ["reaction"])["reaction"]
+        assert np.allclose(found.reaction[k], expected, rtol=1e-12, atol=1e-12)
+        assert found["reaction", "Z"][k] == found.reaction[k, 2]
+
+
+def test_a_free_carrier_has_no_reaction() -> None:
+    model = mahovik.build(Stand.of(path("demo3")))
+    with pytest.raises(mahovik.InputError, match=r"reaction: the stand has no \[hold\]"):
+        model.reaction(model.state())

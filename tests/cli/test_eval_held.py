@@ -70,6 +70,29 @@ def test_a_pendulum_falls_as_it_should(file: str, backend: str) -> None:
     assert found["points"]["tip"]["twist"] == pytest.approx([0.3 * u, 0, 0, 0, u, 0], rel=1e-13)
 
 
+@pytest.mark.parametrize("backend", ["numpy", "casadi", "c"])
+def test_the_reaction_of_a_motion_that_is_given(file: str, backend: str) -> None:
+    """The motion that `forward` finds has the same reaction; a faster one asks the hold for its inertia."""
+    state = {"angles": [0, 0.3, 0], "u": [1.5], "phi": [0.7], "phi_dot": [200.0], "phi_ddot": [40.0]}
+    (moved,) = answers(file, {**state, "want": ["forward"]}, backend=backend)
+    u_dot = moved["u_dot"][0]
+    more = [{**state, "u_dot": [u_dot + extra], "want": ["reaction"]} for extra in (0.0, 2.0)]
+    own, faster = (np.array(found["reaction"]) for found in answers(file, *more, backend=backend))
+    assert own == pytest.approx(moved["reaction"], rel=1e-12, abs=1e-12)
+    inertia = 0.02 + 2.5 * 0.2**2 + 0.001  # about the pivot; the mass centre is above it by 200 mm
+    assert (faster - own)[4] + 0.2 * (faster - own)[0] == pytest.approx(2.0 * inertia, rel=1e-12)
+    assert (faster - own)[0] == pytest.approx(2.0 * 2.5 * 0.2, rel=1e-12)
+
+
+def test_a_free_carrier_and_two_reactions_in_one_want_are_error_lines(file: str, tmp_path: Path) -> None:
+    (found,) = answers(file, {"want": ["forward", "reaction"]}, status=1)
+    assert found["error"] == 'want: "forward" and "reaction" both give reaction, ask for them in two states'
+    free = tmp_path / "free.toml"
+    free.write_text(TEXT.replace('[hold]\nfreedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', ""))
+    (found,) = answers(str(free), {"want": ["reaction"]}, status=1)
+    assert found["error"] == 'want: "reaction" is of held carriers, and the stand has no [hold]: ask for forward'
+
+
 @pytest.mark.parametrize("backend", ["numpy", "c"])
 def test_inverse_turns_the_demand_into_the_flywheel(file: str, backend: str) -> None:
     state = {"angles": [0, 0.3, 0], "u": [0.4], "u_dot": [2.0]}

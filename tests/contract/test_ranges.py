@@ -61,7 +61,8 @@ def test_statuses_are_those_promised() -> None:
 
 def test_two_wants_that_contradict_each_other_are_those_promised() -> None:
     plain = {found for found in CONFLICTS if found[1] not in TASK_WANTS}
-    assert plain == {("forward", "coupled", "V_dot"), ("coupled", "inverse", "phi_ddot")}
+    reactions = {(name, "reaction", "reaction") for name in ("forward", "coupled")}
+    assert plain == {("forward", "coupled", "V_dot"), ("coupled", "inverse", "phi_ddot"), *reactions}
     of_tasks = {found[:2] for found in CONFLICTS if found[1] in TASK_WANTS}
     assert of_tasks == {(first, "torque_for") for first in ("forward", "torque", "coupled", "inverse")}
     assert len(WANTS) == len(set(WANTS))

@@ -21,13 +21,13 @@ from mahovik.errors import RegimeError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.identify.channels import six_axes
+from mahovik.out.identify.deviations import Deviations
 from mahovik.out.identify.estimate import PRIOR, PRIOR_START, estimate
 from mahovik.out.identify.excite import face
 from mahovik.out.identify.excite.bounds import Bounds, bounds_of
 from mahovik.out.identify.excite.course import Courses
 from mahovik.out.identify.excite.information import Experiment, quality_of
 from mahovik.out.identify.free import Free
-from mahovik.out.identify.jacobian import START_SCALE
 from mahovik.out.identify.predict import Predictor
 from mahovik.out.identify.run import Run
 
@@ -86,12 +86,12 @@ def test_information_is_that_of_a_dense_least_squares() -> None:
     """The covariance equals that of one least-squares problem in which the offsets of the channels are unknowns too."""
     rng = np.random.default_rng(2)
     free = Free(build(bench8(1)), ["w1.unbalance.static", "carrier.mass"])
-    T, C, k = 40, 6, 2
-    J, S = rng.normal(size=(T, C, k)) / free.scale, rng.normal(size=(T, C, 12)) / START_SCALE
+    T, C, k, scale = 40, 6, 2, Deviations(free.stand).scale
+    J, S = rng.normal(size=(T, C, k)) / free.scale, rng.normal(size=(T, C, 12)) / scale
     found = quality_of(J, S, free, 3.0)
     offsets = np.kron(np.ones((T, 1)), np.eye(C))
     rows = np.sqrt(3.0) * np.hstack([J.reshape(-1, k), S.reshape(-1, 12), offsets])
-    prior = np.diag(np.concatenate([1 / (PRIOR * free.scale), 1 / (PRIOR_START * START_SCALE), np.zeros(C)]))
+    prior = np.diag(np.concatenate([1 / (PRIOR * free.scale), 1 / (PRIOR_START * scale), np.zeros(C)]))
     whole = np.linalg.pinv(np.vstack([rows, prior]))
     expected = (whole @ whole.T)[:k, :k]
     assert np.allclose(found.covariance, expected, rtol=1e-9)

@@ -181,7 +181,7 @@ CHANNELS = {
     "acc1.rate.x": "has no unit",
     "w1.speed [Hz]": "write rpm or rad/s",
     "w1.count [rad]": "expected [1] or, of a count, [1/4096 turn]",
-    "hold.reaction.x [N]": "held carriers are not there yet",
+    "hold.reaction.x [N]": "the carrier is free",
     "carrier.rate.x [rad/s]": "name a [[point]]",
     "[rad/s]": "expected a name and a unit",
 }

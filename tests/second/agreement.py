@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.contract.functions import wants_of
+from mahovik.contract.functions import wants_of, wants_of_carrier
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
@@ -15,7 +15,7 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify.compare import difference
 from mahovik.proof.verify.scales import scales
 
-WANTS = wants_of("second")
+WANTS = tuple(want for want in wants_of("second") if want in wants_of_carrier(held=False))
 
 NOT_THERE = ("I0", "J0")  # of `generalized`: matrices of (11), that the second derivation does not form
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from mahovik import stands
-from mahovik.contract.functions import wants_of
+from mahovik.contract.functions import wants_of, wants_of_carrier
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, EXTREMES, SEQUENCES, Features, random_stand
@@ -18,7 +18,7 @@ from mahovik.proof.verify.draw import draw
 from second.agreement import AGREEMENT, differences, evaluate, expectations
 from toolchain.quick import quick
 
-WANTS = wants_of("second")
+WANTS = tuple(want for want in wants_of("second") if want in wants_of_carrier(held=False))
 
 EXAMPLES = sorted(Path(stands.__file__).parent.glob("*.toml"))
 KINDS = {"everything": EVERYTHING, "bare": BARE, "drawn": Features()}

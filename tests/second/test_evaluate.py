@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.contract.functions import wants_of
+from mahovik.contract.functions import wants_of, wants_of_carrier
 from mahovik.core.stand.model import Sequence as AngleSequence
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.state import rest_state
@@ -17,7 +17,7 @@ from mahovik.proof.second import Second
 from physics.general import draw
 from second.agreement import evaluate
 
-WANTS = wants_of("second")
+WANTS = tuple(want for want in wants_of("second") if want in wants_of_carrier(held=False))
 
 
 @pytest.mark.parametrize("want", ["matrices", "mounts", "inverse", "forwards"])

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.contract.functions import WANTS
+from mahovik.contract.functions import wants_of_carrier
 from mahovik.core.stand import State, load, rest_state
 from mahovik.proof import reference
 from mahovik.proof.verify.backends import NumpyBackend
@@ -60,7 +60,7 @@ def test_a_byte_order_mark_carriage_returns_and_foreign_bytes() -> None:
 
 def test_every_want_is_strict_json_with_the_bits_of_the_reference() -> None:
     state = rest_state(AUV)
-    for want in WANTS:
+    for want in wants_of_carrier(held=False):
         ((line, good),) = run(json.dumps({"id": want, "want": [want]}).encode())
         assert good
         expected = reference.evaluate(AUV, state, [want])

@@ -10,8 +10,8 @@ from mahovik.contract.public_function import ANY, BITS, JUDGES, NORMAL, REFEREES
 
 __all__ = [
     "ALL_WANTS", "ANY", "BATCH_FUNCTIONS", "BITS", "CHOSEN", "CONFLICTS", "FUNCTIONS", "JUDGES", "NORMAL", "OF_TASKS",
-    "REFEREES", "ROWS", "TASK_CONFLICTS", "TASK_TAKERS", "TASK_WANTS", "WANTS", "PublicFunction", "is_public",
-    "row_of", "task_of", "want_fault", "wants_of",
+    "REFEREES", "ROWS", "TASK_CONFLICTS", "TASK_TAKERS", "TASK_WANTS", "WANTS", "PublicFunction", "hold_fault",
+    "is_public", "row_of", "task_of", "want_fault", "wants_of", "wants_of_carrier",
 ]  # fmt: skip
 
 _STATE = ("table", "x")
@@ -116,9 +116,9 @@ _ROWS = (
         "(8)",
         (*_STATE, "V_dot", "phi_ddot", "wrench"),
         ("reaction",),
-        ("reference",),
+        ("reference", "second"),
+        want=True,
         needs="held",
-        python=False,
     ),
     PublicFunction("wrench", "(7)", (*_STATE, "wrench"), ("F",), ("reference",), needs="wrenches"),
     PublicFunction(
@@ -296,13 +296,19 @@ BATCH_FUNCTIONS = tuple(row.name for row in FUNCTIONS.values() if row.batch)
 """Functions with a batch form."""
 
 _GIVES = {name: row.gives for name, row in ROWS.items() if row.want}
+_GIVES |= {name: (*_GIVES[name], "reaction") for name in ("forward", "coupled")}  # of held carriers
+
+
+def _common_names(first: str, second: str) -> tuple[str, ...]:
+    """The first name to which two wants give a value each; none where they share no name."""
+    return tuple(name for name in _GIVES[first] if name in _GIVES[second])[:1]
+
 
 CONFLICTS = tuple(
     (first, second, name)
     for i, first in enumerate(_GIVES)
     for second in tuple(_GIVES)[i + 1 :]
-    for name in _GIVES[first]
-    if name in _GIVES[second]
+    for name in _common_names(first, second)
 )
 """Pairs of wants that give two values to one name, and the name."""
 
@@ -328,6 +334,19 @@ def want_fault(want: Sequence[str]) -> str:
     for first, second, value in CONFLICTS:
         if first in want and second in want:
             return f'want: "{first}" and "{second}" both give {value}, ask for them in two states'
+    return ""
+
+
+def wants_of_carrier(held: bool) -> tuple[str, ...]:
+    """Wants without a task of a free or a held carrier, in the order of the evaluation contract."""
+    return tuple(name for name in WANTS if held or FUNCTIONS[name].needs != "held")
+
+
+def hold_fault(want: Sequence[str], held: bool) -> str:
+    """A line on the first want that only held carriers have, of a carrier that is free; "" where there is none."""
+    for name in want:
+        if name in WANTS and name not in wants_of_carrier(held):
+            return f'want: "{name}" is of held carriers, and the stand has no [hold]: ask for forward'
     return ""
 
 

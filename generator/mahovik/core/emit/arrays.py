@@ -103,6 +103,7 @@ def _course(generated: Generated) -> dict[str, Any] | None:
     return {
         "flywheels": int(generated.layout.count),
         "wrenches": 6 * len(generated.layout.inputs),
+        "freedoms": generated.layout.freedoms,
         "phi": rows["phi"],
         "phi_dot": rows["phi_dot"],
         "step": arguments("step_driven"),

@@ -73,8 +73,9 @@ class Caller:
             else:
                 arrays.append(by_component(given[a.name], a.components, n, self._real))
         status = np.zeros(n, dtype=np.int32)
-        library = self._made.library if tables is None else self._made.of_tables
-        called = function if tables is None else f"{function}_of"
+        same = tables is None or not any(a.name in self._made.tables for a in f.arguments)  # whatever the tables
+        library = self._made.library if same else self._made.of_tables
+        called = function if same else f"{function}_of"
         if library.call(called, n, arrays, status, self._threads) < 0:
             if on_error == "raise":
                 inputs = {a.name: (a, x) for a, x in zip(f.arguments, arrays, strict=True) if a.direction == "in"}

@@ -262,7 +262,7 @@ class Built:
         """Outputs, statuses, and whether they are of a single state."""
         f = self._made.functions.get(function)
         if f is None:
-            what = {"sensors": "instruments or points"}.get(needs := row_of(function).needs, needs)
+            what = {"sensors": "instruments or points", "held": "[hold]"}.get(needs := row_of(function).needs, needs)
             raise InputError(f"{function}: the stand has no {what}")
         parts: dict[str, Array] = {}
         alike: dict[str, Array] = {}

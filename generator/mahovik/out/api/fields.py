@@ -34,6 +34,7 @@ _BY_NAME: Mapping[str, tuple[Labels, ...]] = {
     "V_dot": (TWIST_LETTERS,),
     "F": (WRENCH_LETTERS,),
     "residual": (WRENCH_LETTERS,),
+    "reaction": (WRENCH_LETTERS,),
     "K": (WRENCH_LETTERS, TWIST_LETTERS),
     "K_dot": (WRENCH_LETTERS, TWIST_LETTERS),
     "M": (WRENCH_LETTERS, TWIST_LETTERS),

@@ -341,6 +341,22 @@ class Model(WithRegressor):
         """Wrench of the mount on each flywheel: bearing loads. Batch C. Raises InputError, RefusedError."""
         return self._result(results.Mounts, "mounts", x, on_error, wrench, tables, V_dot=V_dot, phi_ddot=phi_ddot)
 
+    def reaction(
+        self,
+        x: States | ArrayLike,
+        V_dot: Given = 0.0,
+        phi_ddot: Given = 0.0,
+        *,
+        wrench: Wrenches = None,
+        tables: Tables | None = None,
+        on_error: OnError = "raise",
+    ) -> results.Reaction:
+        """Wrench of the hold on a held carrier for a given motion, (8): V_dot = S u_dot, m/s2, rad/s2; phi_ddot rad/s2.
+
+        Gives `reaction`. State by state. Raises InputError (also of a free carrier), RefusedError.
+        """
+        return self._result(results.Reaction, "reaction", x, on_error, wrench, tables, V_dot=V_dot, phi_ddot=phi_ddot)
+
     def generalized(
         self,
         x: States | ArrayLike,

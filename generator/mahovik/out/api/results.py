@@ -130,6 +130,12 @@ class Mounts(Result):
     mount_wrench: Real
 
 
+class Reaction(Result):
+    """`reaction` (6): wrench of the hold on a held carrier, N, N m, in E1 about O1; (8)."""
+
+    reaction: Real
+
+
 class Points(Result):
     """Readings at each instrument and point: `position` (S, 3), `C` (S, 3, 3), `twist` (S, 6), ...; S sensors."""
 

@@ -13,7 +13,7 @@ from mahovik.core.program.arrays import fill_record
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.read import read
 from mahovik.core.stand.structure import structure
-from mahovik.errors import InputError, StandError
+from mahovik.errors import InputError, StandError, UsageError
 from mahovik.out.api.compiled import CompiledLibrary, lower_structure
 from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
@@ -40,7 +40,7 @@ class Tables:
 
     def __init__(self, made_of: CoreStand, real: str, samples: Samples, found: Variants, prepare: Prepare) -> None:
         """`found`: the numbers of all samples; `prepare`: makes the blocks. Raises StandError."""
-        self.made_of, self.base, self.real, self.samples = made_of, Stand.of(made_of), real, samples
+        self.made_of, self.base, self.real, self.samples = made_of, Stand.of(made_of, held=True), real, samples
         self._found, self._prepare = found, prepare
         self._blocks, _ = prepare(False)
 
@@ -77,6 +77,18 @@ class Tables:
         return f"<Tables of {len(self)} stands {self.base.name}: {paths}; {self.real}>"
 
 
+def _refuse_numbers_of_holds(stand: Stand, samples: Samples) -> None:
+    """UsageError: a sample would be held elsewhere; friction and stops of a hold may vary."""
+    if stand.hold is None or any(body.name == "hold" for body in stand.bodies):
+        return
+    for path in samples.given:
+        keys = path.split(".")
+        if keys[0] == "hold" and not any(key.startswith(("friction", "stop")) for key in keys[1:2]):
+            raise UsageError(
+                f"{path}: decides how the carrier can move, the same for all samples; make a model of each"
+            )
+
+
 def make_tables(
     of: CoreStand,
     made: CompiledLibrary,
@@ -87,7 +99,8 @@ def make_tables(
     n: int | None,
 ) -> Tables:
     """See `Model.tables`."""
-    stand, samples = Stand.of(of), Samples.of(changes, n)
+    stand, samples = Stand.of(of, held=True), Samples.of(changes, n)
+    _refuse_numbers_of_holds(stand, samples)
     found = variants(stand, real, samples)
     for number in np.flatnonzero(found.doubtful):
         check_sample(stand, samples, int(number))

@@ -89,6 +89,8 @@ class Block:
         arrays.append(self._now)
         if self.given["wrench"].size:
             arrays += [self.given["wrench"], rows["wrench"], rows["end_wrench"]]
+        if self.stand.hold is not None and self.stand.hold.freedoms:
+            arrays.append(np.zeros((len(self.stand.hold.freedoms), self.n)))
         return self._made.of_tables.repeat_call(COURSE, self.n, arrays, rows["status"])
 
     def _table(self, name: str) -> NDArray[np.uint8]:
@@ -105,9 +107,14 @@ class Block:
                 arrays.append(self.x)
             elif a.direction == "in" or a.name in RESULTS.get(function, ()):
                 arrays.append(self.given[a.name])
-            else:
+            elif a.order == "components":
                 self.found[function] = np.zeros((a.components, self.n))
                 arrays.append(self.found[function])
+            else:  # of a function without batch, state by state
+                arrays.append(np.zeros((self.n, a.components)))
+                self.found[function] = arrays[-1].T
+        if not any(a.name in TABLES for a in self._made.functions[function].arguments):  # a clamped carrier's forward
+            return self._made.library.repeat_call(function, self.n, arrays, self._now)
         return self._made.of_tables.repeat_call(f"{function}_of", self.n, arrays, self._now)
 
     def member(self, function: str, name: str) -> Array:

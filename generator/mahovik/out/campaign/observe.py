@@ -14,7 +14,7 @@ from mahovik.out.campaign.pose import Array, rotation
 CACHE = 1 << 13
 """Numbers of one component in a chunk, at most: what is computed of it stays in the cache of the processor."""
 
-NEEDED = {"readings": "points", "tau": "torque", "loads": "mounts", "I": "matrices"}
+NEEDED = {"readings": "points", "tau": "torque", "loads": "mounts", "I": "matrices", "reaction": "reaction"}
 """Functions of the C by what signals need; V_dot comes first, by `forward` or `coupled`."""
 
 
@@ -24,6 +24,7 @@ class Chunk:
 
     t (K); state (K, 13 + 2 N, n), or (K, 13, n) of the carrier alone; V_dot (K, 6, n); phi_ddot, tau (K, N, n)
     readings  (K, 24 S, n): of `points`; loads (K, 6 N, n): wrenches of the mounts; I (K, 6 N, n)
+    reaction  (K, 6, n): of the hold on the carrier, in E1 about O1
     """
 
     t: Array
@@ -34,6 +35,7 @@ class Chunk:
     readings: Array
     loads: Array
     I: Array
+    reaction: Array
 
     @property
     def position(self) -> Array:
@@ -60,7 +62,7 @@ class Chunk:
         """The later part, from the time with this number on."""
         return Chunk(
             self.t[first:], self.state[first:], self.V_dot[first:], self.phi_ddot[first:], self.tau[first:],
-            self.readings[first:], self.loads[first:], self.I[first:],
+            self.readings[first:], self.loads[first:], self.I[first:], self.reaction[first:],
         )  # fmt: skip
 
     @cached_property
@@ -94,7 +96,7 @@ class Observer:
         self._chunk = Chunk(
             np.zeros(self.rows), memory("", self._numbers), memory("V_dot", 6), memory("phi_ddot", N), memory("tau", N),
             memory("readings", 24 * (len(block.stand.instruments) + len(block.stand.points))), memory("loads", 6 * N),
-            memory("I", 6 * N),
+            memory("I", 6 * N), memory("reaction", 6),
         )  # fmt: skip
         self._row = 0
 
@@ -138,6 +140,8 @@ class Observer:
             own.loads[k] = block.found["mounts"]
         if "matrices" in self._functions:
             own.I[k] = block.member("matrices", "I").reshape(-1, block.n)
+        if "reaction" in self._functions:
+            own.reaction[k] = block.found["reaction"]
         self._row += 1
         if self._row == self.rows:
             self.flush()
@@ -149,6 +153,6 @@ class Observer:
             rows = slice(0, self._row)
             self._consume(
                 Chunk(own.t[rows], own.state[rows], own.V_dot[rows], own.phi_ddot[rows], own.tau[rows],
-                      own.readings[rows], own.loads[rows], own.I[rows])
+                      own.readings[rows], own.loads[rows], own.I[rows], own.reaction[rows])
             )  # fmt: skip
         self._row = 0

@@ -103,7 +103,7 @@ def _value(q: Quantity, record: Record, real: CoreStand) -> float:
     assert q.signal is not None
     state = np.hstack([record.position, record.attitude, record.V, record.phi, record.phi_dot])[:, :, None]
     T, N, none = len(record.t), record.phi.shape[1], np.zeros((len(record.t), 0, 1))
-    chunk = Chunk(record.t, state, none, np.zeros((T, N, 1)), record.tau[:, :, None], none, none, none)
+    chunk = Chunk(record.t, state, none, np.zeros((T, N, 1)), record.tau[:, :, None], none, none, none, none)
     frames = {
         p.name: Frame(p.origin[:, None], p.axes[:, :, None]) for p in places(real, (*sensors(real), real.carrier.name))
     }

@@ -37,7 +37,8 @@ def evaluate(
     torques within what the motors have.
 
     A state of a held carrier has "u" and "u_dot" in place of "V" and "V_dot": speeds of its freedoms in the order of
-    the file, and their rates; `forward` and `coupled` answer `u_dot`, `V_dot` and `reaction`.
+    the file, and their rates; `forward` and `coupled` answer `u_dot`, `V_dot` and `reaction`, which is also a want of
+    its own, for the "u_dot" and "phi_ddot" of the state.
 
     A state that cannot be evaluated gives an error line in its place; the exit status is then 1.
     """

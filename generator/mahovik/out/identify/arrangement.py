@@ -12,7 +12,7 @@ from itertools import permutations, product
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.out.identify.channels import AXES
+from mahovik.out.identify.channels import REACTION
 from mahovik.out.identify.estimate import Fit
 from mahovik.out.identify.run import HEARD, Run, has_signal, noise_beside
 
@@ -119,9 +119,10 @@ def wrong_axes(look: Look) -> tuple[list[Finding], float]:
     """
     n = len(look.run.channels)
     grams = look.grams(look.predicted, look.by)
-    groups: dict[tuple[str, str], list[int]] = {}
+    groups: dict[tuple[str, str, int], list[int]] = {}  # forces and moments of a hold apart
     for c in look.alive:
-        groups.setdefault((look.run.channels[c].point, look.run.channels[c].kind), []).append(c)
+        channel = look.run.channels[c]
+        groups.setdefault((channel.point, channel.kind, channel.axis // 3), []).append(c)
     found: list[Finding] = []
     while True:
         mended = {c: each for finding in found for c, each in finding.taken.items()}
@@ -130,15 +131,16 @@ def wrong_axes(look: Look) -> tuple[list[Finding], float]:
         excess = look.excess(given, places)
         if excess.max() < AMISS:
             break
-        every = [_of_sensor(look, grams, own, mended, given, excess) for own in groups.values()]
-        ones = [one for one in every if one is not None]
+        every = {key: _of_sensor(look, grams, own, mended, given, excess) for key, own in groups.items()}
+        ones = {key: one for key, one in every.items() if one is not None}
         if not ones:
             break
-        least = min(one.cost for one in ones)
+        least = min(one.cost for one in ones.values())
         enough = least + NEAR * (float(excess.sum()) - least)
-        best = min((one for one in ones if one.cost <= enough), key=lambda one: (len(one.taken), one.cost))
-        found.append(best)
-        del groups[best.point, best.kind]
+        good = [key for key, one in ones.items() if one.cost <= enough]
+        best = min(good, key=lambda key: (len(ones[key].taken), ones[key].cost))
+        found.append(ones[best])
+        del groups[best]
     return found, float(excess.sum())
 
 
@@ -165,14 +167,15 @@ def _of_sensor(look: Look, grams: Grams, own: list[int], mended: Taken, given: A
     if not (better or cost < BETTER * float(excess.sum())) or after >= GOOD * len(rows):
         return None
     taken_as = ", ".join(
-        f"{AXES[channels[c].axis]} = {'-' if sign < 0 else ''}{AXES[channels[d].axis]}"
+        f"{channels[c].letter} = {'-' if sign < 0 else ''}{channels[d].letter}"
         for c, (d, sign) in changed.items()
     )
     point, kind = channels[own[0]].point, channels[own[0]].kind
+    advice = "" if kind == REACTION else f" or the angles of {point}"
     line = (
         f"{point}.{kind}: signs or axes are evidently wrong: with {taken_as} the fit leaves "
         f"{look.percent(left, places, rows):.3g} % of the data in place of "
-        f"{look.percent(given, list(range(n)), rows):.3g} %; correct the columns or the angles of {point}"
+        f"{look.percent(given, list(range(n)), rows):.3g} %; correct the columns{advice}"
     )
     return Finding(point, kind, changed, cost, line)
 

@@ -16,8 +16,7 @@ from mahovik.errors import StandError, StateError, UsageError
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.identify.free import Free
 from mahovik.out.identify.gauss_newton import Loss, minimise, triangle, weights_of
-from mahovik.out.identify.jacobian import START_SCALE, slopes, values
-from mahovik.out.identify.predict import START
+from mahovik.out.identify.jacobian import slopes, values
 from mahovik.out.identify.run import Run, noise_of
 from mahovik.out.identify.sight import undetermined_directions
 
@@ -50,7 +49,7 @@ class Fit:
     """An estimate.
 
     theta      free numbers; `covariance` theirs (k, k), with initial states and offsets unknown
-    starts     initial states of the runs (R, 12)
+    starts     deviations of the initial states of the runs (R, D), see Deviations
     information  triangular factor (k, k) of the inverse covariance, in natural sizes of the numbers, without priors
     noise      of channels, by run (C), SI
     residuals  measured minus predicted without offset, by run (T, C), SI; NaN where there is no sample
@@ -99,13 +98,23 @@ class Problem:
     @property
     def size(self) -> int:
         """Numbers of z."""
-        return self.k + START * len(self.runs)
+        return self.k + self._start_scale.size * len(self.runs)
+
+    @property
+    def _start_scale(self) -> Array:
+        """Natural sizes of the deviations of an initial state (D)."""
+        return self.runs[0].predictor.deviations.scale
+
+    def _of_start(self, r: int) -> slice:
+        """Places of the deviations of the initial state of a run in z."""
+        count = self._start_scale.size
+        return slice(self.k + count * r, self.k + count * (r + 1))
 
     def split(self, z: Array) -> tuple[Array, Array]:
-        """theta, and the initial states (R, 12)."""
-        theta = self._about.copy()
+        """theta, and the deviations of the initial states (R, D)."""
+        theta, scale = self._about.copy(), self._start_scale
         theta[: self.k] += self.scale[: self.k] * z[: self.k]
-        return theta, z[self.k :].reshape(-1, START) * START_SCALE
+        return theta, z[self.k :].reshape(len(self.runs), len(scale)) * scale
 
     def reweigh(self, z: Array, loss: Loss) -> None:
         """Take the noise of each channel from its residuals; with a robust loss by their median, as outliers are in."""
@@ -141,7 +150,7 @@ class Problem:
 
     @property
     def _priors(self) -> Array:
-        return np.concatenate([np.full(self.k, 1.0 / PRIOR), np.full(START * len(self.runs), 1.0 / PRIOR_START)])
+        return np.repeat([1.0 / PRIOR, 1.0 / PRIOR_START], [self.k, self.size - self.k])
 
     @property
     def prior_rows(self) -> Array:
@@ -158,12 +167,12 @@ class Problem:
             whole = np.zeros((len(own), self.size))
             noise = np.broadcast_to(self.noise[r], run.measured.shape)[run.there][:, None]
             whole[:, : self.k] = -own[:, : self.k] / noise
-            whole[:, self.k + START * r : self.k + START * (r + 1)] = -own[:, self.k :] / noise
+            whole[:, self._of_start(r)] = -own[:, self.k :] / noise
             rows.append(whole)
         return np.concatenate([*rows, self.prior_rows])
 
     def _kept_slopes(self, z: Array, exact: bool) -> list[Array]:
-        """Derivatives of the centred channels at the samples (n, k + 12) of each run, in natural sizes."""
+        """Derivatives of the centred channels at the samples (n, k + D) of each run, in natural sizes."""
         rows = zip(self.differences(z), self._units, self.runs, strict=True)
         now = np.concatenate([_there(difference / units, run) for (difference, _), units, run in rows])
         if self._kept is not None and not (exact and not np.array_equal(self._kept[0], z)):
@@ -177,7 +186,7 @@ class Problem:
             by_theta = run.at_samples(at_start.by_theta)[:, :, : self.k]
             by_start = run.at_samples(at_start.by_start)
             self.slopes.append((by_theta, by_start))
-            own = np.concatenate([by_theta * self.scale[: self.k], by_start * START_SCALE], axis=2)
+            own = np.concatenate([by_theta * self.scale[: self.k], by_start * self._start_scale], axis=2)
             own[~run.there] = np.nan
             own -= np.nanmean(own, axis=0)
             found.append(own[run.there])
@@ -188,7 +197,7 @@ class Problem:
         """Whether kept derivatives predict a change of the channels to the share LINEAR of it."""
         row, left = 0, 0.0
         for r, (run, own) in enumerate(zip(self.runs, found, strict=True)):
-            part = np.concatenate([by[: self.k], by[self.k + START * r : self.k + START * (r + 1)]])
+            part = np.concatenate([by[: self.k], by[self._of_start(r)]])
             units = np.broadcast_to(self._units[r], run.measured.shape)[run.there]
             left += float(np.sum((change[row : row + len(own)] + own @ part / units) ** 2))
             row += len(own)

@@ -12,17 +12,14 @@ from numpy.typing import NDArray
 
 from mahovik.errors import StandError
 from mahovik.out.identify.free import STEP, Free
-from mahovik.out.identify.predict import START, Predictor
+from mahovik.out.identify.predict import Predictor
 
 Array = NDArray[np.float64]
-
-START_SCALE = np.repeat([1e-2, 1e-1, 1e-1, 1.0], 3)
-"""Natural size of an initial state's numbers: m, rad, m/s, rad/s."""
 
 
 @dataclass(frozen=True, eq=False)
 class Slopes:
-    """Channels (T, C), and their derivatives by theta (T, C, k) and by the initial state (T, C, 12)."""
+    """Channels (T, C), and their derivatives by theta (T, C, k) and by deviations of the initial state (T, C, D)."""
 
     values: Array
     by_theta: Array
@@ -30,7 +27,7 @@ class Slopes:
 
 
 def values(predictor: Predictor, free: Free, theta: Array, start: Array) -> Array:
-    """Channels (T, C) at theta and an initial state (12)."""
+    """Channels (T, C) at theta and deviations of the initial state (D)."""
     found = predictor(free.tables(theta[: free.size, None]), start[None])
     return _delay_channels(predictor, free, found, theta[free.size :])[0][:, :, 0]
 
@@ -41,8 +38,8 @@ def slopes(predictor: Predictor, free: Free, theta: Array, start: Array, with_st
     A central difference of scaled steps h has an error of order h^2 of the third derivative, and rounding of
     1e-16 / h: both far below what a sensor tells. Raises StandError: a displaced stand cannot be.
     """
-    k, m = free.size, START if with_start else 0
-    steps = STEP * np.concatenate([free.scale[:k], START_SCALE[:m]])
+    k, m = free.size, predictor.deviations.count if with_start else 0
+    steps = STEP * np.concatenate([free.scale[:k], predictor.deviations.scale[:m]])
     n = 1 + 2 * (k + m)
     thetas = np.repeat(theta[:k, None], n, axis=1)
     starts = np.repeat(start[None], n, axis=0)

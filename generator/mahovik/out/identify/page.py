@@ -132,7 +132,7 @@ def _wheel(at: Comparison, wheel: str) -> Part:
         if c is None:
             continue
         channel = run.channels[c]
-        measured = recording.find(channel.point, channel.kind, "xyz"[channel.axis])
+        measured = recording.find(channel.point, channel.kind, channel.letter)
         assert measured is not None
         left = at.fit.residuals[r][:, c]
         signals = (run.measured[:, c], run.measured[:, c] - left, left)

@@ -6,7 +6,7 @@ Steps of order 4 of `step_driven`, whose tables and initial states differ from v
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Protocol, cast
 
 import numpy as np
@@ -23,15 +23,14 @@ from mahovik.out.api.tables import Tables
 from mahovik.out.campaign.block import PER_BLOCK, Block
 from mahovik.out.campaign.given_speeds import GivenSpeeds
 from mahovik.out.campaign.observe import Chunk, Observer
-from mahovik.out.campaign.pose import compose, cross, small_rotation, turn_back
+from mahovik.out.campaign.pose import cross, turn_back
 from mahovik.out.campaign.values import Frame, frames_of
-from mahovik.out.identify.channels import Channel
+from mahovik.out.identify.channels import REACTION, Channel
+from mahovik.out.identify.deviations import Deviations
 from mahovik.use.simulate.case import Case
+from mahovik.use.simulate.held import home
 
 Array = NDArray[np.float64]
-
-START = 12
-"""Numbers of an initial state: shift of O1 in E0, small turn in E1, twist."""
 
 TURN = 0.25
 """A step turns no flywheel by more, rad: the error of order 4 is then far below that of any sensor."""
@@ -78,7 +77,7 @@ class Predictor:
     """Predicts channels at `count` evenly spaced times from `begin` (s) on, `every` s apart.
 
     `regime` gives the speeds of all flywheels; `start` is the nominal state of the carrier at `begin`, from which
-    initial states differ (see START). Raises UsageError.
+    initial states differ (see Deviations); of a held carrier it is the home pose by default. Raises UsageError.
     """
 
     def __init__(
@@ -102,6 +101,9 @@ class Predictor:
         fastest = float(np.abs(own.motion(np.linspace(0.0, until, 1000))[1]).max()) if N else 0.0
         dt = min(every, TURN / fastest) if fastest else every
         still = State((0.0,) * 3, None, None, (0.0,) * 6, *((0.0,) * N,) * 3, (0.0,) * 6, (0.0,) * N)
+        self.deviations = Deviations(stand)
+        if start is None and stand.hold is not None:
+            still = replace(still, **{name: getattr(home(stand), name) for name in ("position", "quaternion", "u")})
         self._case = Case(stand, own, start or still, until, every, dt)
         self._made = compile_library(stand, "double", ELEMENT["double"], None, parallel=False)
         self._course = GivenSpeeds(self._case, build(stand).wrenches)
@@ -113,13 +115,13 @@ class Predictor:
         return self.begin + self.every * np.arange(self.count, dtype=np.float64)
 
     def __call__(self, tables: Tables, starts: Array | None = None) -> Array:
-        """Channels (count, C, n), SI, of the stands of `tables`, with initial states (n, 12).
+        """Channels (count, C, n), SI, of the stands of `tables`, with deviations of the initial states (n, D).
 
         Raises StateError: a variant leaves the computable range.
         """
         n = len(tables)
         found = np.zeros((self.count, len(self.channels), n))
-        starts = np.zeros((n, START)) if starts is None else starts
+        starts = np.zeros((n, self.deviations.count)) if starts is None else starts
         for first in range(0, n, SIZE // PER_BLOCK * PER_BLOCK):
             block = Block(self.stand, self._made, tables, first, min(SIZE, n - first))
             own = slice(first, first + block.n)
@@ -134,7 +136,7 @@ class Predictor:
         """
         tables = build(self.stand).tables({}, 1)
         block = Block(self.stand, self._made, tables, 0, 1)
-        self._begin(block, np.zeros((START, 1)))
+        self._begin(block, np.zeros((self.deviations.count, 1)))
         states, rates = [], []
 
         def consume(chunk: Chunk) -> None:
@@ -148,15 +150,14 @@ class Predictor:
         return np.concatenate(states), np.concatenate(rates)
 
     def _begin(self, block: Block, deviation: Array) -> None:
-        start = self._case.start
-        block.x[:3] = np.array(start.position)[:, None] + deviation[:3]
-        q = np.array(start.quaternion or (1.0, 0.0, 0.0, 0.0))
-        block.x[3:7] = compose(np.repeat(q[:, None], block.n, axis=1), small_rotation(deviation[3:6]))
-        block.x[7:13] = np.array(start.V)[:, None] + deviation[6:]
+        block.x[:13] = self.deviations.states(self._case.start, deviation)
 
     def _run(self, block: Block, out: Array) -> None:
-        block.call("points")
-        frames = frames_of(self.stand, block.x, block.found["points"])
+        readings = None
+        if block.has("points"):
+            block.call("points")
+            readings = block.found["points"]
+        frames = frames_of(self.stand, block.x, readings)
         row = 0
 
         def consume(chunk: Chunk) -> None:
@@ -166,11 +167,14 @@ class Predictor:
             measured: dict[tuple[str, str], Any] = {}
             for c, channel in enumerate(self.channels):
                 key = channel.point, channel.kind
-                if key not in measured:
+                if key not in measured and channel.kind == REACTION:
+                    measured[key] = chunk.reaction
+                elif key not in measured:
                     measured[key] = self._sensor_values(channel.kind, frames[channel.point], chunk)
                 own[:, c] = measured[key][:, channel.axis]
 
-        observer = Observer(block, {"V_dot"}, consume)
+        needs = {"V_dot", *(channel.kind for channel in self.channels if channel.kind == REACTION)}
+        observer = Observer(block, needs, consume)
         self._course.run(block, observer)
         observer.flush()
         self._require_in_range(block)

@@ -13,7 +13,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.out.campaign.signals import sensors
-from mahovik.out.identify.channels import AXES, KINDS, Channel
+from mahovik.out.identify.channels import Channel, known_channels
 from mahovik.out.identify.phases import motion_of, span_of
 from mahovik.out.identify.predict import Predictor
 from mahovik.use.measured.recording import Recording
@@ -81,14 +81,17 @@ class Run:
 def run_of(recording: Recording, stand: Stand, start: State | None, delays: Mapping[str, float]) -> Run:
     """The run of a recording. `delays`: known ones of points, s. Raises UsageError."""
     t, every = recording.t, recording.step
-    channels, columns = [], []
-    for point in sensors(stand):
-        for kind in KINDS:
-            for axis, letter in enumerate(AXES):
-                found = recording.find(point, kind, letter)
-                if found is not None and np.isfinite(found.values).any():
-                    channels.append(Channel(point, kind, axis))
-                    columns.append(found.values)
+    channels: list[Channel] = []
+    columns = []
+    for channel in known_channels(stand):
+        found = recording.find(channel.point, channel.kind, channel.letter)
+        if found is not None and np.isfinite(found.values).any():
+            channels.append(channel)
+            columns.append(found.values)
+    if not channels and stand.hold is not None:
+        raise UsageError(
+            f"{recording.source}: no channel of a sensor or of the hold, expected such as hold.reaction.x [N]"
+        )
     if not channels:
         points = sensors(stand)
         example = f"{points[0] if points else 'acc1'}.acceleration.x [m/s2]"

@@ -12,9 +12,9 @@ from mahovik.core.motion.laws import Harmonic
 from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.out.identify.free import Free
 from mahovik.out.identify.gauss_newton import triangle
-from mahovik.out.identify.jacobian import START_SCALE, slopes
+from mahovik.out.identify.jacobian import slopes
 from mahovik.out.identify.phases import speeds
-from mahovik.out.identify.predict import START, Predictor
+from mahovik.out.identify.predict import Predictor
 from mahovik.out.identify.run import Run
 
 Array = NDArray[np.float64]
@@ -169,10 +169,11 @@ def _shown_by_swing(free: Free, run: Run, theta: Array, noise: Array, directions
     count = min(TRIAL, run.predictor.count)
     regime = Regime("trial", tuple(wheels), {})
     predictor = Predictor(free.stand, regime, run.channels, 0.0, run.predictor.every, count)
-    found = slopes(predictor, free, theta, np.zeros(START))
-    J = np.concatenate([found.by_start * START_SCALE, found.by_theta * free.scale], axis=2)
+    found = slopes(predictor, free, theta, np.zeros(predictor.deviations.count))
+    J = np.concatenate([found.by_start * predictor.deviations.scale, found.by_theta * free.scale], axis=2)
     J = (J - J.mean(axis=0)) / noise[:, None]
-    R = triangle(J.reshape(-1, J.shape[2]))[START:, START:] * math.sqrt(run.predictor.count / count)
+    extra = predictor.deviations.count
+    R = triangle(J.reshape(-1, J.shape[2]))[extra:, extra:] * math.sqrt(run.predictor.count / count)
     return [bool(LARGE * np.linalg.norm(R @ each) > 1.0) for each in directions]
 
 

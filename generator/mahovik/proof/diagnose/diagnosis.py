@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from mahovik.contract.functions import WANTS
+from mahovik.contract.functions import wants_of_carrier
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.diagnose.answer_vector import answer_vector
@@ -121,7 +121,7 @@ class Diagnoser:
         asked = [
             (number, Request(f"{name}, {want}", state, (want,)))
             for number, (name, state) in enumerate(states)
-            for want in wants or WANTS
+            for want in wants or wants_of_carrier(stand.hold is not None)
             if applicable(state, want) and (stand.flywheels or want != "inverse")
         ]
         self.whole = answer_vector(stand, [request for _, request in asked])

@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 
 from mahovik.contract import laws
-from mahovik.contract.functions import want_fault, wants_of
+from mahovik.contract.functions import hold_fault, want_fault, wants_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
@@ -26,6 +26,7 @@ PROBLEMS: dict[str, Callable[[System], dict[str, Expr]]] = {
     "torque": problems.torque,
     "coupled": problems.coupled,
     "points": points.points,
+    "reaction": hold.reaction,
 }
 """Wants that are CasADi functions of the state."""
 
@@ -75,7 +76,7 @@ class Second:
         for name in want:
             if name not in WANTS:
                 raise StateError(f"want: the second derivation (casadi) has no {name!r}; it has " + ", ".join(WANTS))
-        if fault := want_fault(want):
+        if fault := want_fault(want) or hold_fault(want, self.stand.hold is not None):
             raise StateError(fault)
         if state.task:
             raise StateError("task: the second derivation has no tasks, ask the backends c or numpy")

@@ -66,6 +66,13 @@ def forward(system: System) -> Results:
     return {"u_dot": found, "V_dot": S @ found, "reaction": ca.substitute(reaction, u_dot, found)}
 
 
+def reaction(system: System) -> Results:
+    """reaction (6; N, N m, in E1 about O1) for given V_dot, phi_ddot: inertial forces less the applied ones."""
+    applied, _ = system.applied_force()
+    inertial, _ = system.inertial_force(system.inputs["V_dot"], system.inputs["phi_ddot"])
+    return {"reaction": inertial - applied}
+
+
 def coupled(system: System, locked: Sequence[bool] = ()) -> Results:
     """u_dot (m), V_dot (6), reaction (6) and phi_ddot (N) for given tau.
 

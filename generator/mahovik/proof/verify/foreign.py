@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import IO, Any
 
-from mahovik.contract.functions import WANTS
+from mahovik.contract.functions import wants_of_carrier
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
@@ -38,7 +38,8 @@ class Program:
 
     name: str
     words: tuple[str, ...]
-    offers: tuple[str, ...] = (*WANTS, TORQUE_FOR)
+    offers: tuple[str, ...] = ()
+    """Wants that it may offer; none given: those that the carrier has."""
 
 
 def program_of(command: str, stand_file: str) -> Program:
@@ -63,8 +64,9 @@ def verify_program(
     """
     states = draw(stand, seed, count, wrenches=False)
     setting = TaskSetting(stand, uniform(tolerance), seed)
-    requests = _requests(states, [want for want in wants or program.offers if want != TORQUE_FOR])
-    if TORQUE_FOR in (wants or program.offers):
+    asked = tuple(wants) or program.offers or (*wants_of_carrier(stand.hold is not None), TORQUE_FOR)
+    requests = _requests(states, [want for want in asked if want != TORQUE_FOR])
+    if TORQUE_FOR in asked:
         requests += torque_requests(setting, states)
     if not stand.tasks and TORQUE_FOR in wants:
         raise UsageError(f"--want {TORQUE_FOR}: {stand.name} has no task, [task.NAME]")

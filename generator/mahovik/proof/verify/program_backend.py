@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, TASK_WANTS, WANTS, want_fault
+from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, TASK_WANTS, WANTS, hold_fault, want_fault
 from mahovik.contract.quantities import limits_of
 from mahovik.contract.status import refusal_reason, status_words
 from mahovik.core.lower.hold import OF_FREE_CARRIERS
@@ -63,7 +63,7 @@ class FunctionBackend(ABC):
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
         """Results by the names of stand.md. Raises StateError."""
-        if fault := want_fault(want):
+        if fault := want_fault(want) or hold_fault(want, bool(self.layout.held)):
             raise StateError(fault)
         for name in want:
             if name in TASK_WANTS and not state.task:

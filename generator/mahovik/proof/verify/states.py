@@ -13,7 +13,7 @@ from typing import IO, Any, cast
 
 import numpy as np
 
-from mahovik.contract.functions import ALL_WANTS, TASK_CONFLICTS, TASK_WANTS, WANTS, want_fault
+from mahovik.contract.functions import ALL_WANTS, TASK_CONFLICTS, TASK_WANTS, WANTS, hold_fault, want_fault
 from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH, Quantity
 from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Stand, Vec6
@@ -185,6 +185,8 @@ def _list_of(given: Any, where: str, count: int, limits: Sequence[float]) -> tup
 
 def freedoms_of(stand: Stand, found: dict[str, Any], want: Sequence[str], real: str) -> dict[str, Any]:
     """u, u_dot (m each) of a held carrier, and the V, V_dot they give; nothing of a free one. Raises StateError."""
+    if fault := hold_fault(want, stand.hold is not None):
+        raise StateError(fault)
     if stand.hold is None:
         for key, other in HELD_KEYS.items():
             if key in found:

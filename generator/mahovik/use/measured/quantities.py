@@ -120,8 +120,6 @@ def name_of(header: str, stand: Stand) -> Name:
     if component not in components:
         expected = ", ".join(components) if "" not in components else "none"
         raise HeaderError(f'"{text}": unknown component "{component}", expected {expected}')
-    if kind == "hold":
-        raise HeaderError(f'"{text}": held carriers are not there yet; leave this channel out')
     dimension = components[component]
     if quantity == "count":
         turn = _PART_OF_TURN.fullmatch(unit)
@@ -143,6 +141,8 @@ def _kind_of(bearer: str, text: str, stand: Stand) -> Kind:
     by_name |= {instrument.name: "instrument" for instrument in stand.instruments}
     by_name |= {flywheel.name: "flywheel" for flywheel in stand.flywheels}
     if bearer == "hold" and bearer not in by_name:
+        if stand.hold is None:
+            raise HeaderError(f'"{text}": the carrier is free, expected a stand with [hold]; leave this channel out')
         return "hold"
     if bearer == "carrier":
         raise HeaderError(f'"{text}": the carrier has no sensor; name a [[point]] of the stand at its place')

@@ -16,10 +16,11 @@ from mahovik.core.motion.programme.regime import programme_regime
 from mahovik.core.stand.state import State
 from mahovik.out.api.stands import Stand
 from mahovik.out.identify.channels import Channel
+from mahovik.out.identify.deviations import Deviations
 from mahovik.out.identify.estimate import PRIOR, PRIOR_START
 from mahovik.out.identify.free import Free
-from mahovik.out.identify.jacobian import START_SCALE, slopes
-from mahovik.out.identify.predict import START, Predictor
+from mahovik.out.identify.jacobian import slopes
+from mahovik.out.identify.predict import Predictor
 
 Array = NDArray[np.float64]
 
@@ -70,12 +71,13 @@ class Quality:
 
 
 def quality_of(jacobian: Array, starts: Array, free: Free, weight: float) -> Quality:
-    """Quality by derivatives (T, C, k) and (T, C, 12) in units of the noise; `weight`: true samples per row."""
+    """Quality by derivatives (T, C, k) and (T, C, D) in units of the noise; `weight`: true samples per row."""
     k = jacobian.shape[2]
-    J = np.concatenate([jacobian * free.scale, starts * START_SCALE], axis=2)
-    J = (J - J.mean(axis=0)).reshape(-1, k + START)
+    scale = Deviations(free.stand).scale
+    J = np.concatenate([jacobian * free.scale, starts * scale], axis=2)
+    J = (J - J.mean(axis=0)).reshape(-1, k + len(scale))
     whole = weight * (J.T @ J)
-    whole += np.diag(np.repeat([PRIOR**-2, PRIOR_START**-2], [k, START]))
+    whole += np.diag(np.repeat([PRIOR**-2, PRIOR_START**-2], [k, len(scale)]))
     nuisance = np.linalg.solve(whole[k:, k:], whole[k:, :k])
     return Quality(whole[:k, :k] - whole[:k, k:] @ nuisance, free.scale)
 
@@ -107,6 +109,6 @@ class Experiment:
         every = programme.span / count
         regime = programme_regime(programme)
         predictor = Predictor(self.stand, regime, self.channels, 0.0, every, count, self.start)
-        found = slopes(predictor, self.free, self.free.nominal, np.zeros(START))
+        found = slopes(predictor, self.free, self.free.nominal, np.zeros(predictor.deviations.count))
         noise = self.noise[:, None]
         return quality_of(found.by_theta / noise, found.by_start / noise, self.free, every * self.rate)

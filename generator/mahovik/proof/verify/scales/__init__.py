@@ -26,6 +26,7 @@ from mahovik.proof.verify.scales.wants import (
     momentum,
     mounts,
     points,
+    reaction,
     torque,
 )
 
@@ -39,6 +40,7 @@ WANT_SCALES: Mapping[str, Callable[[Magnitudes], Scales]] = {
     "torque": torque,
     "mounts": mounts,
     "points": points,
+    "reaction": reaction,
     "coupled": coupled,
     "inverse": inverse,
 }

@@ -102,6 +102,12 @@ def forward(m: Magnitudes) -> dict[str, Any]:
     return {"V_dot": forward_scale(m)} if m.stand.hold is None else held_forward(m)
 
 
+def reaction(m: Magnitudes) -> dict[str, Any]:
+    """Scale of reaction for the V_dot and phi_ddot of the state."""
+    moved = np.abs(np.array(m.state.V_dot)) + m.stream_rate
+    return {"reaction": m.S_bias + m.S_I @ m.acceleration + m.S_K @ moved}
+
+
 def forward_scale(m: Magnitudes) -> Array:
     """|K^-1| (S_F + S_M |V| + S_J |phi'| + S_I |phi''| + S_K |V_dot|), and the turning stream."""
     V_dot = reference_forward(m.at, np.array(m.state.phi_ddot, dtype=np.float64))
