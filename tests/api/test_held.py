@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import pytest
+
 import mahovik
 from cli.test_eval_held import TEXT
 from mahovik.core.stand.read import loads
+from mahovik.errors import InputError
 from mahovik.out.api.stands import Stand
 
 
@@ -16,3 +19,14 @@ def test_what_is_of_the_freedoms_has_their_names() -> None:
     found = model.inverse(x, V_dot=moved.V_dot)
     assert {f.name: f.labels for f in found.fields}["residual"] == (("pitch",),)
     assert abs(found["residual", "pitch"]) < 1e-9 and abs(found["phi_ddot", "w1"] - 3.0) < 1e-9
+
+
+def test_coordinates_of_freedoms_have_their_names_and_take_no_angles() -> None:
+    model = mahovik.build(Stand.of(loads(TEXT), held=True))
+    x = model.state(angles=[0, 0.3, 0], V=[0.2 * 0.4, 0, 0, 0, 0.4, 0])
+    found = model.generalized(x, phi_ddot=3.0)
+    assert found.q == pytest.approx([0.3], rel=1e-14)
+    assert found["q_dot", "pitch"] == 0.4
+    assert found["q_ddot", "pitch"] == model.forward(x, phi_ddot=3.0)["u_dot", "pitch"]
+    with pytest.raises(InputError, match="angles: given, expected none, the carrier is held"):
+        model.generalized(x, [0, 0.3, 0])
