@@ -9,6 +9,7 @@ import mahovik
 from cli.test_eval_held import TEXT
 from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import State
+from mahovik.errors import InputError
 from mahovik.out.api.stands import Stand
 from mahovik.proof import reference
 from mahovik.stands import path
@@ -46,3 +47,14 @@ def test_a_free_carrier_has_no_reaction() -> None:
     model = mahovik.build(Stand.of(path("demo3")))
     with pytest.raises(mahovik.InputError, match=r"reaction: the stand has no \[hold\]"):
         model.reaction(model.state())
+
+
+def test_coordinates_of_freedoms_have_their_names_and_take_no_angles() -> None:
+    model = mahovik.build(Stand.of(loads(TEXT), held=True))
+    x = model.state(angles=[0, 0.3, 0], V=[0.2 * 0.4, 0, 0, 0, 0.4, 0])
+    found = model.generalized(x, phi_ddot=3.0)
+    assert found.q == pytest.approx([0.3], rel=1e-14)
+    assert found["q_dot", "pitch"] == 0.4
+    assert found["q_ddot", "pitch"] == model.forward(x, phi_ddot=3.0)["u_dot", "pitch"]
+    with pytest.raises(InputError, match="angles: given, expected none, the carrier is held"):
+        model.generalized(x, [0, 0.3, 0])

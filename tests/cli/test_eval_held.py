@@ -110,7 +110,6 @@ def test_inverse_turns_the_demand_into_the_flywheel(file: str, backend: str) -> 
         ({"u": [1, 2]}, "u: expected 1 numbers, found 2"),
         ({"u": [1e6]}, "out of range"),
         ({"u_dot": [float("nan")]}, "u_dot[0]: NaN is not finite"),
-        ({"want": ["generalized"]}, 'no "generalized" yet'),
         ({"want": ["forward", "coupled"]}, "ask for them in two states"),
     ],
 )

@@ -28,6 +28,8 @@ def public_functions() -> Iterator[Function]:
             held = replace(stand, hold=Hold((FREEDOMS["yaw"],), (0.0,) * 3, (0.0,) * 3, (0.0,) * 3))
             for each in (stand, held):
                 yield from (f for f in lower(each, DOUBLE).functions if f.public)
+    ball = Hold(tuple(FREEDOMS[way] for way in ("roll", "pitch", "yaw")), (0.0,) * 3, (0.0,) * 3, (0.0,) * 3)
+    yield from (f for f in lower(replace(load(path("demo3")), hold=ball), DOUBLE).functions if f.public)
 
 
 @pytest.fixture(scope="module")

@@ -22,8 +22,9 @@ from mahovik.core.stand.summary import summarize
 from mahovik.errors import StandError
 from mahovik.laws.stop import plan
 from mahovik.laws.stop.data import Stops, stops_of
-from mahovik.laws.stop.reference import coordinate, wrench
+from mahovik.laws.stop.reference import wrench
 from mahovik.proof import reference
+from mahovik.proof.reference.coordinates import coordinate
 from mahovik.proof.reference.pose import Pose
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.use.simulate.held import home, move

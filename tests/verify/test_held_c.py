@@ -93,8 +93,9 @@ def test_what_the_c_has_not_is_an_error_line_and_no_function() -> None:
     stand = loads(TEXT)
     own = InterpreterBackend(generate_all(stand))
     assert OF_FREE_CARRIERS.isdisjoint(f.name for f in own.program.functions)
-    with pytest.raises(StateError, match='no "generalized" yet'):
-        own.evaluate(rest_state(stand), ["generalized"])
+    knife_edge = stand_of("knife edge", 3)
+    with pytest.raises(StateError, match='no "generalized" of a hold whose freedoms have no coordinates'):
+        InterpreterBackend(generate_all(knife_edge)).evaluate(rest_state(knife_edge), ["generalized"])
     clamped = replace(stand, hold=Hold((), PIVOT, (0.0,) * 3, (0.0,) * 3))
     with pytest.raises(StateError, match='no "inverse" of a carrier without freedoms'):
         InterpreterBackend(generate_all(clamped)).evaluate(rest_state(clamped), ["inverse"])

@@ -101,7 +101,7 @@ _ROWS = (
         "generalized",
         "(10), (11)",
         (*_STATE, "angles", "phi_ddot", "wrench"),
-        ("A", "D", "I0", "J0", "q_dot", "q_ddot"),
+        ("A", "D", "I0", "J0", "q", "orientation", "q_dot", "q_ddot"),
         ("reference", "second"),
         want=True,
         unread="the attitude of its state",
@@ -187,7 +187,7 @@ _ROWS = (
     PublicFunction(
         "state_from_coordinates",
         "(10)",
-        ("position", "angles", "q_dot", "q_ddot", "x"),
+        ("table", "position", "angles", "q", "orientation", "q_dot", "q_ddot", "x"),
         ("x", "V_dot"),
         ("reference",),
         python=False,

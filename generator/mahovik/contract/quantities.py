@@ -132,6 +132,8 @@ QUANTITIES = {
         Quantity("wrench", "N, N m", "each body, about its origin", "W", ("MAX_WRENCH",), 1e3, 8.0, (5.0,), input=True),
         Quantity("sine", "", "flywheels", "N", draw=Draw.TURNS),
         Quantity("cosine", "", "flywheels", "N", draw=Draw.NEVER),
+        Quantity("q", "m, rad", "freedoms of a held carrier, from its home pose", "", ("MAX_POSITION",), 3.0, 2.0),
+        Quantity("orientation", "", "unit quaternion, w first, from the home pose", "4", draw=Draw.ATTITUDE),
         Quantity("q_dot", "m/s, rad/s", "O1 in E0, then psi, theta, phi", "6", ("MAX_SPEED",), 20.0, 2.0),
         Quantity("q_ddot", "m/s2, rad/s2", "O1 in E0, then psi, theta, phi", "6", _ANGULAR, 1e3, 16.0),
         Quantity("center_of_mass_velocity", "m/s", "mass centre of all bodies, relative to E0, in E0", "3"),

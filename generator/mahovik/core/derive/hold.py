@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from mahovik.core.derive.attitude import quaternion_product
 from mahovik.core.derive.carrier import mass_matrix, mu
 from mahovik.core.derive.screw import blocks, cross
 from mahovik.core.derive.symbols import symmetric, vector
@@ -28,3 +29,24 @@ def harmonic_times() -> sp.Matrix:
 def mass_times_drift(added_mass: bool) -> sp.Matrix:
     """K d, d = (drift, 0)."""
     return mass_matrix(added_mass) * vector("drift").col_join(sp.zeros(3, 1))
+
+
+def from_home() -> sp.Matrix:
+    """h* q: the turn from the home attitude h to the attitude q, quaternions with w first."""
+    home = vector("home", 4)
+    return quaternion_product(sp.Matrix([home[0], -home[1], -home[2], -home[3]]), vector("q", 4))
+
+
+def turned_home() -> sp.Matrix:
+    """h q: the attitude after the turn q from the home attitude h."""
+    return quaternion_product(vector("home", 4), vector("q", 4))
+
+
+def turning_rate() -> sp.Matrix:
+    """b + omega x a: R times it is the rate of R a, with R* = R <omega> and b the rate of a."""
+    return vector("b") + cross(vector("omega")) * vector("a")
+
+
+def rate_before_turning() -> sp.Matrix:
+    """b - omega x a: the rate of a, with b = R^T times the rate of R a."""
+    return vector("b") - cross(vector("omega")) * vector("a")

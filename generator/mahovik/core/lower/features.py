@@ -93,6 +93,11 @@ class Features:
         return few and self.lanes == 1 and not self.stream and are_closed(self.ways)
 
     @property
+    def coordinates(self) -> bool:
+        """Poses of the held carrier have coordinates of its freedoms."""
+        return bool(self.freedoms) and are_closed(self.ways)
+
+    @property
     def instruments(self) -> int:
         return len(self.structure.instruments)
 

@@ -23,10 +23,11 @@ from mahovik.core.program.types import Kind
 
 HELD_STATUSES = ("OK", "NOT_POSITIVE_DEFINITE")
 
-OF_FREE_CARRIERS = frozenset(
-    name for name in FUNCTIONS if name.startswith(("inverse_fast", "generalized", "state_from_coordinates"))
-)
+OF_FREE_CARRIERS = frozenset(name for name in FUNCTIONS if name.startswith("inverse_fast"))
 """Names of functions that the C of a held carrier does not have yet."""
+
+OF_COORDINATES = frozenset(("generalized", "state_from_coordinates"))
+"""Names of functions that the C of a held carrier has where its poses have coordinates of the freedoms."""
 
 OF_FREEDOMS = frozenset(("inverse", "forward_jacobian", "coupled_jacobian"))
 """Names of functions that the C of a clamped carrier does not have: they are along the freedoms."""

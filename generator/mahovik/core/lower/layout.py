@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import cached_property
 
 from mahovik.contract.quantities import BOUNDS, short
+from mahovik.core.lower.freedom_coordinates import coordinates_struct
 from mahovik.core.lower.freedoms import momenta_needed
 from mahovik.core.lower.table import Tables
 from mahovik.core.program.types import Field, Kind, Struct
@@ -382,6 +383,8 @@ class Layout(Tables):
 
     @cached_property
     def generalized(self) -> Struct:
+        if self.coordinates:
+            return coordinates_struct(self.ways)
         fields = (
             Field("A", REAL, (6, 6), "", "V = A q' (10)"),
             Field("D", REAL, (6, 6), "1/s", "A' along the motion (10)"),

@@ -21,6 +21,7 @@ from mahovik.core.lower import (
     flywheels,
     forward,
     generalized,
+    held_coordinates,
     held_inverse,
     held_jacobian,
     hold,
@@ -147,6 +148,8 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         lib.add(coordinates.state_from_coordinates(lib))
         lib.add(generalized.products(lib))
         lib.add(generalized.generalized(lib))
+    elif layout.coordinates:
+        held_coordinates.add_all(lib)
     _add_prepare(lib)
     if layout.flywheels:
         lib.add(mounts.carry_twist(lib))
@@ -247,7 +250,7 @@ def _add_others(lib: Library) -> None:
     """Functions of the contract that are not added above: each is a file of its name in this folder."""
     for name, row in FUNCTIONS.items():
         here = not row.needs or bool(getattr(lib.layout, row.needs))
-        here &= not (lib.layout.held and name in hold.OF_FREE_CARRIERS | hold.OF_FREEDOMS)
+        here &= not (lib.layout.held and name in hold.OF_FREE_CARRIERS | hold.OF_FREEDOMS | hold.OF_COORDINATES)
         if name not in lib and here and find_spec(f"mahovik.core.lower.{name}"):
             lib.add(getattr(import_module(f"mahovik.core.lower.{name}"), name)(lib))
 

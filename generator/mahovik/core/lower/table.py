@@ -263,6 +263,9 @@ class Tables(Features):
         if self.held:
             laws.append(Field("pivot", REAL, (3,), "m", "point that steps keep where the hold does, in E1"))
             laws.append(Field("sliding", REAL, (9,), "", "projector to the directions in which it slides, row by row"))
+        if self.coordinates:
+            laws.append(Field("home_position", REAL, (3,), "m", "of O1 where all coordinates are zero, in E0"))
+            laws.append(Field("home_attitude", REAL, (4,), "", "there, unit quaternion, w first"))
         if self.carrier_damped:
             laws.append(Field("damper", self.damper, (), "", "of the carrier"))
         laws += [field for fields in of_bodies("lower", "table_fields") for field in fields(self.structure)]

@@ -171,6 +171,9 @@ class _Laws:
             laws |= {"pivot": list(pivot), "sliding": [x for row in sliding for x in row]}
             if layout.freedoms:
                 laws["S"] = twists(stand.hold).tolist()
+            if layout.coordinates:
+                attitude = self._program.run("quaternion", {"angles": stand.hold.angles})[1]["attitude"]
+                laws |= {"home_position": list(stand.hold.position), "home_attitude": attitude}
         rows: dict[str, list[dict[str, Any]]] = {}
         if layout.carrier_damped:
             laws["damper"] = self._damper(stand.carrier, rows)

@@ -235,6 +235,13 @@ def is_closed(hold: Hold) -> bool:
     return True
 
 
+def has_coordinates(hold: Hold) -> bool:
+    """Whether poses have coordinates of the freedoms: a closed set of named freedoms, or one turn or slide alone."""
+    named = len(hold.freedoms) == 1 or all(freedom in _NAMES for freedom in hold.freedoms)
+    plain = all(freedom.kind != "twist" for freedom in hold.freedoms)
+    return bool(hold.freedoms) and named and plain and is_closed(hold)
+
+
 def carried_point(hold: Hold) -> tuple[Vec3, list[list[float]]]:
     """A point of E1, and the projector (3x3) to the directions in which a motion carries it, both in E1.
 

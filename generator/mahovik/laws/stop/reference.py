@@ -10,6 +10,7 @@ from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.stop.data import Stop, stops_of
 from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.coordinates import coordinate, sine_and_cosine, unit
 from mahovik.proof.reference.pose import Pose
 from mahovik.proof.reference.rotation import attitude, carrier_rotation
 from mahovik.proof.reference.screw import force_at
@@ -33,31 +34,8 @@ def wrench(stop: Stop, hold: Hold, sequence: Sequence, at: Pose) -> Array:
 
 def unit_wrench(hold: Hold, freedom: Freedom) -> Array:
     """(d; pivot x d) of what slides along d, (0; a) of what turns about a (6)."""
-    d = _unit(freedom)
+    d = unit(freedom)
     return force_at(d, np.array(hold.pivot)) if freedom.kind == "slide" else np.concatenate([np.zeros(3), d])
-
-
-def coordinate(hold: Hold, freedom: Freedom, sequence: Sequence, at: Pose) -> float:
-    """Way of the pivot from the home pose (m), or angle of turning about the axis from it (rad, within half a turn)."""
-    C0, d = attitude(sequence, *hold.angles), _unit(freedom)
-    if freedom.kind == "slide":
-        pivot = np.array(hold.pivot)
-        gone = at.O1 + at.C @ pivot - (np.array(hold.position) + C0 @ pivot)
-        return float((C0 @ d) @ gone)
-    sine, cosine = _sine_and_cosine(C0.T @ at.C, d)
-    return math.atan2(sine, cosine)
-
-
-def _sine_and_cosine(R: Array, a: Array) -> tuple[float, float]:
-    """Sine and cosine of the angle about a, times one factor: by the skew part of R, and by its part across a."""
-    about = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
-    across = np.eye(3) - np.outer(a, a)
-    return float(a @ about), float(np.trace(across @ R)) / 2
-
-
-def _unit(freedom: Freedom) -> Array:
-    d = np.array(freedom.direction) / np.max(np.abs(freedom.direction))
-    return np.asarray(d / np.linalg.norm(d))
 
 
 def margin(stand: Stand, state: State) -> float:
@@ -68,7 +46,7 @@ def margin(stand: Stand, state: State) -> float:
         freedom = hold.freedoms[stop.freedom]
         if freedom.kind == "turn":
             R = attitude(stand.angles, *hold.angles).T @ carrier_rotation(stand, state)
-            sine, cosine = _sine_and_cosine(R, _unit(freedom))
+            sine, cosine = sine_and_cosine(R, unit(freedom))
             least = min(least, math.hypot(sine, cosine), math.pi - abs(math.atan2(sine, cosine)))
     return least
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 import casadi as ca
-import numpy as np
 
 from mahovik.core.stand.model import Freedom, Hold, Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.stop.data import Stop, stops_of
 from mahovik.proof.second.chart import Expr
+from mahovik.proof.second.coordinates import coordinate, unit
 from mahovik.proof.second.rotation import Array, by_angles
 
 
@@ -27,7 +27,7 @@ def force(stand: Stand, inputs: dict[str, Expr]) -> Expr:
     C0 = by_angles(stand.angles, ca.DM(hold.angles))
     for stop in stops_of(stand):
         freedom = hold.freedoms[stop.freedom]
-        q = _coordinate(hold, freedom, C0, inputs["position"], inputs["C"])
+        q = coordinate(hold, freedom, C0, inputs["position"], inputs["C"])
         V = ca.SX.sym("V", 6)
         speed = ca.Function("speed", [V], [_speed(hold, freedom, V), ca.gradient(_speed(hold, freedom, V), V)])
         u, by_V = speed(inputs["V"])
@@ -45,30 +45,11 @@ def _force(stop: Stop) -> Expr:
     return ca.Function("stop_force", [q, u], [ca.if_else(ca.logic_and(depth > 0, pushes), found, 0)])
 
 
-def _coordinate(hold: Hold, freedom: Freedom, C0: Expr, place: Expr, C: Expr) -> Expr:
-    """Way (m) of the pivot in the axes of the home pose, or angle (rad) by which two arms have turned."""
-    d = _unit(freedom)
-    if freedom.kind == "slide":
-        pivot = ca.DM(hold.pivot)
-        return ca.dot(d, C0.T @ (place + C @ pivot - ca.DM(hold.position)) - pivot)
-    first = np.eye(3)[int(np.argmin(np.abs(d.full())))]
-    b = ca.cross(d, ca.DM(first))
-    b = b / ca.norm_2(b)
-    c = ca.cross(d, b)
-    turned_b, turned_c = C0.T @ (C @ b), C0.T @ (C @ c)
-    return ca.atan2(ca.dot(c, turned_b) - ca.dot(b, turned_c), ca.dot(b, turned_b) + ca.dot(c, turned_c))
-
-
 def _speed(hold: Hold, freedom: Freedom, V: Expr) -> Expr:
     """Speed of turning about the axis, or of the pivot along the direction."""
     if freedom.kind == "turn":
-        return ca.dot(_unit(freedom), V[3:])
-    return ca.dot(_unit(freedom), V[:3] + ca.cross(V[3:], ca.DM(hold.pivot)))
-
-
-def _unit(freedom: Freedom) -> Expr:
-    scaled = ca.DM(freedom.direction) / max(abs(x) for x in freedom.direction)
-    return scaled / ca.norm_2(scaled)
+        return ca.dot(unit(freedom), V[3:])
+    return ca.dot(unit(freedom), V[:3] + ca.cross(V[3:], ca.DM(hold.pivot)))
 
 
 def arguments(stand: Stand, state: State, C: Array) -> dict[str, Any]:

@@ -27,7 +27,7 @@ from mahovik.out.api.tables import Tables
 
 OnError = Literal["raise", "nan"]
 
-OF_ROWS = ("residual", "hardest", "u_dot")
+OF_ROWS = ("residual", "hardest", "u_dot", "q_dot", "q_ddot")
 """Results with a number for each row of a task, or for each freedom of a held carrier."""
 
 

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from mahovik.contract.functions import FUNCTIONS, PublicFunction
 from mahovik.contract.quantities import QUANTITIES, is_shared
+from mahovik.core.stand.hold import has_coordinates
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import show
 from mahovik.errors import InputError
@@ -360,7 +361,7 @@ class Model(WithRegressor):
     def generalized(
         self,
         x: States | ArrayLike,
-        angles: Given,
+        angles: Given | None = None,
         phi_ddot: Given = 0.0,
         *,
         wrench: Wrenches = None,
@@ -369,9 +370,18 @@ class Model(WithRegressor):
     ) -> results.Generalized:
         """The equations in generalized coordinates, (10), (11); `angles`, rad, take the place of the attitude of `x`.
 
-        Gives `A`, `D`, `I0`, `J0`, `q_dot`, `q_ddot`. State by state. Raises InputError, RefusedError.
+        Gives `A`, `D`, `I0`, `J0`, `q_dot`, `q_ddot`. Of a held carrier, without `angles`, the coordinates of its
+        freedoms: `q`, `q_dot`, `q_ddot`, and `orientation` of one that turns about a point. State by state. Raises
+        InputError, RefusedError.
         """
-        given = {"angles": angles, "phi_ddot": phi_ddot}
+        hold = self._stand.hold
+        held = hold is not None
+        if held != (angles is None):
+            expected = "none, the carrier is held and its attitude is that of x" if held else "psi, theta, phi"
+            raise InputError(f"generalized: angles: {'given' if held else 'missing'}, expected {expected}")
+        if hold is not None and not has_coordinates(hold):
+            raise InputError("generalized: the freedoms of [hold] have no coordinates, ask for forward")
+        given = {"phi_ddot": phi_ddot} | ({} if held else {"angles": angles})
         return self._result(results.Generalized, "generalized", x, on_error, wrench, tables, **given)
 
     def forward_jacobian(

@@ -169,11 +169,17 @@ class CoupledJacobian(Result):
 
 
 class Generalized(Result):
-    """(10), (11): `A`, `D`, `I0`, `J0` (6, 6), `q_dot`, `q_ddot` (6)."""
+    """(10), (11): `A`, `D`, `I0`, `J0` (6, 6), `q_dot`, `q_ddot` (6).
+
+    Of a held carrier with m freedoms `q`, `q_dot`, `q_ddot` (m). Of one that turns about a point, the quaternion
+    `orientation` (4) takes the place of the three angles in `q`.
+    """
 
     A: Real
     D: Real
     I0: Real
     J0: Real
+    q: Real
+    orientation: Real
     q_dot: Real
     q_ddot: Real

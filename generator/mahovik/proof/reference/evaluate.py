@@ -13,7 +13,7 @@ from mahovik.contract.functions import TASK_CONFLICTS, TASK_TAKERS, TASK_WANTS, 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference import hold, task
+from mahovik.proof.reference import coordinates, hold, task
 from mahovik.proof.reference.array import Values
 from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.inverse import CUTS, Cuts
@@ -33,6 +33,7 @@ OF_HELD: Mapping[str, Callable[..., Values]] = {
     "forward": hold.answer_forward,
     "coupled": hold.answer_coupled,
     "inverse": hold.answer_inverse,
+    "generalized": coordinates.answer,
 }
 """Wants that a held carrier answers in its freedoms; others are those of the free carrier at V = S u, V* = S u*."""
 
@@ -76,8 +77,6 @@ def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None 
         state = hold.held_state(stand, state)
         at = at or pieces(stand, state)
         moved = state
-        if stand.hold is not None and "generalized" in want:
-            raise StateError('want: a held carrier has no "generalized" yet, ask for forward')
         answers = ANSWERS if stand.hold is None else {**ANSWERS, **OF_HELD}
         check_task_want(want, state.task)
         asked = [name for name in want if name in OF_TASKS]

@@ -14,7 +14,7 @@ from mahovik.contract.functions import hold_fault, want_fault, wants_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.second import hold, points, problems
+from mahovik.proof.second import coordinates, hold, points, problems
 from mahovik.proof.second.chart import Expr
 from mahovik.proof.second.kinematics import generalized
 from mahovik.proof.second.rotation import Array, attitude
@@ -81,8 +81,6 @@ class Second:
         if state.task:
             raise StateError("task: the second derivation has no tasks, ask the backends c or numpy")
         if self.stand.hold is not None:
-            if "generalized" in want:
-                raise StateError('want: a held carrier has no "generalized" yet, ask for forward')
             state = hold.held_state(self.stand.hold, state)
         self._check_state(state)
         with np.errstate(all="ignore"):  # what is not finite is found below
@@ -133,6 +131,10 @@ class Second:
         }
 
     def _generalized(self, state: State, inputs: dict[str, Any]) -> Values:
+        if self.stand.hold is not None:
+            V_dot = self._solve("forward", inputs)["V_dot"]
+            where = (state.position, inputs["C"], state.V, V_dot)
+            return coordinates.generalized(self.stand.hold, self.stand.angles, *where)
         if state.quaternion is not None:
             raise StateError("quaternion: `generalized` needs `angles`")
         V_dot = self._solve("forward", inputs)["V_dot"]

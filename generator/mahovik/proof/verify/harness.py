@@ -9,7 +9,8 @@ from typing import Any
 from mahovik.contract.functions import CHOSEN, FUNCTIONS, TASK_WANTS
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.generate import Generated
-from mahovik.core.lower.hold import OF_FREE_CARRIERS
+from mahovik.core.lower.hold import OF_COORDINATES, OF_FREE_CARRIERS
+from mahovik.core.stand.hold import has_coordinates
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
@@ -38,10 +39,10 @@ Progress = Callable[[int, int], None]
 
 
 def applicable(state: State, want: str) -> bool:
-    """Whether the contract allows this want at the state: `generalized` needs angles, and a task its demand."""
+    """Whether the contract allows this want: `generalized` of a free carrier needs angles, and a task its demand."""
     if want in TASK_WANTS:
         return bool(state.task)
-    return want != "generalized" or state.quaternion is None
+    return want != "generalized" or state.quaternion is None or bool(state.u)
 
 
 def judge(
@@ -136,6 +137,8 @@ def free_only_rows(stand: Stand) -> list[Row]:
         return []
     reason = "the C of a held carrier has no such function yet"
     names = [name for name in FUNCTIONS if name in OF_FREE_CARRIERS and name not in CHOSEN and not name.endswith("_at")]
+    if not has_coordinates(stand.hold):
+        names += sorted(OF_COORDINATES)
     if not (stand.hold.freedoms and stand.flywheels):
         names.append("inverse")
     if not stand.hold.freedoms:

@@ -14,7 +14,7 @@ import numpy as np
 from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, TASK_WANTS, WANTS, hold_fault, want_fault
 from mahovik.contract.quantities import limits_of
 from mahovik.contract.status import refusal_reason, status_words
-from mahovik.core.lower.hold import OF_FREE_CARRIERS
+from mahovik.core.lower.hold import OF_COORDINATES, OF_FREE_CARRIERS
 from mahovik.core.lower.test_inputs import first_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
@@ -70,6 +70,8 @@ class FunctionBackend(ABC):
                 raise StateError(f'want: "{name}" needs a task and its demand')
             if self.layout.held and name in OF_FREE_CARRIERS:
                 raise StateError(f'want: the C of a held carrier has no "{name}" yet')
+            if self.layout.held and name in OF_COORDINATES and not self.layout.coordinates:
+                raise StateError(f'want: no "{name}" of a hold whose freedoms have no coordinates, ask for forward')
             if self.layout.held and name == "inverse" and not (self.layout.freedoms and self.layout.flywheels):
                 raise StateError('want: no "inverse" of a carrier without freedoms or flywheels, ask for forward')
         missing = [body for body in state.wrench if body not in self.inputs]
@@ -169,6 +171,8 @@ class FunctionBackend(ABC):
         return found
 
     def _generalized(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        if self.layout.held:
+            return self._plain("generalized", inputs)
         if state.quaternion is not None:
             raise StateError("generalized: needs angles, not a quaternion")
         angles = state.angles or (0.0, 0.0, 0.0)

@@ -169,8 +169,6 @@ def good_inputs(backend: LoadedC, states: Sequence[tuple[str, State]]) -> dict[s
     state = next((s for name, s in states if name.startswith("random")), states[0][1])
     others = {
         "angles": (0.1, 0.7, -0.2),
-        "q_dot": (0.1,) * 6,
-        "q_ddot": (0.2,) * 6,
         "position": state.position,
         "phi": 1.0,
         "dt": 1e-4,
@@ -185,7 +183,15 @@ def good_inputs(backend: LoadedC, states: Sequence[tuple[str, State]]) -> dict[s
         "encoder": {"counter": 100, "place": 100, "moved": 0},
         "carry": {"rounding": [0.0] * (13 + 2 * len(state.phi))},
     }
-    return {**backend.arguments(state), **others}
+    return {**backend.arguments(state), **others, **_coordinates(backend.program)}
+
+
+def _coordinates(program: Program) -> dict[str, Any]:
+    """Good coordinates and rates: as many as the program takes."""
+    values = {"q": 0.3, "q_dot": 0.1, "q_ddot": 0.2}
+    taken = (a for f in program.functions if f.name == "state_from_coordinates" for a in f.arguments)
+    found: dict[str, Any] = {"orientation": (0.6, 0.0, 0.0, 0.8)}
+    return found | {a.name: (values[a.name],) * int(a.shape[0]) for a in taken if a.name in values}
 
 
 def raw_call(backend: LoadedC) -> Call:

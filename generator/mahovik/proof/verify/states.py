@@ -15,7 +15,7 @@ import numpy as np
 
 from mahovik.contract.functions import ALL_WANTS, TASK_CONFLICTS, TASK_WANTS, WANTS, hold_fault, want_fault
 from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH, Quantity
-from mahovik.core.stand.hold import twist_of
+from mahovik.core.stand.hold import has_coordinates, twist_of
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import StateError
@@ -84,7 +84,7 @@ def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> R
     if "angles" in found and "quaternion" in found:
         raise StateError("angles, quaternion: both given, expected one of them")
     want = _want(found)
-    if "generalized" in want and "quaternion" in found:
+    if "generalized" in want and "quaternion" in found and stand.hold is None:
         raise StateError("quaternion: `generalized` needs `angles`")
     given: dict[str, Any] = {
         row.symbol: _numbers(found, row, len(stand.flywheels) if row.count == "N" else int(row.count), real)
@@ -192,8 +192,8 @@ def freedoms_of(stand: Stand, found: dict[str, Any], want: Sequence[str], real: 
             if key in found:
                 raise StateError(f"{key}: the stand has no [hold], expected {other}")
         return {}
-    if "generalized" in want:
-        raise StateError('want: a held carrier has no "generalized" yet, ask for forward')
+    if "generalized" in want and not has_coordinates(stand.hold):
+        raise StateError('want: no "generalized" of this [hold], whose freedoms have no coordinates; ask for forward')
     count, given = len(stand.hold.freedoms), {}
     for key, other in HELD_KEYS.items():
         if other in found:

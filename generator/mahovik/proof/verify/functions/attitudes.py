@@ -7,9 +7,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from mahovik.core.stand.model import Sequence
+from mahovik.core.stand.model import Hold, Sequence
+from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.coordinates import pose_of
 from mahovik.proof.reference.rotation import (
     attitude,
     check_attitude,
@@ -19,6 +21,7 @@ from mahovik.proof.reference.rotation import (
 )
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.scales.parts import length
 
 ATTITUDES = 24
 """Attitudes tried, some of them after several turns."""
@@ -44,6 +47,9 @@ def quaternion_rows(case: Case) -> Iterator[Row]:
 
 def coordinate_rows(case: Case) -> Iterator[Row]:
     """V = A q' and V* = A q'' + D q' of (10), and position and attitude."""
+    if case.stand.hold is not None:
+        yield freedom_row(case, case.stand.hold)
+        return
     rng, sequence = case.random(2), case.stand.angles
     row = Comparison("state_from_coordinates", "state, V_dot", case.bounds.default)
     count = case.count
@@ -75,6 +81,34 @@ def coordinate_rows(case: Case) -> Iterator[Row]:
         scale = S_A @ np.abs(q_ddot) + S_D @ np.abs(q_dot)
         row.note(found["V_dot"], A @ q_ddot + D @ q_dot, scale, f"{name}, V_dot")
     yield row.with_verdict()
+
+
+def freedom_row(case: Case, hold: Hold) -> Row:
+    """Position, attitude, V and V* of coordinates of the freedoms of a hold."""
+    rng, row = case.random(2), Comparison("state_from_coordinates", "state, V_dot", case.bounds.default)
+    takes = case.backend.program.function("state_from_coordinates").arguments
+    sizes = {a.name: int(a.shape[0]) for a in takes if a.name.startswith(("q", "orientation"))}
+    table, arm = case.backend.arguments(rest_state(case.stand))["table"], length(np.array(hold.pivot))
+    for number in range(ATTITUDES):
+        given = {name: rng.normal(size=size) for name, size in sizes.items()}
+        if "orientation" in given:
+            given["orientation"] /= np.linalg.norm(given["orientation"])
+        given = {name: case.nearest_numbers(each) for name, each in given.items()}
+        kept = {key: list(case.nearest_numbers(rng.normal(size=case.count))) for key in ("phi", "phi_dot")}
+        x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.0] * 6} | (kept if case.count else {})
+        lists = {name: list(each) for name, each in given.items()}
+        found, name = case.call("state_from_coordinates", {**lists, "table": table, "x": x}), f"coordinates {number}"
+        if case.count:
+            row.note({key: list(found["x"][key]) for key in kept}, kept, dict.fromkeys(kept), f"{name}, kept")
+        q, orientation, rates = given.get("q", np.zeros(0)), given.get("orientation"), given["q_dot"]
+        at = pose_of(hold, case.stand.angles, q, orientation, rates, given["q_ddot"])
+        place = length(np.array(hold.position)) + 2 * arm + length(q)
+        speed, second = length(rates), length(given["q_ddot"]) + length(rates) ** 2
+        row.note(found["x"]["position"], at.position, np.full(3, place), f"{name}, position")
+        row.note(quaternion_rotation(*found["x"]["attitude"]), at.C, np.ones((3, 3)), f"{name}, attitude")
+        row.note(found["x"]["V"], at.V, np.repeat([(1 + arm) * speed, speed], 3), f"{name}, V")
+        row.note(found["V_dot"], at.V_dot, np.repeat([(1 + arm) * second, second], 3), f"{name}, V_dot")
+    return row.with_verdict()
 
 
 def _singular(sequence: Sequence, angles: Array) -> bool:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 
 from mahovik.core.stand.model import Hold
+from mahovik.proof.reference.coordinates import sine_and_cosine, unit
 from mahovik.proof.reference.hold import held_coupled as reference_coupled
 from mahovik.proof.reference.hold import held_forward as reference_forward
+from mahovik.proof.reference.rotation import attitude
 from mahovik.proof.verify.scales.magnitudes import Array, Magnitudes, geometric_mean, inverse_magnitude
+from mahovik.proof.verify.scales.parts import length
 
 
 def held_forward(m: Magnitudes) -> dict[str, Any]:
@@ -46,6 +50,42 @@ def _motion(m: Magnitudes, u_dot: Array, right: Array) -> dict[str, Any]:
         "V_dot": twist_magnitudes(m) @ u_dot,
         "reaction": right + m.S_K @ m.free.S @ u_dot,
     }
+
+
+ANY = 1e30
+"""Scale of what is compared with nothing."""
+
+AT_HALF_TURN = 1e-3
+"""rad, to half a turn from the home pose: rounding decides the side of an angle, or the sign of a quaternion."""
+
+
+def held_generalized(m: Magnitudes) -> dict[str, Any]:
+    """Scales of q, orientation, q_dot, q_ddot; of an angle by how far off its axis the carrier is turned."""
+    hold, u_dot = m.stand.hold, held_forward(m)["u_dot"]
+    assert hold is not None
+    turns = [freedom for freedom in hold.freedoms if freedom.kind == "turn"]
+    place = length(np.array(m.state.position)) + length(np.array(hold.position)) + 2 * length(np.array(hold.pivot))
+    R, off, angle = attitude(m.stand.angles, *hold.angles).T @ m.at.C, 1.0, 1.0
+    found: dict[str, Any] = {}
+    if len(turns) == 1:
+        sine, cosine = sine_and_cosine(R, unit(turns[0]))
+        off = 4.0 / max(math.hypot(sine, cosine), 1e-12)
+        angle = off if math.pi - abs(math.atan2(sine, cosine)) > AT_HALF_TURN else ANY
+    own = [freedom for freedom in hold.freedoms if freedom.kind == "slide" or len(turns) == 1]
+    if own:
+        found["q"] = np.array([place if freedom.kind == "slide" else angle for freedom in own])
+    if len(turns) == 3:  # the trace is 4 w^2 - 1
+        found["orientation"] = np.full(4, 1.0 if 1 + np.trace(R) > AT_HALF_TURN**2 else ANY)
+    arms = np.array(hold.pivot)
+    sliding = [freedom.kind == "slide" for freedom in hold.freedoms]
+    speed, omega = length(m.at.V[:3]) + length(arms) * length(m.at.V[3:]), length(m.at.V[3:])
+    moved = reference_forward(m.at, hold, np.array(m.state.phi_ddot, dtype=np.float64))
+    known = length(np.array([x for x, slides in zip(moved.u_dot, sliding, strict=True) if slides]))
+    spread = length(np.array([x for x, slides in zip(u_dot, sliding, strict=True) if slides]))
+    found["q_dot"] = np.array([off * speed if slides else omega for slides in sliding])
+    rates = off * (known + omega * speed) + spread
+    found["q_ddot"] = np.where(sliding, rates, u_dot)
+    return found
 
 
 def twist_magnitudes(m: Magnitudes) -> Array:

@@ -13,7 +13,7 @@ from mahovik.proof.reference.hold import allocation
 from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.reference.mass import bodies_matrix
 from mahovik.proof.reference.points import point_transfers
-from mahovik.proof.verify.scales.held import held_coupled, held_forward
+from mahovik.proof.verify.scales.held import held_coupled, held_forward, held_generalized
 from mahovik.proof.verify.scales.magnitudes import Array, Magnitudes, geometric_mean, inverse_magnitude, origin, screw
 from mahovik.proof.verify.scales.parts import length
 from mahovik.proof.verify.scales.wrenches import own_scale
@@ -117,6 +117,8 @@ def forward_scale(m: Magnitudes) -> Array:
 
 def generalized(m: Magnitudes) -> dict[str, Any]:
     """Scales of A, D, I0, J0, q_dot, q_ddot: nearness to the singular attitude enters through |A^-1|."""
+    if m.stand.hold is not None:
+        return held_generalized(m)
     found = reference_generalized(m.at, m.stand.angles, m.state)
     S_A = np.kron(np.eye(2), np.ones((3, 3)))  # elements of rotations
     A_inv = np.abs(np.linalg.inv(found.A))

@@ -1,0 +1,142 @@
+"""Coordinates of the freedoms of a held carrier from its home pose, and their rates.
+
+The pivot P of E1 is at O1 + C P; w is its way from the home pose in the axes of that pose. R = C0^T C is the turn from
+there. V = S u gives the pivot the velocity C s, s = sum of u_k d_k over what slides, so w' = R s and
+w'' = R (s* + omega x s). The turn about one axis has an angle, with R that of this angle; three turns have no angles
+but R itself, as a quaternion, and as rates omega and omega*.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof.reference.array import Array, Values
+from mahovik.proof.reference.hold import held_forward
+from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.pose import Pose
+from mahovik.proof.reference.rotation import attitude, carrier_rotation, quaternion_rotation
+from mahovik.proof.reference.screw import E, cross, wrench_to_parent
+
+
+def answer(at: Pieces, stand: Stand, state: State) -> Values:
+    """q, orientation of what has them, q_dot, q_ddot (m; m, rad, s). StateError: no coordinates."""
+    hold = stand.hold
+    assert hold is not None
+    check_coordinates(hold)
+    slides, turns = (_of_kind(hold, kind) for kind in ("slide", "turn"))
+    C0, C = attitude(stand.angles, *hold.angles), carrier_rotation(stand, state)
+    R, P = C0.T @ C, np.array(hold.pivot)
+    w = C0.T @ (np.array(state.position) + C @ P - np.array(hold.position)) - P
+    found: Values = {}
+    if not turns:
+        R = np.eye(3)
+    if len(turns) == 1:
+        axis = unit(hold.freedoms[turns[0]])
+        angle = math.atan2(*sine_and_cosine(R, axis))
+        R = np.eye(3) + math.sin(angle) * cross(axis) + (1 - math.cos(angle)) * cross(axis) @ cross(axis)
+    numbered = [k for k in range(len(hold.freedoms)) if k in slides or len(turns) == 1]
+    if numbered:
+        found["q"] = np.array([unit(hold.freedoms[k]) @ w if k in slides else angle for k in numbered])
+    if len(turns) == 3:
+        found["orientation"] = _quaternion(R)
+    u, u_dot = np.array(state.u), held_forward(at, hold, np.array(state.phi_ddot)).u_dot
+    s, s_dot, omega = (
+        sum((rates[k] * unit(hold.freedoms[k]) for k in which), np.zeros(3))
+        for rates, which in ((u, slides), (u_dot, slides), (u, turns))
+    )
+    q_dot, q_ddot = u.copy(), u_dot.copy()
+    for k in slides:
+        q_dot[k] = unit(hold.freedoms[k]) @ R @ s
+        q_ddot[k] = unit(hold.freedoms[k]) @ R @ (s_dot + cross(omega) @ s)
+    return {**found, "q_dot": q_dot, "q_ddot": q_ddot}
+
+
+@dataclass(frozen=True, eq=False)
+class HeldPose:
+    """Where coordinates and their rates put a carrier: O1 (3) in E0, attitude C (3x3), V and V* (6) in E1."""
+
+    position: Array
+    C: Array
+    V: Array
+    V_dot: Array
+
+
+def pose_of(
+    hold: Hold, sequence: Sequence, q: Array, orientation: Array | None, q_dot: Array, q_ddot: Array
+) -> HeldPose:
+    """C = C0 R, O1 + C P = O1_home + C0 (P + w); V = S u, V* = S u*: s = R^T w', s* = R^T w'' - omega x s.
+
+    `orientation`: quaternion (4) of R of what turns about a point, else None. StateError: no coordinates.
+    """
+    check_coordinates(hold)
+    slides, turns = (_of_kind(hold, kind) for kind in ("slide", "turn"))
+    C0, P, w, R, numbers = attitude(sequence, *hold.angles), np.array(hold.pivot), np.zeros(3), np.eye(3), iter(q)
+    for k, freedom in enumerate(hold.freedoms):
+        if k in slides:
+            w = w + next(numbers) * unit(freedom)
+        elif orientation is None:
+            angle, axis = next(numbers), cross(unit(freedom))
+            R = np.eye(3) + math.sin(angle) * axis + (1 - math.cos(angle)) * axis @ axis
+    R = R if orientation is None else quaternion_rotation(*orientation)
+    s, s_dot, omega, turning = (
+        sum((rates[k] * unit(hold.freedoms[k]) for k in which), np.zeros(3))
+        for rates, which in ((q_dot, slides), (q_ddot, slides), (q_dot, turns), (q_ddot, turns))
+    )
+    s = R.T @ s
+    s_dot = R.T @ s_dot - cross(omega) @ s
+    to_pivot = wrench_to_parent(P, E).T  # twist of the frame at the pivot
+    V, V_dot = (np.linalg.solve(to_pivot, np.concatenate(each)) for each in ((s, omega), (s_dot, turning)))
+    return HeldPose(np.array(hold.position) + C0 @ (P + w) - C0 @ R @ P, C0 @ R, V, V_dot)
+
+
+def check_coordinates(hold: Hold) -> None:
+    """StateError where the freedoms have no coordinates: their twists are not closed, or given as a basis."""
+    slides, turns = ([unit(hold.freedoms[k]) for k in _of_kind(hold, kind)] for kind in ("slide", "turn"))
+    plain = hold.freedoms and len(slides) + len(turns) == len(hold.freedoms)
+    turned = [cross(axis) @ d for axis in turns for d in slides]
+    rank = np.linalg.matrix_rank(np.array(slides), 1e-9) if slides else 0
+    stays = not turned or np.linalg.matrix_rank(np.array([*slides, *turned]), 1e-9) == rank
+    if not (plain and stays and len(turns) != 2):
+        raise StateError("generalized: the freedoms of [hold] have no coordinates, expected a closed set by name")
+
+
+def coordinate(hold: Hold, freedom: Freedom, sequence: Sequence, at: Pose) -> float:
+    """Way of the pivot from the home pose (m), or angle of turning about the axis from it (rad, within half a turn)."""
+    C0, d = attitude(sequence, *hold.angles), unit(freedom)
+    if freedom.kind == "slide":
+        pivot = np.array(hold.pivot)
+        gone = at.O1 + at.C @ pivot - (np.array(hold.position) + C0 @ pivot)
+        return float((C0 @ d) @ gone)
+    return math.atan2(*sine_and_cosine(C0.T @ at.C, d))
+
+
+def unit(freedom: Freedom) -> Array:
+    """Direction of a freedom (3), of length 1."""
+    d = np.array(freedom.direction) / np.max(np.abs(freedom.direction))
+    return np.asarray(d / np.linalg.norm(d))
+
+
+def sine_and_cosine(R: Array, a: Array) -> tuple[float, float]:
+    """Sine and cosine of the angle about a, times one factor: by the skew part of R, and by its part across a."""
+    about = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
+    across = np.eye(3) - np.outer(a, a)
+    return float(a @ about), float(np.trace(across @ R)) / 2
+
+
+def _quaternion(R: Array) -> Array:
+    """q (4), w first and not negative, of a rotation: the vector that (4 q q^T - 1) keeps, which is linear in R."""
+    odd = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+    trace = float(np.trace(R))
+    whole = np.block([[np.array([[trace]]), odd[None, :]], [odd[:, None], R + R.T - trace * np.eye(3)]])
+    q = np.linalg.eigh(whole)[1][:, -1]
+    return np.asarray(q if q[0] >= 0 else -q)
+
+
+def _of_kind(hold: Hold, kind: str) -> list[int]:
+    return [k for k, freedom in enumerate(hold.freedoms) if freedom.kind == kind]
