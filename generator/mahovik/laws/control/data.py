@@ -52,7 +52,7 @@ class Control:
 
     @property
     def text(self) -> str:
-        """As in the stand file: "rudder.deflection", with bars for a magnitude."""
+        """Spelling of the stand file: "rudder.deflection", with bars for a magnitude."""
         found = f"{self.of}.{self.what}"
         return f"|{found}|" if self.absolute else found
 
