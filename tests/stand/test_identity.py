@@ -17,6 +17,7 @@ from mahovik.core.stand import dumps, identities, load, loads, structure
 from mahovik.core.stand.law_schemas import body_schemas
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
+from mahovik.laws.control.data import Control, ControlDerivative, ControlDerivatives, Velocity
 from mahovik.laws.cross_flow.data import CrossFlow
 from mahovik.laws.damping.data import Factor
 from mahovik.laws.fading.data import FadingDamping
@@ -88,7 +89,8 @@ def test_every_number_of_a_stand_changes_its_physics() -> None:
     along = Frictions((Friction(0, "x", 1.0, 2.0, 3.0, 4.0, 5.0),)), Stops((Stop(0, "x", 6.0, True, 7.0, 8.0),))
     stand = stand.with_laws(*along)
     fading = FadingDamping(tuple(tuple(6.0 * i + j + 1 for j in range(6)) for i in range(6)), 2.0)  # type: ignore[arg-type]
-    laws = (drag, Fins((fin,)), Propellers((propeller,)), fading)
+    steering = ControlDerivatives((ControlDerivative(0, (Velocity(0, False), Control("b", "race", False)), 2.5),), 0.25)
+    laws = (drag, Fins((fin,)), Propellers((propeller,)), fading, steering)
     stand = replace(stand, carrier=stand.carrier.with_laws(*laws))
     found = {"as it is": identities(stand).physics}
     for place, other in with_one_other(stand, ""):

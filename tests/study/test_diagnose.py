@@ -14,6 +14,7 @@ from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, Features, random_stand
 from mahovik.errors import StateError
+from mahovik.laws.control.data import Control, ControlDerivative, ControlDerivatives, Velocity
 from mahovik.laws.cross_flow.data import CrossFlow
 from mahovik.laws.fading.data import FadingDamping
 from mahovik.laws.fin.data import Fin, Fins
@@ -52,7 +53,12 @@ def stand() -> Stand:
     )
     rows = tuple(tuple(9.0 * (i == j) + 0.3 * (i - 2 * j) for j in range(6)) for i in range(6))
     fading = FadingDamping(rows, 0.7)  # type: ignore[arg-type]
-    carrier = found.carrier.with_laws(drag, Fins((fin,)), Propellers((propeller,)), fading)
+    products = (
+        ControlDerivative(0, (Velocity(0, False), Velocity(5, True), Control("a", "deflection", False)), -40.0),
+        ControlDerivative(4, (Velocity(2, False), Control("b", "race", False)), 25.0),
+    )
+    steering = ControlDerivatives(products, 1e-3)
+    carrier = found.carrier.with_laws(drag, Fins((fin,)), Propellers((propeller,)), fading, steering)
     return replace(found, carrier=carrier, flywheels=(replace(first, mount="carrier"), replace(second, mount="i1")))
 
 

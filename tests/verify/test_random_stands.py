@@ -10,6 +10,7 @@ from random_stands import COUNTS, FLOW_FROM, WHAT_MATTERS, random_stands, verify
 
 from mahovik.core.stand import Stand, dumps, load, loads
 from mahovik.core.stand.random import Features, random_stand
+from mahovik.laws.control.data import ControlDerivatives
 from mahovik.laws.cross_flow.data import CrossFlow
 from mahovik.laws.fading.data import FadingDamping
 from mahovik.laws.fin.data import Fins
@@ -57,7 +58,7 @@ def test_the_campaign_is_the_same_every_time_and_each_stand_another() -> None:
 
 
 FLOWING = [*random_stands(FLOW_FROM + len(COUNTS))][FLOW_FROM:]
-LATER_LAWS = (CrossFlow, Fins, Propellers, FadingDamping)
+LATER_LAWS = (CrossFlow, Fins, Propellers, FadingDamping, ControlDerivatives)
 
 
 def test_stands_after_those_of_kept_results_have_every_law_of_fluid() -> None:

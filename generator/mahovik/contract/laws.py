@@ -10,7 +10,7 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
 
-BODY_LAWS = ("weight", "buoyancy", "damping", "cross_flow", "fin", "propeller", "fading")
+BODY_LAWS = ("weight", "buoyancy", "damping", "cross_flow", "fin", "propeller", "fading", "control")
 """Folders of the laws that act on every body in its own frame."""
 
 LAWS = ("suspension", "leg", "torquer", "friction", "stop")

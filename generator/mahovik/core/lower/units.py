@@ -49,6 +49,7 @@ MAGNETIC_MOMENT = Unit("A.m2", m=2, A=1, quantity="MagneticMoment")
 LINE_DENSITY = Unit("kg/m", kg=1, m=-1, quantity="LinearDensity")
 PER_RADIAN = Unit("1/rad", rad=-1)
 SECOND_PER_METRE = Unit("s/m", m=-1, s=1)
+RACE = Unit("m2/rad2", m=2, rad=-2)
 
 DISPLAY = {
     "rad": (("deg", 180 / math.pi),),
@@ -89,13 +90,16 @@ def law(row: int, factors: tuple[int, ...], rate: bool = True) -> Unit:
     Without `rate` of displacements: a stiffness.
     """
     turning = sum(c >= 3 for c in factors)
-    moving = len(factors) - turning
-    seconds = len(factors) if rate else 0
-    lengths = (row >= 3) - moving  # of the coefficient, beside the newton
-    above = "N" + (".m" if lengths > 0 else "") + _power(".s", seconds)
-    below = [part for part in (_power("m", -lengths), _power("rad", turning)) if part]
+    return coefficient(row, len(factors) - turning, turning, len(factors) if rate else 0)
+
+
+def coefficient(row: int, lengths: int, angles: int, seconds: int) -> Unit:
+    """Unit of the coefficient of a wrench's component: wrench over m^lengths rad^angles, times s^seconds."""
+    left = (row >= 3) - lengths  # metres of the coefficient, beside the newton
+    above = "N" + (".m" if left > 0 else "") + _power(".s", seconds)
+    below = [part for part in (_power("m", -left), _power("rad", angles)) if part]
     name = above if not below else f"{above}/{below[0]}" if len(below) == 1 else f"{above}/({'.'.join(below)})"
-    return Unit(name, kg=1, m=1 + lengths, s=seconds - 2, rad=-turning)
+    return Unit(name, kg=1, m=1 + left, s=seconds - 2, rad=-angles)
 
 
 def _power(name: str, exponent: int) -> str:

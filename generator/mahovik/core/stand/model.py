@@ -56,6 +56,11 @@ class LawData:
         return False
 
     @property
+    def inputs(self) -> dict[str, float]:
+        """Numbers of a law of bodies that may be set at run time, "rudder.deflection", in the order of the table."""
+        return {}
+
+    @property
     def rows(self) -> tuple[int, ...] | None:
         """Components that its wrench on the carrier can have, in E1 about O1; None where any."""
         return None
@@ -99,6 +104,11 @@ class Body(WithLaws):
     inertia: Mat3
     inertia_about: About
     wrench_input: bool
+
+    @property
+    def inputs(self) -> dict[str, float]:
+        """Numbers of its laws that may be set at run time, by name: "rudder.deflection", rad; "screw.speed", rad/s."""
+        return {name: value for law in self.laws for name, value in law.inputs.items()}
 
 
 @dataclass(frozen=True)

@@ -130,17 +130,25 @@ def random_stand(
 
 
 def _with_flow(stand: Stand, draw: Draw) -> Stand:
-    """The stand with laws of the fluid that came later, by a generator of its own: other draws stay as they are."""
+    """The stand with laws of the fluid that came later, by a generator of its own: other draws stay as they are.
 
-    def flowing(body: AnyBody) -> AnyBody:
-        drawn = [make(draw, body) for make in of_bodies("random", "random_flow")]
-        return body.with_laws(*(law for law in drawn if law is not None))
+    What steers comes after the fins and propellers that it names.
+    """
+    return _with_drawn(_with_drawn(stand, draw, "random_flow"), draw, "random_steering")
+
+
+def _with_drawn(stand: Stand, draw: Draw, content: str) -> Stand:
+    """The stand with the laws of bodies that have a function of this name."""
+
+    def add_laws(body: AnyBody) -> AnyBody:
+        laws = [make(draw, body) for make in of_bodies("random", content)]
+        return body.with_laws(*(law for law in laws if law is not None))
 
     return replace(
         stand,
-        carrier=flowing(stand.carrier),
-        instruments=tuple(map(flowing, stand.instruments)),
-        flywheels=tuple(map(flowing, stand.flywheels)),
+        carrier=add_laws(stand.carrier),
+        instruments=tuple(map(add_laws, stand.instruments)),
+        flywheels=tuple(map(add_laws, stand.flywheels)),
     )
 
 

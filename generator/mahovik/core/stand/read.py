@@ -126,9 +126,9 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
     if physics:
         check_tasks(problems, tasks, tuple(instruments), tuple(points))
         if carrier is not None and carrier_table is not None:
-            physical.check_body(carrier, "carrier", problems, carrier_table.moments)
+            physical.check_body(_bearing(carrier, mounted), "carrier", problems, carrier_table.moments)
         for (_, own), instrument in zip(instrument_tables, instruments, strict=True):
-            physical.check_body(instrument, f'instrument "{instrument.name}"', problems, own.moments)
+            physical.check_body(_bearing(instrument, mounted), f'instrument "{instrument.name}"', problems, own.moments)
         for (_, table), wheel in zip(flywheel_tables, wheels, strict=True):
             if wheel is not None:
                 advice = datasheet.thin_disc(table)

@@ -61,3 +61,8 @@ class Fins(LawData):
     def has_kinks(self) -> bool:
         """Whether stall bends the lift, or the flow from behind turns its sign."""
         return any(fin.incidence or fin.stall is not None for fin in self.fins)
+
+    @property
+    def inputs(self) -> dict[str, float]:
+        """The deflections, rad."""
+        return {f"{fin.name}.deflection": fin.deflection for fin in self.fins}

@@ -61,3 +61,8 @@ class Propellers(LawData):
     def has_kinks(self) -> bool:
         """Whether thrust or torque depends on the magnitude of V_a."""
         return any(p.whole or p.thrust[2] or p.torque[2] for p in self.propellers)
+
+    @property
+    def inputs(self) -> dict[str, float]:
+        """The speeds, rad/s."""
+        return {f"{p.name}.speed": p.speed for p in self.propellers}

@@ -1,0 +1,1 @@
+"""Derivatives by products of up to four factors: velocities, deflections of fins, speeds and races of propellers."""

@@ -1,0 +1,41 @@
+"""Control derivatives of a body, literally, (7); `V_r` (6) is its twist relative to the fluid, in the body's frame."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from mahovik.core.stand.model import Body
+from mahovik.laws.control.data import ControlDerivatives, Factor, Velocity
+from mahovik.proof.reference.array import Array
+
+
+def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """Wrench (6; N, N m) of all control derivatives; none where there is none."""
+    law = body.law(ControlDerivatives)
+    return {} if law is None else {"control derivatives": control_derivatives(body, law, V_r)}
+
+
+def control_derivatives(body: Body, law: ControlDerivatives, V_r: Array) -> Array:
+    """Sum (6; N, N m): component `wrench` += value * product of its factors."""
+    P = np.zeros(6)
+    for term in law.terms:
+        P[term.wrench] += term.value * math.prod(factor(body, law, each, V_r) for each in term.of)
+    return P
+
+
+def factor(body: Body, law: ControlDerivatives, each: Factor, V_r: Array) -> float:
+    """A velocity (m/s, rad/s), deflection (rad), speed (rad/s) or race (m/s), or its magnitude."""
+    if isinstance(each, Velocity):
+        found = float(V_r[each.component])
+    else:
+        found = body.inputs[each.source]
+        if each.what == "race":
+            found = race(law.race, found, float(V_r[0]))
+    return abs(found) if each.absolute else found
+
+
+def race(a: float, n: float, u: float) -> float:
+    """sign(n) (sqrt(u^2 + a n^2) - |u|), m/s."""
+    return float(np.sign(n) * (np.sqrt(u**2 + a * n**2) - abs(u)))
