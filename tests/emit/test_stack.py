@@ -92,9 +92,9 @@ def test_bounds_hold_for_the_cost_tables(name: str) -> None:
         check(bounds, taken, ROOM)
 
 
-@pytest.mark.parametrize("compiler", quick(1, ["gcc", "clang"]))
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
 @pytest.mark.parametrize(
-    ("name", "real"), quick(1, [("demo3", "double"), ("everything6", "float"), ("wet7", "double")])
+    ("name", "real"), quick(0, [("demo3", "double"), ("everything6", "float"), ("wet7", "double")])
 )
 def test_bounds_hold_for_every_optimisation(name: str, real: str, compiler: str, tmp_path: Path) -> None:
     found = generated(name, real).program
