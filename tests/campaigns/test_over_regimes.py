@@ -37,6 +37,7 @@ def vector(found: dict[str, np.ndarray], names: str, what: str) -> np.ndarray:
     return np.stack([found[what.format(letter)] for letter in names], axis=1)
 
 
+@pytest.mark.slow
 def test_a_satellite_with_given_speeds_is_that_of_simulate() -> None:
     """It rests exactly, so the steps are the same, and what is read of them too, to rounding."""
     ramp = {"default": {"ramp": {"to": "3000 rpm", "duration": "20 ms"}}}

@@ -25,6 +25,7 @@ def folder(own_folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return own_folder
 
 
+@pytest.mark.slow
 def test_errors_of_both_programmes_are_told(folder: Path) -> None:
     result = run("excite", "a.toml", *QUICK, "--json", "--noise", "rate=0.1 deg/s", "--speed-min", "w1=100 rpm")
     assert result.exit_code == 0, result.output
@@ -48,6 +49,7 @@ def test_a_file_of_other_keys_names_all_of_them() -> None:
     assert "error: a.toml: free: required, but missing" in said and len(said) > 1
 
 
+@pytest.mark.slow
 def test_half_the_noise_is_half_the_error() -> None:
     def errors(*noise: str) -> list[float]:
         options = [word for each in noise for word in ("--noise", each)]

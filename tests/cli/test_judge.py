@@ -75,6 +75,7 @@ for line in sys.stdin:
 """
 
 
+@pytest.mark.slow
 def test_a_wrong_term_as_json() -> None:
     command = f"{PYTHON} -c {shlex.quote(LEVER)} {{stand}}"
     result = run("judge", DEMO3, "--with", command, "--explain", "--states", "3", "--want", "forward", "--json")

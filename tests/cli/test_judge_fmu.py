@@ -60,6 +60,7 @@ def test_a_right_fmu_agrees(folder: Path, monkeypatch: pytest.MonkeyPatch) -> No
     assert [(row["want"], row["states"]) for row in found["rows"]] == [("forward", 20)]
 
 
+@pytest.mark.slow
 def test_wrong_terms_of_an_fmu_are_named(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(folder)
     result = run(*judged(folder, "heavy.fmu", "--map", "map.toml", "--states", "4", "--explain", "--json"))

@@ -163,6 +163,7 @@ def test_two_names_in_one_folder_are_one_too_many(part: Path, tmp_path: Path) ->
 # ---- cost ----
 
 
+@pytest.mark.slow
 def test_cost_measures_a_folder_of_another_name(part: Path, tmp_path: Path) -> None:
     require("valgrind", "valgrind")
     folder = str(copied(part, tmp_path / "c", *(each.name for each in part.iterdir())))
@@ -233,6 +234,7 @@ def test_the_log_of_another_stand_is_refused(log: Path, tmp_path: Path) -> None:
 # ---- replay, and the page of the folder ----
 
 
+@pytest.mark.slow
 def test_a_flight_under_another_name_is_replayed(tmp_path: Path) -> None:
     texts = flight(replace(load(DEMO3), name="other"), "double", 20)
     flown = tmp_path / "flight.log"

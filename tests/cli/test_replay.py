@@ -98,6 +98,7 @@ def test_a_step_becomes_a_unit_test(flown: Path, step: int) -> None:
         assert (done.returncode, done.stdout[:4]) == (status, said)
 
 
+@pytest.mark.slow
 def test_a_step_with_a_carry_becomes_a_unit_test(tmp_path: Path) -> None:
     """It compares the carry as well, and passes; it fails where the carry that is left is another."""
     flew = Recorder("demo3", "float", tmp_path)

@@ -97,6 +97,7 @@ def test_what_was_not_run_is_said_with_its_command(whole: str) -> None:
     assert "mahovik cost demo3.toml" in text
 
 
+@pytest.mark.slow
 def test_the_same_inputs_give_the_same_bytes(whole: str) -> None:
     assert report_page() == whole
 

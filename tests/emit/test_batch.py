@@ -154,6 +154,7 @@ def test_null_and_unaligned_pointers_are_refused() -> None:
     assert (status == 7).all()
 
 
+@pytest.mark.slow
 def test_the_number_of_threads_changes_no_bit() -> None:
     built = native()
     threads = ctypes.CDLL("libgomp.so.1").omp_set_num_threads
@@ -213,6 +214,7 @@ def test_other_builds(name: str, real: str, compiler: str, flags: tuple[str, ...
         check(built, batch, inputs, 41)
 
 
+@pytest.mark.slow
 def test_gcc_makes_vectors_of_a_suspension(tmp_path: Path) -> None:
     """The angle is an arc tangent with many choices: a branch among them would leave all of it to single numbers."""
     gcc, objdump = require("gcc", "gcc"), require("objdump", "binutils")

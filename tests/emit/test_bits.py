@@ -41,7 +41,7 @@ def all_bits(call: Call, c: Compiled, chosen: list[State]) -> dict[tuple[int, st
     return found
 
 
-@pytest.mark.parametrize("name", quick(3, NAMES))
+@pytest.mark.parametrize("name", quick(2, NAMES))
 def test_interpreter_is_c(name: str) -> None:
     c = compiled(name, SHIPPED)
     chosen = states(c.stand, 2)
@@ -87,7 +87,7 @@ def test_ordinary_states_are_evaluated() -> None:
     assert len(good) > 0.9 * len(found)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", quick(2, NAMES))
 def test_the_compiled_tables_are_those_of_the_generator(name: str) -> None:
     c = compiled(name, SHIPPED)
     assert bits(c.table()) == bits(c.values.table)

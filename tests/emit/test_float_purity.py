@@ -37,6 +37,7 @@ def test_no_helpers_of_double_where_the_fpu_is_single(name: str, source: Path, t
     assert {line.split()[0] for line in wanted if line} <= {"memcpy", "memmove", "memset"}
 
 
+@pytest.mark.slow
 def test_soft_float_calls_single_helpers_only(source: Path, tmp_path: Path) -> None:
     wanted, _ = undefined(source, tmp_path, require(*ARM), "-mthumb", "-mcpu=cortex-m3", "-mfloat-abi=soft")
     assert any("__aeabi_fadd" in line for line in wanted)  # the pattern does look at such names
@@ -50,6 +51,7 @@ def test_no_double_on_risc_v_without_an_fpu(source: Path, tmp_path: Path) -> Non
     assert [line for line in wanted if re.search(r"__.*df", line)] == []
 
 
+@pytest.mark.slow
 def test_no_instruction_of_double_on_the_m7(source: Path, tmp_path: Path) -> None:
     flags = ("-mthumb", "-mcpu=cortex-m7", "-mfpu=fpv5-d16", "-mfloat-abi=hard")
     _, thing = undefined(source, tmp_path, require(*ARM), *flags)

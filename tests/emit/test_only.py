@@ -26,7 +26,7 @@ def _sources(folder: Path) -> list[Path]:
 
 
 @pytest.mark.parametrize(
-    "only", quick(3, ["forward,torque", "mounts", "inverse,prepare", "step", "quaternion", "accumulate"])
+    "only", quick(2, ["forward,torque", "mounts", "inverse,prepare", "step", "quaternion", "accumulate"])
 )
 def test_a_part_compiles_and_passes_its_self_test(only: str, tmp_path: Path) -> None:
     """Every warning is an error; golden vectors and sweeps are those of the interpreter."""
@@ -72,6 +72,7 @@ def test_an_unknown_function_is_refused() -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_part_has_lanes_and_batches(tmp_path: Path) -> None:
     """With lanes it passes its self-test; batches are those of the chosen functions, not of what these call."""
     for name, files in (

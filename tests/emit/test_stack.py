@@ -24,8 +24,11 @@ from toolchain.tools import compile_c, require
 GENERATED = Path(__file__).resolve().parents[2] / "generated"
 
 ROOM = 1104
-"""Bytes by which a bound may exceed three times the measured stack. Small functions need it, since the bound holds for
-a processor with large registers, and `prepare_mounts` in float, whose chain of functions gcc compiles into one."""
+"""A stated bound may be at most three times the measured stack and this many bytes more.
+
+Two kinds of function need the extra bytes: small ones, because the bound is also right for processors that save large
+registers, and `prepare_mounts` in float, because gcc compiles the whole chain of functions below it into one frame.
+"""
 
 LEVELS = ("-O1", "-O2", "-O3", "-Os")
 
@@ -64,7 +67,7 @@ def measured(program: Program, source: Path, compiler: str, level: str) -> dict[
 
 
 def check(bounds: Mapping[str, int], found: Mapping[str, int], room: int) -> None:
-    """Assert that every bound covers the measured stack, and is not far above it."""
+    """Assert that every stated bound is at least the measured stack, and at most three times it and `room` bytes."""
     for name, bound in bounds.items():
         assert found[name] <= bound <= 3 * found[name] + room, (name, found[name], bound)
 
@@ -89,9 +92,9 @@ def test_bounds_hold_for_the_cost_tables(name: str) -> None:
         check(bounds, taken, ROOM)
 
 
-@pytest.mark.parametrize("compiler", quick(1, ["gcc", "clang"]))
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
 @pytest.mark.parametrize(
-    ("name", "real"), quick(1, [("demo3", "double"), ("everything6", "float"), ("wet7", "double")])
+    ("name", "real"), quick(0, [("demo3", "double"), ("everything6", "float"), ("wet7", "double")])
 )
 def test_bounds_hold_for_every_optimisation(name: str, real: str, compiler: str, tmp_path: Path) -> None:
     found = generated(name, real).program

@@ -6,6 +6,7 @@ import ctypes as ct
 import re
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -33,7 +34,7 @@ def numbers_in(line: str) -> list[float]:
 
 
 @pytest.mark.parametrize(
-    ("real", "failure"), quick(2, [("double", "coasts"), ("float", "held"), ("float", "coasts"), ("double", "none")])
+    ("real", "failure"), quick(1, [("double", "coasts"), ("float", "held"), ("float", "coasts"), ("double", "none")])
 )
 def test_a_slew_a_failed_wheel_and_the_momentum(real: str, failure: str, tmp_path: Path) -> None:
     """Within 1 arcsec after the slew and at the end; torques and speeds within the motors; 1 N m s down to 0.5 %."""
@@ -53,6 +54,7 @@ def test_a_slew_a_failed_wheel_and_the_momentum(real: str, failure: str, tmp_pat
     assert printed["samples with a demand out of reach"].endswith(" 0")
 
 
+@pytest.mark.slow
 def test_without_a_wrench_of_the_carrier_momentum_stays_and_the_page_says_so(tmp_path: Path) -> None:
     made = attitude_sources(load(path("sat4")), LoopOptions(), "double")
     assert any("no wrench_input: momentum is not dumped" in line for line in made.design.lines)
@@ -95,14 +97,21 @@ def c(tmp_path_factory: pytest.TempPathFactory) -> Attitude:
     return Attitude(written(exported(), tmp_path_factory.mktemp("attitude")))
 
 
-@settings(max_examples=4, deadline=None)
-@example_of(9521807)  # all flywheels pass through zero speed at the end
+def seconds_of_coasting(config: Any, speed: float) -> float:
+    """How long a flywheel without drive turns on: J w' = -(viscous w + coulomb), from `speed` in rad/s to rest."""
+    inertia = stand().flywheels[1].inertia[0][0]
+    viscous, coulomb = config.viscous[1], config.coulomb[1]
+    return float(inertia / viscous * np.log1p(viscous * speed / coulomb))
+
+
+@settings(max_examples=3, deadline=None)
+@example_of(85)  # the slew ends while the failed flywheel still coasts
 @given(st.integers(0, 2**32 - 1))
 def test_it_turns_from_any_attitude_to_any_other(c: Attitude, seed: int) -> None:
     """With an error of some degrees at first, and perhaps a failed flywheel: the plant is the balanced stand.
 
-    Medians of the last half minute are compared: where flywheels pass through zero speed, their friction turns round,
-    and the error is some tens of arcsec for seconds.
+    The error is read 90 s after the slew is over and a coasting flywheel is at rest. As that comes to rest, the others
+    pass through zero speed, where their friction turns round and costs tens of arcsec for a quarter of a minute.
     """
     rng = np.random.default_rng(seed)
     config = c.config(period=0.1, slew_rate=0.02, slew_acceleration=1e-3)
@@ -114,16 +123,17 @@ def test_it_turns_from_any_attitude_to_any_other(c: Attitude, seed: int) -> None
     x.phi_dot[:] = (60.0, -60.0, 60.0, -60.0)
     assert c.call("reset", ct.byref(config), numbers(*begin), ct.byref(loop)) == 0
     assert c.call("slew", ct.byref(config), numbers(*goal), ct.byref(loop)) == 0
+    moves = max(loop.course.duration, seconds_of_coasting(config, 60.0) if failed[1] == 1 else 0.0)
     errors = []
-    for _ in range(int(loop.course.duration / config.period) + 900):
+    for _ in range(int((moves + 90.0) / config.period)):
         assert c.step(config, loop, x, failed, out) >= 0
         speed, tau = np.array(x.phi_dot), np.array(out.tau)
         most = np.where(tau * speed > 0, 0.1 * (1 - np.abs(speed) / 628.3185307), 0.1)
         assert np.all(np.abs(tau) <= most * (1 + 1e-9))
         assert c.play(x, tau - law.friction(config, speed), failed, np.array(out.moment), config.period) >= 0
-        true = (law.rotation(goal).inv() * law.rotation(x.attitude)).magnitude()
-        errors.append((np.linalg.norm(out.demand.error[:]), true))
-    assert np.all(np.median(errors[-300:], axis=0) < ARCSEC)
+        errors.append(np.linalg.norm(out.demand.error[:]))
+    assert max(errors[-300:]) < ARCSEC
+    assert (law.rotation(goal).inv() * law.rotation(x.attitude)).magnitude() < ARCSEC
     assert np.linalg.norm(out.momentum[:]) < 5e-3
 
 
@@ -221,6 +231,7 @@ def test_motors_without_limits_are_told() -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_failure_that_is_told_late_fails_after_the_slew(tmp_path: Path) -> None:
     """The error is small again at the end; what is left of it right after the slew decides."""
     written(exported(), tmp_path)

@@ -241,6 +241,7 @@ def test_without_a_compiler_for_cpp(exported: Path, tmp_path: Path, monkeypatch:
     assert ctest(build(exported, where=str(tmp_path / "made"))) == 1
 
 
+@pytest.mark.slow
 def test_again_and_where_it_may_not_be(exported: Path, tmp_path: Path) -> None:
     before = {path: path.read_bytes() for path in exported.iterdir()}
     assert run("export", "cmake", BENCH8, "-o", str(exported)).exit_code == 0

@@ -17,6 +17,7 @@ from export.servos import exported as servos
 from mahovik import stands
 from mahovik.core.motion.programme import save_programme
 from mahovik.out.export.servo import export_servo
+from toolchain.quick import quick
 from toolchain.tools import compile_c, require
 from toolchain.tools import run as run_program
 
@@ -44,7 +45,7 @@ def linked(compiler: str, *given: Path) -> str:
     return subprocess.run(command, capture_output=True, text=True, check=False, timeout=60).stderr
 
 
-@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize("compiler", quick(1, ["gcc", "clang"]))
 def test_a_caller_of_another_servo_does_not_link(compiler: str, tmp_path: Path) -> None:
     """Another element type, and a servo with a trim, whose header declares other structs."""
     found = require(compiler, compiler)
@@ -56,7 +57,7 @@ def test_a_caller_of_another_servo_does_not_link(compiler: str, tmp_path: Path) 
         assert re.search(rf"undefined (reference|symbol).*shaker2_servo_link_{real}_[0-9a-f]{{8}}_v", said), said
 
 
-@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize("compiler", quick(1, ["gcc", "clang"]))
 def test_a_caller_of_another_programme_does_not_link(compiler: str, tmp_path: Path) -> None:
     """Another element type, and a programme with a run-up, whose header declares more."""
     found = require(compiler, compiler)
@@ -77,6 +78,7 @@ def test_the_check_of_a_servo_takes_no_memory() -> None:
         assert re.search(r'"\.set shaker2_\w+_link_double_\w+, 0\\n"', text)
 
 
+@pytest.mark.slow
 def test_two_servos_lie_in_one_image(tmp_path: Path) -> None:
     """Names of one have its own name; each follows its own programme, and passes its self-test."""
     save_programme(spin(), tmp_path / "P.json")

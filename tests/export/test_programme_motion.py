@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from export.programmes import PERIOD, exported, motion, written
+from toolchain.quick import quick
 from toolchain.tools import run
 
 TICKS = 400
@@ -57,7 +58,9 @@ def height(kind: str, real: str, step: str, folder: Path) -> tuple[np.ndarray, n
     return np.abs(z - wanted) / np.ptp(wanted) * 2, np.array([np.abs(angle), np.abs(speed)])
 
 
-@pytest.mark.parametrize(("kind", "real"), [("quintic", "double"), ("fourier", "double"), ("quintic", "float")])
+@pytest.mark.parametrize(
+    ("kind", "real"), quick(1, [("quintic", "double"), ("fourier", "double"), ("quintic", "float")])
+)
 def test_the_carrier_does_the_required_motion(kind: str, real: str, tmp_path: Path) -> None:
     """Driven with the accelerations of the table, from the required state; as planning wants it of tables."""
     error, _ = height(kind, real, DRIVEN, tmp_path)

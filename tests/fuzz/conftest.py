@@ -9,8 +9,10 @@ from pathlib import Path
 import pytest
 
 ROOM = 2 << 30
-"""Bytes of address space that a reader may add to those of the process. A refusal needs almost none; reading 10^9
-numbers exceeds it."""
+"""Address space that a reader may take beyond what the process has already, in bytes.
+
+A reader that refuses its file takes almost none. One that trusts a file's claim of 10^9 numbers takes more than this.
+"""
 
 
 @pytest.fixture

@@ -12,6 +12,7 @@ import pytest
 import mahovik
 from identify.data import Array, recorded, stand_text, with_noise, write_csv
 from mahovik.out.identify.face import Identification, _correlation, _errors
+from toolchain.quick import quick
 
 SILENT = (3, 4, 6)
 """Channels made noise alone: acceleration z, rates x and z."""
@@ -36,6 +37,7 @@ def identified(folder: Path, truth: mahovik.Stand, rows: Array) -> Identificatio
     return mahovik.identify(truth, write_csv(folder / "run.csv", rows), "w*.unbalance")
 
 
+@pytest.mark.slow
 def test_channels_of_noise_fake_nothing(tmp_path: Path, truth: mahovik.Stand, clean: Array) -> None:
     found = identified(tmp_path, truth, clean)
     assert found.notes == ()
@@ -44,7 +46,7 @@ def test_channels_of_noise_fake_nothing(tmp_path: Path, truth: mahovik.Stand, cl
     assert shares["imu.rate.x"] == pytest.approx(1.0, abs=0.05)
 
 
-@pytest.mark.parametrize("channel", [1, 5])
+@pytest.mark.parametrize("channel", quick(1, [1, 5]))
 def test_channels_of_noise_hide_no_sign(tmp_path: Path, truth: mahovik.Stand, clean: Array, channel: int) -> None:
     rows = clean.copy()
     rows[:, channel] *= -1.0
@@ -54,6 +56,7 @@ def test_channels_of_noise_hide_no_sign(tmp_path: Path, truth: mahovik.Stand, cl
     assert wrong.startswith(f"{name}: signs or axes are evidently wrong: with {axis} = -{axis} the fit leaves")
 
 
+@pytest.mark.slow
 def test_a_phase_of_the_wrong_sense_is_told(tmp_path: Path, truth: mahovik.Stand, clean: Array) -> None:
     rows = clean.copy()
     rows[:, 7] *= -1.0
@@ -61,6 +64,7 @@ def test_a_phase_of_the_wrong_sense_is_told(tmp_path: Path, truth: mahovik.Stand
     assert note.startswith("w1: the phase evidently runs the other way: turned round, the fit leaves")
 
 
+@pytest.mark.slow
 def test_a_bad_fit_of_other_reasons_accuses_no_sensor(tmp_path: Path, truth: mahovik.Stand, clean: Array) -> None:
     """The unbalance of w1 is elsewhere, and not free."""
     file = write_csv(tmp_path / "run.csv", clean)
@@ -91,6 +95,7 @@ def test_what_has_no_standard_error_is_nan() -> None:
     assert found[0, 0] == 1.0 and np.isnan(found[1:]).all()
 
 
+@pytest.mark.slow
 def test_a_flywheel_at_rest_keeps_its_unbalance(tmp_path: Path, truth: mahovik.Stand) -> None:
     small = truth.replace({"w2.unbalance.static": 1e-6, "w2.unbalance.dynamic": 1e-8})
     rows = with_noise(recorded(truth, (150.0, 1e-4), 0.5), 10.0, 4)

@@ -81,6 +81,7 @@ def test_products_of_a_diagonal_matrix_make_it_whole(tmp_path: Path) -> None:
     assert identities(loads(with_numbers(TEXT, new, places))) == identities(new)
 
 
+@pytest.mark.slow
 def test_the_command_takes_the_keys_of_the_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A flywheel given by its data sheet: `unbalance` in the file is written, without centre of mass and inertia."""
     monkeypatch.chdir(tmp_path)

@@ -118,6 +118,7 @@ def test_predicted_errors_are_those_of_the_estimation() -> None:
     assert (np.abs(found.theta - free.nominal) < 5 * errors).all()
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("few")
 def test_a_search_lowers_the_variance_inside_the_bounds(tmp_path: Path) -> None:
     found = moderate(3, acceleration=50.0)
@@ -135,6 +136,7 @@ def test_a_search_lowers_the_variance_inside_the_bounds(tmp_path: Path) -> None:
     assert kept_file.report["peak_speed"] == kept.speed.tolist()
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("few")
 def test_a_moment_of_inertia_needs_changing_speeds() -> None:
     """The moment about its axis acts mostly by the acceleration of the flywheel."""
@@ -143,6 +145,7 @@ def test_a_moment_of_inertia_needs_changing_speeds() -> None:
     assert found.found.peaks.acceleration.max() > 1.0 and found.even.peaks.acceleration.max() == 0.0
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("few")
 def test_motors_limit_the_modulation() -> None:
     options = {"free": "w1.inertia.J11", "speed": "300 rpm", "speed_min": "60 rpm"}

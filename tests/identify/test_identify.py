@@ -12,6 +12,7 @@ import pytest
 import mahovik
 from cli.run import refused, run
 from identify.data import Array, recorded, stand_text, with_noise, write_csv
+from toolchain.quick import quick
 
 CHANGED = {
     "w1.unbalance.static": 0.004,
@@ -103,6 +104,7 @@ def test_a_number_that_no_channel_tells_is_named_and_stays(files: Path, truth: m
     assert abs(static.value - static.before) < 4.0 * static.standard_error
 
 
+@pytest.mark.slow
 def test_motion_that_would_show_a_number_is_named(files: Path, truth: mahovik.Stand) -> None:
     """Torques of changing speeds tell the moments about the axes of the flywheels, constant speeds hardly do."""
     found = mahovik.identify(truth, files / "run.csv", ["w1.inertia.J11", "w2.inertia.J11"])
@@ -111,6 +113,7 @@ def test_motion_that_would_show_a_number_is_named(files: Path, truth: mahovik.St
     assert "add a run in which the speeds of the flywheels change" in line
 
 
+@pytest.mark.slow
 def test_an_estimate_stays_a_body(files: Path, truth: mahovik.Stand) -> None:
     """The flywheels are nearly flat: noise asks for moments that break the triangle inequality."""
     found = mahovik.identify(truth, files / "run.csv", ["w1.unbalance", "w1.inertia.J11"])
@@ -119,7 +122,7 @@ def test_an_estimate_stays_a_body(files: Path, truth: mahovik.Stand) -> None:
     assert low > 0.0 and low + middle > 0.99 * high
 
 
-@pytest.mark.parametrize(("channel", "words"), [(2, "imu.acceleration: .*y = -y"), (5, "imu.rate: .*y = -y")])
+@pytest.mark.parametrize(("channel", "words"), quick(1, [(2, "imu.acceleration: .*y = -y"), (5, "imu.rate: .*y = -y")]))
 def test_a_wrong_sign_is_told(tmp_path: Path, exact: Array, truth: mahovik.Stand, channel: int, words: str) -> None:
     rows = with_noise(exact, 10.0, 3)
     rows[:, channel] *= -1.0
@@ -129,6 +132,7 @@ def test_a_wrong_sign_is_told(tmp_path: Path, exact: Array, truth: mahovik.Stand
     assert any(re.search(words, note) for note in found.notes), found.notes
 
 
+@pytest.mark.slow
 def test_exchanged_axes_are_told_and_right_ones_are_not(tmp_path: Path, exact: Array, truth: mahovik.Stand) -> None:
     rows = with_noise(exact, 10.0, 3)
     rows[:, [1, 2]] = rows[:, [2, 1]]
@@ -137,6 +141,7 @@ def test_exchanged_axes_are_told_and_right_ones_are_not(tmp_path: Path, exact: A
     assert "imu.acceleration" in note and "x = y, y = x" in note
 
 
+@pytest.mark.slow
 def test_missing_samples_and_outliers_do_not_move_a_robust_fit(
     tmp_path: Path, exact: Array, truth: mahovik.Stand
 ) -> None:
@@ -152,6 +157,7 @@ def test_missing_samples_and_outliers_do_not_move_a_robust_fit(
         assert abs(each.value - each.before) < 4.5 * each.standard_error, path
 
 
+@pytest.mark.slow
 def test_data_that_were_not_used_are_predicted_better(files: Path, truth: mahovik.Stand) -> None:
     other = with_noise(recorded(truth, (131.0, 190.0), 0.4), 10.0, 6)
     write_csv(files / "other.csv", other)

@@ -25,9 +25,10 @@ from mahovik.proof.reference.forward import forward
 from mahovik.proof.verify.functions.identification import covariance
 from mahovik.proof.verify.functions.registry import rows_of
 from regressor.test_columns import case_of, failures
+from toolchain.quick import quick
 
 
-@pytest.mark.parametrize("real", ["double", "float"])
+@pytest.mark.parametrize("real", quick(1, ["double", "float"]))
 def test_a_step_is_that_of_the_covariance_form(tmp_path: Path, real: str) -> None:
     stand = random_stand(np.random.default_rng(6), 3, EVERYTHING)
     assert failures(rows_of(case_of(stand, tmp_path, real, named="identify_step"), "identify_step")) == {}
@@ -35,11 +36,14 @@ def test_a_step_is_that_of_the_covariance_form(tmp_path: Path, real: str) -> Non
 
 @pytest.mark.parametrize(
     ("fault", "groups"),
-    [
-        ((r"old - gain\[i\] \* slope", "old + gain[i] * slope"), {"unbalance", "covariance"}),
-        ((r"rest -= h\[j\]", "rest += h[j]"), {"unbalance"}),
-        ((r"1\.0 \+ forget", "1.0 - forget"), {"unbalance", "covariance"}),
-    ],
+    quick(
+        1,
+        [
+            ((r"old - gain\[i\] \* slope", "old + gain[i] * slope"), {"unbalance", "covariance"}),
+            ((r"rest -= h\[j\]", "rest += h[j]"), {"unbalance"}),
+            ((r"1\.0 \+ forget", "1.0 - forget"), {"unbalance", "covariance"}),
+        ],
+    ),
 )
 def test_planted_faults_are_found(tmp_path: Path, fault: tuple[str, str], groups: set[str]) -> None:
     case = case_of(load(stands.path("sat4")), tmp_path, fault=fault, named="identify_step")

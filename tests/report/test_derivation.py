@@ -68,7 +68,7 @@ class Balance(HTMLParser):
         assert self.open.pop() == tag
 
 
-@pytest.mark.parametrize("name", quick(2, NAMES))
+@pytest.mark.parametrize("name", quick(1, NAMES))
 def test_page_stands_alone(name: str) -> None:
     """Well-formed, no external resource, both identities and the version, no date."""
     example = stand(name)
@@ -88,7 +88,7 @@ def test_page_stands_alone(name: str) -> None:
         ET.fromstring(element)
 
 
-@pytest.mark.parametrize("name", quick(2, NAMES))
+@pytest.mark.parametrize("name", quick(1, NAMES))
 def test_article_is_whole(name: str) -> None:
     """ASCII, braces and environments in balance, amsmath only, identities and version."""
     example = stand(name)
@@ -111,7 +111,7 @@ def test_article_is_whole(name: str) -> None:
     assert all(text in article for text in (found.structure, found.physics, f"mahovik {__version__}"))
 
 
-@pytest.mark.parametrize("example", [stand("auv6"), general(3), general(0)], ids=["auv6", "general", "rigid"])
+@pytest.mark.parametrize("example", quick(0, [stand("auv6"), general(3), general(0)]), ids=["auv6", "general", "rigid"])
 def test_article_compiles_without_overfull_lines(example: Stand, tmp_path: Path) -> None:
     """Nothing runs out of the page."""
     require("pdflatex", "texlive-latex-base")
@@ -206,7 +206,7 @@ def inertia(mu: np.ndarray, J: np.ndarray) -> np.ndarray:
     return np.block([[np.zeros((3, 3)), -cross(mu)], [cross(mu), tensor]])
 
 
-@pytest.mark.parametrize("seed", quick(2, range(4)))
+@pytest.mark.parametrize("seed", quick(1, range(4)))
 def test_numbers_give_the_matrices_of_the_reference(seed: int) -> None:
     """K, K*, M, I, J of (8) from the tables of the page, at random states, against the literal reference."""
     example = general(4, seed)

@@ -25,7 +25,7 @@ KINDS = {"everything": EVERYTHING, "bare": BARE, "drawn": Features()}
 
 
 def agrees(stand: Stand, seed: int, count: int) -> set[tuple[str, str]]:
-    """Asserts agreement at `count` states, extreme ones among them; returns the quantities that were compared."""
+    """Assert that both derivations agree at `count` states, some of them extreme; return the compared quantities."""
     second = Second(stand)
     compared = set()
     for name, state in draw(stand, seed, count):

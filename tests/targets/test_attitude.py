@@ -35,7 +35,7 @@ def printed(name: str, real: str, folder: Path) -> list[str]:
 @pytest.mark.parametrize(
     ("name", "real"),
     quick(
-        1,
+        0,
         [
             ("m7", "double"),
             ("m4", "float"),

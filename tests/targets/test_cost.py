@@ -59,6 +59,7 @@ def test_a_row_of_the_table_is_small(bench8: dict[tuple[str, str], TargetCost]) 
     assert bench8["m4", "float"].flywheel["default"] * 2 == bench8["m7", "double"].flywheel["default"]
 
 
+@pytest.mark.slow
 def test_painted_stack_confirms_the_frames(bench8: dict[tuple[str, str], TargetCost]) -> None:
     """A call never uses more than the deepest chain, routines of the library aside, and mostly just that."""
     for found in bench8.values():

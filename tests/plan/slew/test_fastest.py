@@ -105,6 +105,7 @@ def test_torque_that_falls_with_speed_is_followed_to_its_curve() -> None:
     assert limit * (1 - 1e-3) < found.span < NEAR * limit
 
 
+@pytest.mark.slow
 def test_sat4_ends_within_an_arcsec_and_every_sample_is_within_its_motors_limits() -> None:
     """30 degrees with unbalanced wheels: verified by the reference and by simulation, then on a dense grid."""
     stand = sat4()

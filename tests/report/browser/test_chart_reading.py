@@ -18,6 +18,8 @@ from .conftest import Opener
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Locator, Page
 
+pytestmark = pytest.mark.slow
+
 READING = """(chart) => [...chart.querySelectorAll('.u-series:not(.edge)')].map((row) =>
     [row.querySelector('.u-label').textContent, row.querySelector('.u-value').textContent])"""
 SCALES = "(chart) => ['x', 'y'].map((key) => [chart.plot.scales[key].min, chart.plot.scales[key].max])"
@@ -43,7 +45,6 @@ def move(page: Page, chart: Locator, share: float, height: float = 0.5) -> None:
     page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
 
-@pytest.mark.slow
 def test_values_under_the_pointer(opened: Opener) -> None:
     page = opened("bench8").page
     found = read(page, "O1, mm, from the start", 0.5)

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+import pytest
 
 from mahovik.core.stand import load
 from mahovik.out.report.data.page import Part, write_data_page
@@ -17,6 +18,8 @@ from .chromium import Opened
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
+
+pytestmark = pytest.mark.slow
 
 ORDERS = np.arange(1, 33) / 8.0
 

@@ -5,11 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+import pytest
 
 from mahovik.out.report.stand.projection import Projection
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
+
+pytestmark = pytest.mark.slow
 
 INSIDE = """([d, points]) => {
   const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");

@@ -1,6 +1,10 @@
 """The report on paper: nothing is cut off at the edge of a page."""
 
+import pytest
+
 from .conftest import Opener
+
+pytestmark = pytest.mark.slow
 
 A4 = 688
 """CSS px between the margins of the stylesheet: (210 - 28) mm."""

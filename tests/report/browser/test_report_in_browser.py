@@ -7,6 +7,8 @@ import pytest
 from .chromium import Opened
 from .conftest import Opener
 
+pytestmark = pytest.mark.slow
+
 REDUCED: dict[str, Any] = {"reduced_motion": "reduce"}
 STAGE = "document.activeElement === document.getElementById('stage')"
 

@@ -42,6 +42,7 @@ def test_the_programme_passes() -> None:
     assert failed(*case()) == set()
 
 
+@pytest.mark.slow
 def test_another_end_is_seen() -> None:
     """2 arcsec beside what the programme was made for."""
     stand, wanted, programme = case()
@@ -71,6 +72,7 @@ def test_a_course_that_the_wheels_do_not_make_is_seen() -> None:
     assert "slew start" in failed(stand, wanted, drifting)
 
 
+@pytest.mark.slow
 def test_another_start_of_the_wheels_is_seen() -> None:
     stand, wanted, programme = case()
     assert failed(stand, replace(wanted, phi_dot=(21.0, 0.0, 5.0, 0.0)), programme) == {"start phi_dot"}
@@ -84,6 +86,7 @@ def test_weaker_motors_are_seen() -> None:
         assert failed(satellite(PYRAMID, motor), wanted, programme) >= {"stand", name}
 
 
+@pytest.mark.slow
 def test_the_slew_is_that_of_the_file_again() -> None:
     """JSON of the same slew resolves to the same findings: nothing of the planner is in the requirement."""
     stand, wanted, programme = case()
