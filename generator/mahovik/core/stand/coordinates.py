@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.hold import AXES, FREEDOMS, INSTEAD, TWIST_NAMES, freedom_names, is_closed
+from mahovik.core.stand.hold import AXES, FREEDOMS, TWIST_NAMES, freedom_names, is_closed
 from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand
 from mahovik.core.stand.units import ANGLE, LENGTH, PLAIN, Dimension
 from mahovik.errors import StandError
@@ -75,11 +75,11 @@ def coordinates_of(stand: Stand) -> Coordinates:
     if hold is None:
         return Coordinates(FREE, (LENGTH,) * 3 + (ANGLE,) * 3)
     if not hold.freedoms:
-        found = "no freedoms: clamped, the carrier makes no motion"
-        raise StandError([f"{stand.name}: hold: {found}; expected a freedom to move along, such as yaw; {INSTEAD}"])
+        found = "no freedoms: clamped, the carrier makes no motion that could be planned"
+        raise StandError([f'{stand.name}: hold: {found}; expected a freedom, such as freedoms = ["yaw"]'])
     if not is_closed(hold):
-        found = "freedoms that are not a closed set, as of a knife edge, have no coordinates of a motion"
-        raise StandError([f"{stand.name}: hold: {found}; expected a closed set; {INSTEAD}"])
+        found = "freedoms that are not a closed set, as of a knife edge, have no coordinates of a motion to be planned"
+        raise StandError([f"{stand.name}: hold: {found}; expected a closed set, of which `mahovik check` tells"])
     dimensions = {"slide": LENGTH, "turn": ANGLE, "twist": PLAIN}
     kinds = tuple(dimensions[each.kind] for each in hold.freedoms)
     return Coordinates(tuple(freedom_names(hold)), kinds, True, _order(hold, stand.angles))

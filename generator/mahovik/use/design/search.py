@@ -24,7 +24,7 @@ from mahovik.use.design.space import limit_rows
 from mahovik.use.design.task import Design, Task, Weighing
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.preflight import mean_pose
+from mahovik.use.plan.mean_pose import mean_pose
 from mahovik.use.plan.problem import Periodic
 from mahovik.use.plan.residual import prescribe, torques
 from mahovik.use.plan.windings import Kind, draw_windings

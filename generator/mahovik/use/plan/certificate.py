@@ -140,7 +140,7 @@ def singular_values(own: Mechanics, phi: Array) -> tuple[Array, Array | None]:
     its m freedoms take the place of the six.
     """
     scaled: Array = scaled_columns(own, phi)
-    determinants = np.asarray(np.linalg.det(scaled)) if own.N == scaled.shape[1] else None
+    determinants = np.asarray(np.linalg.det(scaled)) if scaled.shape[1] == own.N else None
     return np.asarray(np.linalg.svd(scaled, compute_uv=False)), determinants
 
 

@@ -61,7 +61,7 @@ def slide_directions(stand: Stand) -> Array | None:
         return None
     C0 = held_pose(stand, np.zeros((1, len(hold.freedoms))))[0][0]
     slides = [np.array(each.direction) for each in hold.freedoms if each.kind == "slide"]
-    return C0 @ np.array([each / np.linalg.norm(each) for each in slides]).reshape(-1, 3).T
+    return np.asarray(C0 @ np.array([each / np.linalg.norm(each) for each in slides]).reshape(-1, 3).T)
 
 
 def amount(coordinates: Coordinates, k: int, value: float) -> str:

@@ -12,13 +12,13 @@ from typing import Literal
 
 import numpy as np
 
-from mahovik.core.motion.required import Course
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.held import amount, mean_along_freedoms, slide_directions, wrench_of
+from mahovik.use.plan.held import amount, slide_directions, wrench_of
+from mahovik.use.plan.mean_pose import MeanPose, mean_pose
 from mahovik.use.plan.problem import Problem, uniform
 from mahovik.use.plan.residual import PrescribedMotion, prescribe
-from mahovik.use.plan.residual.kinematics import in_E1, twists
+from mahovik.use.plan.residual.kinematics import twists
 
 Reason = Literal["MEAN_WRENCH", "SPAN", "FIRST_MOMENT", "BOUND_REACH", "SEARCH", "SINGULAR_ATTITUDE"]
 
@@ -57,86 +57,6 @@ def direction(u: Array) -> str:
     return "(" + ", ".join(f"{x:.2f}" for x in np.round(u * np.sign(u[k]), 2) + 0.0) + ")"
 
 
-_STEPS = 60
-_TIMES = 32
-_DIFFERENCE = 1e-6
-_LONGEST = {"m": 0.05, "rad": 0.2, "": 0.2}
-"""Longest step of a coordinate, by its unit."""
-_MOMENT = 10.0
-"""1/m: a moment counts as at 0.1 m."""
-_FREE = 1e-6
-"""Part of the largest singular value below which a direction is free; differences leave 1e-8."""
-
-
-@dataclass(frozen=True, eq=False)
-class MeanPose:
-    """The bias with the least mean wrench, and the remaining wrench.
-
-    wrench   (6; N, N m): remaining mean over the period, in E0 axes, moment about O1
-    """
-
-    bias: Array
-    wrench: Array
-
-
-def mean_pose(problem: Problem) -> MeanPose:
-    """Damped Newton over the free components of the bias, with axisymmetric flywheels; free directions stay."""
-    t = uniform(problem.motion.span, _TIMES)
-    course = problem.motion.at(t)
-    free = np.flatnonzero(problem.free)
-    coordinates = coordinates_of(problem.stand)
-    root = np.array([_MOMENT if unit == "rad" else 1.0 for unit in coordinates.unit_names])
-    longest = np.array([_LONGEST[unit] for unit in coordinates.unit_names])
-    bias = np.zeros(coordinates.count)
-
-    def remaining_wrench(at: Array) -> Array:
-        return mean_wrench(problem, course, at)
-
-    found = remaining_wrench(bias)
-    for _ in range(_STEPS):
-        if not len(free) or np.linalg.norm(found) <= 1e-13 * _force_size(problem):
-            break
-        J = np.empty((len(bias), len(free)))
-        for k, component in enumerate(free):
-            step = np.zeros(len(bias))
-            step[component] = _DIFFERENCE
-            J[:, k] = root * (remaining_wrench(bias + step) - remaining_wrench(bias - step)) / (2 * _DIFFERENCE)
-        step = np.zeros(len(bias))
-        step[free] = -np.linalg.lstsq(J, root * found, rcond=_FREE)[0]
-        step *= min(1.0, float(np.min(longest / np.maximum(np.abs(step), 1e-300))))
-        for _ in range(12):
-            there = remaining_wrench(bias + step)
-            if np.linalg.norm(root * there) < np.linalg.norm(root * found):
-                break
-            step = step / 4
-        else:
-            break
-        bias, found = bias + step, there
-    return MeanPose(bias, found)
-
-
-def mean_wrench(problem: Problem, course: Course, bias: Array) -> Array:
-    """Mean over the times of the whole external wrench (6; N, N m), forces and moments about O1 in E0 axes.
-
-    Of a held carrier: along its freedoms (m), at the home pose.
-    """
-    own = problem.mechanics
-    at = twists(problem.stand, course._replace(q=course.q + bias))
-    F = own.base.wrench(at)
-    gravity = in_E1(at.C, np.broadcast_to(problem.stand.gravity, at.O1.shape))
-    F = F + gravity @ own.tables.weight[0].sum(axis=0).T
-    if problem.stand.hold is not None:
-        return mean_along_freedoms(problem.stand, at, F)
-    parts = [(at.C @ F[:, k : k + 3, None])[:, :, 0].mean(axis=0) for k in (0, 3)]
-    return np.concatenate(parts)
-
-
-def _force_size(problem: Problem) -> float:
-    """Weight of everything, or a force of similar meaning if there is none, N."""
-    mass = float(problem.mechanics.mean_inertia[0, 0])
-    return max(mass * float(np.linalg.norm(problem.stand.gravity)), 1e-6 * mass)
-
-
 def _largest_moment(problem: Problem) -> float:
     """Largest moment that the weights of unbalanced flywheels give, N m."""
     return float(problem.mechanics.tables.unbalance.sum() * np.linalg.norm(problem.stand.gravity))
@@ -164,7 +84,8 @@ def _advice(problem: Problem) -> str:
     given = np.array(problem.motion.free_mean, dtype=bool)
     said = []
     for key, held in (("`free_mean`", np.logical_not(given)), ("a bound 0 of `bias`", given > problem.free)):
-        names = ", ".join(name for name, is_held in zip(coordinates_of(problem.stand).names, held, strict=True) if is_held)
+        own = coordinates_of(problem.stand).names
+        names = ", ".join(name for name, is_held in zip(own, held, strict=True) if is_held)
         said += [f"{key} holds the mean of {names}"] if names else []
     return f"{' and '.join(said)}: free it, so that the mean pose may shift to where the surroundings carry the wrench"
 
@@ -256,7 +177,7 @@ def check_span(problem: Problem, P: Array, found: Preflight) -> None:
     All of these are sums of the harmonics of I_s; scaled by K0^-1/2 and to one length each.
     """
     rows = problem.rows_count
-    if problem.N < rows and problem.N > 0:
+    if 0 < problem.N < rows:
         found.warnings.append(f"{problem.N} flywheels: only special motions have a programme; {rows} or more give any")
     root = problem.norm.root
     columns = problem.mechanics.tables.coupling.reshape(-1, 6) @ root.T
@@ -343,7 +264,7 @@ def check_first_moment(problem: Problem, force: Array, C: Array, found: Prefligh
     G = second_integral(force, problem.motion.span)
     need, have, way = reach(G, C @ tables.axis.T, tables.unbalance, ways)
     found.reach = need / have if have > 0.0 else np.inf
-    near = _NEAR if problem.N > problem.rows_count else _NEAR_OF_SIX
+    near = _NEAR if problem.N - problem.rows_count > 0 else _NEAR_OF_SIX
     if found.reach > _SLACK:
         where = direction(way)
         found.refusal = found.refusal or Refusal(
@@ -445,10 +366,11 @@ def _kind_of(y: Array) -> tuple[str, str]:
 
 
 def _bound_words(what: str, unit: str, need: float, have: float) -> str:
+    most = f"{have:.3g} {unit}".rstrip()
     return (
-        f"{what} is required, flywheels inside the bounds of speed and "
-        f"acceleration give at most {have:.3g}{f' {unit}' if unit else ''}; that is {need / max(have, 1e-300):.2g} times too little: raise "
-        "these bounds, the unbalance or the number of flywheels, or make the motion smaller"
+        f"{what} is required, flywheels inside the bounds of speed and acceleration give at most {most}; that is "
+        f"{need / max(have, 1e-300):.2g} times too little: raise these bounds, the unbalance or the number of "
+        "flywheels, or make the motion smaller"
     )
 
 

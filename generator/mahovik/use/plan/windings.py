@@ -33,7 +33,9 @@ def unit_turns(motion: RequiredMotion) -> int:
 def kinds_in_order(motion: RequiredMotion, N: int, rows: int = 6) -> tuple[Kind, ...]:
     """Kinds of winding, in the order to try them. Seven or fewer spinning flywheels mostly cross det I = 0: rock first.
 
-    Seven is one more than the rows of (12), which a held carrier has for each freedom. Rocking is also first if the lowest harmonic is high.
+    Seven is one more than the rows of (12); a held carrier has a row for each freedom.
+
+    Rocking is also first if the lowest harmonic is high.
 
     A kind that the bounds of speed forbid for all flywheels is left out.
     """
@@ -42,7 +44,7 @@ def kinds_in_order(motion: RequiredMotion, N: int, rows: int = 6) -> tuple[Kind,
     if motion.winding != "any":
         return (motion.winding,)
     slow = min(motion.harmonics, default=1) >= _SLOW * unit_turns(motion)  # turning once per period would be very slow
-    kinds: tuple[Kind, ...] = ("spin", "rock", "mixed") if N >= rows + 2 and not slow else ("rock", "spin", "mixed")
+    kinds: tuple[Kind, ...] = ("spin", "rock", "mixed") if N - rows >= 2 and not slow else ("rock", "spin", "mixed")
     able = [allowed_windings("mixed", motion, s) for s in range(N)]
     if all(0 not in turns for turns in able):
         return ("spin",)

@@ -1,4 +1,4 @@
-"""Courses of the coordinates q in time, six of a free carrier, with exact derivatives: harmonics of a period, or a spline of samples."""
+"""Courses of the coordinates q in time, with exact derivatives: harmonics of a period, or a spline of samples."""
 
 from __future__ import annotations
 

@@ -263,7 +263,8 @@ def read_motion_or_slew(text: str, stand: Stand, source: str = "motion") -> Requ
         raise MotionError([f"{source}: is a programme file; expected a motion file here: were the two swapped?"])
     if document.get("type") == "slew":
         if stand.hold is not None:
-            raise MotionError([f"{source}: type: a slew is of a free carrier, found [hold]; expected periodic or finite"])
+            found = "a slew is of a free carrier, found [hold]"
+            raise MotionError([f"{source}: type: {found}; expected periodic or finite"])
         name = document.get("name") or Path(source).stem.removesuffix(".motion")
         return read_slew(document, stand, str(name), Problems(source))
     return _read_course(document, stand, source)
@@ -275,7 +276,7 @@ def _read_course(document: dict[str, Any], stand: Stand, source: str) -> Require
     units = validate_table(UnitsTable, document.get("units", {}), Problems(source)) or UnitsTable()
     coordinates = coordinates_of(stand)
     along = Rows(coordinates, None if stand.hold is None else SixRows.of(stand), source)
-    context = {"flywheels": N, "units": (units.linear, units.angular), "coordinates": coordinates}
+    context: dict[str, Any] = {"flywheels": N, "units": (units.linear, units.angular), "coordinates": coordinates}
     table = validate_table(MotionTable, document, problems, **context)
     kind = document.get("type", "periodic")
     for key, (own, other) in _ONLY.items():

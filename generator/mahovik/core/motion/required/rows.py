@@ -13,7 +13,7 @@ import numpy as np
 
 from mahovik.core.motion.course import Array
 from mahovik.core.stand.coordinates import FREE, Coordinates, SixRows
-from mahovik.core.stand.units import ANGLE, LENGTH, PLAIN, Dimension, QuantityError, number, show
+from mahovik.core.stand.units import ANGLE, LENGTH, Dimension, QuantityError, number, show
 from mahovik.errors import MotionError
 
 SIX = (LENGTH,) * 3 + (ANGLE,) * 3
@@ -23,13 +23,12 @@ Units = tuple[str | None, str | None]
 """Units of the linear and the angular numbers; None for SI or each its own."""
 
 
-def row(
-    raw: Any, coordinates: Coordinates, units: Units = (None, None), more: str = ""
-) -> tuple[float, ...]:
+def row(raw: Any, coordinates: Coordinates, units: Units = (None, None), more: str = "") -> tuple[float, ...]:
     """A row in SI, of as many numbers as the file has: `Rows` takes it to the coordinates. Raises QuantityError."""
     dimensions = _dimensions(raw, coordinates)
     if dimensions is None:
-        raise QuantityError(f"expected {_expected(coordinates)}{more}, found {len(raw) if _is_list(raw) else show(raw)}")
+        expected = coordinates.words if coordinates.held else f"6 numbers{more}"
+        raise QuantityError(f"expected {expected}, found {len(raw) if isinstance(raw, list) else show(raw)}")
     found = []
     for i, (one, dimension) in enumerate(zip(raw, dimensions, strict=True)):
         try:
@@ -41,7 +40,7 @@ def row(
 
 def magnitudes(raw: Any, coordinates: Coordinates) -> tuple[float, ...]:
     """A row of bounds. Raises QuantityError."""
-    found = row(raw, coordinates, more="" if coordinates.held else " (m, rad)")
+    found = row(raw, coordinates, more=" (m, rad)")
     for i, value in enumerate(found):
         if value < 0.0:
             raise QuantityError(f"[{i}]: {value:g} is negative: a bound is a magnitude")
@@ -55,23 +54,13 @@ def flags(raw: Any, coordinates: Coordinates) -> tuple[bool, ...]:
     return tuple(raw)
 
 
-def _is_list(raw: Any) -> bool:
-    return isinstance(raw, list)
-
-
 def _dimensions(raw: Any, coordinates: Coordinates) -> tuple[Dimension, ...] | None:
     """What the numbers of a row are; None where it is no row."""
-    if not _is_list(raw):
+    if not isinstance(raw, list):
         return None
     if len(raw) == coordinates.count:
         return coordinates.dimensions
     return SIX if coordinates.held and len(raw) == len(FREE) else None
-
-
-def _expected(coordinates: Coordinates) -> str:
-    if not coordinates.held:
-        return "6 numbers"
-    return coordinates.words
 
 
 class Rows:
@@ -88,13 +77,10 @@ class Rows:
         expected = f"expected its freedoms, {', '.join(self.coordinates.names)}"
         direction = None if self.six is None else self.six.direction(np.array(rows))
         if direction is not None:
-            raise MotionError(
-                [f"{self.source}: asks for motion along {direction}, which [hold] blocks; {expected}"]
-            )
+            raise MotionError([f"{self.source}: asks for motion along {direction}, which [hold] blocks; {expected}"])
         if self.six is None or self.six.along is None:
-            raise MotionError(
-                [f"{self.source}: rows of 6 numbers do not say the motion of this hold; expected {self.coordinates.words}"]
-            )
+            found = "rows of 6 numbers do not say the motion of this hold"
+            raise MotionError([f"{self.source}: {found}; expected {self.coordinates.words}"])
 
     def of(self, given: Sequence[float]) -> tuple[float, ...]:
         """A row (m) of one of m numbers or of six."""

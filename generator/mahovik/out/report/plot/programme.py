@@ -10,13 +10,14 @@ from mahovik.contract.quantities import RPM
 from mahovik.core.motion.programme import Angles, Programme
 from mahovik.out.report.plot.panel import Array, Panel, family, limit
 from mahovik.proof.verify.programme.finding import tolerance_for
-from mahovik.proof.verify.programme.mechanics import Scale, residuals, scale_of, twist
+from mahovik.proof.verify.programme.mechanics import Scale, residuals, scale_of, state_at
 from mahovik.proof.verify.programme.simulation import simulate
 
 if TYPE_CHECKING:
     from mahovik.core.motion.required import RequiredMotion
     from mahovik.core.motion.required.model import Each
-    from mahovik.core.stand.model import Stand
+    from mahovik.core.stand.coordinates import coordinates_of
+from mahovik.core.stand.model import Stand
 
 POINTS = 400
 """Along each line of a programme."""
@@ -26,9 +27,6 @@ ROUNDING = 1e-6
 
 NEAR = 0.3
 """A bound is drawn where the lines reach this share of it."""
-
-AXES = ("x", "y", "z")
-ANGLES = ("psi", "theta", "phi")
 
 
 def panels(
@@ -59,15 +57,21 @@ def panels(
 def _carrier(programme: Programme, stand: Stand, motion: RequiredMotion, scale: Scale, t: Array) -> list[Panel]:
     """The carrier by (8) from the required state at t = 0, beside what is required; each less its mean."""
     course = motion.at(t, programme.bias)
-    start = np.concatenate([course.q[0], twist(stand, course.q[0], course.q_dot[0])])
+    start = state_at(stand, course.q[0], course.q_dot[0])
     y = simulate(stand, programme.at, start, t, scale, programme.span / 16)
     mean = course.q[:-1].mean(axis=0)
-    required, achieved = 1e3 * (course.q - mean), 1e3 * (y[:, :6] - mean)
-    found = []
-    for part, names, unit in ((slice(0, 3), AXES, "O1, mm"), (slice(3, 6), ANGLES, "attitude, mrad")):
-        lines = family(names, t, achieved[:, part])
-        wanted = family(["", "", ""], t, required[:, part], dashed=True)
-        found.append(Panel(f"{unit}, about the mean; dashed: required", (*lines, *wanted), least=ROUNDING))
+    required, achieved = 1e3 * (course.q - mean), 1e3 * (y[:, : len(mean)] - mean)
+    own, found = coordinates_of(stand), []
+    for group in own.groups:
+        part, unit = list(group), own.unit_names[group[0]]
+        words = (
+            {"m": "O1, mm", "rad": "attitude, mrad"}[unit]
+            if not own.held
+            else f"carrier, {f'm{unit}' if unit else '1e-3'}"
+        )
+        lines = family([own.names[k] for k in group], t, achieved[:, part])
+        wanted = family([""] * len(group), t, required[:, part], dashed=True)
+        found.append(Panel(f"{words}, about the mean; dashed: required", (*lines, *wanted), least=ROUNDING))
     return found
 
 

@@ -28,14 +28,14 @@ def pose(stand: Stand, q: Array) -> tuple[Array, Array]:
 def held_twist(stand: Stand, q: Array, q_dot: Array) -> Array:
     """V (6) in E1."""
     H, H_dot, _ = _product(stand, q, q_dot, np.zeros_like(q))
-    return _twist_of(np.linalg.solve(H, H_dot))
+    return _twist_of(_left(H, H_dot))
 
 
 def held_twist_rate(stand: Stand, q: Array, q_dot: Array, q_ddot: Array) -> Array:
     """V* (6) in E1."""
     H, H_dot, H_ddot = _product(stand, q, q_dot, q_ddot)
-    rate = np.linalg.solve(H, H_dot)
-    return _twist_of(np.linalg.solve(H, H_ddot) - rate @ rate)
+    rate = _left(H, H_dot)
+    return _twist_of(_left(H, H_ddot) - rate @ rate)
 
 
 def speeds(stand: Stand, V: Array) -> Array:
@@ -91,6 +91,11 @@ def _factors(stand: Stand) -> tuple[Array, tuple[tuple[int, Array], ...]]:
         generator[:3, :3], generator[:3, 3] = cross(S[3:, k]), S[:3, k]
         factors.append((k, generator))
     return home, tuple(factors)
+
+
+def _left(H: Array, X: Array) -> Array:
+    """H^-1 X (4x4)."""
+    return np.asarray(np.linalg.solve(H, X), dtype=np.float64)
 
 
 def _twist_of(rate: Array) -> Array:

@@ -106,8 +106,11 @@ _PHASES = 2 * np.pi * np.arange(4) / 4
 
 @dataclass(frozen=True, eq=False)
 class Scale:
-    """K0 (6x6): mean of K over the phases. S (6xm): freedoms of a held carrier, along which alone wrenches count. `wrench`: max of |K0^-1/2 (P - mean P)|; `amplitude`, `speed`: max of
-    |K0^1/2 x| for displacements from the mean pose and for twists along the motion.
+    """Scales of a motion, in the norms of K0 (6x6), the mean of K over the phases.
+
+    wrench             max of |K0^-1/2 (P - mean P)|
+    amplitude, speed   max of |K0^1/2 x| for displacements from the mean pose and for twists along the motion
+    S                  (6xm): freedoms of a held carrier, along which alone wrenches count
     """
 
     K0: Array

@@ -202,8 +202,7 @@ DIFFERENCE = 1e-6
 
 
 def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> tuple[complex, ...]:
-    """The 12 eigenvalues (2 m of a held carrier) of the monodromy matrix, the largest modulus first, of a pair that with
-    Im > 0.
+    """The 12 eigenvalues of the monodromy matrix, held 2 m: the largest modulus first, of a pair that with Im > 0.
 
     x' = A(t) x along the required motion, y = (q, V), over a period by Magnus's fourth-order steps with A at the
     two points of Gauss. StateError at a singular attitude.

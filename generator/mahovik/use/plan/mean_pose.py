@@ -1,0 +1,96 @@
+"""The mean pose of the carrier: where the surroundings carry the mean wrench, with axisymmetric flywheels.
+
+A held carrier has the wrench along its freedoms, at its home pose: the hold takes the rest.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from mahovik.core.motion.required import Course
+from mahovik.core.stand.coordinates import coordinates_of
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.held import mean_along_freedoms
+from mahovik.use.plan.problem import Problem, uniform
+from mahovik.use.plan.residual.kinematics import in_E1, twists
+
+_STEPS = 60
+_TIMES = 32
+_DIFFERENCE = 1e-6
+_LONGEST = {"m": 0.05, "rad": 0.2, "": 0.2}
+"""Longest step of a coordinate, by its unit."""
+_MOMENT = 10.0
+"""1/m: a moment counts as at 0.1 m."""
+_FREE = 1e-6
+"""Part of the largest singular value below which a direction is free; differences leave 1e-8."""
+
+
+@dataclass(frozen=True, eq=False)
+class MeanPose:
+    """The bias with the least mean wrench, and the remaining wrench.
+
+    wrench   (6; N, N m): remaining mean over the period, in E0 axes, moment about O1
+    """
+
+    bias: Array
+    wrench: Array
+
+
+def mean_pose(problem: Problem) -> MeanPose:
+    """Damped Newton over the free components of the bias, with axisymmetric flywheels; free directions stay."""
+    t = uniform(problem.motion.span, _TIMES)
+    course = problem.motion.at(t)
+    free = np.flatnonzero(problem.free)
+    coordinates = coordinates_of(problem.stand)
+    root = np.array([_MOMENT if unit == "rad" else 1.0 for unit in coordinates.unit_names])
+    longest = np.array([_LONGEST[unit] for unit in coordinates.unit_names])
+    bias = np.zeros(coordinates.count)
+
+    def remaining_wrench(at: Array) -> Array:
+        return mean_wrench(problem, course, at)
+
+    found = remaining_wrench(bias)
+    for _ in range(_STEPS):
+        if not len(free) or np.linalg.norm(found) <= 1e-13 * _force_size(problem):
+            break
+        J = np.empty((len(bias), len(free)))
+        for k, component in enumerate(free):
+            step = np.zeros(len(bias))
+            step[component] = _DIFFERENCE
+            J[:, k] = root * (remaining_wrench(bias + step) - remaining_wrench(bias - step)) / (2 * _DIFFERENCE)
+        step = np.zeros(len(bias))
+        step[free] = -np.linalg.lstsq(J, root * found, rcond=_FREE)[0]
+        step *= min(1.0, float(np.min(longest / np.maximum(np.abs(step), 1e-300))))
+        for _ in range(12):
+            there = remaining_wrench(bias + step)
+            if np.linalg.norm(root * there) < np.linalg.norm(root * found):
+                break
+            step = step / 4
+        else:
+            break
+        bias, found = bias + step, there
+    return MeanPose(bias, found)
+
+
+def mean_wrench(problem: Problem, course: Course, bias: Array) -> Array:
+    """Mean over the times of the whole external wrench (6; N, N m), forces and moments about O1 in E0 axes.
+
+    Of a held carrier: along its freedoms (m), at the home pose.
+    """
+    own = problem.mechanics
+    at = twists(problem.stand, course._replace(q=course.q + bias))
+    F = own.base.wrench(at)
+    gravity = in_E1(at.C, np.broadcast_to(problem.stand.gravity, at.O1.shape))
+    F = F + gravity @ own.tables.weight[0].sum(axis=0).T
+    if problem.stand.hold is not None:
+        return mean_along_freedoms(problem.stand, at, F)
+    parts = [(at.C @ F[:, k : k + 3, None])[:, :, 0].mean(axis=0) for k in (0, 3)]
+    return np.concatenate(parts)
+
+
+def _force_size(problem: Problem) -> float:
+    """Weight of everything, or a force of similar meaning if there is none, N."""
+    mass = float(problem.mechanics.mean_inertia[0, 0])
+    return max(mass * float(np.linalg.norm(problem.stand.gravity)), 1e-6 * mass)

@@ -1,0 +1,224 @@
+"""Programmes of held carriers: closed formulas, refusals by direction, both kinematics against each other."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mahovik.core.motion.course import Course
+from mahovik.core.motion.programme import programme_text, read_programme
+from mahovik.core.motion.required import RequiredMotion, read_motion
+from mahovik.core.stand import Stand, loads
+from mahovik.errors import MahovikError
+from mahovik.proof.verify.programme import held, verify_programme
+from mahovik.use.plan import Plan, PlanOptions, plan_motion
+from mahovik.use.plan.problem import Problem
+from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists
+
+WHEEL = """
+[[flywheel]]
+name = "w{k}"
+axis = {axis}
+zero = {zero}
+position = {position}
+mass = 0.5
+spin_inertia = 0.01
+transverse_inertia = 0.006
+unbalance = {{ static = "{unbalance} g m" }}
+"""
+
+QUICK = PlanOptions(steps=60, enough=1)
+
+
+def wheel(k: int, axis: list[int], unbalance: float = 0.0, position: tuple[float, ...] = (0, 0, 0)) -> str:
+    zero = [0, 0, 1] if axis[2] == 0 else [0, 1, 0]
+    return WHEEL.format(k=k, axis=axis, zero=zero, position=list(position), unbalance=unbalance)
+
+
+def stand(hold: str, wheels: str, more: str = "", gravity: float = -9.81) -> Stand:
+    return loads(f"""
+schema = 1
+name = "drawn"
+gravity = [0, 0, {gravity}]
+[carrier]
+mass = 2.0
+inertia = [0.02, 0.03, 0.01]
+[hold]
+{hold}
+{more}
+{wheels}
+""")
+
+
+PENDULUM = stand('freedoms = ["pitch"]\npivot = [0, 0, "120 mm"]', wheel(1, [0, 1, 0]))
+SHAKER = stand(
+    'freedoms = ["z"]',
+    wheel(1, [1, 0, 0], 40, (0, -0.1, 0)) + wheel(2, [-1, 0, 0], 40, (0, 0.1, 0)),
+    "[suspension]\nstiffness = [0, 0, 20000, 0, 0, 0]",
+)
+
+
+def motion(own: Stand, rows: dict[str, list[float]], **keys: Any) -> RequiredMotion:
+    document = {"schema": 1, "type": "periodic", "period": 1.0, "harmonics": [{"k": 1, **rows}], **keys}
+    return read_motion(json.dumps(document), own, "m.json")
+
+
+def planned(own: Stand, required: RequiredMotion, **options: Any) -> Plan:
+    return plan_motion(own, required, replace(QUICK, **options))
+
+
+def test_a_pendulum_is_swung_by_the_closed_formula() -> None:
+    """J theta'' + m g l sin theta = -J_w phi'': the acceleration of the wheel is known at every time."""
+    required = motion(PENDULUM, {"cos": [0.3]}, winding="rock")
+    found = planned(PENDULUM, required)
+    assert found.status == "OK" and found.programmes[0].report["verified"]
+    t = np.linspace(0.0, 1.0, 50)
+    theta, theta_ddot = 0.3 * np.cos(2 * np.pi * t), -0.3 * (2 * np.pi) ** 2 * np.cos(2 * np.pi * t)
+    weight = 2.5 * 9.81 * 0.12
+    inertia = 0.03 + 2.5 * 0.12**2 + 0.01  # the wheel at O1, its spin inertia about the axle
+    wanted = -(inertia * theta_ddot + weight * np.sin(theta)) / 0.01
+    assert np.abs(found.programmes[0].at(t).phi_ddot[:, 0] - wanted).max() < 1e-6 * np.abs(wanted).max()
+
+
+def test_six_numbers_with_zeros_for_what_is_blocked_are_the_same_motion() -> None:
+    one, six = (motion(PENDULUM, {"cos": row}) for row in ([0.1], [0, 0, 0, 0, 0.1, 0]))
+    t = np.linspace(0.0, 1.0, 7)
+    assert all(np.array_equal(a, b) for a, b in zip(one.at(t), six.at(t), strict=True))
+    assert six.free_mean == (True,)
+
+
+@pytest.mark.parametrize(
+    ("row", "name"),
+    [([1e-3, 0, 0, 0, 0.1, 0], "x"), ([0, 0, 0, 0.2, 0.1, 0], "yaw"), ([0, 0, 0, 0, 0, 0.1], "roll")],
+)
+def test_what_is_blocked_is_refused_in_a_line_by_its_direction(row: list[float], name: str) -> None:
+    with pytest.raises(MahovikError) as caught:
+        motion(PENDULUM, {"cos": row, "sin": row}, mean=[0, 0, 0, 0, 0, 0])
+    expected = f"m.json: asks for motion along {name}, which [hold] blocks; expected its freedoms, pitch"
+    assert str(caught.value) == expected
+
+
+@pytest.mark.parametrize(
+    ("hold", "keys", "words"),
+    [
+        ("freedoms = []", {}, "clamped"),
+        ("basis = [[1, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1]]", {}, "not a closed set"),
+        ('freedoms = ["yaw"]', {"runup": 1.0}, "runup: not for a held carrier"),
+        ('freedoms = ["yaw"]', {"type": "slew"}, "a slew is of a free carrier"),
+        ('freedoms = ["yaw"]', {"mean": [0, 0]}, "mean: expected 1 number (yaw), found 2"),
+        ("axis = [1, 1, 1]", {"mean": [0, 0, 0, 0.1, 0, 0]}, "which [hold] blocks; expected its freedoms, 1"),
+    ],
+)
+def test_other_demands_are_refused_in_a_line(hold: str, keys: dict[str, Any], words: str) -> None:
+    with pytest.raises(MahovikError) as caught:
+        motion(stand(hold, wheel(1, [0, 0, 1])), {"cos": [0.1]}, **keys)
+    assert words in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_a_method_for_free_carriers_is_refused() -> None:
+    with pytest.raises(MahovikError, match="not for a held carrier"):
+        planned(PENDULUM, motion(PENDULUM, {"cos": [0.1]}), method="ocp")
+
+
+def test_a_mean_that_is_kept_where_nothing_carries_the_weight_is_refused_by_its_freedom() -> None:
+    found = planned(PENDULUM, motion(PENDULUM, {"cos": [0.1]}, mean=[0.5], free_mean=[False]))
+    assert (found.status, found.reason) == ("NO_PROGRAM", "MEAN_WRENCH")
+    assert "a moment along pitch of" in found.words[0] and "`free_mean` holds the mean of pitch" in found.words[0]
+
+
+def test_a_mean_that_is_free_hangs_below_the_pivot() -> None:
+    found = planned(PENDULUM, motion(PENDULUM, {"cos": [0.05]}, mean=[0.5], winding="rock"), verify=False)
+    assert abs(found.programmes[0].bias[0] + 0.5) < 1e-6
+
+
+def test_a_wheel_across_the_freedom_is_refused_by_the_freedom() -> None:
+    own = stand('freedoms = ["pitch"]', wheel(1, [0, 0, 1]), gravity=0)
+    found = planned(own, motion(own, {"cos": [0.1]}))
+    assert found.reason == "SPAN" and found.words[0].startswith("a moment along pitch of")
+
+
+def test_the_first_moment_counts_along_what_slides() -> None:
+    """m z of the carrier is met by at most sum m_s rho_s: 3 kg, 80 g m: 26.7 mm without a spring."""
+    own = stand('freedoms = ["z"]', wheel(1, [1, 0, 0], 40) + wheel(2, [-1, 0, 0], 40), gravity=0)
+    refused = planned(own, motion(own, {"cos": [0.028]}))
+    assert refused.reason == "FIRST_MOMENT" and "along z" in refused.words[0]
+    assert planned(own, motion(own, {"cos": [0.0266]}), verify=False).reason != "FIRST_MOMENT"
+
+
+def test_bounds_are_kept_or_refused() -> None:
+    """Two exciters that turn once a period; a bound of speed below that lets them rock only."""
+    required = motion(
+        SHAKER, {"cos": [2e-3]}, period=0.05, winding="spin", bounds={"speed": 130.0, "acceleration": 50.0}
+    )
+    found = planned(SHAKER, required, verify=False)
+    assert found.status == "OK" and max(found.programmes[0].report["peak_acceleration"]) <= 50.0
+    tight = replace(required, bounds=replace(required.bounds, speed=(1.0,) * 2, acceleration=(1.0,) * 2))
+    assert planned(SHAKER, tight).reason == "BOUND_REACH"
+
+
+def test_a_held_carrier_with_all_six_freedoms_has_the_residual_of_a_free_one() -> None:
+    """Rows along the freedoms are those of (12); norms are the same for any rows."""
+    wheels = wheel(1, [1, 0, 0], 4, (0.1, 0, 0)) + wheel(2, [0, 1, 1], 3, (0, 0.1, 0))
+    names = '"x", "y", "z", "roll", "pitch", "yaw"'
+    own = stand(f"freedoms = [{names}]", wheels, gravity=0)
+    free = replace(own, hold=None)
+    # small slides alone: the coordinates of both are then the same
+    held_row, free_row = [1e-3, 2e-3, 0, 0, 0, 0], [1e-3, 2e-3, 0, 0, 0, 0]
+    problems = [Problem.of(each, motion(each, {"cos": row})) for each, row in ((own, held_row), (free, free_row))]
+    from mahovik.use.plan.problem import Periodic
+
+    flywheels = Periodic(1.0, np.array([1.0, -1.0]), np.array([[0.1, 0.2, 0.3], [0.4, -0.2, 0.1]]), np.zeros(6))
+    a, b = (each.relative(flywheels) for each in problems)
+    assert a == pytest.approx(b, rel=1e-12)
+
+
+HOLDS = (
+    'freedoms = ["x", "z", "pitch"]\npivot = [0.01, 0, 0.05]',
+    'freedoms = ["roll", "pitch", "yaw"]\npivot = [0.01, 0.02, 0.05]\nangles = [0.3, -0.2, 0.1]',
+    'freedoms = ["z", "yaw"]\npivot = [0.03, 0, 0]\nposition = [1, 2, 3]',
+    "basis = [[0, 0, 0.02, 0, 0, 1]]",
+    "axis = [1, 1, 1]\npivot = [0, 0.02, 0]",
+)
+
+
+@pytest.mark.parametrize("hold", HOLDS)
+def test_planner_and_verification_have_the_same_kinematics(hold: str) -> None:
+    """Adjoints of screws against products of 4x4 matrices; and V* against differences of V."""
+    own = stand(hold, wheel(1, [0, 0, 1]))
+    assert own.hold is not None
+    rng = np.random.default_rng(3)
+    x, rate, second = rng.normal(size=(3, 4, len(own.hold.freedoms)))
+    V, V_dot = held_twists(own, Course(x, rate, second))
+    C, O1 = held_pose(own, x)
+    e = 1e-6
+    for i in range(4):
+        place, attitude = held.pose(own, x[i])
+        assert np.abs(attitude - C[i]).max() < 1e-14 and np.abs(place - O1[i]).max() < 1e-14
+        assert np.abs(held.held_twist(own, x[i], rate[i]) - V[i]).max() < 1e-13
+        assert np.abs(held.held_twist_rate(own, x[i], rate[i], second[i]) - V_dot[i]).max() < 1e-13
+        sides = [
+            held.held_twist(own, x[i] + h * rate[i] + h * h / 2 * second[i], rate[i] + h * second[i]) for h in (e, -e)
+        ]
+        assert np.abs((sides[0] - sides[1]) / (2 * e) - V_dot[i]).max() < 1e-7
+
+
+def test_a_programme_file_names_its_coordinates_and_is_verified() -> None:
+    required = motion(SHAKER, {"cos": [2e-3]}, period=0.05, winding="spin")
+    found = planned(SHAKER, required, verify=False).programmes[0]
+    again = read_programme(programme_text(found))
+    assert again.coordinates == ("z",) and len(again.bias) == 1
+    assert all(each.passed for each in verify_programme(SHAKER, required, again))
+    wrong = replace(again, coordinates=("x",))
+    assert [each.name for each in verify_programme(SHAKER, required, wrong) if not each.passed] == ["stand"]
+
+
+@pytest.mark.slow
+def test_a_programme_of_another_amplitude_is_refused() -> None:
+    required, larger = (motion(SHAKER, {"cos": [size]}, period=0.05, winding="spin") for size in (2e-3, 2.01e-3))
+    found = planned(SHAKER, required, verify=False).programmes[0]
+    refused = {each.name for each in verify_programme(SHAKER, larger, found) if not each.passed}
+    assert {"residual", "simulation"} <= refused
