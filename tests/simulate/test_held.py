@@ -218,7 +218,7 @@ def test_motions_along_the_freedoms_are_allowed_and_others_are_not(name: str) ->
 
 
 def test_a_run_has_the_coordinates_of_the_freedoms_and_counts_whole_turns() -> None:
-    """Of a motor on a hinge that runs up through several turns, its angle and its speed; no column of what is held."""
+    """A carrier that spins on a hinge through several turns: its angle and its speed, and no column of what is held."""
     document = {**PENDULUM, "gravity": [0, 0, 0], "hold": {"freedoms": ["pitch"], "angles": [0, 0.5, 0]}}
     start = {"u": [40.0]}
     found = mahovik.simulate(mahovik.Stand.from_dict(document), 0.5, start=start, dt=1e-3, every=0.05).run

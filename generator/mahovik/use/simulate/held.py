@@ -37,6 +37,16 @@ def rates(hold: Hold, V: Sequence[float] | Array) -> tuple[float, ...]:
     return tuple(np.linalg.lstsq(S, np.array(V), rcond=None)[0].tolist()) if S.shape[1] else ()
 
 
+def blocked_twist(hold: Hold, V: Array) -> str:
+    """Why twists V (6, or n x 6) are not S u, in words; "" where they are, to six digits."""
+    V, S = np.atleast_2d(V), twists(hold)
+    off = V - (S @ np.linalg.lstsq(S, V.T, rcond=None)[0]).T if S.shape[1] else V
+    bad = np.flatnonzero(np.abs(off).max(axis=1) > ALLOWED * np.maximum(1.0, np.abs(V).max(axis=1)))
+    if not len(bad):
+        return ""
+    return f"V: moves along {_worst(off[bad[0]])}, which [hold] blocks; expected S u of {_freedoms(hold)}"
+
+
 def home(stand: Stand) -> State:
     """The state at rest in the home pose: all freedoms are zero. Of a free carrier the origin of E0."""
     state = rest_state(stand)
