@@ -215,3 +215,26 @@ def test_motions_along_the_freedoms_are_allowed_and_others_are_not(name: str) ->
     if len(stand.hold.freedoms) < 6:
         with pytest.raises(UsageError, match="the pose is off the home pose"):
             allowed_start(stand, replace(state, position=(state.position[0] + 0.01, *state.position[1:])))
+
+
+def test_a_run_has_the_coordinates_of_the_freedoms_and_counts_whole_turns() -> None:
+    """A carrier that spins on a hinge through several turns: its angle and its speed, and no column of what is held."""
+    document = {**PENDULUM, "gravity": [0, 0, 0], "hold": {"freedoms": ["pitch"], "angles": [0, 0.5, 0]}}
+    start = {"u": [40.0]}
+    found = mahovik.simulate(mahovik.Stand.from_dict(document), 0.5, start=start, dt=1e-3, every=0.05).run
+    assert [name for name in found.names if name.startswith("q")][4:] == ["q pitch [rad]", "q_dot pitch [rad/s]"]
+    error = 500 * 0.04**5 / 120 / 2**4  # of a quaternion, at half the speed, by Runge-Kutta of fourth order
+    assert found["q pitch [rad]"] == pytest.approx(40.0 * found["t [s]"], abs=error)
+    assert found["q_dot pitch [rad/s]"] == pytest.approx(np.full(11, 40.0), abs=1e-9)
+
+
+def test_a_run_of_a_ball_joint_has_its_quaternion_from_home() -> None:
+    document = {**PENDULUM, "hold": {"freedoms": ["roll", "pitch", "yaw"], "angles": [0, 0.5, 0.1]}}
+    found = mahovik.simulate(mahovik.Stand.from_dict(document), 0.1, start={"u": [1.0, 2.0, 0.5]}, dt=1e-3).run
+    names = [name for name in found.names if name.startswith(("q ", "q_dot", "orient"))]
+    assert names[:4] == [f"orientation_{letter}" for letter in "wxyz"]
+    assert names[4:] == [f"q_dot {way} [rad/s]" for way in ("roll", "pitch", "yaw")]
+    assert found["orientation_w"][0] == pytest.approx(1.0)
+    assert found["q_dot yaw [rad/s]"][-1] == pytest.approx(found["omega_z [rad/s]"][-1], abs=1e-12)
+    length = np.linalg.norm([found[f"orientation_{letter}"] for letter in "wxyz"], axis=0)
+    assert length == pytest.approx(np.ones(len(length)), abs=1e-12)

@@ -90,3 +90,24 @@ def test_freedoms_that_are_no_closed_set_have_none(tmp_path: Path) -> None:
     path.write_text(TEXT.replace('["pitch"]', '["x", "yaw"]'))
     message = refused("rest", str(path), status=1)
     assert "not a closed set" in message and len(message.strip().splitlines()) == 1
+
+
+@pytest.mark.parametrize("at", [-0.3, -0.1, 0.1])
+@pytest.mark.parametrize("stiffness", [1e4, 1e6])
+def test_a_stop_that_presses_at_home_lets_the_stand_come_to_rest(at: float, stiffness: float) -> None:
+    """A pendulum on its pivot, which falls against the other stop, or against the one that it must not pass."""
+    stops = "".join(
+        f'\n[[hold.stop]]\nat = {place}\nside = "{side}"\nstiffness = {stiffness}\n'
+        for place, side in ((at, "above"), (at - 1.0, "below"))
+    )
+    stand = pendulum_with('freedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', stops)
+    found = rest(stand)
+    w, _, y, _ = found.state.quaternion or (1.0, 0.0, 0.0, 0.0)
+    angle = 2 * math.atan2(y, w)
+    weight, depth = 2.5 * 9.81 * 0.2 * math.sin(angle), max(angle - at, at - 1.0 - angle)
+    assert abs(weight) == pytest.approx(stiffness * depth, rel=1e-4) and not found.unstable
+
+
+def test_a_weight_rests_on_a_stop_in_which_it_begins() -> None:
+    stand = pendulum_with('freedoms = ["z"]', '\n[[hold.stop]]\nat = 0.1\nside = "below"\nstiffness = 1e6\n')
+    assert rest(stand).state.position[2] == pytest.approx(0.1 - 2.5 * 9.81 / 1e6, abs=1e-12)

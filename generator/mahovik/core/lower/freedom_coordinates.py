@@ -1,4 +1,4 @@
-"""Which coordinates the freedoms of a hold have, and the struct that holds them.
+"""Coordinates of the freedoms of a hold, and the struct that has them.
 
 What slides has the way of the pivot along an axis of the home pose, what turns about one axis an angle. All three turns
 have no three coordinates without a singular attitude: they have a quaternion, and as rates their angular velocity.
@@ -40,12 +40,12 @@ def turns_slides(ways: Sequence[str]) -> bool:
 
 
 def in_words(ways: Sequence[str]) -> str:
-    """What the numbers q are."""
+    """The numbers q in words."""
     return ", ".join(_WORDS[way] for way in own_coordinates(ways)) + "; zero in the home pose"
 
 
 def rates_in_words(ways: Sequence[str]) -> str:
-    """What the numbers q_dot are."""
+    """The numbers q_dot in words."""
     if turns_about_point(ways):
         return "rates in the order of the freedoms; of the turns the angular velocity in E1"
     return "rates of q, in the order of the freedoms"

@@ -15,17 +15,11 @@ from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower import hold
 from mahovik.core.lower.coupling import couple_flywheel, declare_common_terms
 from mahovik.core.lower.drive import check_drive
+from mahovik.core.lower.flywheel_slopes import CoupledMotion, by_flywheels, change_of_row, own_change, row_weights
 from mahovik.core.lower.flywheels import columns_of, named_turns, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, scene, sum_up
 from mahovik.core.lower.freedoms import columns, dot, place_of
-from mahovik.core.lower.jacobian import (
-    bias_slopes,
-    change_of_row,
-    own_change,
-    row_weights,
-    torque_slope,
-    twist_slopes,
-)
+from mahovik.core.lower.jacobian import bias_slopes, twist_slopes
 from mahovik.core.lower.lanes import entry, row_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
@@ -178,9 +172,9 @@ class _Drives:
 
     def __init__(self, lib: Library, body: Body, table: Place, freedoms: _Freedoms, locked: Place) -> None:
         count = self._count = lib.layout.count
-        self._body, self._freedoms = body, freedoms
+        self._body, self._freedoms, self.change = body, freedoms, freedoms.rhs
         self.columns = body.local("drive", (count,), lib.layout.coupling)
-        self.rhs = body.local("drive_rhs", (count,), comment="right-hand sides of the drives")
+        self.drive_rhs = body.local("drive_rhs", (count,), comment="right-hand sides of the drives")
         self._projected = body.local("projected", (count, freedoms.count), comment="S^T I, flywheel by flywheel")
         self._inverse = body.local("spin_inverse", (count,), comment="1 / Theta_ff; 0 where a lock holds")
         with body.loop("s", count) as s:
@@ -200,13 +194,26 @@ class _Drives:
     def clear(self) -> None:
         """Set the right-hand sides to zero."""
         with self._body.loop("t", self._count) as t:
-            self._body.set(self.rhs[t], real(0))
+            self._body.set(self.drive_rhs[t], real(0))
+
+    def take_change(self) -> None:
+        """Make the change of the wrench the right-hand side along the freedoms."""
+        self._freedoms.project()
+
+    def clear_carrier(self) -> None:
+        """Set the right-hand side along the freedoms to zero."""
+        with self._body.loop("k", self._freedoms.count) as k:
+            self._body.set(self._freedoms.y[k], real(0))
+
+    def write_torque(self, o: Place, column: Place) -> None:
+        """A column of the derivatives by the torque of a flywheel."""
+        self.write(o, "tau", column)
 
     def write(self, o: Place, name: str, column: Place) -> None:
         """du* and the change of phi'' of y and the right-hand sides, into a column of the derivatives by `name`."""
         body, freedoms, m = self._body, self._freedoms, self._freedoms.count
         with body.loop("t", self._count) as t:
-            share = body.let("share", self.rhs[t] * self._inverse[t])
+            share = body.let("share", self.drive_rhs[t] * self._inverse[t])
             with body.loop("k", m) as k:
                 body.add(freedoms.y[k], -(self._projected[t][k] * share))
         freedoms.solve()
@@ -214,7 +221,7 @@ class _Drives:
             body.set(o.member(f"u_dot_{name}")[i][column], freedoms.change[i])
         with body.loop("t", self._count) as t:
             back = _sum_of(self._projected[t][k] * freedoms.change[k] for k in range(m))
-            body.set(o.member(f"phi_ddot_{name}")[t][column], (self.rhs[t] - back) * self._inverse[t])
+            body.set(o.member(f"phi_ddot_{name}")[t][column], (self.drive_rhs[t] - back) * self._inverse[t])
 
 
 def coupled_jacobian(lib: Library) -> Function:
@@ -258,29 +265,10 @@ def coupled_jacobian(lib: Library) -> Function:
                 change = _sum_of((axial[s * integer(6) + k] - by_twist[s][k]) * column[k] for k in range(6))
             if drift is not None:
                 change = change - _sum_of(drives.columns[s].I[k] * drift[k] for k in range(3))
-            body.set(drives.rhs[s], change)
+            body.set(drives.drive_rhs[s], change)
         drives.write(o, "u", j)
-    changes = body.local("change", (len(WEIGHTS),), comment="changes of the harmonic weights of a flywheel")
-    with body.loop("s", layout.count) as s:
-        row = row_of(lib, body, table.place, s)
-        weights = row_weights(body, x.place, seen.turns, s, spins[s])
-        for name, by, turn, speed in (("phi", derived.by_phase(), 1, 0), ("phi_dot", derived.by_speed(), 0, 1)):
-            with body.block():
-                change_of_row(lib, body, row, by, weights, changes, seen, motion, freedoms.rhs)
-                about = own_change(lib, body, table.place, x.place, seen.V, wrench, s, freedoms.rhs, turn, speed)
-                freedoms.project()
-                drives.clear()
-                if turn:
-                    origin = alike.origin_acceleration
-                    body.set(drives.rhs[s], -torque_slope(lib, body, row, weights, seen, origin, motion))
-                if about is not None:
-                    body.add(drives.rhs[s], about[0])
-                drives.write(o, name, s)
-        with body.loop("k", freedoms.count) as k:
-            body.set(freedoms.y[k], real(0))
-        drives.clear()
-        body.set(drives.rhs[s], real(1))
-        drives.write(o, "tau", s)
+    at = CoupledMotion(table.place, x.place, wrench, seen, motion, spins, alike.origin_acceleration)
+    by_flywheels(lib, body, at, o, drives)
     return body.checked_function(
         "coupled_jacobian",
         "Derivatives of coupled by u, phi, phi' and tau, at fixed position and attitude.",

@@ -157,32 +157,45 @@ def react(lib: Library) -> Function:
     return body.function("react", "Wrench of the hold on the carrier: K V* - F.", (table, sums, V_dot, F, R))
 
 
+def pivot_arms(lib: Library, body: Body, table: Place, x: Place, after: Place) -> tuple[Place, Place, Place]:
+    """Attitude C before a step, and the arms from O1 to the pivot before and after it, in E0."""
+    rotated = derived_wrench.rotated()
+    C = body.local("C", (9,), comment="attitude before the step")
+    end = body.local("end", (9,), comment="attitude after the step")
+    arm = body.local("arm", (3,), comment="from O1 to the pivot before the step, in E0")
+    reached = body.local("reached", (3,), comment="likewise after the step")
+    body.call(lib["rotation"], x.attitude, C)
+    body.call(lib["rotation"], after.attitude, end)
+    assign(body, list(arm), rotated, {"C": C, "a": table.pivot})
+    assign(body, list(reached), rotated, {"C": end, "a": table.pivot})
+    return C, arm, reached
+
+
+def allowed_way(lib: Library, body: Body, table: Place, C: Place, way: Place) -> Place:
+    """The part along what slides of a way of the pivot, both in E0."""
+    rotated = derived_wrench.rotated()
+    own = body.local("own", (3,), comment="in E1")
+    body.call(lib["rotate_back"], C, way, own)
+    allowed = body.local("allowed", (3,), comment="of what slides, in E1")
+    slid = body.local("slid", (3,), comment="the part along what slides, in E0")
+    assign(body, list(allowed), rotated, {"C": table.sliding, "a": own})
+    assign(body, list(slid), rotated, {"C": C, "a": allowed})
+    return slid
+
+
 def keep_pivot(lib: Library) -> Function:
     """Takes from a step what moved the pivot where the hold does not let it go."""
     table, x = lib.table_argument(), lib.state_argument()
     after = Argument("y", lib.layout.state, (), "inout", purpose="state after the step")
     body = Body()
-    rotated = derived_wrench.rotated()
-    C = body.local("C", (9,), comment="attitude before the step")
-    place = body.local("place", (3,), comment="of the pivot before the step, in E0")
-    arm = body.local("arm", (3,), comment="from O1 to the pivot after the step, in E0")
-    way = body.local("way", (3,), comment="how the pivot went; in E0, then in E1")
-    slid = body.local("slid", (3,), comment="its part along what slides, in E1")
-    end = body.local("end", (9,), comment="attitude after the step")
-    body.call(lib["rotation"], x.place.attitude, C)
-    body.call(lib["rotation"], after.place.attitude, end)
-    pivot = table.place.pivot
-    assign(body, list(place), rotated, {"C": C, "a": pivot})
-    assign(body, list(arm), rotated, {"C": end, "a": pivot})
+    C, place, reached = pivot_arms(lib, body, table.place, x.place, after.place)
+    way = body.local("way", (3,), comment="how the pivot went, in E0")
     for i in range(3):
         body.add(place[i], x.place.position[i])
-        body.set(way[i], after.place.position[i] + arm[i] - place[i])
-    own = body.local("own", (3,), comment="in E1")
-    body.call(lib["rotate_back"], C, way, own)
-    assign(body, list(slid), rotated, {"C": table.place.sliding, "a": own})
-    assign(body, list(way), rotated, {"C": C, "a": slid})
+        body.set(way[i], after.place.position[i] + reached[i] - place[i])
+    slid = allowed_way(lib, body, table.place, C, way)
     for i in range(3):
-        body.set(after.place.position[i], place[i] + way[i] - arm[i])
+        body.set(after.place.position[i], place[i] + slid[i] - reached[i])
     return body.function("keep_pivot", "Puts the pivot of the hold back to where it can slide.", (table, x, after))
 
 

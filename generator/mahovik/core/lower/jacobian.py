@@ -11,13 +11,19 @@ from mahovik.core.formula.derived import drive as derived_drive
 from mahovik.core.formula.derived import sensitivity as derived
 from mahovik.core.lower.coupling import along, couple_flywheel, declare_common_terms
 from mahovik.core.lower.drive import check_drive
-from mahovik.core.lower.flywheels import Turns, columns_of, let_turn, let_weights, turns_of
+from mahovik.core.lower.flywheel_slopes import (
+    CoupledMotion,
+    by_flywheels,
+    change_of_row,
+    own_change,
+    row_weights,
+)
+from mahovik.core.lower.flywheels import columns_of, let_turn, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, external_wrench, scene, sum_up
 from mahovik.core.lower.lanes import entry, row_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.matrices import fill
 from mahovik.core.lower.schur import start_schur
-from mahovik.core.lower.sensitivity import set_weights
 from mahovik.core.lower.solve import carrier_binding, parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
@@ -44,61 +50,6 @@ def twist_slopes(
     named = {"table": table, "x": x, "V": seen.V, "Z": Z, "m": m, "C": seen.C, "slope": slope, "axial": axial}
     body.call(lib["twist_slope"], *lib.arguments_of("twist_slope", **named, **{w.name: w.place for w in wrench}))
     return slope, axial
-
-
-def own_change(
-    lib: Library,
-    body: Body,
-    table: Place,
-    x: Place,
-    V: Place,
-    wrench: tuple[Argument, ...],
-    s: Place,
-    rhs: Place,
-    turn: int,
-    speed: int,
-) -> Place | None:
-    """Adds the change of flywheel s's own wrench with its phase or speed to rhs; returns its change about the axis."""
-    layout = lib.layout
-    if not layout.own_turning:
-        return None
-    still = body.local("still", (6,))
-    part = body.local("part", (6,))
-    about = body.local("about", (1,))
-    for element in (*still, *about):
-        body.set(element, real(0))
-    with body.loop("k", len(layout.own)) as k, body.when(equal(table.frame[k].flywheel, s)):
-        named: dict[str, Any] = {"table": table, "frame": table.frame[k], "x": x, "V": V, "V_change": still}
-        named |= {"turn_by": real(turn), "speed_by": real(speed), "F": part, "axial": about}
-        named |= {w.name: w.place for w in wrench}
-        body.call(lib["own_slope"], *lib.arguments_of("own_slope", **named))
-        with body.loop("i", 6) as i:
-            body.add(rhs[i], part[i])
-    return about
-
-
-def row_weights(body: Body, x: Place, turns: Turns, s: Place, acceleration: Expr) -> dict[str, Expr]:
-    """All weights of row s by name."""
-    given = let_turn(body, turns, s)
-    given |= {"phi_dot": x.phi_dot[s], "phi_ddot": acceleration}
-    return let_weights(body, given, ("c2", "s2", "dc", "ds", "dc2", "ds2", "ddc", "dds"))
-
-
-def change_of_row(
-    lib: Library,
-    body: Body,
-    row: Place,
-    by: dict[str, Any],
-    weights: dict[str, Expr],
-    changes: Place,
-    seen: Scene,
-    V_dot: Place,
-    rhs: Place,
-) -> None:
-    """Set rhs to the change of what is left of (8) with the phase or speed of a row, by its weights' derivatives."""
-    set_weights(body, changes, by, weights)
-    named = {"row": row, "weight": changes, "V": seen.V, "V_dot": V_dot, "g": seen.g, "out": rhs}
-    body.call(lib["row_slope"], *lib.arguments_of("row_slope", **named))
 
 
 def forward_jacobian(lib: Library) -> Function:
@@ -211,29 +162,8 @@ def coupled_jacobian(lib: Library) -> Function:
     lib.check(body, "factor_schur", K, factor)
     _by_twist(lib, work, o, seen, slope, axial)
     _drift(body, o.V_dot_V, seen.stream)
-    changes = body.local("change", (len(WEIGHTS),), comment="changes of the harmonic weights of a flywheel")
-    with body.loop("s", layout.count) as s:
-        row = row_of(lib, body, table.place, s)
-        weights = row_weights(body, x.place, seen.turns, s, spins[s])
-        for name, by, turn, speed in (("phi", derived.by_phase(), 1, 0), ("phi_dot", derived.by_speed(), 0, 1)):
-            with body.block():
-                change_of_row(lib, body, row, by, weights, changes, seen, motion, work.rhs)
-                about = own_change(lib, body, table.place, x.place, seen.V, wrench, s, work.rhs, turn, speed)
-                work.clear()
-                if turn:
-                    body.set(
-                        work.twist[s], -torque_slope(lib, body, row, weights, seen, alike.origin_acceleration, motion)
-                    )
-                if about is not None:
-                    body.add(work.twist[s], about[0])
-                work.reduce_all()
-                work.solve(o, name, s)
-        for element in work.rhs:
-            body.set(element, real(0))
-        work.clear()
-        body.set(work.twist[s], real(1))
-        work.reduce(s)
-        work.solve(o, "tau", s)
+    drive = CoupledMotion(table.place, x.place, wrench, seen, motion, spins, alike.origin_acceleration)
+    by_flywheels(lib, body, drive, o, work)
     return body.checked_function(
         "coupled_jacobian",
         "Derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.",
@@ -245,27 +175,45 @@ def coupled_jacobian(lib: Library) -> Function:
 
 
 class _Work:
-    """Right-hand sides of the coupled equations and their solution: rhs (6) of the carrier, twist (N) of the drives."""
+    """Right-hand sides of the coupled equations and their solution: rhs (6) of the carrier, drive_rhs (N)."""
 
     def __init__(self, lib: Library, body: Body, table: Place, locked: Place, drives: Place, factor: Place) -> None:
         self._lib, self.body, self.table, self._locked = lib, body, table, locked
         self.drives, self._factor = drives, factor
         self.rhs = body.local("rhs", (6,), comment="right-hand side of the carrier")
-        self.twist = body.local("drive_rhs", (lib.layout.count,), comment="right-hand sides of the drives")
+        self.drive_rhs = body.local("drive_rhs", (lib.layout.count,), comment="right-hand sides of the drives")
         self._y = body.local("y", (6,))
-        for element in self.rhs:
-            body.set(element, real(0))
+        self.change = self.rhs
+        self.clear_carrier()
 
     def clear(self) -> None:
         """Set the right-hand sides of the drives to zero."""
         with self.body.loop("t", self._lib.layout.count) as t:
-            self.body.set(self.twist[t], real(0))
+            self.body.set(self.drive_rhs[t], real(0))
+
+    def clear_carrier(self) -> None:
+        """Set the right-hand side of the carrier to zero."""
+        for element in self.rhs:
+            self.body.set(element, real(0))
+
+    def take_change(self) -> None:
+        """The change of the wrench is the right-hand side as it stands."""
+
+    def write(self, o: Place, name: str, column: Place) -> None:
+        """Solve, and write a column of the derivatives by `name`."""
+        self.reduce_all()
+        self.solve(o, name, column)
+
+    def write_torque(self, o: Place, column: Place) -> None:
+        """Likewise, by the torque of a flywheel, whose right-hand side alone is not zero."""
+        self.reduce(column)
+        self.solve(o, "tau", column)
 
     def reduce(self, t: Place) -> None:
         """Take the share of flywheel t, unless it is locked, from the carrier's right-hand side."""
         body = self.body
         with body.when(equal(self._locked[t], integer(0))):
-            share = body.let("share", self.twist[t] * entry(self._lib, self.table, t, "spin_inv"))
+            share = body.let("share", self.drive_rhs[t] * entry(self._lib, self.table, t, "spin_inv"))
             with body.loop("i", 6) as i:
                 body.add(self.rhs[i], -(self.drives[t].I[i] * share))
 
@@ -284,7 +232,7 @@ class _Work:
             target = o.member(f"phi_ddot_{name}")[t][column]
             body.set(target, real(0))
             with body.when(equal(self._locked[t], integer(0))):
-                left = self.twist[t] - along(list(self.drives[t].I), self._y)
+                left = self.drive_rhs[t] - along(list(self.drives[t].I), self._y)
                 body.set(target, left * entry(self._lib, self.table, t, "spin_inv"))
 
 
@@ -319,34 +267,5 @@ def _by_twist(lib: Library, work: _Work, o: Place, seen: Scene, slope: Place, ax
             change: Expr = -slopes_by_V[s][j]
             if layout.own_turning:
                 change = axial[s * integer(6) + j] - slopes_by_V[s][j]
-            body.set(work.twist[s], change)
-        work.reduce_all()
-        work.solve(o, "V", j)
-
-
-def torque_slope(
-    lib: Library,
-    body: Body,
-    row: Place,
-    weights: dict[str, Expr],
-    seen: Scene,
-    origin_acceleration: Place,
-    motion: Place,
-) -> Expr:
-    """Slope of the drive torque by phi alone: dI/dphi . V* + mu'' . origin_acceleration - omega . J'' omega / 2."""
-    mu_pp, J_pp = derived.second_phase_derivatives()
-    binding: dict[str, Any] = weights | columns_of(row)
-    second = body.local("mu_pp", (3,), comment="d2 mu / dphi2")
-    tensor = body.local("J_pp", (6,), comment="d2 J / dphi2")
-    column = body.local("I_p", (6,), comment="dI / dphi")
-    assign(body, list(second), mu_pp, binding)
-    assign(body, list(tensor), J_pp, binding)
-    assign(body, list(column), derived_rows.columns().I_prime, binding)
-    bound = parts_of_twist(seen.V) | {"J_pp": tensor, "mu_pp": second, "origin_acceleration": origin_acceleration}
-    total = along(list(column), motion) + translate(derived.bias_by_phase(), bound)
-    if lib.layout.flywheel_displaces:
-        assert seen.g is not None
-        for i in range(3):
-            sunk = row.displaced_c[i] * weights["c"] + row.displaced_s[i] * weights["s"]
-            total = total - sunk * seen.g[i]
-    return total
+            body.set(work.drive_rhs[s], change)
+        work.write(o, "V", j)

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower.forward import STATE_STATUSES
+from mahovik.core.lower.hold import allowed_way, pivot_arms
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.step import (
     check_again,
@@ -22,7 +22,6 @@ from mahovik.core.lower.step import (
     next_argument,
     step_arguments,
 )
-from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, and_, as_expr, real
@@ -133,26 +132,13 @@ def _keep_pivot(lib: Library) -> Function:
     carry = Argument("carry", lib.layout.carry, (), "inout", purpose="of the state after the step")
     first = next(first for name, _, first in _numbers(lib) if name == "position")
     body = Body()
-    rotated = derived_wrench.rotated()
-    C = body.local("C", (9,), comment="attitude before the step")
-    end = body.local("end", (9,), comment="attitude after the step")
-    arm = body.local("arm", (3,), comment="from O1 to the pivot before the step, in E0")
-    reached = body.local("reached", (3,), comment="likewise after the step")
+    C, arm, reached = pivot_arms(lib, body, table.place, x.place, after.place)
     way = body.local("way", (3,), comment="how the pivot went, in E0")
-    own = body.local("own", (3,), comment="in E1")
-    slid = body.local("slid", (3,), comment="its part along what slides, in E1; then in E0")
-    body.call(lib["rotation"], x.place.attitude, C)
-    body.call(lib["rotation"], after.place.attitude, end)
-    assign(body, list(arm), rotated, {"C": C, "a": table.place.pivot})
-    assign(body, list(reached), rotated, {"C": end, "a": table.place.pivot})
     for i in range(3):
         moved = (after.place.position[i] - x.place.position[i]) + (reached[i] - arm[i])
         kept = carry.place.rounding[first + i] - before.place.rounding[first + i]
         body.set(way[i], moved + kept)
-    body.call(lib["rotate_back"], C, way, own)
-    allowed = body.local("allowed", (3,), comment="of what slides, in E1")
-    assign(body, list(allowed), rotated, {"C": table.place.sliding, "a": own})
-    assign(body, list(slid), rotated, {"C": C, "a": allowed})
+    slid = allowed_way(lib, body, table.place, C, way)
     for i in range(3):
         with body.block():
             part = carry.place.rounding[first + i] - (way[i] - slid[i])

@@ -242,6 +242,12 @@ def has_coordinates(hold: Hold) -> bool:
     return bool(hold.freedoms) and named and plain and is_closed(hold)
 
 
+def numbered_freedoms(hold: Hold) -> list[int]:
+    """Freedoms with a number of their own among the coordinates: not the three turns about a point together."""
+    turns = sum(freedom.kind == "turn" for freedom in hold.freedoms)
+    return [k for k, freedom in enumerate(hold.freedoms) if freedom.kind != "turn" or turns == 1]
+
+
 def carried_point(hold: Hold) -> tuple[Vec3, list[list[float]]]:
     """A point of E1, and the projector (3x3) to the directions in which a motion carries it, both in E1.
 

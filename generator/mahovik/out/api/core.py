@@ -164,7 +164,7 @@ class Built:
         parts = {
             "position": (inputs.read(position, "position", 3, _PLACE, "component"), 3),
             "attitude": (attitudes(attitude, angles, self._quaternions), 4),
-            "V": (inputs.read(V, "V", 6, TWIST_LETTERS, "component"), 6),
+            "V": (inputs.read_twist(V, self._stand.hold), 6),
             "phi": (inputs.read(phi, "phi", count, self._flywheels, "flywheel"), count),
             "phi_dot": (inputs.read(phi_dot, "phi_dot", count, self._flywheels, "flywheel"), count),
         }

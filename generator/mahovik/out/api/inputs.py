@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mahovik.contract.quantities import UNIT_LENGTH
-from mahovik.core.stand.model import WRENCH_LETTERS
+from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Hold
 from mahovik.core.stand.units import show
 from mahovik.errors import InputError
 from mahovik.nearest import suggestion
 from mahovik.proof.verify.states import ROUNDING
+from mahovik.use.simulate.held import blocked_twist
 
 Array = NDArray[Any]
 Given = ArrayLike | Mapping[str, ArrayLike]
@@ -44,6 +45,14 @@ def read(given: Given, what: str, count: int, names: Sequence[str], noun: str) -
         return found
     of = f" ({', '.join(names)})" if 0 < len(names) <= 12 else ""
     raise InputError(f"{what}: expected shape ({count},) or (n, {count}){of}, found {found.shape}")
+
+
+def read_twist(given: Given, hold: Hold | None) -> Array:
+    """V of shape (), (6,) or (n, 6). Raises InputError; also for one that a hold does not allow."""
+    found = read(given, "V", 6, TWIST_LETTERS, "component")
+    if hold is not None and (reason := blocked_twist(hold, found * np.ones(6))):
+        raise InputError(reason)
+    return found
 
 
 def _by_name(given: Mapping[str, ArrayLike], what: str, names: Sequence[str], noun: str) -> Array:

@@ -24,28 +24,41 @@ from mahovik.proof.reference.rotation import attitude, carrier_rotation, quatern
 from mahovik.proof.reference.screw import E, cross, wrench_to_parent
 
 
-def answer(at: Pieces, stand: Stand, state: State) -> Values:
-    """q, orientation of what has them, q_dot, q_ddot (m; m, rad, s). StateError: no coordinates."""
+@dataclass(frozen=True, eq=False)
+class Coordinates:
+    """Coordinates at a pose, and what turns there.
+
+    q            ways (m) and an angle (rad) of the freedoms that have one, in their order
+    orientation  quaternion (4), w first and not negative, of what turns about a point; else None
+    R            3x3: turn from the home pose, of one axis by the angle
+    """
+
+    q: Array
+    orientation: Array | None
+    R: Array
+
+
+def coordinates_at(stand: Stand, state: State) -> Coordinates:
+    """Coordinates of a held carrier; what its pose is off the hold is left out. StateError: it has no coordinates."""
     hold = stand.hold
     assert hold is not None
     check_coordinates(hold)
     slides, turns = (_of_kind(hold, kind) for kind in ("slide", "turn"))
     C0, C = attitude(stand.angles, *hold.angles), carrier_rotation(stand, state)
-    R, P = C0.T @ C, np.array(hold.pivot)
+    R, P, angle = C0.T @ C if turns else np.eye(3), np.array(hold.pivot), 0.0
     w = C0.T @ (np.array(state.position) + C @ P - np.array(hold.position)) - P
-    found: Values = {}
-    if not turns:
-        R = np.eye(3)
     if len(turns) == 1:
         axis = unit(hold.freedoms[turns[0]])
         angle = math.atan2(*sine_and_cosine(R, axis))
         R = np.eye(3) + math.sin(angle) * cross(axis) + (1 - math.cos(angle)) * cross(axis) @ cross(axis)
     numbered = [k for k in range(len(hold.freedoms)) if k in slides or len(turns) == 1]
-    if numbered:
-        found["q"] = np.array([unit(hold.freedoms[k]) @ w if k in slides else angle for k in numbered])
-    if len(turns) == 3:
-        found["orientation"] = _quaternion(R)
-    u, u_dot = np.array(state.u), held_forward(at, hold, np.array(state.phi_ddot)).u_dot
+    q = np.array([unit(hold.freedoms[k]) @ w if k in slides else angle for k in numbered])
+    return Coordinates(q, _quaternion(R) if len(turns) == 3 else None, R)
+
+
+def rates_at(hold: Hold, R: Array, u: Array, u_dot: Array) -> tuple[Array, Array]:
+    """q_dot and q_ddot (m each; m, rad, s) of u and u_dot, R being the turn from the home pose."""
+    slides, turns = (_of_kind(hold, kind) for kind in ("slide", "turn"))
     s, s_dot, omega = (
         sum((rates[k] * unit(hold.freedoms[k]) for k in which), np.zeros(3))
         for rates, which in ((u, slides), (u_dot, slides), (u, turns))
@@ -54,6 +67,19 @@ def answer(at: Pieces, stand: Stand, state: State) -> Values:
     for k in slides:
         q_dot[k] = unit(hold.freedoms[k]) @ R @ s
         q_ddot[k] = unit(hold.freedoms[k]) @ R @ (s_dot + cross(omega) @ s)
+    return q_dot, q_ddot
+
+
+def answer(at: Pieces, stand: Stand, state: State) -> Values:
+    """q, orientation of what has them, q_dot, q_ddot (m; m, rad, s). StateError: no coordinates."""
+    hold = stand.hold
+    assert hold is not None
+    here = coordinates_at(stand, state)
+    u_dot = held_forward(at, hold, np.array(state.phi_ddot)).u_dot
+    q_dot, q_ddot = rates_at(hold, here.R, np.array(state.u), u_dot)
+    found: Values = {"q": here.q} if len(here.q) else {}
+    if here.orientation is not None:
+        found["orientation"] = here.orientation
     return {**found, "q_dot": q_dot, "q_ddot": q_ddot}
 
 

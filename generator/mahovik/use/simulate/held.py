@@ -3,17 +3,27 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import cast
 
 import numpy as np
 
-from mahovik.core.stand.hold import TWIST_NAMES, is_closed, twist_of, twists, words
+from mahovik.core.stand.hold import (
+    TWIST_NAMES,
+    freedom_names,
+    has_coordinates,
+    is_closed,
+    numbered_freedoms,
+    twist_of,
+    twists,
+    words,
+)
 from mahovik.core.stand.model import Hold, Stand, Vec3
 from mahovik.core.stand.state import Quaternion, State, rest_state
 from mahovik.errors import UsageError
 from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.coordinates import coordinates_at, rates_at
 from mahovik.proof.reference.rotation import attitude, carrier_rotation
 from mahovik.proof.reference.screw import cross
 
@@ -25,6 +35,16 @@ def rates(hold: Hold, V: Sequence[float] | Array) -> tuple[float, ...]:
     """u (m) of V = S u (6); of another V the nearest."""
     S = twists(hold)
     return tuple(np.linalg.lstsq(S, np.array(V), rcond=None)[0].tolist()) if S.shape[1] else ()
+
+
+def blocked_twist(hold: Hold, V: Array) -> str:
+    """Why twists V (6, or n x 6) are not S u, in words; "" where they are, to six digits."""
+    V, S = np.atleast_2d(V), twists(hold)
+    off = V - (S @ np.linalg.lstsq(S, V.T, rcond=None)[0]).T if S.shape[1] else V
+    bad = np.flatnonzero(np.abs(off).max(axis=1) > ALLOWED * np.maximum(1.0, np.abs(V).max(axis=1)))
+    if not len(bad):
+        return ""
+    return f"V: moves along {_worst(off[bad[0]])}, which [hold] blocks; expected S u of {_freedoms(hold)}"
 
 
 def home(stand: Stand) -> State:
@@ -71,7 +91,7 @@ def allowed_start(stand: Stand, state: State) -> State:
     off = np.array(state.V) - np.array(twist_of(hold, state.u))
     if np.abs(off).max() > ALLOWED * max(1.0, float(np.abs(state.V).max())):
         raise UsageError(f"start: V moves along {_worst(off)}, which [hold] blocks; expected u of {_freedoms(hold)}")
-    if not _has_coordinates(hold):
+    if not _shows_freedoms(hold):
         return state
     off = _off_freedoms(stand, hold, state)
     if np.abs(off).max() > ALLOWED * max(1.0, float(np.abs(state.position).max())):
@@ -82,7 +102,39 @@ def allowed_start(stand: Stand, state: State) -> State:
     return state
 
 
-def _has_coordinates(hold: Hold) -> bool:
+def coordinate_columns(stand: Stand) -> list[str]:
+    """Columns of a run for the coordinates of the freedoms and their rates; none where the hold has no coordinates."""
+    hold = stand.hold
+    if hold is None or not has_coordinates(hold):
+        return []
+    names, units = freedom_names(hold), ["rad" if each.kind == "turn" else "m" for each in hold.freedoms]
+    own = numbered_freedoms(hold)
+    found = [f"q {names[k]} [{units[k]}]" for k in own]
+    found += [f"orientation_{letter}" for letter in "wxyz"] if len(own) < len(names) else []
+    return found + [f"q_dot {name} [{unit}/s]" for name, unit in zip(names, units, strict=True)]
+
+
+def coordinate_values(stand: Stand, state: State) -> list[float]:
+    """Numbers of these columns at a state with u."""
+    hold = stand.hold
+    if hold is None or not has_coordinates(hold):
+        return []
+    here, u = coordinates_at(stand, state), np.array(state.u)
+    q_dot, _ = rates_at(hold, here.R, u, np.zeros(len(u)))
+    return [*here.q.tolist(), *(() if here.orientation is None else here.orientation.tolist()), *q_dot.tolist()]
+
+
+def count_turns(stand: Stand, columns: Mapping[str, Array]) -> None:
+    """Adds whole turns to the angle of a freedom, in place: each moment is the one nearest to what its speeds give."""
+    for name in coordinate_columns(stand):
+        if name.startswith("q ") and name.endswith("[rad]"):
+            angle, speed = columns[name], columns[f"q_dot {name.split()[1]} [rad/s]"]
+            mean = (speed[1:] + speed[:-1]) / 2 * np.diff(columns["t [s]"])
+            for k in range(1, len(angle)):
+                angle[k] += 2 * math.pi * round((angle[k - 1] + mean[k - 1] - angle[k]) / (2 * math.pi))
+
+
+def _shows_freedoms(hold: Hold) -> bool:
     """Whether a pose shows its freedoms: of a closed set, but not of a screw, whose turns a pose does not count."""
     return is_closed(hold) and all(freedom.kind != "twist" for freedom in hold.freedoms)
 

@@ -17,6 +17,7 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import WRENCH_LETTERS, Motor, Stand
 from mahovik.errors import StateError, UsageError
 from mahovik.use.simulate.case import Array, Case, Moment
+from mahovik.use.simulate.held import coordinate_columns, coordinate_values, count_turns
 from mahovik.writing import format_of, probe, write
 
 _AXES = "xyz"
@@ -36,6 +37,7 @@ def column_names(stand: Stand, mounts: bool) -> list[str]:
                 found.append(f"margin {s.name} [N m]")
     if stand.hold is not None:
         found += [f"hold.reaction.{a} [{u}]" for a, u in zip("xyzkmn", ("N",) * 3 + ("N m",) * 3, strict=True)]
+    found += coordinate_columns(stand)
     for name in (*(p.name for p in stand.instruments), *(p.name for p in stand.points)):
         found += [f"force_{a} {name} [m/s2]" for a in _AXES]
         found += [f"gyro_{a} {name} [rad/s]" for a in _AXES]
@@ -57,6 +59,7 @@ def column_values(stand: Stand, moment: Moment) -> list[float]:
             found += _motor(s.motor, tau, speed)
     if moment.reaction is not None:
         found += [float(x) for x in moment.reaction]
+    found += coordinate_values(stand, state)
     for reading in moment.points.values():
         found += [float(x) for x in (*reading["specific_force"], *reading["twist"][3:])]
     if moment.mounts is not None:
@@ -131,6 +134,7 @@ def simulate(
             raise
         stopped, interrupted = f"stopped at t = {rows[-1][0]:.6g} s of {case.until:g} s", True
     data = np.array(rows, dtype=np.float64).reshape(len(rows), len(names))
+    count_turns(case.stand, dict(zip(names, data.T, strict=True)))
     return Run(names, data, stopped, interrupted, identity_of(case.stand))
 
 

@@ -19,6 +19,7 @@ from mahovik.proof.reference import Pieces, pieces
 from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.hold import free_equations
+from mahovik.proof.verify.scales.wrenches import wrench_scale
 from mahovik.use.simulate.held import home, move
 
 Array = NDArray[np.float64]
@@ -201,6 +202,8 @@ class _Search:
         for k in bodies:
             for wrench in at.terms[k.body.name].values():
                 sizes += np.abs(k.L) @ np.abs(wrench)
+        if self.stops:  # a stiff one makes much of the last digit of its depth
+            sizes = np.maximum(sizes, wrench_scale(self.stand, self.state, at))
         rounding = 32 * np.finfo(float).eps * (np.abs(self.scale.T @ self.scale) @ sizes)
         return np.asarray(np.maximum(AT_REST, rounding))
 

@@ -1,0 +1,168 @@
+"""Derivatives of the equations by the phase and the speed of each flywheel, of free and held carriers alike."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from mahovik.core.derive.order import WEIGHTS
+from mahovik.core.formula.derived import accumulate as derived_rows
+from mahovik.core.formula.derived import sensitivity as derived
+from mahovik.core.lower.coupling import along
+from mahovik.core.lower.flywheels import Turns, columns_of, let_turn, let_weights
+from mahovik.core.lower.forward import Scene
+from mahovik.core.lower.lanes import row_of
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.sensitivity import set_weights
+from mahovik.core.lower.solve import parts_of_twist
+from mahovik.core.lower.symbolic import assign, translate
+from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Expr, Place, equal, real
+
+
+def own_change(
+    lib: Library,
+    body: Body,
+    table: Place,
+    x: Place,
+    V: Place,
+    wrench: tuple[Argument, ...],
+    s: Place,
+    rhs: Place,
+    turn: int,
+    speed: int,
+) -> Place | None:
+    """Adds the change of flywheel s's own wrench with its phase or speed to rhs; returns its change about the axis."""
+    layout = lib.layout
+    if not layout.own_turning:
+        return None
+    still = body.local("still", (6,))
+    part = body.local("part", (6,))
+    about = body.local("about", (1,))
+    for element in (*still, *about):
+        body.set(element, real(0))
+    with body.loop("k", len(layout.own)) as k, body.when(equal(table.frame[k].flywheel, s)):
+        named: dict[str, Any] = {"table": table, "frame": table.frame[k], "x": x, "V": V, "V_change": still}
+        named |= {"turn_by": real(turn), "speed_by": real(speed), "F": part, "axial": about}
+        named |= {w.name: w.place for w in wrench}
+        body.call(lib["own_slope"], *lib.arguments_of("own_slope", **named))
+        with body.loop("i", 6) as i:
+            body.add(rhs[i], part[i])
+    return about
+
+
+def row_weights(body: Body, x: Place, turns: Turns, s: Place, acceleration: Expr) -> dict[str, Expr]:
+    """All weights of row s by name."""
+    given = let_turn(body, turns, s)
+    given |= {"phi_dot": x.phi_dot[s], "phi_ddot": acceleration}
+    return let_weights(body, given, ("c2", "s2", "dc", "ds", "dc2", "ds2", "ddc", "dds"))
+
+
+def change_of_row(
+    lib: Library,
+    body: Body,
+    row: Place,
+    by: dict[str, Any],
+    weights: dict[str, Expr],
+    changes: Place,
+    seen: Scene,
+    V_dot: Place,
+    rhs: Place,
+) -> None:
+    """Set rhs to the change of what is left of (8) with the phase or speed of a row, by its weights' derivatives."""
+    set_weights(body, changes, by, weights)
+    named = {"row": row, "weight": changes, "V": seen.V, "V_dot": V_dot, "g": seen.g, "out": rhs}
+    body.call(lib["row_slope"], *lib.arguments_of("row_slope", **named))
+
+
+def torque_slope(
+    lib: Library,
+    body: Body,
+    row: Place,
+    weights: dict[str, Expr],
+    seen: Scene,
+    origin_acceleration: Place,
+    motion: Place,
+) -> Expr:
+    """Slope of the drive torque by phi alone: dI/dphi . V* + mu'' . origin_acceleration - omega . J'' omega / 2."""
+    mu_pp, J_pp = derived.second_phase_derivatives()
+    binding: dict[str, Any] = weights | columns_of(row)
+    second = body.local("mu_pp", (3,), comment="d2 mu / dphi2")
+    tensor = body.local("J_pp", (6,), comment="d2 J / dphi2")
+    column = body.local("I_p", (6,), comment="dI / dphi")
+    assign(body, list(second), mu_pp, binding)
+    assign(body, list(tensor), J_pp, binding)
+    assign(body, list(column), derived_rows.columns().I_prime, binding)
+    bound = parts_of_twist(seen.V) | {"J_pp": tensor, "mu_pp": second, "origin_acceleration": origin_acceleration}
+    total = along(list(column), motion) + translate(derived.bias_by_phase(), bound)
+    if lib.layout.flywheel_displaces:
+        assert seen.g is not None
+        for i in range(3):
+            sunk = row.displaced_c[i] * weights["c"] + row.displaced_s[i] * weights["s"]
+            total = total - sunk * seen.g[i]
+    return total
+
+
+class Sides(Protocol):
+    """Right-hand sides of the coupled equations, and their solution into columns of the derivatives.
+
+    change     change of the wrench on the carrier (6)
+    drive_rhs  right-hand sides of the drives (N)
+    """
+
+    change: Place
+    drive_rhs: Place
+
+    def take_change(self) -> None:
+        """Make the change of the wrench the right-hand side of the carrier."""
+
+    def clear(self) -> None:
+        """Set the right-hand sides of the drives to zero."""
+
+    def clear_carrier(self) -> None:
+        """Set the right-hand side of the carrier to zero."""
+
+    def write(self, o: Place, name: str, column: Place) -> None:
+        """Solve, and write a column of the derivatives by `name`."""
+
+    def write_torque(self, o: Place, column: Place) -> None:
+        """Likewise, by the torque of a flywheel, whose right-hand side alone is not zero."""
+
+
+@dataclass(frozen=True)
+class CoupledMotion:
+    """What derivatives by phases, speeds and torques start from: arguments, sums, V_r* and phi'' of the motion."""
+
+    table: Place
+    x: Place
+    wrench: tuple[Argument, ...]
+    seen: Scene
+    V_dot: Place
+    phi_ddot: Place
+    origin_acceleration: Place
+
+
+def by_flywheels(lib: Library, body: Body, at: CoupledMotion, o: Place, sides: Sides) -> None:
+    """Derivatives of coupled by phi, phi' and tau, flywheel by flywheel."""
+    table, x, seen = at.table, at.x, at.seen
+    changes = body.local("change", (len(WEIGHTS),), comment="changes of the harmonic weights of a flywheel")
+    with body.loop("s", lib.layout.count) as s:
+        row = row_of(lib, body, table, s)
+        weights = row_weights(body, x, seen.turns, s, at.phi_ddot[s])
+        for name, by, turn, speed in (("phi", derived.by_phase(), 1, 0), ("phi_dot", derived.by_speed(), 0, 1)):
+            with body.block():
+                change_of_row(lib, body, row, by, weights, changes, seen, at.V_dot, sides.change)
+                about = own_change(lib, body, table, x, seen.V, at.wrench, s, sides.change, turn, speed)
+                sides.take_change()
+                sides.clear()
+                if turn:
+                    slope = torque_slope(lib, body, row, weights, seen, at.origin_acceleration, at.V_dot)
+                    body.set(sides.drive_rhs[s], -slope)
+                if about is not None:
+                    body.add(sides.drive_rhs[s], about[0])
+                sides.write(o, name, s)
+        sides.clear_carrier()
+        sides.clear()
+        body.set(sides.drive_rhs[s], real(1))
+        sides.write_torque(o, s)
