@@ -48,7 +48,8 @@ def test_samples_of_a_pendulum_are_their_own_stands() -> None:
     """Peak of the force of the pivot and the last speed of the tip, of a stick whose friction and mass vary."""
     stand = Stand.of(loads(TEXT + "\n[[hold.friction]]\nviscous = 0.01\n"), held=True)
     start = {"angles": [0.0, 0.4, 0.0], "u": [0.3]}
-    run = {"regime": {"default": {"speed": 100}}, "until": 0.1, "dt": 1e-3, "every": 5e-3, "start": start}
+    regime = {"default": {"speed": 100}}
+    run = {"regime": regime, "until": 0.1, "dt": 1e-3, "every": 5e-3, "start": start}
     wanted = {
         "force": {"peak": "force", "of": "hold"},
         "moment": {"end": "moment", "of": "hold", "axis": "y"},
@@ -60,7 +61,7 @@ def test_samples_of_a_pendulum_are_their_own_stands() -> None:
     assert not any(reasons)
     for j in range(3):
         one = stand.replace({path: float(values[j]) for path, values in changes.items()})
-        seen = mahovik.simulate(one, 0.1, regime=run["regime"], start=start, dt=1e-3, every=5e-3)
+        seen = mahovik.simulate(one, 0.1, regime=regime, start=start, dt=1e-3, every=5e-3)
         force = np.stack([seen[f"hold.reaction.{axis}"] for axis in "xyz"])
         assert found["force"][j] == pytest.approx(np.linalg.norm(force, axis=0).max(), rel=1e-12)
         assert found["moment"][j] == pytest.approx(seen["hold.reaction.m"][-1], rel=1e-11)

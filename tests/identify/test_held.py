@@ -169,3 +169,31 @@ def _axes(q: Array) -> Array:
 def _place(column: Array, point: Array) -> Array:
     """Place in E0 of a point of E1, of a pose (7)."""
     return np.asarray(column[:3] + _axes(column[3:7]) @ point)
+
+
+def test_friction_and_mass_of_a_pendulum_are_told_by_its_swing(tmp_path: Path) -> None:
+    """A stick with a rate gyro swings freely from an unknown angle; its pivot is on a table that reads the force."""
+    keys = {
+        "schema": 1, "name": "stick", "gravity": [0, 0, -9.81],
+        "carrier": {"mass": 0.4, "center_of_mass": [0, 0, -0.15], "inertia": [3e-3] * 3,
+                    "inertia_about": "center_of_mass"},
+        "hold": {"freedoms": ["pitch"], "friction": [{"viscous": "0.004 N m s/rad"}]},
+        "flywheel": [{"name": "wheel", "axis": [0, 1, 0], "zero": [0, 0, 1], "mass": 0.1, "spin_inertia": 1e-4,
+                      "transverse_inertia": 6e-5}],
+        "point": [{"name": "gyro", "position": [0, 0, -0.3]}],
+    }  # fmt: skip
+    true = Stand.from_dict(keys)
+    braked = {"default": {"hold": True}}
+    start = {"angles": [0, 0.5, 0], "u": [0.2]}
+    run = mahovik.simulate(true, 3.0, regime=braked, start=start, every=0.01, backend="scipy")  # the literal reference
+    noise = np.random.default_rng(2).normal(size=(len(run), 3)) * [0.01, 0.02, 0.02]
+    columns = [run["t"], run["gyro_y gyro"], run["hold.reaction.x"], run["hold.reaction.z"]]
+    rows = np.column_stack([columns[0], *(np.array(columns[1:]) + noise.T), run["phi wheel"]])
+    header = "time [s],gyro.rate.y [rad/s],hold.reaction.x [N],hold.reaction.z [N],wheel.phase [rad]"
+    np.savetxt(tmp_path / "swing.csv", rows, delimiter=",", header=header, comments="")
+    guess = true.replace({"carrier.mass": 0.5, "hold.friction.0.viscous": 0.01})
+    found = mahovik.identify(guess, tmp_path / "swing.csv", ["carrier.mass", "hold.friction[0].viscous"])
+    mass, friction = found.parameters.values()
+    assert (mass.path, friction.path, friction.unit) == ("carrier.mass", "hold.friction[0].viscous", "N m s/rad")
+    assert abs(mass.value - 0.4) < 4.0 * mass.standard_error < 0.02
+    assert abs(friction.value - 0.004) < 4.0 * friction.standard_error < 4e-4
