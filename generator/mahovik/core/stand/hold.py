@@ -321,7 +321,8 @@ def lines(hold: Hold) -> list[str]:
 
 TAKE_HELD = (
     "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, "
-    "`response`, `replay`, `judge-log`, `plan`, `verify-programme`, `export programme` and `export target`"
+    "`response`, `replay`, `judge-log`, `identify`, `balance`, `campaign`, `plan`, `verify-programme`, "
+    "`export programme` and `export target`"
 )
 """Commands that take held carriers."""
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from mahovik.core.stand.fields import Table
 from mahovik.core.stand.model import Hold, LawData, Stand
+from mahovik.core.stand.units import Dimension
 
 Note = Callable[..., None]
 """Notes a problem of the file: the parts of the key path, the last the reason."""
@@ -31,6 +32,7 @@ class LawSchema:
     mounted     those of the arrays whose items have a name and a `mount`, the carrier or an instrument
     held        `[[hold.key]]`: tables of the hold, each about one of its freedoms
     read_held   makes the data of these, and notes their problems; None where they do nothing
+    dimension_of  of a number of one of these tables by its key, which is that of the freedom; None: it is no number
     """
 
     data: type[LawData]
@@ -44,6 +46,7 @@ class LawSchema:
     mounted: tuple[str, ...] = ()
     held: Mapping[str, type[Table]] = field(default_factory=dict)
     read_held: Callable[[TablesByKey, Hold, Note], LawData | None] = lambda given, hold, note: None
+    dimension_of: Callable[[str, Any, Hold], Dimension | None] = lambda key, table, hold: None
 
 
 @dataclass(frozen=True)

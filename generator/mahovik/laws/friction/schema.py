@@ -140,4 +140,14 @@ def structure(law: Frictions | None, stand: Stand) -> dict[str, Any]:
     return {} if law is None else {"frictions": len(law.frictions)}
 
 
-SCHEMA = LawSchema(Frictions, read, lines, content, structure, held={"friction": FrictionTable}, read_held=read_held)
+def dimension_of(key: str, table: FrictionTable, hold: Hold) -> Dimension | None:
+    """Dimension of a number of the table, by the kind of its freedom."""
+    viscous, force, speed = _FORCES[hold.freedoms[find_freedom(hold, table.freedom)].kind]
+    numbers = {"viscous": viscous, "coulomb": force, "breakaway": force, "stribeck_speed": speed, "smoothing": speed}
+    return numbers.get(key)
+
+
+SCHEMA = LawSchema(
+    Frictions, read, lines, content, structure, held={"friction": FrictionTable}, read_held=read_held,
+    dimension_of=dimension_of,
+)  # fmt: skip

@@ -144,4 +144,12 @@ def structure(law: Stops | None, stand: Stand) -> dict[str, Any]:
     return {"slide_stops": kinds.count("slide"), "turn_stops": kinds.count("turn")}
 
 
-SCHEMA = LawSchema(Stops, read, lines, content, structure, held={"stop": StopTable}, read_held=read_held)
+def dimension_of(key: str, table: StopTable, hold: Hold) -> Dimension | None:
+    """Dimension of a number of the table, by the kind of its freedom."""
+    found = _FORCES[hold.freedoms[find_freedom(hold, table.freedom)].kind]
+    return dict(zip(("at", "stiffness", "damping"), found, strict=True)).get(key)
+
+
+SCHEMA = LawSchema(
+    Stops, read, lines, content, structure, held={"stop": StopTable}, read_held=read_held, dimension_of=dimension_of
+)

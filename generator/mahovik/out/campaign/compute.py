@@ -8,6 +8,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from mahovik.core.stand.hold import refuse_hold
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.structure import structure
 from mahovik.errors import UsageError
@@ -80,7 +81,9 @@ def prepare(
     """
     if not wanted:
         raise UsageError("quantity: none, expected at least one")
-    own = Stand.of(stand)
+    own = Stand.of(stand, held=True)
+    if own.hold is not None and over.kind == "programme":
+        refuse_hold(own, "over: programme")
     quantities = quantities_of(own, over, wanted, folder, user_functions or {})
     try:
         return Computation(_runner(own, over, quantities, folder), quantities)

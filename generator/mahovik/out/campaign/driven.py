@@ -108,3 +108,5 @@ class DrivenByTorque:
         if held.any():
             block.call("torque", t)
             given["tau"][~held] = driven[~held]
+        if case.stand.hold is not None and case.regime.mixes_speed_and_torque:  # the hold bears phi'' besides
+            self._wrench(block, t, np.zeros(N))

@@ -180,6 +180,12 @@ def course_of(stand: Stand, case: Case) -> Course:
             position=case.start.position, attitude=case.start.quaternion, V=case.start.V, phi=case.phi0 % (2 * np.pi),
             phi_dot=case.phi_dot0,
         )  # fmt: skip
+        if stand.hold is not None and not stand.hold.freedoms:
+            given = [
+                model.coupled(x, tau).phi_ddot
+                for tau in (np.zeros(len(stand.flywheels)), *np.eye(len(stand.flywheels)))
+            ]
+            return DrivenByTorque(case, model.wrenches, np.abs(np.array(given[1:]) - given[0]).T)
         locked = [each for each, held in zip(model.flywheels, case.regime.has_speed_law, strict=True) if held]
         mobility = np.abs(model.coupled_jacobian(x, locked=locked).phi_ddot_tau)
     return DrivenByTorque(case, model.wrenches, mobility)

@@ -15,7 +15,7 @@ from pydantic import BaseModel
 
 from mahovik.contract.laws import parts
 from mahovik.core.stand.fields import Table
-from mahovik.core.stand.law_schemas import mounted_schemas, with_laws
+from mahovik.core.stand.law_schemas import held_schemas, hold_with_laws, mounted_schemas, with_laws
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.problems import keys_of
 from mahovik.core.stand.schema import (
@@ -26,7 +26,7 @@ from mahovik.core.stand.schema import (
     PointTable,
     UnbalanceTable,
 )
-from mahovik.core.stand.units import PLAIN, Dimension, show
+from mahovik.core.stand.units import PLAIN, Dimension, number, show
 from mahovik.core.stand.written import dimension_and_table
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
@@ -134,7 +134,15 @@ class Places:
             for item in self._document.get(key, []):
                 if "name" in item:
                     found[item["name"]] = (table, item, item["name"])
+        if "hold" in self._document:
+            found.setdefault("hold", (hold_with_laws(), self._document["hold"], "hold"))
         return found
+
+    def along_freedom(self, schema: type[BaseModel], table: Any, key: str) -> Dimension | None:
+        """Dimension of a number of friction or a stop, which is that of its freedom; None of other numbers."""
+        hold = self._core.hold
+        own = [law for law in held_schemas() if schema in law.held.values()]
+        return own[0].dimension_of(key, table, hold) if own and hold is not None else None
 
     @cached_property
     def _lists(self) -> Mapping[str, type[Table]]:
@@ -226,6 +234,8 @@ class _Walk:
         field = schema.model_fields[key]
         dimension, inner = dimension_and_table((field.annotation, *field.metadata))
         value = getattr(values, key)
+        if value is not None and (along := self.places.along_freedom(schema, values, key)) is not None:
+            dimension, value = along, number(value, along)
         put, shown = f"{self.put}.{key}".lstrip("."), f"{self.shown}.{key}".lstrip(".")
         if key == "unbalance":
             value = self.places.unbalance(self.name, raw)

@@ -13,7 +13,7 @@ from mahovik.core.stand.names import name_problem
 from mahovik.core.stand.units import QuantityError, number
 from mahovik.errors import UsageError
 from mahovik.out.campaign.over import Kind, OverTable
-from mahovik.out.campaign.signals import AXES, SIGNALS, find_part, ties
+from mahovik.out.campaign.signals import AXES, HOLD, SIGNALS, find_part, ties
 from mahovik.out.campaign.statistics import BandRms, End, Least, Mean, Peak, Rms, Settling, Statistic
 from mahovik.out.campaign.user import UserFunction, find_function
 from mahovik.out.campaign.values import Signal
@@ -23,7 +23,7 @@ OF_POINTS = ("acceleration", "velocity", "displacement", "rotation", "rate")
 
 ALLOWED: Mapping[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "regime": (tuple(name for name in SIGNALS if name != "error"), STATISTICS),
-    "speeds": (OF_POINTS, ("peak", "rms")),
+    "speeds": ((*OF_POINTS, "force", "moment"), ("peak", "rms")),
     "programme": (tuple(SIGNALS), STATISTICS),
     "servo": (
         ("velocity", "displacement", "rotation", "rate", "torque", "power", "speed", "error"),
@@ -99,6 +99,8 @@ def _quantity(
             )
         return Quantity(name, table.unit, None, "function", function=find_function(table.signal, folder, functions))
     signals, statistics = ALLOWED[kind]
+    if kind == "speeds":
+        signals = OF_POINTS if stand.hold is None else ("force", "moment")
     for what, given, known in (("signal", table.signal, signals), ("statistic", table.statistic, statistics)):
         if given not in known:
             raise UsageError(f"{table.statistic}: no {what} `{given}` over {kind}; expected one of {', '.join(known)}")
@@ -124,7 +126,13 @@ def _quantity(
     if table.after and over.until is not None and table.after >= over.until:
         raise UsageError(f"after: {table.after:g} s: expected less than `until`, {over.until:g} s")
     own = Signal(table.signal, part, table.axis or "")
-    needs = frozenset[str]() if part in ties(stand) else signal.needs
+    needs = signal.needs
+    if part in ties(stand):
+        needs = frozenset()
+    elif signal.place == "part" and part == HOLD and stand.hold is not None:
+        needs = frozenset(("V_dot", "phi_ddot", "reaction"))
+    elif signal.place == "part" and kind == "speeds":
+        raise UsageError(f"{table.signal}: over speeds only that of the hold is known, found {part}")
     return Quantity(name, unit, own, table.statistic, table.band, table.after, within, needs=needs)
 
 

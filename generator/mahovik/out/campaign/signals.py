@@ -72,13 +72,17 @@ SIGNALS: Mapping[str, Kind] = {
     "error": _kind("stand", PLAIN, False, "", "of the carrier that follows a programme"),
 }
 
+HOLD = "hold"
+"""What holds a carrier, as a part that transmits force: its reaction, in E1 about O1."""
+
 EVERY = "all"
 """In place of a flywheel's name: the largest magnitude of all flywheels at each moment."""
 
 
 def parts(stand: Stand) -> tuple[str, ...]:
-    """What carries load: the ties of the carrier to E0 by the names of their laws, and mounts by their flywheels."""
-    return (*ties(stand), *(s.name for s in stand.flywheels))
+    """What carries load: ties of the carrier to E0 by the names of their laws, the hold, mounts by their flywheels."""
+    held = (HOLD,) if stand.hold is not None else ()
+    return (*ties(stand), *held, *(s.name for s in stand.flywheels if s.name not in held))
 
 
 def ties(stand: Stand) -> tuple[str, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import MahovikError
@@ -55,6 +56,7 @@ class AtRest:
         self._nominal = rest(stand, phases).state
         self._accuracy = accuracy(stand, self._nominal)
         own.x[:] = column(self._nominal)[:, None]
+        self._S = np.eye(6) if stand.hold is None else twists(stand.hold)
         self._inverse = self._inverse_stiffness(own)
 
     @property
@@ -79,20 +81,22 @@ class AtRest:
         return self._one_by_one(block, tables, np.flatnonzero(moving).astype(np.int64))
 
     def _inverse_stiffness(self, own: Block) -> Array:
-        """-(dV_dot/dpose)^-1 (6, 6) at the state of a block of one, least in the weights of SHIFTS_FIRST."""
-        here, columns = own.x.copy(), []
-        for i in range(6):
+        """-(dV_dot/dpose)^-1 (6, 6) at the state of a block of one, least in the weights of SHIFTS_FIRST.
+
+        Of a held carrier along its freedoms, least in their numbers.
+        """
+        here, columns = own.x.copy(), [np.zeros((6, 0))]
+        for each in self._S.T:
             both = []
             for sign in (1.0, -1.0):
-                step = np.zeros((6, 1))
-                step[i] = sign * _STEP
-                self._displace(own.x, step)
+                self._displace(own.x, sign * _STEP * each[:, None])
                 own.call("forward")
                 both.append(own.given["V_dot"][:, 0].copy())
                 own.x[:] = here
-            columns.append((both[0] - both[1]) / (2.0 * _STEP))
-        slope = np.stack(columns, axis=1)
-        return np.asarray(-np.linalg.pinv(slope / SHIFTS_FIRST, rcond=_FREE) / SHIFTS_FIRST[:, None])
+            columns.append(((both[0] - both[1]) / (2.0 * _STEP))[:, None])
+        slope = np.hstack(columns)
+        weights = SHIFTS_FIRST if own.stand.hold is None else np.ones(slope.shape[1])
+        return np.asarray(-self._S @ (np.linalg.pinv(slope / weights, rcond=_FREE) / weights[:, None]))
 
     @staticmethod
     def _displace(x: Array, step: Array) -> None:

@@ -18,6 +18,7 @@ from mahovik.out.campaign.signals import AXES
 from mahovik.out.functions.given import by_flywheel
 from mahovik.out.functions.vibration import speed_text
 from mahovik.use.study.linear.model import Place, places
+from mahovik.use.study.response.held import REACTION, HeldMotion
 from mahovik.use.study.response.periodic import Periodic, periodic_response, rms
 from mahovik.use.study.response.speeds import common_period, read_speeds
 
@@ -38,7 +39,8 @@ class SteadyRunner:
         self._speeds = asked.speeds(0.0)
         common_period(self._speeds)
         self._phases = by_flywheel("phases", over.phases, stand)
-        self._points = tuple(dict.fromkeys(q.signal.part for q in quantities if q.signal is not None))
+        parts = (q.signal.part for q in quantities if q.signal is not None)
+        self._points = tuple(dict.fromkeys(part for part in parts if stand.hold is None))
 
     def values(self, tables: Tables) -> tuple[dict[str, Array], list[str]]:
         """See `compute.Runner`."""
@@ -54,7 +56,13 @@ class SteadyRunner:
             known = {place.name: place for place in places(stand, self._points)}
             for q in self._quantities:
                 assert q.signal is not None
-                found[q.name][j] = _statistic(q, series(motion, known[q.signal.part], q.signal.name), motion)
+                if stand.hold is None:
+                    values = series(motion, known[q.signal.part], q.signal.name)
+                else:
+                    held = motion.motion_of(REACTION)
+                    assert isinstance(held, HeldMotion)
+                    values = held.values[q.signal.name]
+                found[q.name][j] = _statistic(q, values, motion)
         return found, reasons
 
 

@@ -24,7 +24,7 @@ from mahovik.out.campaign.pose import (
     turn_back,
 )
 from mahovik.out.campaign.required import Required
-from mahovik.out.campaign.signals import AXES, EVERY, SIGNALS, sensors
+from mahovik.out.campaign.signals import AXES, EVERY, HOLD, SIGNALS, sensors
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,6 +138,8 @@ def _specific_force(own: Signal, scene: Scene, at: Chunk, turned: bool) -> Array
 
 def _load(own: Signal, scene: Scene, at: Chunk, turned: bool) -> Array:
     first = 0 if own.name == "force" else 3
+    if own.part == HOLD and scene.stand.hold is not None:
+        return at.reaction[:, first : first + 3]
     names = [s.name for s in scene.stand.flywheels]
     if own.part in names:
         k = 6 * names.index(own.part) + first

@@ -151,13 +151,16 @@ def balance_stand(
     """
     from mahovik.use.measured import read_recordings
 
-    own = Stand.of(stand)
+    own = Stand.of(stand, held=True)
     given = load_planes(Path(planes)) if isinstance(planes, str | Path) else planes
     places = read_planes(own, given or {})
     files = [Path(data)] if isinstance(data, str | Path) else [Path(each) for each in data]
     recordings = read_recordings(files, own)
     notes = [note for each in recordings for note in each.notes]
     wheels = balance_wheels(own, recordings, places)
+    if own.hold is not None and own.hold.freedoms:
+        notes.append("not simulated: the harmonic balance of the full equations takes no held carrier that moves yet")
+        return StandBalance(own, wheels, recordings, notes)
     try:
         wheels = tuple(simulate_balance(own, wheels, [first_order(each, own) for each in recordings]))
     except CheckError as error:

@@ -167,8 +167,7 @@ def _of_sensor(look: Look, grams: Grams, own: list[int], mended: Taken, given: A
     if not (better or cost < BETTER * float(excess.sum())) or after >= GOOD * len(rows):
         return None
     taken_as = ", ".join(
-        f"{channels[c].letter} = {'-' if sign < 0 else ''}{channels[d].letter}"
-        for c, (d, sign) in changed.items()
+        f"{channels[c].letter} = {'-' if sign < 0 else ''}{channels[d].letter}" for c, (d, sign) in changed.items()
     )
     point, kind = channels[own[0]].point, channels[own[0]].kind
     advice = "" if kind == REACTION else f" or the angles of {point}"

@@ -92,6 +92,8 @@ class Predictor:
     ) -> None:
         if regime.by_torque:
             raise UsageError(f"{regime.name}: expected the speeds of all flywheels, found a flywheel driven by torque")
+        if not stand.flywheels:
+            raise UsageError(f"{stand.name} has no flywheel, expected at least one: a still one has a constant phase")
         if count < 2:
             raise UsageError(f"expected at least 2 samples, found {count}")
         N = len(stand.flywheels)

@@ -26,9 +26,11 @@ from mahovik.use.balance.influence import INDEPENDENT, Influence
 from mahovik.use.balance.pieces import Made, choose_pieces
 from mahovik.use.balance.polar import Array, Complex
 from mahovik.use.measured import Recording
+from mahovik.use.study.jitter.held_plant import HeldPlant
 from mahovik.use.study.jitter.plant import Plant
 from mahovik.use.study.jitter.quantity import View
 from mahovik.use.study.linear.model import places
+from mahovik.use.study.response.held import HeldScene
 from mahovik.use.study.response.scene import Scene
 
 HALF_WIDTH = 1.959963984540054
@@ -143,13 +145,23 @@ def balance_wheels(
     Raises BalanceError, CheckError: the stand has no equilibrium.
     """
     found = [first_order(each, stand) for each in recordings]
-    scene = Scene.of(stand)
-    plant = Plant.of(scene)
+    scene, plant = _prepare(stand)
     turning = np.flatnonzero(np.any([each.speeds != 0.0 for each in found], axis=0))
     return tuple(_wheel(scene, plant, int(s), planes.get(stand.flywheels[s].name, Planes()), found) for s in turning)
 
 
-def _wheel(scene: Scene, plant: Plant, s: int, planes: Planes, found: Sequence[FirstOrder]) -> WheelBalance:
+def _prepare(stand: Stand) -> tuple[Scene | HeldScene, Plant | HeldPlant]:
+    """The stand about its rest, and its response. Raises CheckError."""
+    if stand.hold is None:
+        scene = Scene.of(stand)
+        return scene, Plant.of(scene)
+    held = HeldScene.of(stand)
+    return held, HeldPlant.of(held)
+
+
+def _wheel(
+    scene: Scene | HeldScene, plant: Plant | HeldPlant, s: int, planes: Planes, found: Sequence[FirstOrder]
+) -> WheelBalance:
     flywheel, positions = scene.stand.flywheels[s], planes.positions
     firsts = tuple(
         First(
@@ -202,7 +214,7 @@ def _problem(wheel: WheelBalance, choices: tuple[Choice | None, ...]) -> Influen
 def amplitudes(channels: Sequence[str], before: Complex, after: Complex) -> Change:
     """Root of the sum of squares over the channels (K labels) of each quantity, of first orders (K)."""
     rows = []
-    for quantity in ("acceleration", "rate"):
+    for quantity in ("acceleration", "rate", "force", "moment"):
         own = [k for k, label in enumerate(channels) if _quantity(label) == quantity]
         if own:
             rows.append((quantity, float(np.linalg.norm(before[own])), float(np.linalg.norm(after[own]))))
@@ -210,10 +222,14 @@ def amplitudes(channels: Sequence[str], before: Complex, after: Complex) -> Chan
 
 
 def _quantity(label: str) -> str:
-    return label.split(".")[-2]
+    """Quantity of a channel by its label; of a reaction force or moment, which differ in their unit."""
+    _, quantity, component = label.rsplit(".", 2)
+    return quantity if quantity != "reaction" else "force" if component in "xyz" else "moment"
 
 
-def influences(scene: Scene, plant: Plant, s: int, positions: Sequence[float], found: FirstOrder) -> Complex:
+def influences(
+    scene: Scene | HeldScene, plant: Plant | HeldPlant, s: int, positions: Sequence[float], found: FirstOrder
+) -> Complex:
     """Influence (K, P) of 1 kg m at angle zero in each plane on the channels, at the speeds of a recording."""
     speed, omega = float(found.speeds[s]), np.array([[abs(found.speeds[s])]])
     origin, axes = pose(scene.stand, scene.stand.flywheels[s])
@@ -227,6 +243,11 @@ def influences(scene: Scene, plant: Plant, s: int, positions: Sequence[float], f
     motion = plant.pose(found.speeds[None], omega, wrench[None, None])[0, 0].T  # (P, 6)
     rows = []
     for channel in found.channels:
+        if channel.quantity == "reaction":
+            assert isinstance(plant, HeldPlant)
+            reaction = plant.reaction(found.speeds[None], omega, wrench[None, None])[0, 0]
+            rows.append(reaction["xyzkmn".index(channel.component)])
+            continue
         (where,) = places(scene.stand, [channel.name])
         values = View.of(where, channel.quantity).by_pose(motion, omega[0])
         if channel.quantity == "acceleration":  # specific force: the point's axes turn against gravity

@@ -42,9 +42,10 @@ class FirstOrder:
 
 def first_order(recording: Recording, stand: Stand) -> FirstOrder:
     """First orders of a recording. Raises BalanceError."""
-    channels = tuple(c for c in recording.channels if c.quantity in ("acceleration", "rate"))
+    channels = tuple(c for c in recording.channels if c.quantity in ("acceleration", "rate", "reaction"))
     if not channels:
-        raise BalanceError([f"{recording.source}: no acceleration or rate of a point of {stand.name}"])
+        what = "a point" if stand.hold is None else "a point, and no reaction of the hold,"
+        raise BalanceError([f"{recording.source}: no acceleration or rate of {what} of {stand.name}"])
     phases = {s: c.values for s, f in enumerate(stand.flywheels) if (c := recording.find(f.name, "phase")) is not None}
     speeds = np.zeros(len(stand.flywheels))
     for s, phase in phases.items():
@@ -62,11 +63,18 @@ def first_order(recording: Recording, stand: Stand) -> FirstOrder:
     error = np.full(X.shape, np.inf)
     for k, channel in enumerate(channels):
         X[k, turning], error[k, turning] = _fit(recording, regressors, channel, len(turning))
-    for quantity in ("acceleration", "rate"):
-        rows = [k for k, c in enumerate(channels) if c.quantity == quantity]
+    for quantity in ("acceleration", "rate", "force", "moment"):
+        rows = [k for k, c in enumerate(channels) if _kind(c) == quantity]
         if rows:
             error[rows] = np.maximum(error[rows], FLOOR * np.abs(X[rows]).max(initial=0.0) or 1e-300)
     return FirstOrder(recording.source, speeds, channels, X, error)
+
+
+def _kind(channel: Channel) -> str:
+    """Quantity of a channel; of a reaction force or moment."""
+    if channel.quantity != "reaction":
+        return channel.quantity
+    return "force" if channel.component in "xyz" else "moment"
 
 
 def _fit(recording: Recording, regressors: Array, channel: Channel, count: int) -> tuple[Complex, Array]:

@@ -15,12 +15,13 @@ import numpy as np
 
 from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Stand
-from mahovik.proof.reference import pieces
+from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.points import points
 from mahovik.use.balance.by_model import WheelBalance, amplitudes
 from mahovik.use.balance.first_order import FirstOrder
 from mahovik.use.balance.polar import Array, Complex, read_polar, write_polar
 from mahovik.use.study.jitter.balance import balance as steady_motion
+from mahovik.use.study.rest import rest
 
 ORDER = 2
 """Largest sum of orders of the harmonic balance."""
@@ -49,6 +50,8 @@ def simulate_balance(stand: Stand, wheels: Sequence[WheelBalance], found: Sequen
 def first_orders(stand: Stand, asked: FirstOrder) -> Complex:
     """First orders (K, N) in the channels and at the speeds of a recording. Raises CheckError."""
     turning = np.flatnonzero(asked.speeds)
+    if stand.hold is not None:
+        return _of_table(stand, asked)
     motion = steady_motion(stand, asked.speeds.tolist(), order=ORDER)
     columns = 1 + 4 * len(turning)
     theta = np.random.default_rng(0).uniform(0.0, 2.0 * np.pi, (3 * columns, len(turning)))
@@ -57,8 +60,28 @@ def first_orders(stand: Stand, asked: FirstOrder) -> Complex:
     for each, rate in zip(theta, rates, strict=True):
         seen = points(pieces(stand, motion.state(each)), stand, rate[6:])
         rows.append([_value(seen[c.name], c.quantity, "xyz".index(c.component)) for c in asked.channels])
+    return _fit(stand, asked, theta, np.array(rows))
+
+
+def _of_table(stand: Stand, asked: FirstOrder) -> Complex:
+    """First orders in the channels of a clamped carrier, whose reaction the literal (8) gives at every phase."""
+    turning, still = np.flatnonzero(asked.speeds), rest(stand).state
+    theta = np.random.default_rng(0).uniform(0.0, 2.0 * np.pi, (3 * (1 + 4 * len(turning)), len(turning)))
+    rows = []
+    for each in theta:
+        phi = np.zeros(len(stand.flywheels))
+        phi[turning] = each
+        state = replace(still, phi=tuple(phi.tolist()), phi_dot=tuple(asked.speeds.tolist()))
+        found = evaluate(stand, state, ["reaction"])["reaction"]
+        rows.append([found["xyzkmn".index(c.component)] if c.quantity == "reaction" else 0.0 for c in asked.channels])
+    return _fit(stand, asked, theta, np.array(rows))
+
+
+def _fit(stand: Stand, asked: FirstOrder, theta: Array, rows: Array) -> Complex:
+    """First orders (K, N) of readings (M, K) at phases (M) of the flywheels that turn."""
+    turning = np.flatnonzero(asked.speeds)
     harmonics = [f(order * theta[:, k]) for k in range(len(turning)) for order in (1, 2) for f in (np.cos, np.sin)]
-    coefficients = np.linalg.lstsq(np.column_stack([np.ones(len(theta)), *harmonics]), np.array(rows), rcond=None)[0]
+    coefficients = np.linalg.lstsq(np.column_stack([np.ones(len(theta)), *harmonics]), rows, rcond=None)[0]
     X = np.zeros((len(asked.channels), len(stand.flywheels)), dtype=np.complex128)
     X[:, turning] = (coefficients[1::4] - 1j * coefficients[2::4]).T
     return X

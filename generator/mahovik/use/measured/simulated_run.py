@@ -26,7 +26,7 @@ def is_run(columns: Iterable[str]) -> bool:
 
 def run_header(column: str) -> str | None:
     """Header of a channel, `acc1.acceleration.x [m/s2]`, of a column of a run; None: it is no channel."""
-    if column.startswith("t ["):
+    if column.startswith(("t [", "hold.reaction.")):
         return column
     if sensor := _SENSOR.fullmatch(column):
         return f"{sensor[3]}.{SENSORS[sensor[1]]}.{sensor[2]} {sensor[4]}"

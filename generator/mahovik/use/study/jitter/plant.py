@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.quiet.lines import mean_model, unbalance_wrenches
 from mahovik.use.study.response.scene import Scene
@@ -41,11 +42,15 @@ class Plant:
     @staticmethod
     def of(scene: Scene) -> Plant:
         """The plant of a stand about its rest. Raises StateError."""
-        stand, N = scene.stand, len(scene.stand.flywheels)
-        point = stand.carrier.name
-        A, B, _ = mean_model(stand, scene.rest, point, np.zeros(N))
-        gyro = [mean_model(stand, scene.rest, point, row)[0][6:, 6:] - A[6:, 6:] for row in np.eye(N)]
-        turning, hanging = unbalance_wrenches(stand, scene.rest)
+        return Plant.about(scene.stand, scene.rest)
+
+    @staticmethod
+    def about(stand: Stand, rest: State) -> Plant:
+        """The plant of a free carrier about a pose at rest, where something may hold it. Raises StateError."""
+        N, point = len(stand.flywheels), stand.carrier.name
+        A, B, _ = mean_model(stand, rest, point, np.zeros(N))
+        gyro = [mean_model(stand, rest, point, row)[0][6:, 6:] - A[6:, 6:] for row in np.eye(N)]
+        turning, hanging = unbalance_wrenches(stand, rest)
         return Plant(stand, A[6:, :6], A[6:, 6:], np.array(gyro).reshape(N, 6, 6), B[6:], turning, hanging)
 
     def pose(self, speeds: Array, omega: Array, wrench: Complex) -> Complex:
@@ -60,7 +65,7 @@ class Plant:
             w = omega[i : i + step, :, None, None]
             b = self.b + np.tensordot(speeds[i : i + step], self.gyro, axes=1)
             matrix = np.asarray(-(w**2) * np.eye(6) - 1j * w * b[:, None] - self.a, dtype=np.complex128)
-            found[i : i + step] = _solve(matrix, self.inverse @ wrench[i : i + step])
+            found[i : i + step] = solve_many(matrix, self.inverse @ wrench[i : i + step])
         return found
 
     def unbalance(self, speeds: Array, phases: Array) -> tuple[Array, Complex]:
@@ -71,13 +76,15 @@ class Plant:
         return omega, np.where(speeds[:, :, None] < 0.0, w.conj(), w)
 
 
-def _solve(matrix: Complex, right: Complex) -> Complex:
+def solve_many(matrix: Complex, right: Complex) -> Complex:
+    """Solutions (..., m, P) of many systems (..., m, m); NaN where one is singular."""
+    m = matrix.shape[-1]
     try:
         return np.asarray(np.linalg.solve(matrix, right))
     except np.linalg.LinAlgError:
-        flat, b = matrix.reshape(-1, 6, 6), right.reshape(-1, 6, right.shape[-1])
+        flat, b = matrix.reshape(-1, m, m), right.reshape(-1, m, right.shape[-1])
         found = np.full(b.shape, np.nan, dtype=np.complex128)
         for i in range(len(flat)):
-            if np.linalg.matrix_rank(flat[i]) == 6:
+            if np.linalg.matrix_rank(flat[i]) == m:
                 found[i] = np.linalg.solve(flat[i], b[i])
         return found.reshape(right.shape)

@@ -1,0 +1,62 @@
+"""Balancing by a force table, and on a carrier that its hold lets move: corrections and influences of the reaction."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import mahovik
+from identify.test_held import START, TRUE, readings, table, with_noise, write
+from mahovik.errors import BalanceError
+from mahovik.use.study.jitter.held_plant import HeldPlant
+from mahovik.use.study.response import periodic_response
+from mahovik.use.study.response.held import HeldScene
+from study.test_response_held import shaker
+
+
+@pytest.fixture(scope="module")
+def exact() -> Any:
+    return readings(TRUE)
+
+
+def test_a_force_table_tells_corrections_in_two_planes(tmp_path: Path, exact: Any) -> None:
+    """Static and dynamic unbalance within the intervals of the noise; the full equations then read little more."""
+    file = write(tmp_path / "run.csv", with_noise(exact, 1))
+    found = mahovik.balance_stand(table([], **START), file, planes={"all": [-0.02, 0.02]})
+    given = {"first": (72e-6, 40.0, 3e-6, 110.0), "second": (50e-6, -70.0, 2e-6, -20.0)}
+    for wheel in found.wheels:
+        amount, at, couple, couple_at = given[wheel.name]
+        static, dynamic = (x * np.exp(1j * np.radians(a)) for x, a in ((amount, at), (couple, couple_at)))
+        assert abs(wheel.static - static) < 4.0 * wheel.static_error
+        arms = np.array(wheel.positions)
+        spread = float(np.sqrt((arms @ wheel.covariance @ arms).real))
+        assert abs(-wheel.w @ arms - dynamic) < 4.0 * spread
+        assert [name for name, _, _ in wheel.vibration] == ["force", "moment"]
+        assert all(after < 0.01 * before for _, before, after in (*wheel.vibration, *wheel.simulated))
+    assert not found.notes
+
+
+def test_data_without_a_channel_of_the_hold_are_refused(tmp_path: Path, exact: Any) -> None:
+    np.savetxt(tmp_path / "run.csv", exact[:, [0, 7, 8]], delimiter=",", comments="",
+               header="time [s],first.phase [rad],second.phase [rad]")  # fmt: skip
+    with pytest.raises(BalanceError, match="no acceleration or rate of a point, and no reaction of the hold, of held"):
+        mahovik.balance_stand(TRUE, tmp_path / "run.csv")
+
+
+@pytest.mark.parametrize("friction", [False, True])
+def test_the_linear_reaction_of_what_moves_is_that_of_the_full_equations(friction: bool) -> None:
+    """First order of the reaction on a rail with a spring, damped by the rail's friction or by the suspension."""
+    document = shaker(friction)
+    document["flywheel"][0]["unbalance"] = {"static": "160 g mm"}  # a small motion
+    document["flywheel"][0]["position"] = [0.1, -0.2, 0.3]
+    stand, speed = mahovik.Stand.from_dict(document), 24.0
+    plant = HeldPlant.of(HeldScene.of(stand))
+    omega, wrench = plant.free.unbalance(np.array([[speed]]), np.zeros(1))
+    found = plant.reaction(np.array([[speed]]), omega, wrench[..., None])[0, 0, :, 0]
+    seen = periodic_response(stand, [speed]).motion_of("hold.reaction")
+    expected = np.concatenate([seen.harmonics(quantity)[1] for quantity in ("force", "moment")])
+    assert np.abs(found - expected).max() < 1e-4 * np.abs(expected).max()
+    assert abs(found[2]) < 1e-12 * np.abs(found).max()  # along the rail the hold exerts nothing
