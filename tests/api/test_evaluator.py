@@ -15,6 +15,7 @@ from mahovik.errors import StateError
 from mahovik.out.api.compiled import Real
 from mahovik.out.api.evaluator import KeptBackend
 from mahovik.proof.verify.c_backend import CBackend
+from toolchain.quick import quick
 
 CASES = (("general", "double"), ("everything", "double"), ("everything", "float"), ("rigid", "double"))
 
@@ -35,7 +36,7 @@ def plain(value: Any) -> Any:
     return value
 
 
-@pytest.mark.parametrize(("name", "real"), CASES)
+@pytest.mark.parametrize(("name", "real"), quick(2, CASES))
 def test_bits_are_those_of_the_harness(name: str, real: str) -> None:
     of, rng = stand(name), np.random.default_rng(19)
     kept, judged = KeptBackend(of, cast(Real, real)), CBackend(of, real)

@@ -45,6 +45,7 @@ def test_a_planted_sign_is_named() -> None:
     assert found.differing == ("Z",)
 
 
+@pytest.mark.slow
 def test_a_planted_sign_of_a_gyroscopic_torque_is_named() -> None:
     def answer(state: State, want: str) -> Mapping[str, Any]:
         found = dict(gyrostat.textbook(state, want))

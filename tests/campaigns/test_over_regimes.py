@@ -84,7 +84,7 @@ PUSHED = {"default": {"ramp": {"to": 60, "duration": "9 ms"}}, "wrench": {"carri
     [
         pytest.param({"default": {"torque": "0.01 N m"}}, id="torque", marks=pytest.mark.slow),
         pytest.param(GOVERNED, id="run-up beside a speed", marks=pytest.mark.slow),
-        pytest.param(MIXED, id="torque beside a ramp"),
+        pytest.param(MIXED, id="torque beside a ramp", marks=pytest.mark.slow),
         pytest.param(PUSHED, id="ramp with a wrench", marks=pytest.mark.slow),
     ],
 )

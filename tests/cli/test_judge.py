@@ -126,6 +126,7 @@ for line in sys.stdin:
 """
 
 
+@pytest.mark.slow
 def test_no_wrench_is_sent_that_the_stand_does_not_take() -> None:
     """No body of demo3 has `wrench_input`."""
     command = f"{PYTHON} -c {shlex.quote(TELL)}"

@@ -124,7 +124,9 @@ def test_what_a_terminal_does_is_no_fault(spoil: Callable[[str], str], printed: 
         (r"physics \w+", "physics 00000000", "physics 00000000, the stand file has "),
         (r"selftest demo3", "selftest demo4", "stand demo4, the stand file has demo3"),
         (r"generator mahovik \S+", "generator mahovik 0.0.1", "made by mahovik 0.0.1, this is "),
-        (r"real double", "real float", "other bits in the sweep of 20 states: forward"),
+        pytest.param(
+            r"real double", "real float", "other bits in the sweep of 20 states: forward", marks=pytest.mark.slow
+        ),
         (r"coupled PASS cases 4 worst 0", "coupled FAIL cases 4 wrong 1 worst 9", "FAIL: coupled (worst 9 ulp)"),
         (r"torque PASS.*\n", "", "no line PASS or FAIL of: torque"),
         (r"torque PASS", "torqqe PASS", "no line PASS or FAIL of: torque"),
@@ -141,7 +143,9 @@ def test_what_a_terminal_does_is_no_fault(spoil: Callable[[str], str], printed: 
         (r"torque PASS cases 4", "torque PASS cases 3", "not 4 cases, as this version has: torque"),
         (r"(torque PASS.*\n)", r"\1torque PASS cases 4 worst 1 ulp\n", "two lines that differ: torque"),
         (r"sweep 20\n", "", 'no line "sweep"'),
-        (r"sweep 20\n", "sweep 21\n", "other bits in the sweep of 21 states: forward"),
+        pytest.param(
+            r"sweep 20\n", "sweep 21\n", "other bits in the sweep of 21 states: forward", marks=pytest.mark.slow
+        ),
         (r"\nmomentum \w{8}\n", "\n", "no hash of the sweep of: momentum"),
         (r"\nmomentum \w{8}\n", "\nmomentum 00000000\n", "momentum: 00000000 on the board, "),
         (r"failures 0", "failures 2", "failures 2, but no line says FAIL"),

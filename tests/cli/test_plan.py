@@ -122,6 +122,7 @@ def test_fewer_than_were_to_be_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert load_programme(folder / "p.json").motion == programme.motion
 
 
+@pytest.mark.slow
 def test_a_slew_goes_through_the_same_commands(tmp_path: Path) -> None:
     """Planned, verified, exported with as many nodes as it needs; refused in one line."""
     motion, programme = tmp_path / "turn.json", tmp_path / "p.json"

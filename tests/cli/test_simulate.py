@@ -249,6 +249,7 @@ def started(command: list[str], folder: Path, env: dict[str, str]) -> subprocess
     return subprocess.Popen(restored, stderr=subprocess.PIPE, text=True, cwd=folder, env=env)
 
 
+@pytest.mark.slow
 def test_ctrl_c_keeps_what_was_computed(own_folder: Path) -> None:
     command = [sys.executable, "-c", "from mahovik.out.cli import main; main()", "simulate", DEMO3]
     command += ["--until", "2000", "--every", "0.01", "-o", "run.csv"]

@@ -56,6 +56,7 @@ def test_a_missing_gyroscopic_term_is_found() -> None:
     assert remainders([literal()[4] - planted[4]], SO3) != []
 
 
+@pytest.mark.slow
 def test_the_carrier_rows_are_the_literal_equation() -> None:
     """K V* + M V + I phi'' + J phi' of one flywheel, (8), is L times its wrench; the force rows and the moment rows."""
     terms = flywheel.literal(W, carrier.V)

@@ -32,7 +32,7 @@ def built(files: dict[str, str], name: str, folder: Path, compiler: str = "gcc")
 @pytest.mark.parametrize(
     ("name", "real", "lanes"),
     [
-        ("demo3", "double", 2),
+        pytest.param("demo3", "double", 2, marks=pytest.mark.slow),
         pytest.param("demo3", "float", 2, marks=pytest.mark.slow),
         pytest.param("everything6", "double", 4, marks=pytest.mark.slow),
     ],

@@ -44,6 +44,7 @@ def test_soft_float_calls_single_helpers_only(source: Path, tmp_path: Path) -> N
     assert [line for line in wanted if re.search(HELPERS, line)] == []
 
 
+@pytest.mark.slow
 def test_no_double_on_risc_v_without_an_fpu(source: Path, tmp_path: Path) -> None:
     flags = ("-march=rv32imac", "-mabi=ilp32", "--specs=picolibc.specs")
     wanted, _ = undefined(source, tmp_path, require(*RISCV), *flags)

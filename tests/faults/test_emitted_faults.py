@@ -17,7 +17,7 @@ QUICK = (
     "second pivot not tested",
     "angle guard a thousand times too narrow",
 )
-"""Faults that `make test` plants; `make test-slow` plants all."""
+"""Faults that `make test` plants; `make test-slow` plants a part of the others, `make test-all` all."""
 
 USED = sorted({(fault.host, name) for fault in FAULTS for name in fault.caught_by}, key=str)
 

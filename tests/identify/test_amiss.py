@@ -46,7 +46,7 @@ def test_channels_of_noise_fake_nothing(tmp_path: Path, truth: mahovik.Stand, cl
     assert shares["imu.rate.x"] == pytest.approx(1.0, abs=0.05)
 
 
-@pytest.mark.parametrize("channel", quick(1, [1, 5]))
+@pytest.mark.parametrize("channel", quick(0, [1, 5]))
 def test_channels_of_noise_hide_no_sign(tmp_path: Path, truth: mahovik.Stand, clean: Array, channel: int) -> None:
     rows = clean.copy()
     rows[:, channel] *= -1.0

@@ -99,6 +99,7 @@ def test_information_is_that_of_a_dense_least_squares() -> None:
     assert found.volume == pytest.approx(np.linalg.det(expected / np.outer(free.scale, free.scale)) ** (1 / k))
 
 
+@pytest.mark.slow
 def test_predicted_errors_are_those_of_the_estimation() -> None:
     """An estimate from data with this noise states the same covariance."""
     stand = bench8(2)

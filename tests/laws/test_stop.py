@@ -4,22 +4,19 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 import mahovik
 from cli.run import run
-from laws.held_stands import agree, enclosed, held_stand, moved, rail, table
+from laws.held_stands import agree, compare_slopes, enclosed, held_stand, moved, rail, refused, table
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.stand import Stand, dumps, identities
+from mahovik.core.stand import dumps, identities
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.summary import summarize
-from mahovik.errors import StandError
 from mahovik.laws.stop import plan
 from mahovik.laws.stop.data import Stops, stops_of
 from mahovik.laws.stop.reference import wrench
@@ -151,29 +148,7 @@ def test_slopes_of_planning(name: str) -> None:
     """The wrench is the literal one at any pose; its slopes are differences of it over small steps of the pose."""
     stand = held_stand(name, GIVEN[name])
     for seed in range(3):
-        _compare_slopes(stand, seed)
-
-
-def _compare_slopes(stand: Stand, seed: int) -> None:
-    pieces = reference.pieces(stand, state := random_state(stand, np.random.default_rng(seed)))
-    place = np.array(state.position)
-
-    def pose_of(shift: Any, turned: Any, V: Any) -> Any:
-        C = pieces.C @ Rotation.from_rotvec(turned).as_matrix()
-        return SimpleNamespace(C=C[None], O1=(place + pieces.C @ shift)[None], V=V[None])
-
-    zero = np.zeros(3)
-    slopes = plan.slopes(stand, pose_of(zero, zero, pieces.V))
-    kinds = pieces.terms["carrier"]
-    own = sum(wrench for kind, wrench in kinds.items() if kind.startswith("stop"))
-    np.testing.assert_allclose(plan.wrench(stand, pose_of(zero, zero, pieces.V))[0], own, rtol=1e-11, atol=1e-12)
-    for k, step in enumerate(1e-6 * np.eye(6)):
-        ends = [plan.wrench(stand, pose_of(s * step[:3], s * step[3:], pieces.V))[0] for s in (1, -1)]
-        size = 1e-6 * max(1.0, np.abs(slopes.by_pose).max())
-        np.testing.assert_allclose(slopes.by_pose[0][:, k], (ends[0] - ends[1]) / 2e-6, rtol=1e-5, atol=size)
-        ends = [plan.wrench(stand, pose_of(zero, zero, pieces.V + s * step))[0] for s in (1, -1)]
-        size = 1e-6 * max(1.0, np.abs(slopes.by_twist).max())
-        np.testing.assert_allclose(slopes.by_twist[0][:, k], (ends[0] - ends[1]) / 2e-6, rtol=1e-5, atol=size)
+        compare_slopes(stand, plan, "stop", seed)
 
 
 def test_numbers_are_no_structure_and_nothing_is_there_without_it() -> None:
@@ -219,11 +194,7 @@ def test_numbers_are_no_structure_and_nothing_is_there_without_it() -> None:
     ],
 )
 def test_refusals(hold: str, text: str, words: str) -> None:
-    """Each names the place and what was found."""
-    with pytest.raises(StandError) as caught:
-        held_stand(hold, text)
-    assert words in str(caught.value)
-    assert len(str(caught.value).splitlines()) == 1
+    refused(hold, text, words)
 
 
 def test_a_home_pose_behind_a_stop_is_warned_of() -> None:

@@ -14,6 +14,7 @@ import mahovik.core.program.interpret as module
 from emit.compiled import QUANTITIES, bits, compiled
 from mahovik.core.program.types import Kind, Precision, Struct
 from mahovik.core.stand.random import extreme_state, random_state
+from toolchain.quick import quick
 from toolchain.tools import require
 
 NAMES = ("everything6", "hung5", "wet7", "bare5", "everything0", "bare0", "stream1")
@@ -24,7 +25,7 @@ OTHERS = (
 )
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", quick(3, NAMES))
 def test_nothing_is_read_before_it_is_written(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The interpreter begins locals and outputs with zeros, C with what was there: with NaN nothing may change."""
     c = compiled(name)

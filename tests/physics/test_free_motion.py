@@ -15,6 +15,7 @@ from mahovik.proof.reference import evaluate
 from mahovik.proof.reference.array import Array
 from physics.general import draw, isolated, without_wrench
 from physics.motions import rotation, vec
+from toolchain.quick import quick
 
 # relative tolerance of the integrator is 1e-11 a step, a few hundred steps, errors add up at random
 DRIFT = 2e-9
@@ -104,7 +105,7 @@ def test_driven_flywheels_keep_momentum_in_E0_while_energy_takes_their_work() ->
     assert max(energies) - min(energies) > 0.1 * energies[0]  # the drives do work
 
 
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", quick(1, range(2)))
 def test_undamped_legs_and_weight_keep_total_energy(seed: int) -> None:
     stand, state = draw(seed, 2)
     legs = tuple(replace(leg, damping=0.0) for leg in legs_of(stand))

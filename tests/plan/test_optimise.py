@@ -53,6 +53,7 @@ def test_bias_is_bounded_and_fixed_where_its_bound_is_zero() -> None:
     assert unfixed == []
 
 
+@pytest.mark.slow
 def test_same_start_same_bits() -> None:
     """Nothing depends on time or chance."""
     one, two = inside(), improved(setting(tight()), "rock")

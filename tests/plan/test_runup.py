@@ -18,6 +18,7 @@ from mahovik.proof.verify.programme.simulation import rate, rest_near
 from mahovik.use.plan.certificate import make_programme
 from mahovik.use.plan.runup import shortcomings, solve, with_runup
 from plan.examples import example
+from toolchain.quick import quick
 
 Array = np.ndarray
 LASTS = 0.12
@@ -56,7 +57,7 @@ def simulated(table: RunUpTable, start: Array, stand: Stand) -> Array:
     return np.array(states)
 
 
-@pytest.mark.parametrize("up", [True, False])
+@pytest.mark.parametrize("up", quick(1, [True, False]))
 def test_the_carrier_ends_where_it_shall_and_strays_as_is_told(up: bool) -> None:
     """From equilibrium into the required state, or back, to 1e-6 of the amplitude; deviation as in the report."""
     stand, motion, programme = spinning()

@@ -37,7 +37,7 @@ def test_a_step_is_that_of_the_covariance_form(tmp_path: Path, real: str) -> Non
 @pytest.mark.parametrize(
     ("fault", "groups"),
     quick(
-        1,
+        0,
         [
             ((r"old - gain\[i\] \* slope", "old + gain[i] * slope"), {"unbalance", "covariance"}),
             ((r"rest -= h\[j\]", "rest += h[j]"), {"unbalance"}),

@@ -129,6 +129,7 @@ def test_same_stand_same_bytes() -> None:
     assert (html(example), latex(example)) == (html(example), latex(example))
 
 
+@pytest.mark.slow
 def test_64_flywheels_stay_small() -> None:
     """Below 3 MB; all tables but the first are closed."""
     page = html(general(64))
@@ -137,6 +138,7 @@ def test_64_flywheels_stay_small() -> None:
     assert page.count("<details open>") == 1
 
 
+@pytest.mark.slow
 def test_no_flywheels() -> None:
     """A rigid body: said so, and no table."""
     example = general(0)
@@ -219,6 +221,7 @@ def test_numbers_give_the_matrices_of_the_reference(seed: int) -> None:
         assert np.max(np.abs(own - expected)) <= 1e-12 * np.max(np.abs(expected)), name
 
 
+@pytest.mark.slow
 def test_cancelled_first_moment_is_shown_as_rounding() -> None:
     """O1 of demo3 is its mass centre: what is left of the sum is no number to print, and true zeros stay apart."""
     found = numbers(stand("demo3"))

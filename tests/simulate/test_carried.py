@@ -32,6 +32,7 @@ def error(found: Run, name: str) -> float:
     return float(abs(own / exact - 1.0))
 
 
+@pytest.mark.slow
 def test_a_carried_run_in_float_keeps_what_a_plain_one_loses() -> None:
     """10,000 steps: a plain run loses a share of each increment of speed, and does not leave its place at all."""
     speed = next(name for name in pushed(dt=1e-2).names if name.startswith("phi_dot "))

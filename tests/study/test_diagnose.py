@@ -120,6 +120,7 @@ SEEN_ELSEWHERE = {
 held carrier."""
 
 
+@pytest.mark.slow
 def test_every_fault_can_be_seen() -> None:
     found = planted(Part(BY_NAME["K* missing"]))
     assert set(found.unseen) <= SEEN_ELSEWHERE

@@ -13,7 +13,7 @@ from toolchain.quick import quick
 from toolchain.tools import require
 
 
-@pytest.mark.parametrize(("name", "real"), quick(1, [("m4", "float"), ("rv64gc", "double"), ("host", "double")]))
+@pytest.mark.parametrize(("name", "real"), quick(0, [("m4", "float"), ("rv64gc", "double"), ("host", "double")]))
 def test_make_builds_and_the_board_finds_no_failure(name: str, real: str, tmp_path: Path) -> None:
     target(name)
     make = require("make", "make")

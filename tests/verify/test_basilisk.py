@@ -67,7 +67,7 @@ def worst(report: Report) -> dict[str, float]:
     return {row.quantity: row.worst for row in report.rows}
 
 
-@pytest.mark.parametrize("name", quick(2, ITS))
+@pytest.mark.parametrize("name", quick(1, ITS))
 def test_it_agrees_where_its_wheel_is_exact(name: str) -> None:
     found = judged(ITS[name])
     assert found.passed, conclusion(found)

@@ -26,6 +26,7 @@ from mahovik.proof.verify.functions.allocation import inverse_rows
 from mahovik.proof.verify.functions.case import Case, Comparison, ordinary
 from mahovik.proof.verify.functions.registry import JUDGES, function_rows, rows_of, unjudged_functions
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call, wrong_values
+from toolchain.quick import quick
 
 STATES = 6
 
@@ -62,7 +63,7 @@ def test_every_public_function_answers_a_want_or_has_a_judge() -> None:
     assert unjudged_functions(FUNCTIONS) == []
 
 
-@pytest.mark.parametrize("name", ["demo3", "bench8"])
+@pytest.mark.parametrize("name", quick(1, ["demo3", "bench8"]))
 def test_every_function_of_the_program_gets_a_row_that_compares_something(name: str) -> None:
     case = case_of(name)
     rows = list(function_rows(case))
@@ -165,7 +166,9 @@ ILL_CONDITIONED = [
 """Function, and what is replaced there by what: answers of bad condition that are wrong."""
 
 
-@pytest.mark.parametrize(("function", "pattern", "wrong"), ILL_CONDITIONED, ids=["damped", "undamped", "refused"])
+@pytest.mark.parametrize(
+    ("function", "pattern", "wrong"), quick(1, ILL_CONDITIONED), ids=["damped", "undamped", "refused"]
+)
 def test_a_wrong_answer_of_bad_condition_is_noticed(function: str, pattern: str, wrong: str, tmp_path: Path) -> None:
     stand = nearly_balanced(tmp_path)
     right = rows_of(case_of("sat4", stand=stand), function)

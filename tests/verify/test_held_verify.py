@@ -32,6 +32,7 @@ from mahovik.proof.verify.functions.reactions import hold_rows
 from mahovik.proof.verify.harness import verify_c
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.states import Request
+from toolchain.quick import quick
 from verify.test_held_c import DRY, HOLDS, WET, stand_of
 
 STATES = 12
@@ -41,7 +42,7 @@ def rows(report: Report, verdict: str) -> set[tuple[str, str]]:
     return {(row.want, row.quantity) for row in report.rows if row.verdict == verdict}
 
 
-@pytest.mark.parametrize(("name", "flywheels"), [("hinge", 1), ("ball joint", 3)])
+@pytest.mark.parametrize(("name", "flywheels"), quick(1, [("hinge", 1), ("ball joint", 3)]))
 def test_every_row_agrees(name: str, flywheels: int) -> None:
     found = verify_c(stand_of(name, 3, DRY, flywheels), count=STATES)
     assert found.passed, [(row.want, row.quantity, row.reason) for row in found.failures]
@@ -136,7 +137,7 @@ PLANTED = {
 }
 
 
-@pytest.mark.parametrize("fault", PLANTED)
+@pytest.mark.parametrize("fault", quick(1, PLANTED))
 def test_a_wrong_basis_in_the_c_fails(fault: str, tmp_path: Path) -> None:
     (tmp_path / "pendulum.toml").write_text(TEXT)
     made = run("generate", str(tmp_path / "pendulum.toml"), "-o", str(tmp_path / "c"))

@@ -32,7 +32,7 @@ def test_the_counts_that_matter_are_there() -> None:
 
 
 QUICK = 2
-"""Number of stands tried in `make test`; `make test-slow` tries all of them."""
+"""Number of stands tried in `make test`; `make test-all` tries all of them."""
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,7 @@ from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.registry import rows_of
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
+from toolchain.quick import quick
 from verify.test_functions import case_of, planted
 
 SIGHT = [{"point": "acc1", "rows": ["vy", "wx"]}, "wz"]
@@ -82,7 +83,7 @@ def test_the_judges_are_satisfied() -> None:
     assert [(row.want, row.quantity, row.worst, row.reason) for row in rows if row.failed] == []
 
 
-@pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.parametrize("fault", quick(3, FAULTS))
 def test_a_planted_fault_is_noticed(fault: str, tmp_path: Path) -> None:
     place, pattern, wrong = FAULTS[fault]
     folder = planted("sat4", tmp_path, place, pattern, wrong, stand())
@@ -93,7 +94,7 @@ def test_a_planted_fault_is_noticed(fault: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("seed", "real"),
-    [(1, "double"), (2, "float"), *(pytest.param(k, "double", marks=pytest.mark.slow) for k in range(3, 30))],
+    quick(1, [(1, "double"), (2, "float"), *((k, "double") for k in range(3, 30))]),
 )
 def test_tasks_of_random_stands(seed: int, real: str) -> None:
     """All kinds of bodies, rows of all kinds: reference and C agree within the bounds; wrong inputs are refused."""

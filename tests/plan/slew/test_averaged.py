@@ -48,7 +48,7 @@ def quick() -> Programme:
 @pytest.mark.parametrize(
     "keys",
     [
-        {"end": about_z(5), "duration": 10, "start": against(500)},
+        pytest.param({"end": about_z(5), "duration": 10, "start": against(500)}, marks=SLOW),
         pytest.param({"end": about_z(30), "duration": 20, "start": against(100)}, marks=SLOW),
         pytest.param({"end": about_z(10), "duration": 10, "start": against(60)}, marks=SLOW),
         pytest.param({"end": about_z(30), "duration": 60, "start": against(100)}, marks=SLOW),
@@ -103,6 +103,7 @@ def test_without_unbalance_nothing_is_added() -> None:
     assert figures["angle"]["largest"] < 1e-9 and figures["shift"]["largest"] < 1e-9
 
 
+@pytest.mark.slow
 def test_the_programme_says_so_and_is_not_taken_for_a_resisted_one() -> None:
     stand, programme = sat4(), quick()
     again = read_programme(programme_text(programme))

@@ -34,7 +34,7 @@ def judged(folder: Path, programme: str = "started") -> dict[str, Finding]:
 @pytest.mark.parametrize(
     ("programme", "kind", "real"),
     quick(
-        2,
+        1,
         [
             ("started", "quintic", "double"),
             ("spin", "fourier", "float"),
@@ -76,7 +76,7 @@ FAULTS = [
 ]
 
 
-@pytest.mark.parametrize(("programme", "change", "failed"), FAULTS)
+@pytest.mark.parametrize(("programme", "change", "failed"), quick(2, FAULTS))
 def test_a_planted_fault_fails_by_its_row(
     programme: str, change: Callable[[str], str], failed: set[str], tmp_path: Path
 ) -> None:
@@ -103,6 +103,7 @@ def test_c_that_is_not_there_or_of_another_stand_is_refused(tmp_path: Path) -> N
         judged(tmp_path, "spin")
 
 
+@pytest.mark.slow
 def test_a_bad_manifest_is_refused_without_assertions_too(tmp_path: Path) -> None:
     facts = tmp_path / "shaker2_programme.json"
     facts.write_text('{"physics": "1", "real": "half", "limit": 1e-6}')

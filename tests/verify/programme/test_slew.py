@@ -62,6 +62,7 @@ def _tilted(normal: np.ndarray) -> np.ndarray:
     return np.asarray(other / np.linalg.norm(other))
 
 
+@pytest.mark.slow
 def test_a_course_that_the_wheels_do_not_make_is_seen() -> None:
     stand, wanted, programme = case()
     assert programme.carrier is not None

@@ -1,7 +1,8 @@
-"""Offset and drift between the clocks of two files from a channel that both have, by cross-correlation.
+"""Estimate the offset and the drift between the clocks of two files, by cross-correlation.
 
-An offset is accepted only if one peak of the correlation stands out: a steady hum fits at every period. A drift is
-accepted where the offsets of three parts of the recording lie on a line that is steeper than their own accuracy.
+Both files must contain the same channel. An offset is accepted only if one peak of the correlation is clearly the
+highest: a channel that only hums at one frequency fits again after every period. A drift is accepted only if the
+offsets of three parts of the recording lie on a line whose slope exceeds the accuracy of these offsets.
 """
 
 from __future__ import annotations
