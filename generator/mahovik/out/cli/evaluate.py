@@ -69,9 +69,9 @@ def _backend(stand: Stand, name: str, real: str) -> Backend:
 
         return NumpyBackend(stand)
     if name == "casadi":
-        from mahovik.proof.second import Second
+        from mahovik.proof.verify.backends import CasadiBackend
 
-        return Second(stand)
+        return CasadiBackend(stand)
     from mahovik.out.api.evaluator import KeptBackend
 
     return KeptBackend(stand, "float" if real == "float" else "double")
