@@ -308,7 +308,7 @@ def lines(hold: Hold) -> list[str]:
 
 TAKE_HELD = (
     "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, "
-    "`response`, `replay`, `judge-log` and `export target`"
+    "`response`, `replay`, `judge`, `judge-log` and `export target`"
 )
 """Commands that take held carriers."""
 

@@ -65,7 +65,7 @@ def judge(
     A program that dies or hangs gives a result with an `error`. Raises StandError, DataError, UsageError where it
     cannot start.
     """
-    own = Stand.of(stand)
+    own = Stand.of(stand, held=log is None and fmu is None)
     if sum(each is not None for each in (command, log, fmu)) != 1:
         raise UsageError("--with, --log, --fmu: expected one of them")
     if (fmu is None) != (variables is None):
@@ -209,10 +209,10 @@ def _diagnosis(
     diagnoser = Diagnoser(stand, seed, offered, rows, tolerance, actuators)
     diagnosed = diagnoser.diagnose(answers(diagnoser.requests))
     if diagnosed.outcome in ("equal", "rounding"):
-        return replace(diagnosed, failed=_failure_words(found))
+        return replace(diagnosed, failed=_failure_words(found, diagnosed.wrong))
     silent = {gap.want for gap in diagnosed.gaps if gap.everywhere}
     searched = tuple(want for want in offered if want not in silent)
-    if diagnosed.outcome != "unknown" or not set(searched) & set(WANTS):
+    if diagnosed.outcome != "unknown" or not set(searched) & set(WANTS) or stand.hold is not None:
         return diagnosed
     rounding = ROUNDING if tolerance <= DOUBLE.default else tolerance
     if states is not None:
@@ -226,8 +226,10 @@ def _diagnosis(
         return replace(diagnosed, hindrance=str(error))
 
 
-def _failure_words(found: Report) -> tuple[str, ...]:
-    """What failed in the table, with its reason."""
+def _failure_words(found: Report, compared: Sequence[str] = ()) -> tuple[str, ...]:
+    """What failed in the table, with its reason; without what a diagnosis has `compared`, as want: quantity."""
     return tuple(
-        f"{row.want} {row.quantity}".strip() + (f" ({row.reason})" if row.reason else "") for row in found.failures
+        f"{row.want} {row.quantity}".strip() + (f" ({row.reason})" if row.reason else "")
+        for row in found.failures
+        if f"{row.want}: {row.quantity}" not in compared
     )

@@ -53,9 +53,17 @@ def separating_states(stand: Stand, seed: int = 1, actuators: bool = False) -> l
         state = _by_angles(stand, rng)
         alone = tuple(x if i == k else 0.0 for i, x in enumerate(state.phi_dot))
         found.append((f"{stand.flywheels[k].name} turns", replace(state, phi_dot=alone)))
+    if stand.hold is not None:
+        found = [(name, _in_freedoms(state)) for name, state in found]
     if actuators:
         found = [(name, with_drawn_actuators(stand, state, rng)) for name, state in found]
     return found
+
+
+def _in_freedoms(state: State) -> State:
+    """The state of a held carrier with speeds and rates of its freedoms that are zero where V and V_dot are."""
+    u, u_dot = state.u if any(state.V) else (0.0,) * len(state.u), state.u_dot
+    return replace(state, u=u, u_dot=u_dot if any(state.V_dot) else (0.0,) * len(u_dot))
 
 
 def _by_angles(stand: Stand, rng: np.random.Generator) -> State:

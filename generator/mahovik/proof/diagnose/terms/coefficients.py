@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 from itertools import product as pairs
 
@@ -216,8 +216,14 @@ def _inertial(K: Array, Lambda: Array) -> Iterator[Quantity]:
         yield inertia(f"I_{'xyz'[i]}{'xyz'[j]}", sign * float(K[3 + i, 3 + j]), (3 + i, 3 + j, sign))
     for i in range(6):
         for j in range(i, 6):
-            name = f"{WRENCH_LETTERS[i]}_{TWIST_LETTERS[j]}dot"
-            yield inertia(name, -float(Lambda[i, j]), (i, j, -1.0))
+            name, twin = (f"{WRENCH_LETTERS[a]}_{TWIST_LETTERS[b]}dot" for a, b in ((i, j), (j, i)))
+            value, place = -float(Lambda[i, j]), (j, (ACCELERATIONS[i],))
+            of = inertia(name, value, (i, j, -1.0))
+            if i == j:
+                yield of
+            else:  # each component has the derivative of its own letter before an acceleration
+                yield replace(of, places={k: x for k, x in of.places.items() if k != place})
+                yield Quantity(twin, value, {place: of.places[place]}, added=True)
 
 
 def _places_of(unit: Array) -> Iterator[tuple[Place, float]]:
