@@ -39,6 +39,8 @@ def evaluate(
     A state of a held carrier has "u" and "u_dot" in place of "V" and "V_dot": speeds of its freedoms in the order of
     the file, and their rates; `forward` and `coupled` answer `u_dot`, `V_dot` and `reaction`.
 
+    "actuators": {"rudder": 0.2} sets deflections of fins (rad) and speeds of propellers (rad/s) by name.
+
     A state that cannot be evaluated gives an error line in its place; the exit status is then 1.
     """
     if real == "float" and backend != "c":
