@@ -27,6 +27,8 @@ LAW_PARTS = {
     "second": ("core.stand", "errors", "proof.second"),
     "scale": ("core.stand", "proof.reference", "proof.verify"),
     "faults": ("core.stand", "proof.reference", "proof.diagnose"),
+    "terms": ("core.stand", "proof.reference", "proof.diagnose"),
+    "actuator": ("core.stand",),
     "plan": ("core.stand", "errors", "use.plan"),
     "mismatch": ("core.stand", "use.control"),
     "regressor": ("core.stand", "use.regressor"),
@@ -35,7 +37,7 @@ LAW_PARTS = {
     "report": ("core.stand", "out.report"),
 }
 """Parts of a law: the stage that asks for each comes last, before it those whose words the stage itself uses. Every
-part may import the law's own `data`; `faults` its `reference`,
+part may import the law's own `data`; `faults` and `terms` its `reference`,
 `lower` its `derive`, `lower` and `plan` the `strips` of a quadrature as well."""
 
 
@@ -55,7 +57,12 @@ def iterating(graph: Mapping[str, set[str]]) -> set[str]:
 def beyond_vocabulary(path: Path, graph: Mapping[str, set[str]]) -> set[str]:
     """Imports of a law's part that lie in no stage of its own, or reach a module that iterates over the laws."""
     own = f"mahovik.laws.{path.parent.name}"
-    parts = ("data", *{"faults": ("reference",), "lower": ("derive", "strips"), "plan": ("strips",)}.get(path.stem, ()))
+    parts = (
+        "data",
+        *{"faults": ("reference",), "terms": ("reference",), "lower": ("derive", "strips"), "plan": ("strips",)}.get(
+            path.stem, ()
+        ),
+    )
     stages = tuple(f"mahovik.{stage}." for stage in LAW_PARTS[path.stem])
     imports = graph[module_name(path)] - {f"{own}.{part}" for part in parts}
     return {name for name in imports if not f"{name}.".startswith(stages)} | imports & iterating(graph)

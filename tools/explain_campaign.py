@@ -7,14 +7,17 @@ Exit status 1 where fewer than 95 % of single faults are named first, or a corre
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from decimal import Decimal
 from random import Random
 from typing import Any
 
 import campaign
 import numpy as np
 from explain_planting import (
+    SECOND,
     Answers,
     Plant,
     answers_of,
@@ -27,8 +30,10 @@ from explain_planting import (
 )
 from kept import Campaign, Columns, Figures, Measured
 
+from mahovik.contract.laws import part
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, SEQUENCES, Features, random_stand
+from mahovik.core.stand.read import read
 from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
 from mahovik.proof.diagnose.faults import DICTIONARY
 from mahovik.proof.diagnose.predict import FaultyProgram, Part
@@ -49,6 +54,9 @@ SINGLE = (
 )  # fmt: skip
 """Kinds of planting of one whole fault; those of the last lines are made without the dictionary's code."""
 
+HELD_WANTS = ("forward", "torque", "coupled", "mounts")
+"""What programs of held stands offer."""
+
 LEAST = 0.95
 """Fraction of single faults that must be named first."""
 
@@ -68,6 +76,76 @@ def campaign_stands(count: int) -> Iterator[Stand]:
         features = replace(Features() if number % 2 else EVERYTHING, angles=SEQUENCES[number % 3])
         rng = np.random.default_rng(1000 + number)
         yield with_all_inputs(random_stand(rng, COUNTS[number % len(COUNTS)], features, f"random{number}"))
+
+
+HELD = 3
+"""Held stands, for the faults in friction and stops."""
+
+OF_HELD = tuple(fault for law in ("friction", "stop") for fault in part(law, "faults").FAULTS)
+"""Rows of faults that a free carrier cannot have."""
+
+HOLDS = ('freedoms = ["x"]', 'freedoms = ["z", "yaw"]', 'freedoms = ["roll"]\npivot = [0.01, 0.02, 0.1]')
+"""A cart, a shaker that turns, a pendulum."""
+
+
+def held_stand(number: int) -> Stand:
+    """A held stand with friction and two stops along its first freedom, and numbers of the seed."""
+    rng = np.random.default_rng(3000 + number)
+    a, b, c, d = (float(x) for x in rng.uniform(0.5, 1.5, 4))
+    text = f"""
+        schema = 1
+        name = "held{number}"
+        gravity = [0, 0, -9.81]
+        [carrier]
+        mass = {2 * a}
+        center_of_mass = [0.01, {0.02 * b}, {-0.05 * c}]
+        inertia = [0.05, 0.06, 0.03]
+        inertia_about = "origin"
+        [[flywheel]]
+        name = "w1"
+        mass = 0.2
+        center_of_mass = [0, {0.002 * d}, 0.001]
+        inertia = [0.001, 0.0006, 0.0007]
+        inertia_about = "origin"
+        [hold]
+        {HOLDS[number % len(HOLDS)]}
+        [[hold.friction]]
+        freedom = "1"
+        viscous = {a}
+        coulomb = {0.5 * b}
+        breakaway = {0.9 * b}
+        stribeck_speed = 0.5
+        [[hold.stop]]
+        freedom = "1"
+        at = {0.2 * c}
+        stiffness = {50 * d}
+        damping = {30 * a}
+        [[hold.stop]]
+        freedom = "1"
+        at = {-0.2 * b}
+        stiffness = {50 * d}
+        damping = {30 * a}
+    """
+    return read(tomllib.loads(text, parse_float=Decimal), f"held{number}")
+
+
+def examine_held(number: int) -> tuple[str, list[Outcome], list[Outcome]]:
+    """The faults of held carriers, planted in a held stand: the dictionary's, other numbers, another derivation."""
+    stand = held_stand(number)
+    names = {fault.name for fault in OF_HELD}
+    clinic = Diagnoser(stand, wants=HELD_WANTS)
+    plants = [Plant(f.name, WHOLE, FaultyProgram(stand, (Part(f),)).answer) for f in DICTIONARY if f.name in names]
+    plants += [plant for plant in plant_in_numbers(stand) if plant.fault in names]
+    plants += rewritten(stand, [name for name in SECOND if name in names])
+    found = [Outcome(p.fault, p.kind, verdict(clinic.diagnose(p.answers), [p.fault])) for p in plants]
+    programs = (("literal reference", literal(stand)), ("second derivation", answers_of(Second(stand))))
+    right = [Outcome(name, "correct", clinic.diagnose(answers).outcome) for name, answers in programs]
+    return f"{stand.name}: 1 flywheel", found, right
+
+
+def examine_any(number: int) -> tuple[str, list[Outcome], list[Outcome]]:
+    """A free stand; of a negative number, counted from -1 downwards, a held one."""
+    return examine(number) if number >= 0 else examine_held(-1 - number)
 
 
 def verdict(found: Diagnosis, planted: Sequence[str]) -> str:
@@ -218,6 +296,7 @@ def figures(stands: int, found: Sequence[Outcome], right: Sequence[Outcome]) -> 
         faults.append((fault.name, seen, alone + equals))
     return {
         "stands": stands,
+        "held": HELD,
         "kinds": KINDS_TABLE.rows((kind, *count_outcomes(of), rate(of)) for kind, of in kinds.items() if of),
         "correct": RIGHT_TABLE.rows(
             (name, len(of), sum(each.verdict not in ("equal", "rounding") for each in of))
@@ -239,8 +318,8 @@ def page(found: Figures) -> str:
     ]  # fmt: skip
     new = [fault.name for fault in DICTIONARY if fault.name not in kept]
     return (
-        f"{found['stands']} random stands. Of {seen} single faults that are visible on the stand, {alone + equals} "
-        f"were named first ({(alone + equals) / seen:.1%}),\n"
+        f"{found['stands']} random stands, {found.get('held', 0)} held ones. Of {seen} single faults that are visible "
+        f"on the stand, {alone + equals} were named first ({(alone + equals) / seen:.1%}),\n"
         f"{equals} of them together with others that no state of the stand tells apart.\n\n"
         f"{KINDS_TABLE.text(found['kinds'])}\n{RIGHT_TABLE.text(found['correct'])}\n"
         + campaign.table(DICTIONARY_HEAD, rows, 3)
@@ -277,7 +356,9 @@ def main() -> None:
     given = campaign.parser(__doc__, stands=6, jobs=campaign.cores(), write=False).parse_args()
     found: list[Outcome] = []
     right: list[Outcome] = []
-    for line, outcomes, of_correct in campaign.map_rows(examine, given.jobs, range(given.stands)):
+    for line, outcomes, of_correct in campaign.map_rows(
+        examine_any, given.jobs, [*range(-HELD, 0), *range(given.stands)]
+    ):
         single = [each for each in outcomes if each.kind in SINGLE]
         print(f"{line}: {rate(single):.1%} of {count_outcomes(single)[0]} single faults named first", flush=True)
         for each in outcomes:

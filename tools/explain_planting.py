@@ -11,7 +11,7 @@ import math
 import shutil
 import sys
 import tempfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -38,8 +38,11 @@ from mahovik.core.stand.structure import structure
 from mahovik.errors import StateError
 from mahovik.laws.buoyancy.data import Buoyancy
 from mahovik.laws.damping.data import Damping
+from mahovik.laws.fading.data import FadingDamping
+from mahovik.laws.friction.data import Frictions, frictions_of
 from mahovik.laws.leg import derive as leg_formulas
 from mahovik.laws.leg.data import Legs, legs_of
+from mahovik.laws.stop.data import Stops, stops_of
 from mahovik.laws.suspension.data import Suspension
 from mahovik.proof import reference
 from mahovik.proof.verify.backends import Backend
@@ -130,6 +133,18 @@ def legs(**parts: Any) -> Callable[[Stand], Stand]:
     return lambda s: s.with_laws(Legs(tuple(replace(leg, **parts) for leg in legs_of(s))))
 
 
+def frictions(**parts: Any) -> Callable[[Stand], Stand]:
+    return lambda s: (
+        s.with_laws(Frictions(tuple(replace(each, **parts) for each in found))) if (found := frictions_of(s)) else s
+    )
+
+
+def stops(**parts: Any) -> Callable[[Stand], Stand]:
+    return lambda s: (
+        s.with_laws(Stops(tuple(replace(each, **parts) for each in found))) if (found := stops_of(s)) else s
+    )
+
+
 def negative(a: tuple[float, ...] | None) -> Any:
     return tuple(-x for x in a) if a is not None else None
 
@@ -167,8 +182,14 @@ STANDS: dict[str, Callable[[Stand], Stand]] = {
     "suspension stiffness missing": hung(stiffness=ZERO66),
     "equilibrium attitude ignored": hung(angles=ZERO3),
     "equilibrium position ignored": hung(position=ZERO3),
+    "fading damping missing": bodies(lambda b: b.without_laws(FadingDamping)),
+    "fading damping does not fade": bodies(acting(FadingDamping, rate=0.0)),
     "legs missing": lambda s: s.without_laws(Legs),
     "leg damping missing": legs(damping=0.0),
+    "friction missing": lambda s: s.without_laws(Frictions),
+    "Coulomb friction missing": frictions(coulomb=0.0, breakaway=0.0, stribeck_speed=None),
+    "stops missing": lambda s: s.without_laws(Stops),
+    "stop damping missing": stops(damping=0.0),
     "unstretched length ignored": legs(length=0.0),
     "sequence, ship": lambda s: replace(s, angles="ship"),
     "sequence, aircraft": lambda s: replace(s, angles="aircraft"),
@@ -294,6 +315,11 @@ SECOND: dict[str, tuple[str, str, str]] = {
     "linear damping missing": ("damping/second", "P -= ca.DM(damping.linear)", "P -= 0 * ca.DM(damping.linear)"),
     "quadratic damping without |V|": ("damping/second", "(V_r * ca.fabs(V_r))", "(V_r * V_r)"),
     "damping terms, sign": ("damping/second", "P += _unit", "P -= _unit"),
+    "fading damping, sign": ("fading/second", "power = -across", "power = across"),
+    "fading damping does not fade": ("fading/second", "/ ca.exp(law.rate * ca.norm_2(V[:3]))", ""),
+    "friction, sign": ("friction/second", "[-ca.gradient(R, V)]", "[ca.gradient(R, V)]"),
+    "Stribeck rise missing": ("friction/second", "R += (friction", "R += 0 * (friction"),
+    "stop damping missing": ("stop/second", "- ca.gradient(R, u)", ""),
     "suspension rotation, sign": ("suspension/second", "(equilibrium.T @ C)", "(C.T @ equilibrium)"),
     "suspension displacement in E0": ("suspension/second", "C.T @ away", "away"),
     "suspension damping missing": ("suspension/second", ' + ca.DM(law.damping) @ inputs["V"])', ")"),
@@ -312,11 +338,12 @@ SECOND: dict[str, tuple[str, str, str]] = {
 }
 
 
-def rewritten(stand: Stand) -> Iterator[Plant]:
+def rewritten(stand: Stand, names: Iterable[str] = tuple(SECOND)) -> Iterator[Plant]:
     """The second derivation and its part of the laws, copied with one place of their text replaced."""
     source, listed = (Path(str(module.__file__)) for module in (mahovik.proof.second, mahovik.contract.laws))
-    for number, (name, (module, there, instead)) in enumerate(SECOND.items()):
-        package = f"mutated_second_{number}"
+    for name in names:
+        module, there, instead = SECOND[name]
+        package = f"mutated_second_{list(SECOND).index(name)}"
         with tempfile.TemporaryDirectory() as folder:
             root = Path(folder) / package
             for original, copy in ((source.parent, root), (listed.parents[1] / "laws", root / "of_laws")):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -69,6 +70,46 @@ PRINTED_INVERSE = np.array(
 """Inverse of the mass matrix as the older file prints it."""
 
 
+@dataclass(frozen=True)
+class Strips:
+    """Cross-flow drag as a file sums it: eleven strips of L/10, the outer two centred at the ends of the hull.
+
+    density, size   kg/m3; m, of the square section; across, down: coefficients of v + x r and of w - x q
+    heave           sign of the force Z; arm: sign of x q in the moment M
+    """
+
+    density: float
+    size: float
+    across: float
+    down: float
+    heave: float
+    arm: float
+
+    @property
+    def document(self) -> dict[str, Any]:
+        """The same strips in a stand file: one point between two stations."""
+        step = LENGTH / 10
+        x = [-LENGTH / 2 + (k - 0.5) * step for k in range(12)]
+        table = {key: [value] * len(x) for key, value in (("height", self.size), ("breadth", self.size))}
+        drag = {"drag_y": self.across, "drag_z": self.down}
+        return {"density": self.density, "x": x, **table, **drag, "points": 1, "together": True}
+
+    def wrench(self, V: Array) -> Array:
+        """The wrench (6) as the file has it."""
+        _, v, w, _, q, r = V
+        x = np.linspace(-LENGTH / 2, LENGTH / 2, 11)
+        speed = np.maximum(np.hypot(v + x * r, w - x * q), 1e-300)
+        drag = self.size * (self.across * (v + x * r) ** 2 + self.down * (w - x * q) ** 2) / speed
+        force = self.density / 2 * LENGTH / 10
+        Y, Z = (-force * drag @ each for each in (v + x * r, w - x * q))
+        M, N = (-force * (x * drag) @ each for each in (w + self.arm * x * q, v + x * r))
+        return np.array([0.0, Y, self.heave * Z, 0.0, M, N])
+
+
+NEW_STRIPS = Strips(1025.0, 0.53, 0.5, 0.6, heave=1.0, arm=1.0)
+OLD_STRIPS = Strips(1000.0, 0.5, 0.6, 0.6, heave=-1.0, arm=1.0)
+
+
 def dimension(component: str, product: str, density: float) -> float:
     """rho/2 L^n of a derivative."""
     turning = sum(each in "pqr" for each in product.split())
@@ -81,7 +122,7 @@ def added_mass(density: float) -> Array:
     return np.asarray(density / 2 * LENGTH**3 * np.outer(size, size) * ADDED)
 
 
-def document(mass: float, density: float) -> dict[str, Any]:
+def document(mass: float, density: float, strips: Strips) -> dict[str, Any]:
     """The stand: published derivatives hold the products of added mass."""
     published = [
         {"wrench": component, "of": product.split(), "value": value * dimension(component, product, density)}
@@ -99,6 +140,7 @@ def document(mass: float, density: float) -> dict[str, Any]:
             "added_mass": added.tolist(),
             "buoyancy": {"displaced_mass": mass},
             "damping": {"terms": merged([*published, *without_added_products(added)])},
+            "cross_flow": strips.document,
         },
     }
 
@@ -132,17 +174,17 @@ def products(m: float, V: Array, heave: float, pitch: float) -> Array:
     )
 
 
-def model(mass: float, density: float, heave: float, pitch: float, inverse: Array | None) -> Answer:
-    """The model; `inverse`: of the mass matrix, or None: by the machine."""
+def model(mass: float, strips: Strips, heave: float, pitch: float, inverse: Array | None) -> Answer:
+    """The model in water of the density of the strips; `inverse`: of the mass matrix, or None: by the machine."""
     S = mass * np.array([[0.0, -CENTER, 0.0], [CENTER, 0.0, 0.0], [0.0, 0.0, 0.0]])
     J = np.array([[IX, -IXY, -IXZ], [-IXY, IY, -IYZ], [-IXZ, -IYZ, IZ]])
-    M = np.block([[mass * np.eye(3), -S], [S, J]]) + added_mass(density)
+    M = np.block([[mass * np.eye(3), -S], [S, J]]) + added_mass(strips.density)
 
     def answer(state: State, _: str) -> Mapping[str, Any]:
         V = np.array(state.V)
         down = to_body(NEW.stand, state, [0.0, 0.0, 1.0])  # -sin theta, cos theta sin phi, cos theta cos phi
         weight = np.array([0.0, 0.0, 0.0, -CENTER * WEIGHT * down[1], CENTER * WEIGHT * down[0], 0.0])
-        right = products(mass, V, heave, pitch) + hydrodynamic(V, density) + weight
+        right = products(mass, V, heave, pitch) + hydrodynamic(V, strips.density) + strips.wrench(V) + weight
         return {"V_dot": np.linalg.solve(M, right) if inverse is None else inverse @ right}
 
     return answer
@@ -150,7 +192,9 @@ def model(mass: float, density: float, heave: float, pitch: float, inverse: Arra
 
 MSS = "github.com/cybergalactic/MSS"
 SCOPE = (
-    "Rigid body, added mass, products of velocities, weight and buoyancy; without cross-flow drag, planes and propeller"
+    "Rigid body, added mass, products of velocities, cross-flow drag by the eleven strips of L/10 of the file (1.1 L "
+    "in all; without the 1e-6 m/s that the newer file adds to a speed before it divides), weight and buoyancy; "
+    "without planes and propeller"
 )
 
 NEW = Audit(
@@ -158,22 +202,26 @@ NEW = Audit(
     "NPS AUV II",
     f"{MSS}, VESSELS/models/npsauv.m, a0730174",
     SCOPE,
-    document(WEIGHT / 9.81, 1025.0),
+    document(WEIGHT / 9.81, 1025.0, NEW_STRIPS),
     ("forward",),
-    model(WEIGHT / 9.81, 1025.0, heave=1.0, pitch=-1.0, inverse=None),
-    terms("Z: u q, v p, p p, q q; M: p r"),
-    "Force Z of the rigid body and the moment (Iz - Ix) p r have the other sign; both were right in the older file.",
+    model(WEIGHT / 9.81, NEW_STRIPS, heave=1.0, pitch=-1.0, inverse=None),
+    terms("Z: u q, v p, p p, q q; M: p r, cross flow w"),
+    "Force Z of the rigid body and the moment (Iz - Ix) p r have the other sign; both were right in the older file. "
+    "The moment M of the cross-flow drag is summed over w + x q, the force Z over w - x q: the part of M that comes "
+    "from w has the other sign.",
 )
 OLD = Audit(
     "npsauv_old",
     "NPS AUV II, older file, its mass matrix inverted here",
     f"{MSS}, VESSELS/npsauv.m, 2a04df5d",
     f"{SCOPE}; g such that the printed mass has the printed weight",
-    document(5454.54, 1000.0),
+    document(5454.54, 1000.0, OLD_STRIPS),
     ("forward",),
-    model(5454.54, 1000.0, heave=-1.0, pitch=1.0, inverse=None),
-    terms(""),
-    "Right.",
+    model(5454.54, OLD_STRIPS, heave=-1.0, pitch=1.0, inverse=None),
+    terms("Z: cross flow (w - x q); M: cross flow w"),
+    "The rigid body is right. The force Z of the cross-flow drag has the other sign, so that it drives. Its moment M "
+    "is summed over w + x q, the force over w - x q: the part of M that comes from w has the other sign. The newer "
+    "file has mended the force.",
 )
 PRINTED = Audit(
     "npsauv_printed",
@@ -182,7 +230,7 @@ PRINTED = Audit(
     OLD.scope,
     OLD.document,
     ("forward",),
-    model(5454.54, 1000.0, heave=-1.0, pitch=1.0, inverse=PRINTED_INVERSE),
+    model(5454.54, OLD_STRIPS, heave=-1.0, pitch=1.0, inverse=PRINTED_INVERSE),
     None,
     "The inverse is printed with four digits, and so are the accelerations.",
 )

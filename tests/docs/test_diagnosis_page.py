@@ -38,7 +38,7 @@ def test_the_summary() -> None:
     ]
     text = written.page(written.figures(2, outcomes, [written.Outcome("C", "correct", "named")]))
     assert text.startswith(
-        "2 random stands. Of 3 single faults that are visible on the stand, 2 were named first (66.7%)"
+        "2 random stands, 3 held ones. Of 3 single faults that are visible on the stand, 2 were named first (66.7%)"
     )
     assert f"| {written.WHOLE} | 2 | 1 | 0 | 1 | 50% |" in text
     assert "| C | 1 | 1 |" in text

@@ -321,7 +321,7 @@ def lines(hold: Hold) -> list[str]:
 
 TAKE_HELD = (
     "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, "
-    "`response`, `replay`, `judge-log`, `identify`, `balance`, `campaign`, `plan`, `verify-programme`, "
+    "`response`, `replay`, `judge`, `judge-log`, `identify`, `balance`, `campaign`, `plan`, `verify-programme`, "
     "`export programme` and `export target`"
 )
 """Commands that take held carriers."""

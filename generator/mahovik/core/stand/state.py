@@ -24,6 +24,7 @@ class State:
     wrench      run-time wrench by body name, in the body's own frame about its origin (a flywheel's turns with phi_s)
     task        name of a task of the stand whose rows are demanded in place of V_dot; "" for none
     demand      what it demands, one a row, m/s2 or rad/s2
+    actuators   deflections of fins (rad) and speeds of propellers (rad/s) by name, in place of those of the file
     u, u_dot    speeds of the freedoms of a held carrier and their rates, m each, in place of V, V_dot
     """
 
@@ -41,6 +42,7 @@ class State:
     demand: tuple[float, ...] = ()
     u: tuple[float, ...] = ()
     u_dot: tuple[float, ...] = ()
+    actuators: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
 
 
 def rest_state(stand: Stand) -> State:

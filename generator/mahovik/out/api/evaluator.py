@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.core.lower.actuators import run_time_inputs
 from mahovik.core.lower.layout import Layout
 from mahovik.core.program.arrays import ArgumentLayout, record
 from mahovik.core.program.types import DOUBLE, FLOAT
@@ -43,13 +44,24 @@ class KeptBackend(FunctionBackend):
             return super(KeptBackend, self.full).evaluate(state, want)
         return super().evaluate(state, want)
 
+    def table_of(self, actuators: Mapping[str, float]) -> Any:
+        """The table with other deflections and speeds, by name."""
+        table = self._made.tables["table"].copy()
+        for each in run_time_inputs(self.layout.structure):
+            for k, name in enumerate(each.names):
+                if name in actuators:
+                    table[each.array][each.member][0, k] = actuators[name]
+        return table
+
     def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Calls one function with those of the inputs that it takes; returns status and outputs."""
         element, passed = ELEMENT[self._real], []
         outputs: dict[str, tuple[ArgumentLayout, NDArray[Any]]] = {}
         for a in self._made.functions[function].arguments:
             if a.name in self._made.tables:
-                passed.append(self._made.tables[a.name])
+                own = self._made.tables[a.name]
+                given = inputs.get("table") if a.name == "table" else None
+                passed.append(own if given is None else given)
             elif a.direction == "in":
                 passed.append(_memory(a, element, inputs[a.name]))
             else:

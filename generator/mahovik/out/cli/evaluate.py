@@ -40,6 +40,8 @@ def evaluate(
     the file, and their rates; `forward` and `coupled` answer `u_dot`, `V_dot` and `reaction`, which is also a want of
     its own, for the "u_dot" and "phi_ddot" of the state.
 
+    "actuators": {"rudder": 0.2} sets deflections of fins (rad) and speeds of propellers (rad/s) by name.
+
     A state that cannot be evaluated gives an error line in its place; the exit status is then 1.
     """
     if real == "float" and backend != "c":
@@ -70,9 +72,9 @@ def _backend(stand: Stand, name: str, real: str) -> Backend:
 
         return NumpyBackend(stand)
     if name == "casadi":
-        from mahovik.proof.second import Second
+        from mahovik.proof.verify.backends import CasadiBackend
 
-        return Second(stand)
+        return CasadiBackend(stand)
     from mahovik.out.api.evaluator import KeptBackend
 
     return KeptBackend(stand, "float" if real == "float" else "double")

@@ -65,7 +65,7 @@ def judge(
     A program that dies or hangs gives a result with an `error`. Raises StandError, DataError, UsageError where it
     cannot start.
     """
-    own = Stand.of(stand)
+    own = Stand.of(stand, held=log is None and fmu is None)
     if sum(each is not None for each in (command, log, fmu)) != 1:
         raise UsageError("--with, --log, --fmu: expected one of them")
     if (fmu is None) != (variables is None):
@@ -77,10 +77,30 @@ def judge(
     if fmu is not None and variables is not None:
         from mahovik.proof.verify.fmu.program import program
 
-        judged = program(Path(fmu), Path(variables), own, str(stand))
+        judged, actuators = program(Path(fmu), Path(variables), own, str(stand)), False
     else:
         judged = program_of(str(command), str(stand))
-    return _judge_program(own, judged, explain, tuple(want), states, seed, tolerance, timeout, progress)
+        actuators = _takes_actuators(own, judged, timeout)
+    return _judge_program(own, judged, explain, tuple(want), states, seed, tolerance, timeout, actuators, progress)
+
+
+def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool:
+    """Whether deflections and speeds can be varied; a warning where the stand has them and the program has not."""
+    from mahovik.proof.verify.actuators import actuators_of
+    from mahovik.proof.verify.foreign import takes_actuators
+
+    if not actuators_of(stand):
+        return False
+    try:
+        found = takes_actuators(stand, program, timeout)
+    except CheckError:
+        return False  # the table will say what is wrong with it
+    if not found:
+        warn(
+            f"{program.name}: its answers do not depend on `actuators` of a state: deflections of fins and speeds of "
+            "propellers are those of the stand file"
+        )
+    return found
 
 
 def _judge_program(
@@ -92,19 +112,22 @@ def _judge_program(
     seed: int,
     tolerance: float,
     timeout: float,
+    actuators: bool,
     progress: OnProgress | None,
 ) -> Verification:
     from mahovik.proof.verify.foreign import answers_of, verify_program
 
     tell(progress, Progress(f"judge {program.name}"))
-    found = verify_program(stand, program, wants=wants, seed=seed, count=states, timeout=timeout, tolerance=tolerance)
+    found = verify_program(
+        stand, program, wants=wants, seed=seed, count=states, timeout=timeout, tolerance=tolerance, actuators=actuators
+    )
 
     def answers(requests: Sequence[Request]) -> Answers:
         results = answers_of(program, requests, timeout)
         by_id = {request.id: result for request, result in zip(requests, results, strict=True)}
         return lambda request: by_id[request.id]
 
-    return _explain(stand, found, explain, answers, seed, tolerance, None, progress)
+    return _explain(stand, found, explain, answers, seed, tolerance, None, progress, actuators)
 
 
 def _judge_log(
@@ -144,13 +167,14 @@ def _explain(
     tolerance: float,
     states: States | None,
     progress: OnProgress | None,
+    actuators: bool = False,
 ) -> Verification:
     """The verdict with its diagnosis, where one is asked for and possible."""
     if not explain or found.error:
         return Verification(found)
     tell(progress, Progress("distinguish faults"))
     try:
-        return Verification(found, _diagnosis(stand, found, answers, seed, tolerance, states))
+        return Verification(found, _diagnosis(stand, found, answers, seed, tolerance, states, actuators))
     except CheckError as error:
         return Verification(replace(found, error=str(error)))
 
@@ -162,8 +186,11 @@ def _diagnosis(
     seed: int,
     tolerance: float,
     states: States | None,
+    actuators: bool,
 ) -> Diagnosis:
     """Diagnosis of what differs, for the wants that it offers. `states`: the only ones with answers, or None.
+
+    `actuators`: the program takes deflections of fins and speeds of propellers.
 
     Raises CheckError, UsageError.
     """
@@ -179,18 +206,18 @@ def _diagnosis(
     if not offered:
         return Diagnosis("nothing", failed=_failure_words(found))
     rows = None if states is None else telling_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
-    diagnoser = Diagnoser(stand, seed, offered, rows, tolerance)
+    diagnoser = Diagnoser(stand, seed, offered, rows, tolerance, actuators)
     diagnosed = diagnoser.diagnose(answers(diagnoser.requests))
     if diagnosed.outcome in ("equal", "rounding"):
-        return replace(diagnosed, failed=_failure_words(found))
+        return replace(diagnosed, failed=_failure_words(found, diagnosed.wrong))
     silent = {gap.want for gap in diagnosed.gaps if gap.everywhere}
     searched = tuple(want for want in offered if want not in silent)
-    if diagnosed.outcome != "unknown" or not set(searched) & set(WANTS):
+    if diagnosed.outcome != "unknown" or not set(searched) & set(WANTS) or stand.hold is not None:
         return diagnosed
     rounding = ROUNDING if tolerance <= DOUBLE.default else tolerance
     if states is not None:
         states = spread_rows(states, ROWS_OF_TERMS * count(stand))
-    terms = TermSearch(stand, seed, searched, states, rounding)
+    terms = TermSearch(stand, seed, searched, states, rounding, actuators)
     try:
         return diagnosed.with_terms(terms.find(answers(terms.requests)))
     except CheckError as error:
@@ -199,8 +226,10 @@ def _diagnosis(
         return replace(diagnosed, hindrance=str(error))
 
 
-def _failure_words(found: Report) -> tuple[str, ...]:
-    """What failed in the table, with its reason."""
+def _failure_words(found: Report, compared: Sequence[str] = ()) -> tuple[str, ...]:
+    """What failed in the table, with its reason; without what a diagnosis has `compared`, as want: quantity."""
     return tuple(
-        f"{row.want} {row.quantity}".strip() + (f" ({row.reason})" if row.reason else "") for row in found.failures
+        f"{row.want} {row.quantity}".strip() + (f" ({row.reason})" if row.reason else "")
+        for row in found.failures
+        if f"{row.want}: {row.quantity}" not in compared
     )

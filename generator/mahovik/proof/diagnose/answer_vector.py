@@ -13,6 +13,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
+from mahovik.proof.verify.actuators import actuated
 from mahovik.proof.verify.bounds import DOUBLE, Bounds
 from mahovik.proof.verify.scales import scales
 from mahovik.proof.verify.states import Request
@@ -84,21 +85,22 @@ def answer_vector(stand: Stand, requests: Sequence[Request]) -> AnswerVector:
     for request in requests:
         (want,) = request.want
         try:
-            at = reference.pieces(stand, request.state)
-            values = reference.evaluate(stand, request.state, request.want, at)
+            own = actuated(stand, request.state)
+            at = reference.pieces(own, request.state)
+            values = reference.evaluate(own, request.state, request.want, at)
         except (StateError, np.linalg.LinAlgError, ArithmeticError):
             continue
-        natural = scales(stand, request.state, at, want)
-        own = []
+        natural = scales(own, request.state, at, want)
+        places = []
         for path, value, size in _leaves(values, natural):
-            own.append((path, value.shape, start))
+            places.append((path, value.shape, start))
             name = path[0] if len(path) == 1 else f"{path[0]}.{path[-1]}"
             blocks.append(np.full(value.size, quantities.setdefault((want, name), len(quantities))))
             expected.append(value.ravel())
             scale.append(np.maximum(np.broadcast_to(size, value.shape).ravel(), DOUBLE.floor))
             start += value.size
         kept.append(request)
-        parts.append(tuple(own))
+        parts.append(tuple(places))
     return AnswerVector(
         tuple(kept),
         tuple(quantities),

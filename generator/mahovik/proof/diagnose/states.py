@@ -13,6 +13,7 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random_state import random_state, random_wrenches
 from mahovik.core.stand.state import Quaternion, State
+from mahovik.proof.verify.actuators import with_drawn_actuators
 
 FIRST = 3
 """Number of leading states with all features active: every visible fault shows in them, so they suffice to search."""
@@ -21,8 +22,11 @@ ALONE = 4
 """Largest number of flywheels that have a state in which they alone turn."""
 
 
-def separating_states(stand: Stand, seed: int = 1) -> list[tuple[str, State]]:
-    """States with their names, the same for the same seed; without stand.md's extremes, which rounding disturbs."""
+def separating_states(stand: Stand, seed: int = 1, actuators: bool = False) -> list[tuple[str, State]]:
+    """States with their names, the same for the same seed; without stand.md's extremes, which rounding disturbs.
+
+    `actuators`: with deflections of fins and speeds of propellers, for programs that take them.
+    """
     rng = np.random.default_rng(seed)
     found = [
         ("all 1", _with_wrenches(stand, _by_angles(stand, rng), rng)),
@@ -49,7 +53,17 @@ def separating_states(stand: Stand, seed: int = 1) -> list[tuple[str, State]]:
         state = _by_angles(stand, rng)
         alone = tuple(x if i == k else 0.0 for i, x in enumerate(state.phi_dot))
         found.append((f"{stand.flywheels[k].name} turns", replace(state, phi_dot=alone)))
+    if stand.hold is not None:
+        found = [(name, _in_freedoms(state)) for name, state in found]
+    if actuators:
+        found = [(name, with_drawn_actuators(stand, state, rng)) for name, state in found]
     return found
+
+
+def _in_freedoms(state: State) -> State:
+    """The state of a held carrier with speeds and rates of its freedoms that are zero where V and V_dot are."""
+    u, u_dot = state.u if any(state.V) else (0.0,) * len(state.u), state.u_dot
+    return replace(state, u=u, u_dot=u_dot if any(state.V_dot) else (0.0,) * len(u_dot))
 
 
 def _by_angles(stand: Stand, rng: np.random.Generator) -> State:

@@ -11,6 +11,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
+from mahovik.proof.verify.actuators import actuated
 
 
 class Backend(Protocol):
@@ -35,6 +36,23 @@ class NumpyBackend:
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
         """See Backend."""
         try:
-            return reference.evaluate(self._stand, state, want)
+            return reference.evaluate(actuated(self._stand, state), state, want)
         except (np.linalg.LinAlgError, ArithmeticError) as error:  # masses of 1e200 and the like
             raise StateError(f"the equations have no finite solution at this state: {error}") from None
+
+
+class CasadiBackend:
+    """The second derivation; with the deflections and speeds of a state it is made again."""
+
+    name = "casadi"
+
+    def __init__(self, stand: Stand) -> None:
+        from mahovik.proof.second import Second
+
+        self._stand, self._make = stand, Second
+        self._own = Second(stand)
+
+    def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
+        """See Backend."""
+        of = self._make(actuated(self._stand, state)) if state.actuators else self._own
+        return of.evaluate(state, want)

@@ -13,6 +13,7 @@ from mahovik.contract.functions import CHOSEN
 from mahovik.core.emit.generate import PRECISIONS, Generated, generate_all, host_lanes
 from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.emit.reading import Header, read_header
+from mahovik.core.lower.actuators import run_time_inputs
 from mahovik.core.lower.layout import Layout
 from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
@@ -150,6 +151,18 @@ class CBackend(ProgramBackend):
         if any(body not in self.inputs for body in state.wrench):
             return self.full.interpreter.evaluate(state, want)
         return self.interpreter.evaluate(state, want)
+
+    def table_of(self, actuators: Mapping[str, float]) -> Any:
+        """The default table with other deflections and speeds, by name."""
+        table = dict(self._plain_table)
+        for each in run_time_inputs(self.generated.layout.structure):
+            pairs = zip(table[each.array], each.names, strict=True)
+            table[each.array] = [{**of, each.member: actuators.get(name, of[each.member])} for of, name in pairs]
+        return table
+
+    @cached_property
+    def _plain_table(self) -> Any:
+        return self.table()
 
     def table(self) -> Any:
         """The compiled default table as plain data."""

@@ -18,6 +18,7 @@ from mahovik.proof.reference.excess import motor_shares
 from mahovik.proof.reference.hold import acceleration, allocation, free_equations
 from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.second import Second
+from mahovik.proof.verify.actuators import actuated
 from mahovik.proof.verify.bounds import DOUBLE, Bounds
 from mahovik.proof.verify.program_backend import is_beyond
 from mahovik.proof.verify.scales import scales
@@ -129,6 +130,7 @@ class Judge:
         self._bounds = bounds
         self._second = second
         self._judged = judged
+        self._seconds: dict[tuple[tuple[str, float], ...], Second] = {}
         self._rows: dict[tuple[str, str], Row] = {}
         self._last: tuple[State | None, str, dict[str, Any] | None] = (None, "", None)
         self._pieces: tuple[State | None, reference.Pieces | None] = (None, None)
@@ -136,12 +138,21 @@ class Judge:
         self._answered: set[str] = set()
         self._one_sided: dict[str, list[tuple[Row, float, Request, str]]] = {}
 
+    def _second_of(self, state: State) -> Second:
+        """The second derivation with the deflections and speeds of a state, which are numbers in its expressions."""
+        assert self._second is not None
+        if not state.actuators:
+            return self._second
+        return self._seconds.setdefault(tuple(state.actuators.items()), Second(actuated(self._stand, state)))
+
     def expected_answer(self, state: State, want: str) -> dict[str, Any] | None:
         """Answer of the reference, or None."""
         if self._last[0] is not state or self._last[1] != want:
             found: dict[str, Any] | None
             try:
-                found = reference.evaluate(self._stand, state, [want], self._at(state), self._bounds.cuts)
+                found = reference.evaluate(
+                    actuated(self._stand, state), state, [want], self._at(state), self._bounds.cuts
+                )
             except (StateError, np.linalg.LinAlgError, ArithmeticError):
                 found = None
             self._undecided = found is not None and want == "inverse" and self._ambiguous(found, state)
@@ -204,7 +215,7 @@ class Judge:
             self._row("inverse", "rank").note(Differences(math.inf), request, words)
             return
         expected = vars(allocation(at, self._stand, np.array(state.V_dot), cuts, rank))
-        natural = inverse_scales(Magnitudes(self._stand, state, at, cuts), rank)
+        natural = inverse_scales(Magnitudes(actuated(self._stand, state), state, at, cuts), rank)
         for quantity in ("phi_ddot", "residual", "sigma"):
             if quantity not in left_out:
                 off, words = difference(found.get(quantity), expected[quantity], natural[quantity], self._bounds.floor)
@@ -243,7 +254,7 @@ class Judge:
         if self._second is None or "second" not in FUNCTIONS[want].judges:
             return {}, ""
         try:
-            return self._second.evaluate(state, (want,)), ""
+            return self._second_of(state).evaluate(state, (want,)), ""
         except StateError as error:
             return {}, f"second derivation refused: {error}"
 
@@ -272,14 +283,14 @@ class Judge:
 
     def _scales(self, state: State, want: str) -> dict[str, Any]:
         with np.errstate(all="ignore"):
-            return scales(self._stand, state, self._at(state), want, self._bounds.cuts)
+            return scales(actuated(self._stand, state), state, self._at(state), want, self._bounds.cuts)
 
     def _at(self, state: State) -> reference.Pieces:
         """Pieces of a state, kept for its other wants."""
         known, at = self._pieces
         if known is not state or at is None:
             with np.errstate(all="ignore"):
-                at = reference.pieces(self._stand, state)
+                at = reference.pieces(actuated(self._stand, state), state)
             self._pieces = (state, at)
         return at
 

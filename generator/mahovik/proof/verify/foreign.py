@@ -11,14 +11,18 @@ import subprocess
 import threading
 from collections import deque
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import IO, Any
+
+import numpy as np
 
 from mahovik.contract.functions import wants_of_carrier
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof.second import Second
+from mahovik.proof.verify.actuators import actuators_of, with_drawn_actuators
 from mahovik.proof.verify.bounds import DOUBLE, uniform
 from mahovik.proof.verify.compare import Judge, Row
 from mahovik.proof.verify.draw import draw
@@ -56,13 +60,18 @@ def verify_program(
     count: int = 200,
     timeout: float = 300.0,
     tolerance: float = DOUBLE.default,
+    actuators: bool = False,
 ) -> Report:
     """Judge a program. `wants`: those it must offer; else what it does offer.
+
+    `actuators`: two of three states have deflections of fins and speeds of propellers, for a program that takes them.
 
     A program that dies, hangs, drops lines or prints anything else is reported with an `error`.
     Raises UsageError where it cannot be started, or a want is of tasks and the stand has none.
     """
     states = draw(stand, seed, count, wrenches=False)
+    if actuators:
+        states = _with_actuators(stand, states, seed)
     setting = TaskSetting(stand, uniform(tolerance), seed)
     asked = tuple(wants) or program.offers or (*wants_of_carrier(stand.hold is not None), TORQUE_FOR)
     requests = _requests(states, [want for want in asked if want != TORQUE_FOR])
@@ -76,6 +85,37 @@ def verify_program(
         return report(stand, program.name, seed, len(states), tolerance, (), str(error))
     rows = _rows(setting, requests, found, tolerance, bool(wants))
     return report(stand, program.name, seed, len(states), tolerance, rows)
+
+
+def takes_actuators(stand: Stand, program: Program, timeout: float) -> bool:
+    """Whether the answers of a program depend on the deflections and speeds that a state gives, the key `actuators`.
+
+    Raises CheckError where it dies, hangs or prints anything else; UsageError where it cannot be started.
+    """
+    if not actuators_of(stand):
+        return False
+    rng = np.random.default_rng(0)
+    still = random_state(stand, rng)
+    moved = with_drawn_actuators(stand, still, rng)
+    wants = [want for want in program.offers if want != TORQUE_FOR and applicable(still, want)]
+    requests = [
+        Request(f"{name}, {want}", state, (want,))
+        for want in wants
+        for name, state in (("file", still), ("set", moved))
+    ]
+    found = answers_of(program, requests, timeout)
+    pairs = zip(found[::2], found[1::2], strict=True)
+    return any("error" not in b and {**a, "id": None} != {**b, "id": None} for a, b in pairs if "error" not in a)
+
+
+def _with_actuators(stand: Stand, states: Sequence[tuple[str, State]], seed: int) -> list[tuple[str, State]]:
+    """The states, every third as it is, others with one of two sets: the second derivation is made for each set."""
+    rng = np.random.default_rng(seed)
+    sets = [with_drawn_actuators(stand, states[0][1], rng).actuators for _ in range(2)]
+    return [
+        (name, state if k % 3 == 0 else replace(state, actuators=sets[k % 3 - 1]))
+        for k, (name, state) in enumerate(states)
+    ]
 
 
 def answers_of(program: Program, requests: Sequence[Request], timeout: float) -> list[Mapping[str, Any]]:

@@ -119,6 +119,10 @@ class FunctionBackend(ABC):
         found = self._call("reaction", {**inputs, **motion})
         return {"u_dot": []} | motion | found
 
+    def table_of(self, actuators: Mapping[str, float]) -> Any:
+        """The table with other deflections and speeds. Raises StateError: a backend without them."""
+        raise StateError("actuators: this C has neither fins nor propellers to set, expected a stand with them")
+
     def arguments(self, state: State) -> dict[str, Any]:
         """A state as arguments of the program's functions, by name."""
         if state.quaternion is not None:
@@ -133,7 +137,7 @@ class FunctionBackend(ABC):
         zero = (0.0,) * 6
         wrench = [number for body in self.inputs for number in state.wrench.get(body, zero)]
         return {
-            "table": self._table,
+            "table": self.table_of(state.actuators) if state.actuators else self._table,
             "mounting": self.mounting,
             "x": x,
             "sine": [math.sin(phi) for phi in state.phi],

@@ -20,6 +20,7 @@ from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import StateError
 from mahovik.nearest import suggestion
+from mahovik.proof.verify.actuators import actuators_of
 from mahovik.proof.verify.backends import Backend
 
 ROUNDING = 4 * 2.0**-52
@@ -31,6 +32,7 @@ KEYS = (
     *(row.symbol for row in QUANTITIES.values() if row.input),
     "task",
     "demand",
+    "actuators",
     "u",
     "u_dot",
     "want",
@@ -95,6 +97,7 @@ def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> R
     quaternion = _quaternion(found) if "quaternion" in found else None
     task, demand = _task(stand, found, want, real)
     given |= freedoms_of(stand, found, want, real)
+    given["actuators"] = _actuators(stand, found, real)
     state = State(**given, quaternion=quaternion, wrench=_wrench(stand, found, real), task=task, demand=demand)
     return Request(identifier(found), state, want)
 
@@ -265,6 +268,24 @@ def _wrench(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyType[
     )
 
 
+def _actuators(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyType[str, float]:
+    given, known = found.get("actuators", {}), actuators_of(stand)
+    if not isinstance(given, dict):
+        raise StateError(f"actuators: expected an object of fins and propellers, found {excerpt(given)}")
+    values = {}
+    for name, value in given.items():
+        if name not in known:
+            none = "the stand has neither fins nor propellers"
+            raise StateError(f'actuators: unknown "{name}"{suggestion(name, known, none)}')
+        most = known[name].limit or QUANTITIES["phi_dot"].limits(real)[0]
+        values[name] = _number(value, f"actuators, {name}")
+        if abs(values[name]) > most:
+            raise StateError(
+                f"actuators, {name}: {values[name]:.9g} is out of range for its {known[name].what}, at most {most:g}"
+            )
+    return MappingProxyType(values)
+
+
 LONGEST = 16_000_000
 """Longest line, bytes; longer ones hold no state of any stand and are not kept."""
 
@@ -370,6 +391,8 @@ def state_object(state: State) -> dict[str, Any]:
     wrench = {name: value for name, value in state.wrench.items() if any(value)}
     if wrench:
         found["wrench"] = wrench
+    if state.actuators:
+        found["actuators"] = dict(state.actuators)
     return found
 
 

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
 from itertools import product as pairs
 
 import numpy as np
 
 from mahovik.contract import laws
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
-from mahovik.proof.diagnose.terms.monomials import ACCELERATIONS, Monomial, Motion, harmonics
+from mahovik.proof.diagnose.terms.monomials import ACCELERATIONS, DOWN, Monomial, Motion, harmonics
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.screw import Phi
 
 SIMPLE = (1.0, -1.0, 2.0, -2.0, 0.5, -0.5)
 """Multiples of a quantity that occur in the equations."""
@@ -22,6 +25,12 @@ LIKELY = (0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -0.5)
 
 THERE = 1e-9
 """Part of the largest coefficient below which another is rounding."""
+
+MOST_NAMES = 3
+"""Names that are printed of quantities with the same value."""
+
+Place = tuple[int, tuple[str, ...]]
+"""A component of the wrench on the carrier, and the factors of a product."""
 
 SAME = 1e-6
 """Relative difference of numbers that count as equal."""
@@ -54,18 +63,32 @@ class Coefficients:
         self._K = np.linalg.lstsq(base, bodies, rcond=None)[0].reshape(-1, 6, 6)
         self._K[0] += at[0].Lambda
         self._right = right
-        self._quantities = dict(_quantities(stand, self._K[0] - at[0].Lambda, at[0]))
+        self._quantities = list(_quantities(stand, self._K[0] - at[0].Lambda, at[0]))
 
     def multiple(self, component: int, k: int, error: float) -> Multiple:
         """The factor of product k in a component, where its coefficient has this error."""
         expected = self._expected_coefficient(component, k)
         if expected is None:
             return Multiple(error, None, "")
-        return self.multiple_of(expected, error)
+        return self.multiple_of(expected, error, component, self._products[k].factors)
 
-    def multiple_of(self, expected: float, error: float) -> Multiple:
-        """A right coefficient that has an error in a program, as a multiple of a quantity of the stand if it is one."""
-        return _name_multiple(expected, error, self._quantities)
+    def multiple_of(self, expected: float, error: float, component: int, factors: tuple[str, ...]) -> Multiple:
+        """A right coefficient that has an error in a program, as a multiple of a quantity of the stand if it is one.
+
+        Only quantities that occur in a place name what stands there: others may have the same value, as those of
+        another axis do.
+        """
+        place = component, factors
+        if any(each.startswith(("cos ", "sin ")) for each in factors):
+            own: list[Quantity] = self._quantities
+        elif abs(expected) <= SAME * abs(error):
+            own = [each for each in self._quantities if any(other[0] == component for other in each.places)]
+        else:
+            own = [each for each in self._quantities if place in each.places]
+            for parts in (own, [each for each in own if not each.added]):  # published derivatives may hold the products
+                if _equal(expected, sum(each.places[place] * each.value for each in parts)):
+                    return _name_part(expected, error, parts, place)
+        return _name_multiple(expected, error, own, self._quantities)
 
     def occurs(self, component: int, k: int) -> bool:
         """Whether the right equations have product k in a component."""
@@ -86,23 +109,55 @@ def is_there(coefficient: float, beside: Array) -> bool:
     return bool(abs(coefficient) > THERE * np.abs(beside).max(initial=0.0))
 
 
-def _name_multiple(expected: float, error: float, quantities: dict[str, float]) -> Multiple:
-    """The multiple of one quantity, else of one of two that make up the coefficient; else plain numbers."""
+def _name_multiple(expected: float, error: float, own: Sequence[Quantity], others: Sequence[Quantity]) -> Multiple:
+    """The multiple of one quantity, else of one of two that make up the coefficient; else plain numbers.
+
+    `own`: quantities that occur in this place of the equations; `others` name only what should not be there. Of
+    quantities with the same value all are named.
+    """
     if abs(expected) <= SAME * abs(error):
         expected = 0.0
-    if expected:
-        for name, value in quantities.items():
-            for multiple in SIMPLE:
-                if _equal(expected, multiple * value):
-                    return Multiple(_round(multiple + error / value), multiple, name)
-    others = [0.0, *(m * other for m, other in pairs(SIMPLE, quantities.values()))] if expected else [0.0]
-    for name, value in quantities.items():
-        for multiple in SIMPLE if expected else (0.0,):
-            factor = multiple + error / value
-            likely = any(abs(factor - each * abs(multiple or 1.0)) <= SAME for each in LIKELY)
-            if likely and any(_equal(expected, multiple * value + other) for other in others):
-                return Multiple(_round(factor), multiple, name)
+    if not expected:
+        return _name_intruder(error, own) or _name_intruder(error, others) or Multiple(error, 0.0, "")
+    for multiple in SIMPLE:
+        if equal := [each for each in own if _equal(expected, multiple * each.value)]:
+            return Multiple(_round(multiple + error / equal[0].value), multiple, _names(equal))
+    rest = [m * each.value for m, each in pairs(SIMPLE, own)]
+    for each in own:
+        for multiple in SIMPLE:
+            factor = multiple + error / each.value
+            likely = any(abs(factor - x * abs(multiple)) <= SAME for x in LIKELY)
+            if likely and any(_equal(expected, multiple * each.value + other) for other in rest):
+                return Multiple(_round(factor), multiple, each.name)
     return Multiple(expected + error, expected, "")
+
+
+def _name_part(expected: float, error: float, parts: Sequence[Quantity], place: Place) -> Multiple:
+    """The part of a coefficient, the sum of these, of which a likely factor is wrong; plain numbers without one."""
+    for each in parts:
+        multiple = each.places[place]
+        factor = multiple + error / each.value
+        if len(parts) == 1 or any(abs(factor - x * abs(multiple)) <= SAME for x in LIKELY):
+            return Multiple(_round(factor), multiple, each.name)
+    for a, b in combinations(parts, 2):
+        of_a, of_b = a.places[place], b.places[place]
+        whole = of_a * a.value + of_b * b.value
+        if of_a * of_b == -1.0 and whole and any(abs(1.0 + error / whole - x) <= SAME for x in LIKELY):
+            first, second = (a, b) if of_a > 0 else (b, a)
+            return Multiple(_round(1.0 + error / whole), 1.0, f"({first.name} - {second.name})")
+    return Multiple(expected + error, expected, "")
+
+
+def _name_intruder(error: float, quantities: Sequence[Quantity]) -> Multiple | None:
+    """A term that should not be there as a likely multiple of a quantity."""
+    for likely in LIKELY:
+        if likely and (equal := [x for x in quantities if abs(error / x.value - likely) <= SAME]):
+            return Multiple(_round(error / equal[0].value), 0.0, _names(equal))
+    return None
+
+
+def _names(equal: Sequence[Quantity]) -> str:
+    return " or ".join(each.name for each in equal[:MOST_NAMES])
 
 
 def _equal(a: float, b: float) -> bool:
@@ -114,21 +169,93 @@ def _round(factor: float) -> float:
     return round(factor, 9) + 0.0
 
 
-def _quantities(stand: Stand, K: Array, at: Pieces) -> Iterator[tuple[str, float]]:
+@dataclass(frozen=True)
+class Quantity:
+    """A quantity of the stand, SI, and its multiples in the coefficients of products; `added`: it is an added mass."""
+
+    name: str
+    value: float
+    places: Mapping[Place, float]
+    added: bool = False
+
+
+def _quantities(stand: Stand, K: Array, at: Pieces) -> Iterator[Quantity]:
     """Quantities of (8) by name, SI, without zeros: of the whole stand about O1, K (6x6) its mean over the phases."""
-    m = float(K[0, 0])
     g = float(np.linalg.norm(stand.gravity))
-    first = (float(K[5, 1]), float(K[3, 2]), float(K[4, 0]))  # m <rc>: rows of moments, columns of forces
-    found = {"m": m}
-    found |= {f"m {axis}_G": x for axis, x in zip("xyz", first, strict=True)}
+    moments = (g * x for x in (K[0, 0], K[5, 1], K[3, 2], K[4, 0]))
+    found = [*_inertial(K, at.Lambda), *_of_weight("W", "G", 1.0, *moments)]
+    named: dict[str, float] = {}
+    for of_law in laws.of_bodies("faults", "coefficients"):
+        named |= of_law(stand.carrier, g)
+    weightlike = [name for name in named if name.startswith("B")]
+    if weightlike:
+        sizes = (named.get(name, 0.0) for name in ("B", "B x_B", "B y_B", "B z_B"))
+        found += _of_weight("B", "B", -1.0, *sizes)
+    found += [Quantity(name, x, _of_derivative(name)) for name, x in named.items() if name not in weightlike]
+    for wheel, J in zip(stand.flywheels, np.diag(at.Theta_ff), strict=True):
+        found.append(Quantity(f"J11({wheel.name})", float(J), dict.fromkeys(_of_wheel(wheel.name), 1.0)))
+    largest = max(abs(each.value) for each in found)
+    yield from (each for each in found if abs(each.value) > 1e-14 * largest)
+
+
+def _inertial(K: Array, Lambda: Array) -> Iterator[Quantity]:
+    """Mass, first moments, moments of inertia, added masses, each where Phi K V and K V* have it."""
+
+    def inertia(name: str, value: float, *elements: tuple[int, int, float]) -> Quantity:
+        unit = np.zeros((6, 6))
+        for i, j, sign in elements:
+            unit[i, j] = unit[j, i] = sign
+        return Quantity(name, value, dict(_places_of(unit)), name.endswith("dot"))
+
+    yield inertia("m", float(K[0, 0]), (0, 0, 1.0), (1, 1, 1.0), (2, 2, 1.0))
+    yield inertia("m x_G", float(K[5, 1]), (1, 5, 1.0), (2, 4, -1.0))  # m <rc>: rows of moments, columns of forces
+    yield inertia("m y_G", float(K[3, 2]), (2, 3, 1.0), (0, 5, -1.0))
+    yield inertia("m z_G", float(K[4, 0]), (0, 4, 1.0), (1, 3, -1.0))
     for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)):
-        found[f"I_{'xyz'[i]}{'xyz'[j]}"] = float(K[3 + i, 3 + j]) * (1.0 if i == j else -1.0)
+        sign = 1.0 if i == j else -1.0
+        yield inertia(f"I_{'xyz'[i]}{'xyz'[j]}", sign * float(K[3 + i, 3 + j]), (3 + i, 3 + j, sign))
     for i in range(6):
         for j in range(i, 6):
-            found[f"{WRENCH_LETTERS[i]}_{TWIST_LETTERS[j]}dot"] = -float(at.Lambda[i, j])
-    found |= {"W": m * g} | {f"W {axis}_G": g * x for axis, x in zip("xyz", first, strict=True)}
-    for of_law in laws.of_bodies("faults", "coefficients"):
-        found |= of_law(stand.carrier, g)
-    found |= {f"J11({wheel.name})": float(J) for wheel, J in zip(stand.flywheels, np.diag(at.Theta_ff), strict=True)}
-    largest = max(abs(x) for x in found.values())
-    yield from ((name, x) for name, x in found.items() if abs(x) > 1e-14 * largest)
+            name, twin = (f"{WRENCH_LETTERS[a]}_{TWIST_LETTERS[b]}dot" for a, b in ((i, j), (j, i)))
+            value, place = -float(Lambda[i, j]), (j, (ACCELERATIONS[i],))
+            of = inertia(name, value, (i, j, -1.0))
+            if i == j:
+                yield of
+            else:  # each component has the derivative of its own letter before an acceleration
+                yield replace(of, places={k: x for k, x in of.places.items() if k != place})
+                yield Quantity(twin, value, {place: of.places[place]}, added=True)
+
+
+def _places_of(unit: Array) -> Iterator[tuple[Place, float]]:
+    """Products in -Phi(V) B V and in -B V*, of B (6x6), and their factors."""
+    for component, row in enumerate(unit):
+        yield from (((component, (ACCELERATIONS[j],)), -float(row[j])) for j in np.flatnonzero(row))
+    axes = np.eye(6)
+    for a in range(6):
+        for b in range(a, 6):
+            wrench = Phi(axes[a]) @ unit @ axes[b] + (a != b) * (Phi(axes[b]) @ unit @ axes[a])
+            product = TWIST_LETTERS[a], TWIST_LETTERS[b]
+            yield from (((int(i), product), -float(wrench[i])) for i in np.flatnonzero(wrench))
+
+
+def _of_weight(force: str, point: str, sign: float, size: float, x: float, y: float, z: float) -> Iterator[Quantity]:
+    """A force along or against gravity, and its first moments: r x g."""
+    yield Quantity(force, float(size), {(i, (DOWN[i],)): sign for i in range(3)})
+    for i, value in enumerate((x, y, z)):
+        a, b = (i + 1) % 3, (i + 2) % 3
+        places: dict[Place, float] = {(3 + a, (DOWN[b],)): -sign, (3 + b, (DOWN[a],)): sign}
+        yield Quantity(f"{force} {'xyz'[i]}_{point}", float(value), places)
+
+
+def _of_derivative(name: str) -> Mapping[Place, float]:
+    """The place of a hydrodynamic derivative, such as N_|r|r."""
+    letter, _, product = name.partition("_")
+    factors = re.findall(r"\|.\||.", product)
+    component = WRENCH_LETTERS.index(letter)
+    return {(component, tuple(factors)): 1.0, (component, tuple(reversed(factors))): 1.0}
+
+
+def _of_wheel(name: str) -> Iterator[Place]:
+    """Products with the speed or acceleration of a flywheel, in any component."""
+    speeds = [(f"{name}.acceleration",), *((a, f"{name}.speed") for a in TWIST_LETTERS)]
+    yield from ((component, each) for component in range(6) for each in speeds)

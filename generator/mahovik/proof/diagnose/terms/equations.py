@@ -13,6 +13,7 @@ from mahovik.core.stand.state import State
 from mahovik.proof import reference
 from mahovik.proof.diagnose.terms.coefficients import Coefficients, Multiple, is_there
 from mahovik.proof.diagnose.terms.fit import Columns
+from mahovik.proof.diagnose.terms.law_columns import KINDS, LawColumns, widen
 from mahovik.proof.diagnose.terms.monomials import Monomial, Motion, momentum_monomials, monomials
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
@@ -21,6 +22,7 @@ from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.momentum import momentum
 from mahovik.proof.reference.torque import torque
 from mahovik.proof.reference.wrenches import body_wrenches
+from mahovik.proof.verify.actuators import actuated
 
 ANSWERS: Mapping[str, tuple[str, ...]] = {
     "forward": ("V_dot",),
@@ -43,6 +45,7 @@ class EquationErrors:
     size        (n, c) SI: sum of the magnitudes of the terms, of which rounding is a part
     multiple    factor of product k in a component, where its coefficient has an error
     occurs      whether the right equations have product k in a component
+    of_laws     coefficients of laws, which are looked for where the products do not explain an error; None: no such
     """
 
     components: tuple[str, ...]
@@ -51,6 +54,7 @@ class EquationErrors:
     products: Sequence[Monomial]
     multiple: Callable[[int, int, float], Multiple]
     occurs: Callable[[int, int], bool]
+    of_laws: LawColumns | None = None
 
     @cached_property
     def columns(self) -> Columns:
@@ -88,7 +92,8 @@ class Equations:
         size = [np.abs(p.K) @ np.abs(x) + np.abs(p.F) + np.abs(bias(p)) for p, x in zip(at, V_r_dot, strict=True)]
         products = monomials(self._stand, Motion.of(states, at, V_r_dot))
         error, known = inertial - _right_hand_sides(states, at), self._wrench
-        return EquationErrors(WRENCH_LETTERS, error, np.array(size), products, known.multiple, known.occurs)
+        sizes, of_laws = np.array(size), LawColumns(at)
+        return EquationErrors(WRENCH_LETTERS, error, sizes, products, known.multiple, known.occurs, of_laws)
 
     def _torque(self, states: Sequence[State], at: Sequence[Pieces], tau: Array) -> EquationErrors:
         """Errors of the drive torques (n, N)."""
@@ -101,13 +106,14 @@ class Equations:
         """Errors of the momentum Z (n, 6), (2)."""
         right, products = self._momenta(states, at)
         own_right, own_products = self._momenta(self._own, self._own_pieces)
-        plain = _PlainFactors(columns_of(own_products).least_squares(own_right, with_later=True), self._wrench)
+        factors = columns_of(own_products).least_squares(own_right, with_later=True)
+        plain = _PlainFactors(factors, self._wrench, products)
         size = np.abs(right)
         return EquationErrors(WRENCH_LETTERS, Z - right, size, products, plain.multiple, plain.occurs)
 
     @cached_property
     def _own_pieces(self) -> list[Pieces]:
-        return [reference.pieces(self._stand, state) for state in self._own]
+        return [reference.pieces(actuated(self._stand, state), state) for state in self._own]
 
     @cached_property
     def _wrench(self) -> Coefficients:
@@ -117,7 +123,7 @@ class Equations:
         )
         motion = Motion.of(self._own, self._own_pieces, np.array([s.V_dot for s in self._own]))
         products = monomials(self._stand, motion)
-        factors = columns_of(products).least_squares(right, with_later=False)
+        factors = _factors_beside_laws(columns_of(products), right, LawColumns(self._own_pieces))
         return Coefficients(products, factors, motion, self._own_pieces, self._stand)
 
     @cached_property
@@ -140,10 +146,15 @@ class Equations:
 
 
 class _PlainFactors:
-    """Right factors (m, c) of products, or None: unknown; named by quantities of the stand if these are given."""
+    """Right factors (m, c) of products, or None: unknown; named by quantities of the stand if these are given.
 
-    def __init__(self, right: Array | None, names: Coefficients | None = None) -> None:
-        self._right, self._names = right, names
+    `products`: of velocities, whose factors in the momentum are those of their derivatives in K V*.
+    """
+
+    def __init__(
+        self, right: Array | None, names: Coefficients | None = None, products: Sequence[Monomial] = ()
+    ) -> None:
+        self._right, self._names, self._products = right, names, products
 
     def multiple(self, component: int, k: int, error: float) -> Multiple:
         """The factor of product k, whose coefficient has this error."""
@@ -152,7 +163,9 @@ class _PlainFactors:
         expected = float(self._right[k, component])
         if self._names is None:
             return Multiple(expected + error, expected, "")
-        return self._names.multiple_of(expected if self.occurs(component, k) else 0.0, error)
+        first, *wave = self._products[k].factors
+        factors = (f"{first.removesuffix('.speed')}.acceleration" if "." in first else f"{first}_dot", *wave)
+        return self._names.multiple_of(expected if self.occurs(component, k) else 0.0, error, component, factors)
 
     def occurs(self, component: int, k: int) -> bool:
         """Whether the right equations have product k in a component."""
@@ -166,19 +179,36 @@ def columns_of(products: Sequence[Monomial]) -> Columns:
     )
 
 
+def _factors_beside_laws(columns: Columns, right: Array, of_laws: LawColumns) -> Array | None:
+    """Factors (m, 6) of the products in right-hand sides (n, 6), where coefficients of laws explain the rest."""
+    if not of_laws.there:
+        return columns.least_squares(right, with_later=False)
+    found = []
+    for component in range(6):
+        wide, _ = widen(columns, next(of_laws.of(component)))
+        factors = wide.least_squares(right[:, [component]], with_later=False)
+        if factors is None:
+            return None
+        found.append(factors[: columns.count, 0])
+    return np.column_stack(found)
+
+
 def _right_hand_sides(states: Sequence[State], at: Sequence[Pieces]) -> Array:
     """F - M V_r - J phi' - I phi'' (n, 6)."""
     return np.array([p.F - bias(p) - p.I @ np.array(s.phi_ddot) for p, s in zip(at, states, strict=True)])
 
 
 def _other_wrenches(at: Pieces, stand: Stand) -> Array:
-    """Wrenches (6, in E1 about O1) that are no sum of these products: laws between E0 and the carrier, damping of
-    bodies with axes of their own."""
+    """Wrenches (6, in E1 about O1) that are no sum of these products or of coefficients of laws: laws between E0 and
+    the carrier, damping of bodies with axes of their own, all laws of flywheels that are not of their weight."""
     found = np.zeros(6)
     bodies: tuple[PlacedBody, ...] = (*at.fixed, *at.flywheels)
+    fixed = {k.body.name for k in at.fixed}
     for k in bodies:
         own = body_wrenches(k.body, np.zeros(3), np.zeros(6), np.zeros(6))
         for kind, wrench in at.terms[k.body.name].items():
-            if kind not in own or ("damping" in kind and k.body.name != stand.carrier.name):
+            if kind in KINDS and k.body.name in fixed:
+                continue
+            if kind not in own or kind in KINDS or ("damping" in kind and k.body.name != stand.carrier.name):
                 found += k.L @ wrench
     return found

@@ -30,6 +30,9 @@ PART = 0.01
 SINGULAR = 1e-11
 """Columns whose singular values fall below this part of the largest have no single answer."""
 
+INDEPENDENT = 1e-6
+"""Part of a column that others do not explain, from which on it is one of its own."""
+
 SMALL = 400
 """Columns up to which the answer with the least sum of magnitudes is looked for."""
 
@@ -55,10 +58,40 @@ class Columns:
     """
 
     def __init__(self, columns: Array, later: NDArray[np.bool_]) -> None:
-        self._size = np.linalg.norm(columns, axis=0)
+        self._size: Array = np.linalg.norm(columns, axis=0)
         there = self._size > 0.0
-        self._scaled = np.where(there, columns / np.where(there, self._size, 1.0), 0.0)
-        self._sets = tuple(_Set(self._scaled, np.flatnonzero(each)) for each in (there & ~later, there))
+        self._scaled: Array = np.where(there, columns / np.where(there, self._size, 1.0), 0.0)
+        self._sets: tuple[_Set, ...] = tuple(
+            _Set(self._scaled, np.flatnonzero(each)) for each in (there & ~later, there)
+        )
+
+    @property
+    def count(self) -> int:
+        """How many there are."""
+        return len(self._size)
+
+    def widen(self, more: Array) -> tuple[Columns, list[int]]:
+        """These columns and, behind them, those of `more` that they do not explain; and the indices of these."""
+        found = Columns.__new__(Columns)
+        spanned = self._sets[0].span
+        kept: list[int] = []
+        sizes = np.linalg.norm(more, axis=0)
+        for i, size in enumerate(sizes.tolist()):
+            if size <= 0.0:
+                continue
+            rest = more[:, i] / size
+            for _ in range(2):
+                rest = rest - spanned @ (spanned.T @ rest)
+            length = float(np.linalg.norm(rest))
+            if length > INDEPENDENT:
+                spanned = np.column_stack([spanned, rest / length])
+                kept.append(i)
+        m = len(self._size)
+        found._size = np.concatenate([self._size, sizes[kept]])
+        found._scaled = np.column_stack([self._scaled, more[:, kept] / sizes[kept]])
+        added = np.arange(m, m + len(kept))
+        found._sets = tuple(_Set(found._scaled, np.concatenate([each.places, added])) for each in self._sets)
+        return found, kept
 
     def fit(self, error: Array, rounding: float) -> Fit:
         """Few columns whose combination is the error (n); `rounding`: root mean square of that of a right program."""
@@ -138,6 +171,12 @@ class _Set:
     def _svd(self) -> tuple[Array, Array, Array, int]:
         left, singular, right = svd(self.columns, full_matrices=False, check_finite=False)
         return left, singular, right, int((singular > SINGULAR * singular[:1]).sum())
+
+    @property
+    def span(self) -> Array:
+        """Orthonormal columns that span them."""
+        left, _, _, rank = self._svd
+        return left[:, :rank]
 
     @property
     def rank(self) -> int:

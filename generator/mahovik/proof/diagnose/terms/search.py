@@ -18,10 +18,12 @@ from mahovik.proof import reference
 from mahovik.proof.diagnose.terms.coefficients import Multiple
 from mahovik.proof.diagnose.terms.equations import ANSWERS, OF_FLYWHEELS, EquationErrors, Equations
 from mahovik.proof.diagnose.terms.fit import MOST, Columns, Fit
+from mahovik.proof.diagnose.terms.law_columns import LawColumn, widen
 from mahovik.proof.diagnose.terms.monomials import count
 from mahovik.proof.diagnose.terms.solvable import has_mass_matrix
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
+from mahovik.proof.verify.actuators import actuated, with_drawn_actuators
 from mahovik.proof.verify.states import Request
 
 WANTS = tuple(ANSWERS)
@@ -38,6 +40,9 @@ MORE, SPARE = 1.25, 40
 
 REPEATED = 5
 """States that are asked for twice: a program that answers otherwise is not deterministic."""
+
+FEW = 4
+"""Terms of a component up to which an exact fit needs no other explanation; that of a whole equation has dozens."""
 
 SPREAD = {"V": 1.0, "phi_dot": 3.0, "phi_ddot": 3.0, "V_dot": 1.0}
 """Standard deviations of the states, SI: no kind of term is much larger than another."""
@@ -114,14 +119,18 @@ class TermSearch:
         wants: Sequence[str] = WANTS,
         states: Sequence[tuple[str, State]] | None = None,
         rounding: float = ROUNDING,
+        actuators: bool = False,
     ) -> None:
         """`states`: the only ones with answers, by name, as in a log; None: those that the search asks for.
 
-        `rounding`: error over the size of the terms that a right program may have.
+        `rounding`: error over the size of the terms that a right program may have; `actuators`: it takes deflections
+        of fins and speeds of propellers.
         """
         rng = np.random.default_rng(seed)
         self._stand, self._rounding = stand, max(rounding, ROUNDING)
         self._own = [_state(stand, rng) for _ in range(math.ceil(MORE * count(stand)) + SPARE)]
+        if actuators:
+            self._own = [with_drawn_actuators(stand, state, rng) for state in self._own]
         named = [(f"term {i}", state) for i, state in enumerate(self._own)] if states is None else states
         self._states = [state for _, state in named]
         self._equations = Equations(stand, self._own)
@@ -180,7 +189,7 @@ class TermSearch:
 
     @cached_property
     def _pieces(self) -> list[Pieces]:
-        return [reference.pieces(self._stand, state) for state in self._states]
+        return [reference.pieces(actuated(self._stand, state), state) for state in self._states]
 
     def _errors(self, want: str, answers: Answers) -> list[EquationErrors]:
         """Errors of a want at the states with finite answers. Raises CheckError: too few."""
@@ -218,7 +227,10 @@ class TermSearch:
 
     def _check_order(self, want: str, rows: Sequence[int], values: Mapping[str, Array]) -> None:
         """Raises CheckError where wrong answers are the right ones of other states."""
-        right = [reference.evaluate(self._stand, self._states[i], (want,), self._pieces[i]) for i in rows]
+        right = [
+            reference.evaluate(actuated(self._stand, self._states[i]), self._states[i], (want,), self._pieces[i])
+            for i in rows
+        ]
         expected = np.array([np.concatenate([each[name] for name in values]) for each in right])
         given = np.hstack(list(values.values()))
         size = np.abs(expected).max(axis=0) + 1e-300
@@ -235,8 +247,8 @@ class TermSearch:
 
     def _terms(self, want: str, of: EquationErrors) -> tuple[list[WrongTerm], list[Fit]]:
         """Wrong terms of all components, and the fit of each wrong one."""
-        columns, products = of.columns, of.products
-        found: list[tuple[int, int, float, float]] = []
+        products = of.products
+        found: list[tuple[int, int, str, Multiple, float, float]] = []
         fits: list[Fit] = []
         doubts: dict[tuple[int, int], tuple[tuple[str, ...], bool]] = {}
         rounding = self._rounding * float(np.sqrt(np.mean(of.size**2)))
@@ -244,23 +256,45 @@ class TermSearch:
             wrong = of.error[:, component]
             if np.sqrt(np.mean(wrong**2)) <= 10 * rounding:
                 continue
-            fit = columns.fit(wrong, rounding)
-            if fit.exact:
-                fit, twins = _likeliest(columns, fit, wrong, rounding, partial(of.occurs, component))
+            fit, of_laws = _fit(of, component, wrong, rounding)
+            if fit.exact and not any(k >= len(products) for k in fit.coefficients):
+                fit, twins = _likeliest(of.columns, fit, wrong, rounding, partial(of.occurs, component))
                 for k, (others, likely) in twins.items():
                     doubts[component, k] = tuple(products[i].term for i in others), likely
             fits.append(fit if fit.coefficients else replace(fit, left=1.0))
             for k, c in fit.coefficients.items():
-                found.append((component, k, c, float(np.sum((c * products[k].values) ** 2))))
-        whole = sum(each[3] for each in found) or 1.0
+                column = of_laws[k - len(products)] if k >= len(products) else None
+                product = products[k] if column is None else column.product
+                multiple = of.multiple(component, k, c) if column is None else column.multiple(c)
+                size = float(np.sum((c * product.values) ** 2))
+                found.append((component, k, product.term, multiple, c, size))
+        whole = sum(each[5] for each in found) or 1.0
         terms = [
             WrongTerm(
-                want, of.components[component], products[k].term, of.multiple(component, k, c), c, part / whole,
+                want, of.components[component], term, multiple, c, part / whole,
                 *doubts.get((component, k), ((), False)),
             )
-            for component, k, c, part in found
+            for component, k, term, multiple, c, part in found
         ]  # fmt: skip
         return sorted(terms, key=lambda term: -term.share), fits
+
+
+def _fit(of: EquationErrors, component: int, error: Array, rounding: float) -> tuple[Fit, list[LawColumn]]:
+    """The fit of a component by products; where these are not a few, with coefficients of laws behind them."""
+    best: tuple[Fit, list[LawColumn]] = of.columns.fit(error, rounding), []
+    for of_laws in of.of_laws.of(component) if of.of_laws is not None and not _is_short(best[0]) else ():
+        wide, kept = widen(of.columns, of_laws)
+        fit = wide.fit(error, rounding)
+        if fit.exact and (not best[0].exact or len(fit.coefficients) < len(best[0].coefficients)):
+            best = fit, kept
+        if _is_short(best[0]):
+            break
+    return best
+
+
+def _is_short(fit: Fit) -> bool:
+    """Whether a fit is exact with so few columns that no other is looked for."""
+    return fit.exact and len(fit.coefficients) <= FEW
 
 
 def _likeliest(

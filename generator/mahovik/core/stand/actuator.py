@@ -1,0 +1,19 @@
+"""An input that a law takes at run time: the deflection of a fin, the speed of a propeller."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Actuator:
+    """What is known of an input, which states name as its fin or propeller.
+
+    what   the quantity and its unit
+    limit  largest magnitude, SI; None: that of every speed
+    usual  magnitude in states that are drawn, SI
+    """
+
+    what: str
+    limit: float | None
+    usual: float

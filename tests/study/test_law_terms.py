@@ -1,0 +1,200 @@
+"""Wrong coefficients of cross-flow drag, fins, propellers and fading damping, one by one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+import pytest
+
+from mahovik.contract.laws import of_bodies
+from mahovik.core.stand.model import Carrier, Mat6, Stand
+from mahovik.core.stand.read import load
+from mahovik.core.stand.state import rest_state
+from mahovik.laws.cross_flow.data import CrossFlow
+from mahovik.laws.fading.data import FadingDamping
+from mahovik.laws.fin.data import Fins
+from mahovik.laws.propeller.data import Propeller, Propellers
+from mahovik.proof import reference
+from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
+from mahovik.proof.reference import Pieces
+from mahovik.proof.reference.forward import bias
+from mahovik.proof.reference.wrench_kinds import body_wrench
+from mahovik.proof.verify.actuators import actuated, with_drawn_actuators
+from mahovik.proof.verify.backends import CasadiBackend, NumpyBackend
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.states import Request
+
+VEHICLES = Path(__file__).parents[2] / "docs" / "vehicles"
+
+
+@cache
+def vehicle() -> Stand:
+    """REMUS 100, of which Y_vdot = Z_wdot, with planes, a propeller, strips and fading damping; actuators at zero."""
+    hull = load(VEHICLES / "remus100.toml")
+    linear = tuple(tuple(1.0 + i if i == j else 0.1 * (i + j) for j in range(6)) for i in range(6))
+    table = (0.1, 0.2, 0.1)
+    return replace(
+        hull,
+        carrier=hull.carrier.with_laws(
+            Propellers((Propeller("screw", (-0.7, 0.0, 0.01), (1.0, 0.0, 0.0), 1000.0, 0.14, (0.3, -0.2, -0.1),
+                                  (0.03, -0.02, -0.01), 0.0, 0.1, 0.05, False, False),)),
+            CrossFlow(1000.0, (-0.6, 0.1, 0.7), table, table, (0.9, 1.0, 1.1), (0.7, 0.8, 0.6), 2, True),
+            FadingDamping(cast(Mat6, linear), 1.5),
+        ),
+    )  # fmt: skip
+
+
+@cache
+def search() -> TermSearch:
+    return TermSearch(vehicle(), wants=("forward",), actuators=True)
+
+
+def found(wrong: Callable[[Stand], Stand], rows: Sequence[int] = range(6)) -> TermSearchResult:
+    """What is named in a program that has another law in some components of the wrench."""
+
+    def answers(request: Request) -> Mapping[str, Any]:
+        own = actuated(vehicle(), request.state)
+        at, other = (reference.pieces(x, request.state) for x in (own, wrong(own)))
+        right = at.F - bias(at)
+        change = body_wrench(other.terms["carrier"]) - body_wrench(at.terms["carrier"])
+        right[list(rows)] += change[list(rows)]
+        V_r_dot = np.asarray(np.linalg.solve(at.K, right), dtype=np.float64)
+        return {"V_dot": at.V_dot(V_r_dot).tolist()}
+
+    return search().find(answers)
+
+
+def with_fin(**values: Any) -> Callable[[Stand], Stand]:
+    """The first fin with other numbers."""
+
+    def change(stand: Stand) -> Stand:
+        first, *others = law_of(stand, Fins).fins
+        return with_law(stand, Fins((replace(first, **values), *others)))
+
+    return change
+
+
+def with_screw(**values: Any) -> Callable[[Stand], Stand]:
+    return lambda stand: with_law(stand, Propellers((replace(law_of(stand, Propellers).propellers[0], **values),)))
+
+
+def with_strips(**values: Any) -> Callable[[Stand], Stand]:
+    return lambda stand: with_law(stand, replace(law_of(stand, CrossFlow), **values))
+
+
+def law_of(stand: Stand, kind: Any) -> Any:
+    law = stand.carrier.law(kind)
+    assert law is not None
+    return law
+
+
+def with_law(stand: Stand, law: Any) -> Stand:
+    carrier: Carrier = stand.carrier.with_laws(law)
+    return replace(stand, carrier=carrier)
+
+
+def named(result: TermSearchResult) -> set[tuple[str, str, float, float | None, str]]:
+    assert result.whole
+    return {
+        (x.component, x.term, round(x.multiple.factor, 6), x.multiple.expected, x.multiple.coefficient)
+        for x in result.terms
+    }
+
+
+def test_the_sign_of_a_lift_in_all_its_components() -> None:
+    slope = law_of(vehicle(), Fins).fins[0].lift_slope
+    assert named(found(with_fin(lift_slope=-slope))) == {
+        (component, "rudder lift", -1.0, 1.0, "rudder.lift_slope") for component in "YN"
+    }
+
+
+def test_a_lift_that_is_missing_in_one_component() -> None:
+    assert named(found(with_fin(lift_slope=0.0), [5])) == {("N", "rudder lift", 0.0, 1.0, "rudder.lift_slope")}
+
+
+def test_a_factor_of_a_thrust_and_a_missing_torque() -> None:
+    assert named(found(with_screw(thrust=(0.3, -0.4, -0.1)), [0])) == {
+        ("X", "screw thrust |n| V_a", 2.0, 1.0, "screw.thrust[1]")
+    }
+    assert named(found(with_screw(torque=(0.0, -0.02, -0.01)))) == {
+        ("K", "screw torque |n| n", 0.0, 1.0, "screw.torque[0]")
+    }
+
+
+def test_a_station_of_a_table() -> None:
+    assert named(found(with_strips(drag_z=(0.7, 1.6, 0.6)), [2])) == {
+        ("Z", "cross flow (w - x q) at 0.1 m", 2.0, 1.0, "carrier.cross_flow.drag_z[1]")
+    }
+
+
+def test_a_whole_table_with_the_wrong_sign_in_one_component() -> None:
+    law = law_of(vehicle(), CrossFlow)
+    result = found(with_strips(drag_z=tuple(-x for x in law.drag_z), drag_y=tuple(-x for x in law.drag_y)), [4])
+    assert named(result) == {("M", "cross flow (w - x q)", -1.0, 1.0, "carrier.cross_flow")}
+
+
+def test_an_element_of_fading_damping() -> None:
+    def change(stand: Stand) -> Stand:
+        law = law_of(stand, FadingDamping)
+        rows = [list(row) for row in law.linear]
+        rows[2][4] *= -1
+        return with_law(stand, replace(law, linear=tuple(map(tuple, rows))))
+
+    assert named(found(change)) == {("Z", "exp(-rate U) q", -1.0, 1.0, "carrier.fading_damping.linear[2][4]")}
+
+
+def test_parts_of_a_law_add_up_to_it() -> None:
+    """Of every detail, at states with deflections and speeds of their own."""
+    rng = np.random.default_rng(4)
+    states = [with_drawn_actuators(vehicle(), rest_state(vehicle()), rng) for _ in range(4)]
+    V = rng.normal(size=(4, 6))
+    bodies = [actuated(vehicle(), state).carrier for state in states]
+    kinds = of_bodies("terms", "KIND")
+    for kind, law_terms in zip(kinds, of_bodies("terms", "law_terms"), strict=True):
+        expected = [
+            {k: P for wrenches in of_bodies("reference", "wrenches") for k, P in wrenches(b, np.zeros(3), x).items()}[
+                kind
+            ]
+            for b, x in zip(bodies, V, strict=True)
+        ]
+        terms = law_terms(bodies, V)
+        for detail in {term.detail for term in terms}:
+            total = sum(term.value * term.wrench for term in terms if term.detail == detail)
+            np.testing.assert_allclose(total, expected, rtol=1e-12, atol=1e-12 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize(("product", "name"), [((1, 5), "Y_vdot"), ((2, 4), "Z_wdot")])
+def test_equal_coefficients_of_two_axes_keep_their_names(product: tuple[int, int], name: str) -> None:
+    """Y_vdot = Z_wdot: of the force ahead v r has the one, w q the other."""
+    stand = replace(vehicle(), carrier=replace(vehicle().carrier, laws=()))
+    a, b = product
+    added = np.array(stand.carrier.added_mass)
+    assert added[1, 1] == added[2, 2]
+
+    def answers(request: Request) -> Mapping[str, Any]:
+        at: Pieces = reference.pieces(stand, request.state)
+        right = at.F - bias(at)
+        right[0] -= 2 * (1 if a == 1 else -1) * added[1, 1] * at.V_r[a] * at.V_r[b]
+        V_r_dot = np.asarray(np.linalg.solve(at.K, right), dtype=np.float64)
+        return {"V_dot": at.V_dot(V_r_dot).tolist()}
+
+    (term,) = TermSearch(stand, wants=("forward",)).find(answers).terms
+    assert (term.component, term.multiple.coefficient) == ("X", name)
+    assert term.multiple.factor == -term.multiple.expected  # type: ignore[operator]
+
+
+def test_backends_take_the_actuators_of_a_state() -> None:
+    stand = load(VEHICLES / "nps_auv2.toml")
+    rng = np.random.default_rng(2)
+    still = replace(rest_state(stand), V=(1.0, 0.2, -0.1, 0.3, 0.2, -0.4))
+    moved = with_drawn_actuators(stand, still, rng)
+    answers = [each.evaluate(moved, ("forward",))["V_dot"] for each in
+               (NumpyBackend(stand), CasadiBackend(stand), CBackend(stand))]  # fmt: skip
+    np.testing.assert_allclose(answers[1], answers[0], rtol=1e-11)
+    np.testing.assert_allclose(answers[2], answers[0], rtol=1e-11)
+    assert not np.allclose(answers[0], NumpyBackend(stand).evaluate(still, ("forward",))["V_dot"], rtol=1e-3)
