@@ -73,7 +73,7 @@ def verify_program(
     if actuators:
         states = _with_actuators(stand, states, seed)
     setting = TaskSetting(stand, uniform(tolerance), seed)
-    asked = tuple(wants) or program.offers or (*wants_of_carrier(stand.hold is not None), TORQUE_FOR)
+    asked = tuple(wants) or _offers(stand, program)
     requests = _requests(states, [want for want in asked if want != TORQUE_FOR])
     if TORQUE_FOR in asked:
         requests += torque_requests(setting, states)
@@ -87,6 +87,11 @@ def verify_program(
     return report(stand, program.name, seed, len(states), tolerance, rows)
 
 
+def _offers(stand: Stand, program: Program) -> tuple[str, ...]:
+    """Wants that a program may offer of this carrier."""
+    return program.offers or (*wants_of_carrier(stand.hold is not None), TORQUE_FOR)
+
+
 def takes_actuators(stand: Stand, program: Program, timeout: float) -> bool:
     """Whether the answers of a program depend on the deflections and speeds that a state gives, the key `actuators`.
 
@@ -97,7 +102,7 @@ def takes_actuators(stand: Stand, program: Program, timeout: float) -> bool:
     rng = np.random.default_rng(0)
     still = random_state(stand, rng)
     moved = with_drawn_actuators(stand, still, rng)
-    wants = [want for want in program.offers if want != TORQUE_FOR and applicable(still, want)]
+    wants = [want for want in _offers(stand, program) if want != TORQUE_FOR and applicable(still, want)]
     requests = [
         Request(f"{name}, {want}", state, (want,))
         for want in wants
