@@ -165,9 +165,9 @@ TURN = {"schema": 1, "name": "turn", "type": "periodic", "period": 1.0}
             [0, 0, 0, 0.1, 0, 0],
             "asks for motion along yaw, which [hold] blocks; expected its freedoms",
         ),
-        ('["z", "yaw"]', [0, 0.1, 0, 0, 0, 0], "turn: asks for motion along y, which [hold] blocks"),
-        ('["pitch"]', [0, 0, 0, 0, 0.1, 0], "turn: asks for motion along x, which [hold] blocks"),  # off the pivot
-        ('["yaw"]', [0, 0, 0, 0.1, 0, 0], "hold: found a held carrier, expected a stand without"),
+        ('["z", "yaw"]', [0, 0.1, 0, 0, 0, 0], "m.json: asks for motion along y, which [hold] blocks"),
+        ('["pitch"]', [0.01, 0, 0, 0, 0.1, 0], "m.json: asks for motion along x, which [hold] blocks"),
+        ('["yaw"]', [0.1, 0.1], "cos: expected 1 number (yaw), found 2"),
         ("[]", [0, 0, 0, 0.1, 0, 0], "hold: no freedoms: clamped"),
     ],
 )

@@ -222,3 +222,12 @@ def test_a_programme_of_another_amplitude_is_refused() -> None:
     found = planned(SHAKER, required, verify=False).programmes[0]
     refused = {each.name for each in verify_programme(SHAKER, larger, found) if not each.passed}
     assert {"residual", "simulation"} <= refused
+
+
+def test_a_programme_is_drawn_by_its_coordinates() -> None:
+    from mahovik.out.report.plot.programme import panels
+
+    required = motion(SHAKER, {"cos": [2e-3]}, period=0.05, winding="spin")
+    found = planned(SHAKER, required, verify=False).programmes[0]
+    first = panels(found, SHAKER, required, 8)[0]
+    assert first.quantity.startswith("carrier, mm") and first.lines[0].name == "z"

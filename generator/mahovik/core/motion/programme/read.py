@@ -106,7 +106,7 @@ class RunUpFields(Table):
 
 
 def _bias(raw: Any) -> tuple[float, ...]:
-    """As many numbers as there are."""
+    """Any number of numbers."""
     return vector(raw, (len(raw) if isinstance(raw, list) else len(FREE),), PLAIN)
 
 

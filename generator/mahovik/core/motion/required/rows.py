@@ -55,7 +55,7 @@ def flags(raw: Any, coordinates: Coordinates) -> tuple[bool, ...]:
 
 
 def _dimensions(raw: Any, coordinates: Coordinates) -> tuple[Dimension, ...] | None:
-    """What the numbers of a row are; None where it is no row."""
+    """Dimensions of the numbers of a row; None where it is no row."""
     if not isinstance(raw, list):
         return None
     if len(raw) == coordinates.count:

@@ -8,6 +8,7 @@ import numpy as np
 
 from mahovik.contract.quantities import RPM
 from mahovik.core.motion.programme import Angles, Programme
+from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.out.report.plot.panel import Array, Panel, family, limit
 from mahovik.proof.verify.programme.finding import tolerance_for
 from mahovik.proof.verify.programme.mechanics import Scale, residuals, scale_of, state_at
@@ -16,8 +17,7 @@ from mahovik.proof.verify.programme.simulation import simulate
 if TYPE_CHECKING:
     from mahovik.core.motion.required import RequiredMotion
     from mahovik.core.motion.required.model import Each
-    from mahovik.core.stand.coordinates import coordinates_of
-from mahovik.core.stand.model import Stand
+    from mahovik.core.stand.model import Stand
 
 POINTS = 400
 """Along each line of a programme."""

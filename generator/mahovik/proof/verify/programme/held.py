@@ -28,14 +28,14 @@ def pose(stand: Stand, q: Array) -> tuple[Array, Array]:
 def held_twist(stand: Stand, q: Array, q_dot: Array) -> Array:
     """V (6) in E1."""
     H, H_dot, _ = _product(stand, q, q_dot, np.zeros_like(q))
-    return _twist_of(_left(H, H_dot))
+    return _twist_of(left_solve(H, H_dot))
 
 
 def held_twist_rate(stand: Stand, q: Array, q_dot: Array, q_ddot: Array) -> Array:
     """V* (6) in E1."""
     H, H_dot, H_ddot = _product(stand, q, q_dot, q_ddot)
-    rate = _left(H, H_dot)
-    return _twist_of(_left(H, H_ddot) - rate @ rate)
+    rate = left_solve(H, H_dot)
+    return _twist_of(left_solve(H, H_ddot) - rate @ rate)
 
 
 def speeds(stand: Stand, V: Array) -> Array:
@@ -93,7 +93,7 @@ def _factors(stand: Stand) -> tuple[Array, tuple[tuple[int, Array], ...]]:
     return home, tuple(factors)
 
 
-def _left(H: Array, X: Array) -> Array:
+def left_solve(H: Array, X: Array) -> Array:
     """H^-1 X (4x4)."""
     return np.asarray(np.linalg.solve(H, X), dtype=np.float64)
 

@@ -42,7 +42,7 @@ def held_twists(stand: Stand, course: Course) -> tuple[Array, Array]:
     S = freedom_twists(hold)
     V, V_dot = np.zeros((len(course.q), 6)), np.zeros((len(course.q), 6))
     for k in coordinates_of(stand).order:
-        carried = _carried(*_motion(S[:, k], course.q[:, k]))
+        carried = _adjoint(*_motion(S[:, k], course.q[:, k]))
         V, V_dot = ((carried @ each[:, :, None])[:, :, 0] for each in (V, V_dot))
         rate = course.q_dot[:, k, None]
         bracket = -motor_cross(S[:, k]).T  # ad(S): the dual of what acts on momenta
@@ -67,7 +67,7 @@ def _motion(S: Array, x: Array) -> tuple[Array, Array]:
     return turn, x[:, None] * ((np.eye(3) + first * n + second * (n @ n)) @ v)
 
 
-def _carried(turn: Array, shift: Array) -> Array:
+def _adjoint(turn: Array, shift: Array) -> Array:
     """Ad (M, 6, 6): twists (linear; angular) on the axes before a motion to those of the frame after it."""
     back = np.swapaxes(turn, 1, 2)
     found = np.zeros((len(turn), 6, 6))
