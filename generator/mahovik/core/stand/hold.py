@@ -321,7 +321,7 @@ def lines(hold: Hold) -> list[str]:
 
 TAKE_HELD = (
     "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, "
-    "`response`, `replay`, `judge-log` and `export target`"
+    "`response`, `replay`, `judge-log`, `export target` and `export fmu`"
 )
 """Commands that take held carriers."""
 
