@@ -11,6 +11,7 @@ from mahovik.core.emit.code import Code
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrap_statement
 from mahovik.core.emit.templates import source_text
+from mahovik.core.lower.fmu.parameters import measured_laws
 from mahovik.core.lower.fmu.program import lower_fmu
 from mahovik.core.lower.fmu.variables import Form, Variable
 from mahovik.core.lower.units import NONE
@@ -88,6 +89,7 @@ class _Printer:
             "kind": form.kind,
             "inputs": form.inputs,
             "states": form.groups["STATE"].count,
+            "freedoms": self._layout.freedoms,
         }
 
     def pose(self, name: str) -> str:
@@ -146,8 +148,8 @@ class _Printer:
     def _readers(self) -> list[dict[str, Any]]:
         """Functions that fill a struct with values: one a struct, inner ones first; then the laws of the table."""
         layout = self._layout
-        types = [layout.parameters, *(f.type for f in layout.laws)]
-        rows = [row for f in layout.laws for row in _read(f)]
+        types = [layout.parameters, *(f.type for f in measured_laws(layout))]
+        rows = [row for f in measured_laws(layout) for row in _read(f)]
         if layout.own_damped:
             types.append(layout.damper)
             rows = [*_read(Field("frame", layout.frame, (len(layout.own),)), ".damper", layout.damper), *rows]
@@ -197,8 +199,10 @@ class _Printer:
             outputs.append(("mounts", given | {"mount_wrench": f"{values}LOADS]"}))
         if self._layout.sensors:
             outputs.append(("points", given | {"out": "readings"}))
+        if self._layout.held:
+            outputs.append(("reaction", given | {"reaction": f"{values}REACTION]"}))
         coupled = flywheels and torque
-        rates = common | {"V_dot": V_dot} | drive | ({"phi_ddot": phi_ddot} if coupled else {})
+        rates = common | {"u_dot": "u_dot"} | {"V_dot": V_dot} | drive | ({"phi_ddot": phi_ddot} if coupled else {})
         step = common | drive | {"dt": "h", "order": "4", "next": "&model->x"}
         return {
             "rates": self._call("coupled" if coupled else "forward", rates),

@@ -245,15 +245,16 @@ def forward(lib: Library, at: bool = False) -> Function:
     body = Body()
     check_inputs(lib, body, table, x, phi_ddot, wrench, turns)
     held = hold.results(lib)
-    result = body.local("result", (6,))
+    result = V_dot.place if lib.layout.held else body.local("result", (6,))
     others = [body.local(f"{a.name}_result", a.shape) for a in held]
     named = {"table": table.place, "x": x.place, "V_dot": result} | named_turns(all_turns(lib, body, x.place, turns))
     named |= {a.name: a.place for a in (*phi_ddot, *wrench)}
     named |= {a.name: found for a, found in zip(held, others, strict=True)}
     lib.check(body, "accelerate", *lib.arguments_of("accelerate", **named))
-    if lib.layout.held:
+    if lib.layout.held:  # all inputs have been read
         hold.write_twist(lib, body, table.place, others, result)
-    body.copy_array(V_dot.place, result)
+    else:
+        body.copy_array(V_dot.place, result)
     for argument, found in zip(held, others, strict=True):
         body.copy_array(argument.place, found)
     return body.checked_function(

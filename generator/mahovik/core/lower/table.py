@@ -12,6 +12,10 @@ from mahovik.core.program.types import Field, Kind, Struct
 REAL, INT = Kind.REAL, Kind.INT
 
 
+OF_HOLD = frozenset(("S", "pivot", "sliding", "home_position", "home_attitude"))
+"""Members of the table that are numbers of a hold: they belong together, none is changed alone."""
+
+
 class Tables(Features):
     """State, parameters and table: with the members that the features of a stand need; the others are omitted."""
 

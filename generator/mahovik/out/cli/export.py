@@ -68,7 +68,7 @@ def fmu(
     from mahovik.use.simulate.case import load_start
     from mahovik.writing import probe, write
 
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     target = Path(output if output is not None else f"{stand.name}.fmu")
     if kind == "me" and is_given("dt"):
         raise UsageError("--dt: model exchange has no internal step, the tool integrates; remove it, or use --kind cs")

@@ -9,8 +9,9 @@ from mahovik.contract.laws import of_bodies
 from mahovik.core.lower import units
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.member import Member, matrix, member, members, vector
+from mahovik.core.lower.table import OF_HOLD
 from mahovik.core.lower.values import Values
-from mahovik.core.program.types import Struct
+from mahovik.core.program.types import Field, Struct
 from mahovik.core.stand.model import Stand
 
 
@@ -34,6 +35,11 @@ def parameters(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]
                 yield from members(name, f.type, value)
 
 
+def measured_laws(layout: Layout) -> list[Field]:
+    """Members of the table that are laws with numbers of their own: not those of a hold."""
+    return [f for f in layout.laws if f.name not in OF_HOLD]
+
+
 def laws(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]:
     """All reals of the table that `prepare` does not touch, depth first."""
     table = values.table
@@ -42,7 +48,7 @@ def laws(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]:
         assert layout.frame.field("damper") is not None
         name = stand.bodies[own.index].name
         yield from _damper_members(name, layout, member(member(table, "frame")[k], "damper"))
-    for f in layout.laws:
+    for f in measured_laws(layout):
         given = member(table, f.name)
         if f.name in ("gravity", "stream"):
             what = {"gravity": "gravity in E0", "stream": "velocity of the fluid in E0"}[f.name]

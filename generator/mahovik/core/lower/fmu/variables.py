@@ -121,6 +121,7 @@ class _Former:
         self._add("MOMENTA", "energy, momentum in E0, centre of mass", self._momenta())
         self._add("READINGS", "of instruments and points", self._readings())
         self._add("LOADS", "wrenches of the mounts", self._loads())
+        self._add("REACTION", "wrench of the hold", self._reaction())
         return Form(self._kind, self._inputs, tuple(map(self._by_kind, self._variables)), self._groups)
 
     def _add(self, name: str, comment: str, variables: Sequence[Variable] | Iterator[Variable]) -> None:
@@ -318,6 +319,14 @@ class _Former:
                 yield Variable(
                     f"{name}.mount_wrench[{i + 1}]", units.WRENCH[i], text, "output", depends=self._moving(True)
                 )
+
+    def _reaction(self) -> Iterator[Variable]:
+        for i in range(6) if self._layout.held else ():
+            text = f"wrench of the hold on the carrier, {WRENCH_LETTERS[i]}, in E1 about O1"
+            depends = self._state_names("carrier.position") + self._moving(attitude=True)
+            yield Variable(
+                f"hold.reaction[{i + 1}]", units.WRENCH[i], text, "output", depends=tuple(dict.fromkeys(depends))
+            )
 
 
 def unique(variables: Sequence[Variable]) -> dict[str, int]:
