@@ -308,7 +308,7 @@ def lines(hold: Hold) -> list[str]:
 
 TAKE_HELD = (
     "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, "
-    "`response`, `replay`, `judge-log`, `identify`, `balance`, `campaign` and `export target`"
+    "`response`, `replay`, `judge-log`, `identify`, `balance`, `campaign`, `derive`, `cost` and `export target`"
 )
 """Commands that take held carriers."""
 
