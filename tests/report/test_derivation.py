@@ -14,12 +14,14 @@ import pytest
 
 from mahovik import __version__
 from mahovik.core.stand import Stand, State, load
+from mahovik.core.stand.hold import twists
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.random import Features, random_stand, random_state
 from mahovik.out.report.derivation.notation import Number
 from mahovik.out.report.derivation.numbers import numbers
 from mahovik.out.report.derivation.page import html, latex, significant
 from mahovik.proof.reference.evaluate import evaluate
+from mahovik.use.simulate.held import home
 from toolchain.quick import quick
 from toolchain.tools import require
 
@@ -248,3 +250,19 @@ def test_constant_columns_are_the_flywheel_s_own() -> None:
         mu, J = (np.array(q.rows)[:, 0] for q in own.quantities[:2])
         expected = inertia(mu, J) + np.diag([flywheel.mass] * 3 + [0] * 3)
         assert np.allclose(constant, expected, rtol=0, atol=1e-12 * scale)
+
+
+def test_a_held_carrier_has_a_section_on_its_hold() -> None:
+    """Its mass matrix is that of the reference; a clamped carrier has an equation and no matrix; a free one neither."""
+    folder = STANDS.parents[2] / "docs" / "held"
+    cube, clamped = (load(folder / f"{name}.toml") for name in ("cube", "force_table"))
+    found = numbers(cube).hold
+    assert found is not None
+    K = evaluate(cube, home(cube), ["matrices"])["K"]
+    assert cube.hold is not None
+    S = twists(cube.hold)
+    assert np.allclose(np.array(found.mass), S.T @ K @ S, rtol=1e-13)
+    for text in (html(cube), latex(cube)):
+        assert "3 freedoms" in text
+    assert latex(clamped).count("section{Hold") == 1 and "The carrier is clamped" in html(clamped)
+    assert numbers(stand("demo3")).hold is None and "Hold" not in latex(stand("demo3"))

@@ -20,6 +20,7 @@ from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.values import Values
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand.hold import twists, words
 from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.core.stand.structure import structure
 
@@ -69,14 +70,29 @@ class FlywheelNumbers:
 
 
 @dataclass(frozen=True)
+class HoldNumbers:
+    """How a held carrier moves: S (6 rows of m), and S^T K S (m rows) at phi = 0; what is below the noise is rounding.
+
+    words  how it can move, in a line
+    """
+
+    words: str
+    S: tuple[tuple[float, ...], ...]
+    mass: tuple[tuple[float, ...], ...]
+    S_noise: tuple[tuple[float, ...], ...]
+    mass_noise: tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True)
 class StandNumbers:
-    """Constant part of K, K at phi = 0, and the flywheels."""
+    """Constant part of K, K at phi = 0, the flywheels, and the hold; None of a free carrier."""
 
     mass: float
     K_constant: tuple[tuple[float, ...], ...]
     K_at_zero: tuple[tuple[float, ...], ...]
     noise: tuple[tuple[float, ...], ...]
     flywheels: tuple[FlywheelNumbers, ...]
+    hold: HoldNumbers | None = None
 
 
 KG_M, KG_M2 = '`"kg m"`', '`"kg m"^2`'
@@ -105,7 +121,20 @@ def numbers(stand: Stand) -> StandNumbers:
         own = values.parameters["flywheel"][len(found)]
         columns = row | _constant_part(running, values.parameters, own, generic)
         found.append(_flywheel(s, columns, generic))
-    return StandNumbers(float(table["mass"]), _rows(K), _rows(K_zero), _rows(_noise(K)), tuple(found))
+    return StandNumbers(
+        float(table["mass"]), _rows(K), _rows(K_zero), _rows(_noise(K)), tuple(found), _hold(stand, K_zero)
+    )
+
+
+def _hold(stand: Stand, K: Any) -> HoldNumbers | None:
+    """S and the mass matrix of the freedoms of a held carrier."""
+    if stand.hold is None:
+        return None
+    S = twists(stand.hold)
+    size = np.abs(S).T @ np.abs(K) @ np.abs(S)
+    return HoldNumbers(
+        words(stand.hold), _rows(S), _rows(S.T @ K @ S), _rows(np.zeros(S.shape)), _rows(ROUNDING * size)
+    )
 
 
 def _rows(matrix: Any) -> tuple[tuple[float, ...], ...]:

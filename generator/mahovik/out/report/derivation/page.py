@@ -152,6 +152,7 @@ def _content(stand: Stand, printer: _Printer) -> dict[str, Any]:
         "sections": sections(stand.angles, added_mass=form.added_mass, weight=weight, displaces=displaces),
         "notes": _NOTES,
         "head": HEAD,
+        "hold": _HOLD,
     }
 
 
@@ -172,6 +173,20 @@ _NOTES = {
         "`≈ 0` is rounding, below `10^{-14}` of the natural size of its kind."
     ),
 }
+
+
+_HOLD = {
+    "words": (
+        "The carrier is held: it moves as `V = S u`, with `S` constant in `E_1`, and the hold exerts the wrench `R`, "
+        "which has no power in any `u`:"
+    ),
+    "equation": 'K dot(V) + M V + sum_s (I_s ddot(phi)_s + J_s dot(phi)_s) - F = R , "  " S^T R = 0',
+    "projected": "S^T K S dot(u) = S^T (F - M S u - sum_s (I_s ddot(phi)_s + J_s dot(phi)_s))",
+    "clamped": "The carrier is clamped, `V = 0`, and the hold bears all of it:",
+    "borne": "R = sum_s (I_s ddot(phi)_s + J_s dot(phi)_s) - F",
+    "numbers": "`S`, in m/s and rad/s for one of `u`, and `S^T K S` at `phi = 0` of all flywheels:",
+}
+"""Text and equations of a held carrier, (8) without a stream."""
 
 
 def _bodies(stand: Stand) -> str:
