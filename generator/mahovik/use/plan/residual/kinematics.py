@@ -10,6 +10,7 @@ from mahovik.core.motion.required import Course
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.spatial import AXES, attitude, turn
+from mahovik.use.plan.stream import uniform_stream
 
 
 class Twists(NamedTuple):
@@ -41,7 +42,7 @@ def twists(stand: Stand, course: Course) -> Twists:
     omega_dot += by_psi_dot * psi_dot + by_theta_dot * theta_dot
     v = in_E1(C, course.q_dot[:, :3])
     v_dot = in_E1(C, course.q_ddot[:, :3]) - np.cross(omega, v)
-    u = in_E1(C, np.broadcast_to(stand.stream or (0.0, 0.0, 0.0), v.shape))
+    u = in_E1(C, np.broadcast_to(uniform_stream(stand), v.shape))
     V = np.hstack([v, omega])
     V_r = np.hstack([v - u, omega])
     V_r_dot = np.hstack([v_dot + np.cross(omega, u), omega_dot])
