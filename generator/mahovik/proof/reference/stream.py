@@ -22,9 +22,8 @@ def stream_at(stand: Stand, position: Vec3) -> Array:
             f"position: depth {depth:.6g} m is outside of stream_profile, which is given from {stations[0]:g} m to "
             f"{stations[-1]:g} m"
         )
-    return u + np.array(
-        [np.interp(depth, stations, component) for component in zip(*stand.profile.velocity, strict=True)]
-    )
+    components = zip(*stand.profile.velocity, strict=True)
+    return np.asarray(u + [np.interp(depth, stations, component) for component in components])
 
 
 def stream_scale(stand: Stand, position: Vec3, u: Array) -> float:
