@@ -22,7 +22,7 @@ from kept import Campaign, Columns, Figures
 from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.emit.eva import Driver, drivers, eva_files
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.stand import load
+from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.identity import identities
 from mahovik.core.toolchain.eva import Proof, prove, version
 from mahovik.stands import names, path
@@ -39,12 +39,17 @@ QUICK = {
 LIMIT = 1800
 """Seconds a driver may take."""
 
+FADING = """
+fading_damping = { linear = [3, 9, 9, 0.2, 2, 2], rate = 3 }
+"""
+"""Damping of the carrier that fades: no example stand has it, nor the exponential that it takes."""
+
 Key = tuple[str, str, Driver]
 
 
 def write_folder(stand: str, real: str) -> tuple[Path, tuple[Driver, ...]]:
     """Emits C, drivers and script of a stand into a folder of their own; the script, and all drivers."""
-    given = load(path(stand))
+    given = given_stand(stand)
     generated = generate_all(given, real)
     files = {**generated.files, **eva_files(generated.program, identities(given))}
     read = "".join(text for _, text in sorted(files.items()))
@@ -54,6 +59,14 @@ def write_folder(stand: str, real: str) -> tuple[Path, tuple[Driver, ...]]:
     for name, text in files.items():
         (folder / name).write_text(text, encoding="utf-8")
     return folder / f"{stand}_eva.sh", drivers(generated.program)
+
+
+def given_stand(name: str) -> Stand:
+    """An example stand, or `fading3`: demo3 with damping that fades."""
+    if name != "fading3":
+        return load(path(name))
+    text = path("demo3").read_text(encoding="utf-8").replace('name = "demo3"', f'name = "{name}"', 1)
+    return loads(text.replace("[carrier]\n", "[carrier]" + FADING, 1), name)
 
 
 def outcome(script: Path, driver: Driver) -> Proof:
@@ -129,7 +142,7 @@ CAMPAIGN = Campaign("proofs", campaign.Block("docs/results/proofs.md", "proofs: 
 
 def main() -> int:
     """Runs what is asked."""
-    parser = campaign.parser(__doc__, stands=",".join(names()), quick=False, jobs=2, page=False)
+    parser = campaign.parser(__doc__, stands=",".join([*names(), "fading3"]), quick=False, jobs=2, page=False)
     parser.add_argument("--tried", action="store_true", help="the functions that are not claimed as well")
     parser.add_argument("--only", default="", help="drivers, as in the script")
     given = parser.parse_args()

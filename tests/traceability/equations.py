@@ -121,7 +121,7 @@ ROLES: dict[str, tuple[str, ...]] = {
     "points": ("sense", "points", "place_point"),
     "mass centre": ("center_of_mass_velocity",),
     "rotations and placement": (
-        "rotation", "rotate_back", "rotation_vector", "quaternion", "frame_of_axes", "place_flywheel",
+        "rotation", "rotate_back", "rotation_vector", "quaternion", "frame_of_axes", "place_flywheel", "stream_at",
     ),
     "phases and encoders": ("wrap", "phase_of_counts", "speed_of_counts", "accumulate"),
     "own mathematics": (
@@ -133,7 +133,7 @@ ROLES: dict[str, tuple[str, ...]] = {
     ),
     "checks of inputs": (
         "within", "check_state", "check_motion", "check_inertia", "check_body", "check_dry_body", "check_added_mass",
-        "check_parameters", "excessive", "motor_lacks",
+        "check_parameters", "check_depth", "excessive", "motor_lacks",
     ),
 }  # fmt: skip
 """Purposes of functions without an equation of the paper; `*`: any name of a task, or number of rows."""

@@ -30,7 +30,12 @@ STATUSES = (
     Status("COARSE", 32, "step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it"),
     Status("EXCESSIVE", 64, "more than a motor's torque or speed, or than `most`"),
     Status("NOT_FINITE", -1, "an input is NaN or infinite", "an input is NaN or infinite"),
-    Status("RANGE", -2, "out of range, {lengths}", "an input is outside its range, or a leg has no length"),
+    Status(
+        "RANGE",
+        -2,
+        "out of range, {lengths}",
+        "an input is outside its range, a leg has no length, or a depth is outside of stream_profile",
+    ),
     Status(
         "NOT_POSITIVE_DEFINITE",
         -3,

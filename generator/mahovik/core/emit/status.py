@@ -27,6 +27,8 @@ def _lengths(layout: Layout) -> Iterator[str]:
     if layout.sine_input:
         yield "sine and cosine likewise"
     yield from (law.invalid for law in layout.law_tables if law.invalid)
+    if layout.structure.stream_stations:
+        yield "depth outside of the stream's profile"
 
 
 def _power(number: float) -> str:

@@ -64,6 +64,8 @@ def check_inputs(
         lib.check(body, "check_turns", *(a.place for a in turns))
     if lib.layout.stream:
         lib.check(body, "within", table.place.stream, 3, limit["MAX_VELOCITY"])
+    if lib.layout.structure.stream_stations:
+        lib.check(body, "check_depth", table.place, x.place)
     for values, count, most in rest:
         check_within(lib, body, values, count, most)
 
@@ -83,7 +85,11 @@ def scene(lib: Library, body: Body, table: Place, x: Place, attitude: bool = Fal
     if layout.stream:
         assert C is not None
         stream = body.local("u", (3,), comment="stream in E1")
-        body.call(lib["rotate_back"], C, table.stream, stream)
+        flow = table.stream
+        if layout.structure.stream_stations:
+            flow = body.local("flow", (3,), comment="stream in E0, at this depth")
+            body.call(lib["stream_at"], table, x, flow)
+        body.call(lib["rotate_back"], C, flow, stream)
         V = body.local("V", (6,), comment="V relative to the stream: the fluid's frame is inertial as well")
         for i in range(6):
             body.set(V[i], x.V[i] - stream[i] if i < 3 else x.V[i])

@@ -44,6 +44,7 @@ from mahovik.core.lower import (
     solve,
     step,
     step_carried,
+    stream,
     wrenches,
 )
 from mahovik.core.lower.layout import Layout
@@ -285,6 +286,7 @@ def _add_wrenches(lib: Library) -> None:
     for law in lib.layout.law_tables:
         law.add_functions(lib)
     actuators.add_check(lib)
+    stream.add_functions(lib)
     lib.add(wrenches.external(lib))
 
 

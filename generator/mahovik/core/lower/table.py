@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import cached_property
 
 from mahovik.contract.laws import of_bodies
+from mahovik.core.lower import stream_profile
 from mahovik.core.lower.features import Features
 from mahovik.core.program.types import Field, Kind, Struct
 
@@ -262,6 +263,7 @@ class Tables(Features):
             laws.append(Field("gravity", REAL, (3,), "m/s2", "in E0"))
         if self.stream:
             laws.append(Field("stream", REAL, (3,), "m/s", "velocity of the fluid, in E0"))
+        laws += stream_profile.table_fields(self.structure)
         if self.freedoms:
             laws.append(Field("S", REAL, (6, self.freedoms), "", "twists of the hold's freedoms, V = S u"))
         if self.held:

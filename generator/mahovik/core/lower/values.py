@@ -13,6 +13,7 @@ from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core import routines
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.formula.derived import carrying
+from mahovik.core.lower import stream_profile
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.lower.thresholds import thresholds
@@ -166,6 +167,8 @@ class _Laws:
             laws["gravity"] = list(stand.gravity)
         if stand.stream is not None:
             laws["stream"] = list(stand.stream)
+        if stand.profile is not None:
+            laws[stream_profile.NAME] = stream_profile.values(stand.profile)
         if stand.hold is not None:
             pivot, sliding = carried_point(stand.hold)
             laws |= {"pivot": list(pivot), "sliding": [x for row in sliding for x in row]}

@@ -37,6 +37,8 @@ def identities(stand: Stand) -> Identities:
         del form["tasks"]
     if stand.hold is None:
         del form["hold"], numbers["hold"]
+    if stand.profile is None:
+        del form["stream_stations"], numbers["profile"]
     for law in parts("schema"):
         numbers |= law.SCHEMA.content(stand.law(law.SCHEMA.data))
     body_of = {body.name: body for body in stand.bodies}

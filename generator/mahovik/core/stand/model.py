@@ -246,6 +246,20 @@ class Hold:
 
 
 @dataclass(frozen=True)
+class StreamProfile:
+    """Velocity of the fluid by depth, beside the uniform `stream`: linear between stations, none outside of them.
+
+    down      direction in E0, of any length, along which the depth of a position is counted from the origin of E0
+    depth     m, increasing
+    velocity  m/s in E0, one for each depth
+    """
+
+    down: Vec3
+    depth: tuple[float, ...]
+    velocity: tuple[Vec3, ...]
+
+
+@dataclass(frozen=True)
 class Stand(WithLaws):
     """A whole stand. `stream` is None where the file has no such key; bodies are in the file's order.
 
@@ -253,6 +267,7 @@ class Stand(WithLaws):
     `phase_input`: "sincos" where the C has functions that take sines and cosines of the phases as well.
     `inverse_most`: rad/s2, phi'' of a flywheel without motor above which an answer of `inverse` is EXCESSIVE.
     `hold`: what holds the carrier; None where it is free.
+    `profile`: what the depth of O1 adds to `stream`, which is then not None; None where nothing.
     """
 
     name: str
@@ -267,6 +282,7 @@ class Stand(WithLaws):
     tasks: tuple[Task, ...] = ()
     inverse_most: float = INVERSE_MOST
     hold: Hold | None = None
+    profile: StreamProfile | None = None
 
     @property
     def bodies(self) -> tuple[Body, ...]:

@@ -65,6 +65,7 @@ def random_state(
 
 def along_freedoms(stand: Stand, state: State) -> State:
     """The state with u, u_dot of a held carrier by its V, V_dot, and with V = S u, within the ranges of V and V_dot."""
+    state = within_profile(stand, state)
     if stand.hold is None:
         return state
     S = twists(stand.hold).T.tolist()
@@ -78,6 +79,22 @@ def along_freedoms(stand: Stand, state: State) -> State:
             rates = [x / excess * (1.0 - 1e-9) for x in rates]
         given |= {key: tuple(rates), symbol: twist_of(stand.hold, rates)}
     return replace(state, **given)
+
+
+def within_profile(stand: Stand, state: State) -> State:
+    """The state, moved up or down to a depth that the profile of the stream has; as it is without one."""
+    if stand.profile is None:
+        return state
+    length = math.hypot(*stand.profile.down)
+    down = [x / length for x in stand.profile.down]
+    top, bottom = stand.profile.depth[0], stand.profile.depth[-1]
+    depth = sum(map(mul, down, state.position))
+    folded = abs((depth - top) % (2.0 * (bottom - top)) - (bottom - top))  # 0 at the bottom, and at the top its end
+    wanted = bottom - (0.01 + 0.98 * folded / (bottom - top)) * (bottom - top)
+    x, y, z = (p + (wanted - depth) * d for p, d in zip(state.position, down, strict=True))
+    if max(abs(x), abs(y), abs(z)) > BOUNDS["MAX_POSITION"].value:
+        x, y, z = (wanted * d for d in down)
+    return replace(state, position=(x, y, z))
 
 
 def random_wrenches(rng: np.random.Generator, bodies: Iterable[str]) -> MappingProxyType[str, Vec6]:

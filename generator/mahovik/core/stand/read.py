@@ -12,7 +12,7 @@ from pydantic import ValidationError
 from mahovik.contract.laws import parts
 from mahovik.core.stand import build, datasheet, physical
 from mahovik.core.stand.content import readable
-from mahovik.core.stand.fields import Table
+from mahovik.core.stand.fields import ZERO3, Table
 from mahovik.core.stand.hold import HoldTable, hold_of
 from mahovik.core.stand.law import BodyLawSchema, LawSchema
 from mahovik.core.stand.law_schemas import (
@@ -23,7 +23,7 @@ from mahovik.core.stand.law_schemas import (
     mounted_schemas,
     with_laws,
 )
-from mahovik.core.stand.model import Carrier, Flywheel, Hold, Instrument, LawData, Point, Stand, Task
+from mahovik.core.stand.model import Carrier, Flywheel, Hold, Instrument, LawData, Point, Stand, StreamProfile, Task
 from mahovik.core.stand.problems import Problems, keys_of
 from mahovik.core.stand.schema import (
     CarrierTable,
@@ -31,6 +31,7 @@ from mahovik.core.stand.schema import (
     Header,
     InstrumentTable,
     PointTable,
+    StreamProfileTable,
 )
 from mahovik.core.stand.task import TaskTable, check_tasks, name_of_task_problem
 from mahovik.core.stand.toml import parse
@@ -115,6 +116,7 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
     wheels = [build.flywheel(table, where, problems) for where, table in flywheel_tables]
     flywheels: list[Flywheel] = [wheel for wheel in wheels if wheel is not None]
     points: list[Point] = [build.point(table) for _, table in point_tables]
+    profile = _profile(problems, document, header)
     tasks = _tasks(problems, document)
     in_order = len(problems.lines)
     hold_table = _table(problems, document, "hold", hold_with_laws())
@@ -140,7 +142,7 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
         name=header.name,
         angles=header.angles,
         gravity=header.gravity,
-        stream=header.stream,
+        stream=ZERO3 if header.stream is None and profile is not None else header.stream,
         carrier=_bearing(carrier, mounted),
         instruments=tuple(_bearing(instrument, mounted) for instrument in instruments),
         flywheels=tuple(flywheels),
@@ -149,6 +151,7 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
         tasks=tasks,
         inverse_most=header.inverse_most,
         hold=hold,
+        profile=profile,
         laws=tuple(law for law in laws if law is not None),
     )
     if physics:
@@ -164,12 +167,23 @@ def _header(document: dict[str, Any], problems: Problems) -> Header | None:
     law_keys = [key for law in schemas for key in (*law.tables, *law.arrays)]
     law_keys += [law.key for law in mounted_schemas()]
     law_keys += [key for law in schemas if law.header is not None for key in keys_of(law.header)]
-    known = [*own_keys, "carrier", *law_keys, *_ARRAYS, "task", "hold"]
+    known = [*own_keys, "stream_profile", "carrier", *law_keys, *_ARRAYS, "task", "hold"]
     own = {key: value for key, value in document.items() if key in own_keys}
     for key in document:
         if key not in known:
             problems.add(f"unknown key {show(key)}{suggestion(key, known)}")
     return _validate(problems, "", Header, own)
+
+
+def _profile(problems: Problems, document: dict[str, Any], header: Header | None) -> StreamProfile | None:
+    """`[stream_profile]`, downwards as gravity where it does not say; None without."""
+    table = _table(problems, document, "stream_profile", StreamProfileTable)
+    if table is None or header is None:
+        return None
+    if table.down is None and not any(header.gravity):
+        problems.add("stream_profile", "down", "required without gravity (the direction of increasing depth)")
+        return None
+    return StreamProfile(table.down or header.gravity, table.depth, table.velocity)
 
 
 def _law(problems: Problems, document: dict[str, Any], schema: LawSchema) -> LawData | None:

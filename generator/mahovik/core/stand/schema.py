@@ -7,6 +7,7 @@ whole stand must obey is in `physical` and `read`.
 from __future__ import annotations
 
 from decimal import Decimal
+from itertools import pairwise
 from typing import Annotated, Any, Self
 
 from pydantic import Field, ModelWrapValidatorHandler, PrivateAttr, model_validator
@@ -28,6 +29,7 @@ from mahovik.core.stand.fields import (
     Table,
     Text,
     integer,
+    refuse,
     require_bounds,
     scalar,
     text,
@@ -91,6 +93,40 @@ class Header(Table):
     stream: Annotated[Vec3, validator(lambda raw: vec3(raw, units.VELOCITY), units.VELOCITY)] | None = None
     phase_input: Annotated[PhaseInput, validator(_phase_input)] = "angle"
     inverse_most: Annotated[float, scalar(units.ANGULAR_ACCELERATION, above=0.0)] = INVERSE_MOST
+
+
+def _depths(raw: Any) -> tuple[float, ...]:
+    """Two numbers or more, increasing."""
+    values = raw.get("value") if isinstance(raw, dict) else raw
+    found = vector(raw, (max(2, len(values) if isinstance(values, list) else 0),), units.LENGTH)
+    for above, below in pairwise(found):
+        if not above < below:
+            raise QuantityError(f"expected increasing numbers, found {below:g} m after {above:g} m")
+    return found
+
+
+def _velocities(raw: Any) -> tuple[Vec3, ...]:
+    """A list of velocities (3)."""
+    if not isinstance(raw, list) or not all(isinstance(each, list | dict) for each in raw):
+        raise QuantityError(f"expected a list of velocities such as [[0.5, 0, 0], [0.1, 0, 0]], found {show(raw)}")
+    return tuple(vec3(each, units.VELOCITY) for each in raw)
+
+
+class StreamProfileTable(Table):
+    """`[stream_profile]`."""
+
+    down: Direction | None = None
+    depth: Annotated[tuple[float, ...], validator(_depths, units.LENGTH)]
+    velocity: Annotated[tuple[Vec3, ...], validator(_velocities, units.VELOCITY)]
+
+    @model_validator(mode="after")
+    def _one_velocity_a_depth(self) -> Self:
+        """There is one velocity for each depth."""
+        if len(self.velocity) != len(self.depth):
+            raise refuse(
+                f"expected {len(self.depth)} velocities, one for each `depth`, found {len(self.velocity)}", "velocity"
+            )
+        return self
 
 
 class BodyTable(Table):

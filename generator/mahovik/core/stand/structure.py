@@ -36,6 +36,7 @@ def structure(stand: Stand) -> Structure:
         phase_input=stand.phase_input,
         tasks=stand.tasks,
         hold=None if stand.hold is None else kinds(stand.hold),
+        stream_stations=0 if stand.profile is None else len(stand.profile.depth),
         laws=tuple(
             item
             for said in (

@@ -42,6 +42,8 @@ def dumps(stand: Stand, comments: Mapping[str, Sequence[str]] = _NONE) -> str:
     schemas = [part.SCHEMA for part in parts("schema")]
     given = [law.lines(data) for law in schemas if not law.held and (data := stand.law(law.data)) is not None]
     lines += [line for header, _ in given for line in header]
+    if stand.profile is not None:
+        lines += ["", "[stream_profile]", *fields(stand.profile, "down", "depth", "velocity")]
     lines += [*head("[carrier]", "carrier"), *_body(stand.carrier)]
     lines += [line for _, tables in given for line in tables]
     if stand.hold is not None:

@@ -14,6 +14,7 @@ from mahovik.laws.suspension.reference import displacement, wrench
 from mahovik.proof.diagnose.fault import LawFault
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.pose import Pose
+from mahovik.proof.reference.stream import stream_at
 
 Total = Callable[[Stand, State, Pose], Array]
 
@@ -55,7 +56,8 @@ def _of_twist(twist: Callable[[Stand, Pose], Array]) -> Total:
 
 def _relative_to_fluid(stand: Stand, at: Pose) -> Array:
     """V - (C^T u, 0) (6)."""
-    return at.V if stand.stream is None else at.V - np.concatenate([at.C.T @ np.array(stand.stream), np.zeros(3)])
+    x, y, z = at.O1
+    return np.asarray(at.V - np.concatenate([at.C.T @ stream_at(stand, (x, y, z)), np.zeros(3)]))
 
 
 def _in_E0(stand: Stand, at: Pose) -> Array:

@@ -24,6 +24,7 @@ from mahovik.core.stand.schema import (
     Header,
     InstrumentTable,
     PointTable,
+    StreamProfileTable,
     UnbalanceTable,
 )
 from mahovik.core.stand.units import PLAIN, Dimension, number, show
@@ -122,6 +123,8 @@ class Places:
         arrays: dict[str, type[Table]] = {key: with_laws(table) for key, table in _BODIES.items() if key != "point"}
         arrays["point"] = PointTable
         found["carrier"] = (with_laws(CarrierTable), self._document["carrier"], "carrier")
+        if "stream_profile" in self._document:
+            found["stream_profile"] = (StreamProfileTable, self._document["stream_profile"], "stream_profile")
         for part in parts("schema"):
             arrays |= part.SCHEMA.arrays
             found |= {

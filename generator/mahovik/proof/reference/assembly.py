@@ -19,6 +19,7 @@ from mahovik.proof.reference.mass import (
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.reference.screw import wrench_to_parent
+from mahovik.proof.reference.stream import stream_at, stream_scale
 from mahovik.proof.reference.wrench_kinds import body_wrench
 from mahovik.proof.reference.wrenches import external_wrenches, total_wrench
 
@@ -29,7 +30,8 @@ def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
     `bodies`: `bodies_of` the stand, where the caller has them already.
     """
     C = carrier_rotation(stand, state)
-    u = C.T @ np.array(stand.stream or (0.0, 0.0, 0.0))
+    given = stream_at(stand, state.position)
+    u = C.T @ given
     V = np.array(state.V)
     V_r = V - np.concatenate([u, np.zeros(3)])
     bodies = bodies or bodies_of(stand)
@@ -59,4 +61,5 @@ def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
         phi_dot=np.array(state.phi_dot, dtype=np.float64),
         gravity=C.T @ np.array(stand.gravity),
         u=u,
+        u_scale=stream_scale(stand, state.position, given),
     )

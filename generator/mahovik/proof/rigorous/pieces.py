@@ -13,6 +13,7 @@ from mahovik.proof.rigorous.ball import column, cross, part, zeros
 from mahovik.proof.rigorous.bodies import PlacedBody, Spinning, added_mass, fixed_bodies, flywheels
 from mahovik.proof.rigorous.rotation import carrier_rotation
 from mahovik.proof.rigorous.screw import ANGULAR, Phi, f, screw_of_parts, spin, transfer
+from mahovik.proof.rigorous.stream import stream_at
 from mahovik.proof.rigorous.twists import twist, twists
 from mahovik.proof.rigorous.wrenches import external_wrenches
 
@@ -65,7 +66,7 @@ class Pieces:
 def pieces(stand: Stand, state: State) -> Pieces:
     """The pieces of `stand` at `state`, at the working precision. StateError where a law is undefined."""
     C = carrier_rotation(stand, state)
-    u = C.transpose() * column(stand.stream or (0.0, 0.0, 0.0))
+    u = C.transpose() * stream_at(stand, state.position)
     V = twist(stand, state.V, state.u)
     V_r = V - screw_of_parts(u, zeros(3))
     fixed, spinning = fixed_bodies(stand), flywheels(stand, state)

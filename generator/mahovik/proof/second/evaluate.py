@@ -18,6 +18,7 @@ from mahovik.proof.second import coordinates, hold, points, problems
 from mahovik.proof.second.chart import Expr
 from mahovik.proof.second.kinematics import generalized
 from mahovik.proof.second.rotation import Array, attitude
+from mahovik.proof.second.stream import check_depth
 from mahovik.proof.second.system import System
 
 PROBLEMS: dict[str, Callable[[System], dict[str, Expr]]] = {
@@ -83,6 +84,7 @@ class Second:
         if self.stand.hold is not None:
             state = hold.held_state(self.stand.hold, state)
         self._check_state(state)
+        check_depth(self.stand, state)
         with np.errstate(all="ignore"):  # what is not finite is found below
             inputs = self.arguments(state)
             found: Values = {}

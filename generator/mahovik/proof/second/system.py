@@ -11,6 +11,7 @@ from mahovik.proof.second import force, lagrange
 from mahovik.proof.second.bodies import columns
 from mahovik.proof.second.chart import Expr, inertial_acceleration
 from mahovik.proof.second.rotation import Array
+from mahovik.proof.second.stream import stream_at
 
 
 class System:
@@ -33,7 +34,7 @@ class System:
         self.inputs = {name: ca.MX.sym(name, *shape) for name, shape in shapes.items()}
         self.V = self.inputs["V"]
         self.gravity = self.inputs["C"].T @ ca.DM(stand.gravity)
-        self.stream = self.inputs["C"].T @ ca.DM(stand.stream or (0.0, 0.0, 0.0))
+        self.stream = self.inputs["C"].T @ stream_at(stand, self.inputs["position"])
         self.bodies = ca.DM(columns(stand))
         self.law_numbers = ca.DM(force.law_columns(stand))
         self.phi = self._flywheel_row(self.inputs["phi"])

@@ -83,7 +83,7 @@ class FunctionBackend(ABC):
         if state.task:
             found = self._of_task(state, inputs, "torque_for" if "torque_for" in want else "inverse")
             moved = {**inputs, "V_dot": found["V_dot"], "phi_ddot": found["phi_ddot"]}
-        if any(law.invalid for law in self.layout.law_tables):
+        if any(law.invalid for law in self.layout.law_tables) or self.layout.structure.stream_stations:
             self._call("wrench", inputs)  # a state where a law is undefined has no answer to any want
         for name in want:
             if state.task and name in ("inverse", *TASK_WANTS):

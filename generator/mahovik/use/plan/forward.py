@@ -29,6 +29,7 @@ from mahovik.use.plan.residual.flywheels import waves
 from mahovik.use.plan.residual.kinematics import Twists, in_E1, twists
 from mahovik.use.plan.residual.prescribed_motion import prescribed_at
 from mahovik.use.plan.residual.spatial import motor_cross
+from mahovik.use.plan.stream import uniform_stream
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,8 +169,9 @@ class Chart:
         C = self.C @ Rotation.from_rotvec(y[:, 3:6]).as_matrix()
         V = y[:, 6:]
         V_r, rate = V, np.zeros_like(V)
-        if stand.stream is not None and any(stand.stream):
-            u = in_E1(C, np.broadcast_to(stand.stream, (len(y), 3)))
+        stream = uniform_stream(stand)
+        if any(stream):
+            u = in_E1(C, np.broadcast_to(stream, (len(y), 3)))
             none = np.zeros_like(u)
             V_r, rate = V - np.hstack([u, none]), np.hstack([np.cross(V[:, 3:], u), none])
         return Twists(C, self.O1 + y[:, :3] @ self.C.T, V, V_r, rate)

@@ -161,7 +161,7 @@ def _fixed_bodies(stand: Stand) -> Iterator[Carrier | Instrument]:
 
 def growth(stand: Stand, velocity: float) -> float:
     """Largest real part (1/s) of the eigenvalues of dV*/dV at V = (velocity, 0, 0, 0, 0, 0)."""
-    bare = replace(stand, gravity=(0.0, 0.0, 0.0), stream=None, hold=None, laws=(), tasks=())
+    bare = replace(stand, gravity=(0.0, 0.0, 0.0), stream=None, profile=None, hold=None, laws=(), tasks=())
     ahead = velocity * np.eye(6)[0]
     columns = []
     for unit in np.eye(6):

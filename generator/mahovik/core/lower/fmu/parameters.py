@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from mahovik.contract.laws import of_bodies
-from mahovik.core.lower import units
+from mahovik.core.lower import stream_profile, units
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.member import Member, matrix, member, members, vector
 from mahovik.core.lower.table import OF_HOLD
@@ -53,6 +53,8 @@ def laws(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]:
         if f.name in ("gravity", "stream"):
             what = {"gravity": "gravity in E0", "stream": "velocity of the fluid in E0"}[f.name]
             yield from vector(f.name, f, given, what)
+        elif f.name == stream_profile.NAME:
+            yield from stream_profile.members(given)
         elif f.name == "damper":
             yield from _damper_members("carrier", layout, given)
         elif f.name in of_arrays:

@@ -12,6 +12,7 @@ from mahovik.out.report.plot.run import panels as run_panels
 from mahovik.out.report.stand.markup import paragraph
 from mahovik.out.report.stand.material import Material, Section
 from mahovik.out.report.stand.run import Run, some_rows
+from mahovik.proof.reference.stream import stream_at
 from mahovik.use.plan.certificate import mass_and_coupling
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.residual.evaluate import flywheel_wrenches
@@ -81,10 +82,17 @@ def twists(stand: Stand, run: Run, rows: Rows) -> Twists:
     """The carrier's motion in rows of a run that has accelerations."""
     assert run.V_dot is not None
     V, V_dot, C = run.V[rows], run.V_dot[rows], attitude(run, rows)
-    u = in_E1(C, np.broadcast_to(stand.stream or (0.0, 0.0, 0.0), (len(V), 3)))
+    u = in_E1(C, streams(stand, run, rows))
     none = np.zeros_like(u)
     rate = np.hstack([np.cross(V[:, 3:], u), none])
     return Twists(C, run.position[rows], V, V - np.hstack([u, none]), V_dot + rate)
+
+
+def streams(stand: Stand, run: Run, rows: Rows) -> Array:
+    """Velocity of the fluid (M, 3; m/s) in E0 where O1 is."""
+    if stand.profile is None:
+        return np.broadcast_to(np.array(stand.stream or (0.0, 0.0, 0.0)), (len(run.V[rows]), 3))
+    return np.array([stream_at(stand, (x, y, z)) for x, y, z in run.position[rows].tolist()])
 
 
 def attitude(run: Run, rows: Rows) -> Array:
@@ -107,7 +115,7 @@ def energy(stand: Stand, run: Run, rows: Rows) -> Panel:
     for Lambda in (stand.carrier.added_mass, *(p.added_mass for p in stand.instruments)):
         added += 0.0 if Lambda is None else np.array(Lambda)
     if stand.stream is not None:
-        V_r = V - np.hstack([in_E1(attitude(run, rows), np.broadcast_to(stand.stream, (len(V), 3))), 0.0 * V[:, 3:]])
+        V_r = V - np.hstack([in_E1(attitude(run, rows), streams(stand, run, rows)), 0.0 * V[:, 3:]])
         carried += (np.sum(V_r @ added * V_r, axis=1) - np.sum(V @ added * V, axis=1)) / 2.0
     both = np.einsum("mi,min,mn->m", V, I, phi_dot)
     spin: Array = (phi_dot**2 @ own.tables.Theta_ff) / 2.0

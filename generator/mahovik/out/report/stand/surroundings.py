@@ -35,6 +35,8 @@ def _fluid(stand: Stand) -> Markup:
     if stand.stream is not None:
         still = "still, unless it is set at run time"
         parts.append(Markup("stream {}").format(vector_cell(stand.stream, "m/s", still)))
+    if stand.profile is not None:
+        parts.append(Markup("and by depth, at {} stations").format(len(stand.profile.depth)))
     parts += [words for note in laws.of_bodies("report", "note") if (words := note(stand))]
     return Markup("; ").join(parts) if parts else Markup("none")
 

@@ -74,7 +74,7 @@ FAULTS = (
     Fault("added mass with weight", "(7)", "fixed", [wrench(with_added_weight, "weight")],
           "Added mass is given weight",
           "added mass is in K and Phi K only, never in the weight"),
-    Fault("stream ignored", "V_r", "all", [stand(stream=None)],
+    Fault("stream ignored", "V_r", "all", [stand(stream=None, profile=None)],
           "The stream is ignored",
           "V_r = V - (C^T u, 0) in M, J and damping"),
     Fault("stream, sign", "V_r", "all", [vector("stream", lambda u, C: -u)],

@@ -141,7 +141,7 @@ class Equations:
     def _momenta(self, states: Sequence[State], at: Sequence[Pieces]) -> tuple[Array, list[Monomial]]:
         """Momentum (n, 6) of the reference, and the products at the states."""
         motion = Motion.of(states, at, np.zeros((len(states), 6)))
-        streams = np.array([p.u for p in at]) if any(self._stand.stream or ()) else None
+        streams = np.array([p.u for p in at]) if any(self._stand.stream or ()) or self._stand.profile else None
         return np.array([momentum(p) for p in at]), momentum_monomials(self._stand, motion, streams)
 
 

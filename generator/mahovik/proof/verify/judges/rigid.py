@@ -131,6 +131,7 @@ def bare_stand(stand: Stand) -> Stand:
     return replace(
         stand,
         stream=None,
+        profile=None,
         laws=(),
         carrier=dry(stand.carrier),
         instruments=tuple(map(dry, stand.instruments)),

@@ -80,8 +80,8 @@ class Magnitudes:
 
     @cached_property
     def stream(self) -> float:
-        """|u|."""
-        return length(self.at.u)
+        """|u|, and with a profile the magnitude of its terms."""
+        return self.at.u_scale
 
     @cached_property
     def S_V(self) -> Array:

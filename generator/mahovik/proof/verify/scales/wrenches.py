@@ -42,7 +42,7 @@ def own_scale(stand: Stand, state: State, at: Pieces, name: str) -> Array:
 
 def twist_scale(stand: Stand, at: Pieces, body: Body) -> Array:
     """Scale of a body's twist (6), relative to E0 or to the fluid, in its own frame."""
-    stream = length(at.u)
+    stream = at.u_scale
     if body is stand.carrier:
         return np.asarray(np.abs(at.V) + np.repeat([stream, 0.0], 3))
     v, omega = (length(part) for part in np.split(at.V, 2))

@@ -20,6 +20,7 @@ from mahovik.use.plan.residual.kinematics import Twists, in_E1
 from mahovik.use.plan.residual.prescribed_motion import Mechanics
 from mahovik.use.plan.residual.slopes import Slopes
 from mahovik.use.plan.residual.spatial import block_diagonal, motor_cross, skew, turn
+from mahovik.use.plan.stream import uniform_stream
 
 
 class FlywheelSums(Protocol):
@@ -142,7 +143,7 @@ def _through_stream(mechanics: Mechanics, at: Twists, by_V_r: Array, by_rate: Ar
     M = len(at.V)
     among = (M,) + (1,) * (by_g.ndim - 3) + (3, 3)  # flywheels, where there are any, share the carrier's pose
     gravity, u = (
-        in_E1(at.C, np.broadcast_to(x, (M, 3))) for x in (mechanics.stand.gravity, mechanics.stand.stream or (0.0,) * 3)
+        in_E1(at.C, np.broadcast_to(x, (M, 3))) for x in (mechanics.stand.gravity, uniform_stream(mechanics.stand))
     )
     turned_u = skew(u)
     by_twist = by_V_r.copy()

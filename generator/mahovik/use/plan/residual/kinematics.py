@@ -11,6 +11,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists
 from mahovik.use.plan.residual.spatial import AXES, attitude, turn
+from mahovik.use.plan.stream import uniform_stream
 
 
 class Twists(NamedTuple):
@@ -54,7 +55,7 @@ def twists(stand: Stand, course: Course) -> Twists:
 def _in_fluid(stand: Stand, C: Array, O1: Array, V: Array, V_dot: Array) -> Twists:
     """With the twists relative to the fluid."""
     omega = V[:, 3:]
-    u = in_E1(C, np.broadcast_to(stand.stream or (0.0, 0.0, 0.0), O1.shape))
+    u = in_E1(C, np.broadcast_to(uniform_stream(stand), O1.shape))
     V_r = np.hstack([V[:, :3] - u, omega])
     V_r_dot = np.hstack([V_dot[:, :3] + np.cross(omega, u), V_dot[:, 3:]])
     return Twists(C, O1, V, V_r, V_r_dot)

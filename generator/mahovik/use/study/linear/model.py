@@ -30,6 +30,7 @@ from mahovik.use.plan.residual.by_carrier import ByCarrier, by_carrier
 from mahovik.use.plan.residual.kinematics import Twists
 from mahovik.use.plan.residual.prescribed_motion import prescribed_at
 from mahovik.use.plan.residual.spatial import block_diagonal, fixed_axes, place, skew, transfer, turn
+from mahovik.use.plan.stream import uniform_stream
 from mahovik.use.simulate.held import rates
 from mahovik.writing import format_of
 
@@ -308,7 +309,7 @@ def _arrange_derivatives(by: ByCarrier, wheels: Linear, push_by_phi: Array) -> t
 def _twists(stand: Stand, state: State) -> Twists:
     """The carrier's motion (M = 1), V* = 0."""
     C = carrier_rotation(stand, state)
-    V, u = np.array(state.V), C.T @ np.array(stand.stream or (0.0, 0.0, 0.0))
+    V, u = np.array(state.V), C.T @ np.array(uniform_stream(stand))
     none = np.zeros(3)
     V_r, V_r_dot = V - np.concatenate([u, none]), np.concatenate([np.cross(V[3:], u), none])
     return Twists(C[None], np.array([state.position]), V[None], V_r[None], V_r_dot[None])

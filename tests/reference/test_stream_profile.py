@@ -1,0 +1,188 @@
+"""The stream by depth: in every derivation and in the C, against the uniform stream of each depth; what is refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import mahovik
+from laws.vessel import CARRIER
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.lower.fmu.parameters import laws
+from mahovik.core.stand import Stand, dumps, identities, loads
+from mahovik.core.stand.model import StreamProfile
+from mahovik.core.stand.random import Features, extreme_state, random_stand, random_state
+from mahovik.core.stand.random_state import EXTREMES
+from mahovik.errors import StandError, StateError
+from mahovik.out.api.stands import Stand as ApiStand
+from mahovik.out.campaign.places import Places
+from mahovik.proof import reference
+from mahovik.proof.reference.stream import stream_at
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.use.plan.stream import uniform_stream
+from second.agreement import AGREEMENT, differences, expectations
+
+PROFILE = StreamProfile(
+    (0.1, -0.2, 2.0), (-1.0, 0.5, 1.0, 9.0), ((0.8, 0.1, 0), (0.6, -0.2, 0.05), (0.1, 0.4, 0), (-0.3, 0, 0.1))
+)
+FILE = (
+    """
+schema = 1
+name = "diver"
+gravity = [0, 0, 9.81]
+[stream_profile]
+depth = ["0 m", 10, 50]
+velocity = [["2 kn", 0, 0], [0.5, 0.1, 0], [0, 0, 0]]
+"""
+    + CARRIER.split('name = "vessel"\n')[1]
+    + "added_mass = [1, 30, 30, 0, 4, 4]\n"
+)
+
+
+@cache
+def sheared() -> Stand:
+    """A random stand in a fluid, with added mass and damping, in a stream by depth."""
+    features = Features(instruments=1, fluid=True, gravity=True, stream=True)
+    return replace(random_stand(np.random.default_rng(5), 2, features), profile=PROFILE)
+
+
+@cache
+def backend() -> CBackend:
+    return CBackend(sheared())
+
+
+def test_derivations_and_C_agree() -> None:
+    from mahovik.proof.second import Second
+
+    stand, second = sheared(), Second(sheared())
+    for number in range(6):
+        state = random_state(stand, np.random.default_rng(number))
+        expected = expectations(stand, state)
+        for ask in (second.evaluate, backend().evaluate):
+            assert max(differences(ask, state, expected).values()) <= AGREEMENT
+
+
+def test_every_extreme_state_is_within_the_profile() -> None:
+    """The C answers it."""
+    for kind in EXTREMES:
+        state = extreme_state(sheared(), np.random.default_rng(3), kind)
+        stream_at(sheared(), state.position)  # does not refuse
+        assert min(backend().call("forward", backend().arguments(state))[0], 0) == 0
+
+
+def test_at_each_depth_it_is_the_uniform_stream_of_that_depth() -> None:
+    """Accelerations, momentum, wrench: the profile acts by the velocity at O1 alone."""
+    for number in range(4):
+        state = random_state(sheared(), np.random.default_rng(number))
+        u = stream_at(sheared(), state.position)
+        uniform = replace(sheared(), profile=None, stream=tuple(u.tolist()))
+        want = ["forward", "momentum", "torque"]
+        found, expected = reference.evaluate(sheared(), state, want), reference.evaluate(uniform, state, want)
+        for name in expected:
+            np.testing.assert_array_equal(found[name], expected[name])
+
+
+def test_rigorous_balls_hold_it() -> None:
+    from mahovik.proof import rigorous
+    from rigorous.balls import middles
+
+    state = random_state(sheared(), np.random.default_rng(3))
+    found = rigorous.evaluate(rigorous.pieces_at(sheared(), state), state, "forward")
+    expected = reference.evaluate(sheared(), state, ["forward"])["V_dot"]
+    np.testing.assert_allclose(middles(found["V_dot"]).ravel(), expected, rtol=1e-9)
+
+
+@given(st.floats(0, 50))
+def test_lines_between_stations(depth: float) -> None:
+    """Written out by hand."""
+    u = stream_at(loads(FILE), (3.0, -2.0, depth))
+    share = min(depth / 10, 1.0)
+    rest = max(0.0, (depth - 10) / 40)
+    top = 2 * 1852 / 3600
+    expected = [top + share * (0.5 - top) - rest * 0.5, 0.1 * share - 0.1 * rest, 0]
+    np.testing.assert_allclose(u, expected, atol=1e-13)
+
+
+@pytest.mark.parametrize("depth", [-0.001, 50.001, 1e5])
+def test_a_depth_beyond_the_profile_is_refused(depth: float) -> None:
+    """The C returns RANGE, the references say it in words."""
+    from mahovik.proof.second import Second
+
+    stand = loads(FILE)
+    c = CBackend(stand)
+    state = replace(random_state(stand, np.random.default_rng(1)), position=(0.0, 0.0, depth))
+    inputs = c.arguments(state) | {"dt": 1e-3, "order": 4}
+    for judged, table in ((c, {}), (c.interpreter, {"table": c.table()})):
+        for name in ("forward", "wrench", "matrices", "momentum", "forward_jacobian", "step"):
+            assert judged.call(name, inputs | table)[0] == -2, name
+    for ask in (Second(stand).evaluate, lambda s, w: reference.evaluate(stand, s, w)):
+        with pytest.raises(StateError, match="is outside of stream_profile"):
+            ask(state, ["forward"])
+
+
+def test_a_step_feels_another_depth() -> None:
+    """A sinking body is carried along by the stream where it is."""
+    stand = loads(FILE + "damping = { linear = [20, 20, 20, 1, 1, 1] }\n")
+    model = mahovik.build(stand)
+    fast = model.step(model.state(position=(0, 0, 1.0)), 0.1).V
+    slow = model.step(model.state(position=(0, 0, 45.0)), 0.1).V
+    assert fast[0] > 5 * slow[0] > 0
+
+
+def test_file_comes_back_and_other_stands_are_as_before() -> None:
+    stand = loads(FILE)
+    assert loads(dumps(stand)) == stand
+    assert stand.stream == (0.0, 0.0, 0.0) and stand.profile is not None
+    assert stand.profile.down == (0.0, 0.0, 9.81)
+    faster = replace(stand, profile=replace(stand.profile, depth=(0.0, 10.0, 51.0)))
+    assert identities(faster).structure == identities(stand).structure
+    assert identities(faster).physics != identities(stand).physics
+    assert "stream_profile" in generate_all(stand).files["diver.h"]
+    plain = loads(
+        FILE.replace("[stream_profile]", "stream = [0, 0, 0]").replace("depth = ", "#").replace("velocity", "#")
+    )
+    assert "stream_profile" not in generate_all(plain).files["diver.h"]
+    assert identities(plain).structure != identities(stand).structure
+
+
+def test_campaigns_vary_it_and_plans_refuse_it() -> None:
+    (place,) = Places(ApiStand.of(loads(FILE))).find("stream_profile.velocity[1][0]")
+    assert place.nominal == 0.5
+    assert uniform_stream(loads(CARRIER)) == (0.0, 0.0, 0.0)
+    with pytest.raises(StandError, match="diver: stream_profile: found a stream that changes with depth, expected a"):
+        uniform_stream(loads(FILE))
+
+
+def test_simulators_see_its_numbers() -> None:
+    generated = generate_all(loads(FILE))
+    found = {m.name: m for m in laws(loads(FILE), generated.layout, generated.values)}
+    assert found["stream_profile.depth[3]"].value == 50.0
+    assert found["stream_profile.shear[1,2]"].value == pytest.approx(0.01)
+    assert found["stream_profile.shear[1,2]"].unit.name == "1/s"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ('["0 m", 10, 50]', "[0, 10]", "expected 2 velocities, one for each `depth`, found 3"),
+        ('["0 m", 10, 50]', "[0, 10, 10]", "expected increasing numbers, found 10 m after 10 m"),
+        ('["0 m", 10, 50]', "[0]", "expected"),
+        ('["0 m", 10, 50]', '["0 s", 10, 50]', "a length"),
+        ("velocity = [", "velocity = 3 # [", "expected a list of velocities"),
+        ("gravity = [0, 0, 9.81]", "", "down: required without gravity"),
+        ("depth = ", "down = [0, 0, 0]\ndepth = ", "has no direction"),
+        ("velocity = ", "velocitie = ", 'unknown key "velocitie"'),
+    ],
+)
+def test_refusals(old: str, new: str, words: str) -> None:
+    """Each names the table and what was found."""
+    assert old in FILE
+    with pytest.raises(StandError) as caught:
+        loads(FILE.replace(old, new))
+    assert words in str(caught.value)
+    assert "stream_profile" in str(caught.value)
