@@ -31,7 +31,7 @@ class Case:
     file: str
     test: str
     parameters: str
-    """As pytest writes them in brackets; empty where the test has none."""
+    """What the name of the test has in brackets; empty for a test without parameters."""
 
 
 def choose(cases: Sequence[Case], seed: str, share: int) -> set[Case]:
