@@ -11,6 +11,7 @@ from mahovik.out.api.possible import possible_tables
 from mahovik.out.api.stands import Stand
 
 
+@pytest.mark.slow
 @settings(max_examples=5, deadline=None)
 @given(seed=st.integers(0, 10**6), spread=st.sampled_from([1e-3, 0.3, 1.0, 5.0]))
 def test_exactly_the_samples_that_no_stand_file_may_have_are_left_out(seed: int, spread: float) -> None:

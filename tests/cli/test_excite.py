@@ -60,6 +60,7 @@ def test_half_the_noise_is_half_the_error() -> None:
     assert half == pytest.approx([x / 2 for x in once], rel=1e-3)
 
 
+@pytest.mark.slow
 def test_the_programme_is_a_table_for_firmware(folder: Path) -> None:
     assert run("excite", "a.toml", *QUICK).exit_code == 0
     assert run("generate", "a.toml", "-o", "board").exit_code == 0

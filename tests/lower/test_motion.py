@@ -99,7 +99,7 @@ def test_free_motion_keeps_energy_and_momentum_in_E0() -> None:
         assert np.allclose(first[name], last[name], rtol=1e-9, atol=1e-9 * np.abs(first[name]).max())
 
 
-@pytest.mark.parametrize(("function", "want"), quick(1, [("step_driven", "forward"), ("step", "coupled")]))
+@pytest.mark.parametrize(("function", "want"), quick(0, [("step_driven", "forward"), ("step", "coupled")]))
 def test_step_agrees_with_an_adaptive_integration_of_the_reference(function: str, want: str) -> None:
     """The literal reference, integrated by SciPy with its own kinematics, ends where the C ends."""
     c = everything()

@@ -108,6 +108,7 @@ def test_preflight_refuses_what_no_search_finds(seed: int) -> None:
     assert search(problem, Improver.of(problem), first.bias, seed, Budget(10**6, 8.0), most=2).found == []
 
 
+@pytest.mark.slow
 def test_a_motion_that_repeats_itself_is_planned_once() -> None:
     """Harmonic 7 of 0.7 s is harmonic 1 of 0.1 s: the same programme, told over seven periods."""
     stand, motion = example("bench8")

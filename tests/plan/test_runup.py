@@ -121,6 +121,7 @@ def test_a_bound_that_cannot_be_kept_is_told(monkeypatch: pytest.MonkeyPatch) ->
     assert all("speed of left" in line and "100 rad/s" in line for line in words)
 
 
+@pytest.mark.slow
 def test_momentum_that_nothing_takes_up_is_told() -> None:
     """A free stand at rest has none, its programme has: no run-up exists, the programme stays."""
     stand, motion = example("demo3")

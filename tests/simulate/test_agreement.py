@@ -177,6 +177,7 @@ def with_motors(motor: Motor) -> Stand:
     return replace(stand, flywheels=tuple(replace(s, motor=motor) for s in stand.flywheels))
 
 
+@pytest.mark.slow
 def test_a_motor_ends_at_the_speed_where_the_line_meets_friction() -> None:
     """0.05 (1 - w/100) = 1e-4 w + 2e-3: in balance."""
     stand = with_motors(Motor(0.05, 100.0, None, None, None, 1e-4, 2e-3, 0.1))

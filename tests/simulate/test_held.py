@@ -78,7 +78,7 @@ def case(stand: Stand, text: str, until: float = 0.03, **more: Any) -> Case:
 
 
 @pytest.mark.parametrize(
-    ("name", "text"), quick(2, [("hinge", MIXED), ("knife edge", LAWS), ("ball joint", TORQUES), ("clamped", TORQUES)])
+    ("name", "text"), quick(1, [("hinge", MIXED), ("knife edge", LAWS), ("ball joint", TORQUES), ("clamped", TORQUES)])
 )
 def test_the_c_and_the_literal_reference_move_alike(name: str, text: str) -> None:
     chosen = case(busy(name), text, dt=2e-5)

@@ -21,6 +21,7 @@ SAT4 = load(path("sat4"))
 SPEED = 6000 * math.pi / 30
 
 
+@pytest.mark.slow
 def test_the_c_loses_at_most_the_part_that_is_named_and_much_of_it() -> None:
     """A thousand steps of 0.1 ms at 6000 rpm and at full torque, against double; a carry loses nothing of it."""
     (dt, steps), N = (1e-4, 1000), len(SAT4.flywheels)

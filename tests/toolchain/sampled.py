@@ -31,11 +31,11 @@ class Case:
     file: str
     test: str
     parameters: str
-    """As pytest writes them in brackets; empty where the test has none."""
+    """Text in brackets in the name of the test; empty for a test without parameters."""
 
 
 def choose(cases: Sequence[Case], seed: str, share: int) -> set[Case]:
-    """The cases that a run takes: of each test the n/share, rounded up, that come first by a hash with the seed."""
+    """Return the cases that a run takes: of each test the share, rounded up, that comes first by a hash with the seed."""
     tests: dict[tuple[str, str], list[Case]] = defaultdict(list)
     for case in cases:
         tests[case.file, case.test].append(case)

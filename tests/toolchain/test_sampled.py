@@ -69,5 +69,5 @@ def test_quick_tests_and_tests_without_parameters_all_run(share: str, count: int
 
 def test_make_test_slow_runs_a_share_and_make_test_all_runs_all() -> None:
     slow, everything = recipe("test-slow"), recipe("test-all")
-    assert f"{SHARE}=4" in slow and "-m slow" in slow
+    assert f"{SHARE}=5" in slow and "-m slow" in slow
     assert SHARE not in everything and "-m 'not fuzz'" in everything

@@ -40,6 +40,7 @@ def test_no_batch_no_row_and_a_right_one_passes(folder: Path, tmp_path: Path) ->
     assert verdict_and_reason(tmp_path) == "none"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", quick(1, ["demo3_batch.c", "demo3_batch.h"]))
 def test_a_changed_or_missing_file_fails(name: str, folder: Path) -> None:
     text = (folder / name).read_text()
