@@ -17,7 +17,6 @@ from typing import Any
 import campaign
 import numpy as np
 from explain_planting import (
-    SECOND,
     Answers,
     Plant,
     answers_of,
@@ -26,8 +25,8 @@ from explain_planting import (
     plant_in_answers,
     plant_in_derivations,
     plant_in_numbers,
-    rewritten,
 )
+from explain_rewriting import SECOND, rewritten
 from kept import Campaign, Columns, Figures, Measured
 
 from mahovik.contract.laws import part
@@ -346,7 +345,7 @@ CAMPAIGN = Campaign(
     "diagnosis",
     campaign.Block("docs/results/diagnosis.md", "campaign: tools/explain_campaign.py --write"),
     page,
-    ("proof", "explain_campaign.py", "explain_planting.py"),
+    ("proof", "explain_campaign.py", "explain_planting.py", "explain_rewriting.py"),
     sample,
 )
 

@@ -35,7 +35,7 @@ class Case:
 
 
 def choose(cases: Sequence[Case], seed: str, share: int) -> set[Case]:
-    """Return the cases that a run takes: of each test the share, rounded up, that is first by a hash with the seed."""
+    """Return the cases that a run takes: of each test a share, rounded up, first by a hash with the seed."""
     tests: dict[tuple[str, str], list[Case]] = defaultdict(list)
     for case in cases:
         tests[case.file, case.test].append(case)

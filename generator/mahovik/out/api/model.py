@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike
 
 from mahovik.contract.functions import FUNCTIONS, PublicFunction
 from mahovik.contract.quantities import QUANTITIES, is_shared
-from mahovik.core.stand.hold import has_coordinates
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import show
 from mahovik.errors import InputError
@@ -18,6 +17,7 @@ from mahovik.nearest import suggestion
 from mahovik.out.api import results
 from mahovik.out.api.call import OnError
 from mahovik.out.api.compiled import ELEMENT, Real
+from mahovik.out.api.coordinates import WithCoordinates
 from mahovik.out.api.core import Built, Locks, Wrenches
 from mahovik.out.api.fields import Array
 from mahovik.out.api.inputs import Given
@@ -76,7 +76,7 @@ def build(stand: Stand, *, real: Real = "double", compiler: str | None = None, t
     return Model(stand, real, compiler, threads)
 
 
-class Model(WithRegressor):
+class Model(WithRegressor, WithCoordinates):
     """Functions of a stand for one state or many; made by `mahovik.build`.
 
     `x` is `States` or an array of shape (n, 13 + 2 N), or (13 + 2 N,) of one state. Other inputs are arrays of shape
@@ -357,32 +357,6 @@ class Model(WithRegressor):
         Gives `reaction`. State by state. Raises InputError (also of a free carrier), RefusedError.
         """
         return self._result(results.Reaction, "reaction", x, on_error, wrench, tables, V_dot=V_dot, phi_ddot=phi_ddot)
-
-    def generalized(
-        self,
-        x: States | ArrayLike,
-        angles: Given | None = None,
-        phi_ddot: Given = 0.0,
-        *,
-        wrench: Wrenches = None,
-        tables: Tables | None = None,
-        on_error: OnError = "raise",
-    ) -> results.Generalized:
-        """The equations in generalized coordinates, (10), (11); `angles`, rad, take the place of the attitude of `x`.
-
-        Gives `A`, `D`, `I0`, `J0`, `q_dot`, `q_ddot`. Of a held carrier, without `angles`, the coordinates of its
-        freedoms: `q`, `q_dot`, `q_ddot`, and `orientation` of one that turns about a point. State by state. Raises
-        InputError, RefusedError.
-        """
-        hold = self._stand.hold
-        held = hold is not None
-        if held != (angles is None):
-            expected = "none, the carrier is held and its attitude is that of x" if held else "psi, theta, phi"
-            raise InputError(f"generalized: angles: {'given' if held else 'missing'}, expected {expected}")
-        if hold is not None and not has_coordinates(hold):
-            raise InputError("generalized: the freedoms of [hold] have no coordinates, ask for forward")
-        given = {"phi_ddot": phi_ddot} | ({} if held else {"angles": angles})
-        return self._result(results.Generalized, "generalized", x, on_error, wrench, tables, **given)
 
     def forward_jacobian(
         self,

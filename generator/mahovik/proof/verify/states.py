@@ -278,10 +278,11 @@ def _actuators(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyTy
             none = "the stand has neither fins nor propellers"
             raise StateError(f'actuators: unknown "{name}"{suggestion(name, known, none)}')
         most = known[name].limit or QUANTITIES["phi_dot"].limits(real)[0]
-        values[name] = _number(value, f"actuators, {name}")
+        where = f"actuators, {name}"
+        values[name] = _number(value, where)
         if abs(values[name]) > most:
             raise StateError(
-                f"actuators, {name}: {values[name]:.9g} is out of range for its {known[name].what}, at most {most:g}"
+                f"{where}: {values[name]:.9g} is out of range for its {known[name].what}, at most {most:g}"
             )
     return MappingProxyType(values)
 
