@@ -275,15 +275,15 @@ def _actuators(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyTy
     values = {}
     for name, value in given.items():
         if name not in known:
-            none = "the stand has neither fins nor propellers"
-            raise StateError(f'actuators: unknown "{name}"{suggestion(name, known, none)}')
-        most = known[name].limit or QUANTITIES["phi_dot"].limits(real)[0]
+            raise StateError(
+                f'actuators: unknown "{name}"{suggestion(name, known, "the stand has neither fins nor propellers")}'
+            )
+        row = known[name]
+        most = row.limit or QUANTITIES["phi_dot"].limits(real)[0]
         where = f"actuators, {name}"
         values[name] = _number(value, where)
         if abs(values[name]) > most:
-            raise StateError(
-                f"{where}: {values[name]:.9g} is out of range for its {known[name].what}, at most {most:g}"
-            )
+            raise StateError(f"{where}: {values[name]:.9g} is out of range for its {row.what}, at most {most:g}")
     return MappingProxyType(values)
 
 
