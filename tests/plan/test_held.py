@@ -231,3 +231,13 @@ def test_a_programme_is_drawn_by_its_coordinates() -> None:
     found = planned(SHAKER, required, verify=False).programmes[0]
     first = panels(found, SHAKER, required, 8)[0]
     assert first.quantity.startswith("carrier, mm") and first.lines[0].name == "z"
+
+
+@pytest.mark.slow
+def test_a_pendulum_goes_from_rest_to_rest() -> None:
+    t = np.linspace(0.0, 1.0, 25)
+    away = 0.3 * np.sin(np.pi * t**3 * (10 - 15 * t + 6 * t * t)) ** 2
+    samples = {"t": t.tolist(), "q": [[x] for x in away.tolist()]}
+    document = {"schema": 1, "type": "finite", "duration": 1.0, "samples": samples}
+    found = plan_motion(PENDULUM, read_motion(json.dumps(document), PENDULUM, "m.json"))
+    assert found.status == "OK" and found.programmes[0].report["verified"]
