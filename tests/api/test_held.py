@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 
 import mahovik
@@ -66,5 +65,5 @@ def test_a_twist_that_the_hold_blocks_is_refused_by_its_direction() -> None:
     with pytest.raises(InputError, match=r"V: moves along x, which \[hold\] blocks; expected S u of the freedoms"):
         model.state(V=[0, 0, 0, 0, 0.4, 0])
     with pytest.raises(InputError, match="V: moves along roll"):
-        model.states(V=np.array([good, [0, 0, 0, 1, 0, 0]]))
-    assert len(model.states(V=np.array([good, np.zeros(6)]))) == 2
+        model.states(V=[good, [0.0, 0.0, 0.0, 1.0, 0.0, 0.0]])
+    assert len(model.states(V=[good, [0.0] * 6])) == 2
