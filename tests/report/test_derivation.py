@@ -253,7 +253,7 @@ def test_constant_columns_are_the_flywheel_s_own() -> None:
 
 
 def test_a_held_carrier_has_a_section_on_its_hold() -> None:
-    """Its mass matrix is that of the reference; a clamped carrier has an equation and no matrix; a free one neither."""
+    """The mass matrix is that of the reference; a clamped carrier has an equation alone, a free one no section."""
     folder = STANDS.parents[2] / "docs" / "held"
     cube, clamped = (load(folder / f"{name}.toml") for name in ("cube", "force_table"))
     found = numbers(cube).hold

@@ -1,4 +1,4 @@
-"""Friction, stops and a basis against formulas of textbooks, which are written here anew, and SciPy's integrator."""
+"""Friction, stops and a basis against formulas of textbooks, written here once more, and SciPy's integrator."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def test_a_stop_gives_back_the_speed_of_hunt_and_crossley() -> None:
     )  # fmt: skip
 
     def integral(v: float) -> float:
-        """Of v / (k + d v): its values at both speeds are equal."""
+        """Integral of v / (k + d v), which is equal at both speeds."""
         return v / damping - stiffness / damping**2 * math.log1p(damping * v / stiffness)
 
     expected = brentq(lambda out: integral(-out) - integral(speed), 1e-9, stiffness / damping * (1 - 1e-12))

@@ -21,6 +21,7 @@ from mahovik.out.api.coordinates import WithCoordinates
 from mahovik.out.api.core import Built, Locks, Wrenches
 from mahovik.out.api.fields import Array
 from mahovik.out.api.inputs import Given
+from mahovik.out.api.reaction import WithReaction
 from mahovik.out.api.regressor import WithRegressor
 from mahovik.out.api.results import Result
 from mahovik.out.api.states import States
@@ -76,7 +77,7 @@ def build(stand: Stand, *, real: Real = "double", compiler: str | None = None, t
     return Model(stand, real, compiler, threads)
 
 
-class Model(WithRegressor, WithCoordinates):
+class Model(WithReaction, WithRegressor, WithCoordinates):
     """Functions of a stand for one state or many; made by `mahovik.build`.
 
     `x` is `States` or an array of shape (n, 13 + 2 N), or (13 + 2 N,) of one state. Other inputs are arrays of shape
@@ -341,22 +342,6 @@ class Model(WithRegressor, WithCoordinates):
     ) -> results.Mounts:
         """Wrench of the mount on each flywheel: bearing loads. Batch C. Raises InputError, RefusedError."""
         return self._result(results.Mounts, "mounts", x, on_error, wrench, tables, V_dot=V_dot, phi_ddot=phi_ddot)
-
-    def reaction(
-        self,
-        x: States | ArrayLike,
-        V_dot: Given = 0.0,
-        phi_ddot: Given = 0.0,
-        *,
-        wrench: Wrenches = None,
-        tables: Tables | None = None,
-        on_error: OnError = "raise",
-    ) -> results.Reaction:
-        """Wrench of the hold on a held carrier for a given motion, (8): V_dot = S u_dot, m/s2, rad/s2; phi_ddot rad/s2.
-
-        Gives `reaction`. State by state. Raises InputError (also of a free carrier), RefusedError.
-        """
-        return self._result(results.Reaction, "reaction", x, on_error, wrench, tables, V_dot=V_dot, phi_ddot=phi_ddot)
 
     def forward_jacobian(
         self,

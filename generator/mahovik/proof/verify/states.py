@@ -263,9 +263,8 @@ def _wrench(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyType[
         if name not in bodies:
             raise StateError(f'wrench: unknown body "{name}"{suggestion(name, bodies)}')
     limits = QUANTITIES["wrench"].limits(real)
-    return MappingProxyType(
-        {name: cast(Vec6, _list_of(value, f"wrench, {name}", 6, limits)) for name, value in given.items()}
-    )
+    values = {name: cast(Vec6, _list_of(value, f"wrench, {name}", 6, limits)) for name, value in given.items()}
+    return MappingProxyType(values)
 
 
 def _actuators(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyType[str, float]:
@@ -275,12 +274,10 @@ def _actuators(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyTy
     values = {}
     for name, value in given.items():
         if name not in known:
-            raise StateError(
-                f'actuators: unknown "{name}"{suggestion(name, known, "the stand has neither fins nor propellers")}'
-            )
-        row = known[name]
+            near = suggestion(name, known, "the stand has neither fins nor propellers")
+            raise StateError(f'actuators: unknown "{name}"{near}')
+        row, where = known[name], f"actuators, {name}"
         most = row.limit or QUANTITIES["phi_dot"].limits(real)[0]
-        where = f"actuators, {name}"
         values[name] = _number(value, where)
         if abs(values[name]) > most:
             raise StateError(f"{where}: {values[name]:.9g} is out of range for its {row.what}, at most {most:g}")
