@@ -23,7 +23,7 @@ from traceability.mutants import chosen, mutant, planted, sites
 LATER = ("exp", "add_fading", "add_control", "stream_at")
 
 OF_LATER_LAWS = ("exp", "stream_at", "check_depth")
-"""Those of them, and one that has tests of its own, that ROLES names."""
+"""Functions of these laws that ROLES names; `check_depth` has tests of its own."""
 
 UNSEEN = {"exp": (3, "term dropped"), "add_control": (4, "choice exchanged", "minus dropped")}
 """Most mutants that the comparison does not see, and of which kinds: of `exp` terms beyond the tolerance, which have
@@ -66,7 +66,7 @@ def test_without_a_mutant_all_agree() -> None:
 
 @pytest.mark.parametrize("name", LATER)
 def test_mutants_are_noticed(name: str) -> None:
-    """By the comparison with the literal reference."""
+    """The comparison with the literal reference finds them."""
     functions = made().program.functions
     numbers = chosen(sites(made().program.function(name)), 8)
     assert len(numbers) >= 5

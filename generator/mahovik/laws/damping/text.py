@@ -38,7 +38,7 @@ def warnings(stand: Stand) -> list[str]:
     damping, added = stand.carrier.law(Damping), stand.carrier.added_mass
     if damping is None or added is None:
         return []
-    products, published = products_of_added_mass(np.array(added)), _published(damping)
+    products, published = products_of_added_mass(np.array(added)), _coefficients(damping)
     if damping.contains_products:
         return [] if any(products[key] for key in published) else [MISSING]
     near = [
@@ -64,7 +64,7 @@ MISSING = (
 )
 
 
-def _published(damping: Damping) -> dict[tuple[int, int, int], float]:
+def _coefficients(damping: Damping) -> dict[tuple[int, int, int], float]:
     """Derivatives of two velocities without bars, added up: component, lower and higher factor."""
     found: dict[tuple[int, int, int], float] = {}
     for term in damping.terms:
