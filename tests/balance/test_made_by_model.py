@@ -79,6 +79,7 @@ def test_one_hole_is_the_best_of_all(bench: Path) -> None:
     assert abs(wheel.applied[0] - best) < 1e-12
 
 
+@pytest.mark.slow
 def test_the_command_prints_one_document_and_writes_a_page(bench: Path, made: StandBalance, tmp_path: Path) -> None:
     """HiGHS prints lines of its own: they are on no output."""
     arguments = (str(bench / "two.toml"), "--data", str(bench / "run.csv"), "--plane", str(bench / "planes.toml"))

@@ -98,6 +98,7 @@ def test_names_of_targets() -> None:
         parse_targets("m7,m8")
 
 
+@pytest.mark.slow
 def test_command_prints_a_table_and_writes_junit(tmp_path: Path) -> None:
     target("m7")
     result = run(

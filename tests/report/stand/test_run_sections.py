@@ -95,6 +95,7 @@ def test_a_run_under_torques() -> None:
     assert all(y.max() < 1e-8 for y in checked(stand, run).values())
 
 
+@pytest.mark.slow
 def test_a_row_is_a_run_and_so_is_one_that_flies_off() -> None:
     stand = example("demo3")
     run = spun_up(stand)

@@ -235,6 +235,7 @@ def test_c_that_is_not_there_or_of_another_stand_is_refused(tmp_path: Path) -> N
         judged(tmp_path, "")
 
 
+@pytest.mark.slow
 def test_the_judge_knows_nothing_of_what_it_judges() -> None:
     """Neither the program of the servo, nor its printer, nor what computes its gains."""
     folder = PACKAGE / "proof" / "verify" / "servo"
