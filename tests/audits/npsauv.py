@@ -95,7 +95,7 @@ class Strips:
         return {"density": self.density, "x": x, **table, **drag, "points": 1, "together": True}
 
     def wrench(self, V: Array) -> Array:
-        """The wrench (6) as the file has it."""
+        """The wrench (6) by the formulas of the file."""
         _, v, w, _, q, r = V
         x = np.linspace(-LENGTH / 2, LENGTH / 2, 11)
         speed = np.maximum(np.hypot(v + x * r, w - x * q), 1e-300)

@@ -24,7 +24,7 @@ from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.wrench_kinds import body_wrench
-from mahovik.proof.verify.actuators import actuated, with_drawn_actuators
+from mahovik.proof.verify.actuators import stand_at, with_drawn_actuators
 from mahovik.proof.verify.backends import CasadiBackend, NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.states import Request
@@ -55,10 +55,10 @@ def search() -> TermSearch:
 
 
 def found(wrong: Callable[[Stand], Stand], rows: Sequence[int] = range(6)) -> TermSearchResult:
-    """What is named in a program that has another law in some components of the wrench."""
+    """Search in a program that has another law in some components of the wrench."""
 
     def answers(request: Request) -> Mapping[str, Any]:
-        own = actuated(vehicle(), request.state)
+        own = stand_at(vehicle(), request.state)
         at, other = (reference.pieces(x, request.state) for x in (own, wrong(own)))
         right = at.F - bias(at)
         change = body_wrench(other.terms["carrier"]) - body_wrench(at.terms["carrier"])
@@ -149,11 +149,11 @@ def test_an_element_of_fading_damping() -> None:
 
 
 def test_parts_of_a_law_add_up_to_it() -> None:
-    """Of every detail, at states with deflections and speeds of their own."""
+    """The sum of the parts of each detail is the wrench, at states with deflections and speeds of their own."""
     rng = np.random.default_rng(4)
     states = [with_drawn_actuators(vehicle(), rest_state(vehicle()), rng) for _ in range(4)]
     V = rng.normal(size=(4, 6))
-    bodies = [actuated(vehicle(), state).carrier for state in states]
+    bodies = [stand_at(vehicle(), state).carrier for state in states]
     kinds = of_bodies("terms", "KIND")
     for kind, law_terms in zip(kinds, of_bodies("terms", "law_terms"), strict=True):
         expected = [

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Actuator:
-    """What is known of an input, which states name as its fin or propeller.
+    """An input of a law, which has the name of its fin or propeller in states.
 
     what   the quantity and its unit
     limit  largest magnitude, SI; None: that of every speed

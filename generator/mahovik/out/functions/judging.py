@@ -85,7 +85,7 @@ def judge(
 
 
 def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool:
-    """Whether deflections and speeds can be varied; a warning where the stand has them and the program has not."""
+    """Whether deflections and speeds can be varied; a warning where the stand has them and the program ignores them."""
     from mahovik.proof.verify.actuators import actuators_of
     from mahovik.proof.verify.foreign import takes_actuators
 

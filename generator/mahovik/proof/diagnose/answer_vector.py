@@ -13,7 +13,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
-from mahovik.proof.verify.actuators import actuated
+from mahovik.proof.verify.actuators import stand_at
 from mahovik.proof.verify.bounds import DOUBLE, Bounds
 from mahovik.proof.verify.scales import scales
 from mahovik.proof.verify.states import Request
@@ -85,7 +85,7 @@ def answer_vector(stand: Stand, requests: Sequence[Request]) -> AnswerVector:
     for request in requests:
         (want,) = request.want
         try:
-            own = actuated(stand, request.state)
+            own = stand_at(stand, request.state)
             at = reference.pieces(own, request.state)
             values = reference.evaluate(own, request.state, request.want, at)
         except (StateError, np.linalg.LinAlgError, ArithmeticError):

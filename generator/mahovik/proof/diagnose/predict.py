@@ -20,7 +20,7 @@ from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.proof.verify.actuators import actuated
+from mahovik.proof.verify.actuators import stand_at
 from mahovik.proof.verify.states import Request
 
 
@@ -66,7 +66,7 @@ class FaultyProgram:
             return {}
 
     def _values(self, given: State, want: str) -> Values:
-        stand, state = actuated(self._stand, given), given
+        stand, state = stand_at(self._stand, given), given
         for part in self._suspect:
             case = Case(stand, state, want, part.concerns)
             stand = _apply("stand", stand, part, case)

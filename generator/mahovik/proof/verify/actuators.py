@@ -24,7 +24,7 @@ def actuators_of(stand: Stand) -> dict[str, Actuator]:
     return found
 
 
-def actuated(stand: Stand, state: State) -> Stand:
+def stand_at(stand: Stand, state: State) -> Stand:
     """The stand with the deflections and speeds of a state; itself, where the state has none."""
     return with_actuators(stand, state.actuators)
 
@@ -35,12 +35,12 @@ def with_actuators(stand: Stand, given: Mapping[str, float]) -> Stand:
         return stand
     changes = of_bodies("actuator", "actuate")
 
-    def changed(body: Any) -> Any:
+    def change(body: Any) -> Any:
         for actuate in changes:
             body = actuate(body, given)
         return body
 
-    return replace(stand, carrier=changed(stand.carrier), instruments=tuple(map(changed, stand.instruments)))
+    return replace(stand, carrier=change(stand.carrier), instruments=tuple(map(change, stand.instruments)))
 
 
 def with_drawn_actuators(stand: Stand, state: State, rng: np.random.Generator) -> State:

@@ -11,7 +11,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
-from mahovik.proof.verify.actuators import actuated
+from mahovik.proof.verify.actuators import stand_at
 
 
 class Backend(Protocol):
@@ -36,7 +36,7 @@ class NumpyBackend:
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
         """See Backend."""
         try:
-            return reference.evaluate(actuated(self._stand, state), state, want)
+            return reference.evaluate(stand_at(self._stand, state), state, want)
         except (np.linalg.LinAlgError, ArithmeticError) as error:  # masses of 1e200 and the like
             raise StateError(f"the equations have no finite solution at this state: {error}") from None
 
@@ -54,5 +54,5 @@ class CasadiBackend:
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
         """See Backend."""
-        of = self._make(actuated(self._stand, state)) if state.actuators else self._own
+        of = self._make(stand_at(self._stand, state)) if state.actuators else self._own
         return of.evaluate(state, want)

@@ -18,7 +18,7 @@ from mahovik.proof.reference.excess import motor_shares
 from mahovik.proof.reference.hold import acceleration, allocation, free_equations
 from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.second import Second
-from mahovik.proof.verify.actuators import actuated
+from mahovik.proof.verify.actuators import stand_at
 from mahovik.proof.verify.bounds import DOUBLE, Bounds
 from mahovik.proof.verify.program_backend import is_beyond
 from mahovik.proof.verify.scales import scales
@@ -143,7 +143,7 @@ class Judge:
         assert self._second is not None
         if not state.actuators:
             return self._second
-        return self._seconds.setdefault(tuple(state.actuators.items()), Second(actuated(self._stand, state)))
+        return self._seconds.setdefault(tuple(state.actuators.items()), Second(stand_at(self._stand, state)))
 
     def expected_answer(self, state: State, want: str) -> dict[str, Any] | None:
         """Answer of the reference, or None."""
@@ -151,7 +151,7 @@ class Judge:
             found: dict[str, Any] | None
             try:
                 found = reference.evaluate(
-                    actuated(self._stand, state), state, [want], self._at(state), self._bounds.cuts
+                    stand_at(self._stand, state), state, [want], self._at(state), self._bounds.cuts
                 )
             except (StateError, np.linalg.LinAlgError, ArithmeticError):
                 found = None
@@ -215,7 +215,7 @@ class Judge:
             self._row("inverse", "rank").note(Differences(math.inf), request, words)
             return
         expected = vars(allocation(at, self._stand, np.array(state.V_dot), cuts, rank))
-        natural = inverse_scales(Magnitudes(actuated(self._stand, state), state, at, cuts), rank)
+        natural = inverse_scales(Magnitudes(stand_at(self._stand, state), state, at, cuts), rank)
         for quantity in ("phi_ddot", "residual", "sigma"):
             if quantity not in left_out:
                 off, words = difference(found.get(quantity), expected[quantity], natural[quantity], self._bounds.floor)
@@ -283,14 +283,14 @@ class Judge:
 
     def _scales(self, state: State, want: str) -> dict[str, Any]:
         with np.errstate(all="ignore"):
-            return scales(actuated(self._stand, state), state, self._at(state), want, self._bounds.cuts)
+            return scales(stand_at(self._stand, state), state, self._at(state), want, self._bounds.cuts)
 
     def _at(self, state: State) -> reference.Pieces:
         """Pieces of a state, kept for its other wants."""
         known, at = self._pieces
         if known is not state or at is None:
             with np.errstate(all="ignore"):
-                at = reference.pieces(actuated(self._stand, state), state)
+                at = reference.pieces(stand_at(self._stand, state), state)
             self._pieces = (state, at)
         return at
 

@@ -22,7 +22,7 @@ from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.momentum import momentum
 from mahovik.proof.reference.torque import torque
 from mahovik.proof.reference.wrenches import body_wrenches
-from mahovik.proof.verify.actuators import actuated
+from mahovik.proof.verify.actuators import stand_at
 
 ANSWERS: Mapping[str, tuple[str, ...]] = {
     "forward": ("V_dot",),
@@ -113,7 +113,7 @@ class Equations:
 
     @cached_property
     def _own_pieces(self) -> list[Pieces]:
-        return [reference.pieces(actuated(self._stand, state), state) for state in self._own]
+        return [reference.pieces(stand_at(self._stand, state), state) for state in self._own]
 
     @cached_property
     def _wrench(self) -> Coefficients:

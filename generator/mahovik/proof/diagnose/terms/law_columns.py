@@ -66,7 +66,7 @@ class LawColumns:
                 for name, L, term in of_law
                 if term.detail == min(detail, most)
             ]
-            yield _merged([_column(name, L, term, component) for name, L, term in chosen])
+            yield _merge([_column(name, L, term, component) for name, L, term in chosen])
 
     @cached_property
     def _terms(self) -> list[list[tuple[str, Array, LawTerm]]]:
@@ -90,7 +90,7 @@ def _column(body: str, L: Array, term: LawTerm, component: int) -> LawColumn:
     return LawColumn(Monomial((f"{fixed}{term.term}",), values, accelerates=False), path, term.value)
 
 
-def _merged(columns: Sequence[LawColumn]) -> list[LawColumn]:
+def _merge(columns: Sequence[LawColumn]) -> list[LawColumn]:
     """Without columns that are zero; columns that are proportional at all states are one, with all their names."""
     sizes = np.array([np.linalg.norm(each.product.values) for each in columns])
     largest = sizes.max(initial=0.0)
@@ -102,14 +102,14 @@ def _merged(columns: Sequence[LawColumn]) -> list[LawColumn]:
             a, b = other.product.values, each.product.values
             ratio = float(a @ b) / float(a @ a)
             if np.linalg.norm(b - ratio * a) <= ALIKE * size:
-                found[i] = _both(other, each, ratio)
+                found[i] = _join(other, each, ratio)
                 break
         else:
             found.append(each)
     return found
 
 
-def _both(one: LawColumn, other: LawColumn, ratio: float) -> LawColumn:
+def _join(one: LawColumn, other: LawColumn, ratio: float) -> LawColumn:
     """Two columns in one: of those that the right equations have, where only one of them is there."""
     if not other.right:
         return one

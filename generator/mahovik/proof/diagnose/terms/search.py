@@ -23,7 +23,7 @@ from mahovik.proof.diagnose.terms.monomials import count
 from mahovik.proof.diagnose.terms.solvable import has_mass_matrix
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
-from mahovik.proof.verify.actuators import actuated, with_drawn_actuators
+from mahovik.proof.verify.actuators import stand_at, with_drawn_actuators
 from mahovik.proof.verify.states import Request
 
 WANTS = tuple(ANSWERS)
@@ -189,7 +189,7 @@ class TermSearch:
 
     @cached_property
     def _pieces(self) -> list[Pieces]:
-        return [reference.pieces(actuated(self._stand, state), state) for state in self._states]
+        return [reference.pieces(stand_at(self._stand, state), state) for state in self._states]
 
     def _errors(self, want: str, answers: Answers) -> list[EquationErrors]:
         """Errors of a want at the states with finite answers. Raises CheckError: too few."""
@@ -228,7 +228,7 @@ class TermSearch:
     def _check_order(self, want: str, rows: Sequence[int], values: Mapping[str, Array]) -> None:
         """Raises CheckError where wrong answers are the right ones of other states."""
         right = [
-            reference.evaluate(actuated(self._stand, self._states[i]), self._states[i], (want,), self._pieces[i])
+            reference.evaluate(stand_at(self._stand, self._states[i]), self._states[i], (want,), self._pieces[i])
             for i in rows
         ]
         expected = np.array([np.concatenate([each[name] for name in values]) for each in right])
