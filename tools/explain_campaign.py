@@ -16,14 +16,13 @@ from typing import Any
 
 import campaign
 import numpy as np
+from explain_deriving import interpret, plant_in_derivations
 from explain_planting import (
     Answers,
     Plant,
     answers_of,
-    interpret,
     literal,
     plant_in_answers,
-    plant_in_derivations,
     plant_in_numbers,
 )
 from explain_rewriting import SECOND, rewritten
@@ -345,7 +344,7 @@ CAMPAIGN = Campaign(
     "diagnosis",
     campaign.Block("docs/results/diagnosis.md", "campaign: tools/explain_campaign.py --write"),
     page,
-    ("proof", "explain_campaign.py", "explain_planting.py", "explain_rewriting.py"),
+    ("proof", "explain_campaign.py", "explain_deriving.py", "explain_planting.py", "explain_rewriting.py"),
     sample,
 )
 
