@@ -669,7 +669,7 @@ static void bench8_subtract_rates(const bench8_table *table, const bench8_sums *
 
 /* Factors a symmetric positive definite 3x3 matrix: S = L D L^T. */
 BENCH8_CODE
-static bench8_status bench8_factor3(const bench8_real S[6], bench8_factors3 *restrict L)
+static inline bench8_status bench8_factor3(const bench8_real S[6], bench8_factors3 *restrict L)
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
     const bench8_real r1 = 1.0 / S[0];
@@ -741,12 +741,56 @@ static void bench8_solve_carrier(const bench8_table *table, const bench8_carrier
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
 }
 
+/* Solves K y = F where no other right-hand side follows: factors of K as factor_carrier finds them, (8). */
+BENCH8_CODE
+static bench8_status bench8_solve_carrier_once(const bench8_table *table, const bench8_sums *sum,
+                                               const bench8_real F[6], bench8_real y[6])
+{
+    bench8_real rho[3];  /* mass centre from O1, in E1 */
+    rho[0] = table->mass_inverse * sum->mu[0];
+    rho[1] = table->mass_inverse * sum->mu[1];
+    rho[2] = table->mass_inverse * sum->mu[2];
+    bench8_real S[6];  /* inertia about the mass centre */
+    S[0] = sum->J[0] - sum->mu[1] * rho[1] - sum->mu[2] * rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * rho[0] - sum->mu[2] * rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * rho[0] - sum->mu[1] * rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * rho[1];
+    if (!(S[0] >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    const bench8_real r1 = 1.0 / S[0];
+    const bench8_real l21 = S[3] * r1;
+    const bench8_real l31 = S[4] * r1;
+    const bench8_real d2 = S[1] - l21 * S[3];
+    if (!(d2 >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    const bench8_real r2 = 1.0 / d2;
+    const bench8_real p32 = S[5] - l31 * S[3];
+    const bench8_real l32 = p32 * r2;
+    const bench8_real d3 = S[2] - l31 * S[4] - l32 * p32;
+    if (!(d3 >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    bench8_real moment[3];  /* about the mass centre */
+    moment[0] = F[1] * rho[2] + F[3] - F[2] * rho[1];
+    moment[1] = F[2] * rho[0] + F[4] - F[0] * rho[2];
+    moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
+    /* L z = b, then L^T y = D^-1 z */
+    const bench8_real z2 = moment[1] - l21 * moment[0];
+    const bench8_real y3 = (moment[2] - l31 * moment[0] - l32 * z2) / d3;
+    const bench8_real y2 = z2 * r2 - l32 * y3;
+    const bench8_real y1 = moment[0] * r1 - l21 * y2 - l31 * y3;
+    const bench8_real v1_dot = F[0] * table->mass_inverse + y3 * rho[1] - y2 * rho[2];
+    const bench8_real v2_dot = F[1] * table->mass_inverse + y1 * rho[2] - y3 * rho[0];
+    const bench8_real v3_dot = F[2] * table->mass_inverse + y2 * rho[0] - y1 * rho[1];
+    y[0] = v1_dot;  y[1] = v2_dot;  y[2] = v3_dot;
+    y[3] = y1;      y[4] = y2;      y[5] = y3;
+    return BENCH8_OK;
+}
+
 /* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
  * (8). */
 BENCH8_CODE
 static bench8_status bench8_accelerate(const bench8_table *table, const bench8_state *x,
                                        const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
-                                       const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[restrict 6])
+                                       const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6])
 {
     bench8_status status;
     bench8_real C[9];  /* attitude */
@@ -757,12 +801,10 @@ static bench8_status bench8_accelerate(const bench8_table *table, const bench8_s
     bench8_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     bench8_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
     bench8_real F[6];  /* wrench (7); then the right-hand side of (8) */
-    bench8_carrier_factor K;
     bench8_external(table, x, &sum, C, g, F);
     bench8_subtract_rates(table, &sum, x->V, F);
-    status = bench8_factor_carrier(table, &sum, &K);
+    status = bench8_solve_carrier_once(table, &sum, F, V_dot);
     if (status != BENCH8_OK) { return status; }
-    bench8_solve_carrier(table, &K, F, V_dot);
     return BENCH8_OK;
 }
 
@@ -774,14 +816,11 @@ bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
     if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_motion(x, phi_ddot, BENCH8_MAX_ACCELERATION);
     if (status != BENCH8_OK) { return status; }
-    bench8_real result[6];
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    status = bench8_accelerate(table, x, sine, cosine, phi_ddot, result);
+    status = bench8_accelerate(table, x, sine, cosine, phi_ddot, V_dot);
     if (status != BENCH8_OK) { return status; }
-    V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
-    V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
     return BENCH8_OK;
 }
 

@@ -292,7 +292,7 @@ extern const bench8_inverse_options bench8_default_options;       /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2708 operations on reals, 6 of them divisions. Stack: at most 2368 bytes. */
+ * At most 2708 operations on reals, 6 of them divisions. Stack: at most 2208 bytes. */
 bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
                              const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6]);
 
@@ -377,7 +377,7 @@ bench8_status bench8_step(const bench8_table *table, const bench8_state *x, cons
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 11517 operations on reals, 30 of them divisions. Stack: at most 3760 bytes. */
+ * At most 11517 operations on reals, 30 of them divisions. Stack: at most 3664 bytes. */
 bench8_status bench8_step_driven(const bench8_table *table, const bench8_state *x,
                                  const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                  bench8_state *next);
@@ -518,7 +518,7 @@ bench8_status bench8_state_from_coordinates(const bench8_real position[3], const
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 7371 operations on reals, 11 of them divisions. Stack: at most 5152 bytes. */
+ * At most 7371 operations on reals, 11 of them divisions. Stack: at most 5008 bytes. */
 bench8_status bench8_generalized(const bench8_table *table, const bench8_state *x,
                                  const bench8_real angles[3], const bench8_real phi_ddot[BENCH8_N],
                                  bench8_generalized_result *out);
@@ -589,7 +589,7 @@ bench8_status bench8_step_carried(const bench8_table *table, const bench8_state 
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 11893 operations on reals, 30 of them divisions. Stack: at most 4048 bytes. */
+ * At most 11893 operations on reals, 30 of them divisions. Stack: at most 3968 bytes. */
 bench8_status bench8_step_driven_carried(const bench8_table *table, const bench8_state *x,
                                          const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                          bench8_step_carry *carry, bench8_state *next);

@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define BENCH8_RECORDER_FORMAT 3u           /* version of the log format */
-#define BENCH8_RECORDER_SOURCE 0x311f2ae2u  /* FNV-1a hash of the texts of bench8.h and bench8.c */
+#define BENCH8_RECORDER_SOURCE 0x6e6b4f2cu  /* FNV-1a hash of the texts of bench8.h and bench8.c */
 #define BENCH8_RECORD_BYTES    557  /* longest record of a step; most have 80 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
@@ -92,7 +92,7 @@ bench8_status bench8_recorder_step(bench8_recorder *log, const bench8_table *tab
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4672 bytes, and that of write. */
+ * Stack: at most 4576 bytes, and that of write. */
 bench8_status bench8_recorder_step_driven(bench8_recorder *log, const bench8_table *table, bench8_state *x,
                                           const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order);
 
@@ -111,7 +111,7 @@ bench8_status bench8_recorder_step_carried(bench8_recorder *log, const bench8_ta
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven_carried. A refused step is logged too.
  * Returns what step_driven_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4960 bytes, and that of write. */
+ * Stack: at most 4880 bytes, and that of write. */
 bench8_status bench8_recorder_step_driven_carried(bench8_recorder *log, const bench8_table *table,
                                                   bench8_state *x, const bench8_real phi_ddot[BENCH8_N],
                                                   bench8_real dt, int order, bench8_step_carry *carry);

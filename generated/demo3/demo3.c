@@ -552,7 +552,7 @@ static void demo3_subtract_rates(const demo3_table *table, const demo3_sums *sum
 
 /* Factors a symmetric positive definite 3x3 matrix: S = L D L^T. */
 DEMO3_CODE
-static demo3_status demo3_factor3(const demo3_real S[6], demo3_factors3 *restrict L)
+static inline demo3_status demo3_factor3(const demo3_real S[6], demo3_factors3 *restrict L)
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
     const demo3_real r1 = 1.0 / S[0];
@@ -624,25 +624,67 @@ static void demo3_solve_carrier(const demo3_table *table, const demo3_carrier_fa
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
 }
 
+/* Solves K y = F where no other right-hand side follows: factors of K as factor_carrier finds them, (8). */
+DEMO3_CODE
+static demo3_status demo3_solve_carrier_once(const demo3_table *table, const demo3_sums *sum,
+                                             const demo3_real F[6], demo3_real y[6])
+{
+    demo3_real rho[3];  /* mass centre from O1, in E1 */
+    rho[0] = table->mass_inverse * sum->mu[0];
+    rho[1] = table->mass_inverse * sum->mu[1];
+    rho[2] = table->mass_inverse * sum->mu[2];
+    demo3_real S[6];  /* inertia about the mass centre */
+    S[0] = sum->J[0] - sum->mu[1] * rho[1] - sum->mu[2] * rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * rho[0] - sum->mu[2] * rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * rho[0] - sum->mu[1] * rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * rho[1];
+    if (!(S[0] >= 2.2250738585072014e-308)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
+    const demo3_real r1 = 1.0 / S[0];
+    const demo3_real l21 = S[3] * r1;
+    const demo3_real l31 = S[4] * r1;
+    const demo3_real d2 = S[1] - l21 * S[3];
+    if (!(d2 >= 2.2250738585072014e-308)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
+    const demo3_real r2 = 1.0 / d2;
+    const demo3_real p32 = S[5] - l31 * S[3];
+    const demo3_real l32 = p32 * r2;
+    const demo3_real d3 = S[2] - l31 * S[4] - l32 * p32;
+    if (!(d3 >= 2.2250738585072014e-308)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
+    demo3_real moment[3];  /* about the mass centre */
+    moment[0] = F[1] * rho[2] + F[3] - F[2] * rho[1];
+    moment[1] = F[2] * rho[0] + F[4] - F[0] * rho[2];
+    moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
+    /* L z = b, then L^T y = D^-1 z */
+    const demo3_real z2 = moment[1] - l21 * moment[0];
+    const demo3_real y3 = (moment[2] - l31 * moment[0] - l32 * z2) / d3;
+    const demo3_real y2 = z2 * r2 - l32 * y3;
+    const demo3_real y1 = moment[0] * r1 - l21 * y2 - l31 * y3;
+    const demo3_real v1_dot = F[0] * table->mass_inverse + y3 * rho[1] - y2 * rho[2];
+    const demo3_real v2_dot = F[1] * table->mass_inverse + y1 * rho[2] - y3 * rho[0];
+    const demo3_real v3_dot = F[2] * table->mass_inverse + y2 * rho[0] - y1 * rho[1];
+    y[0] = v1_dot;  y[1] = v2_dot;  y[2] = v3_dot;
+    y[3] = y1;      y[4] = y2;      y[5] = y3;
+    return DEMO3_OK;
+}
+
 /* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
  * (8). */
 DEMO3_CODE
 static demo3_status demo3_accelerate(const demo3_table *table, const demo3_state *x,
                                      const demo3_real sine[DEMO3_N], const demo3_real cosine[DEMO3_N],
-                                     const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[restrict 6])
+                                     const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[6])
 {
     demo3_status status;
     demo3_sums sum;
     demo3_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     demo3_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
     demo3_real F[6];  /* wrench (7); then the right-hand side of (8) */
-    demo3_carrier_factor K;
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
     demo3_subtract_rates(table, &sum, x->V, F);
-    status = demo3_factor_carrier(table, &sum, &K);
+    status = demo3_solve_carrier_once(table, &sum, F, V_dot);
     if (status != DEMO3_OK) { return status; }
-    demo3_solve_carrier(table, &K, F, V_dot);
     return DEMO3_OK;
 }
 
@@ -654,14 +696,11 @@ demo3_status demo3_forward(const demo3_table *table, const demo3_state *x,
     if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_motion(x, phi_ddot, DEMO3_MAX_ACCELERATION);
     if (status != DEMO3_OK) { return status; }
-    demo3_real result[6];
     demo3_real sine[DEMO3_N];
     demo3_real cosine[DEMO3_N];
     demo3_sincos_each(x->phi, sine, cosine);
-    status = demo3_accelerate(table, x, sine, cosine, phi_ddot, result);
+    status = demo3_accelerate(table, x, sine, cosine, phi_ddot, V_dot);
     if (status != DEMO3_OK) { return status; }
-    V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
-    V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
     return DEMO3_OK;
 }
 

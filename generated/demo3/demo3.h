@@ -281,7 +281,7 @@ extern const demo3_inverse_options demo3_default_options;         /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1077 operations on reals, 3 of them divisions. Stack: at most 1680 bytes. */
+ * At most 1077 operations on reals, 3 of them divisions. Stack: at most 1584 bytes. */
 demo3_status demo3_forward(const demo3_table *table, const demo3_state *x,
                            const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[6]);
 
@@ -357,7 +357,7 @@ demo3_status demo3_step(const demo3_table *table, const demo3_state *x, const de
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 4803 operations on reals, 18 of them divisions. Stack: at most 2768 bytes. */
+ * At most 4803 operations on reals, 18 of them divisions. Stack: at most 2736 bytes. */
 demo3_status demo3_step_driven(const demo3_table *table, const demo3_state *x,
                                const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                demo3_state *next);
@@ -496,7 +496,7 @@ demo3_status demo3_state_from_coordinates(const demo3_real position[3], const de
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4014 operations on reals, 5 of them divisions. Stack: at most 3776 bytes. */
+ * At most 4014 operations on reals, 5 of them divisions. Stack: at most 3680 bytes. */
 demo3_status demo3_generalized(const demo3_table *table, const demo3_state *x, const demo3_real angles[3],
                                const demo3_real phi_ddot[DEMO3_N], demo3_generalized_result *out);
 
@@ -564,7 +564,7 @@ demo3_status demo3_step_carried(const demo3_table *table, const demo3_state *x,
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5044 operations on reals, 18 of them divisions. Stack: at most 2976 bytes. */
+ * At most 5044 operations on reals, 18 of them divisions. Stack: at most 2928 bytes. */
 demo3_status demo3_step_driven_carried(const demo3_table *table, const demo3_state *x,
                                        const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                        demo3_step_carry *carry, demo3_state *next);

@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define DEMO3_RECORDER_FORMAT 3u           /* version of the log format */
-#define DEMO3_RECORDER_SOURCE 0x1f63f839u  /* FNV-1a hash of the texts of demo3.h and demo3.c */
+#define DEMO3_RECORDER_SOURCE 0x8b8457e8u  /* FNV-1a hash of the texts of demo3.h and demo3.c */
 #define DEMO3_RECORD_BYTES    357  /* longest record of a step; most have 40 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
@@ -92,7 +92,7 @@ demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *table, 
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3488 bytes, and that of write. */
+ * Stack: at most 3456 bytes, and that of write. */
 demo3_status demo3_recorder_step_driven(demo3_recorder *log, const demo3_table *table, demo3_state *x,
                                         const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order);
 
@@ -111,7 +111,7 @@ demo3_status demo3_recorder_step_carried(demo3_recorder *log, const demo3_table 
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven_carried. A refused step is logged too.
  * Returns what step_driven_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3696 bytes, and that of write. */
+ * Stack: at most 3648 bytes, and that of write. */
 demo3_status demo3_recorder_step_driven_carried(demo3_recorder *log, const demo3_table *table,
                                                 demo3_state *x, const demo3_real phi_ddot[DEMO3_N],
                                                 demo3_real dt, int order, demo3_step_carry *carry);

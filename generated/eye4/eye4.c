@@ -559,7 +559,7 @@ static void eye4_subtract_rates(const eye4_table *table, const eye4_sums *sum, c
 
 /* Factors a symmetric positive definite 3x3 matrix: S = L D L^T. */
 EYE4_CODE
-static eye4_status eye4_factor3(const eye4_real S[6], eye4_factors3 *restrict L)
+static inline eye4_status eye4_factor3(const eye4_real S[6], eye4_factors3 *restrict L)
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return EYE4_NOT_POSITIVE_DEFINITE; }
     const eye4_real r1 = 1.0 / S[0];
@@ -631,25 +631,67 @@ static void eye4_solve_carrier(const eye4_table *table, const eye4_carrier_facto
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
 }
 
+/* Solves K y = F where no other right-hand side follows: factors of K as factor_carrier finds them, (8). */
+EYE4_CODE
+static eye4_status eye4_solve_carrier_once(const eye4_table *table, const eye4_sums *sum,
+                                           const eye4_real F[6], eye4_real y[6])
+{
+    eye4_real rho[3];  /* mass centre from O1, in E1 */
+    rho[0] = table->mass_inverse * sum->mu[0];
+    rho[1] = table->mass_inverse * sum->mu[1];
+    rho[2] = table->mass_inverse * sum->mu[2];
+    eye4_real S[6];  /* inertia about the mass centre */
+    S[0] = sum->J[0] - sum->mu[1] * rho[1] - sum->mu[2] * rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * rho[0] - sum->mu[2] * rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * rho[0] - sum->mu[1] * rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * rho[1];
+    if (!(S[0] >= 2.2250738585072014e-308)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    const eye4_real r1 = 1.0 / S[0];
+    const eye4_real l21 = S[3] * r1;
+    const eye4_real l31 = S[4] * r1;
+    const eye4_real d2 = S[1] - l21 * S[3];
+    if (!(d2 >= 2.2250738585072014e-308)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    const eye4_real r2 = 1.0 / d2;
+    const eye4_real p32 = S[5] - l31 * S[3];
+    const eye4_real l32 = p32 * r2;
+    const eye4_real d3 = S[2] - l31 * S[4] - l32 * p32;
+    if (!(d3 >= 2.2250738585072014e-308)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    eye4_real moment[3];  /* about the mass centre */
+    moment[0] = F[1] * rho[2] + F[3] - F[2] * rho[1];
+    moment[1] = F[2] * rho[0] + F[4] - F[0] * rho[2];
+    moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
+    /* L z = b, then L^T y = D^-1 z */
+    const eye4_real z2 = moment[1] - l21 * moment[0];
+    const eye4_real y3 = (moment[2] - l31 * moment[0] - l32 * z2) / d3;
+    const eye4_real y2 = z2 * r2 - l32 * y3;
+    const eye4_real y1 = moment[0] * r1 - l21 * y2 - l31 * y3;
+    const eye4_real v1_dot = F[0] * table->mass_inverse + y3 * rho[1] - y2 * rho[2];
+    const eye4_real v2_dot = F[1] * table->mass_inverse + y1 * rho[2] - y3 * rho[0];
+    const eye4_real v3_dot = F[2] * table->mass_inverse + y2 * rho[0] - y1 * rho[1];
+    y[0] = v1_dot;  y[1] = v2_dot;  y[2] = v3_dot;
+    y[3] = y1;      y[4] = y2;      y[5] = y3;
+    return EYE4_OK;
+}
+
 /* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
  * (8). */
 EYE4_CODE
 static eye4_status eye4_accelerate(const eye4_table *table, const eye4_state *x,
                                    const eye4_real sine[EYE4_N], const eye4_real cosine[EYE4_N],
                                    const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
-                                   eye4_real V_dot[restrict 6])
+                                   eye4_real V_dot[6])
 {
     eye4_status status;
     eye4_sums sum;
     eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     eye4_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
     eye4_real F[6];  /* wrench (7); then the right-hand side of (8) */
-    eye4_carrier_factor K;
     eye4_external(wrench, F);
     eye4_subtract_rates(table, &sum, x->V, F);
-    status = eye4_factor_carrier(table, &sum, &K);
+    status = eye4_solve_carrier_once(table, &sum, F, V_dot);
     if (status != EYE4_OK) { return status; }
-    eye4_solve_carrier(table, &K, F, V_dot);
     return EYE4_OK;
 }
 
@@ -664,14 +706,11 @@ eye4_status eye4_forward(const eye4_table *table, const eye4_state *x, const eye
     if (status != EYE4_OK) { return status; }
     status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
-    eye4_real result[6];
     eye4_real sine[EYE4_N];
     eye4_real cosine[EYE4_N];
     eye4_sincos_each(x->phi, sine, cosine);
-    status = eye4_accelerate(table, x, sine, cosine, phi_ddot, wrench, result);
+    status = eye4_accelerate(table, x, sine, cosine, phi_ddot, wrench, V_dot);
     if (status != EYE4_OK) { return status; }
-    V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
-    V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
     return EYE4_OK;
 }
 

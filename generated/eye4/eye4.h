@@ -345,7 +345,7 @@ extern const eye4_inverse_options eye4_default_options;           /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1359 operations on reals, 3 of them divisions. Stack: at most 1728 bytes. */
+ * At most 1359 operations on reals, 3 of them divisions. Stack: at most 1616 bytes. */
 eye4_status eye4_forward(const eye4_table *table, const eye4_state *x, const eye4_real phi_ddot[EYE4_N],
                          const eye4_real wrench[6], eye4_real V_dot[6]);
 
@@ -440,7 +440,7 @@ eye4_status eye4_step(const eye4_table *table, const eye4_state *x, const eye4_r
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5871 operations on reals, 18 of them divisions. Stack: at most 2896 bytes. */
+ * At most 5871 operations on reals, 18 of them divisions. Stack: at most 2848 bytes. */
 eye4_status eye4_step_driven(const eye4_table *table, const eye4_state *x, const eye4_real phi_ddot[EYE4_N],
                              const eye4_real wrench[6], eye4_real dt, int order, eye4_state *next);
 
@@ -665,7 +665,7 @@ eye4_status eye4_state_from_coordinates(const eye4_real position[3], const eye4_
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4597 operations on reals, 5 of them divisions. Stack: at most 3968 bytes. */
+ * At most 4597 operations on reals, 5 of them divisions. Stack: at most 3856 bytes. */
 eye4_status eye4_generalized(const eye4_table *table, const eye4_state *x, const eye4_real angles[3],
                              const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                              eye4_generalized_result *out);
@@ -740,7 +740,7 @@ eye4_status eye4_step_carried(const eye4_table *table, const eye4_state *x, cons
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 6139 operations on reals, 18 of them divisions. Stack: at most 3120 bytes. */
+ * At most 6139 operations on reals, 18 of them divisions. Stack: at most 3072 bytes. */
 eye4_status eye4_step_driven_carried(const eye4_table *table, const eye4_state *x,
                                      const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                                      eye4_real dt, int order, eye4_step_carry *carry, eye4_state *next);

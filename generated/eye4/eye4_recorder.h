@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define EYE4_RECORDER_FORMAT 3u           /* version of the log format */
-#define EYE4_RECORDER_SOURCE 0x34a638c2u  /* FNV-1a hash of the texts of eye4.h and eye4.c */
+#define EYE4_RECORDER_SOURCE 0xec6c8479u  /* FNV-1a hash of the texts of eye4.h and eye4.c */
 #define EYE4_RECORD_BYTES    445  /* longest record of a step; most have 48 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
@@ -92,7 +92,7 @@ eye4_status eye4_recorder_step(eye4_recorder *log, const eye4_table *table, eye4
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3696 bytes, and that of write. */
+ * Stack: at most 3648 bytes, and that of write. */
 eye4_status eye4_recorder_step_driven(eye4_recorder *log, const eye4_table *table, eye4_state *x,
                                       const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                                       eye4_real dt, int order);
@@ -113,7 +113,7 @@ eye4_status eye4_recorder_step_carried(eye4_recorder *log, const eye4_table *tab
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven_carried. A refused step is logged too.
  * Returns what step_driven_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3920 bytes, and that of write. */
+ * Stack: at most 3872 bytes, and that of write. */
 eye4_status eye4_recorder_step_driven_carried(eye4_recorder *log, const eye4_table *table, eye4_state *x,
                                               const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                                               eye4_real dt, int order, eye4_step_carry *carry);

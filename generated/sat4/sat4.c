@@ -549,7 +549,7 @@ static void sat4_subtract_rates(const sat4_table *table, const sat4_sums *sum, c
 
 /* Factors a symmetric positive definite 3x3 matrix: S = L D L^T. */
 SAT4_CODE
-static sat4_status sat4_factor3(const sat4_real S[6], sat4_factors3 *restrict L)
+static inline sat4_status sat4_factor3(const sat4_real S[6], sat4_factors3 *restrict L)
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return SAT4_NOT_POSITIVE_DEFINITE; }
     const sat4_real r1 = 1.0 / S[0];
@@ -621,25 +621,67 @@ static void sat4_solve_carrier(const sat4_table *table, const sat4_carrier_facto
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
 }
 
+/* Solves K y = F where no other right-hand side follows: factors of K as factor_carrier finds them, (8). */
+SAT4_CODE
+static sat4_status sat4_solve_carrier_once(const sat4_table *table, const sat4_sums *sum,
+                                           const sat4_real F[6], sat4_real y[6])
+{
+    sat4_real rho[3];  /* mass centre from O1, in E1 */
+    rho[0] = table->mass_inverse * sum->mu[0];
+    rho[1] = table->mass_inverse * sum->mu[1];
+    rho[2] = table->mass_inverse * sum->mu[2];
+    sat4_real S[6];  /* inertia about the mass centre */
+    S[0] = sum->J[0] - sum->mu[1] * rho[1] - sum->mu[2] * rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * rho[0] - sum->mu[2] * rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * rho[0] - sum->mu[1] * rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * rho[1];
+    if (!(S[0] >= 2.2250738585072014e-308)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    const sat4_real r1 = 1.0 / S[0];
+    const sat4_real l21 = S[3] * r1;
+    const sat4_real l31 = S[4] * r1;
+    const sat4_real d2 = S[1] - l21 * S[3];
+    if (!(d2 >= 2.2250738585072014e-308)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    const sat4_real r2 = 1.0 / d2;
+    const sat4_real p32 = S[5] - l31 * S[3];
+    const sat4_real l32 = p32 * r2;
+    const sat4_real d3 = S[2] - l31 * S[4] - l32 * p32;
+    if (!(d3 >= 2.2250738585072014e-308)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    sat4_real moment[3];  /* about the mass centre */
+    moment[0] = F[1] * rho[2] + F[3] - F[2] * rho[1];
+    moment[1] = F[2] * rho[0] + F[4] - F[0] * rho[2];
+    moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
+    /* L z = b, then L^T y = D^-1 z */
+    const sat4_real z2 = moment[1] - l21 * moment[0];
+    const sat4_real y3 = (moment[2] - l31 * moment[0] - l32 * z2) / d3;
+    const sat4_real y2 = z2 * r2 - l32 * y3;
+    const sat4_real y1 = moment[0] * r1 - l21 * y2 - l31 * y3;
+    const sat4_real v1_dot = F[0] * table->mass_inverse + y3 * rho[1] - y2 * rho[2];
+    const sat4_real v2_dot = F[1] * table->mass_inverse + y1 * rho[2] - y3 * rho[0];
+    const sat4_real v3_dot = F[2] * table->mass_inverse + y2 * rho[0] - y1 * rho[1];
+    y[0] = v1_dot;  y[1] = v2_dot;  y[2] = v3_dot;
+    y[3] = y1;      y[4] = y2;      y[5] = y3;
+    return SAT4_OK;
+}
+
 /* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
  * (8). */
 SAT4_CODE
 static sat4_status sat4_accelerate(const sat4_table *table, const sat4_state *x,
                                    const sat4_real sine[SAT4_N], const sat4_real cosine[SAT4_N],
-                                   const sat4_real phi_ddot[SAT4_N], sat4_real V_dot[restrict 6])
+                                   const sat4_real phi_ddot[SAT4_N], sat4_real V_dot[6])
 {
     sat4_status status;
     sat4_sums sum;
     sat4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     sat4_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
     sat4_real F[6];  /* wrench (7); then the right-hand side of (8) */
-    sat4_carrier_factor K;
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
     sat4_subtract_rates(table, &sum, x->V, F);
-    status = sat4_factor_carrier(table, &sum, &K);
+    status = sat4_solve_carrier_once(table, &sum, F, V_dot);
     if (status != SAT4_OK) { return status; }
-    sat4_solve_carrier(table, &K, F, V_dot);
     return SAT4_OK;
 }
 
@@ -651,14 +693,11 @@ sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat
     if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_motion(x, phi_ddot, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
-    sat4_real result[6];
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    status = sat4_accelerate(table, x, sine, cosine, phi_ddot, result);
+    status = sat4_accelerate(table, x, sine, cosine, phi_ddot, V_dot);
     if (status != SAT4_OK) { return status; }
-    V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
-    V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
     return SAT4_OK;
 }
 

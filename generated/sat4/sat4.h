@@ -341,7 +341,7 @@ extern const sat4_inverse_options sat4_default_options;           /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1329 operations on reals, 3 of them divisions. Stack: at most 1696 bytes. */
+ * At most 1329 operations on reals, 3 of them divisions. Stack: at most 1600 bytes. */
 sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                          sat4_real V_dot[6]);
 
@@ -417,7 +417,7 @@ sat4_status sat4_step(const sat4_table *table, const sat4_state *x, const sat4_r
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5849 operations on reals, 18 of them divisions. Stack: at most 2848 bytes. */
+ * At most 5849 operations on reals, 18 of them divisions. Stack: at most 2816 bytes. */
 sat4_status sat4_step_driven(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                              sat4_real dt, int order, sat4_state *next);
 
@@ -625,7 +625,7 @@ sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4537 operations on reals, 5 of them divisions. Stack: at most 3936 bytes. */
+ * At most 4537 operations on reals, 5 of them divisions. Stack: at most 3840 bytes. */
 sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const sat4_real angles[3],
                              const sat4_real phi_ddot[SAT4_N], sat4_generalized_result *out);
 
@@ -693,7 +693,7 @@ sat4_status sat4_step_carried(const sat4_table *table, const sat4_state *x, cons
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 6117 operations on reals, 18 of them divisions. Stack: at most 3072 bytes. */
+ * At most 6117 operations on reals, 18 of them divisions. Stack: at most 3040 bytes. */
 sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *x,
                                      const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order,
                                      sat4_step_carry *carry, sat4_state *next);

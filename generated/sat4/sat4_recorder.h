@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define SAT4_RECORDER_FORMAT 3u           /* version of the log format */
-#define SAT4_RECORDER_SOURCE 0xee442c6bu  /* FNV-1a hash of the texts of sat4.h and sat4.c */
+#define SAT4_RECORDER_SOURCE 0xe25060beu  /* FNV-1a hash of the texts of sat4.h and sat4.c */
 #define SAT4_RECORD_BYTES    397  /* longest record of a step; most have 48 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
@@ -92,7 +92,7 @@ sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3600 bytes, and that of write. */
+ * Stack: at most 3568 bytes, and that of write. */
 sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                       const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order);
 
@@ -111,7 +111,7 @@ sat4_status sat4_recorder_step_carried(sat4_recorder *log, const sat4_table *tab
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven_carried. A refused step is logged too.
  * Returns what step_driven_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3824 bytes, and that of write. */
+ * Stack: at most 3792 bytes, and that of write. */
 sat4_status sat4_recorder_step_driven_carried(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                               const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order,
                                               sat4_step_carry *carry);

@@ -671,7 +671,7 @@ static void shaker2_subtract_rates(const shaker2_table *table, const shaker2_sum
 
 /* Factors a symmetric positive definite 3x3 matrix: S = L D L^T. */
 SHAKER2_CODE
-static shaker2_status shaker2_factor3(const shaker2_real S[6], shaker2_factors3 *restrict L)
+static inline shaker2_status shaker2_factor3(const shaker2_real S[6], shaker2_factors3 *restrict L)
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
     const shaker2_real r1 = 1.0 / S[0];
@@ -744,14 +744,57 @@ static void shaker2_solve_carrier(const shaker2_table *table, const shaker2_carr
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
 }
 
+/* Solves K y = F where no other right-hand side follows: factors of K as factor_carrier finds them, (8). */
+SHAKER2_CODE
+static shaker2_status shaker2_solve_carrier_once(const shaker2_table *table, const shaker2_sums *sum,
+                                                 const shaker2_real F[6], shaker2_real y[6])
+{
+    shaker2_real rho[3];  /* mass centre from O1, in E1 */
+    rho[0] = table->mass_inverse * sum->mu[0];
+    rho[1] = table->mass_inverse * sum->mu[1];
+    rho[2] = table->mass_inverse * sum->mu[2];
+    shaker2_real S[6];  /* inertia about the mass centre */
+    S[0] = sum->J[0] - sum->mu[1] * rho[1] - sum->mu[2] * rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * rho[0] - sum->mu[2] * rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * rho[0] - sum->mu[1] * rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * rho[1];
+    if (!(S[0] >= 2.2250738585072014e-308)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+    const shaker2_real r1 = 1.0 / S[0];
+    const shaker2_real l21 = S[3] * r1;
+    const shaker2_real l31 = S[4] * r1;
+    const shaker2_real d2 = S[1] - l21 * S[3];
+    if (!(d2 >= 2.2250738585072014e-308)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+    const shaker2_real r2 = 1.0 / d2;
+    const shaker2_real p32 = S[5] - l31 * S[3];
+    const shaker2_real l32 = p32 * r2;
+    const shaker2_real d3 = S[2] - l31 * S[4] - l32 * p32;
+    if (!(d3 >= 2.2250738585072014e-308)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+    shaker2_real moment[3];  /* about the mass centre */
+    moment[0] = F[1] * rho[2] + F[3] - F[2] * rho[1];
+    moment[1] = F[2] * rho[0] + F[4] - F[0] * rho[2];
+    moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
+    /* L z = b, then L^T y = D^-1 z */
+    const shaker2_real z2 = moment[1] - l21 * moment[0];
+    const shaker2_real y3 = (moment[2] - l31 * moment[0] - l32 * z2) / d3;
+    const shaker2_real y2 = z2 * r2 - l32 * y3;
+    const shaker2_real y1 = moment[0] * r1 - l21 * y2 - l31 * y3;
+    const shaker2_real v1_dot = F[0] * table->mass_inverse + y3 * rho[1] - y2 * rho[2];
+    const shaker2_real v2_dot = F[1] * table->mass_inverse + y1 * rho[2] - y3 * rho[0];
+    const shaker2_real v3_dot = F[2] * table->mass_inverse + y2 * rho[0] - y1 * rho[1];
+    y[0] = v1_dot;  y[1] = v2_dot;  y[2] = v3_dot;
+    y[3] = y1;      y[4] = y2;      y[5] = y3;
+    return SHAKER2_OK;
+}
+
 /* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
  * (8). */
 SHAKER2_CODE
 static shaker2_status shaker2_accelerate(const shaker2_table *table, const shaker2_state *x,
                                          const shaker2_real sine[SHAKER2_N],
                                          const shaker2_real cosine[SHAKER2_N],
-                                         const shaker2_real phi_ddot[SHAKER2_N],
-                                         shaker2_real V_dot[restrict 6])
+                                         const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6])
 {
     shaker2_status status;
     shaker2_real C[9];  /* attitude */
@@ -762,12 +805,10 @@ static shaker2_status shaker2_accelerate(const shaker2_table *table, const shake
     shaker2_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     shaker2_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
     shaker2_real F[6];  /* wrench (7); then the right-hand side of (8) */
-    shaker2_carrier_factor K;
     shaker2_external(table, x, &sum, C, g, F);
     shaker2_subtract_rates(table, &sum, x->V, F);
-    status = shaker2_factor_carrier(table, &sum, &K);
+    status = shaker2_solve_carrier_once(table, &sum, F, V_dot);
     if (status != SHAKER2_OK) { return status; }
-    shaker2_solve_carrier(table, &K, F, V_dot);
     return SHAKER2_OK;
 }
 
@@ -779,14 +820,11 @@ shaker2_status shaker2_forward(const shaker2_table *table, const shaker2_state *
     if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_motion(x, phi_ddot, SHAKER2_MAX_ACCELERATION);
     if (status != SHAKER2_OK) { return status; }
-    shaker2_real result[6];
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    status = shaker2_accelerate(table, x, sine, cosine, phi_ddot, result);
+    status = shaker2_accelerate(table, x, sine, cosine, phi_ddot, V_dot);
     if (status != SHAKER2_OK) { return status; }
-    V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
-    V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
     return SHAKER2_OK;
 }
 

@@ -293,7 +293,7 @@ extern const shaker2_inverse_options shaker2_default_options;     /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1196 operations on reals, 6 of them divisions. Stack: at most 2240 bytes. */
+ * At most 1196 operations on reals, 6 of them divisions. Stack: at most 2096 bytes. */
 shaker2_status shaker2_forward(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6]);
 
@@ -382,7 +382,7 @@ shaker2_status shaker2_step(const shaker2_table *table, const shaker2_state *x,
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5241 operations on reals, 30 of them divisions. Stack: at most 3280 bytes. */
+ * At most 5241 operations on reals, 30 of them divisions. Stack: at most 3184 bytes. */
 shaker2_status shaker2_step_driven(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
                                    shaker2_state *next);
@@ -524,7 +524,7 @@ shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], co
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4233 operations on reals, 11 of them divisions. Stack: at most 4192 bytes. */
+ * At most 4233 operations on reals, 11 of them divisions. Stack: at most 4048 bytes. */
 shaker2_status shaker2_generalized(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
                                    shaker2_generalized_result *out);
@@ -596,7 +596,7 @@ shaker2_status shaker2_step_carried(const shaker2_table *table, const shaker2_st
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5455 operations on reals, 30 of them divisions. Stack: at most 3456 bytes. */
+ * At most 5455 operations on reals, 30 of them divisions. Stack: at most 3360 bytes. */
 shaker2_status shaker2_step_driven_carried(const shaker2_table *table, const shaker2_state *x,
                                            const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt,
                                            int order, shaker2_step_carry *carry, shaker2_state *next);

@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define SHAKER2_RECORDER_FORMAT 3u           /* version of the log format */
-#define SHAKER2_RECORDER_SOURCE 0x4f33f361u  /* FNV-1a hash of the texts of shaker2.h and shaker2.c */
+#define SHAKER2_RECORDER_SOURCE 0x458b96e3u  /* FNV-1a hash of the texts of shaker2.h and shaker2.c */
 #define SHAKER2_RECORD_BYTES    317  /* longest record of a step; most have 32 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
@@ -93,7 +93,7 @@ shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table 
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3952 bytes, and that of write. */
+ * Stack: at most 3856 bytes, and that of write. */
 shaker2_status shaker2_recorder_step_driven(shaker2_recorder *log, const shaker2_table *table,
                                             shaker2_state *x, const shaker2_real phi_ddot[SHAKER2_N],
                                             shaker2_real dt, int order);
@@ -114,7 +114,7 @@ shaker2_status shaker2_recorder_step_carried(shaker2_recorder *log, const shaker
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven_carried. A refused step is logged too.
  * Returns what step_driven_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4128 bytes, and that of write. */
+ * Stack: at most 4032 bytes, and that of write. */
 shaker2_status shaker2_recorder_step_driven_carried(shaker2_recorder *log, const shaker2_table *table,
                                                     shaker2_state *x, const shaker2_real phi_ddot[SHAKER2_N],
                                                     shaker2_real dt, int order, shaker2_step_carry *carry);

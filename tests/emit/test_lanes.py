@@ -130,7 +130,7 @@ def test_one_lane_is_the_code_without_blocks() -> None:
 
 
 def test_lanes_that_suit_a_desk() -> None:
-    assert [host_lanes(n) for n in (0, 1, 2, 4, 5, 8, 9, 12, 13, 1000)] == [1, 1, 2, 2, 8, 8, 4, 4, 8, 8]
+    assert [host_lanes(n) for n in (0, 1, 2, 4, 5, 8, 24, 25, 28, 29, 32, 1000)] == [1, 1, 2, 2, 4, 4, 4, 4, 4, 8, 8, 8]
 
 
 @pytest.mark.parametrize("lanes", [0, 3, 16])

@@ -26,7 +26,7 @@ FAULTS = (
     Fault("a result is written one place further", MEMORY, ("self-test",),
           "torque", r"tau\[s\] = V_dot", "tau[s + 1] = V_dot"),
     Fault("a result is written before the inputs are read", MEMORY, ("in place",),
-          "forward", r"    name_real result\[6\];", "    V_dot[0] = 0.0;\n    name_real result[6];"),
+          "forward", r"(    name_real sine\[)", r"    V_dot[0] = 0.0;\n\1"),
     Fault("a local that keeps its value between calls", MEMORY, ("object",),
           "accelerate", r"    name_sums sum;", "    static name_sums sum;"),
 
@@ -75,7 +75,7 @@ FAULTS = (
     Fault("acceleration of the unbalance missing", MECHANICS, ("comparison", "self-test"),
           "subtract_rates", r" - sum->a_rel\[1\]", ""),
     Fault("parallel axes the wrong way", MECHANICS, ("comparison", "self-test"),
-          "factor_carrier", r"J\[0\] - sum->mu\[1\]", "J[0] + sum->mu[1]"),
+          "solve_carrier_once", r"J\[0\] - sum->mu\[1\]", "J[0] + sum->mu[1]"),
     Fault("energy of spin not halved", MECHANICS, ("comparison", "self-test"),
           "momentum", r"0\.5 \* spin", "spin"),
     Fault("gyroscopic drive torque with half its size", MECHANICS, ("comparison", "self-test"),

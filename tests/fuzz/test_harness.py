@@ -42,7 +42,7 @@ DONE = "    status = demo3_finish(&y);\n"
 
 FAULTS = (
     Fault("written before a check", CHECKED, f"{CHECKED}    V_dot[5] = 0.0;\n", "a result was written"),
-    Fault("not written", "  V_dot[5] = result[5];", "", "not the same bits"),
+    Fault("not written", "      y[5] = y3;", "", "not the same bits"),
     Fault("loop one too long", LOOP, LOOP.replace("<", "<=", 1), "insufficient space|buffer-overflow"),
     Fault("NaN let through", WITHIN, "if (values[i] < -limit || values[i] > limit)", "finite"),
     Fault("null let through", NULL, "", "null pointer"),

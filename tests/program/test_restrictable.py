@@ -71,3 +71,18 @@ def test_what_a_caller_cannot_promise_its_callee_cannot_either() -> None:
     body = Body()
     body.call(middle, z.place, z.place)
     assert restrictable(program(inner, middle, Function("f", "", (z,), body.statements, public=True))) == set()
+
+
+def test_a_result_that_may_overlap_inputs_takes_the_promise_from_all_that_write_it() -> None:
+    """f(given, out) may get one array for both: neither copy nor middle, which hands it on, promises otherwise."""
+    inner = copy()
+    x, y = Argument("x", Kind.REAL, (3,)), Argument("y", Kind.REAL, (3,), "out")
+    through = Body()
+    through.call(inner, x.place, y.place)
+    middle = Function("middle", "", (x, y), through.statements)
+    for overlaps in (False, True):
+        given, out = Argument("given", Kind.REAL, (3,)), Argument("out", Kind.REAL, (3,), "out", overlaps=overlaps)
+        body = Body()
+        body.call(middle, given.place, out.place)
+        found = restrictable(program(inner, middle, Function("f", "", (given, out), body.statements, public=True)))
+        assert found == (set() if overlaps else {("copy", "target"), ("middle", "y")})

@@ -22,7 +22,7 @@ FAULTS = {
         "for (int s = 0; s < DEMO3_N; ++s) {",
         "for (int s = 0; s <= DEMO3_N; ++s) {",
     ),
-    "a result not written": ("any_forward", "    V_dot[3] = result[3];  ", "    "),
+    "a result not written": ("any_forward", "    y[3] = y1;      ", "    "),
     "a result written on refusal": (
         "any_forward",
         "phi_ddot == NULL || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }\n",

@@ -41,11 +41,12 @@ LANES = (1, 2, 4, 8)
 def host_lanes(flywheels: int) -> int:
     """The number of lanes that suits a desk's processor: docs/results/lanes.md measures it. Firmware has 1.
 
-    Eight only where blocks of eight have no more empty places than blocks of four.
+    Eight only from four blocks of eight on, and where they have no more empty places than blocks of four: with fewer,
+    the vectors of eight wait longer for a state that was just written than they save.
     """
     if flywheels <= 4:
         return 1 if flywheels < 2 else 2
-    return 8 if -flywheels % 8 < 4 else 4
+    return 8 if flywheels > 24 and -flywheels % 8 < 4 else 4
 
 
 @dataclass(frozen=True)

@@ -171,11 +171,14 @@ def accelerate(lib: Library) -> Function:
     else:
         sum_up(lib, body, table.place, x.place, seen, accelerations)
         F = body.local("F", (6,), comment="wrench (7); then the right-hand side of (8)")
-        K = body.local("K", (), lib.layout.carrier_factor)
+        K = body.local("K", (), lib.layout.carrier_factor) if lib.layout.added_mass else None
         external_wrench(lib, body, table.place, x.place, seen, wrench, F)
         body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
-        lib.check(body, "factor_carrier", table.place, seen.sums, K)
-        body.call(lib["solve_carrier"], table.place, K, F, V_dot.place)
+        if K is None:  # the factors are few enough to stay in registers, in one function
+            lib.check(body, "solve_carrier_once", table.place, seen.sums, F, V_dot.place)
+        else:
+            lib.check(body, "factor_carrier", table.place, seen.sums, K)
+            body.call(lib["solve_carrier"], table.place, K, F, V_dot.place)
         from_stream(body, x.place, seen, V_dot.place)
     return body.checked_function(
         "accelerate",
@@ -247,11 +250,13 @@ def forward(lib: Library, at: bool = False) -> Function:
     turns = lib.given_turns() if at else ()
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     purpose = "derivative of the components of V; may overlap any input"
-    V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", purpose)
+    V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", purpose, overlaps=True)
     body = Body()
     check_inputs(lib, body, table, x, phi_ddot, wrench, turns)
     held = hold.results(lib)
-    result = V_dot.place if lib.layout.held else body.local("result", (6,))
+    layout = lib.layout
+    at_once = layout.held or not (layout.stream or layout.added_mass)  # V_dot is written last, after all is read
+    result = V_dot.place if at_once else body.local("result", (6,))
     others = [body.local(f"{a.name}_result", a.shape) for a in held]
     named = {"table": table.place, "x": x.place, "V_dot": result} | named_turns(all_turns(lib, body, x.place, turns))
     named |= {a.name: a.place for a in (*phi_ddot, *wrench)}
@@ -259,7 +264,7 @@ def forward(lib: Library, at: bool = False) -> Function:
     lib.check(body, "accelerate", *lib.arguments_of("accelerate", **named))
     if lib.layout.held:  # all inputs have been read
         hold.write_twist(lib, body, table.place, others, result)
-    else:
+    if not at_once:
         body.copy_array(V_dot.place, result)
     for argument, found in zip(held, others, strict=True):
         body.copy_array(argument.place, found)

@@ -100,6 +100,8 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
     lib.add(solve.solve3(lib))
     lib.add(solve.factor_carrier(lib))
     lib.add(solve.solve_carrier(lib))
+    if not layout.added_mass:
+        lib.add(solve.solve_carrier_once(lib))
     if layout.held:
         hold.add_all(lib)
     lib.add(forward.accelerate(lib))

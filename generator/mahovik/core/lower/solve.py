@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -10,7 +11,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Not, Place, real
+from mahovik.core.program.expression import Expr, Not, Place, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -67,13 +68,9 @@ def subtract_rates(lib: Library) -> Function:
     )
 
 
-def factor3(lib: Library) -> Function:
-    """L D L^T of a symmetric positive definite 3x3 matrix: nothing is cubed, so that no size of stand overflows."""
-    S = Argument("S", Kind.REAL, (6,), purpose="11 22 33 12 13 23")
-    out = Argument("L", lib.layout.factors3, (), "out")
-    m, f = S.place, out.place
+def _factors3(lib: Library, body: Body, m: Place) -> dict[str, Expr]:
+    """L D L^T of a symmetric 3x3 matrix that is guarded to be positive: local variables by the names of factors3."""
     least = real(lib.layout.precision.smallest)
-    body = Body()
     lib.guard(body, Not(m[0] >= least), "NOT_POSITIVE_DEFINITE")
     r1 = body.let("r1", 1 / m[0])
     l21 = body.let("l21", m[3] * r1)
@@ -85,14 +82,32 @@ def factor3(lib: Library) -> Function:
     l32 = body.let("l32", rest * r2)
     d3 = body.let("d3", m[2] - l31 * m[4] - l32 * rest)
     lib.guard(body, Not(d3 >= least), "NOT_POSITIVE_DEFINITE")
-    for name, value in (("r1", r1), ("r2", r2), ("d3", d3), ("l21", l21), ("l31", l31), ("l32", l32)):
-        body.set(f.member(name), value)
-    return body.checked_function(
+    return {"r1": r1, "r2": r2, "d3": d3, "l21": l21, "l31": l31, "l32": l32}
+
+
+def _solved3(body: Body, f: Mapping[str, Expr], x: Place) -> tuple[Expr, Expr, Expr]:
+    """S y = x by the factors of S."""
+    body.note("L z = b, then L^T y = D^-1 z")
+    z2 = body.let("z2", x[1] - f["l21"] * x[0])
+    y3 = body.let("y3", (x[2] - f["l31"] * x[0] - f["l32"] * z2) / f["d3"])
+    y2 = body.let("y2", z2 * f["r2"] - f["l32"] * y3)
+    return x[0] * f["r1"] - f["l21"] * y2 - f["l31"] * y3, y2, y3
+
+
+def factor3(lib: Library) -> Function:
+    """L D L^T of a symmetric positive definite 3x3 matrix: nothing is cubed, so that no size of stand overflows."""
+    S = Argument("S", Kind.REAL, (6,), purpose="11 22 33 12 13 23")
+    out = Argument("L", lib.layout.factors3, (), "out")
+    body = Body()
+    for name, value in _factors3(lib, body, S.place).items():
+        body.set(out.place.member(name), value)
+    function = body.checked_function(
         "factor3",
         "Factors a symmetric positive definite 3x3 matrix: S = L D L^T.",
         (S, out),
         statuses=("OK", "NOT_POSITIVE_DEFINITE"),
     )
+    return replace(function, short=not lib.layout.added_mass)  # with added mass, compilers copy it unasked
 
 
 def solve3(lib: Library) -> Function:
@@ -100,15 +115,10 @@ def solve3(lib: Library) -> Function:
     factor = Argument("L", lib.layout.factors3)
     b = Argument("b", Kind.REAL, (3,))
     y = Argument("y", Kind.REAL, (3,), "out", purpose="must not overlap b")
-    f, x = factor.place, b.place
     body = Body()
-    body.note("L z = b, then L^T y = D^-1 z")
-    z2 = body.let("z2", x[1] - f.l21 * x[0])
-    y3 = body.let("y3", (x[2] - f.l31 * x[0] - f.l32 * z2) / f.d3)
-    y2 = body.let("y2", z2 * f.r2 - f.l32 * y3)
-    body.set(y.place[0], x[0] * f.r1 - f.l21 * y2 - f.l31 * y3)
-    body.set(y.place[1], y2)
-    body.set(y.place[2], y3)
+    factors = {f.name: factor.place.member(f.name) for f in lib.layout.factors3.fields}
+    for target, value in zip(y.place, _solved3(body, factors, b.place), strict=True):
+        body.set(target, value)
     return replace(body.function("solve3", "Solves S y = b by S = L D L^T.", (factor, b, y)), short=True)
 
 
@@ -164,3 +174,37 @@ def solve_carrier(lib: Library) -> Function:
     for target, value in zip(out[3:], omega_dot, strict=True):
         body.set(target, value)
     return body.function("solve_carrier", "Solves K y = F by the factors of K.", (table, factor, F, y), equation="(8)")
+
+
+def solve_carrier_once(lib: Library) -> Function:
+    """K y = (f, n) of a stand without added mass, where K is needed once: no factor goes through memory.
+
+    Factors that are written and read at once take longer than their arithmetic. `y` is written last.
+    """
+    table = lib.table_argument()
+    sums = Argument("sum", lib.layout.sums)
+    F = Argument("F", Kind.REAL, (6,), "in", "N, N m")
+    y = Argument("y", Kind.REAL, (6,), "out", "m/s2, rad/s2", "must not overlap F")
+    six = list(F.place)
+    body = Body()
+    binding = carrier_binding(lib, table.place, sums.place) | {"f": six[:3], "n": six[3:]}
+    rho = body.local("rho", (3,), comment="mass centre from O1, in E1")
+    assign(body, list(rho), derived.centre_offset(), binding)
+    binding["rho"] = rho
+    S = body.local("S", (6,), comment="inertia about the mass centre")
+    assign(body, list(S), derived.reduced_inertia(False), binding)
+    factors = _factors3(lib, body, S)
+    moment = body.local("moment", (3,), comment="about the mass centre")
+    assign(body, list(moment), derived.reduced_moment(False), binding)
+    y1, y2, y3 = _solved3(body, factors, moment)
+    binding["omega_dot"] = [body.let("y1", y1), y2, y3]
+    linear = [body.let(f"v{i + 1}_dot", translate(v, binding)) for i, v in enumerate(derived.linear_part(False))]
+    for target, value in zip(y.place, (*linear, *binding["omega_dot"]), strict=True):
+        body.set(target, value)
+    return body.checked_function(
+        "solve_carrier_once",
+        "Solves K y = F where no other right-hand side follows: factors of K as factor_carrier finds them.",
+        (table, sums, F, y),
+        equation="(8)",
+        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
+    )

@@ -14,6 +14,7 @@ class Argument:
     """An argument: `direction` is "in", "out" or "inout"; unit, frame and purpose are for the reader.
 
     `optional`: an array whose address may be null in a call of a public function: then it is zeros.
+    `overlaps`: a result of a public function that may overlap any of its inputs.
     """
 
     name: str
@@ -23,6 +24,7 @@ class Argument:
     unit: str = ""
     purpose: str = ""
     optional: bool = False
+    overlaps: bool = False
     variable: Variable = field(init=False)
 
     def __post_init__(self) -> None:

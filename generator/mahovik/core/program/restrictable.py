@@ -2,7 +2,8 @@
 
 Without that promise a compiler must assume that writing one result changes every input, and loads them all again.
 It is proved here from the calls, not assumed. Public functions promise nothing to the compiler; that their arguments
-lie apart is their contract with the user, so what they pass on lies apart as well.
+lie apart is their contract with the user, so what they pass on lies apart as well. Results marked `overlaps` are the
+exception.
 """
 
 from __future__ import annotations
@@ -49,8 +50,10 @@ def _may_overlap(caller: Function, one: Place, two: Place, found: set[tuple[str,
     if one.root is two.root:
         return not _disjoint(one.path, two.path)
     arguments = {id(a.variable): a for a in caller.arguments}
-    if caller.public or id(one.root) not in arguments or id(two.root) not in arguments:
+    if id(one.root) not in arguments or id(two.root) not in arguments:
         return False
+    if caller.public:
+        return any(arguments[id(place.root)].overlaps for place in (one, two))
     return not any((caller.name, place.root.name) in found for place in (one, two))
 
 
