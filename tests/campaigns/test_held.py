@@ -44,6 +44,7 @@ def test_constant_speeds_need_no_run_in_time() -> None:
     assert found == pytest.approx(unbalance * speed**2 / np.sqrt(2.0), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_samples_of_a_pendulum_are_their_own_stands() -> None:
     """Peak of the force of the pivot and the last speed of the tip, of a stick whose friction and mass vary."""
     stand = Stand.of(loads(TEXT + "\n[[hold.friction]]\nviscous = 0.01\n"), held=True)

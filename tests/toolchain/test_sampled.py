@@ -62,7 +62,7 @@ def test_quick_tests_and_tests_without_parameters_all_run(share: str, count: int
     (tmp_path / "test_few.py").write_text(TESTS, encoding="ascii")
     (tmp_path / "pytest.ini").write_text("[pytest]\nmarkers = slow\n", encoding="ascii")
     command = [sys.executable, "-m", "pytest", "-q", "--collect-only", "-p", "no:cacheprovider", str(tmp_path)]
-    env = {**os.environ, "PYTHONPATH": str(ROOT / "tests"), SHARE: share}
+    env = {**os.environ, "PYTEST_ADDOPTS": "", "PYTHONPATH": str(ROOT / "tests"), SHARE: share}
     shown = subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, text=True, check=True).stdout
     assert shown.count("::test_") == count, shown
 
