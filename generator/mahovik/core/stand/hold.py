@@ -270,12 +270,17 @@ def words(hold: Hold) -> str:
         if is_closed(hold)
         else "not a closed set: poses have more coordinates than there are freedoms, and none belong to these alone"
     )
-    return f"{count} freedom{'s' if count > 1 else ''}, {', '.join(map(_word, hold.freedoms))}; {closed}"
+    return f"{count} freedom{'s' if count > 1 else ''}, {', '.join(freedom_words(hold))}; {closed}"
 
 
 def freedom_names(hold: Hold) -> list[str]:
     """A name for each freedom: that of the file, such as `yaw`, or 1, 2, ... by its place."""
     return [_NAMES.get(freedom, str(k + 1)) for k, freedom in enumerate(hold.freedoms)]
+
+
+def freedom_words(hold: Hold) -> list[str]:
+    """Each freedom in words: its name, or how it moves, such as `turning about (0, 1, 1)`."""
+    return list(map(_word, hold.freedoms))
 
 
 def _word(freedom: Freedom) -> str:
