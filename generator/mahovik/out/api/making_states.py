@@ -1,4 +1,4 @@
-"""How a model makes its states: from numbers, from coordinates of the freedoms of a held carrier, from arrays."""
+"""Making states: from numbers, from coordinates of the freedoms of a held carrier, from arrays."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _PLACE = ("x", "y", "z")
 
 
 class MakesStates:
-    """What makes states of a stand."""
+    """Part of a model that makes states of its stand."""
 
     _stand: Stand
     _call: Caller

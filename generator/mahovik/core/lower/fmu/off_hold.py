@@ -1,4 +1,4 @@
-"""What the start of an FMU of a held carrier is off its hold: the part of the twist and of the pose that is blocked."""
+"""Part of the twist and of the pose that the hold blocks, at the start of an FMU of a held carrier."""
 
 from __future__ import annotations
 
