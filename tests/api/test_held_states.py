@@ -19,7 +19,7 @@ from mahovik.proof.reference.rotation import quaternion_rotation
 TURNED = TEXT.replace("pivot = [0, 0, -0.2]", "pivot = [0, 0.1, -0.2]\nposition = [1, 2, 3]\nangles = [0.3, -0.2, 0.5]")
 
 
-def of(freedoms: str, text: str = TURNED) -> Any:
+def model_of(freedoms: str, text: str = TURNED) -> Any:
     return mahovik.build(Stand.of(loads(text.replace('freedoms = ["pitch"]', freedoms)), held=True))
 
 
@@ -35,7 +35,7 @@ def of(freedoms: str, text: str = TURNED) -> Any:
 def test_states_of_coordinates_are_those_of_the_literal_pose_and_come_back(
     freedoms: str, q: list[float], q_dot: list[float]
 ) -> None:
-    model = of(freedoms)
+    model = model_of(freedoms)
     orientation = np.array([0.8, 0.0, 0.36, -0.48]) if "roll" in freedoms else None
     given = {} if orientation is None else {"orientation": orientation}
     x = model.state_from_coordinates(q, q_dot, **given, phi=0.3, phi_dot=20.0)
@@ -52,7 +52,7 @@ def test_states_of_coordinates_are_those_of_the_literal_pose_and_come_back(
 
 
 def test_arrays_of_coordinates_are_the_states_one_by_one() -> None:
-    model = of('freedoms = ["yaw", "x", "y"]')
+    model = model_of('freedoms = ["yaw", "x", "y"]')
     q = np.array([[0.1, 0.2, 0.3], [3.0, -0.5, 0.1]])
     many = model.state_from_coordinates(q, {"yaw": [1.0, 2.0], "x": 0.5})
     for k, rate in enumerate((1.0, 2.0)):
@@ -61,7 +61,7 @@ def test_arrays_of_coordinates_are_the_states_one_by_one() -> None:
 
 
 def test_a_state_without_a_pose_is_at_home_and_u_is_the_speed_of_the_freedoms() -> None:
-    model = of('freedoms = ["pitch"]')
+    model = model_of('freedoms = ["pitch"]')
     x = model.state(u=[2.0])
     assert np.array_equal(x.array, model.state_from_coordinates(0.0, 2.0).array)
     assert x.position == pytest.approx([1, 2, 3], abs=1e-15)
@@ -82,17 +82,17 @@ def test_a_state_without_a_pose_is_at_home_and_u_is_the_speed_of_the_freedoms() 
 def test_what_the_hold_blocks_is_refused_by_its_direction(freedoms: str, given: dict[str, Any], message: str) -> None:
     text = TEXT if freedoms != "freedoms = []" else TEXT.replace("pivot = [0, 0, -0.2]\n", "")
     with pytest.raises(InputError, match=message):
-        of(freedoms, text).states(**given)
+        model_of(freedoms, text).states(**given)
 
 
 def test_coordinates_that_a_hold_does_not_have_are_refused_in_a_line() -> None:
     text = TEXT.replace("pivot = [0, 0, -0.2]\n", "")
     with pytest.raises(InputError, match="a clamped carrier has no freedoms"):
-        of("freedoms = []", text).state_from_coordinates()
+        model_of("freedoms = []", text).state_from_coordinates()
     with pytest.raises(InputError, match=r"orientation: the freedoms of this .* expected q of pitch"):
-        of('freedoms = ["pitch"]').state_from_coordinates(orientation=[1, 0, 0, 0])
+        model_of('freedoms = ["pitch"]').state_from_coordinates(orientation=[1, 0, 0, 0])
     with pytest.raises(InputError, match=r"q: the freedoms of this .* expected orientation"):
-        of('freedoms = ["roll", "pitch", "yaw"]').state_from_coordinates([0.1, 0.2, 0.3])
+        model_of('freedoms = ["roll", "pitch", "yaw"]').state_from_coordinates([0.1, 0.2, 0.3])
     free = mahovik.build(Stand.of(mahovik.stands.path("demo3")))
     with pytest.raises(InputError, match=r"state_from_coordinates: the stand has no \[hold\]"):
         free.state_from_coordinates()

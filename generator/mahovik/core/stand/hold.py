@@ -242,6 +242,11 @@ def has_coordinates(hold: Hold) -> bool:
     return bool(hold.freedoms) and named and plain and is_closed(hold)
 
 
+def no_coordinates(hold: Hold) -> str:
+    """Why a hold has no coordinates, in words."""
+    return "the freedoms of [hold] have no coordinates" if hold.freedoms else "the carrier is clamped"
+
+
 def numbered_freedoms(hold: Hold) -> list[int]:
     """Freedoms with a number of their own among the coordinates: not the three turns about a point together."""
     turns = sum(freedom.kind == "turn" for freedom in hold.freedoms)

@@ -15,7 +15,7 @@ import numpy as np
 
 from mahovik.contract.functions import ALL_WANTS, TASK_CONFLICTS, TASK_WANTS, WANTS, hold_fault, want_fault
 from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH, Quantity
-from mahovik.core.stand.hold import has_coordinates, twist_of
+from mahovik.core.stand.hold import has_coordinates, no_coordinates, twist_of
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import StateError, count_numbers
@@ -196,8 +196,7 @@ def freedoms_of(stand: Stand, found: dict[str, Any], want: Sequence[str], real: 
                 raise StateError(f"{key}: the stand has no [hold], expected {other}")
         return {}
     if "generalized" in want and not has_coordinates(stand.hold):
-        lacks = "whose freedoms have no coordinates" if stand.hold.freedoms else "which clamps the carrier"
-        raise StateError(f'want: no "generalized" of this [hold], {lacks}; ask for forward')
+        raise StateError(f'want: no "generalized": {no_coordinates(stand.hold)}; ask for forward')
     count, given = len(stand.hold.freedoms), {}
     for key, other in HELD_KEYS.items():
         if other in found:
