@@ -110,6 +110,11 @@ class CheckError(MahovikError):
     exit_status = 1
 
 
+def count_numbers(count: int) -> str:
+    """How many numbers, in words: "1 number", "2 numbers"."""
+    return f"{count} number{'' if count == 1 else 's'}"
+
+
 def printable(text: str) -> str:
     """The text with control characters and surrogates as `\\x1b`: what a file says must not steer a terminal."""
     return "".join(c if c.isprintable() or c in "\n\t" else ascii(c)[1:-1] for c in text)

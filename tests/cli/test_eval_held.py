@@ -105,9 +105,9 @@ def test_inverse_turns_the_demand_into_the_flywheel(file: str, backend: str) -> 
 @pytest.mark.parametrize(
     ("given", "reason"),
     [
-        ({"V": [0, 0, 0, 0, 1, 0]}, "V: the carrier is held, expected u, 1 numbers"),
-        ({"V_dot": [0, 0, 0, 0, 1, 0]}, "V_dot: the carrier is held, expected u_dot, 1 numbers"),
-        ({"u": [1, 2]}, "u: expected 1 numbers, found 2"),
+        ({"V": [0, 0, 0, 0, 1, 0]}, "V: the carrier is held, expected u, 1 number"),
+        ({"V_dot": [0, 0, 0, 0, 1, 0]}, "V_dot: the carrier is held, expected u_dot, 1 number"),
+        ({"u": [1, 2]}, "u: expected 1 number, found 2"),
         ({"u": [1e6]}, "out of range"),
         ({"u_dot": [float("nan")]}, "u_dot[0]: NaN is not finite"),
         ({"want": ["forward", "coupled"]}, "ask for them in two states"),

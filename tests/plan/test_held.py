@@ -110,7 +110,11 @@ def test_what_is_blocked_is_refused_in_a_line_by_its_direction(row: list[float],
         ('freedoms = ["yaw"]', {"runup": 1.0}, "runup: not for a held carrier"),
         ('freedoms = ["yaw"]', {"type": "slew"}, "a slew is of a free carrier"),
         ('freedoms = ["yaw"]', {"mean": [0, 0]}, "mean: expected 1 number (yaw), found 2"),
-        ("axis = [1, 1, 1]", {"mean": [0, 0, 0, 0.1, 0, 0]}, "which [hold] blocks; expected its freedoms, 1"),
+        (
+            "axis = [1, 1, 1]",
+            {"mean": [0, 0, 0, 0.1, 0, 0]},
+            "which [hold] blocks; expected its freedoms, turning about",
+        ),
     ],
 )
 def test_other_demands_are_refused_in_a_line(hold: str, keys: dict[str, Any], words: str) -> None:

@@ -100,7 +100,7 @@ def test_the_program_along_the_freedoms_is_the_literal_equations_to_sixty_digits
 
 
 def test_rates_of_another_number_than_the_freedoms_are_refused() -> None:
-    with pytest.raises(StateError, match="expected 1 numbers, found 2"):
+    with pytest.raises(StateError, match="expected 1 number, found 2"):
         twist(stand_of("hinge", 1), (0.0,) * 6, (1.0, 2.0))
 
 

@@ -159,8 +159,8 @@ def file(tmp_path: Path) -> str:
 @pytest.mark.parametrize(
     ("start", "reason"),
     [
-        ({"V": [0, 0, 0, 0, 1, 0]}, "V: the carrier is held, expected u, 1 numbers"),
-        ({"u": [1, 2]}, "u: expected 1 numbers, found 2"),
+        ({"V": [0, 0, 0, 0, 1, 0]}, "V: the carrier is held, expected u, 1 number"),
+        ({"u": [1, 2]}, "u: expected 1 number, found 2"),
         ({"angles": [0, 0.2, 0.1]}, "rad along roll, which [hold] blocks; expected what the freedoms (pitch) reach"),
         ({"angles": [0, 0.2, 0], "position": [0, 0, 0]}, "m along x, which [hold] blocks"),
         ({"position": [0, 0.01, 0]}, "0.01 m along y, which [hold] blocks"),

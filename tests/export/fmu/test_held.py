@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import math
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
 import fmpy
 import numpy as np
 import pytest
+from fmpy.fmi1 import FMICallException
+from scipy.spatial.transform import Rotation
 
 from cli.run import run
 from cli.test_eval_held import TEXT
@@ -20,13 +26,19 @@ from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import State, rest_state
 from mahovik.out.export.fmu import export_fmu
 from mahovik.use.simulate import Case, simulate
-from mahovik.use.simulate.held import complete_start
+from mahovik.use.simulate.held import complete_start, home
 
 HOLDS = {
     "pendulum": ('["pitch"]', (2.0,)),
     "plane": ('["yaw", "x", "y"]', (2.0, 0.3, -0.2)),
     "ball joint": ('["roll", "pitch", "yaw"]', (1.0, 2.0, -0.5)),
     "clamped": ("[]", ()),
+}
+OTHERS = {
+    "shaker": TEXT.replace('freedoms = ["pitch"]', "slide = [0, 1, 1]").replace("pivot = [0, 0, -0.2]\n", ""),
+    "basis": TEXT.replace('freedoms = ["pitch"]', "basis = [[1, 0, 0, 0, 0, 0], [0, 0, 0.1, 0, 0, 1]]").replace(
+        "pivot = [0, 0, -0.2]\n", ""
+    ),
 }
 FORMS: tuple[tuple[str, str, Kind, Inputs], ...] = (
     ("pendulum", "2.0", "cs", "torque"),
@@ -72,6 +84,50 @@ def test_it_moves_as_simulate_does(name: str, version: str, kind: Kind, inputs: 
         scale = max(1.0, float(np.abs(expected[column]).max()))
         most = 1e-9 if kind == "cs" else 1e-5  # of one method; of CVODE beside Runge-Kutta
         assert found[variable] == pytest.approx(expected[column], abs=most * scale), variable
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "message"),
+    [
+        ("pendulum", {"carrier.V[1]": 1.0}, r"carrier.V: found [0-9.]+ m/s along x, which the hold blocks"),
+        ("pendulum", {"carrier.position[3]": 0.1}, r"off by 0.1 m along z, which the hold blocks"),
+        ("pendulum", {"carrier.attitude[1]": math.cos(0.1), "carrier.attitude[2]": math.sin(0.1)}, "which the hold"),
+        ("shaker", {"carrier.attitude[1]": 0.8, "carrier.attitude[2]": 0.6}, r"off by 1.2 rad along roll"),
+        ("clamped", {"carrier.V[6]": 1.0}, r"carrier.V: found 1 rad/s along yaw"),
+        ("basis", {"carrier.V[2]": 1.0}, r"carrier.V: found 1 m/s along y"),
+    ],
+)
+def test_a_start_that_the_hold_blocks_is_refused(
+    name: str, given: dict[str, float], message: str, tmp_path: Path
+) -> None:
+    with refused_start(name, given, tmp_path) as log:
+        assert any(re.search(message, line) for line in log), log
+
+
+@contextmanager
+def refused_start(name: str, given: dict[str, float], folder: Path) -> Iterator[list[str]]:
+    """Lines that an FMU logs while it refuses a start."""
+    file, log = folder / "held.fmu", list[str]()
+    stand = moving(name)[0] if name in HOLDS else loads(OTHERS[name])
+    file.write_bytes(export_fmu(stand, "3.0", "cs", "torque", dt=DT, start=home(stand)).content)
+    with pytest.raises(FMICallException):
+        fmpy.simulate_fmu(
+            str(file), stop_time=0.01, start_values=given, logger=lambda *line: log.append(line[-1].decode())
+        )
+    yield log
+
+
+def test_starts_that_the_hold_allows_are_taken(tmp_path: Path) -> None:
+    stand, state = moving("pendulum")
+    assert stand.hold is not None
+    file, C = tmp_path / "held.fmu", Rotation.from_rotvec([0, 0.7, 0])
+    file.write_bytes(export_fmu(stand, "3.0", "cs", "torque", dt=DT, start=state).content)
+    P = np.array(stand.hold.pivot)
+    position = P - C.apply(P) + np.array(stand.hold.position)
+    given = {f"carrier.position[{i + 1}]": x for i, x in enumerate(position.tolist())}
+    given |= {"carrier.attitude[1]": math.cos(0.35), "carrier.attitude[3]": math.sin(0.35)}
+    found = fmpy.simulate_fmu(str(file), stop_time=0.01, start_values=given, output=["carrier.attitude[3]"])
+    assert found["carrier.attitude[3]"][0] == pytest.approx(math.sin(0.35))
 
 
 def test_the_command_writes_it_and_its_numbers_are_not_those_of_the_hold(tmp_path: Path) -> None:

@@ -90,6 +90,7 @@ class _Printer:
             "inputs": form.inputs,
             "states": form.groups["STATE"].count,
             "freedoms": self._layout.freedoms,
+            "held": self._layout.held,
         }
 
     def pose(self, name: str) -> str:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.hold import AXES, FREEDOMS, TWIST_NAMES, freedom_names, is_closed
+from mahovik.core.stand.hold import AXES, FREEDOMS, TWIST_NAMES, freedom_names, freedom_words, is_closed
 from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand
 from mahovik.core.stand.units import ANGLE, LENGTH, PLAIN, Dimension
 from mahovik.errors import StandError
@@ -38,18 +38,24 @@ BLOCKED = 1e-6
 class Coordinates:
     """names, dimensions: of each; order: numbers of the freedoms, the first to move the home pose first.
 
-    held: whether they are those of a held carrier
+    held: whether they are those of a held carrier; described: each in words, of a held carrier
     """
 
     names: tuple[str, ...]
     dimensions: tuple[Dimension, ...]
     held: bool = False
     order: tuple[int, ...] = ()
+    described: tuple[str, ...] = ()
 
     @property
     def count(self) -> int:
         """Number of the coordinates."""
         return len(self.names)
+
+    @property
+    def in_words(self) -> tuple[str, ...]:
+        """Each for people: its name, or how it moves."""
+        return self.described or self.names
 
     @property
     def unit_names(self) -> tuple[str, ...]:
@@ -66,7 +72,7 @@ class Coordinates:
     def words(self) -> str:
         """How many numbers a row has, and of what."""
         noun = "number" if self.count == 1 else "numbers"
-        return f"{self.count} {noun} ({', '.join(self.names)})"
+        return f"{self.count} {noun} ({', '.join(self.in_words)})"
 
 
 def coordinates_of(stand: Stand) -> Coordinates:
@@ -82,7 +88,7 @@ def coordinates_of(stand: Stand) -> Coordinates:
         raise StandError([f"{stand.name}: hold: {found}; expected a closed set, of which `mahovik check` tells"])
     dimensions = {"slide": LENGTH, "turn": ANGLE, "twist": PLAIN}
     kinds = tuple(dimensions[each.kind] for each in hold.freedoms)
-    return Coordinates(tuple(freedom_names(hold)), kinds, True, _order(hold, stand.angles))
+    return Coordinates(tuple(freedom_names(hold)), kinds, True, _order(hold, stand.angles), tuple(freedom_words(hold)))
 
 
 def _order(hold: Hold, sequence: Sequence) -> tuple[int, ...]:

@@ -242,6 +242,11 @@ def has_coordinates(hold: Hold) -> bool:
     return bool(hold.freedoms) and named and plain and is_closed(hold)
 
 
+def no_coordinates(hold: Hold) -> str:
+    """Why a hold has no coordinates, in words."""
+    return "the freedoms of [hold] have no coordinates" if hold.freedoms else "the carrier is clamped"
+
+
 def numbered_freedoms(hold: Hold) -> list[int]:
     """Freedoms with a number of their own among the coordinates: not the three turns about a point together."""
     turns = sum(freedom.kind == "turn" for freedom in hold.freedoms)
@@ -270,12 +275,17 @@ def words(hold: Hold) -> str:
         if is_closed(hold)
         else "not a closed set: poses have more coordinates than there are freedoms, and none belong to these alone"
     )
-    return f"{count} freedom{'s' if count > 1 else ''}, {', '.join(map(_word, hold.freedoms))}; {closed}"
+    return f"{count} freedom{'s' if count > 1 else ''}, {', '.join(freedom_words(hold))}; {closed}"
 
 
 def freedom_names(hold: Hold) -> list[str]:
     """A name for each freedom: that of the file, such as `yaw`, or 1, 2, ... by its place."""
     return [_NAMES.get(freedom, str(k + 1)) for k, freedom in enumerate(hold.freedoms)]
+
+
+def freedom_words(hold: Hold) -> list[str]:
+    """Each freedom in words: its name, or how it moves, such as `turning about (0, 1, 1)`."""
+    return list(map(_word, hold.freedoms))
 
 
 def _word(freedom: Freedom) -> str:

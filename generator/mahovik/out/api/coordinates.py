@@ -39,6 +39,7 @@ class WithCoordinates(Built):
             expected = "none, the carrier is held and its attitude is that of x" if held else "psi, theta, phi"
             raise InputError(f"generalized: angles: {'given' if held else 'missing'}, expected {expected}")
         if hold is not None and not has_coordinates(hold):
-            raise InputError("generalized: the freedoms of [hold] have no coordinates, ask for forward")
+            lacks = "the freedoms of [hold] have no coordinates" if hold.freedoms else "the carrier is clamped"
+            raise InputError(f"generalized: {lacks}, ask for forward")
         given = {"phi_ddot": phi_ddot} | ({} if held else {"angles": angles})
         return self._result(results.Generalized, "generalized", x, on_error, wrench, tables, **given)

@@ -24,7 +24,8 @@ from mahovik.out.api import inputs
 from mahovik.out.api.call import Caller, OnError
 from mahovik.out.api.compiled import ELEMENT, Real, compile_library
 from mahovik.out.api.fields import Array, field, functions
-from mahovik.out.api.inputs import Given, attitudes, pack_states, wrenches
+from mahovik.out.api.inputs import Given, wrenches
+from mahovik.out.api.making_states import MakesStates
 from mahovik.out.api.results import Result
 from mahovik.out.api.states import States
 from mahovik.out.api.tables import Tables, make_tables
@@ -32,9 +33,6 @@ from mahovik.out.api.tables import Tables, make_tables
 Wrenches = Mapping[str, ArrayLike] | None
 Locks = Sequence[str] | ArrayLike
 AnyResult = TypeVar("AnyResult", bound=Result)
-
-
-_PLACE = ("x", "y", "z")
 
 
 @dataclass(frozen=True)
@@ -47,7 +45,7 @@ class Offered:
     wide: bool
 
 
-class Built:
+class Built(MakesStates):
     """A stand with its compiled C: its states, and calls by the names of arguments."""
 
     def __init__(
@@ -119,79 +117,6 @@ class Built:
                 )
                 found.append(Offered(function, takes, gives, f.wide))
         return tuple(found)
-
-    # -- states ------------------------------------------------------------------------------------------------------
-
-    def state(
-        self,
-        *,
-        position: ArrayLike = 0.0,
-        attitude: ArrayLike | None = None,
-        angles: ArrayLike | None = None,
-        V: Given = 0.0,
-        phi: Given = 0.0,
-        phi_dot: Given = 0.0,
-    ) -> States:
-        """One state; see `states`."""
-        x = self.states(None, position=position, attitude=attitude, angles=angles, V=V, phi=phi, phi_dot=phi_dot)
-        if x.batch is not None:
-            raise InputError(f"state: {x.batch} states given, expected one: use states")
-        return x
-
-    def states(
-        self,
-        n: int | None = None,
-        *,
-        position: ArrayLike = 0.0,
-        attitude: ArrayLike | None = None,
-        angles: ArrayLike | None = None,
-        V: Given = 0.0,
-        phi: Given = 0.0,
-        phi_dot: Given = 0.0,
-    ) -> States:
-        """States: n of them, or as many as the arrays given have; one without batch axis where none has.
-
-        position    m; of O1 in E0
-        attitude    quaternion, w first, of x0 = C x1; made unit where it is within 1e-3 of that
-        angles      rad; of the sequence of the stand, instead of `attitude`; neither: aligned with E0
-        V           m/s, rad/s; twist in E1 about O1
-        phi         rad; phases
-        phi_dot     rad/s; speeds
-
-        Raises InputError.
-        """
-        count = len(self._flywheels)
-        parts = {
-            "position": (inputs.read(position, "position", 3, _PLACE, "component"), 3),
-            "attitude": (attitudes(attitude, angles, self._quaternions), 4),
-            "V": (inputs.read_twist(V, self._stand.hold), 6),
-            "phi": (inputs.read(phi, "phi", count, self._flywheels, "flywheel"), count),
-            "phi_dot": (inputs.read(phi_dot, "phi_dot", count, self._flywheels, "flywheel"), count),
-        }
-        single = n is None and inputs.batch_size({name: part for name, (part, _) in parts.items()}) is None
-        return States(self._stand.name, self._state, pack_states(parts, n, self._element), single)
-
-    def states_of(self, array: ArrayLike) -> States:
-        """States of an array of all their numbers, (n, 13 + 2 N) or (13 + 2 N,), as `States.array` has them: a copy.
-
-        Quaternions are taken as they are: the C refuses those that are not unit within 1e-3. Raises InputError.
-        """
-        given = inputs.read(array, "states", self._components, (), "component")
-        if given.ndim == 0:
-            raise InputError(f"states: expected shape ({self._components},) or (n, {self._components}), found ()")
-        parts = {"states": (given, self._components)}
-        return States(self._stand.name, self._state, pack_states(parts, None, self._element), given.ndim == 1)
-
-    def carry(self, n: int | None = None) -> Array:
-        """A carry for `step` and `step_driven`, all zero: (n, 13 + 2 N), or (13 + 2 N,) of one state."""
-        if n is not None and (isinstance(n, bool) or not isinstance(n, int) or n < 0):
-            raise InputError(f"carry: expected a number of states from 0, found {n!r:.40}")
-        return np.zeros(self._components if n is None else (n, self._components), self._element)
-
-    def _quaternions(self, angles: Array) -> Array:
-        n = len(angles) if angles.ndim == 2 else 1
-        found, _ = self._call.run("quaternion", {"angles": angles}, n, "raise")
-        return found["attitude"] if angles.ndim == 2 else found["attitude"][0]
 
     def tables(self, changes: Mapping[str, Any], n: int | None = None) -> Tables:
         """Prepared tables of n stands that differ from the model's: arrays by path of the stand file.

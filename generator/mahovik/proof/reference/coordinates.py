@@ -129,7 +129,8 @@ def check_coordinates(hold: Hold) -> None:
     rank = np.linalg.matrix_rank(np.array(slides), 1e-9) if slides else 0
     stays = not turned or np.linalg.matrix_rank(np.array([*slides, *turned]), 1e-9) == rank
     if not (plain and stays and len(turns) != 2):
-        raise StateError("generalized: the freedoms of [hold] have no coordinates, expected a closed set by name")
+        lacks = "the freedoms of [hold] have no coordinates" if hold.freedoms else "the carrier is clamped"
+        raise StateError(f"generalized: {lacks}, expected a closed set by name")
 
 
 def coordinate(hold: Hold, freedom: Freedom, sequence: Sequence, at: Pose) -> float:

@@ -13,7 +13,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Freedom, Hold, Stand, Vec6
 from mahovik.core.stand.state import State
-from mahovik.errors import StateError
+from mahovik.errors import StateError, count_numbers
 from mahovik.proof.reference.array import Array, Values, solve, vector
 from mahovik.proof.reference.coupled import coupled_with_locks, spin_up_torque
 from mahovik.proof.reference.excess import motor_shares, with_excess
@@ -59,7 +59,7 @@ def held_state(stand: Stand, state: State) -> State:
     S = twists(stand.hold)
     for name, given in (("u", state.u), ("u_dot", state.u_dot)):
         if len(given) != S.shape[1]:
-            raise StateError(f"{name}: expected {S.shape[1]} numbers, found {len(given)}")
+            raise StateError(f"{name}: expected {count_numbers(S.shape[1])}, found {len(given)}")
     V, V_dot = (cast(Vec6, tuple((S @ vector(given)).tolist())) for given in (state.u, state.u_dot))
     return replace(state, V=V, V_dot=V_dot)
 

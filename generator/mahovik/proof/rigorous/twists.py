@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from flint import arb_mat
 
 from mahovik.core.stand.model import Freedom, Stand
-from mahovik.errors import StateError
+from mahovik.errors import StateError, count_numbers
 from mahovik.proof.rigorous.ball import block, column, cross, length, zeros
 from mahovik.proof.rigorous.screw import screw_of_parts
 
@@ -37,6 +37,6 @@ def twist(stand: Stand, given: Sequence[float], rates: Sequence[float]) -> arb_m
     if stand.hold is None:
         return column(given)
     if len(rates) != len(stand.hold.freedoms):
-        raise StateError(f"u, u_dot: expected {len(stand.hold.freedoms)} numbers, found {len(rates)}")
+        raise StateError(f"u, u_dot: expected {count_numbers(len(stand.hold.freedoms))}, found {len(rates)}")
     S = twists(stand)
     return zeros(6) if S is None else S * column(rates)

@@ -15,7 +15,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Freedom, Hold, Vec6
 from mahovik.core.stand.state import State
-from mahovik.errors import StateError
+from mahovik.errors import StateError, count_numbers
 from mahovik.proof.second.chart import Expr
 from mahovik.proof.second.rotation import Array, by_axis
 from mahovik.proof.second.system import System
@@ -50,7 +50,7 @@ def held_state(hold: Hold, state: State) -> State:
     S = ca.DM(twists(hold))
     for name, given in (("u", state.u), ("u_dot", state.u_dot)):
         if len(given) != S.shape[1]:
-            raise StateError(f"{name}: expected {S.shape[1]} numbers, found {len(given)}")
+            raise StateError(f"{name}: expected {count_numbers(S.shape[1])}, found {len(given)}")
     V, V_dot = (cast(Vec6, tuple((S @ ca.DM(given)).full()[:, 0].tolist())) for given in (state.u, state.u_dot))
     return replace(state, V=V, V_dot=V_dot)
 

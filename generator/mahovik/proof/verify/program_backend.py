@@ -71,7 +71,8 @@ class FunctionBackend(ABC):
             if self.layout.held and name in OF_FREE_CARRIERS:
                 raise StateError(f'want: the C of a held carrier has no "{name}" yet')
             if self.layout.held and name in OF_COORDINATES and not self.layout.coordinates:
-                raise StateError(f'want: no "{name}" of a hold whose freedoms have no coordinates, ask for forward')
+                lacks = "whose freedoms have no coordinates" if self.layout.freedoms else "that clamps the carrier"
+                raise StateError(f'want: no "{name}" of a hold {lacks}, ask for forward')
             if self.layout.held and name == "inverse" and not (self.layout.freedoms and self.layout.flywheels):
                 raise StateError('want: no "inverse" of a carrier without freedoms or flywheels, ask for forward')
         missing = [body for body in state.wrench if body not in self.inputs]

@@ -15,10 +15,10 @@ import numpy as np
 
 from mahovik.contract.functions import ALL_WANTS, TASK_CONFLICTS, TASK_WANTS, WANTS, hold_fault, want_fault
 from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH, Quantity
-from mahovik.core.stand.hold import has_coordinates, twist_of
+from mahovik.core.stand.hold import has_coordinates, no_coordinates, twist_of
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State
-from mahovik.errors import StateError
+from mahovik.errors import StateError, count_numbers
 from mahovik.nearest import suggestion
 from mahovik.proof.verify.actuators import actuators_of
 from mahovik.proof.verify.backends import Backend
@@ -176,9 +176,9 @@ def _numbers(found: dict[str, Any], row: Quantity, count: int, real: str) -> tup
 def _list_of(given: Any, where: str, count: int, limits: Sequence[float]) -> tuple[float, ...]:
     """`count` finite numbers within their limits in magnitude, which repeat."""
     if not isinstance(given, list):
-        raise StateError(f"{where}: expected a list of {count} numbers, found {excerpt(given)}")
+        raise StateError(f"{where}: expected a list of {count_numbers(count)}, found {excerpt(given)}")
     if len(given) != count:
-        raise StateError(f"{where}: expected {count} numbers, found {len(given)}")
+        raise StateError(f"{where}: expected {count_numbers(count)}, found {len(given)}")
     numbers = tuple(_number(value, f"{where}[{i}]") for i, value in enumerate(given))
     for i, (number, limit) in enumerate(zip(numbers, cycle(limits), strict=False)):
         if abs(number) > limit:
@@ -196,11 +196,11 @@ def freedoms_of(stand: Stand, found: dict[str, Any], want: Sequence[str], real: 
                 raise StateError(f"{key}: the stand has no [hold], expected {other}")
         return {}
     if "generalized" in want and not has_coordinates(stand.hold):
-        raise StateError('want: no "generalized" of this [hold], whose freedoms have no coordinates; ask for forward')
+        raise StateError(f'want: no "generalized": {no_coordinates(stand.hold)}; ask for forward')
     count, given = len(stand.hold.freedoms), {}
     for key, other in HELD_KEYS.items():
         if other in found:
-            raise StateError(f"{other}: the carrier is held, expected {key}, {count} numbers")
+            raise StateError(f"{other}: the carrier is held, expected {key}, {count_numbers(count)}")
         given[key] = _list_of(found.get(key, [0.0] * count), key, count, (math.inf,))
         given[other] = twist_of(stand.hold, given[key])
         for i, (number, limit) in enumerate(zip(given[other], cycle(QUANTITIES[other].limits(real)), strict=False)):
@@ -247,7 +247,7 @@ def _task(stand: Stand, found: dict[str, Any], want: Sequence[str], real: str) -
     if "V_dot" in found:
         raise StateError("V_dot, task: both given, expected one of them")
     if "demand" not in found:
-        raise StateError(f"demand: missing, expected {rows[name]} numbers")
+        raise StateError(f"demand: missing, expected {count_numbers(rows[name])}")
     for other in TASK_CONFLICTS:
         if other in want:
             raise StateError(f'want: "{other}" and the task both give V_dot, ask for them in two states')

@@ -29,8 +29,10 @@ def refuse_unplannable(stand: Stand, required: RequiredMotion | Slew, options: P
         raise MotionError([f"{required.name}: a slew is of a free carrier; expected a periodic or finite motion"])
     if len(required.mean) != coordinates.count:
         raise MotionError([f"{required.name}: is of another carrier; expected rows of {coordinates.words}"])
-    if options.method != "fourier" or options.partition is not None:
-        raise UsageError("--method, --partition: not for a held carrier: leave them out")
+    if options.method != "fourier":
+        raise UsageError(f"--method {options.method}: not for a held carrier: leave it out")
+    if options.partition is not None:
+        raise UsageError("--partition: not for a held carrier: leave it out")
 
 
 def mean_along_freedoms(stand: Stand, at: Twists, F: Array) -> Array:
@@ -67,4 +69,4 @@ def slide_directions(stand: Stand) -> Array | None:
 def amount(coordinates: Coordinates, k: int, value: float) -> str:
     """A force or moment along coordinate k in words."""
     kind, unit = UNITS[coordinates.unit_names[k]]
-    return f"a {kind} along {coordinates.names[k]} of {value:.3g}{f' {unit}' if unit else ''}"
+    return f"a {kind} along {coordinates.in_words[k]} of {value:.3g}{f' {unit}' if unit else ''}"

@@ -339,7 +339,7 @@ def exceeded_bounds(
     for i, most in enumerate(bounds.bias or ()):
         value = float(abs(bias[i]))
         if value > most * (1.0 + ROUNDING):
-            name, unit = coordinates.names[i], coordinates.unit_names[i]
+            name, unit = coordinates.in_words[i], coordinates.unit_names[i]
             found.append(ExceededBound("bias", name, value, most, value / most if most else np.inf, unit, None))
     return tuple(sorted(found, key=lambda each: -each.ratio))
 

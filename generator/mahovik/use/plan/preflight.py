@@ -84,7 +84,7 @@ def _advice(problem: Problem) -> str:
     given = np.array(problem.motion.free_mean, dtype=bool)
     said = []
     for key, held in (("`free_mean`", np.logical_not(given)), ("a bound 0 of `bias`", given > problem.free)):
-        own = coordinates_of(problem.stand).names
+        own = coordinates_of(problem.stand).in_words
         names = ", ".join(name for name, is_held in zip(own, held, strict=True) if is_held)
         said += [f"{key} holds the mean of {names}"] if names else []
     return f"{' and '.join(said)}: free it, so that the mean pose may shift to where the surroundings carry the wrench"

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract import laws
-from mahovik.core.stand.hold import freedom_names, is_closed, twists
+from mahovik.core.stand.hold import freedom_words, is_closed, twists
 from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import CheckError, StateError
@@ -244,7 +244,7 @@ class _Search:
         acceleration = ", ".join(f"{x:.4g}" for x in V_dot)
         if self.stand.hold is not None:
             along = twists(self.stand.hold).T @ total
-            names, worst = freedom_names(self.stand.hold), int(np.argmax(np.abs(along)))
+            names, worst = freedom_words(self.stand.hold), int(np.argmax(np.abs(along)))
             what = f"nothing carries {along[worst]:.6g} (N or N m) along the freedom {names[worst]}"
             return f"{self.stand.name}: no static equilibrium: {what}; V_dot there is ({acceleration})"
         if size > 0.0 and np.abs(V_dot[:3]).max() > AT_REST:

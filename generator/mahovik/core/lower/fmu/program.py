@@ -5,6 +5,7 @@ from __future__ import annotations
 from mahovik.core import routines
 from mahovik.core.formula.derived import motion as derived
 from mahovik.core.lower import checks, rotation
+from mahovik.core.lower.fmu.off_hold import off_hold
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import parts_of_twist
@@ -19,7 +20,7 @@ from mahovik.core.program.walk import reachable
 
 
 def lower_fmu(layout: Layout) -> Program:
-    """Functions `unit_attitude`, `pose_rates` and, with flywheels, `count_phases`."""
+    """Functions `unit_attitude`, `pose_rates` and, with flywheels, `count_phases`; of a held carrier `off_hold`."""
     lib = Library(layout)
     precision = layout.precision
     lib.add(routines.square_root(precision))
@@ -31,6 +32,9 @@ def lower_fmu(layout: Layout) -> Program:
         lib.add(routines.unwind(precision))
         lib.add(routines.wrap(precision, lib["unwound"]))
         lib.add(_count_phases(lib))
+    if layout.held:
+        lib.add(rotation.rotate_back())
+        lib.add(off_hold(lib))
     counts = (layout.count,) if layout.flywheels else ()
     program = Program(layout.structure.name, precision, counts, (), reachable(lib.functions))
     validate(program)

@@ -74,7 +74,7 @@ class Rows:
         rows = [one for one in given if len(one) != self.coordinates.count]
         if not rows:
             return
-        expected = f"expected its freedoms, {', '.join(self.coordinates.names)}"
+        expected = f"expected its freedoms, {', '.join(self.coordinates.in_words)}"
         direction = None if self.six is None else self.six.direction(np.array(rows))
         if direction is not None:
             raise MotionError([f"{self.source}: asks for motion along {direction}, which [hold] blocks; {expected}"])
