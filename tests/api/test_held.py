@@ -49,6 +49,13 @@ def test_a_free_carrier_has_no_reaction() -> None:
         model.reaction(model.state())
 
 
+def test_a_reaction_without_its_motion_is_refused() -> None:
+    model = mahovik.build(Stand.of(path("demo3")).replace({"hold": {"freedoms": ["pitch"]}}))
+    with pytest.raises(mahovik.InputError, match="V_dot is missing, expected that of the motion; forward"):
+        model.reaction(model.state())
+    assert np.isfinite(model.reaction(model.state(), V_dot=0.0).reaction).all()
+
+
 def test_coordinates_of_freedoms_have_their_names_and_take_no_angles() -> None:
     model = mahovik.build(Stand.of(loads(TEXT), held=True))
     x = model.state(angles=[0, 0.3, 0], V=[0.2 * 0.4, 0, 0, 0, 0.4, 0])

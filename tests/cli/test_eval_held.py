@@ -84,6 +84,21 @@ def test_the_reaction_of_a_motion_that_is_given(file: str, backend: str) -> None
     assert (faster - own)[0] == pytest.approx(2.0 * 2.5 * 0.2, rel=1e-12)
 
 
+def test_the_reaction_of_no_motion_is_an_error_line(file: str, tmp_path: Path) -> None:
+    """A missing u_dot is not that of the free motion, nor zero; a clamped carrier has none to give."""
+    (missing,) = answers(file, {"angles": [0, 0.3, 0], "want": ["reaction"]}, status=1)
+    assert missing["error"].startswith(
+        'u_dot: missing, but "reaction" is that of a given motion, expected 1 number; ask'
+    )
+    (still,) = answers(file, {"angles": [0, 0.3, 0], "u_dot": [0.0], "want": ["reaction"]})
+    R = still["reaction"]  # along the freedom: what a drive would hold it with
+    assert 0.2 * R[0] + R[4] == pytest.approx(-2.5 * 9.81 * 0.2 * np.sin(0.3), rel=1e-12)
+    clamped = tmp_path / "clamped.toml"
+    clamped.write_text(TEXT.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', "freedoms = []\n"))
+    (found,) = answers(str(clamped), {"want": ["reaction"]})
+    assert found["reaction"][2] == pytest.approx(2.5 * 9.81)
+
+
 def test_a_free_carrier_and_two_reactions_in_one_want_are_error_lines(file: str, tmp_path: Path) -> None:
     (found,) = answers(file, {"want": ["forward", "reaction"]}, status=1)
     assert found["error"] == 'want: "forward" and "reaction" both give reaction, ask for them in two states'

@@ -13,6 +13,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.out.identify.deviations import Deviations
+from mahovik.out.identify.phases import fit_motion
 from mahovik.proof import reference
 from mahovik.use.measured import read_recordings
 from mahovik.use.simulate.held import home
@@ -115,6 +116,8 @@ def test_channels_of_a_hold_need_one(tmp_path: Path, exact: Array) -> None:
     free = Stand.from_dict({key: value for key, value in TRUE.to_dict().items() if key != "hold"})
     (recording,) = read_recordings([write(tmp_path / "run.csv", exact)], free)
     assert sum("the carrier is free, expected a stand with [hold]" in note for note in recording.notes) == 6
+    with pytest.raises(UsageError, match=r"its channels of a hold need a stand with \[hold\], and held has none"):
+        mahovik.identify(free, tmp_path / "run.csv", ["first.unbalance.static"])
     np.savetxt(tmp_path / "other.csv", exact[:, [0, 7, 8]], delimiter=",", comments="",
                header="time [s],first.phase [rad],second.phase [rad]")  # fmt: skip
     with pytest.raises(
@@ -197,3 +200,27 @@ def test_friction_and_mass_of_a_pendulum_are_told_by_its_swing(tmp_path: Path) -
     assert (mass.path, friction.path, friction.unit) == ("carrier.mass", "hold.friction[0].viscous", "N m s/rad")
     assert abs(mass.value - 0.4) < 4.0 * mass.standard_error < 0.02
     assert abs(friction.value - 0.004) < 4.0 * friction.standard_error < 4e-4
+
+
+def test_the_end_of_a_ramp_is_a_corner_of_the_phases(tmp_path: Path) -> None:
+    """The torque about the axis falls to nothing there; without noise all is found to rounding."""
+    run = mahovik.simulate(TRUE, 0.6, regime={"flywheel": {"first": {"ramp": {"to": "600 rpm", "duration": "0.3 s"}},
+                                                          "second": {"speed": "-300 rpm"}}}, every=1e-3)  # fmt: skip
+    columns = ["t", *(f"hold.reaction.{letter}" for letter in LETTERS), "phi first", "phi second"]
+    file = write(tmp_path / "ramp.csv", np.column_stack([run[name] for name in columns]))
+    guess = TRUE.replace({"first.unbalance.static": "60 g mm"})
+    found = mahovik.identify(guess, file, ["first.unbalance.static"])
+    (own,) = found.parameters.values()
+    assert own.value == pytest.approx(72e-6, rel=1e-6)
+    assert own.standard_error < 1e-6 * own.value
+    (note,) = (each for each in found.notes if "jumps" in each)
+    assert note.endswith("jumps at 0.3 s: the samples nearest to it are left out")
+
+
+@pytest.mark.parametrize("law", ["smooth", "noise", "counts"])
+def test_a_phase_without_a_corner_has_none(law: str) -> None:
+    t = np.arange(0.0, 2.0, 1e-3)
+    phi = 100.0 * t + 3.0 * np.sin(9.0 * t)
+    phi += 1e-3 * np.random.default_rng(3).normal(size=len(t)) if law == "noise" else 0.0
+    phi = np.floor(phi * 100.0) / 100.0 if law == "counts" else phi
+    assert fit_motion("w1", t, phi).law.breaks == ()

@@ -283,3 +283,9 @@ def test_a_run_of_simulate_is_data(tmp_path: Path) -> None:
     assert np.array_equal(values(found, "acc1.acceleration.y"), np.sin(clock()))
     assert len(found.notes) == 1
     assert "run of mahovik simulate" in found.notes[0]
+    added = {"hold.force.x [N]": clock(), "acc1.acceleration.x [m/s2]": clock(), "load cell": clock()}
+    found = read_one(tmp_path / "more.csv", columns | added)
+    assert [note.partition(": ")[2].partition(":")[0] for note in found.notes[1:]] == [
+        '"hold.force.x"', '"load cell" is no column of a run, and has no name of the stand',
+    ]  # fmt: skip
+    assert "acc1.acceleration.x" in [channel.label for channel in found.channels]

@@ -42,7 +42,7 @@ def test_each_want_gives_what_the_contract_names(want: str, flywheels: int) -> N
 
 
 def test_every_want_is_spoken_for() -> None:
-    assert set(wants_of("reference")) == set(SHAPES) | {"points"}
+    assert set(wants_of("reference")) == set(SHAPES) | {"points", "reaction"}  # reaction is of held carriers
 
 
 @pytest.mark.parametrize(

@@ -116,6 +116,8 @@ def find_part(stand: Stand, kind: Kind, at: str | None, of: str | None) -> str:
     if given is None:
         what = ", ".join(known) if known else none
         raise UsageError(f"{key}: required, but missing; expected one of {what}")
+    if given == HOLD and kind.place == "part" and HOLD not in known:
+        raise UsageError(f'{key}: "{HOLD}" is what holds a held carrier, and the stand has no [hold]')
     if given not in known:
         raise UsageError(f'{key}: unknown "{given}"{suggestion(given, known, none)}')
     return given

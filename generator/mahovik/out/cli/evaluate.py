@@ -38,7 +38,7 @@ def evaluate(
 
     A state of a held carrier has "u" and "u_dot" in place of "V" and "V_dot": speeds of its freedoms in the order of
     the file, and their rates; `forward` and `coupled` answer `u_dot`, `V_dot` and `reaction`, which is also a want of
-    its own, for the "u_dot" and "phi_ddot" of the state.
+    its own, for the "u_dot", required, and "phi_ddot" of the state.
 
     "actuators": {"rudder": 0.2} sets deflections of fins (rad) and speeds of propellers (rad/s) by name.
 

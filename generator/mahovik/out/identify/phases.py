@@ -8,13 +8,14 @@ from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import BSpline, make_lsq_spline
+from scipy.interpolate import BSpline
 
 from mahovik.core.motion.laws import Constant, Motion
 from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.core.stand.model import Flywheel
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
+from mahovik.out.identify.corners import MOST, MULTIPLICITY, are_corners, corner_near, spline_with_corners
 from mahovik.use.measured.recording import Recording
 
 Array = NDArray[np.float64]
@@ -31,7 +32,7 @@ LEAST = 50
 
 @dataclass(frozen=True, eq=False)
 class Fitted:
-    """Law of a flywheel by a spline of its phase (rad) over time."""
+    """Law of a flywheel by a spline of its phase (rad) over time; `breaks`: its corners, s."""
 
     phase: BSpline
 
@@ -81,28 +82,39 @@ def fit_motion(name: str, t: Array, phi: Array) -> FlywheelRegime:
     """The motion of a flywheel whose phases phi (rad, not wrapped) were seen at the times t (s).
 
     Of a straight line and splines of more and more intervals the one of least Bayesian information
-    criterion, n ln(sum of squares / n) + p ln n: what is left is then rounding of counts and noise.
+    criterion, n ln(sum of squares / n) + p ln n: what is left is then rounding of counts and noise. Where the
+    acceleration jumps, so does that of the spline, if the criterion is less with the corner.
     """
-    n = len(t)
     slope, begin = np.polyfit(t, phi, 1)
-    best = FlywheelRegime(name, Constant(float(slope)), float(begin))
-    least = _criterion(phi - begin - slope * t, 2)
+    least, spline = _best_spline(t, phi, _criterion(phi - begin - slope * t, 2))
+    if spline is None:
+        return FlywheelRegime(name, Constant(float(slope)), float(begin))
+    corners: tuple[float, ...] = ()
+    while len(corners) < MOST and (corner := corner_near(t, phi - spline(t), phi, DEGREE)) is not None:
+        more = tuple(sorted((*corners, corner)))
+        found, other = _best_spline(t, phi, least, more)
+        if other is None or not are_corners(other, more, t):
+            break
+        least, spline, corners = found, other, more
+    return FlywheelRegime(name, cast(Any, Fitted(spline, corners)), float(spline(np.zeros(1))[0]))
+
+
+def _best_spline(t: Array, phi: Array, least: float, corners: tuple[float, ...] = ()) -> tuple[float, BSpline | None]:
+    """The spline of least criterion and that, or `least` and None where no spline has less."""
+    n, best = len(t), None
     intervals, worse = 1, 0
     while n / intervals >= FEWEST and worse < 3:
-        inner = np.linspace(t[0], t[-1], intervals + 1)[1:-1]
-        knots = np.concatenate([np.full(DEGREE + 1, t[0]), inner, np.full(DEGREE + 1, t[-1])])
         try:
-            spline = make_lsq_spline(t, phi, knots, k=DEGREE)
+            spline = spline_with_corners(t, phi, intervals, corners, DEGREE)
         except (ValueError, np.linalg.LinAlgError):  # a gap without a sample in an interval
             break
-        found = _criterion(phi - spline(t), intervals + DEGREE)
+        found = _criterion(phi - spline(t), intervals + DEGREE + (MULTIPLICITY + 1) * len(corners))
         if found < least:
-            least, worse = found, 0
-            best = FlywheelRegime(name, cast(Any, Fitted(spline)), float(spline(np.zeros(1))[0]))
+            least, best, worse = found, spline, 0
         else:
             worse += 1
         intervals *= 2
-    return best
+    return least, best
 
 
 def _criterion(residual: Array, numbers: int) -> float:

@@ -42,6 +42,11 @@ SIZE = 128
 class SpeedLaw(Protocol):
     """A law of a flywheel's speed; see core/motion/laws."""
 
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """Times at which the acceleration jumps, s."""
+        ...
+
     def motion(self, t: Array) -> Motion:
         """Motion at the times t (s)."""
         ...
@@ -54,7 +59,10 @@ class Shifted:
     law: SpeedLaw
     by: float
 
-    breaks: tuple[float, ...] = ()
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """Times at which the acceleration of the law jumps, s."""
+        return tuple(each - self.by for each in self.law.breaks)
 
     def motion(self, t: Array) -> Motion:
         """Motion at the times t (s)."""

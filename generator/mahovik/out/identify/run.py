@@ -14,7 +14,7 @@ from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.out.campaign.signals import sensors
 from mahovik.out.identify.channels import Channel, known_channels
-from mahovik.out.identify.phases import motion_of, span_of
+from mahovik.out.identify.phases import Fitted, motion_of, span_of
 from mahovik.out.identify.predict import Predictor
 from mahovik.use.measured.recording import Recording
 
@@ -31,6 +31,9 @@ LEAST_NOISE = 1e-9
 
 HEARD = 3.0
 """A channel has a signal where its spread is above this many times its noise."""
+
+NEAR_CORNER = 3.0
+"""Samples so near to a corner of a phase, in steps, are left out: its place is not known better, nor are delays."""
 
 FEWEST = 100
 """Samples that a run has at least."""
@@ -92,6 +95,11 @@ def run_of(recording: Recording, stand: Stand, start: State | None, delays: Mapp
         raise UsageError(
             f"{recording.source}: no channel of a sensor or of the hold, expected such as hold.reaction.x [N]"
         )
+    if not channels and any("expected a stand with [hold]" in note for note in recording.notes):
+        raise UsageError(
+            f"{recording.source}: no channel of a sensor; its channels of a hold need a stand with [hold], and "
+            f"{stand.name} has none"
+        )
     if not channels:
         points = sensors(stand)
         example = f"{points[0] if points else 'acc1'}.acceleration.x [m/s2]"
@@ -107,6 +115,16 @@ def run_of(recording: Recording, stand: Stand, start: State | None, delays: Mapp
         measured[outside] = np.nan
         where = f"outside {begin_known:.6g} to {end_known:.6g} s"
         notes = (f"{recording.source}: {left_out} samples {where}, where a phase is missing, are left out",)
+    if any(isinstance(each.law, Fitted) for each in motion.flywheels):  # an acceleration is known from one side alone
+        measured[(t < begin_known + 0.5 * every) | (t > end_known - 0.5 * every)] = np.nan
+    for corner in motion.breaks(float(t[-1] - t[0])):
+        near = np.abs(t - t[0] - corner) <= NEAR_CORNER * every
+        if int((np.isfinite(measured).any(axis=1) & near).sum()):
+            measured[near] = np.nan
+            notes += (
+                f"{recording.source}: the acceleration of a flywheel jumps at {corner + t[0]:.6g} s: the samples "
+                "nearest to it are left out",
+            )
     samples = int(np.isfinite(measured).any(axis=1).sum())
     if samples < FEWEST:
         raise UsageError(f"{recording.source}: {samples} samples of sensors, expected at least {FEWEST}")

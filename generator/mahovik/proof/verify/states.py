@@ -198,6 +198,11 @@ def freedoms_of(stand: Stand, found: dict[str, Any], want: Sequence[str], real: 
     if "generalized" in want and not has_coordinates(stand.hold):
         raise StateError(f'want: no "generalized": {no_coordinates(stand.hold)}; ask for forward')
     count, given = len(stand.hold.freedoms), {}
+    if count and "reaction" in want and not found.keys() & {"u_dot", "V_dot"}:
+        raise StateError(
+            f'u_dot: missing, but "reaction" is that of a given motion, expected {count} number{"s"[: count > 1]}; '
+            "ask for forward to find the free motion and its reaction"
+        )
     for key, other in HELD_KEYS.items():
         if other in found:
             raise StateError(f"{other}: the carrier is held, expected {key}, {count_numbers(count)}")
@@ -396,4 +401,5 @@ def state_object(state: State) -> dict[str, Any]:
 
 def state_line(request: Request) -> str:
     """The line that asks for a request: reading it back gives the same numbers."""
-    return _line(request.id, {**state_object(request.state), "want": list(request.want)})
+    required = {"u_dot": request.state.u_dot} if request.state.u_dot and "reaction" in request.want else {}
+    return _line(request.id, {**state_object(request.state), **required, "want": list(request.want)})

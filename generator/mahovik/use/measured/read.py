@@ -23,7 +23,7 @@ from mahovik.use.measured.names import Names, read_names
 from mahovik.use.measured.quantities import HeaderError, Name, is_time, name_of, time_scale
 from mahovik.use.measured.recording import Array, Recording
 from mahovik.use.measured.simulated_run import NOTE as RUN
-from mahovik.use.measured.simulated_run import is_run, run_header
+from mahovik.use.measured.simulated_run import is_run, is_state, run_header
 from mahovik.use.measured.times import order_times, split_runs
 from mahovik.use.measured.track import Track
 
@@ -154,6 +154,8 @@ def _match(
         header = names.names.get(column, _own_header(column, stand, notes) if counted else column)
         if header is None:
             others += 1
+            if RUN in notes and not is_state(column):
+                notes.append(f'"{column}" is no column of a run, and has no name of the stand: left out')
             continue
         if is_time(header):
             continue
