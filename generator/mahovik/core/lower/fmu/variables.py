@@ -222,7 +222,7 @@ class _Former:
         """What accelerations depend on: speeds and phases, inputs, and the pose where a law of wrenches takes it."""
         layout = self._layout
         found = tuple(v.name for name in ("DRIVE", "WRENCH") for v in self._of(name))
-        if any(law.placed for law in layout.law_tables):
+        if layout.structure.stream_stations or any(law.placed for law in layout.law_tables):
             found += self._state_names("carrier.position")
         if attitude or layout.attitude_needed:
             found += self._state_names("carrier.attitude")
