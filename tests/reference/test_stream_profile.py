@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
@@ -17,6 +18,7 @@ import mahovik
 from laws.vessel import CARRIER
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.fmu.parameters import laws
+from mahovik.core.lower.fmu.variables import Start, form
 from mahovik.core.stand import Stand, dumps, identities, loads
 from mahovik.core.stand.model import StreamProfile
 from mahovik.core.stand.random import Features, extreme_state, random_stand, random_state
@@ -24,6 +26,7 @@ from mahovik.core.stand.random_state import EXTREMES
 from mahovik.errors import CheckError, StandError, StateError
 from mahovik.out.api.stands import Stand as ApiStand
 from mahovik.out.campaign.places import Places
+from mahovik.out.report.stand.surroundings import surroundings
 from mahovik.proof import reference
 from mahovik.proof.diagnose.states import separating_states
 from mahovik.proof.reference.stream import stream_at
@@ -202,6 +205,32 @@ def test_a_step_feels_another_depth() -> None:
     assert fast[0] > 5 * slow[0] > 0
 
 
+def test_a_run_that_leaves_the_profile_says_so() -> None:
+    """Depth and profile by name, in the C as in SciPy."""
+    stand = loads(FILE.replace("added_mass", "buoyancy = { displaced_mass = 40 }\nadded_mass"))
+    still = {"position": [0, 0, 0.1], "V": [0] * 6, "phi": [], "phi_dot": []}
+    for backend in ("c", "scipy"):
+        run = mahovik.simulate(stand, 1.0, start=still, backend=backend, dt=1e-2, every=1e-2)
+        assert run.t[-1] < 0.5
+        assert re.search(r"depth -[\d.e-]+ m is outside of stream_profile, which is given from 0 m", str(run.stopped))
+
+
+def test_the_report_names_the_velocity_of_each_station() -> None:
+    words = str(surroundings(loads(FILE))["Fluid"])
+    assert "(0.5, 0.1, 0) m/s at 10 m" in words and "0 at 50 m" in words
+
+
+def test_rates_of_an_FMU_depend_on_the_depth() -> None:
+    """In its description: the tool may else take the derivative by the position as zero."""
+    generated = generate_all(loads(FILE))
+    start = Start((0, 0, 1), (1, 0, 0, 0), (0,) * 6, (), ())
+    rate = next(
+        v for v in form(loads(FILE), generated.layout, generated.values, "me", "torque", 1e-3, start).variables
+        if v.name == "carrier.V_dot[1]"
+    )  # fmt: skip
+    assert rate.depends is not None and "carrier.position[3]" in rate.depends
+
+
 def test_file_comes_back_and_other_stands_are_as_before() -> None:
     stand = loads(FILE)
     assert loads(dumps(stand)) == stand
@@ -231,6 +260,7 @@ def test_an_equilibrium_at_the_first_station_is_found_and_one_outside_is_refused
     still = loads(FILE.replace('["2 kn", 0, 0], [0.5, 0.1, 0]', "[0, 0, 0], [0, 0, 0]"))
     weightless = replace(still, gravity=(0.0, 0.0, 0.0))
     assert mahovik.rest(weightless).position.tolist() == [0.0, 0.0, 0.0]
+    assert still.profile is not None
     deep = replace(weightless, profile=replace(still.profile, depth=(5.0, 10.0, 50.0)))
     with pytest.raises(CheckError, match="depth 0 m is outside of stream_profile, which is given from 5 m to 50 m"):
         mahovik.rest(deep)

@@ -71,9 +71,9 @@ def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
     if stand.hold is not None and not stand.hold.freedoms:
         return Rest(state, (0.0,) * 6, (), False)
     try:
-        found = _Search(everywhere(stand), state).run()
-        stream_at(stand, found.state.position)
-        return found
+        result = _Search(everywhere(stand), state).run()
+        stream_at(stand, result.state.position)
+        return result
     except (StateError, np.linalg.LinAlgError) as error:
         raise CheckError(f"{stand.name}: the search for an equilibrium failed: {error}") from None
 
