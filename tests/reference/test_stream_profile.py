@@ -114,7 +114,7 @@ def test_a_wrong_shear_of_the_lowest_layer_is_found() -> None:
 
 
 def test_states_are_drawn_in_every_layer_and_near_every_station() -> None:
-    """Of stations far apart as well: 0, 10, 50 m."""
+    """For stations at 0, 10 and 50 m, far more than the spread of a position."""
     depths = np.array([state.position[2] for _, state in draw(loads(FILE), 0, 100)])
     assert min(np.sum(depths < 10), np.sum(depths > 10), np.sum(depths > 30)) >= 10
     for station in (0.0, 10.0, 50.0):

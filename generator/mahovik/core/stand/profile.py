@@ -1,4 +1,4 @@
-"""What the C could not compute with in `[stream_profile]`: velocities and shears beyond their ranges."""
+"""Ranges of the numbers of `[stream_profile]`: velocities and shears that the C takes."""
 
 from __future__ import annotations
 
