@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import copy
+import re
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,16 +18,20 @@ import mahovik
 from laws.vessel import CARRIER
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.fmu.parameters import laws
+from mahovik.core.lower.fmu.variables import Start, form
 from mahovik.core.stand import Stand, dumps, identities, loads
 from mahovik.core.stand.model import StreamProfile
 from mahovik.core.stand.random import Features, extreme_state, random_stand, random_state
 from mahovik.core.stand.random_state import EXTREMES
-from mahovik.errors import StandError, StateError
+from mahovik.errors import CheckError, StandError, StateError
 from mahovik.out.api.stands import Stand as ApiStand
 from mahovik.out.campaign.places import Places
+from mahovik.out.report.stand.surroundings import surroundings
 from mahovik.proof import reference
+from mahovik.proof.diagnose.states import separating_states
 from mahovik.proof.reference.stream import stream_at
 from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.draw import draw
 from mahovik.use.plan.stream import uniform_stream
 from second.agreement import AGREEMENT, differences, expectations
 
@@ -56,6 +64,11 @@ def backend() -> CBackend:
     return CBackend(sheared())
 
 
+@cache
+def small_backend() -> CBackend:
+    return CBackend(loads(FILE))
+
+
 def test_derivations_and_C_agree() -> None:
     from mahovik.proof.second import Second
 
@@ -73,6 +86,39 @@ def test_every_extreme_state_is_within_the_profile() -> None:
         state = extreme_state(sheared(), np.random.default_rng(3), kind)
         stream_at(sheared(), state.position)  # does not refuse
         assert min(backend().call("forward", backend().arguments(state))[0], 0) == 0
+
+
+@pytest.mark.parametrize("station", range(4))
+def test_a_wrong_velocity_of_any_station_shows_in_drawn_states(station: int) -> None:
+    """In those of `verify` by more than any rounding, and in those of a diagnosis; the lowest layer included."""
+    stand = sheared()
+    velocity = list(PROFILE.velocity)
+    velocity[station] = (velocity[station][0] + 0.01, *velocity[station][1:])
+    wrong = replace(stand, profile=replace(PROFILE, velocity=tuple(velocity)))
+    for states in (draw(stand, 0, 40), separating_states(stand)):
+        apart = [np.subtract(stream_at(stand, s.position), stream_at(wrong, s.position)) for _, s in states]
+        assert sum(np.abs(each).max() > 1e-4 for each in apart) >= 2
+
+
+def test_a_wrong_shear_of_the_lowest_layer_is_found() -> None:
+    """The C with another number there is not that of the stand."""
+    stand = loads(FILE)
+    table = copy.deepcopy(small_backend().table())
+    table["stream_profile"]["shear"][-1][0] *= 1.01
+    found = 0
+    for _, state in draw(stand, 0, 12):
+        inputs = small_backend().arguments(state)
+        right, wrong = (small_backend().call("forward", inputs | more)[1]["V_dot"] for more in ({}, {"table": table}))
+        found += not np.allclose(right, wrong, rtol=1e-9)
+    assert found >= 3
+
+
+def test_states_are_drawn_in_every_layer_and_near_every_station() -> None:
+    """For stations at 0, 10 and 50 m, far more than the spread of a position."""
+    depths = np.array([state.position[2] for _, state in draw(loads(FILE), 0, 100)])
+    assert min(np.sum(depths < 10), np.sum(depths > 10), np.sum(depths > 30)) >= 10
+    for station in (0.0, 10.0, 50.0):
+        assert np.sum(np.abs(depths - station) < 0.5) >= 2
 
 
 def test_at_each_depth_it_is_the_uniform_stream_of_that_depth() -> None:
@@ -108,6 +154,31 @@ def test_lines_between_stations(depth: float) -> None:
     np.testing.assert_allclose(u, expected, atol=1e-13)
 
 
+WRONG = [
+    *((*place, bad, status) for place in (("depth", 1), ("top", 2), ("shear", 1, 0), ("down", 0))
+      for bad, status in ((np.nan, -1), (np.inf, -1), (-np.inf, -1), (1e7, -2))),
+    ("depth", 1, 60.0, -2), ("depth", 1, -1.0, -2), ("depth", 0, 10.0, -2), ("down", 2, 1.1, -2),
+    ("shear", 0, 0, 9e4, -2),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("wrong", WRONG, ids=str)
+def test_wrong_numbers_of_the_profile_are_refused(wrong: tuple[Any, ...]) -> None:
+    """NOT_FINITE or RANGE, and nothing is written: in the table of the C as in that of the interpreter."""
+    c = small_backend()
+    *place, last, bad, status = wrong
+    table = copy.deepcopy(c.table())
+    at = table["stream_profile"]
+    for key in place:
+        at = at[key]
+    at[last] = bad
+    state = replace(random_state(loads(FILE), np.random.default_rng(1)), position=(0.0, 0.0, 20.0))
+    inputs = c.arguments(state) | {"table": table, "dt": 1e-3, "order": 4}
+    for judged in (c, c.interpreter):
+        for name in ("forward", "wrench", "step"):
+            assert judged.call(name, inputs)[0] == status, name
+
+
 @pytest.mark.parametrize("depth", [-0.001, 50.001, 1e5])
 def test_a_depth_beyond_the_profile_is_refused(depth: float) -> None:
     """The C returns RANGE, the references say it in words."""
@@ -134,6 +205,32 @@ def test_a_step_feels_another_depth() -> None:
     assert fast[0] > 5 * slow[0] > 0
 
 
+def test_a_run_that_leaves_the_profile_says_so() -> None:
+    """Depth and profile by name, in the C as in SciPy."""
+    stand = loads(FILE.replace("added_mass", "buoyancy = { displaced_mass = 40 }\nadded_mass"))
+    still = {"position": [0, 0, 0.1], "V": [0] * 6, "phi": [], "phi_dot": []}
+    for backend in ("c", "scipy"):
+        run = mahovik.simulate(stand, 1.0, start=still, backend=backend, dt=1e-2, every=1e-2)
+        assert run.t[-1] < 0.5
+        assert re.search(r"depth -[\d.e-]+ m is outside of stream_profile, which is given from 0 m", str(run.stopped))
+
+
+def test_the_report_names_the_velocity_of_each_station() -> None:
+    words = str(surroundings(loads(FILE))["Fluid"])
+    assert "(0.5, 0.1, 0) m/s at 10 m" in words and "0 at 50 m" in words
+
+
+def test_rates_of_an_FMU_depend_on_the_depth() -> None:
+    """In its description: the tool may else take the derivative by the position as zero."""
+    generated = generate_all(loads(FILE))
+    start = Start((0, 0, 1), (1, 0, 0, 0), (0,) * 6, (), ())
+    rate = next(
+        v for v in form(loads(FILE), generated.layout, generated.values, "me", "torque", 1e-3, start).variables
+        if v.name == "carrier.V_dot[1]"
+    )  # fmt: skip
+    assert rate.depends is not None and "carrier.position[3]" in rate.depends
+
+
 def test_file_comes_back_and_other_stands_are_as_before() -> None:
     stand = loads(FILE)
     assert loads(dumps(stand)) == stand
@@ -158,6 +255,35 @@ def test_campaigns_vary_it_and_plans_refuse_it() -> None:
         uniform_stream(loads(FILE))
 
 
+def test_an_equilibrium_at_the_first_station_is_found_and_one_outside_is_refused() -> None:
+    """The search looks above the surface, where the stream is that of the nearest station."""
+    still = loads(FILE.replace('["2 kn", 0, 0], [0.5, 0.1, 0]', "[0, 0, 0], [0, 0, 0]"))
+    weightless = replace(still, gravity=(0.0, 0.0, 0.0))
+    assert mahovik.rest(weightless).position.tolist() == [0.0, 0.0, 0.0]
+    assert still.profile is not None
+    deep = replace(weightless, profile=replace(still.profile, depth=(5.0, 10.0, 50.0)))
+    with pytest.raises(CheckError, match="depth 0 m is outside of stream_profile, which is given from 5 m to 50 m"):
+        mahovik.rest(deep)
+
+
+SPEEDS = ["all=100rpm"]
+STUDIES: dict[str, Callable[[Stand], object]] = {
+    "modes": mahovik.modes,
+    "linearize": mahovik.linearize,
+    "response": lambda stand: mahovik.response(stand, SPEEDS, "carrier"),
+    "quiet": lambda stand: mahovik.quiet(stand, "carrier", (1, 10), least="10 rpm", limit="100 rpm", speeds=[1, 2]),
+    "jitter": lambda stand: mahovik.jitter(stand, SPEEDS, "carrier"),
+}
+
+
+@pytest.mark.parametrize("study", STUDIES.values(), ids=STUDIES)
+def test_small_motions_refuse_it_before_they_search(study: Callable[[Stand], object]) -> None:
+    """A stand without an equilibrium is refused for its profile."""
+    stand = replace(sheared(), tasks=())
+    with pytest.raises(StandError, match="stream_profile: found a stream that changes with depth"):
+        study(stand)
+
+
 def test_simulators_see_its_numbers() -> None:
     generated = generate_all(loads(FILE))
     found = {m.name: m for m in laws(loads(FILE), generated.layout, generated.values)}
@@ -172,6 +298,10 @@ def test_simulators_see_its_numbers() -> None:
         ('["0 m", 10, 50]', "[0, 10]", "expected 2 velocities, one for each `depth`, found 3"),
         ('["0 m", 10, 50]', "[0, 10, 10]", "expected increasing numbers, found 10 m after 10 m"),
         ('["0 m", 10, 50]', "[0]", "expected"),
+        ('["0 m", 10, 50]', "[0, 50, 50.00000000001]", "apart by at least 1e-09 of their depth"),
+        ('["0 m", 10, 50]', "[0, 10, 1e9]", "expected depths of at most 1e+06 m"),
+        ('["0 m", 10, 50]', "[0, 1e-9, 50]", "expected at most 100000 (m/s)/m, found"),
+        ('"2 kn"', "2e4", "velocity[0]: expected components of at most 10000 m/s, found 20000 m/s"),
         ('["0 m", 10, 50]', '["0 s", 10, 50]', "a length"),
         ("velocity = [", "velocity = 3 # [", "expected a list of velocities"),
         ("gravity = [0, 0, 9.81]", "", "down: required without gravity"),

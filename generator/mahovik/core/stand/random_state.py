@@ -60,12 +60,15 @@ def random_state(
         tau=_normal("tau", rng, N),
         wrench=random_wrenches(rng, [body.name for body in stand.bodies if body.wrench_input]),
     )
-    return along_freedoms(stand, state)
+    return along_freedoms(stand, state, rng)
 
 
-def along_freedoms(stand: Stand, state: State) -> State:
-    """The state with u, u_dot of a held carrier by its V, V_dot, and with V = S u, within the ranges of V and V_dot."""
-    state = within_profile(stand, state)
+def along_freedoms(stand: Stand, state: State, rng: np.random.Generator) -> State:
+    """The state with u, u_dot of a held carrier by its V, V_dot, and with V = S u, within the ranges of V and V_dot.
+
+    With a profile of the stream at a depth that it has, drawn by `rng`.
+    """
+    state = within_profile(stand, state, rng)
     if stand.hold is None:
         return state
     S = twists(stand.hold).T.tolist()
@@ -81,16 +84,33 @@ def along_freedoms(stand: Stand, state: State) -> State:
     return replace(state, **given)
 
 
-def within_profile(stand: Stand, state: State) -> State:
-    """The state, moved up or down to a depth that the profile of the stream has; as it is without one."""
+def within_profile(stand: Stand, state: State, rng: np.random.Generator) -> State:
+    """The state, moved up or down into a layer of the profile of the stream; as it is without one.
+
+    A third of the states is in the lowest layer, since the shear there is felt nowhere else in the C; for the others
+    all layers are as likely. A third is near a station, though not within 1e-3 of the layer, which float can tell
+    apart, nor within 1e-2 of it at the ends of the profile, which a motion from there should not leave.
+    """
+    if stand.profile is None:
+        return state
+    layers = len(stand.profile.depth) - 1
+    layer = layers - 1 if rng.random() < 1.0 / 3.0 else int(rng.integers(layers))
+    share = rng.uniform(0.01, 0.99)
+    if rng.random() < 1.0 / 3.0:
+        share = 10.0 ** rng.uniform(-3.0, -2.0)
+        share = share if rng.random() < 0.5 else 1.0 - share
+        share = min(max(share, 0.01 if layer == 0 else 0.0), 0.99 if layer == layers - 1 else 1.0)
+    return in_layer(stand, state, layer, float(share))
+
+
+def in_layer(stand: Stand, state: State, layer: int, share: float) -> State:
+    """The state, moved up or down to where `share` of a layer of the profile is above it."""
     if stand.profile is None:
         return state
     length = math.hypot(*stand.profile.down)
     down = [x / length for x in stand.profile.down]
-    top, bottom = stand.profile.depth[0], stand.profile.depth[-1]
-    depth = sum(map(mul, down, state.position))
-    folded = abs((depth - top) % (2.0 * (bottom - top)) - (bottom - top))  # 0 at the bottom, and at the top its end
-    wanted = bottom - (0.01 + 0.98 * folded / (bottom - top)) * (bottom - top)
+    top, bottom = stand.profile.depth[layer : layer + 2]
+    depth, wanted = sum(map(mul, down, state.position)), top + share * (bottom - top)
     x, y, z = (p + (wanted - depth) * d for p, d in zip(state.position, down, strict=True))
     if max(abs(x), abs(y), abs(z)) > BOUNDS["MAX_POSITION"].value:
         x, y, z = (wanted * d for d in down)
@@ -119,7 +139,7 @@ def extreme_state(
 
     `least_exponent`: decimal, of tiny numbers; subnormal ones are among them.
     """
-    return along_freedoms(stand, _extreme_state(stand, rng, kind, phase_limit, least_exponent))
+    return along_freedoms(stand, _extreme_state(stand, rng, kind, phase_limit, least_exponent), rng)
 
 
 def _extreme_state(

@@ -25,6 +25,7 @@ from mahovik.core.stand.law_schemas import (
 )
 from mahovik.core.stand.model import Carrier, Flywheel, Hold, Instrument, LawData, Point, Stand, StreamProfile, Task
 from mahovik.core.stand.problems import Problems, keys_of
+from mahovik.core.stand.profile import check_profile
 from mahovik.core.stand.schema import (
     CarrierTable,
     FlywheelTable,
@@ -183,6 +184,7 @@ def _profile(problems: Problems, document: dict[str, Any], header: Header | None
     if table.down is None and not any(header.gravity):
         problems.add("stream_profile", "down", "required without gravity (the direction of increasing depth)")
         return None
+    check_profile(problems, table.depth, table.velocity, header.stream or ZERO3)
     return StreamProfile(table.down or header.gravity, table.depth, table.velocity)
 
 

@@ -95,6 +95,10 @@ class Header(Table):
     inverse_most: Annotated[float, scalar(units.ANGULAR_ACCELERATION, above=0.0)] = INVERSE_MOST
 
 
+NEAREST_STATIONS = 1e-9
+"""Least distance of stations of a stream by their depth: nearer, rounding makes the shear between them."""
+
+
 def _depths(raw: Any) -> tuple[float, ...]:
     """Two numbers or more, increasing."""
     values = raw.get("value") if isinstance(raw, dict) else raw
@@ -102,6 +106,15 @@ def _depths(raw: Any) -> tuple[float, ...]:
     for above, below in pairwise(found):
         if not above < below:
             raise QuantityError(f"expected increasing numbers, found {below:g} m after {above:g} m")
+        if below - above < NEAREST_STATIONS * max(abs(above), abs(below)):
+            raise QuantityError(
+                f"expected stations apart by at least {NEAREST_STATIONS:g} of their depth, found {below:.17g} m after "
+                f"{above:.17g} m: leave one of them out"
+            )
+    if (deepest := max(map(abs, found))) > (most := BOUNDS["MAX_POSITION"].value):
+        raise QuantityError(
+            f"expected depths of at most {most:g} m, which is the range of a position, found {deepest:g} m"
+        )
     return found
 
 

@@ -14,6 +14,7 @@ from mahovik.out.api.fields import Array
 from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import Keys, StandGiven, state_of
 from mahovik.out.functions.table import Column, Table, module
+from mahovik.use.plan.stream import uniform_stream
 from mahovik.use.simulate.held import allowed_start
 from mahovik.use.study.linear import LinearModel as CoreModel
 from mahovik.use.study.linear import Modes as CoreModes
@@ -98,6 +99,7 @@ def modes(stand: StandGiven, at: At = None, *, locked: bool = True) -> Modes:
     Raises StandError, UsageError, CheckError where there is no equilibrium.
     """
     own = Stand.of(stand, held=True)
+    uniform_stream(own)
     model = linear_model(own, _nominal(own, at), [], locked=locked)
     return Modes(own, modes_of(model), model.steady)
 
@@ -179,6 +181,7 @@ def linearize(
     Raises StandError, UsageError, CheckError where there is no equilibrium.
     """
     own = Stand.of(stand, held=True)
+    uniform_stream(own)
     names = None if points is None else list(points)
     if names is None and not (own.points or own.instruments):
         names = ["carrier"]

@@ -11,7 +11,7 @@ from typing import cast
 import numpy as np
 
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.random_state import random_state, random_wrenches
+from mahovik.core.stand.random_state import in_layer, random_state, random_wrenches
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.proof.verify.actuators import with_drawn_actuators
 
@@ -53,6 +53,9 @@ def separating_states(stand: Stand, seed: int = 1, actuators: bool = False) -> l
         state = _by_angles(stand, rng)
         alone = tuple(x if i == k else 0.0 for i, x in enumerate(state.phi_dot))
         found.append((f"{stand.flywheels[k].name} turns", replace(state, phi_dot=alone)))
+    if stand.profile is not None:  # layer by layer from the lowest
+        layers = len(stand.profile.depth) - 1
+        found = [(s[0], in_layer(stand, s[1], layers - 1 - k % layers, (0.7, 0.4)[k % 2])) for k, s in enumerate(found)]
     if stand.hold is not None:
         found = [(name, _in_freedoms(state)) for name, state in found]
     if actuators:

@@ -15,6 +15,7 @@ from mahovik.contract.status import status_words
 from mahovik.core.emit.names import member as c_member
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError, UsageError
+from mahovik.proof.reference.stream import stream_at
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.use.simulate.case import Array, Case, Moment, wrap_phases
 
@@ -167,7 +168,13 @@ class CMotion:
 
     def _check(self, status: int, t: float) -> None:
         if status < 0:
-            raise StateError(f"at t = {t:.6g} s a step returned {status_words(status)}: the motion leaves its ranges")
+            where = f"at t = {t:.6g} s a step returned {status_words(status)}"
+            try:
+                x, y, z = self._view[:3].tolist()
+                stream_at(self.case.stand, (x, y, z))
+            except StateError as outside:
+                raise StateError(f"{where}: {outside}") from None
+            raise StateError(f"{where}: the motion leaves its ranges")
 
     def _accelerations(self, t: float) -> tuple[Array, Array, Array]:
         """V_dot, phi_ddot and drive torques at the present state."""

@@ -19,6 +19,7 @@ from mahovik.proof.reference import Pieces, pieces
 from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.hold import free_equations
+from mahovik.proof.reference.stream import stream_at
 from mahovik.proof.verify.scales.wrenches import wrench_scale
 from mahovik.use.simulate.held import home, move
 
@@ -35,6 +36,7 @@ _PUSHES = (0.05, -0.05, 0.5)  # m or rad
 _TURN, _SHIFT = 0.3, 0.1  # rad, m: limit of a step
 _FAR = 1e12  # beyond the limit of a step
 _DIFFERENCE = 1e-5  # m, rad: step of the differences for the stiffness
+_REACH = 1e7  # m: beyond any position that the C takes
 
 
 @dataclass(frozen=True)
@@ -55,7 +57,8 @@ class Rest:
 def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
     """Equilibrium of `stand` with flywheels held at the phases `phi` (N, rad; default 0), nearest to q = 0.
 
-    No run-time wrench acts. Free directions stay at zero. Raises CheckError: there is none.
+    No run-time wrench acts. Free directions stay at zero. Raises CheckError: there is none, or it is outside of the
+    profile of the stream, within which the search itself need not stay.
     """
     state = home(stand)
     if phi is not None:
@@ -67,16 +70,27 @@ def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
         )
     if stand.hold is not None and not stand.hold.freedoms:
         return Rest(state, (0.0,) * 6, (), False)
-    search = _Search(stand, state)
     try:
-        return search.run()
+        result = _Search(everywhere(stand), state).run()
+        stream_at(stand, result.state.position)
+        return result
     except (StateError, np.linalg.LinAlgError) as error:
         raise CheckError(f"{stand.name}: the search for an equilibrium failed: {error}") from None
 
 
+def everywhere(stand: Stand) -> Stand:
+    """The stand in a stream that beyond the stations of its profile is that of the nearest one, as inside a step."""
+    profile = stand.profile
+    if profile is None:
+        return stand
+    depth = (profile.depth[0] - _REACH, *profile.depth, profile.depth[-1] + _REACH)
+    velocity = (profile.velocity[0], *profile.velocity, profile.velocity[-1])
+    return replace(stand, profile=replace(profile, depth=depth, velocity=velocity))
+
+
 def accuracy(stand: Stand, state: State) -> Array:
     """Largest V_dot (6; m/s2, rad/s2) that counts as none in an equilibrium at `state`, which has a quaternion."""
-    search = _Search(stand, state)
+    search = _Search(everywhere(stand), state)
     return search.tolerance(search.at(state))
 
 

@@ -20,6 +20,14 @@ Inputs = Literal["torque", "acceleration"]
 
 _QUATERNION = "wxyz"
 
+_RANGES = {
+    "stream[": "MAX_VELOCITY",
+    "stream_profile.top[": "MAX_VELOCITY",
+    "stream_profile.depth[": "MAX_POSITION",
+    "stream_profile.shear[": "MAX_SPEED",
+}
+"""Beginnings of names of laws that have a range of their own."""
+
 
 @dataclass(frozen=True)
 class Variable:
@@ -206,7 +214,9 @@ class _Former:
 
     def _measurement_variables(self, members: Iterator[Member]) -> Iterator[Variable]:
         for member in members:
-            most = self._most["MAX_VELOCITY" if member.name.startswith("stream[") else "MAX_PARAMETER"]
+            most = self._most[
+                next((of for name, of in _RANGES.items() if member.name.startswith(name)), "MAX_PARAMETER")
+            ]
             yield Variable(
                 member.name, member.unit, member.description, "parameter", "tunable", member.value,
                 least=0.0 if member.positive else -most, most=most,
@@ -222,7 +232,7 @@ class _Former:
         """What accelerations depend on: speeds and phases, inputs, and the pose where a law of wrenches takes it."""
         layout = self._layout
         found = tuple(v.name for name in ("DRIVE", "WRENCH") for v in self._of(name))
-        if any(law.placed for law in layout.law_tables):
+        if layout.structure.stream_stations or any(law.placed for law in layout.law_tables):
             found += self._state_names("carrier.position")
         if attitude or layout.attitude_needed:
             found += self._state_names("carrier.attitude")

@@ -7,7 +7,7 @@ from markupsafe import Markup
 from mahovik.contract import laws
 from mahovik.core.derive.order import SEQUENCES
 from mahovik.core.stand.model import Carrier, Instrument, Stand
-from mahovik.out.report.stand.markup import Cell, vector_cell
+from mahovik.out.report.stand.markup import Cell, figure, vector_cell
 
 
 def surroundings(stand: Stand) -> dict[str, Cell]:
@@ -36,7 +36,11 @@ def _fluid(stand: Stand) -> Markup:
         still = "still, unless it is set at run time"
         parts.append(Markup("stream {}").format(vector_cell(stand.stream, "m/s", still)))
     if stand.profile is not None:
-        parts.append(Markup("and by depth, at {} stations").format(len(stand.profile.depth)))
+        stations = [
+            Markup("{} at {}").format(vector_cell(u, "m/s", "0"), Markup("{} m").format(figure(depth)))
+            for depth, u in zip(stand.profile.depth, stand.profile.velocity, strict=True)
+        ]
+        parts.append(Markup("and by depth {}").format(Markup(", ").join(stations)))
     parts += [words for note in laws.of_bodies("report", "note") if (words := note(stand))]
     return Markup("; ").join(parts) if parts else Markup("none")
 

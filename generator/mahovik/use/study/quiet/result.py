@@ -18,6 +18,7 @@ from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.errors import StateError
 from mahovik.proof.verify.states import state_object
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.stream import uniform_stream
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.linear.modes import modes
 from mahovik.use.study.quiet.lines import (
@@ -130,9 +131,10 @@ def quiet(
 ) -> QuietResult:
     """Find quiet speeds and phases. `backend` of the check: c or scipy; None: no simulation.
 
-    Raises UsageError for bad input; ToolchainError if c lacks a compiler, before the search; CheckError if no speeds
-    are allowed, or there is no equilibrium.
+    Raises StandError for a stream by depth, UsageError for bad input; ToolchainError if c lacks a compiler, before the
+    search; CheckError if no speeds are allowed, or there is no equilibrium.
     """
+    uniform_stream(stand)
     check_options(stand, options)
     if backend == "c":
         find_compiler()  # before the search, not after it

@@ -24,6 +24,7 @@ from mahovik.use.plan.forward import Chart, Drive, drive
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.residual.by_carrier import by_carrier, slopes_of_residual
 from mahovik.use.plan.residual.spatial import skew
+from mahovik.use.plan.stream import uniform_stream
 from mahovik.use.study.response.scene import FREE, LEAST
 from mahovik.use.study.rest import accuracy, rest
 
@@ -73,8 +74,12 @@ class HeldScene:
 
     @staticmethod
     def of(stand: Stand) -> HeldScene:
-        """Scene of a held stand. Raises CheckError: no equilibrium, or the freedoms are not a closed set."""
+        """Scene of a held stand.
+
+        Raises StandError: a stream by depth; CheckError: no equilibrium, or the freedoms are not a closed set.
+        """
         assert stand.hold is not None
+        uniform_stream(stand)
         state, S = rest(stand).state, twists(stand.hold)
         mechanics = Mechanics.of(stand)
         chart = Chart(mechanics, np.array(state.position), carrier_rotation(stand, state))

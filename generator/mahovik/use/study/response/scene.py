@@ -15,6 +15,7 @@ from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.residual.by_carrier import by_carrier, slopes_of_residual
 from mahovik.use.plan.residual.slopes import rotation_vector_rate
 from mahovik.use.plan.residual.spatial import skew
+from mahovik.use.plan.stream import uniform_stream
 from mahovik.use.study.rest import rest
 
 FREE = 1e-8
@@ -42,7 +43,8 @@ class Scene:
 
     @staticmethod
     def of(stand: Stand) -> Scene:
-        """Scene of a stand. Raises CheckError: the stand has no equilibrium."""
+        """Scene of a stand. Raises StandError: a stream by depth; CheckError: no equilibrium."""
+        uniform_stream(stand)
         state = rest(stand).state
         mechanics = Mechanics.of(stand)
         chart = Chart(mechanics, np.array(state.position), carrier_rotation(stand, state))
