@@ -10,7 +10,7 @@ from typing import cast
 
 import numpy as np
 
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, StreamProfile
 from mahovik.core.stand.random_state import random_state, random_wrenches
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.proof.verify.actuators import with_drawn_actuators
@@ -53,11 +53,23 @@ def separating_states(stand: Stand, seed: int = 1, actuators: bool = False) -> l
         state = _by_angles(stand, rng)
         alone = tuple(x if i == k else 0.0 for i, x in enumerate(state.phi_dot))
         found.append((f"{stand.flywheels[k].name} turns", replace(state, phi_dot=alone)))
+    if stand.profile is not None:
+        found = [(name, _at_depth(stand.profile, state, rng)) for name, state in found]
     if stand.hold is not None:
         found = [(name, _in_freedoms(state)) for name, state in found]
     if actuators:
         found = [(name, with_drawn_actuators(stand, state, rng)) for name, state in found]
     return found
+
+
+def _at_depth(profile: StreamProfile, state: State, rng: np.random.Generator) -> State:
+    """The state at any depth of a profile: near its top many a wrong profile looks right."""
+    down = np.array(profile.down) / np.linalg.norm(profile.down)
+    position = np.array(state.position)
+    top, bottom = profile.depth[0], profile.depth[-1]
+    depth = top + (bottom - top) * rng.uniform(0.05, 0.95)
+    x, y, z = (position + (depth - down @ position) * down).tolist()
+    return replace(state, position=(x, y, z))
 
 
 def _in_freedoms(state: State) -> State:
