@@ -228,3 +228,13 @@ def test_a_program_that_answers_nan(wants: str) -> None:
     assert "(component Z)" in result.stdout
     assert "forward answers no number at" in result.stdout
     assert "no fault" not in result.stdout
+
+
+def test_nan_beside_a_wrong_term() -> None:
+    """That wrong terms are not looked for, and why, is said."""
+    wrong = NAN.replace("math.nan", "math.nan\n        found['V_dot'][0] += 0.3 * math.sin(found['V_dot'][1])")
+    command = f"{PYTHON} -c {shlex.quote(wrong)} {{stand}}"
+    result = run("judge", DEMO3, "--states", "3", "--with", command, "--explain", "--want", "forward")
+    assert result.exit_code == 1
+    assert "states of the diagnosis (component Z)" in result.stdout
+    assert "wrong terms are not looked for: forward has all components at no state" in result.stdout

@@ -24,6 +24,7 @@ from mahovik.laws.stop.faults import FAULTS as STOP_FAULTS
 from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
 from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.diagnose.faults import DICTIONARY
+from mahovik.proof.diagnose.faults.stream import PROFILE_FAULTS
 from mahovik.proof.diagnose.predict import FaultyProgram, Part
 from mahovik.proof.diagnose.search import match, share
 from mahovik.proof.diagnose.states import FIRST
@@ -114,10 +115,10 @@ def test_faults_leave_the_right_answers_as_they_are() -> None:
 SEEN_ELSEWHERE = {
     "sequence, aircraft", "flywheel damping without phi'", "axis of any length not normalised",
     "products of added mass twice",
-    *(fault.name for fault in (*FRICTION_FAULTS, *STOP_FAULTS)),
+    *(fault.name for fault in (*FRICTION_FAULTS, *STOP_FAULTS, *PROFILE_FAULTS)),
 }  # fmt: skip
 """Faults that need another stand: another sequence, a damped flywheel, a mounting by axes, published derivatives, a
-held carrier."""
+held carrier, a stream by depth."""
 
 
 @pytest.mark.slow

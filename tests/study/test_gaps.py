@@ -54,7 +54,7 @@ def test_a_component_of_one_want() -> None:
     found = diagnosed(spoil)
     count = sum(request.want == ("forward",) for request in diagnoser().requests)
     first, *others = sentences(found)
-    assert first == f"forward answers no number at {count} of {count} states (component Z)"
+    assert first == f"forward answers no number at {count} of {count} states of the diagnosis (component Z)"
     assert "no fault" not in " ".join(others)
     data = as_object(found)
     assert data["verdict"] == "unnamed"
@@ -68,7 +68,9 @@ def test_nothing_but_gaps(number: float | None) -> None:
 
     found = diagnosed(change, "forward")
     count = len(diagnoser("forward").requests)
-    assert sentences(found) == [f"forward answers no number at {count} of {count} states (all components)"]
+    assert sentences(found) == [
+        f"forward answers no number at {count} of {count} states of the diagnosis (all components)"
+    ]
 
 
 def test_two_quantities_of_one_want() -> None:

@@ -212,8 +212,11 @@ def _diagnosis(
         return replace(diagnosed, failed=_failure_words(found, diagnosed.wrong))
     silent = {gap.want for gap in diagnosed.gaps if gap.everywhere}
     searched = tuple(want for want in offered if want not in silent)
-    if diagnosed.outcome != "unknown" or not set(searched) & set(WANTS) or stand.hold is not None:
+    if diagnosed.outcome != "unknown" or stand.hold is not None:
         return diagnosed
+    if not set(searched) & set(WANTS):
+        without = [want for want in WANTS if want in silent]
+        return replace(diagnosed, hindrance=_silence(without)) if without else diagnosed
     rounding = ROUNDING if tolerance <= DOUBLE.default else tolerance
     if states is not None:
         states = spread_rows(states, ROWS_OF_TERMS * count(stand))
@@ -224,6 +227,12 @@ def _diagnosis(
         if not diagnosed.gaps:
             raise
         return replace(diagnosed, hindrance=str(error))
+
+
+def _silence(wants: Sequence[str]) -> str:
+    """Why the equations of wants that have no whole answer are not looked at."""
+    names = " and ".join(wants)
+    return f"{names} {'has' if len(wants) == 1 else 'have'} all components at no state, and an equation needs all"
 
 
 def _failure_words(found: Report, compared: Sequence[str] = ()) -> tuple[str, ...]:

@@ -14,7 +14,7 @@ from mahovik.core.stand.state import State
 from mahovik.proof.diagnose.answer_vector import answer_vector
 from mahovik.proof.diagnose.gaps import Gap, gaps_of
 from mahovik.proof.diagnose.predict import Part, Predictions
-from mahovik.proof.diagnose.search import EXACT, Evidence, Finding, Search
+from mahovik.proof.diagnose.search import EXACT, NAMING_SCORE, Evidence, Finding, Search
 from mahovik.proof.diagnose.states import FIRST, separating_states
 from mahovik.proof.diagnose.terms.search import TermSearchResult, WrongTerm
 from mahovik.proof.reference.array import Array
@@ -178,8 +178,8 @@ class Diagnoser:
         ranked = search.rank_suspects(freely)
         unseen = tuple(part.fault.name for (part,) in search.invisible_faults())
         if not ranked or not ranked[0].can_be_named:
-            nearest = tuple(_cause(each, wrong) for each in sorted(ranked, key=lambda each: each.match.score)[:3])
-            return Diagnosis("unknown", (), 0.0, nearest, unseen, wrong)
+            nearest = sorted(filter(_is_near, ranked), key=lambda each: each.match.score)[:3]
+            return Diagnosis("unknown", (), 0.0, tuple(_cause(each, wrong) for each in nearest), unseen, wrong)
         best = ranked[0]
         twins = search.equal_findings(best, ranked)
         others = [each for each in ranked if not any(each.repeats(named) for named in (best, *twins))]
@@ -187,7 +187,7 @@ class Diagnoser:
             "named",
             tuple(_cause(each, wrong) for each in (best, *twins)),
             _confidence(best, others),
-            tuple(_cause(each, wrong) for each in others[:3]),
+            tuple(_cause(each, wrong) for each in others if each.can_be_mentioned)[:3],
             unseen,
             wrong,
         )
@@ -196,6 +196,11 @@ class Diagnoser:
 def _cause(finding: Finding, wrong: Sequence[str]) -> Cause:
     only = tuple(wrong) if finding.match.absent and finding.can_be_named else ()
     return Cause(finding.suspect, finding.share, finding.match.score, only)
+
+
+def _is_near(finding: Finding) -> bool:
+    """Whether a finding that cannot be named is worth mentioning; one that its likeness hides from naming is not."""
+    return finding.can_be_mentioned and finding.match.score > NAMING_SCORE
 
 
 def _score(diagnosis: Diagnosis) -> float:

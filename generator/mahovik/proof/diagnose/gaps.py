@@ -44,7 +44,7 @@ class Gap:
             f"{'' if self.only else quantity + ', '}{self._place(quantity, names)}"
             for quantity, names in self.components.items()
         )
-        return f"{self.want} answers no number at {self.missing} of {self.states} states ({places})"
+        return f"{self.want} answers no number at {self.missing} of {self.states} states of the diagnosis ({places})"
 
     def _place(self, quantity: str, names: tuple[str, ...]) -> str:
         if quantity in self.whole:

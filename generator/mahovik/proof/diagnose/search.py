@@ -90,6 +90,12 @@ WHOLE = 1e-3
 ALIKE = 0.5
 """Part of the wrong quantities that a fault must spoil in all flywheels, to be tried in one flywheel."""
 
+BY_PLACE = ("position ignored", "stream ignored", "stream, sign", "stream not turned into E1")
+"""Faults that some wrong profile of the stream resembles: with a profile they are named only if they are exact."""
+
+LARGEST_PRINTED = 3.0
+"""Largest multiple of a fault that is mentioned beside the cause or as the nearest: a larger one says nothing."""
+
 SHORT_LIST = 5
 """Number of suspects that are examined at all states."""
 
@@ -102,11 +108,15 @@ TWIN = 1e-3
 
 @dataclass(frozen=True)
 class Finding:
-    """A suspect, the share of its error that was found, and how well it explains what was found."""
+    """A suspect, the share of its error that was found, and how well it explains what was found.
+
+    by_profile  whether the stream of the stand depends on depth
+    """
 
     suspect: Suspect
     share: float
     match: Match
+    by_profile: bool = False
 
     @property
     def cost(self) -> float:
@@ -120,8 +130,15 @@ class Finding:
 
     @property
     def can_be_named(self) -> bool:
-        """Whether its score is low enough to name it."""
+        """Whether its score is low enough to name it; a likeness of a wrong profile of the stream must be exact."""
+        if self.by_profile and any(fault.name in BY_PLACE for fault in self.faults):
+            return self.share == 1.0 and self.match.score <= EXACT
         return self.match.score <= NAMING_SCORE
+
+    @property
+    def can_be_mentioned(self) -> bool:
+        """Whether a reader can make something of its share."""
+        return abs(self.share) <= LARGEST_PRINTED
 
     @property
     def faults(self) -> set[Fault]:
@@ -257,7 +274,8 @@ class Search:
 
     def _examine(self, suspect: Suspect, whole: bool, a: float = 1.0) -> Finding:
         noise, block = self._rounding(whole)
-        return Finding(suspect, a, match(self._e(whole), a * self._prediction(suspect, whole), noise, block))
+        found = match(self._e(whole), a * self._prediction(suspect, whole), noise, block)
+        return Finding(suspect, a, found, self._stand.profile is not None)
 
     def _all_states(self, whole: bool) -> bool:
         """Whether all states are looked at: where the first ones show no error they are no use."""

@@ -6,6 +6,7 @@ from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.diagnose.faults import drive, fluid, laws, mounting, velocity, wrenches
 from mahovik.proof.diagnose.faults.inertia import INERTIA_FAULTS, UNBALANCE_FAULTS
 from mahovik.proof.diagnose.faults.reading import ANSWER_FAULTS, READING_FAULTS
+from mahovik.proof.diagnose.faults.stream import PROFILE_FAULTS, STREAM_FAULTS
 
 DICTIONARY: tuple[Fault, ...] = (
     *INERTIA_FAULTS,
@@ -15,6 +16,8 @@ DICTIONARY: tuple[Fault, ...] = (
     *laws.ON_BODIES,
     *wrenches.FAULTS,
     *fluid.FAULTS,
+    *STREAM_FAULTS,
+    *PROFILE_FAULTS,
     *laws.ON_CARRIER,
     *drive.FAULTS,
     *READING_FAULTS,

@@ -13,6 +13,7 @@ from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.bodies import SpinningFlywheel
 from mahovik.proof.reference.coupled import spin_up_torque
 from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.hold import held_forward
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import C1
 from mahovik.proof.reference.screw import Phi, block_diagonal, f, spin
@@ -57,7 +58,9 @@ def about_mass_center(at: Pieces, number: int, s: SpinningFlywheel) -> Pieces:
 def without_carrier(right: Values, at: Pieces, case: Case) -> Values:
     """The coupled form without I^T: the flywheels first, then the carrier."""
     phi_ddot = spin_up_torque(at, np.array(case.state.tau)) / np.diag(at.Theta_ff)
-    return {"V_dot": forward(at, phi_ddot), "phi_ddot": phi_ddot}
+    hold = case.stand.hold
+    moved = {"V_dot": forward(at, phi_ddot)} if hold is None else dict(vars(held_forward(at, hold, phi_ddot)))
+    return {**moved, "phi_ddot": phi_ddot}
 
 
 # fmt: off

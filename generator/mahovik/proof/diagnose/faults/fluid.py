@@ -1,4 +1,4 @@
-"""Faults in the fluid: added mass, stream."""
+"""Faults in added mass."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from mahovik.core.stand.model import Instrument
-from mahovik.proof.diagnose.edits import added_mass, convection, pieces, stand, value, vector, wrench, zero
-from mahovik.proof.diagnose.fault import Case, Edit, Fault
+from mahovik.proof.diagnose.edits import added_mass, convection, pieces, value, wrench, zero
+from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pieces import Pieces
@@ -30,13 +30,6 @@ def with_added_weight(P: Array, k: PlacedBody, at: Pieces) -> Array:
     return P + force_at(mass * k.L[:3, :3].T @ at.gravity, np.zeros(3))
 
 
-def drives_at_V_r(at: Pieces, case: Case) -> Pieces:
-    """The pieces with V_r for V where flywheels are concerned."""
-    return replace(at, V=at.V_r) if case.want in ("torque", "mounts") else at
-
-
-STEADY_IN_E1 = pieces(lambda at: replace(at, u=np.zeros(3)))
-"""No turning of the stream in E1: V* for V_r*."""
 # fmt: off
 FAULTS = (
     Fault("added mass missing", "(2)", "fixed", [added_mass(zero)],
@@ -74,19 +67,4 @@ FAULTS = (
     Fault("added mass with weight", "(7)", "fixed", [wrench(with_added_weight, "weight")],
           "Added mass is given weight",
           "added mass is in K and Phi K only, never in the weight"),
-    Fault("stream ignored", "V_r", "all", [stand(stream=None, profile=None)],
-          "The stream is ignored",
-          "V_r = V - (C^T u, 0) in M, J and damping"),
-    Fault("stream, sign", "V_r", "all", [vector("stream", lambda u, C: -u)],
-          "The stream flows the other way",
-          "V_r = V - (C^T u, 0); u is where the fluid goes to"),
-    Fault("stream not turned into E1", "V_r", "all", [vector("stream", lambda u, C: C @ u)],
-          "The stream is not turned into the carrier's axes",
-          "C^T u"),
-    Fault("omega x u missing, drives too", "V_r*", "all", [STEADY_IN_E1, Edit("pieces", drives_at_V_r)],
-          "The turning of the stream in E1 is ignored in the flywheels' equations too: V* is taken for V_r*",
-          "V* = V_r* - (omega x C^T u, 0), wherever V_r stands for V"),
-    Fault("omega x u missing", "V_r*", "all", [STEADY_IN_E1],
-          "The turning of the stream in E1 is ignored in the carrier's equation: V* is taken for V_r*",
-          "V* = V_r* - (omega x C^T u, 0)"),
 )

@@ -132,7 +132,9 @@ def about_origin(Z0: Array, right: Values, at: Pieces, case: Case) -> Array:
 
 
 def without_rate(right: Values, at: Pieces, case: Case) -> Values:
-    """(10), (11) without D."""
+    """(10), (11) without D; a held carrier answers q, q' and q'' only, which have no D: they stay as they are."""
+    if "D" not in right:
+        return right
     D, A = right["D"], right["A"]
     q_ddot = right["q_ddot"] + solve(A, D @ solve(A, at.V_r))
     return {**right, "D": np.zeros((6, 6)), "J0": right["J0"] - at.K @ D, "q_ddot": q_ddot}
