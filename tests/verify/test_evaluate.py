@@ -13,7 +13,8 @@ from mahovik.contract.functions import wants_of_carrier
 from mahovik.core.stand import State, load, rest_state
 from mahovik.proof import reference
 from mahovik.proof.verify.backends import NumpyBackend
-from mahovik.proof.verify.states import encode, evaluate_lines
+from mahovik.proof.verify.json_text import encode
+from mahovik.proof.verify.states import evaluate_lines
 from mahovik.stands import path
 
 AUV = load(path("auv6"))

@@ -11,8 +11,6 @@ from itertools import cycle
 from types import MappingProxyType
 from typing import IO, Any, cast
 
-import numpy as np
-
 from mahovik.contract.functions import ALL_WANTS, TASK_CONFLICTS, TASK_WANTS, WANTS, hold_fault, want_fault
 from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH, Quantity
 from mahovik.core.stand.hold import has_coordinates, no_coordinates, twist_of
@@ -328,7 +326,7 @@ def evaluate_line(stand: Stand, backend: Backend, line: bytes, real: str = "doub
 
 def _line(given: Any, values: dict[str, Any]) -> str:
     """The id as it was given (any JSON value, nested however deep), then the values."""
-    return f'{{"id": {json.dumps(given)}, {_members(values)}}}'
+    return f'{{"id": {json.dumps(given)}, {members(values)}}}'
 
 
 def _text(line: bytes) -> str:
@@ -336,44 +334,6 @@ def _text(line: bytes) -> str:
         return line.decode("utf-8")
     except UnicodeDecodeError as error:
         raise StateError(f"not UTF-8: byte 0x{line[error.start]:02x}") from None
-
-
-def encode(value: Any) -> str:
-    """Strict JSON, floats with 17 significant digits, so that they read back as the same bits.
-
-    StateError where a number is not finite. Arrays are lists; a float is never written like an integer.
-    """
-    match value:
-        case dict():
-            return "{" + _members(value) + "}"
-        case np.ndarray():
-            return encode(value.tolist())
-        case list() | tuple():
-            return "[" + ", ".join(encode(each) for each in value) + "]"
-        case float() | np.floating():
-            return _float(float(value))
-        case np.integer():
-            return str(int(value))
-    return json.dumps(value, allow_nan=False)
-
-
-def _members(value: dict[str, Any]) -> str:
-    return ", ".join(f"{json.dumps(name)}: {_member(name, each)}" for name, each in value.items())
-
-
-def _member(name: str, value: Any) -> str:
-    try:
-        return encode(value)
-    except StateError as error:
-        reason = str(error)
-    raise StateError(reason if ":" in reason else f"{name}: {reason}")
-
-
-def _float(x: float) -> str:
-    if not math.isfinite(x):
-        raise StateError("not finite at this state")
-    text = f"{x:.17g}"
-    return text + ".0" if text.lstrip("-").isdigit() else text
 
 
 def state_object(state: State) -> dict[str, Any]:
