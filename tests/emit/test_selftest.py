@@ -192,7 +192,7 @@ def test_the_distance_is_in_units_in_the_last_place(real: str, precision: Precis
 def test_a_distance_beyond_counting_is_said_in_words(real: str, tmp_path: Path) -> None:
     # another sign: a number of 10 or 19 digits that nobody can read
     _, files = generate_with_selftest("demo3", real)
-    source = re.sub(r"(V_dot\[0\] = )(\w)", r"\1-\2", files["demo3.c"])
+    source = re.sub(r"(y\[0\] = )(v1_dot)", r"\1-\2", files["demo3.c"])
     assert source != files["demo3.c"]
     _, printed = run_selftest({**files, "demo3.c": source}, "demo3", tmp_path)
     (log,) = read_log(printed, "demo3")

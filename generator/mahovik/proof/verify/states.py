@@ -20,6 +20,7 @@ from mahovik.errors import StateError, count_numbers
 from mahovik.nearest import suggestion
 from mahovik.proof.verify.actuators import actuators_of
 from mahovik.proof.verify.backends import Backend
+from mahovik.proof.verify.json_text import members
 
 ROUNDING = 4 * 2.0**-52
 """Rounding of four squares and a root: a quaternion this near to unit length stays as it is, so that states replay."""
