@@ -315,8 +315,9 @@ def page(found: Figures) -> str:
         for fault in DICTIONARY if fault.name in kept
     ]  # fmt: skip
     new = [fault.name for fault in DICTIONARY if fault.name not in kept]
+    held = f", {found['held']} held ones" if found.get("held") else ""
     return (
-        f"{found['stands']} random stands, {found.get('held', 0)} held ones. Of {seen} single faults that are visible "
+        f"{found['stands']} random stands{held}. Of {seen} single faults that are visible "
         f"on the stand, {alone + equals} were named first ({(alone + equals) / seen:.1%}),\n"
         f"{equals} of them together with others that no state of the stand tells apart.\n\n"
         f"{KINDS_TABLE.text(found['kinds'])}\n{RIGHT_TABLE.text(found['correct'])}\n"
