@@ -14,5 +14,7 @@ def quick(count: int, cases: Iterable[Any]) -> list[Any]:
 
 
 def _slow(case: Any) -> Any:
+    if isinstance(case, type(pytest.param())):  # keeps its name and its own marks
+        return pytest.param(*case.values, marks=[*case.marks, pytest.mark.slow], id=case.id)
     values = case if isinstance(case, tuple) else (case,)
     return pytest.param(*values, marks=pytest.mark.slow)
