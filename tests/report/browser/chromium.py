@@ -52,6 +52,7 @@ class Opened:
     def __init__(self, browser: Browser, path: Path, **context: Any) -> None:
         self.context = browser.new_context(**{"viewport": {"width": 1100, "height": 900}} | context)
         self.page = self.context.new_page()
+        self.page.set_default_timeout(120_000)  # ms; a busy machine draws slowly
         self.complaints: list[str] = []
         self.requests: list[str] = []
         self.page.on("console", lambda message: self.complaints.append(message.text))
