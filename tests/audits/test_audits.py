@@ -141,6 +141,6 @@ def test_the_commands_of_the_page(tmp_path: Path) -> None:
         [*command, "--explain"], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
     )
     assert judged.returncode == 1
-    shown = re.search(r"^\d+ wrong terms found:\n(  .*\n)+", page, re.MULTILINE)
+    shown = re.search(r"^6 wrong terms found:\n(  .*\n)+", page, re.MULTILINE)
     assert shown is not None
     assert shown[0].strip() in judged.stdout

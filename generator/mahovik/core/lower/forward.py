@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower import along, flywheels, hold, lanes
@@ -180,7 +180,7 @@ def accelerate(lib: Library) -> Function:
             lib.check(body, "factor_carrier", table.place, seen.sums, K)
             body.call(lib["solve_carrier"], table.place, K, F, V_dot.place)
         from_stream(body, x.place, seen, V_dot.place)
-    return body.checked_function(
+    found = body.checked_function(
         "accelerate",
         "K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK."
         if not lib.layout.held
@@ -189,6 +189,7 @@ def accelerate(lib: Library) -> Function:
         equation="(8)",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )
+    return replace(found, short=lib.layout.held)  # few freedoms leave little of it
 
 
 def equations_along(

@@ -6,6 +6,7 @@ S^T K S u* = S^T b and R = K V_r* - b; with a stream, K d is taken from b first,
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.formula.derived import hold as derived
@@ -127,7 +128,7 @@ def twist_of_freedoms(lib: Library) -> Function:
     body = Body()
     for element, total in zip(V.place, twist(columns(lib.layout.ways, table.place), u.place), strict=True):
         body.set(element, total)
-    return body.function("twist_of_freedoms", "V = S u.", (table, u, V))
+    return replace(body.function("twist_of_freedoms", "V = S u.", (table, u, V)), short=True)
 
 
 def subtract_drift(lib: Library) -> Function:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from importlib import import_module
 from importlib.util import find_spec
 
@@ -91,7 +92,8 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         lib.add(rotation.turn_back())
     lib.add(flywheels.start_sums(lib))
     if layout.flywheels:
-        lib.add(routines.sincos_each(precision, layout.count, layout.room))
+        each = routines.sincos_each(precision, layout.count, layout.room)
+        lib.add(replace(each, short=layout.held))  # beside few freedoms a call of it counts
         _add_rows(lib)
     _add_wrenches(lib)
     lib.add(solve.momentum_screw(lib))

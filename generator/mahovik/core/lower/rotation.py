@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 from mahovik.core.formula.derived import attitude as derived
@@ -34,7 +35,8 @@ def turn_back() -> Function:
     k = body.let("k", 2 / (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3]))
     half = [body.let(f"t{i + 1}", translate(x, {"q": p, "a": a.place})) for i, x in enumerate(derived.half_rotation())]
     assign(body, list(out.place), derived.inverse_rotation(), {"q": p, "a": a.place, "t": half, "k": k})
-    return body.function("turn_back", "C^T a of a quaternion of any length: no matrix is needed.", (q, a, out))
+    function = body.function("turn_back", "C^T a of a quaternion of any length: no matrix is needed.", (q, a, out))
+    return replace(function, short=True)
 
 
 def rotate_back() -> Function:
