@@ -337,3 +337,14 @@ def test_a_missing_matplotlib_is_one_line_before_anything_is_computed(monkeypatc
     assert 'report needs matplotlib: pip install "mahovik[report]"' in said
     assert len(said.splitlines()) == 1
     assert not Path("r.html").exists()
+
+
+def test_a_held_carrier_has_a_page(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A force table: the hold, its reaction over speeds, three derivations that agree; no jitter, no modes."""
+    only(monkeypatch, "hold", "response", "jitter", "campbell", "singular", "matrices", "verification")
+    stand = Path(__file__).resolve().parents[2] / "docs" / "held" / "force_table.toml"
+    seen = read(report_page(stand=str(stand)))
+    assert seen.wrong == []
+    assert set(seen.sections) == {"hold", "response", "matrices", "verification"}
+    assert "three derivations agree at" in seen.text
+    assert "force of hold.reaction at most 7.11 N RMS at 3000 rpm" in seen.text

@@ -330,7 +330,7 @@ def lines(hold: Hold) -> list[str]:
 
 
 TAKE_HELD = (
-    "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, "
+    "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `report`, `simulate`, `rest`, `modes`, `linearize`, "
     "`response`, `replay`, `derive`, `cost`, `judge`, `judge-log`, `identify`, `balance`, `campaign`, `plan`, "
     "`verify-programme`, `export programme`, `export target` and `export fmu`"
 )

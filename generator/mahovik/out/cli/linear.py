@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,13 +13,6 @@ from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.use.study.linear import Modes
-
-SMALL = 5e-4
-"""Part of the largest displacement of a shape: smaller ones are not printed."""
-
-ALIGNED = 1.0
-"""deg: a phase this near to 0 or 180 deg is printed as a sign."""
-
 
 AT = option("--at", "Linearise about this state, as `eval` reads it.", metavar="rest|STATE.json", default="rest")
 
@@ -84,13 +75,15 @@ def _values(found: Modes, name: str, at: str, flywheels: str) -> dict[str, Any]:
 
 
 def _print(found: Modes, title: str, steady: bool) -> None:
+    from mahovik.use.study.linear.words import shape_words
+
     rows = []
     for number, mode in enumerate(found.modes, start=1):
         free = mode.kind == "free"
         frequency = "-" if free else f"{mode.frequency:.6g}"
         kind = "" if mode.kind in ("free", "oscillation") else f"{mode.kind}, "
         damping = "-" if free else f"{mode.damping:.4g}"
-        rows.append((str(number), frequency, damping, kind + _shape(found, mode.shape)))
+        rows.append((str(number), frequency, damping, kind + shape_words(found, mode.shape)))
     print_table(("mode", "frequency, Hz>", "damping ratio>", "shape"), rows, title=title)
     if any(mode.kind == "free" for mode in found.modes):
         print_line("without a frequency: a free direction, no restoring force")
@@ -100,21 +93,6 @@ def _print(found: Modes, title: str, steady: bool) -> None:
         )
     elif found.unstable:
         print_line("warning: unstable, a mode with negative damping grows", "yellow")
-
-
-def _shape(found: Modes, shape: Any) -> str:
-    """Displacements of a shape, largest first, with their phases unless these are signs."""
-    given = sorted(zip(found.coordinates, shape.tolist(), strict=True), key=lambda each: -abs(each[1]))
-    return "  ".join(f"{channel.name} {_number(x)}" for channel, x in given if abs(x) > SMALL)
-
-
-def _number(x: complex) -> str:
-    degrees = math.degrees(cmath.phase(x))
-    if abs(degrees) <= ALIGNED:
-        return f"{abs(x):.3g}"
-    if abs(degrees) >= 180.0 - ALIGNED:
-        return f"{-abs(x):.3g}"
-    return f"{abs(x):.3g} at {degrees:.0f} deg"
 
 
 @command()

@@ -293,7 +293,7 @@ def report(
     def text(path: str | Path | None) -> str | None:
         return None if path is None else str(path)
 
-    own = Stand.of(stand)
+    own = Stand.of(stand, held=True)
     source = str(stand) if isinstance(stand, str | Path) else f"{own.name}.toml"
     material = gather(
         own,

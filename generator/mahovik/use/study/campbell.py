@@ -8,6 +8,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
+from mahovik.use.study.response.held import HeldScene
+from mahovik.use.study.response.periodic import scene_of
 from mahovik.use.study.response.scene import Scene
 
 NODES = 16
@@ -32,7 +34,7 @@ ASYMMETRIC = 1e-9
 class Crossing:
     """Crossing of a flywheel's order with a natural frequency: `order` times the speed (rad/s) is `frequency` (Hz).
 
-    mode      column of the natural frequency, from 1; the highest is 6
+    mode      column of the natural frequency, from 1; the highest is 6, of a held carrier m
     damping   ratio of that mode
     """
 
@@ -46,6 +48,8 @@ class Crossing:
 @dataclass(frozen=True, eq=False)
 class Campbell:
     """Natural frequencies about rest, with all flywheels at one constant speed; means over a turn.
+
+    A held carrier has as many columns as freedoms, m in place of 6.
 
     speed      (S, rad/s), rising from 0
     natural    (S, 6; Hz): |eigenvalue| / 2 pi, ascending to the last column; NaN in the first if there are fewer
@@ -63,9 +67,9 @@ class Campbell:
     crossings: tuple[Crossing, ...]
 
 
-def campbell(stand: Stand | Scene, speed: Array) -> Campbell:
+def campbell(stand: Stand | Scene | HeldScene, speed: Array) -> Campbell:
     """The diagram at speeds (S, rad/s). Raises CheckError: no equilibrium to linearise about."""
-    scene = stand if isinstance(stand, Scene) else Scene.of(stand)
+    scene = scene_of(stand) if isinstance(stand, Stand) else stand
     natural, damping, growth = natural_at(scene, speed)
     tables = scene.chart.mechanics.tables
     twice = np.abs(tables.Theta[3:]).max(initial=0.0) > ASYMMETRIC * np.abs(scene.K).max()
@@ -74,12 +78,14 @@ def campbell(stand: Stand | Scene, speed: Array) -> Campbell:
     return Campbell(speed, natural, damping, growth, orders, tuple(sorted(found, key=lambda each: each.speed)))
 
 
-def natural_at(scene: Scene, speed: Array) -> tuple[Array, Array, Array]:
+def natural_at(scene: Scene | HeldScene, speed: Array) -> tuple[Array, Array, Array]:
     """Natural frequencies (S, 6; Hz), damping ratios (S, 6), growth (S, 1/s) at speeds (S, rad/s)."""
     values = np.linalg.eigvals(mean_equations(scene, speed))
     size = np.abs(values).max(axis=1, initial=0.0, keepdims=True)
     swinging = values.imag > np.maximum(1e-6 * size, 1e-6)
-    order = np.argsort(np.where(swinging, np.abs(values), -1.0), axis=1)[:, -6:]  # slow ones vary: pad at the front
+    order = np.argsort(np.where(swinging, np.abs(values), -1.0), axis=1)[
+        :, -scene.count :
+    ]  # slow ones vary: pad at the front
     kept = np.take_along_axis(swinging, order, axis=1)
     chosen = np.where(kept, np.take_along_axis(values, order, axis=1), np.nan)
     natural = np.abs(chosen)
@@ -88,8 +94,8 @@ def natural_at(scene: Scene, speed: Array) -> tuple[Array, Array, Array]:
     return natural / (2.0 * np.pi), -chosen.real / natural, growth
 
 
-def mean_equations(scene: Scene, speed: Array) -> Array:
-    """A (S, 12, 12) of y' = A y about rest, y of `Scene`: mean over a turn, at speeds (S, rad/s).
+def mean_equations(scene: Scene | HeldScene, speed: Array) -> Array:
+    """A (S, n, n) of y' = A y about rest, y (n) of `Scene` or `HeldScene`: mean over a turn, at speeds (S, rad/s).
 
     If no flywheel has a law that is not linear in its twist, A is linear in the speed, and two speeds suffice.
     """
@@ -100,15 +106,16 @@ def mean_equations(scene: Scene, speed: Array) -> Array:
     return np.asarray(still + (speed / fastest)[:, None, None] * (fast - still))
 
 
-def _average_matrices(scene: Scene, speed: Array) -> Array:
+def _average_matrices(scene: Scene | HeldScene, speed: Array) -> Array:
     N, M = scene.chart.mechanics.N, NODES * len(speed)
     phi = np.tile(2.0 * np.pi * np.arange(NODES) / NODES, len(speed))
     given = scene.drive(np.tile(phi[:, None], N), np.tile(np.repeat(speed, NODES)[:, None], N))
-    J = scene.jacobian(given, np.zeros((M, 12)), np.zeros((M, 6)))
-    return np.asarray(J.reshape(-1, NODES, 12, 12).mean(axis=1))
+    n = 2 * scene.count
+    J = scene.jacobian(given, np.zeros((M, n)), np.zeros((M, 6)))
+    return np.asarray(J.reshape(-1, NODES, n, n).mean(axis=1))
 
 
-def _crossings(scene: Scene, speed: Array, natural: Array, order: int) -> list[Crossing]:
+def _crossings(scene: Scene | HeldScene, speed: Array, natural: Array, order: int) -> list[Crossing]:
     """Crossings of one order with all natural frequencies: sign changes on the grid, then secants."""
     above = natural - order * speed[:, None] / (2.0 * np.pi)
     with np.errstate(invalid="ignore"):

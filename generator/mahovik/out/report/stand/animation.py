@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.emit.templates import template
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.summary import summarize
 from mahovik.out.report.stand.drawing import basis
 from mahovik.out.report.stand.material import Material, Section
@@ -18,6 +19,8 @@ from mahovik.out.report.stand.projection import round_length
 from mahovik.out.report.stand.shape import Shape, Solid, shape_of
 from mahovik.out.report.stand.views import axis_length, names
 from mahovik.proof.reference.rotation import attitude
+from mahovik.use.plan.residual.held_kinematics import held_pose
+from mahovik.use.simulate.held import home
 
 BYTES = 900_000
 """Size of a motion's rows: bytes before base64 (which adds a third)."""
@@ -219,24 +222,33 @@ def motion_of(material: Material) -> Motion:
         phi = programme.at(t).phi
         whole = "one period" if programme.periodic else "the whole"
         if material.motion is not None:
-            q = material.motion.at(t, programme.bias).q
-            turns = np.array([attitude(material.stand.angles, *row[3:]) for row in q])
+            position, turns = _required_poses(material.stand, material.motion.at(t, programme.bias).q)
             words = f"{whole} of the programme {material.programme_file}, with the motion it requires of the carrier"
-            return Motion(words, t, q[:, :3], _quaternions(turns), phi, True)
+            return Motion(words, t, position, _quaternions(turns), phi, True)
         words = (
             f"{whole} of the programme {material.programme_file}, in a carrier drawn at rest: --motion, or a run "
             "by --run, says how it moves"
         )
-        return _still(words, t, phi)
+        return _still(material.stand, words, t, phi)
     why = "no run was given (mahovik simulate makes one, --run shows it)"
     if run is not None:
         why = f"the run {run.source} has less than two rows"
     if not N:
-        return _still(f"the stand at rest: it has no flywheels, and {why}", np.array([0.0, 1.0]), np.zeros((2, 0)))
+        return _still(
+            material.stand, f"the stand at rest: it has no flywheels, and {why}", np.array([0.0, 1.0]), np.zeros((2, 0))
+        )
     speeds = np.array([row.speed for row in summarize(material.stand).unbalance])
     t = np.array([0.0, TURNS * 2 * np.pi / float(speeds.min())])
     words = f"flywheels at constant speed, those of the table of bodies, in a carrier drawn at rest: {why}"
-    return _still(words, t, np.outer(t, speeds))
+    return _still(material.stand, words, t, np.outer(t, speeds))
+
+
+def _required_poses(stand: Stand, q: Array) -> tuple[Array, Array]:
+    """Places of O1 in E0 (M, 3; m) and attitudes (M, 3, 3) of rows q of a required motion."""
+    if stand.hold is None:
+        return q[:, :3], np.array([attitude(stand.angles, *row[3:]) for row in q])
+    turns, position = held_pose(stand, q)
+    return position, turns
 
 
 def thin_motion(motion: Motion, most: int) -> tuple[Motion, str]:
@@ -276,9 +288,11 @@ def _follows(motion: Motion, thin: Motion, start: int) -> bool:
     return bool((error(motion.phi, thin.phi) <= PHASE).all()) if motion.phi.shape[1] else True
 
 
-def _still(words: str, t: Array, phi: Array) -> Motion:
-    quaternion = np.tile([1.0, 0.0, 0.0, 0.0], (len(t), 1))
-    return Motion(words, t, np.zeros((len(t), 3)), quaternion, phi, False)
+def _still(stand: Stand, words: str, t: Array, phi: Array) -> Motion:
+    """The carrier at rest: aligned with E0, or in the home pose of its hold."""
+    at = home(stand)
+    position, quaternion = (np.tile(np.array(each), (len(t), 1)) for each in (at.position, at.quaternion))
+    return Motion(words, t, position, quaternion, phi, False)
 
 
 def _continuous(quaternion: Array) -> Array:

@@ -14,6 +14,8 @@ from mahovik.out.report.plot.panel import Array, Line, Mark, Panel
 from mahovik.out.report.stand.markup import figure, paragraph, table
 from mahovik.out.report.stand.material import Material, Section
 from mahovik.use.study.campbell import Campbell, campbell
+from mahovik.use.study.response.held import HeldScene
+from mahovik.use.study.response.periodic import scene_of
 from mahovik.use.study.response.scene import Scene
 
 POINTS = 121
@@ -28,16 +30,19 @@ TOP = 1.15
 ROOM = 0.15
 """Fraction of the axis kept free for labels."""
 
+ROUNDING = 1e-12
+"""Damping ratio that is rounding."""
+
 ANCHOR, TITLE = "campbell", "Campbell diagram: natural frequencies against speed"
 
 
 def section(material: Material) -> Section | None:
-    """The section; None without flywheels."""
+    """The section; None without flywheels, and of a clamped carrier."""
     stand = material.stand
-    if not stand.flywheels:
+    if not stand.flywheels or (stand.hold is not None and not stand.hold.freedoms):
         return None
     try:
-        scene = Scene.of(stand)
+        scene = scene_of(stand)
     except CheckError as error:
         words = f"{error}. So there is no pose to be linear about, and no natural frequency."
         return Section(ANCHOR, TITLE, paragraph(words))
@@ -70,7 +75,9 @@ def section(material: Material) -> Section | None:
 def panel(found: Campbell, where: str, absent: int) -> Panel:
     """Natural frequencies, lines of orders, crossings; `absent`: the first columns that are nowhere."""
     speed, top = RPM * found.speed, TOP * float(np.nanmax(found.natural))
-    lines = [Line(f"mode {k + 1}", speed, found.natural[:, absent + k], k) for k in range(6 - absent)]
+    lines = [
+        Line(f"mode {k + 1}", speed, found.natural[:, absent + k], k) for k in range(found.natural.shape[1] - absent)
+    ]
     lines += [_order(n, speed, top) for n in found.orders]
     marks = tuple(
         Mark(
@@ -111,7 +118,7 @@ def _meeting(found: Campbell) -> float:
     return 2.0 * math.pi * float(np.nanmax(still)) if np.isfinite(still).any() else 0.0
 
 
-def _nothing(scene: Scene) -> str:
+def _nothing(scene: Scene | HeldScene) -> str:
     return (
         "Nothing brings the carrier back along or about any axis, and flywheels at one common speed have no net "
         f"momentum that would make it swing: their spin inertias add up as vectors to {_net(scene)}. "
@@ -119,7 +126,7 @@ def _nothing(scene: Scene) -> str:
     )
 
 
-def _net(scene: Scene) -> str:
+def _net(scene: Scene | HeldScene) -> str:
     tables = scene.chart.mechanics.tables
     net = tables.Theta_ff @ tables.axis
     size = float(np.linalg.norm(net))
@@ -129,17 +136,18 @@ def _net(scene: Scene) -> str:
     return f"{size:.3g} kg m2 of {whole:.3g} kg m2"
 
 
-def _words(scene: Scene, found: Campbell) -> str:
-    free = scene.free.shape[1]
+def _words(scene: Scene | HeldScene, found: Campbell) -> str:
+    free, count = scene.free.shape[1], scene.count
+    law = "(8)" if scene.stand.hold is None else "(8) along the freedoms of the hold"
     words = (
-        "Small motions of the carrier about rest, (8) made linear, while all flywheels keep one common speed; means "
-        "over a turn. What splits and bends the lines is gyroscopic: the flywheels' spin inertias, which add up as "
-        f"vectors to {_net(scene)}. "
+        f"Small motions of the carrier about rest, {law}, made linear, while all flywheels keep one common speed; "
+        "means over a turn. What splits and bends the lines is gyroscopic: the flywheels' spin inertias, which add up "
+        f"as vectors to {_net(scene)}. "
     )
-    if free == 6:
+    if free == count:
         words += "Nothing brings the carrier back: what swings here does so by spin alone. "
     elif free:
-        words += f"{free} of 6 directions are free and have no natural frequency at rest. "
+        words += f"{free} of {count} directions are free and have no natural frequency at rest. "
     twice = "at 2× asymmetric flywheels vary K" if 2 in found.orders else "no flywheel is asymmetric, so there is no 2×"
     words += f"1× is the order that unbalance drives; {twice}. "
     if found.growth.any():
@@ -157,7 +165,7 @@ def _table(found: Campbell, absent: int) -> str:
             str(each.mode - absent),
             figure(RPM * each.speed),
             figure(each.frequency),
-            figure(each.damping, 3),
+            figure(each.damping if abs(each.damping) > ROUNDING else 0.0, 3),
         ]
         for each in found.crossings
     ]

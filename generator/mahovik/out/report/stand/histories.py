@@ -24,6 +24,9 @@ Rows = NDArray[np.intp]
 ROWS = 1500
 """Rows of a run at which the equations are evaluated again."""
 
+ROUNDING = 1e-13
+"""Part of the largest spin inertia times the square of the speed: smaller torques are rounding."""
+
 LEAST = 1e-17
 """Value drawn for a residual of zero."""
 
@@ -38,13 +41,14 @@ def section(material: Material) -> Section | None:
     summary = f"{run.t[-1] - run.t[0]:.6g} s in {len(run.t)} rows"
     rows = some_rows(len(run.t), ROWS)
     shown.append(energy(material.stand, run, rows))
+    sides = "F" if run.reaction is None else "F + R"
     if (checked := residuals(material.stand, run, rows)) is not None:
         shown.append(checked)
         largest = max(float(line.y.max(initial=0.0)) for line in checked.lines)
         words += (
-            "Residual: `F - K V_r* - M V_r - J phi' - I phi''` of (8), and drive torques less those of the run, by "
-            f"the same equations in NumPy and not by the C, at {len(rows)} rows; largest {largest:.2g} of the largest "
-            "wrench or torque. "
+            f"Residual: `{sides} - K V_r* - M V_r - J phi' - I phi''` of (8), and drive torques less those of the run, "
+            f"by the same equations in NumPy and not by the C, at {len(rows)} rows; largest {largest:.2g} of the "
+            "largest wrench or torque. "
             "A run-time wrench of the regime is not among the columns, and would stand here in full. "
         )
         summary += f"; residual of (8) at most {largest:.2g}"
@@ -55,7 +59,7 @@ def section(material: Material) -> Section | None:
 def residuals(stand: Stand, run: Run, rows: Rows) -> Panel | None:
     """Residual of (8) in the K0^-1/2 norm over its largest term, and of torques over the largest; None without data.
 
-    A run that follows a programme has no accelerations.
+    A run that follows a programme has no accelerations. Of a held carrier the reaction of the run stands beside F.
     """
     if run.V_dot is None or run.phi_ddot is None:
         return None
@@ -65,14 +69,16 @@ def residuals(stand: Stand, run: Run, rows: Rows) -> Panel | None:
         W = flywheel_wrenches(at, run.phi[rows], run.phi_dot[rows], run.phi_ddot[rows])
         root = np.linalg.inv(np.linalg.cholesky(own.mean_inertia))
         sum_W = W[:6].sum(axis=2).T
-        off = np.linalg.norm((at.balance - sum_W) @ root.T, axis=1)
+        balance = at.balance if run.reaction is None else at.balance + run.reaction[rows]
+        off = np.linalg.norm((balance - sum_W) @ root.T, axis=1)
         scale = np.linalg.norm(np.abs(root) @ np.abs(W[:6]).sum(axis=2), axis=0).max(initial=0.0)
-        scale = max(scale, float(np.linalg.norm(at.balance @ root.T, axis=1).max(initial=0.0)))
+        scale = max(scale, float(np.linalg.norm(balance @ root.T, axis=1).max(initial=0.0)))
         lines = []
         if scale > 0.0:
             lines.append(Line("of (8)", run.t[rows], np.maximum(off / scale, LEAST), 0))
         largest = float(np.abs(run.tau[rows]).max(initial=0.0))
-        if largest > 0.0:
+        spin = float((own.tables.Theta_ff * run.phi_dot[rows] ** 2).max(initial=0.0))
+        if largest > ROUNDING * spin:
             apart = np.abs(W[6] - run.tau[rows]).max(axis=1)
             lines.append(Line("of torques", run.t[rows], np.maximum(apart / largest, LEAST), 1))
     return Panel("residual of (8) and of torques, relative", tuple(lines), log=True) if lines else None

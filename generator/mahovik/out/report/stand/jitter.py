@@ -27,9 +27,12 @@ ANCHOR, TITLE = "jitter", "Jitter: angle of a point"
 
 
 def section(material: Material) -> Section | None:
-    """The section; None without flywheels, or where the response says why there is no steady motion."""
+    """The section; None without flywheels, of a held carrier, or where there is no steady motion.
+
+    The section on the response says why there is none.
+    """
     stand = material.stand
-    if not stand.flywheels:
+    if not stand.flywheels or stand.hold is not None:
         return None
     try:
         found = swept(stand, max(row.speed for row in summarize(stand).unbalance))

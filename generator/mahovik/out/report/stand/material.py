@@ -5,25 +5,30 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.motion.programme import Programme, load_programme
 from mahovik.core.motion.required import RequiredMotion, load_motion
+from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.identity import identities
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.summary import summarize
 from mahovik.errors import UsageError
 from mahovik.out.report.plot.run import SUFFIXES, identity, read
 from mahovik.out.report.stand.run import Run, refuse_foreign_run
 from mahovik.proof.cost.page import read_accepted_costs
+from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.verify.delivery import FIGURES, accepted_figures
 from mahovik.proof.verify.programme.finding import motion_finding, stand_finding
 from mahovik.proof.verify.targets import parse_targets
+from mahovik.use.simulate.held import home, move
 from mahovik.writing import format_of
 
 
@@ -79,7 +84,22 @@ WORDS = (
     "no-load speed, else 3000 rpm"
 )
 
+HELD_WORDS = (
+    "a chosen state: each freedom is off the home pose and moves; phases are 0.7 rad apart, every flywheel keeps its "
+    "motor's no-load speed, else 3000 rpm"
+)
+
+CLAMPED_WORDS = (
+    "a chosen state of the clamped carrier: phases are 0.7 rad apart, every flywheel keeps its motor's no-load speed, "
+    "else 3000 rpm"
+)
+
 _APART = 0.7
+
+_TURNED, _MOVED = 0.3, 0.02  # rad, m: from the home pose
+
+FREE_SPEEDS = (0.3, -0.2, 0.4, 0.1, -0.15, 0.2)
+"""m/s or rad/s: speeds of the freedoms of a held carrier in the chosen state."""
 
 STILL = 1e-9
 """m/s and rad/s: a carrier slower than this, with flywheels at rest, moves by rounding alone."""
@@ -90,18 +110,19 @@ def choose_state(stand: Stand, run: Run | None) -> tuple[State, str]:
 
     At rest `M`, `K*`, `J` and `D` are zero but for rounding, which would be shown as if it were their structure.
     """
+    words = WORDS if stand.hold is None else HELD_WORDS if stand.hold.freedoms else CLAMPED_WORDS
     if run is None:
-        return chosen_state(stand), WORDS
-    last, row = run.state(-1), f"the last row of the run, t = {run.t[-1]:.6g} s"
+        return chosen_state(stand), words
+    last, row = run.state(-1, stand.hold), f"the last row of the run, t = {run.t[-1]:.6g} s"
     if not any(last.phi_dot) and max(map(abs, last.V)) < STILL:
-        return chosen_state(stand), f"{row}, is at rest; shown instead: {WORDS}"
+        return chosen_state(stand), f"{row}, is at rest; shown instead: {words}"
     return last, row
 
 
 def chosen_state(stand: Stand) -> State:
     """A fixed state for a stand: attitude away from the singularity of every sequence, flywheels at speed."""
     rows = summarize(stand).unbalance
-    return State(
+    state = State(
         position=(0.0, 0.0, 0.0),
         angles=(0.3, 0.4, 0.2),
         quaternion=None,
@@ -112,6 +133,19 @@ def chosen_state(stand: Stand) -> State:
         V_dot=(0.0,) * 6,
         tau=(0.0,) * len(rows),
     )
+    return state if stand.hold is None else _held_state(stand, stand.hold, state)
+
+
+def _held_state(stand: Stand, hold: Hold, state: State) -> State:
+    """The state with a pose and a twist that the hold allows."""
+    at_home, u = home(stand), FREE_SPEEDS[: len(hold.freedoms)]
+    way = [_MOVED if each.kind == "slide" else _TURNED for each in hold.freedoms]
+    moved = move(at_home, carrier_rotation(stand, at_home), np.array(twist_of(hold, way)))
+    none = (0.0,) * len(u)
+    return replace(
+        state,
+        position=moved.position, angles=None, quaternion=moved.quaternion, V=twist_of(hold, u), u=u, u_dot=none,
+    )  # fmt: skip
 
 
 def gather(

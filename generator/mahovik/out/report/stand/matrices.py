@@ -12,13 +12,15 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Stand, Vec3
+from mahovik.core.stand.hold import freedom_names, freedom_words, has_coordinates, no_coordinates, numbered_freedoms
+from mahovik.core.stand.model import Hold, Stand, Vec3
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.out.report.stand.markup import Cell, align, figure, markup_of, math_text, sentence, table
 from mahovik.out.report.stand.material import Material, Section
 from mahovik.proof import reference
 from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.hold import held_forward
 from mahovik.proof.verify.judges.rigid import SEQUENCES
 from mahovik.proof.verify.scales import scales
 
@@ -116,6 +118,14 @@ EQUATIONS = (
 )
 """Equations in the notation of docs/model.md."""
 
+HELD_EQUATIONS = (
+    (
+        "8 of a held carrier",
+        'V = S u, "   "K V* + M V + sum_s (I_s ddot(phi)_s + J_s dot(phi)_s) = F + R, "   "S^T R = 0',
+    ),
+)
+"""Equations of a held carrier, in place of (10) and (11)."""
+
 _THREE = ("1", "2", "3")
 _ANGLES = ("ψ", "θ", "φ")
 _ROWS = Side((("force", _THREE), ("moment", _THREE)))
@@ -139,14 +149,15 @@ def section(material: Material) -> Section | None:
         ]
     html = markup_of(
         "matrices",
-        equations=EQUATIONS,
+        equations=EQUATIONS if stand.hold is None else (*EQUATIONS[:5], *HELD_EQUATIONS),
+        held=stand.hold is not None,
         state_words=sentence(material.state_words),
         state=_state(stand, state),
         carrier=carrier,
         flywheels=flywheels,
         **_reach(stand, state),
-        **_generalized_form(stand, state, at),
-        balance=_balance(at, state),
+        **(_generalized_form(stand, state, at) if stand.hold is None else _coordinates(stand, stand.hold, state)),
+        balance=_balance(at, state, stand.hold),
         stream=at.u.any(),
     )
     return Section("matrices", "Matrices at a state", html)
@@ -217,6 +228,32 @@ def _generalized_form(stand: Stand, state: State, at: reference.Pieces) -> dict[
     return {"generalized": matrices, "refused": ""}
 
 
+def _coordinates(stand: Stand, hold: Hold, state: State) -> dict[str, Any]:
+    """Coordinates of the freedoms and their rates; or why there are none."""
+    if not has_coordinates(hold):
+        return {"generalized": [], "refused": no_coordinates(hold)}
+    found = reference.evaluate(stand, state, ["generalized"])
+    numbered, q = numbered_freedoms(hold), iter(found.get("q", ()))
+    rows: list[list[Cell]] = []
+    for k, (name, freedom) in enumerate(zip(freedom_names(hold), hold.freedoms, strict=True)):
+        place = figure(next(q)) if k in numbered else Markup("")
+        unit = "m" if freedom.kind == "slide" else "rad"
+        rows.append([name, unit, place, *(figure(float(found[key][k])) for key in ("q_dot", "q_ddot"))])
+    head = ("freedom", "unit", "q>", Markup("q′, 1/s>"), Markup("q″, 1/s²>"))
+    shown = [table(head, [rows])]
+    if "orientation" in found:
+        turned = [figure(float(x)) for x in found["orientation"]]
+        shown.append(table(("", "w>", "x>", "y>", "z>"), [[["orientation from the home pose", *turned]]]))
+    return {"generalized": shown, "refused": "", "coordinates": named_freedoms(hold)}
+
+
+def named_freedoms(hold: Hold) -> str:
+    """A sentence on what freedoms are whose names are numbers; empty where all have names."""
+    pairs = zip(freedom_names(hold), freedom_words(hold), strict=True)
+    numbers = [f"{name} is {what}" for name, what in pairs if name != what]
+    return f"Of the freedoms {', '.join(numbers)}. " if numbers else ""
+
+
 def _state(stand: Stand, state: State) -> list[Markup]:
     """Tables of place, attitude and twist; then of the flywheels."""
     angles = state.angles or (0.0, 0.0, 0.0)
@@ -235,16 +272,18 @@ def _state(stand: Stand, state: State) -> list[Markup]:
     return found
 
 
-def _balance(at: reference.Pieces, state: State) -> Markup:
-    """What stands in (8) at the state, and the acceleration that makes it hold."""
+def _balance(at: reference.Pieces, state: State, hold: Hold | None) -> Markup:
+    """What stands in (8) at the state, and the acceleration that makes it hold; of a held carrier the reaction too."""
     acceleration = np.array(state.phi_ddot, dtype=np.float64)
-    V_dot = forward(at, acceleration)
+    moved = None if hold is None else held_forward(at, hold, acceleration)
+    V_dot = forward(at, acceleration) if moved is None else moved.V_dot
     terms: list[tuple[str, Array]] = [
         ("F", at.F),
         ("-M V", -at.M @ at.V_r),
         ("-J dot(phi)", -at.J @ at.phi_dot),
         ("-I ddot(phi)", -at.I @ acceleration),
     ]
+    terms += [] if moved is None else [("R", moved.reaction)]
     groups = [
         [[math_text(name), *(figure(float(x), 4) for x in values)] for name, values in group]
         for group in (terms, [("K V*", at.K @ at.V_r_dot(V_dot))], [("V*", V_dot)])

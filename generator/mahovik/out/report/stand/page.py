@@ -16,6 +16,7 @@ from mahovik.out.report.stand.material import Material, Section, generate_once
 ORDER = (
     "histories",
     "programme",
+    "hold",
     "response",
     "jitter",
     "reach",

@@ -8,15 +8,18 @@ from collections.abc import Sequence
 import numpy as np
 
 from mahovik.contract.quantities import RPM
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.hold import freedom_names
+from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.summary import summarize
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.response import panels
 from mahovik.out.report.stand.markup import paragraph
 from mahovik.out.report.stand.material import Material, Section
-from mahovik.use.study.response.speeds import ALL, read_speeds
-from mahovik.use.study.response.sweep import Sweep, sweep
+from mahovik.out.report.stand.matrices import named_freedoms
+from mahovik.use.study.response.held import REACTION
+from mahovik.use.study.response.speeds import ALL, SpeedPlan, read_speeds
+from mahovik.use.study.response.sweep import Sweep, sweep, sweep_outputs
 
 STEPS = 31
 """Speeds of a sweep, rest among them."""
@@ -28,6 +31,10 @@ STILL = 1e-10
 """m/s2: less than this is rounding."""
 
 ANCHOR, TITLE = "response", "Response: steady vibration against speed"
+HELD_TITLE = "Response: reaction of the hold against speed"
+
+MOST_FREEDOMS = 3
+"""Freedoms of a held carrier whose accelerations are shown."""
 
 
 def section(material: Material) -> Section | None:
@@ -36,6 +43,8 @@ def section(material: Material) -> Section | None:
     if not stand.flywheels:
         return None
     limit = max(row.speed for row in summarize(stand).unbalance)
+    if stand.hold is not None:
+        return _held(stand, stand.hold, limit)
     try:
         found = [sweep_speeds(stand, limit)]
         near = NEAR * 2.0 * math.pi * max((float(f) for f in found[0].steps[0].natural), default=0.0)
@@ -51,13 +60,64 @@ def section(material: Material) -> Section | None:
     return Section(ANCHOR, TITLE, paragraph(_words(found)) + charts(shown), summary=summary)
 
 
+def _held(stand: Stand, hold: Hold, limit: float) -> Section:
+    """The reaction, and accelerations of the freedoms, of a held carrier."""
+    seen: list[tuple[str, str | None]]
+    seen = [(REACTION, "force"), (REACTION, "moment")]
+    seen += [(f"hold.{name}", None) for name in freedom_names(hold)[:MOST_FREEDOMS]]
+    seen += [(stand.instruments[0].name, None)] if stand.instruments and hold.freedoms else []
+    try:
+        sweeps = [sweep_outputs(stand, _common_speed(stand, limit), STEPS, seen)]
+        near = NEAR * 2.0 * math.pi * max((float(f) for f in sweeps[0][0].steps[0].natural), default=0.0)
+        if 0.0 < near < limit / FAR:
+            sweeps.insert(0, sweep_outputs(stand, _common_speed(stand, near), STEPS, seen))
+    except (CheckError, UsageError) as error:
+        return Section(ANCHOR, HELD_TITLE, paragraph(f"{error}. So there is no steady reaction to show."))
+    if any(found[0].interrupted for found in sweeps):
+        raise KeyboardInterrupt
+    shown, summaries = [], []
+    for k, (name, _) in enumerate(seen):
+        views = [found[k] for found in sweeps]
+        largest, speed = max(map(_largest, views))
+        if largest < STILL:
+            continue
+        shown += [panels(each)[0] for each in views]
+        unit, what = views[0].unit, f"{views[0].quantity} of {name}"
+        summaries.append(f"{what} at most {largest:.3g} {unit} RMS at {RPM * speed:.4g} rpm")
+    if not shown:
+        return Section(ANCHOR, HELD_TITLE, paragraph("Nothing shakes the hold: the flywheels are balanced."))
+    words = _held_words(hold, [found[0] for found in sweeps])
+    return Section(ANCHOR, HELD_TITLE, paragraph(words) + charts(shown), summary="; ".join(summaries[:2]))
+
+
+def _held_words(hold: Hold, found: Sequence[Sweep]) -> str:
+    missing = sum(step.problem is not None for each in found for step in each.steps)
+    what = (
+        "a force table under it reads the reverse" if not hold.freedoms else "the freedoms move as the last panels show"
+    )
+    words = (
+        f"Amplitudes by order of the wrench of the hold on the carrier about `O_1`, on the axes of `E_1`; {what}. "
+        f"Exact for the full equations; all flywheels at one common speed, {STEPS} of them in each diagram, all "
+        "phases 0 at t = 0. The mean, such as the weight, is left out. "
+    )
+    words += "The first diagram of each is of speeds about the natural frequencies. " if len(found) > 1 else ""
+    words += named_freedoms(hold)
+    words += f"At {missing} speeds no steady state was found. " if missing else ""
+    return words + "``mahovik response --at hold.reaction`` has spectra and other ratios of speeds. "
+
+
+def _common_speed(stand: Stand, limit: float) -> SpeedPlan:
+    """All flywheels at one speed, from rest up to a limit, rad/s."""
+    return read_speeds(stand, [f"{ALL}=0..{limit!r} rad/s"])
+
+
 def sweep_speeds(stand: Stand, limit: float) -> Sweep:
     """Accelerations of the first instrument, else of O1, up to a common speed, rad/s.
 
     Raises CheckError; KeyboardInterrupt at Ctrl-C, because a part of the sweep makes no section.
     """
     point = stand.instruments[0].name if stand.instruments else "carrier"
-    found = sweep(stand, read_speeds(stand, [f"{ALL}=0..{limit!r} rad/s"]), STEPS, point)
+    found = sweep(stand, _common_speed(stand, limit), STEPS, point)
     if found.interrupted:
         raise KeyboardInterrupt
     return found

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, cast
 
@@ -12,12 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.identity import identities
-from mahovik.core.stand.model import Stand, Vec3, Vec6
+from mahovik.core.stand.model import Hold, Stand, Vec3, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import StateError, UsageError
 from mahovik.proof import reference
 from mahovik.proof.verify.compare import difference
 from mahovik.proof.verify.scales import scales
+from mahovik.use.simulate.held import rates
 from mahovik.use.simulate.run import column_names
 
 Array = NDArray[np.float64]
@@ -83,10 +84,19 @@ class Run:
         """Drive torques (M, N), N m."""
         return self._flywheels("tau", "N m")
 
-    def state(self, row: int) -> State:
-        """The state of a row, to be evaluated; accelerations zero where the run has none. No run-time wrench."""
+    @cached_property
+    def reaction(self) -> Array | None:
+        """Wrench of the hold on the carrier, in E1 about O1 (M, 6; N, N m); None: a free carrier has none."""
+        names = [*(f"hold.reaction.{a} [N]" for a in "xyz"), *(f"hold.reaction.{a} [N m]" for a in "kmn")]
+        return self._stack(names) if all(name in self.columns for name in names) else None
+
+    def state(self, row: int, hold: Hold | None = None) -> State:
+        """The state of a row, to be evaluated; accelerations zero where the run has none. No run-time wrench.
+
+        `hold`: that of the stand, which gives the speeds of the freedoms.
+        """
         zeros = (0.0,) * len(self.flywheels)
-        return State(
+        found = State(
             position=cast(Vec3, tuple(self.position[row].tolist())),
             angles=None,
             quaternion=cast(Quaternion, tuple(self.quaternion[row].tolist())),
@@ -97,6 +107,7 @@ class Run:
             V_dot=(0.0,) * 6 if self.V_dot is None else cast(Vec6, tuple(self.V_dot[row].tolist())),
             tau=tuple(self.tau[row].tolist()),
         )
+        return found if hold is None else replace(found, u=rates(hold, found.V), u_dot=rates(hold, found.V_dot))
 
     def _flywheels(self, kind: str, unit: str) -> Array:
         return self._stack([f"{kind} {name} [{unit}]" for name in self.flywheels])
@@ -192,7 +203,7 @@ def _disagreement(stand: Stand, run: Run) -> str | None:
         return None
     pushed = any(body.wrench_input for body in stand.bodies)
     for row in dict.fromkeys((0, len(run.t) // 2, len(run.t) - 1)):
-        state = run.state(row)
+        state = run.state(row, stand.hold)
         given: dict[str, tuple[Any, str]] = {"torque": (run.tau[row], "tau")}
         if not pushed:
             given["forward"] = (run.V_dot[row], "V_dot")

@@ -119,11 +119,22 @@ def shape_of(stand: Stand) -> Shape:
         ties=tuple(tie for law in shown for tie in law.ties(stand)),
         points=tuple((p.name, frames[p.mount].origin + frames[p.mount].C @ np.array(p.position)) for p in stand.points),
         center_of_mass=np.array(summarize(stand).center_of_mass),
-        marks=tuple(mark for marks in laws.of_bodies("report", "marks") for mark in marks(stand, body_placement)),
+        marks=(
+            *(mark for marks in laws.of_bodies("report", "marks") for mark in marks(stand, body_placement)),
+            *pivot_marks(stand),
+        ),
         held=any(law.at_origin(stand) for law in shown),
         legend=tuple(law.LEGEND for law in shown if law.ties(stand) or law.at_origin(stand)),
         up=-gravity / strength if strength else np.array([0.0, 0.0, 1.0]),
     )
+
+
+def pivot_marks(stand: Stand) -> list[Mark]:
+    """The pivot of a hold about which something turns; none elsewhere."""
+    hold = stand.hold
+    if hold is None or all(freedom.kind != "turn" for freedom in hold.freedoms):
+        return []
+    return [Mark(np.array(hold.pivot), "pivot of the hold: what turns, turns about it")]
 
 
 def placement_in_carrier(stand: Stand, body: Instrument | Flywheel) -> tuple[Array, Array]:

@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.core.stand.model import Stand
 from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.panel import Array, Panel, family
 from mahovik.out.report.stand.markup import paragraph
@@ -24,13 +25,17 @@ POINTS = 720
 NEAR = 1e-2
 """Part of the largest singular value below which the least one is shaded."""
 
+SCALED, HELD_SCALED = "K^-1/2 I Theta_ff^-1/2", "(S^T K S)^-1/2 S^T I Theta_ff^-1/2"
+"""The scaled I of (12), of a free and of a held carrier."""
+
 LEAST = 1e-12
 """Value drawn for a singular value of zero."""
 
 
 def section(material: Material) -> Section | None:
-    """The section; None without flywheels."""
-    if not material.stand.flywheels:
+    """The section; None without flywheels, and of a clamped carrier."""
+    hold = material.stand.hold
+    if not material.stand.flywheels or (hold is not None and not hold.freedoms):
         return None
     x, abscissa, phi, where = course(material)
     sigma, _ = singular_values(Mechanics.of(material.stand), phi)
@@ -40,10 +45,10 @@ def section(material: Material) -> Section | None:
     extremes = f"condition number {_number(found.min())} to {_number(found[worst])}"
     place = f"largest at {abscissa.split(',')[0]} = {x[worst]:.4g} {abscissa.split(', ')[1]}"
     words = (
-        f"Of ``K^-1/2 I Theta_ff^-1/2`` in (12), as ``inverse`` scales it: the same for any units, origin and axes, "
-        f"and always below 1. {where} The {extremes}, {place}. "
+        f"Of ``{SCALED if hold is None else HELD_SCALED}`` in (12), as ``inverse`` scales it: the same for any units, "
+        f"origin and axes, and always below 1. {where} The {extremes}, {place}. "
     )
-    words += _rank(sigma)
+    words += _rank(sigma, material.stand)
     return Section(
         "singular",
         "Singular values of the scaled I",
@@ -100,12 +105,13 @@ def stretches(x: Array, flags: NDArray[np.bool_]) -> tuple[tuple[float, float], 
     return tuple((float(edges[a]), float(edges[b])) for a, b in zip(change[::2], change[1::2], strict=True))
 
 
-def _rank(sigma: Array) -> str:
+def _rank(sigma: Array, stand: Stand) -> str:
     """Sentences about the number of flywheels and of zeros."""
     columns = sigma.shape[1]
-    if columns < 6:
+    directions = 6 if stand.hold is None else len(stand.hold.freedoms)
+    if columns < directions:
         who = "1 flywheel moves" if columns == 1 else f"{columns} flywheels move"
-        return f"{who} the carrier in at most {columns} of its 6 directions at once. "
+        return f"{who} the carrier in at most {columns} of its {directions} directions at once. "
     lost = float((sigma[:, -1] < NEAR * sigma[:, 0]).mean())
     if lost:
         return f"For {100.0 * lost:.3g} % of it the least is below {NEAR:g} of the largest: accelerations grow there. "

@@ -6,6 +6,7 @@ from markupsafe import Markup
 
 from mahovik.contract import laws
 from mahovik.core.derive.order import SEQUENCES
+from mahovik.core.stand.hold import words
 from mahovik.core.stand.model import Carrier, Instrument, Stand
 from mahovik.out.report.stand.markup import Cell, figure, vector_cell
 
@@ -13,7 +14,9 @@ from mahovik.out.report.stand.markup import Cell, figure, vector_cell
 def surroundings(stand: Stand) -> dict[str, Cell]:
     """Terms with their values; absent parts read `none`."""
     turns = " ".join(f"C{axis}({'ψθφ'[i]})" for i, axis in enumerate(SEQUENCES[stand.angles]))
+    hold: dict[str, Cell] = {} if stand.hold is None else {"Hold": words(stand.hold)}
     found: dict[str, Cell] = {
+        **hold,
         "Attitude angles": f"{stand.angles}, C = {turns}",
         "Gravity": vector_cell(stand.gravity, "m/s²", "none") + (Markup(", axes of E₀") if any(stand.gravity) else ""),
         "Fluid": _fluid(stand),

@@ -248,11 +248,6 @@ def verify_judges(
             absent.append(_skipped_row(name, str(error).removeprefix("--judges: ")))
     if not judges:
         return _without_judges(stand, absent, seed, count)
-    if stand.hold is not None:
-        states = [(name, near_origin(state)) for name, state in draw(stand, seed, count)]
-        rows = compare_held(stand, cast(list[HeldJudge], judges), CBackend(stand), states, progress)
-        who = ", ".join(f"{judge.name} {judge.version}" for judge in judges)
-        return report(stand, f"generated C against {who}", seed, count, DOUBLE.default, [*rows, *absent])
     found = compare_with_judges(stand, judges, seed=seed, count=count, until=until, progress=progress)
     return replace(found, rows=(*found.rows, *absent))
 
@@ -281,9 +276,15 @@ def compare_with_judges(
 ) -> Report:
     """Rows of judges that have the stand already.
 
-    `backend`: what is judged, where that is not fresh C; `judged`: its name. `until` 0: no free motion.
+    `backend`: what is judged, where that is not fresh C; `judged`: its name. `until` 0: no free motion, of which a
+    held carrier has none.
     """
     backend = backend or CBackend(stand)
+    who = ", ".join(f"{judge.name} {judge.version}" for judge in judges)
+    if stand.hold is not None:
+        drawn = [(name, near_origin(state)) for name, state in draw(stand, seed, count)]
+        held = compare_held(stand, cast(list[HeldJudge], judges), backend, drawn, progress)
+        return report(stand, f"{judged} against {who}", seed, count, DOUBLE.default, held)
     rows = {(judge.name, key): Row(judge.name, words) for judge in judges for key, words in QUANTITIES.items()}
     states = draw(stand, seed, count)
     for done, (name, given) in enumerate(states):
@@ -304,7 +305,6 @@ def compare_with_judges(
         row.tolerance = row.tolerance or DOUBLE.default
         row.verdict = "ok" if row.worst <= row.tolerance else "FAILED"
     ordered = [row for judge in judges for row in noted if row.want == judge.name]
-    who = ", ".join(f"{judge.name} {judge.version}" for judge in judges)
     return report(stand, f"{judged} against {who}", seed, count, DOUBLE.default, ordered)
 
 

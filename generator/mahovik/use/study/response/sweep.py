@@ -166,33 +166,57 @@ def sweep(
     `point`: or another name of `output_of`. Raises UsageError before anything is computed: unknown point, speeds
     without a common period. CheckError: no equilibrium, or no step has a steady state.
     """
-    output, values = output_of(stand, point, quantity), asked.values(steps)
+    (found,) = sweep_outputs(stand, asked, steps, [(point, quantity)], band=band, phases=phases, go_on=go_on)
+    return found
+
+
+def sweep_outputs(
+    stand: Stand,
+    asked: SpeedPlan,
+    steps: int,
+    seen: Sequence[tuple[str, str | None]],
+    *,
+    band: tuple[float, float] | None = None,
+    phases: Sequence[float] | None = None,
+    go_on: Callable[[int], bool] = lambda done: True,
+) -> list[Sweep]:
+    """A sweep of each output, a name and its quantity, of the same steady states; otherwise as `sweep`."""
+    outputs = [output_of(stand, point, quantity) for point, quantity in seen]
+    values = asked.values(steps)
     turnings = [common_period(asked.speeds(value)) for value in values]
-    found: list[Step] = []
+    found: list[list[Step]] = []
     try:
         scene = scene_of(stand)
         for value, turning in zip(values, turnings, strict=True):
             if not go_on(len(found)):
                 break
-            found.append(_step(scene, value, turning, output, phases))
+            found.append(_steps(scene, value, turning, outputs, phases))
     except KeyboardInterrupt:
         pass
-    if found and all(step.problem is not None for step in found):
-        raise CheckError(str(found[0].problem))
+    if found and all(each[0].problem is not None for each in found):
+        raise CheckError(str(found[0][0].problem))
     missing = len(found) < len(values)
-    return Sweep(stand, asked, point, output.quantity, band, tuple(found), missing, output.axes, output.unit)
+    return [
+        Sweep(
+            stand, asked, output.name, output.quantity, band, tuple(each[k] for each in found), missing, output.axes,
+            output.unit,
+        )
+        for k, output in enumerate(outputs)
+    ]  # fmt: skip
 
 
-def _step(
-    scene: Scene | HeldScene, value: float, turning: Turning, output: Output, phases: Sequence[float] | None
-) -> Step:
+def _steps(
+    scene: Scene | HeldScene, value: float, turning: Turning, outputs: Sequence[Output], phases: Sequence[float] | None
+) -> list[Step]:
+    """The steady state at one speed, seen at each output."""
+    points = list(dict.fromkeys(name for output in outputs for name in output.points))
     try:
-        found = periodic_response(scene, turning.speeds, output.points, phases)
+        found = periodic_response(scene, turning.speeds, points, phases)
     except CheckError as error:
-        none = np.zeros((0, len(output.axes)), dtype=np.complex128)
-        return Step(value, turning, np.zeros(0), none, np.zeros(0), np.zeros(6), np.nan, str(error))
-    spectrum = found.motion_of(output.name).harmonics(output.quantity)
-    return Step(value, turning, found.frequencies, spectrum, found.natural, found.hold, found.multiplier)
+        none = [np.zeros((0, len(output.axes)), dtype=np.complex128) for output in outputs]
+        return [Step(value, turning, np.zeros(0), x, np.zeros(0), np.zeros(6), np.nan, str(error)) for x in none]
+    spectra = [found.motion_of(output.name).harmonics(output.quantity) for output in outputs]
+    return [Step(value, turning, found.frequencies, x, found.natural, found.hold, found.multiplier) for x in spectra]
 
 
 NEGLIGIBLE = 1e-9

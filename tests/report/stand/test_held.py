@@ -1,0 +1,191 @@
+"""Reports of held carriers: the hold, its reaction, modes and numbers at a state are those of closed formulas."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from mahovik.core.motion.read import loads_regime
+from mahovik.core.stand import Stand, load, loads
+from mahovik.core.stand.hold import twists
+from mahovik.out.report.stand import (
+    animation,
+    bodies,
+    campbell,
+    drawing,
+    histories,
+    hold,
+    jitter,
+    matrices,
+    response,
+    singular,
+)
+from mahovik.out.report.stand.material import Material, chosen_state
+from mahovik.proof import reference
+from mahovik.proof.reference.coordinates import coordinates_at
+from mahovik.use.simulate.case import Case
+from mahovik.use.simulate.held import allowed_start, home
+from mahovik.use.simulate.run import simulate
+from mahovik.use.study.campbell import natural_at
+from mahovik.use.study.response.periodic import scene_of
+from report.stand.reports import read, words
+from report.stand.runs import material, run_of
+
+HELD = Path(__file__).resolve().parents[3] / "docs" / "held"
+
+SKATE = """
+schema = 1
+name = "skate"
+[carrier]
+mass = 2.0
+inertia = [0.02, 0.03, 0.01]
+[hold]
+freedoms = ["x", "yaw"]
+[[flywheel]]
+name = "wheel"
+mass = 0.5
+spin_inertia = 0.01
+transverse_inertia = 0.006
+"""
+
+
+def held(name: str) -> Stand:
+    return load(str(HELD / f"{name}.toml"))
+
+
+def shown(stand: Stand) -> Material:
+    return replace(material(stand), state=chosen_state(stand))
+
+
+def text(html: str) -> str:
+    """Text with ordinary minus signs, without thin spaces and those that align numbers."""
+    return words(re.sub("[\u202f\u2007\u2008]", "", html)).replace("−", "-")
+
+
+def hold_text(stand: Stand) -> str:
+    made = hold.section(shown(stand))
+    assert made is not None
+    assert read(made.html).wrong == []
+    assert "nan" not in made.html
+    return text(made.html)
+
+
+@pytest.mark.parametrize("name", ["pendulum", "force_table", "cube", "air_table", "linear_shaker"])
+def test_the_chosen_state_is_one_that_the_hold_allows(name: str) -> None:
+    stand = held(name)
+    state = chosen_state(stand)
+    assert allowed_start(stand, state) == state
+    assert np.array(state.V) == pytest.approx(twists(stand.hold) @ np.array(state.u) if stand.hold else None)
+    if name == "pendulum":
+        assert coordinates_at(stand, state).q == pytest.approx([0.3])
+
+
+def test_a_force_table_shows_weight_and_the_rotating_force() -> None:
+    """12 kg and 2 kg at 9.81 m/s2; 72 g mm at 3000 rpm is 7.106 N, 100 mm above O1."""
+    found = hold_text(held("force_table"))
+    assert "clamped" in found.lower()
+    at_rest = re.search(r"Reaction at rest ([-\d. ]+)", found)
+    turning = re.search(r"Reaction R, in E₁ about O₁ ([-\d. ]+)", found)
+    assert at_rest is not None and turning is not None
+    weight, force = 14.0 * 9.81, 72e-6 * (100 * math.pi) ** 2
+    assert [float(x) for x in at_rest[1].split()] == pytest.approx([0, 0, weight, 0, -72e-6 * 9.81, 0], rel=1e-4)
+    numbers = [-force, 0, weight, 0, -0.1 * force - 72e-6 * 9.81, 0]
+    assert [float(x) for x in turning[1].split()] == pytest.approx(numbers, rel=1e-4)
+    made = response.section(shown(held("force_table")))
+    assert made is not None
+    assert f"force of hold.reaction at most {force:.3g} N RMS at 3000 rpm" in made.summary
+
+
+def test_sections_without_meaning_of_a_clamped_carrier_are_left_out_with_a_sentence() -> None:
+    given = shown(held("force_table"))
+    assert [each.section(given) for each in (campbell, jitter, singular)] == [None, None, None]
+    found = hold_text(held("force_table"))
+    assert "no modes, no natural frequencies against speed, and no singular values of (12)" in found
+    made = matrices.section(given)
+    assert made is not None
+    assert "Not shown: the carrier is clamped" in text(made.html)
+
+
+def test_a_pendulum_shows_its_freedom_and_its_frequency() -> None:
+    """It hangs: 2 pi f = sqrt(m g l / J), wheel locked."""
+    stand = held("pendulum")
+    found = hold_text(stand)
+    assert "pitch turning about y of E1 angle, rad rad/s 0 0 0 0 1 0" in found
+    J = 6e-4 + 0.3 * 0.06**2 + 4e-4 + 0.25 * 0.12**2
+    f = math.sqrt((0.3 * 0.06 + 0.25 * 0.12) * 9.81 / J) / (2 * math.pi)
+    mode = re.search(r"shape 1 ([\d.]+) 0 q_pitch 1", found)
+    assert mode is not None
+    assert float(mode[1]) == pytest.approx(f, rel=1e-4)
+    natural = natural_at(scene_of(stand), np.zeros(1))[0][0]
+    assert natural == pytest.approx([f], rel=1e-9)
+    assert f"q pitch, rad {math.pi:.4f}" in found.replace("-", "")
+
+
+def test_the_balance_of_a_held_carrier_has_the_reaction() -> None:
+    """F - M V - J phi' - I phi'' + R = K V* in the numbers shown, and R is that of the want."""
+    stand = held("cube")
+    made = matrices.section(shown(stand))
+    assert made is not None
+    assert read(made.html).wrong == []
+    html = made.html[made.html.index("Balance of (8)") :]
+    rows = [
+        [float(re.sub(r"·10<sup>(.*?)</sup>", r"e\1", x).replace("−", "-").replace("\u202f", "")) for x in cells]
+        for line in re.findall(r"<tr><th[^>]*scope=\"row\">.*?</tr>", html, re.DOTALL)
+        if (cells := [re.sub("[\u2007\u2008]", "", c) for c in re.findall(r'<td class="right">(.*?)</td>', line)])
+    ]
+    F, MV, J, I, R, KV, V_dot = np.array(rows)
+    size = np.abs(rows).max()
+    assert np.abs(F + MV + J + I + R - KV) == pytest.approx(np.zeros(6), abs=2e-3 * float(size))
+    answer = reference.evaluate(stand, chosen_state(stand), ["forward"])
+    assert pytest.approx(answer["reaction"], rel=1e-3, abs=1e-9) == R
+    assert pytest.approx(answer["V_dot"], rel=1e-3, abs=1e-9) == V_dot
+
+
+def test_an_axis_is_said_in_words_beside_its_number() -> None:
+    stand = loads(SKATE.replace('freedoms = ["x", "yaw"]', "axis = [0, 1, 1]"))
+    found = hold_text(stand)
+    assert "1 turning about (0, 1, 1) angle, rad rad/s" in found
+    assert "1 is turning about (0, 1, 1)" in found
+    made = matrices.section(shown(stand))
+    assert made is not None
+    assert "1 is turning about (0, 1, 1)" in text(made.html)
+
+
+def test_freedoms_without_coordinates_say_why_there_is_no_equilibrium() -> None:
+    stand = loads(SKATE)
+    found = hold_text(stand)
+    assert "not a closed set" in found
+    assert "no static equilibrium" in found
+    made = response.section(shown(stand))
+    assert made is not None
+    assert "So there is no steady reaction to show" in text(made.html)
+
+
+def test_a_carrier_is_drawn_at_home_with_its_pivot() -> None:
+    stand = held("cube")
+    motion = animation.motion_of(material(stand))
+    assert motion.quaternion[0] == pytest.approx(home(stand).quaternion)
+    assert "pivot of the hold" in text(drawing.section(material(stand)).html)
+    made = bodies.section(material(stand))
+    assert made is not None
+    assert "Hold 3 freedoms, roll, pitch, yaw" in text(made.html)
+
+
+def test_the_residual_of_a_run_has_the_reaction_beside_the_forces() -> None:
+    stand = held("pendulum")
+    regime = loads_regime("schema = 1\ndefault = { torque = 0.01 }\n", stand, 0.02)
+    found = simulate(Case(stand, regime, home(stand), 0.02, every=0.001), "scipy")
+    run = run_of(stand, {name: found[name] for name in found.names})
+    panel = histories.residuals(stand, run, np.arange(len(run.t)))
+    assert panel is not None
+    assert max(float(line.y.max()) for line in panel.lines) < 1e-12
+    made = histories.section(material(stand, run))
+    assert made is not None
+    assert "F+R" in re.sub(r"\s", "", text(made.html)) and "force of the hold" in made.html
+    state = run.state(-1, stand.hold)
+    assert np.array(state.V) == pytest.approx(twists(stand.hold) @ np.array(state.u) if stand.hold else None, abs=1e-15)
