@@ -166,6 +166,30 @@ def test_what_takes_free_carriers_says_so_in_one_line(file: str, command: str, t
     assert sorted(tmp_path.iterdir()) == before
 
 
+HINGE = TEXT.replace('freedoms = ["pitch"]', "axis = [0, 1, 1]")
+
+
+def test_lists_say_what_a_freedom_is_that_goes_by_its_place(tmp_path: Path) -> None:
+    """`1` of an `axis` is said in words wherever people read it; columns and coordinates keep their names."""
+    file, words = tmp_path / "hinge.toml", "1 is turning about (0, 1, 1)"
+    friction = "\n[[hold.friction]]\nviscous = 0.1\n"
+    file.write_text(HINGE + friction)
+    place = str(file)
+    assert f"q_{words}" in " ".join(run("modes", place).stdout.split())
+    done = run("linearize", place, "-o", str(tmp_path / "m.json"))
+    assert done.exit_code == 0 and f"q_{words}" in done.stdout
+    assert '"q_1"' in (tmp_path / "m.json").read_text()
+    table = tmp_path / "run.csv"
+    done = run("simulate", place, "--until", "0.01", "--backend", "scipy", "-o", str(table))
+    assert done.exit_code == 0 and f"q {words}" in done.stdout
+    assert "q 1 [rad]" in table.read_text().splitlines()[0]
+    done = run("response", place, "--speed", "w1=100", "--at", "hold.1")
+    assert done.exit_code == 0 and f"hold.{words}" in " ".join(done.stdout.split())
+    assert "friction of 1 (turning about (0, 1, 1))" in " ".join(run("check", place).stdout.split())
+    file.write_text(HINGE + friction.replace("viscous", 'freedom = "pitch"\nviscous'))
+    assert f"{words}" in refused("check", place)
+
+
 TURN = {"schema": 1, "name": "turn", "type": "periodic", "period": 1.0}
 
 

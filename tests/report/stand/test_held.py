@@ -54,7 +54,7 @@ transverse_inertia = 0.006
 """
 
 
-def held(name: str) -> Stand:
+def held_stand(name: str) -> Stand:
     return load(str(HELD / f"{name}.toml"))
 
 
@@ -77,7 +77,7 @@ def hold_text(stand: Stand) -> str:
 
 @pytest.mark.parametrize("name", ["pendulum", "force_table", "cube", "air_table", "linear_shaker"])
 def test_the_chosen_state_is_one_that_the_hold_allows(name: str) -> None:
-    stand = held(name)
+    stand = held_stand(name)
     state = chosen_state(stand)
     assert allowed_start(stand, state) == state
     assert np.array(state.V) == pytest.approx(twists(stand.hold) @ np.array(state.u) if stand.hold else None)
@@ -87,7 +87,7 @@ def test_the_chosen_state_is_one_that_the_hold_allows(name: str) -> None:
 
 def test_a_force_table_shows_weight_and_the_rotating_force() -> None:
     """12 kg and 2 kg at 9.81 m/s2; 72 g mm at 3000 rpm is 7.106 N, 100 mm above O1."""
-    found = hold_text(held("force_table"))
+    found = hold_text(held_stand("force_table"))
     assert "clamped" in found.lower()
     at_rest = re.search(r"Reaction at rest ([-\d. ]+)", found)
     turning = re.search(r"Reaction R, in E₁ about O₁ ([-\d. ]+)", found)
@@ -96,15 +96,15 @@ def test_a_force_table_shows_weight_and_the_rotating_force() -> None:
     assert [float(x) for x in at_rest[1].split()] == pytest.approx([0, 0, weight, 0, -72e-6 * 9.81, 0], rel=1e-4)
     numbers = [-force, 0, weight, 0, -0.1 * force - 72e-6 * 9.81, 0]
     assert [float(x) for x in turning[1].split()] == pytest.approx(numbers, rel=1e-4)
-    made = response.section(shown(held("force_table")))
+    made = response.section(shown(held_stand("force_table")))
     assert made is not None
     assert f"force of hold.reaction at most {force:.3g} N RMS at 3000 rpm" in made.summary
 
 
 def test_sections_without_meaning_of_a_clamped_carrier_are_left_out_with_a_sentence() -> None:
-    given = shown(held("force_table"))
+    given = shown(held_stand("force_table"))
     assert [each.section(given) for each in (campbell, jitter, singular)] == [None, None, None]
-    found = hold_text(held("force_table"))
+    found = hold_text(held_stand("force_table"))
     assert "no modes, no natural frequencies against speed, and no singular values of (12)" in found
     made = matrices.section(given)
     assert made is not None
@@ -113,7 +113,7 @@ def test_sections_without_meaning_of_a_clamped_carrier_are_left_out_with_a_sente
 
 def test_a_pendulum_shows_its_freedom_and_its_frequency() -> None:
     """It hangs: 2 pi f = sqrt(m g l / J), wheel locked."""
-    stand = held("pendulum")
+    stand = held_stand("pendulum")
     found = hold_text(stand)
     assert "pitch turning about y of E1 angle, rad rad/s 0 0 0 0 1 0" in found
     J = 6e-4 + 0.3 * 0.06**2 + 4e-4 + 0.25 * 0.12**2
@@ -128,7 +128,7 @@ def test_a_pendulum_shows_its_freedom_and_its_frequency() -> None:
 
 def test_the_balance_of_a_held_carrier_has_the_reaction() -> None:
     """F - M V - J phi' - I phi'' + R = K V* in the numbers shown, and R is that of the want."""
-    stand = held("cube")
+    stand = held_stand("cube")
     made = matrices.section(shown(stand))
     assert made is not None
     assert read(made.html).wrong == []
@@ -167,17 +167,19 @@ def test_freedoms_without_coordinates_say_why_there_is_no_equilibrium() -> None:
 
 
 def test_a_carrier_is_drawn_at_home_with_its_pivot() -> None:
-    stand = held("cube")
+    stand = held_stand("cube")
     motion = animation.motion_of(material(stand))
     assert motion.quaternion[0] == pytest.approx(home(stand).quaternion)
-    assert "pivot of the hold" in text(drawing.section(material(stand)).html)
+    drawn = drawing.section(material(stand))
+    assert drawn is not None
+    assert "pivot of the hold" in text(drawn.html)
     made = bodies.section(material(stand))
     assert made is not None
     assert "Hold 3 freedoms, roll, pitch, yaw" in text(made.html)
 
 
 def test_the_residual_of_a_run_has_the_reaction_beside_the_forces() -> None:
-    stand = held("pendulum")
+    stand = held_stand("pendulum")
     regime = loads_regime("schema = 1\ndefault = { torque = 0.01 }\n", stand, 0.02)
     found = simulate(Case(stand, regime, home(stand), 0.02, every=0.001), "scipy")
     run = run_of(stand, {name: found[name] for name in found.names})

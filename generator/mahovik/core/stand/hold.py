@@ -167,14 +167,16 @@ def find_freedom(hold: Hold, name: str | None) -> int:
     if not names:
         raise QuantityError("the hold is clamped: it has no freedom")
     if name is None and len(names) > 1:
-        raise QuantityError(f"required where there are several freedoms, expected one of {', '.join(names)}")
+        known = ", ".join(freedom_labels(hold))
+        raise QuantityError(f"required where there are several freedoms, expected one of {known}")
     if name is None:
         return 0
     numbers = [str(k + 1) for k in range(len(names))]
     if name in numbers:
         return numbers.index(name)
     if name not in names:
-        raise QuantityError(f"{show(name)} is no freedom of this hold{suggestion(name, names)}")
+        where = f"; {found}" if (found := numbers_in_words(hold)) else ""
+        raise QuantityError(f"{show(name)} is no freedom of this hold{suggestion(name, names)}{where}")
     return names.index(name)
 
 
@@ -286,6 +288,23 @@ def freedom_names(hold: Hold) -> list[str]:
 def freedom_words(hold: Hold) -> list[str]:
     """Each freedom in words: its name, or how it moves, such as `turning about (0, 1, 1)`."""
     return list(map(_word, hold.freedoms))
+
+
+def freedom_labels(hold: Hold) -> list[str]:
+    """Each freedom by its name; one that is known by its place also in words: `1 (turning about (0, 1, 1))`."""
+    pairs = zip(freedom_names(hold), freedom_words(hold), strict=True)
+    return [name if name == what else f"{name} ({what})" for name, what in pairs]
+
+
+def numbers_in_words(hold: Hold | None, prefix: str = "") -> str:
+    """What freedoms are that go by their places: `1 is turning about (0, 1, 1)`; empty where all have names.
+
+    `prefix` stands before each place, as in a column `q_1`.
+    """
+    if hold is None:
+        return ""
+    pairs = zip(freedom_names(hold), freedom_words(hold), strict=True)
+    return ", ".join(f"{prefix}{name} is {what}" for name, what in pairs if name != what)
 
 
 def _word(freedom: Freedom) -> str:

@@ -12,6 +12,7 @@ from mahovik.out.cli.output import print_json_text, print_line, print_table
 from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
+    from mahovik.core.stand.model import Hold
     from mahovik.use.study.linear import Modes
 
 AT = option("--at", "Linearise about this state, as `eval` reads it.", metavar="rest|STATE.json", default="rest")
@@ -48,6 +49,7 @@ def modes(
         return
     title = f"{stand.name} at {'rest' if at == 'rest' else click.format_filename(at)}, flywheels {flywheels}"
     _print(found.result, title, found.steady)
+    _print_numbers(stand.hold)
 
 
 def _values(found: Modes, name: str, at: str, flywheels: str) -> dict[str, Any]:
@@ -131,3 +133,12 @@ def linearize(
     model.save(target)
     sizes = ((len(model.states), "states"), (len(model.inputs), "inputs"), (len(model.outputs), "outputs"))
     click.echo(f"{click.format_filename(output)}   {', '.join(f'{number} {name}' for number, name in sizes)}")
+    _print_numbers(stand.hold)
+
+
+def _print_numbers(hold: Hold | None) -> None:
+    """Print what freedoms are that have numbers in place of names."""
+    from mahovik.core.stand.hold import numbers_in_words
+
+    if found := numbers_in_words(hold, "q_"):
+        print_line(found)

@@ -71,6 +71,7 @@ def response(
     """
     stand = load_stand(stand_file, held=True)
     suffix = "" if output is None else require_suffix(output, SUFFIXES)
+    from mahovik.core.stand.hold import numbers_in_words
     from mahovik.out.functions.vibration import response as run
     from mahovik.use.study.response.outputs import output_of
     from mahovik.use.study.response.speeds import read_speeds
@@ -95,6 +96,8 @@ def response(
         print_json_text(json_text(found))
     else:
         _print(found)
+        if found.point.startswith("hold.") and (numbers := numbers_in_words(stand.hold, "hold.")):
+            click.echo(numbers)
     if found.interrupted:
         cut = "--time cut the sweep" if limit.is_over() else "interrupted"
         done = f"{len(found.steps)} of {steps} speeds are done"

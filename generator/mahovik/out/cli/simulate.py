@@ -99,7 +99,9 @@ def simulate(
     if until is None or output is None:
         raise click.UsageError(f"Missing option '{'--until' if until is None else '-o'}'.")
     stand = load_stand(stand_file, held=True)
+    from mahovik.core.stand.hold import numbers_in_words
     from mahovik.out.functions.simulation import simulate as run
+    from mahovik.use.simulate.held import coordinate_columns
     from mahovik.use.simulate.run import check_output
 
     check_output(Path(output))
@@ -113,6 +115,8 @@ def simulate(
         print_json(_plain(found, output))
     else:
         click.echo(f"{click.format_filename(output)}   {len(found)} rows, {len(found.names)} columns")
+        if (numbers := numbers_in_words(stand.hold, "q ")) and coordinate_columns(stand):
+            click.echo(numbers)
     _report(found, as_json)
 
 

@@ -12,7 +12,7 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.hold import freedom_names, freedom_words, has_coordinates, no_coordinates, numbered_freedoms
+from mahovik.core.stand.hold import freedom_names, has_coordinates, no_coordinates, numbered_freedoms, numbers_in_words
 from mahovik.core.stand.model import Hold, Stand, Vec3
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
@@ -249,9 +249,8 @@ def _coordinates(stand: Stand, hold: Hold, state: State) -> dict[str, Any]:
 
 def named_freedoms(hold: Hold) -> str:
     """A sentence on what freedoms are whose names are numbers; empty where all have names."""
-    pairs = zip(freedom_names(hold), freedom_words(hold), strict=True)
-    numbers = [f"{name} is {what}" for name, what in pairs if name != what]
-    return f"Of the freedoms {', '.join(numbers)}. " if numbers else ""
+    numbers = numbers_in_words(hold)
+    return f"Of the freedoms {numbers}. " if numbers else ""
 
 
 def _state(stand: Stand, state: State) -> list[Markup]:

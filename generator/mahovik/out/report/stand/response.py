@@ -44,7 +44,7 @@ def section(material: Material) -> Section | None:
         return None
     limit = max(row.speed for row in summarize(stand).unbalance)
     if stand.hold is not None:
-        return _held(stand, stand.hold, limit)
+        return _held_section(stand, stand.hold, limit)
     try:
         found = [sweep_speeds(stand, limit)]
         near = NEAR * 2.0 * math.pi * max((float(f) for f in found[0].steps[0].natural), default=0.0)
@@ -60,7 +60,7 @@ def section(material: Material) -> Section | None:
     return Section(ANCHOR, TITLE, paragraph(_words(found)) + charts(shown), summary=summary)
 
 
-def _held(stand: Stand, hold: Hold, limit: float) -> Section:
+def _held_section(stand: Stand, hold: Hold, limit: float) -> Section:
     """The reaction, and accelerations of the freedoms, of a held carrier."""
     seen: list[tuple[str, str | None]]
     seen = [(REACTION, "force"), (REACTION, "moment")]
