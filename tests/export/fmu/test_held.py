@@ -20,13 +20,13 @@ from cli.test_eval_held import TEXT
 from export.fmu.test_simulation import DT, EVERY, UNTIL, pairs
 from mahovik.core.lower.fmu.variables import Inputs, Kind
 from mahovik.core.motion import loads_regime
-from mahovik.core.stand.hold import twist_of
+from mahovik.core.stand.hold import freedom_names, twist_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import State, rest_state
 from mahovik.out.export.fmu import export_fmu
 from mahovik.use.simulate import Case, simulate
-from mahovik.use.simulate.held import complete_start, home
+from mahovik.use.simulate.held import complete_start, home, rates
 
 HOLDS = {
     "pendulum": ('["pitch"]', (2.0,)),
@@ -36,6 +36,7 @@ HOLDS = {
 }
 OTHERS = {
     "shaker": TEXT.replace('freedoms = ["pitch"]', "slide = [0, 1, 1]").replace("pivot = [0, 0, -0.2]\n", ""),
+    "hinge": TEXT.replace('freedoms = ["pitch"]', "axis = [0, 1, 1]"),
     "basis": TEXT.replace('freedoms = ["pitch"]', "basis = [[1, 0, 0, 0, 0, 0], [0, 0, 0.1, 0, 0, 1]]").replace(
         "pivot = [0, 0, -0.2]\n", ""
     ),
@@ -60,6 +61,7 @@ def moving(name: str) -> tuple[Stand, State]:
 @pytest.mark.parametrize(("name", "version", "kind", "inputs"), FORMS)
 def test_it_moves_as_simulate_does(name: str, version: str, kind: Kind, inputs: Inputs, tmp_path: Path) -> None:
     stand, state = moving(name)
+    assert stand.hold is not None
     torque = inputs == "torque"
     law = "torque = 0.02" if torque else "ramp = { from = 40.0, to = 340.0, duration = 10.0 }"
     regime = loads_regime(f"schema = 1\n[flywheel.w1]\n{law}", stand, UNTIL)
@@ -70,6 +72,9 @@ def test_it_moves_as_simulate_does(name: str, version: str, kind: Kind, inputs: 
     columns |= {
         f"hold.reaction[{i + 1}]": f"hold.reaction.{a} [{'N' if i < 3 else 'N m'}]" for i, a in enumerate("xyzkmn")
     }
+    coordinates = coordinate_pairs(stand, expected.names)
+    assert bool(coordinates) == (name != "clamped")
+    columns |= coordinates
     found = fmpy.simulate_fmu(
         str(file),
         validate=True,
@@ -77,13 +82,83 @@ def test_it_moves_as_simulate_does(name: str, version: str, kind: Kind, inputs: 
         output_interval=EVERY,
         start_values={"w1.tau": 0.02} if torque else {"w1.phi_ddot": 30.0},
         relative_tolerance=1e-9,
-        output=list(columns),
+        output=[*columns, *(f"u.{each}" for each in freedom_names(stand.hold))],
     )
     assert np.allclose(found["time"], expected["t [s]"])
     for variable, column in columns.items():
         scale = max(1.0, float(np.abs(expected[column]).max()))
         most = 1e-9 if kind == "cs" else 1e-5  # of one method; of CVODE beside Runge-Kutta
         assert found[variable] == pytest.approx(expected[column], abs=most * scale), variable
+    u = np.array([rates(stand.hold, V) for V in np.stack([found[f"carrier.V[{i + 1}]"] for i in range(6)], axis=1)])
+    for k, freedom in enumerate(freedom_names(stand.hold)):
+        assert found[f"u.{freedom}"] == pytest.approx(u[:, k], abs=1e-9)
+
+
+def coordinate_pairs(stand: Stand, names: tuple[str, ...]) -> dict[str, str]:
+    """Columns of `simulate` by names of variables: coordinates of the freedoms, which q and orientation name."""
+    found = {f"q.{each.split()[1]}": each for each in names if each.startswith("q ")}
+    letters = [each for each in names if each.startswith("orientation_")]
+    return found | {f"q.orientation[{i + 1}]": each for i, each in enumerate(letters)}
+
+
+def written(stand: Stand, state: State, folder: Path, kind: Kind = "cs") -> str:
+    """The path of an FMU."""
+    file = folder / "held.fmu"
+    file.write_bytes(export_fmu(stand, "3.0", kind, "torque", dt=DT, start=state).content)
+    return str(file)
+
+
+def test_an_angle_counts_its_turns_also_within_a_communication_step(tmp_path: Path) -> None:
+    """25 rad/s is two turns in half a second, and back again after the sign of the speed is changed."""
+    stand = loads(OTHERS["hinge"])
+    assert stand.hold is not None
+    for speed in (25.0, -25.0):
+        state = replace(rest_state(stand), u=(speed,), V=twist_of(stand.hold, (speed,)))
+        state = complete_start(stand, state, {"u"})
+        regime = loads_regime("schema = 1\n[flywheel.w1]\ntorque = 0.02", stand, 1.0)
+        expected = simulate(Case(stand, regime, state, 1.0, 0.5, DT))
+        fine = simulate(Case(stand, regime, state, 1.0, 0.01, DT))["q 1 [rad]"]
+        found = fmpy.simulate_fmu(
+            written(stand, state, tmp_path),
+            stop_time=1.0, output_interval=0.5, start_values={"w1.tau": 0.02}, output=["q[1]", "u[1]"],
+        )  # fmt: skip
+        assert found["q[1]"] == pytest.approx(fine[[0, 50, 100]], abs=1e-8)
+        assert found["u[1]"] == pytest.approx(expected["q_dot 1 [rad/s]"], abs=1e-8)
+        assert abs(found["q[1]"][-1]) > 2 * math.pi
+
+
+def test_of_model_exchange_an_angle_is_within_half_a_turn(tmp_path: Path) -> None:
+    stand, state = moving("pendulum")
+    described = fmpy.read_model_description(written(stand, state, tmp_path, "me"))
+    (angle,) = (v for v in described.modelVariables if v.name == "q.pitch")
+    assert "within half a turn" in angle.description
+
+
+@pytest.mark.parametrize(
+    ("name", "units"),
+    [
+        ("pendulum", {"q.pitch": "rad", "u.pitch": "rad/s"}),
+        ("plane", {"q.yaw": "rad", "q.x": "m", "q.y": "m", "u.yaw": "rad/s", "u.x": "m/s", "u.y": "m/s"}),
+        ("ball joint", {f"u.{way}": "rad/s" for way in ("roll", "pitch", "yaw")}),
+        ("clamped", {}),
+        ("shaker", {"q[1]": "m", "u[1]": "m/s"}),
+        ("hinge", {"q[1]": "rad", "u[1]": "rad/s"}),
+        ("basis", {}),
+    ],
+)
+@pytest.mark.parametrize("version", ["2.0", "3.0"])
+def test_coordinates_have_units_of_their_freedoms(
+    name: str, units: dict[str, str], version: str, tmp_path: Path
+) -> None:
+    stand = moving(name)[0] if name in HOLDS else loads(OTHERS[name])
+    file = tmp_path / "held.fmu"
+    file.write_bytes(export_fmu(stand, version, "cs", "torque", dt=DT, start=home(stand), binary=False).content)
+    described = fmpy.read_model_description(str(file), validate=True).modelVariables
+    own = {v.name: v.unit or (v.declaredType.unit if v.declaredType else None) for v in described}
+    found = {each: unit for each, unit in own.items() if each[:2] in ("q.", "q[", "u.", "u[")}
+    orientation = {f"q.orientation[{i}]" for i in range(1, 5)} if name == "ball joint" else set()
+    assert found.keys() == units.keys() | orientation
+    assert {each: found[each] for each in units} == units
 
 
 @pytest.mark.parametrize(

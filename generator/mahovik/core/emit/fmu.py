@@ -11,9 +11,12 @@ from mahovik.core.emit.code import Code
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrap_statement
 from mahovik.core.emit.templates import source_text
+from mahovik.core.lower.fmu.freedoms import has_angle
 from mahovik.core.lower.fmu.parameters import measured_laws
 from mahovik.core.lower.fmu.program import lower_fmu
 from mahovik.core.lower.fmu.variables import Form, Variable
+from mahovik.core.lower.freedom_coordinates import own_coordinates, turns_about_point
+from mahovik.core.lower.held_coordinates import Ways
 from mahovik.core.lower.units import NONE
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import identities
@@ -91,6 +94,24 @@ class _Printer:
             "states": form.groups["STATE"].count,
             "freedoms": self._layout.freedoms,
             "held": self._layout.held,
+            "coordinates": self._coordinates(),
+        }
+
+    def _coordinates(self) -> dict[str, Any] | None:
+        """Arguments of `coordinates` by values that follow one another, and the places of an angle and its speed."""
+        layout = self._layout
+        if not layout.coordinates:
+            return None
+        own, ways = len(own_coordinates(layout.ways)), Ways(layout.ways)
+        first = f"&model->value[{self._stand.name.upper()}_AT_COORDINATES"
+        places = ([0] if own else []) + ([own] if turns_about_point(layout.ways) else [])
+        places.append(own + (4 if turns_about_point(layout.ways) else 0))
+        angle = ways.turns[0] if has_angle(layout.ways) else None
+        return {
+            "targets": [f"{first} + {place}]" if place else f"{first}]" for place in places],
+            "angle": None if angle is None else ways.number(angle),
+            "speed": angle,
+            "count": own,
         }
 
     def pose(self, name: str) -> str:

@@ -40,7 +40,7 @@ def add_all(lib: Library) -> None:
 
 
 @dataclass(frozen=True)
-class _Ways:
+class Ways:
     """The freedoms: places of those that slide and turn among all of them, their numbers in q, their directions."""
 
     ways: tuple[str, ...]
@@ -68,6 +68,14 @@ class _Ways:
         return [S[first + i][k] for i in range(3)]
 
 
+@dataclass(frozen=True)
+class Target:
+    """Where coordinates are written: q, and the quaternion of all three turns."""
+
+    q: Place
+    orientation: Place
+
+
 def _along(direction: list[Expr | int], values: Sequence[Expr]) -> Expr:
     """direction . values."""
     terms = [x if one == 1 else one * x for one, x in zip(direction, values, strict=True) if one != 0]
@@ -77,7 +85,7 @@ def _along(direction: list[Expr | int], values: Sequence[Expr]) -> Expr:
     return total
 
 
-def _spread(body: Body, target: Place, found: _Ways, S: Place, values: list[Expr]) -> None:
+def _spread(body: Body, target: Place, found: Ways, S: Place, values: list[Expr]) -> None:
     """target (3) = sum of what slides times its direction; named directions, each given once."""
     for i in range(3):
         whole: Expr = real(0)
@@ -89,7 +97,7 @@ def _spread(body: Body, target: Place, found: _Ways, S: Place, values: list[Expr
 
 def generalized(lib: Library) -> Function:
     """Coordinates, their rates, and the rates of these for given phi''."""
-    layout, found = lib.layout, _Ways(lib.layout.ways)
+    layout, found = lib.layout, Ways(lib.layout.ways)
     table, x = lib.table_argument(), lib.state_argument()
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     out = Argument("out", layout.generalized, (), "out", purpose="coordinates of the freedoms, q_dot, q_ddot")
@@ -103,9 +111,9 @@ def generalized(lib: Library) -> Function:
     for k, speed in enumerate(speeds(layout.ways, columns(layout.ways, table.place), x.place.V)):
         body.set(u[k], speed)
     if found.turns:
-        turn = _read_turn(lib, body, found, table.place, x.place, out.place)
+        turn = read_turn(lib, body, found, table.place, x.place, out.place)
     if found.slides:
-        _read_slides(lib, body, found, table.place, x.place, out.place)
+        read_slides(lib, body, found, table.place, x.place, out.place)
     for name, values in (("q_dot", u), ("q_ddot", u_dot)):
         body.copy_array(out.place.member(name), values)
     if turns_slides(layout.ways):
@@ -133,7 +141,7 @@ def generalized(lib: Library) -> Function:
     )
 
 
-def _read_turn(lib: Library, body: Body, found: _Ways, table: Place, x: Place, out: Place) -> Place:
+def read_turn(lib: Library, body: Body, found: Ways, table: Place, x: Place, out: Place | Target) -> Place:
     """Writes the angle or the quaternion; gives the turn from the home pose as a quaternion of any length."""
     turn = body.local("turn", (4,), comment="from the home attitude, quaternion with w >= 0")
     assign(body, list(turn), derived.from_home(), {"home": table.home_attitude, "q": x.attitude})
@@ -155,7 +163,7 @@ def _read_turn(lib: Library, body: Body, found: _Ways, table: Place, x: Place, o
     return turn
 
 
-def _read_slides(lib: Library, body: Body, found: _Ways, table: Place, x: Place, out: Place) -> None:
+def read_slides(lib: Library, body: Body, found: Ways, table: Place, x: Place, out: Place | Target) -> None:
     """w = C0^T (O1 + C pivot - O1_home) - pivot, along each direction."""
     C0, C = (body.local(name, (9,), comment=text) for name, text in (("C0", "home attitude"), ("C", "attitude")))
     body.call(lib["rotation"], table.home_attitude, C0)
@@ -186,7 +194,7 @@ def _inputs(lib: Library) -> list[Argument]:
 
 def state_from_coordinates(lib: Library) -> Function:
     """Position, attitude, V and V* of coordinates and their rates."""
-    layout, found, m = lib.layout, _Ways(lib.layout.ways), lib.layout.freedoms
+    layout, found, m = lib.layout, Ways(lib.layout.ways), lib.layout.freedoms
     table, arguments = lib.table_argument(), _inputs(lib)
     given = {a.name: a.place for a in arguments}
     purpose = "its position, attitude and V are written; phases and speeds are kept"
@@ -228,7 +236,7 @@ def state_from_coordinates(lib: Library) -> Function:
     )
 
 
-def _check_coordinates(lib: Library, body: Body, found: _Ways, given: dict[str, Place]) -> None:
+def _check_coordinates(lib: Library, body: Body, found: Ways, given: dict[str, Place]) -> None:
     """Ranges: of coordinates those of positions, in float of an angle that of phases, a quaternion of unit length."""
     limit = {name: each.expression for name, each in lib.limits.items()}
     angle = "MAX_PHASE" if lib.layout.precision.name == "float" else "MAX_POSITION"  # the narrower of both
@@ -244,7 +252,7 @@ def _check_coordinates(lib: Library, body: Body, found: _Ways, given: dict[str, 
     lib.check(body, "within", given["q_ddot"], len(found.ways), limit["MAX_ACCELERATION"])
 
 
-def _write_turn(lib: Library, body: Body, found: _Ways, table: Place, given: dict[str, Place], turn: Place) -> None:
+def _write_turn(lib: Library, body: Body, found: Ways, table: Place, given: dict[str, Place], turn: Place) -> None:
     """The turn from the home attitude."""
     if "orientation" in given:
         body.copy_array(turn, given["orientation"])
@@ -261,7 +269,7 @@ def _write_turn(lib: Library, body: Body, found: _Ways, table: Place, given: dic
 
 
 def _write_position(
-    lib: Library, body: Body, found: _Ways, table: Place, given: dict[str, Place], attitude: Place
+    lib: Library, body: Body, found: Ways, table: Place, given: dict[str, Place], attitude: Place
 ) -> Place:
     """O1 = O1_home + C0 (w + pivot) - C pivot."""
     C0, C = (body.local(name, (9,), comment=text) for name, text in (("C0", "home attitude"), ("C", "attitude")))
@@ -285,7 +293,7 @@ def _write_position(
     return position
 
 
-def _turn_rates_back(lib: Library, body: Body, found: _Ways, table: Place, turn: Place, u: Place, u_dot: Place) -> None:
+def _turn_rates_back(lib: Library, body: Body, found: Ways, table: Place, turn: Place, u: Place, u_dot: Place) -> None:
     """u = R^T w*, u* = R^T w** - omega x u of what slides, in place."""
     R = body.local("R", (9,), comment="turn from the home pose")
     body.call(lib["rotation"], turn, R)

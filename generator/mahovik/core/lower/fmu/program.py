@@ -5,6 +5,8 @@ from __future__ import annotations
 from mahovik.core import routines
 from mahovik.core.formula.derived import motion as derived
 from mahovik.core.lower import checks, rotation
+from mahovik.core.lower.fmu.freedoms import add_all as add_coordinates
+from mahovik.core.lower.fmu.freedoms import has_angle
 from mahovik.core.lower.fmu.off_hold import off_hold
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
@@ -20,7 +22,10 @@ from mahovik.core.program.walk import reachable
 
 
 def lower_fmu(layout: Layout) -> Program:
-    """Functions `unit_attitude`, `pose_rates` and, with flywheels, `count_phases`; of a held carrier `off_hold`."""
+    """Functions `unit_attitude`, `pose_rates` and, with flywheels, `count_phases`; of a held carrier `off_hold`.
+
+    Where the hold has coordinates also `coordinates` and, of an angle, `count_turns`.
+    """
     lib = Library(layout)
     precision = layout.precision
     lib.add(routines.square_root(precision))
@@ -35,6 +40,10 @@ def lower_fmu(layout: Layout) -> Program:
     if layout.held:
         lib.add(rotation.rotate_back())
         lib.add(off_hold(lib))
+    if layout.coordinates:
+        if has_angle(layout.ways) and not layout.flywheels:
+            lib.add(routines.unwind(precision))
+        add_coordinates(lib)
     counts = (layout.count,) if layout.flywheels else ()
     program = Program(layout.structure.name, precision, counts, (), reachable(lib.functions))
     validate(program)

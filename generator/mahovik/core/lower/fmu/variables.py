@@ -13,6 +13,7 @@ from mahovik.core.lower.limits import limits
 from mahovik.core.lower.member import Member
 from mahovik.core.lower.units import Unit
 from mahovik.core.lower.values import Values
+from mahovik.core.stand.hold import freedom_names, freedom_words, numbered_freedoms
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
 
 Kind = Literal["cs", "me"]
@@ -130,6 +131,7 @@ class _Former:
         self._add("READINGS", "of instruments and points", self._readings())
         self._add("LOADS", "wrenches of the mounts", self._loads())
         self._add("REACTION", "wrench of the hold", self._reaction())
+        self._add("COORDINATES", "of the freedoms of the hold", self._coordinates())
         return Form(self._kind, self._inputs, tuple(map(self._by_kind, self._variables)), self._groups)
 
     def _add(self, name: str, comment: str, variables: Sequence[Variable] | Iterator[Variable]) -> None:
@@ -337,6 +339,37 @@ class _Former:
             yield Variable(
                 f"hold.reaction[{i + 1}]", units.WRENCH[i], text, "output", depends=tuple(dict.fromkeys(depends))
             )
+
+    def _coordinates(self) -> Iterator[Variable]:
+        """q of the freedoms that have a number, the quaternion of three turns, then all u, as `coordinates` gives them.
+
+        A freedom that goes by its place has an index for a name.
+        """
+        hold, layout = self._stand.hold, self._layout
+        if hold is None or not layout.coordinates:
+            return
+        pose = self._state_names("carrier.position", "carrier.attitude")
+        names, described, numbered = freedom_names(hold), freedom_words(hold), numbered_freedoms(hold)
+        for k in numbered:
+            turns = hold.freedoms[k].kind == "turn"
+            counted = "with all its turns from the start" if self._kind == "cs" else "within half a turn"
+            what = f"angle, {counted}" if turns else "way of the pivot from the home pose"
+            text = f"coordinate of the freedom {described[k]}: {what}"
+            name, unit = _member("q", names[k]), units.RADIAN if turns else units.METRE
+            yield Variable(name, unit, text, "output", depends=pose)
+        for i in range(4 if len(numbered) < len(names) else 0):
+            text = f"attitude from the home pose, unit quaternion, {_QUATERNION[i]}"
+            depends = self._state_names("carrier.attitude")
+            yield Variable(f"q.orientation[{i + 1}]", units.NONE, text, "output", depends=depends)
+        for name, words, freedom in zip(names, described, hold.freedoms, strict=True):
+            unit = units.ANGULAR_VELOCITY if freedom.kind == "turn" else units.VELOCITY
+            text = f"speed u of the freedom {words}: V = S u"
+            yield Variable(_member("u", name), unit, text, "output", depends=self._state_names("carrier.V["))
+
+
+def _member(of: str, name: str) -> str:
+    """A freedom as part of a structured name: `q.pitch`, or `q[1]` by its place."""
+    return f"{of}[{name}]" if name.isdigit() else f"{of}.{name}"
 
 
 def unique(variables: Sequence[Variable]) -> dict[str, int]:
