@@ -90,8 +90,9 @@ SNIPPETS = [
 
 
 def emit(name: str, folder: Path) -> None:
-    """C of an example stand; auv6 with a run-time wrench on its carrier, as the page says."""
-    stand = load(PACKAGE / "stands" / f"{name}.toml")
+    """C of an example stand or of a held one; auv6 with a run-time wrench on its carrier, as the page says."""
+    held = ROOT / "docs" / "held" / f"{name}.toml"
+    stand = load(held if held.exists() else PACKAGE / "stands" / f"{name}.toml")
     if name == "auv6":
         stand = replace(stand, carrier=replace(stand.carrier, wrench_input=True))
     for file, text in generate(stand).items():

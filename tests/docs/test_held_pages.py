@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import re
+import subprocess
 from pathlib import Path
 
 import held_pictures
@@ -11,6 +13,7 @@ import pytest
 from docs.pages import ROOT, Block, blocks
 from mahovik.core.motion.read import load as load_regime
 from mahovik.core.stand import load
+from mahovik.out.functions.evidence import generate
 
 DOCS = ROOT / "docs"
 EXAMPLES, PENDULUM, HELD = (DOCS / f"tutorial-{name}.md" for name in ("held-examples", "pendulum", "held"))
@@ -81,3 +84,24 @@ def skeleton(svg: str) -> tuple[str, list[float]]:
     text = re.sub(r"data:image/png;base64,[^\"]*", "", svg)
     text = re.sub(r"\b[mpi][0-9a-f]{10}\b|image[0-9a-f]{8,}", "", text)
     return NUMBER.sub("", text), [float(each) for each in NUMBER.findall(text)]
+
+
+def test_the_page_on_C_tells_a_V_that_the_hold_does_not_allow(tmp_path: Path) -> None:
+    """The function of the page, compiled: zero of V = S u in any pose, else what is blocked; a status of a NaN."""
+    (snippet,) = (each.text for each in blocks(DOCS / "c-interface.md") if "double blocked_speed(" in each.text)
+    generate(DOCS / "held" / "pendulum.toml", tmp_path)
+    states = [(0.0, 2.0, 0.0), (1.0, -3.0, 0.0), (1.0, -3.0, 0.25), (2.5, 1.0, -0.5)]
+    lines = "".join(
+        f"x.attitude[0] = {math.cos(angle / 2)!r}; x.attitude[2] = {math.sin(angle / 2)!r};\n"
+        f'x.V[4] = {speed!r}; x.V[0] = {off!r}; printf("%.17g\\n", blocked_speed(&x));\n'
+        for angle, speed, off in states
+    )
+    (tmp_path / "main.c").write_text(
+        f"#include <stdio.h>\n{snippet}\nint main(void)\n{{\n"
+        f"pendulum_state x = {{ .attitude = {{ 1 }} }};\n{lines}"
+        'x.V[4] = 0.0 / 0.0;\nprintf("%g\\n", blocked_speed(&x));\nreturn 0;\n}\n'
+    )
+    flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-O1"]
+    subprocess.run(["gcc", *flags, "main.c", "pendulum.c", "-o", "main"], cwd=tmp_path, check=True)
+    found = subprocess.run(["./main"], cwd=tmp_path, check=True, capture_output=True, text=True).stdout.split()
+    assert [float(each) for each in found] == pytest.approx([0.0, 0.0, 0.25, 0.5, -1.0], abs=1e-15)
