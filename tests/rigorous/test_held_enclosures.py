@@ -124,3 +124,12 @@ def pendulum() -> CBackend:
 def test_an_error_of_1e_12_in_what_a_hold_gives_is_caught(quantity: str) -> None:
     found = measured(loads(TEXT), Changed(pendulum(), quantity, 1 + 9e-13), 6)
     assert {row.quantity for row in found.report.failures} == {quantity}
+    wants = {"forward", "coupled"} | ({"reaction"} if quantity == "reaction" else set())
+    assert {row.want for row in found.report.failures} == wants
+
+
+def test_a_free_carrier_has_no_reaction_to_enclose() -> None:
+    free = replace(loads(TEXT), hold=None)
+    _, state = draw(free, 1, 1)[0]
+    with pytest.raises(StateError, match="the carrier is free, expected a held one"):
+        rigorous.evaluate(rigorous.pieces_at(free, state), state, "reaction")

@@ -116,7 +116,7 @@ _ROWS = (
         "(8)",
         (*_STATE, "V_dot", "phi_ddot", "wrench"),
         ("reaction",),
-        ("reference", "second"),
+        _ALL_JUDGES,
         want=True,
         needs="held",
     ),

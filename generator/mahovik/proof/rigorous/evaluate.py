@@ -79,6 +79,13 @@ def want_held_coupled(at: Pieces, state: State) -> Balls:
     return dict(vars(motion)) | {"phi_ddot": phi_ddot}
 
 
+def want_reaction(at: Pieces, state: State) -> Balls:
+    """reaction (6) of a held carrier for given V*, phi''. StateError: the carrier is free."""
+    if not at.held:
+        raise StateError("reaction: the carrier is free, expected a held one")
+    return {"reaction": elements(hold.reaction(at, state.phi_ddot))}
+
+
 ANSWERS: Mapping[str, Callable[[Pieces, State], Balls]] = {
     "forward": want_forward,
     "coupled": want_coupled,
@@ -86,6 +93,7 @@ ANSWERS: Mapping[str, Callable[[Pieces, State], Balls]] = {
     "mounts": want_mounts,
     "matrices": want_matrices,
     "momentum": want_momentum,
+    "reaction": want_reaction,
 }
 """Wants that have an enclosure."""
 

@@ -34,6 +34,14 @@ def forward(at: Pieces, S: arb_mat | None, phi_ddot: Sequence[float]) -> HeldMot
     return _motion(S, elements(part(x, slice(0, m))), part(x, slice(m, m + 6)))
 
 
+def reaction(at: Pieces, phi_ddot: Sequence[float]) -> arb_mat:
+    """R = K V_r* + M V_r + sum_s (I_s phi_s'' + J_s phi_s') - F (6; N, N m) of the given V*, in E1 about O1."""
+    found = at.K * (at.V_dot + at.drift) + at.bias - at.F
+    for I, acceleration in zip(at.I, map(number, phi_ddot), strict=True):
+        found = found + I * acceleration
+    return found
+
+
 def coupled(at: Pieces, S: arb_mat | None, tau: Sequence[float]) -> tuple[HeldMotion, list[arb]]:
     """The motion and phi'' (N) for the whole drive torques: m + N + 6 unknowns u*, phi'', R.
 
