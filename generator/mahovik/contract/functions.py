@@ -119,6 +119,7 @@ _ROWS = (
         _ALL_JUDGES,
         want=True,
         needs="held",
+        batch=True,
     ),
     PublicFunction("wrench", "(7)", (*_STATE, "wrench"), ("F",), ("reference",), needs="wrenches"),
     PublicFunction(

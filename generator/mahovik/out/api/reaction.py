@@ -31,7 +31,7 @@ class WithReaction(Built):
         `V_dot` is required where the carrier has freedoms; that of a clamped one is zero. For a motion that is not the
         one that `forward` finds, the part along the freedoms is what a drive would add.
 
-        Gives `reaction`. State by state. Raises InputError (also of a free carrier), RefusedError.
+        Gives `reaction`. Batch C. Raises InputError (also of a free carrier), RefusedError.
         """
         if V_dot is None and self.stand.hold is not None and self.stand.hold.freedoms:
             raise InputError(
