@@ -178,6 +178,14 @@ def test_a_carrier_is_drawn_at_home_with_its_pivot() -> None:
     assert "Hold 3 freedoms, roll, pitch, yaw" in text(made.html)
 
 
+def test_a_required_motion_is_drawn_by_coordinates_of_the_freedoms() -> None:
+    """Zero is the home pose, 0.3 rad of pitch turns by as much about y."""
+    position, turns = animation._required_poses(held_stand("pendulum"), np.array([[0.0], [0.3]]))
+    assert position == pytest.approx(np.zeros((2, 3)))
+    assert turns[0] == pytest.approx(np.eye(3))
+    assert turns[1] @ [1.0, 0.0, 0.0] == pytest.approx([math.cos(0.3), 0.0, -math.sin(0.3)])
+
+
 def test_the_residual_of_a_run_has_the_reaction_beside_the_forces() -> None:
     stand = held_stand("pendulum")
     regime = loads_regime("schema = 1\ndefault = { torque = 0.01 }\n", stand, 0.02)
