@@ -76,7 +76,6 @@ def test_what_is_blocked_is_refused_in_a_line_by_its_direction(row: list[float],
     [
         ("freedoms = []", {}, "clamped"),
         ("basis = [[1, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1]]", {}, "not a closed set"),
-        ('freedoms = ["yaw"]', {"runup": 1.0}, "runup: not for a held carrier"),
         ('freedoms = ["yaw"]', {"type": "slew"}, "a slew is of a free carrier"),
         ('freedoms = ["yaw"]', {"mean": [0, 0]}, "mean: expected 1 number (yaw), found 2"),
         (

@@ -315,8 +315,6 @@ def _compare(table: MotionTable, stand: Stand, problems: Problems) -> None:
     """Note keys that contradict each other or the stand."""
     if table.type == "periodic" and table.bounds.start is not None:
         problems.add("bounds", "start", 'not allowed with type "periodic", which begins where it ends')
-    if table.runup is not None and stand.hold is not None:
-        problems.add("runup", "not for a held carrier, which has no run-up yet: leave it out")
     if (deviation := table.bounds.deviation) is not None:
         if table.runup is None:
             words = "needs `runup`: it bounds the carrier on the way there and back"
