@@ -226,6 +226,13 @@ _ONLY = {
 """Keys of one type of motion: the type, and what to say of the other."""
 
 
+NO_SLEW = (
+    "a slew is planned by the momentum that a free carrier keeps and a hold takes, found a held carrier; expected "
+    '"finite", with the turn as `samples` of the coordinates'
+)
+"""Why a held carrier has no slew, and what to give instead."""
+
+
 def load_motion(path: str | Path, stand: Stand, programme: Programme | None = None) -> RequiredMotion:
     """Read and check the motion file at `path` for `stand`. Raises MotionError with every problem.
 
@@ -263,8 +270,7 @@ def read_motion_or_slew(text: str, stand: Stand, source: str = "motion") -> Requ
         raise MotionError([f"{source}: is a programme file; expected a motion file here: were the two swapped?"])
     if document.get("type") == "slew":
         if stand.hold is not None:
-            found = "a slew is of a free carrier, found [hold]"
-            raise MotionError([f"{source}: type: {found}; expected periodic or finite"])
+            raise MotionError([f"{source}: type: {NO_SLEW}"])
         name = document.get("name") or Path(source).stem.removesuffix(".motion")
         return read_slew(document, stand, str(name), Problems(source))
     return _read_course(document, stand, source)
