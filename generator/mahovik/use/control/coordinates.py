@@ -32,7 +32,7 @@ def coordinates(stand: Stand, position: Array, attitude: Array, near: Array) -> 
     """
     rotations = Rotation.from_quat(attitude[:, [1, 2, 3, 0]])
     if stand.hold is not None:
-        return _held(_mechanics(stand), position, rotations, near)
+        return _freedom_coordinates(_mechanics(stand), position, rotations, near)
     return np.hstack([position, near_angles(rotations.as_euler(EULER[stand.angles]), near[:, 3:])])
 
 
@@ -41,7 +41,7 @@ def near_angles(angles: Array, near: Array) -> Array:
     return np.asarray(near + np.remainder(angles - near + np.pi, 2.0 * np.pi) - np.pi)
 
 
-def _held(mechanics: Mechanics, position: Array, rotations: Rotation, near: Array) -> Array:
+def _freedom_coordinates(mechanics: Mechanics, position: Array, rotations: Rotation, near: Array) -> Array:
     """Ways of the pivot along what slides, the angle about one axis or three; of a basis by Newton's method."""
     stand, found = mechanics.stand, coordinates_of(mechanics.stand)
     hold = stand.hold

@@ -192,7 +192,7 @@ class Chart:
         """(M, 6; m, rad): way of O1 on the axes of the chart's pose, and rotation vector, from that pose."""
         return y[:, :6]
 
-    def displaced(self, y: Array, moved: Array) -> Array:
+    def displacement_change(self, y: Array, moved: Array) -> Array:
         """Change (M, 6, P) of the displacement by changes of the states (M, 12, P)."""
         return moved[:, :6]
 

@@ -59,7 +59,7 @@ class HeldChart(Chart):
         r = Rotation.from_matrix(self.C.T @ C).as_rotvec() if np.linalg.matrix_rank(S[3:]) > 1 else x @ S[3:].T
         return np.hstack([(O1 - self.O1) @ self.C, r])
 
-    def displaced(self, y: Array, moved: Array) -> Array:
+    def displacement_change(self, y: Array, moved: Array) -> Array:
         """Change (M, 6, P) of the displacement by changes of the states (M, 2 m, P); of r in E1, which |r| needs."""
         x = y[:, : self.count]
         C, _ = held_pose(self.mechanics.stand, self.q + x)

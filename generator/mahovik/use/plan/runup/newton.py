@@ -181,7 +181,7 @@ def _rows(problem: Boundary, flight: Flight, bounds: Bounds, states: Array) -> t
         k = np.arange(len(rows))
         if name == "deviation":
             pose = problem.chart.displacement(flight.course.y).reshape(-1, 2, 3)[rows, columns]
-            moved = problem.chart.displaced(flight.course.y, states).reshape(-1, 2, 3, N * P)[rows, columns]
+            moved = problem.chart.displacement_change(flight.course.y, states).reshape(-1, 2, 3, N * P)[rows, columns]
             own += np.einsum("ki,kip->kp", pose / signed[:, None], moved).reshape(-1, N, P)
         elif name == "torque":
             for by, b in zip((along.tau_by_phi, along.tau_by_phi_dot, along.tau_by_phi_ddot), basis, strict=True):
