@@ -17,6 +17,7 @@ from mahovik.core.motion.programme import Fourier, Programme, RunUpTable
 from mahovik.core.motion.required import Bounds, RequiredMotion, read_motion
 from mahovik.core.stand import Stand
 from mahovik.errors import MahovikError
+from mahovik.out.report.plot.programme import panels
 from mahovik.proof.reference.hold import held_forward
 from mahovik.proof.verify.programme import held
 from mahovik.proof.verify.programme.finding import RUNUP, SMOOTH, Tolerance
@@ -118,6 +119,17 @@ def test_the_verification_takes_the_tables_and_refuses_wrong_ones() -> None:
     turned = replace(table.samples, phi=table.samples.phi + np.array([2e-3, 0.0]))
     wrong = runup_findings(own, required, replace(made(), runup=replace(table, samples=turned)), scale, limits)
     assert "run-up end" in {each.name for each in wrong if not each.passed}
+
+
+@pytest.mark.slow
+def test_the_picture_shows_the_way_along_the_freedom() -> None:
+    """By (8) from rest and back: the largest way is that of the report, in mm from the mean pose."""
+    own, required, _ = shaken(Bounds())
+    found = {each.quantity: each for each in panels(made(), own, required, 8)}
+    for key, name in (("runup", "run-up"), ("rundown", "run-down")):
+        (line,) = found[f"{name}: carrier, mm, from the mean pose"].lines
+        told = made().report[key]["deviation"]["linear"]["largest"]
+        assert line.name == "z" and np.abs(line.y).max() == pytest.approx(1e3 * told, rel=1e-2)
 
 
 def chart_of(own: Stand, q: Array) -> HeldChart:
