@@ -123,7 +123,7 @@ def test_the_verification_takes_the_tables_and_refuses_wrong_ones() -> None:
 
 @pytest.mark.slow
 def test_the_picture_shows_the_way_along_the_freedom() -> None:
-    """By (8) from rest and back: the largest way is that of the report, in mm from the mean pose."""
+    """The largest way by (8), from rest and back, is that of the report."""
     own, required, _ = shaken(Bounds())
     found = {each.quantity: each for each in panels(made(), own, required, 8)}
     for key, name in (("runup", "run-up"), ("rundown", "run-down")):

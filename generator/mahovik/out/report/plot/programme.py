@@ -54,7 +54,7 @@ def panels(
         _flywheel_panel("drive torque, N m", programme, seen.t, seen.tau, motion.bounds.torque),
         Panel("residual", (*residual, limit(f"accepted: {level:g}", seen.t, level)), log=True),
         *_transients(programme),
-        *(_ways(programme, stand, motion, scale) if stand.hold is not None else ()),
+        *(_carrier_on_the_way(programme, stand, motion, scale) if stand.hold is not None else ()),
     ]
 
 
@@ -111,7 +111,7 @@ def _transients(programme: Programme) -> list[Panel]:
     return found
 
 
-def _ways(programme: Programme, stand: Stand, motion: RequiredMotion, scale: Scale) -> list[Panel]:
+def _carrier_on_the_way(programme: Programme, stand: Stand, motion: RequiredMotion, scale: Scale) -> list[Panel]:
     """A held carrier along its freedoms by (8) on run-up and run-down, from the mean pose. Raises StateError."""
     found: list[Panel] = []
     own, mean = coordinates_of(stand), motion.mean + programme.bias
