@@ -23,7 +23,7 @@ from mahovik.laws.friction.data import Friction, Frictions
 from mahovik.laws.friction.reference import drag, unit_wrenches, wrench
 from mahovik.proof import reference
 from mahovik.proof.reference.pose import Pose
-from mahovik.use.study.friction_steps import long_steps
+from mahovik.use.simulate.friction_steps import long_steps
 from second.agreement import differences, expectations
 from toolchain.quick import quick
 

@@ -14,7 +14,7 @@ from mahovik.out.campaign.observe import Chunk
 from mahovik.out.campaign.pose import Array
 from mahovik.proof.reference.rotation import kinematic_matrix
 from mahovik.proof.verify.programme.mechanics import Scale, scale_of
-from mahovik.use.control.plant import coordinates
+from mahovik.use.control.coordinates import coordinates
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +45,7 @@ class Required:
         known = np.isfinite(attitude).all(axis=1) & np.isfinite(place).all(axis=1)
         whole = np.full((K * n, 6), np.nan)
         if known.any():
-            whole[known] = coordinates(self.stand.angles, place[known], attitude[known], near[known]) - near[known]
+            whole[known] = coordinates(self.stand, place[known], attitude[known], near[known]) - near[known]
         error = np.moveaxis(whole.reshape(K, n, 6), 1, 2)
         if axis:
             i = COORDINATES.index(axis)

@@ -68,8 +68,8 @@ def check(
     from mahovik.core.stand import identities
     from mahovik.core.stand.summary import summarize
     from mahovik.core.stand.written import written_numbers
+    from mahovik.use.simulate.friction_steps import long_steps
     from mahovik.use.study.excess import excess
-    from mahovik.use.study.friction_steps import long_steps
     from mahovik.use.study.increments import USUAL_STEP, lost_increments, lost_increments_line
     from mahovik.use.study.resolution import shortfalls
     from mahovik.use.study.task_reach import task_shortfalls

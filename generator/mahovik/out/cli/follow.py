@@ -43,7 +43,7 @@ def follow(stand_file: str, options: FollowOptions, output: str | None, as_json:
 
     if output is not None:
         check_output(Path(output))
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     if options.servo is None or options.motion is None:
         missing = "--servo S.toml" if options.servo is None else "--motion M.json"
         raise UsageError(f"--programme {options.programme}: needs {missing}, which is missing")
@@ -178,19 +178,19 @@ def _print(summary: _Summary) -> None:
 
 
 def _print_coordinates(found: Following | Tracking) -> None:
-    from mahovik.core.motion.servo import COORDINATES
     from mahovik.use.control.finite import Tracking
 
     last = ("at the end>",) if isinstance(found, Tracking) else ("mean>", "harmonics 1, 2, 3 of the error>")
     rows = []
-    for i, (name, share) in enumerate(zip(COORDINATES, found.shares(), strict=True)):
+    units, shares = found.coordinates.unit_names, found.shares()
+    for i, (name, unit, share) in enumerate(zip(found.coordinates.names, units, shares, strict=True)):
         numbers = [f"{1e3 * value[i]:.4g}" for value in (found.amplitude, found.peak, found.rms)]
         part = "held still" if share is None else f"{100 * share:.3g} %"
         if isinstance(found, Tracking):
             rest = [f"{1e3 * found.end[i]:.4g}"]
         else:
             rest = [f"{1e3 * found.mean[i]:.4g}", ", ".join(f"{1e3 * h:.2g}" for h in found.harmonics[:3, i])]
-        rows.append((f"{name}, {'mm' if i < 3 else 'mrad'}", *numbers, part, *rest))
+        rows.append((f"{name}, {f'm{unit}' if unit else '1e-3'}", *numbers, part, *rest))
     print_table(("coordinate", "amplitude>", "peak error>", "rms>", "share>", *last), rows)
 
 

@@ -53,7 +53,9 @@ def plan(
         default="fourier",
     ),
     partition: str | None = option(
-        "--partition", "Choose the six dependent flywheels of (13); default: the best six.", metavar="w1,w2,.."
+        "--partition",
+        "Choose the dependent flywheels of (13), six, held one a freedom; default: the best.",
+        metavar="w1,w2,..",
     ),
     as_json: bool = json_option("Print figures and status as JSON."),
 ) -> None:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mahovik.core.motion.servo import COORDINATES
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import StandGiven, motion_of, programme_of, servo_of
@@ -62,7 +61,7 @@ class Following(Table):
         found = self.errors
         share = np.array([math.nan if each is None else each for each in found.shares()])
         return (
-            Column("coordinate", "", np.array(COORDINATES, dtype=object)),
+            Column("coordinate", "", np.array(found.coordinates.names, dtype=object)),
             Column("amplitude", "m, rad", found.amplitude),
             Column("peak_error", "m, rad", found.peak),
             Column("rms_error", "m, rad", found.rms),
@@ -131,7 +130,7 @@ def follow(
 
     Ctrl-C keeps what was computed. Raises StandError, MotionError, ProgrammeError, ServoError, UsageError, CheckError.
     """
-    own = Stand.of(stand)
+    own = Stand.of(stand, held=True)
     case = following_case(own, motion, programme, servo, mismatch, seed, periods, begin, table, backend)
     T, words = case.servo.period, f"follow {_name(programme, 'the programme')}"
     first, last = case.first * T, case.last * T
@@ -184,6 +183,9 @@ def following_case(
     if not (whose := motion_finding(required, found)).passed:
         raise UsageError(f"{source}: {whose.words}")
     servos, servo_source = servo_of(servo, stand), _name(servo, "the servos")
+    if stand.hold is not None and servos.trim is not None:
+        why = "measures the six coordinates of a free carrier, found a held one"
+        raise UsageError(f"{servo_source}: trim: {why}; leave [trim] out")
     if not found.periodic:
         _check_finite(source, periods, begin, table)
         begin, table, periods = "programme", None, 1

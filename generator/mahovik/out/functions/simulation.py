@@ -19,10 +19,10 @@ from mahovik.out.functions.given import Keys, StandGiven, regime_of, state_of
 from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 from mahovik.out.functions.table import Column, Table, split_unit
 from mahovik.use.simulate.case import HINT, START_KEYS, Case
+from mahovik.use.simulate.friction_steps import long_steps
 from mahovik.use.simulate.held import allowed_start
 from mahovik.use.simulate.run import Run
 from mahovik.use.simulate.run import simulate as run_case
-from mahovik.use.study.friction_steps import long_steps
 from mahovik.use.study.increments import lost_increments, lost_increments_line
 
 if TYPE_CHECKING:

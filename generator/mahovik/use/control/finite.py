@@ -15,6 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.required import Slew
 from mahovik.core.motion.required.slew import rows_of
+from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.use.control.record import Errors, Following, Record, displacement_shares, following
 from mahovik.use.plan.array import Array
@@ -54,6 +55,7 @@ def tracking(record: Record) -> Tracking:
     scale = scale_of(wanted.stand, wanted.motion, wanted.exact)
     shares = displacement_shares(scale, wanted.stand, record.required, error)
     return Tracking(
+        coordinates=coordinates_of(wanted.stand),
         amplitude=np.abs(record.required - record.required[0]).max(axis=0),
         peak=np.abs(error).max(axis=0),
         rms=np.sqrt(np.mean(error**2, axis=0)),

@@ -19,12 +19,14 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.use.control.controller import Controller, Encoders
-from mahovik.use.control.plant import Plant, coordinates, plant, plant_state
+from mahovik.use.control.coordinates import coordinates
+from mahovik.use.control.plant import Plant, plant, plant_state
 from mahovik.use.control.record import Record
 from mahovik.use.control.reference_motion import ReferenceMotion, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.forward import Chart, equilibrium
+from mahovik.use.plan.forward import equilibrium
+from mahovik.use.plan.held_chart import chart_at
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.unbalance import twist_at_rest
 
@@ -113,7 +115,7 @@ def starting_state(case: Case) -> State:
     angles = wanted.angles(np.array([case.first * case.servo.period]))
     if not wanted.programme.periodic:
         course = wanted.motion.at(np.zeros(1), wanted.programme.bias)
-        chart = Chart.at_pose(mechanics, course)
+        chart = chart_at(mechanics, course.q[0])
         y = chart.of(course)[0]
         if wanted.programme.unbalance == "averaged":
             y[6:] = twist_at_rest(case.real, y[6:], angles.phi[0], angles.phi_dot[0])
@@ -153,7 +155,7 @@ class _Loop:
         i = self._prepare(n)
         phi, phi_dot = self._measure(t)
         required = self._required[i]
-        q = coordinates(case.real.angles, own.position[None], own.attitude[None], required[None])[0]
+        q = coordinates(case.real, own.position[None], own.attitude[None], required[None])[0]
         phase = math.fmod(t / self._wanted.motion.span, 1.0) if t >= 0.0 else 0.0
         measured = q if self.controller.trims and n >= 0 else None
         command = self.controller.step(phase, measured, self._phi[i], self._phi_dot[i], self._tau[i], phi, phi_dot)
@@ -270,7 +272,7 @@ def step_error(case: Case, record: Record, periods: int = 2) -> float:
     whole, part = case.delay
     for n in range(count + 1):
         t = record.t[n]
-        q = coordinates(case.real.angles, finer.position[None], finer.attitude[None], record.required[n][None])[0]
+        q = coordinates(case.real, finer.position[None], finer.attitude[None], record.required[n][None])[0]
         apart = max(apart, float(np.abs(q - record.q[n]).max()))
         old, new = (record.command[max(0, n - whole - k)] for k in (1, 0))
         if part > 1e-12 * case.servo.period:

@@ -16,20 +16,21 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.contract.status import status_words
 from mahovik.core.motion.motor import drive, steepness
-from mahovik.core.stand.model import Sequence, Stand, Vec3, Vec6
+from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import StateError, UsageError
 from mahovik.proof import reference
-from mahovik.proof.reference.coupled import coupled
+from mahovik.proof.reference.hold import accelerations
 from mahovik.proof.reference.rotation import quaternion_rotation
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import Chart
 from mahovik.use.plan.residual.flywheels import tables_of
 from mahovik.use.simulate.by_c import compiled_backend
 from mahovik.use.simulate.by_scipy import quaternion_rate
+from mahovik.use.simulate.friction_steps import long_steps
 
 STIFFNESS = 0.2
-"""Largest product of step and fastest decay rate of a flywheel's speed by its motor."""
+"""Largest product of step and fastest decay rate of a speed: a flywheel's by its motor, a freedom's by friction."""
 
 TURN = 0.05
 """rad: largest turn of a flywheel in a step; the carrier's error is then far below a millionth of its motion."""
@@ -106,11 +107,13 @@ class PlantByC(SteppedPlant):
 
 
 def _steepest_rate(stand: Stand) -> float:
-    """Steps per second that the steepest motor needs."""
+    """Steps per second that the steepest motor needs, and the friction of a hold."""
     J = tables_of(stand).Theta_ff
     anywhere = math.inf
     falls = [steepness(s.motor, 0.0, -anywhere, anywhere) for s in stand.flywheels]
-    return float(max((fall / (0.5 * j) for fall, j in zip(falls, J, strict=True)), default=0.0)) / STIFFNESS
+    rates = [fall / (0.5 * j) for fall, j in zip(falls, J, strict=True)]
+    rates += [1.0 / friction.bound for friction in long_steps(stand, math.inf)]
+    return float(max(rates, default=0.0)) / STIFFNESS
 
 
 class PlantByReference:
@@ -150,7 +153,8 @@ class PlantByReference:
             phi=tuple(y[13 : 13 + N].tolist()),
             phi_dot=tuple(y[13 + N :].tolist()),
         )
-        V_dot, phi_ddot = coupled(reference.pieces(self.stand, state), self._torques(command, y[13 + N :]))
+        at, driven = reference.pieces(self.stand, state), self._torques(command, y[13 + N :])
+        V_dot, phi_ddot = accelerations(at, self.stand, driven, np.zeros(N, dtype=bool))
         turning = quaternion_rate(np.array([w, a, b, c]), y[10:13])
         return np.concatenate([quaternion_rotation(w, a, b, c) @ y[7:10], turning, V_dot, y[13 + N :], phi_ddot])
 
@@ -171,26 +175,16 @@ def plant(stand: Stand, state: State, backend: str = "c", finer: int = 1) -> Pla
     raise UsageError(f"--backend {backend}: expected one of {', '.join(BACKENDS)}")
 
 
-EULER: dict[Sequence, str] = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
-"""SciPy's names of the stand's sequences: about axes that turn along."""
-
-
-def coordinates(sequence: Sequence, position: Array, attitude: Array, near: Array) -> Array:
-    """q (M, 6; m, rad) of positions (M, 3) and quaternions (M, 4; w first), angles within half a turn of `near`."""
-    angles = Rotation.from_quat(attitude[:, [1, 2, 3, 0]]).as_euler(EULER[sequence])
-    wrapped = near[:, 3:] + np.remainder(angles - near[:, 3:] + np.pi, 2.0 * np.pi) - np.pi
-    return np.hstack([position, wrapped])
-
-
 def plant_state(stand: Stand, chart: Chart, y: Array, phi: Array, phi_dot: Array) -> State:
-    """The state of a plant: y (12) of a chart, flywheels at phi, phi' (N each)."""
+    """The state of a plant: y (12; held 2 m) of a chart, flywheels at phi, phi' (N each)."""
     at = chart.twists(y[None])
     a, b, c, w = Rotation.from_matrix(at.C[0]).as_quat().tolist()
     return replace(
         rest_state(stand),
         position=cast(Vec3, tuple(at.O1[0].tolist())),
         quaternion=(w, a, b, c),
-        V=cast(Vec6, tuple(y[6:].tolist())),
+        V=cast(Vec6, tuple(at.V[0].tolist())),
+        u=() if stand.hold is None else tuple(y[chart.count :].tolist()),
         phi=tuple(phi.tolist()),
         phi_dot=tuple(phi_dot.tolist()),
     )

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.servo import COORDINATES
+from mahovik.core.stand.coordinates import Coordinates, coordinates_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError
@@ -32,7 +32,7 @@ class Record:
 
     t (M, s), position (M, 3), attitude (M, 4), V (M, 6), phi, phi_dot (M, N each): the true state
     tau           (M, N; N m): of motors and friction, during the step that ends there
-    q, required   (M, 6): the carrier's coordinates, actual and required; m, rad
+    q, required   (M, 6; held M, m): the carrier's coordinates, actual and required; m, rad
     apart         (M, N; rad): of the flywheels from the programme with its corrections
     command       (M, N; N m): of the servos
     corrections   (M, N, T; rad): of the trim
@@ -62,14 +62,14 @@ class Record:
     def empty(wanted: ReferenceMotion, first: int, last: int, period: float, start: State) -> Record:
         """An empty record for samples with these numbers."""
         t: Array = period * np.arange(first, last + 1, dtype=np.float64)
-        M, N = len(t), len(wanted.stand.flywheels)
+        M, N, count = len(t), len(wanted.stand.flywheels), coordinates_of(wanted.stand).count
 
         def rows(width: int) -> Array:
             return np.zeros((M, width))
 
         return Record(
-            wanted, start, t, rows(3), rows(4), rows(6), rows(N), rows(N), rows(N), rows(6), rows(6), rows(N), rows(N),
-            np.zeros((M, N, 1)),
+            wanted, start, t, rows(3), rows(4), rows(6), rows(N), rows(N), rows(N), rows(count), rows(count), rows(N),
+            rows(N), np.zeros((M, N, 1)),
         )  # fmt: skip
 
     def write_row(
@@ -93,20 +93,29 @@ class Record:
 
     def run(self) -> Run:
         """The record as columns with units: those of `mahovik simulate` and the required motion."""
+        stand = self.reference.stand
         names = [f"{a} [m]" for a in _AXES] + ["qw", "qx", "qy", "qz"]
         names += [f"v_{a} [m/s]" for a in _AXES] + [f"omega_{a} [rad/s]" for a in _AXES]
-        names += [*(f"{a} [rad]" for a in _ANGLES), *(f"required_{a} [m]" for a in _AXES)]
-        names += [f"required_{a} [rad]" for a in _ANGLES]
-        parts = [self.position, self.attitude, self.V, self.q[:, 3:], self.required]
+        if stand.hold is None:
+            names += [*(f"{a} [rad]" for a in _ANGLES), *(f"required_{a} [m]" for a in _AXES)]
+            names += [f"required_{a} [rad]" for a in _ANGLES]
+        else:
+            own = coordinates_of(stand)
+            units = [f" [{unit}]" if unit else "" for unit in own.unit_names]
+            names += [
+                f"{kind} {a}{unit}" for kind in ("q", "required") for a, unit in zip(own.names, units, strict=True)
+            ]
+        q = self.q[:, 3:] if stand.hold is None else self.q
+        parts = [self.position, self.attitude, self.V, q, self.required]
         kinds = (
             ("phi", "rad", self.phi), ("phi_dot", "rad/s", self.phi_dot), ("tau", "N m", self.tau),
             ("apart", "rad", self.apart), ("command", "N m", self.command),
         )  # fmt: skip
         for kind, unit, columns in kinds:
-            names += [f"{kind} {s.name} [{unit}]" for s in self.reference.stand.flywheels]
+            names += [f"{kind} {s.name} [{unit}]" for s in stand.flywheels]
             parts.append(columns)
         data = np.hstack([self.t[:, None], *parts])
-        return Run(("t [s]", *names), data, self.stopped, self.interrupted, identity_of(self.reference.stand))
+        return Run(("t [s]", *names), data, self.stopped, self.interrupted, identity_of(stand))
 
 
 HARMONICS = 6
@@ -118,8 +127,9 @@ STILL = 1e-9
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Errors:
-    """Errors of following a required motion (all in m and rad).
+    """Errors of following a required motion (all in m and rad), six; of a held carrier one a freedom.
 
+    coordinates  that these are of
     amplitude  (6): of the required motion
     peak, rms  (6): of the error
     share, share_rms   largest and root mean square of the error of all six together, by the inertia's norm, as shares
@@ -127,6 +137,7 @@ class Errors:
     apart      (N): largest distance of the flywheels from the programme, rad
     """
 
+    coordinates: Coordinates
     amplitude: Array
     peak: Array
     rms: Array
@@ -150,7 +161,7 @@ class Errors:
             "error_rms": self.share_rms,
             "coordinates": {
                 name: {"share": share, **{key: value[i].tolist() for key, value in values.items()}}
-                for i, (name, share) in enumerate(zip(COORDINATES, self.shares(), strict=True))
+                for i, (name, share) in enumerate(zip(self.coordinates.names, self.shares(), strict=True))
             },
             "flywheels_apart": self.apart.tolist(),
         }
@@ -192,6 +203,7 @@ def following(record: Record, periods: int) -> Following:
     shares = displacement_shares(scale, wanted.stand, required, error)
     return Following(
         periods=periods,
+        coordinates=coordinates_of(wanted.stand),
         amplitude=np.abs(about).max(axis=0),
         peak=np.abs(error).max(axis=0),
         rms=np.sqrt(np.mean(error**2, axis=0)),

@@ -32,6 +32,7 @@ from mahovik.use.plan.forward import (
     linearise,
     linearise_along,
 )
+from mahovik.use.plan.held_chart import chart_at
 from mahovik.use.plan.residual import Mechanics, prescribe, torques
 
 TORQUES = 512
@@ -81,7 +82,7 @@ class ReferenceMotion:
         return found
 
     def required_course(self, t: Array) -> Array:
-        """Required q (M, 6; m, rad) of the carrier at times t (M, s); before t = 0 its mean pose.
+        """Required q (M, 6; m, rad; held M, m) of the carrier at times t (M, s); before t = 0 its mean pose.
 
         Before and after a finite motion it rests where that begins and ends.
         """
@@ -113,8 +114,7 @@ class ReferenceMotion:
         turns = max([1, *self.motion.harmonics, *(abs(n) for n in self.programme.winding)])
         count = INTERVALS * max(1, round(NODES * turns * table.duration / self.motion.span / INTERVALS))
         t = np.linspace(0.0, table.duration, count + 1)
-        still = np.zeros((1, 6))
-        chart = Chart.at_pose(mechanics, Course((self.motion.mean + self.programme.bias)[None], still, still))
+        chart = chart_at(mechanics, self.motion.mean + self.programme.bias)
         angles = table.at(t)
         given = drive(mechanics, *angles)
         start = equilibrium(chart, angles.phi[0]).y
@@ -158,10 +158,11 @@ class Orbit:
 
     chart, drive   the stand's equations about the mean pose, and the flywheels' sums at the nodes
     phi_ddot       (M + 1, N)
-    y              (M + 1, 12): states of the chart
+    y              (M + 1, 12; held M + 1, 2 m): states of the chart
     near           the linear equations along it
-    free           (M + 1, 12, 12): propagation of a deviation at the first node; the last is the monodromy matrix
-    q              (M + 1, 6): coordinates of the required motion
+    free           (M + 1, 12, 12; held 2 m, 2 m): propagation of a deviation at the first node; the last is the
+                   monodromy matrix
+    q              (M + 1, 6; held M + 1, m): coordinates of the required motion
     """
 
     chart: Chart
@@ -227,12 +228,12 @@ def required_orbit(mechanics: Mechanics, motion: RequiredMotion, programme: Prog
     chart, given, phi_ddot = _chart_and_sums(mechanics, motion, programme, t)
     y = chart.of(required)
     near = linearise(chart, given, motion.span / count, y)
-    free = near.solve(np.zeros((count // INTERVALS, INTERVALS, 12, 12)), np.eye(12))
+    free = _propagate(chart, near, count)
     return Orbit(chart, motion.span, given, phi_ddot, y, near, free, required.q)
 
 
 def settled_state(mechanics: Mechanics, motion: RequiredMotion, programme: Programme, count: int) -> Array:
-    """y (12) at t = 0 of the periodic motion near the required one, for a stand that differs from the programme's.
+    """y (12; held 2 m) at t = 0 of the periodic motion near the required one, for a stand unlike the programme's.
 
     In the chart of `required_orbit`. Raises CheckError: none is near.
     """
@@ -246,9 +247,9 @@ def settled_state(mechanics: Mechanics, motion: RequiredMotion, programme: Progr
         ends = found.y[-1] - found.y[0]
         if np.abs(ends).max() < 1e-10:
             return np.asarray(start)
-        monodromy = found.near.solve(np.zeros((count // INTERVALS, INTERVALS, 12, 12)), np.eye(12))[-1]
-        step = np.linalg.lstsq(np.eye(12) - monodromy, ends, rcond=_SINGULAR)[0]
-        left = ends - (np.eye(12) - monodromy) @ step
+        change = np.eye(2 * orbit.chart.count) - _propagate(orbit.chart, found.near, count)[-1]
+        step = np.linalg.lstsq(change, ends, rcond=_SINGULAR)[0]
+        left = ends - change @ step
         start, guess = start + step, found.y + step
         if np.abs(step).max() < 1e-9 or np.abs(left).max() > 0.5 * np.abs(ends).max():
             return np.asarray(start)  # the remainder is drift along free directions
@@ -258,11 +259,15 @@ def settled_state(mechanics: Mechanics, motion: RequiredMotion, programme: Progr
     )
 
 
+def _propagate(chart: Chart, near: BlockElimination, count: int) -> Array:
+    """Deviations (count + 1, n, n) of all n numbers of a state, each 1 at the first node, by the linear equations."""
+    n = 2 * chart.count
+    return near.solve(np.zeros((count // INTERVALS, INTERVALS, n, n)), np.eye(n))
+
+
 def _chart_and_sums(
     mechanics: Mechanics, motion: RequiredMotion, programme: Programme, t: Array
 ) -> tuple[Chart, Drive, Array]:
-    mean = (motion.mean + programme.bias)[None]
-    still = np.zeros((1, 6))
-    chart = Chart.at_pose(mechanics, Course(mean, still, still))
+    chart = chart_at(mechanics, motion.mean + programme.bias)
     angles = programme.at(t)
     return chart, drive(mechanics, *angles), angles.phi_ddot

@@ -1,7 +1,7 @@
 """The carrier's course by (8) under given flywheel motions, its rest, and derivatives of both.
 
 A state is 12 numbers about one pose: y = (x, r, V): O1 = O1_0 + C_0 x (m), C = C_0 exp<r> (rad), V = (v, omega) in E1.
-No attitude within half a turn of C_0 is singular.
+No attitude within half a turn of C_0 is singular. That of a held carrier has two numbers for each freedom (held_chart).
 
 A course is found by collocation at uniform nodes, blocks of four intervals (order 6), and Newton's method for all times
 at once. On a block y_j = y_0 + d sum_k a_jk y'_k, j = 1..4, k = 0..4, with a_jk the integrals of the Lagrange
@@ -37,6 +37,7 @@ class Drive:
     """Sums over the flywheels at times of any shape (...), in E1 about O1.
 
     inverse     (..., 6, 6): K^-1 of (2)
+    mobility    (..., m, 6): rates of the speeds by a wrench, (S^T K S)^-1 S^T; of a free carrier K^-1
     Theta, Theta_dot   (..., 6, 6): sum Ls Theta_s Ls^T and its derivative
     h           (..., 6): sum I_s phi_s'
     push        (..., 6): sum I_s phi_s'' + I_s,phi (phi_s')^2
@@ -45,6 +46,7 @@ class Drive:
     """
 
     inverse: Array
+    mobility: Array
     Theta: Array
     Theta_dot: Array
     h: Array
@@ -67,8 +69,11 @@ def drive(mechanics: Mechanics, phi: Array, phi_dot: Array, phi_ddot: Array) -> 
         x.reshape(5 * N, -1) for x in (tables.Theta, tables.weight, tables.coupling)
     )  # fmt: skip
     Theta = (h @ Theta_of).reshape(*shape, 6, 6)
+    K, S = Theta + mechanics.base.K, mechanics.freedoms
+    inverse = np.asarray(np.linalg.inv(K))
     return Drive(
-        inverse=np.asarray(np.linalg.inv(Theta + mechanics.base.K)),
+        inverse=inverse,
+        mobility=inverse if mechanics.stand.hold is None else np.linalg.inv(S.T @ K @ S) @ S.T,
         Theta=Theta,
         Theta_dot=((slopes * speed) @ Theta_of).reshape(*shape, 6, 6),
         h=((h * speed) @ coupling).reshape(*shape, 6),
@@ -157,6 +162,11 @@ class Chart:
         at = twists(mechanics.stand, course)
         return Chart(mechanics, at.O1[0], at.C[0])
 
+    @property
+    def count(self) -> int:
+        """Speeds in a state, which has as many numbers of the pose before them."""
+        return 6
+
     def of(self, course: Course) -> Array:
         """y (M, 12) of prescribed coordinates q, q' (M, 6 each)."""
         at = twists(self.mechanics.stand, course)
@@ -165,16 +175,34 @@ class Chart:
 
     def twists(self, y: Array) -> Twists:
         """Attitude, position and twists (M) of states y (M, 12); V_r* is for V* = 0."""
-        stand = self.mechanics.stand
         C = self.C @ Rotation.from_rotvec(y[:, 3:6]).as_matrix()
-        V = y[:, 6:]
+        return self._in_fluid(C, self.O1 + y[:, :3] @ self.C.T, y[:, 6:])
+
+    def _in_fluid(self, C: Array, O1: Array, V: Array) -> Twists:
+        """With the twists relative to the fluid, for V* = 0."""
         V_r, rate = V, np.zeros_like(V)
-        stream = uniform_stream(stand)
+        stream = uniform_stream(self.mechanics.stand)
         if any(stream):
-            u = in_E1(C, np.broadcast_to(stream, (len(y), 3)))
+            u = in_E1(C, np.broadcast_to(stream, (len(V), 3)))
             none = np.zeros_like(u)
             V_r, rate = V - np.hstack([u, none]), np.hstack([np.cross(V[:, 3:], u), none])
-        return Twists(C, self.O1 + y[:, :3] @ self.C.T, V, V_r, rate)
+        return Twists(C, O1, V, V_r, rate)
+
+    def displacement(self, y: Array) -> Array:
+        """(M, 6; m, rad): way of O1 on the axes of the chart's pose, and rotation vector, from that pose."""
+        return y[:, :6]
+
+    def displacement_change(self, y: Array, moved: Array) -> Array:
+        """Change (M, 6, P) of the displacement by changes of the states (M, 12, P)."""
+        return moved[:, :6]
+
+    def is_lost(self, y: Array) -> bool:
+        """Whether a state is near the edge of the chart."""
+        return bool(np.abs(y[:, 3:6]).max() > _TOO_FAR)
+
+    def speed_rates(self, given: Drive, y: Array) -> Array:
+        """Rates of the speeds in a state (M, 6; m/s2, rad/s2): V*; u* of a held carrier."""
+        return self.acceleration(given, y)
 
     def acceleration(self, given: Drive, y: Array) -> Array:
         """V* (M, 6; m/s2, rad/s2) by (8) at states y (M, 12), with the flywheels' motion at the same M times."""
@@ -213,8 +241,8 @@ class Chart:
         return np.hstack([x_dot, r_dot, self.acceleration(given, y)])
 
 
-_STEPS = np.array([1e-6] * 6 + [1e-5] * 6)
-"""Steps of central differences: m, rad, m/s, rad/s."""
+_STEPS = (1e-6, 1e-5)
+"""Steps of central differences: of the pose (m, rad), of speeds (m/s, rad/s)."""
 _MOST = 24
 """Most corrections; a few are usual."""
 _SLOW = 0.3
@@ -242,7 +270,7 @@ def course(
     y = guess.copy()
     before = np.inf
     for _ in range(_MOST):
-        if not np.all(np.isfinite(y)) or np.abs(y[:, 3:6]).max() > _TOO_FAR:
+        if not np.all(np.isfinite(y)) or chart.is_lost(y):
             break
         if near is None:
             near = linearise(chart, given, spacing, y)
@@ -250,7 +278,7 @@ def course(
         defects = at[:, :1] - at[:, 1:] + integrate(chart.rate(given, y), spacing)
         step = near.solve(defects[..., None], (start - y[0])[:, None])[:, :, 0]
         y = y + step
-        size = float(np.abs(step).max() / np.abs(y).max())
+        size = float(np.abs(step).max() / max(np.abs(y).max(), 1e-300))
         if size < 1e-11:
             return CarrierCourse(y, near)
         if size > _SLOW * before and size > 1e-10:
@@ -261,10 +289,10 @@ def course(
 
 
 def linearise(chart: Chart, given: Drive, spacing: float, y: Array) -> BlockElimination:
-    """Linear equations near a course y (M, 12), by central differences at all nodes."""
+    """Linear equations near a course y (M, 12; held M, 2 m), by central differences at all nodes."""
     columns = []
-    for i, step in enumerate(_STEPS):
-        aside = np.zeros(12)
+    for i, step in enumerate(np.repeat(_STEPS, chart.count)):
+        aside = np.zeros(2 * chart.count)
         aside[i] = step
         columns.append((chart.rate(given, y + aside) - chart.rate(given, y - aside)) / (2.0 * step))
     return BlockElimination.of(np.stack(columns, axis=2), spacing)
@@ -279,8 +307,8 @@ def linearise_along(chart: Chart, given: Drive, y: Array, phi_ddot: Array) -> Li
 
 
 def acceleration_rates(given: Drive, found: Linear) -> tuple[Array, Array, Array]:
-    """Change of V* by phi, phi', phi'' of each flywheel (M, 6, N each), with the carrier's state fixed."""
-    return given.inverse @ found.by_phi, given.inverse @ found.by_phi_dot, given.inverse @ found.by_phi_ddot
+    """Change of the speeds' rates by phi, phi', phi'' of each flywheel (M, 6, N each; held M, m, N), state fixed."""
+    return given.mobility @ found.by_phi, given.mobility @ found.by_phi_dot, given.mobility @ found.by_phi_ddot
 
 
 FREE_AT_REST = 1e-6
@@ -295,7 +323,7 @@ _REST_ACCELERATION = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium:
-    """y (12) at rest, V = 0, and its derivatives by the flywheels' angles (12, N).
+    """y (12; held 2 m) at rest, V = 0, and its derivatives by the flywheels' angles (12, N).
 
     projection   (12, 12): projection that removes displacements in directions free at rest from state differences
     """
@@ -310,39 +338,41 @@ def equilibrium(chart: Chart, phi: Array, near: Array | None = None) -> Equilibr
 
     Steps are smallest in the inertia's norm, zero in free directions. Raises CheckError: there is no equilibrium.
     """
-    still = np.zeros((1, len(phi)))
-    given = drive(chart.mechanics, phi[None], still, still)
-    root = np.linalg.cholesky(np.linalg.inv(given.inverse[0])).T  # x^T K x = |root x|^2
-    y = np.zeros((1, 12))
+    still, m = np.zeros((1, len(phi))), chart.count
+    given, S = drive(chart.mechanics, phi[None], still, still), chart.mechanics.freedoms
+    root = np.linalg.cholesky(S.T @ (given.Theta[0] + chart.mechanics.base.K) @ S).T  # x^T K x = |root x|^2
+    y = np.zeros((1, 2 * m))
     if near is not None:
-        y[0, :6] = near[:6]
+        y[0, :m] = near[:m]
     for _ in range(_ITERATIONS):
         back, free = _compliance(chart, given, y, root)
-        step = back @ chart.acceleration(given, y)[0]
-        y[0, :6] += step * min(1.0, _LONGEST / max(float(np.abs(step).max()), 1e-300))
+        step = back @ chart.speed_rates(given, y)[0]
+        y[0, :m] += step * min(1.0, _LONGEST / max(float(np.abs(step).max()), 1e-300))
         if np.abs(step).max() < _LAST:
             break
     stand = chart.mechanics.stand
-    left = root @ chart.acceleration(given, y)[0]
+    left = root @ chart.speed_rates(given, y)[0]
     size = float(np.linalg.norm(left)) / float(root[0, 0])
     if not size <= _REST_ACCELERATION * max(1.0, float(np.linalg.norm(stand.gravity))):
         why = "nothing holds it there" if free.size else "there is no equilibrium near the mean pose"
+        unit = "m/s2" if np.any(S[:3, 0]) and not np.any(S[3:, 0]) else "rad/s2"
         raise CheckError(
             f"{stand.name}: no rest to run up from: with the flywheels stopped the carrier accelerates by {size:.3g} "
-            f"m/s2; {why}"
+            f"{unit}; {why}"
         )
-    by_phi = back @ given.inverse[0] @ linearise_along(chart, given, y, still).by_phi[0]
-    held = np.eye(12)
-    held[:6, :6] -= free @ free.T @ root.T @ root
+    by_phi = back @ given.mobility[0] @ linearise_along(chart, given, y, still).by_phi[0]
+    held = np.eye(2 * m)
+    held[:m, :m] -= free @ free.T @ root.T @ root
     return Equilibrium(y[0], np.vstack([by_phi, np.zeros_like(by_phi)]), held)
 
 
 def _compliance(chart: Chart, given: Drive, y: Array, root: Array) -> tuple[Array, Array]:
     """Displacement (6, 6) that balances an acceleration, zero in free directions; these (6, n), orthonormal in K."""
-    aside = np.zeros((12, 12))
-    aside[range(12), [*range(6), *range(6)]] = [_STEP] * 6 + [-_STEP] * 6
-    moved = chart.acceleration(given[np.zeros(12, dtype=int)], y + aside)
-    slopes = (moved[:6] - moved[6:]).T / (2.0 * _STEP)
+    m = chart.count
+    aside = np.zeros((2 * m, 2 * m))
+    aside[range(2 * m), [*range(m), *range(m)]] = [_STEP] * m + [-_STEP] * m
+    moved = chart.speed_rates(given[np.zeros(2 * m, dtype=int)], y + aside)
+    slopes = (moved[:m] - moved[m:]).T / (2.0 * _STEP)
     U, sigma, Vt = np.linalg.svd(-root @ slopes @ np.linalg.inv(root))
     kept = sigma > FREE_AT_REST * max(float(sigma[0]), 1e-9)
     inverse = (Vt[kept].T / sigma[kept]) @ U[:, kept].T

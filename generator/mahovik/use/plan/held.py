@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.core.motion.required import RequiredMotion, Slew
+from mahovik.core.motion.required.read import NO_SLEW
 from mahovik.core.stand.coordinates import Coordinates, coordinates_of
 from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.hold import wrenches
 from mahovik.core.stand.model import Stand
-from mahovik.errors import MotionError, UsageError
+from mahovik.errors import MotionError
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.outcome import PlanOptions
 from mahovik.use.plan.residual.held_kinematics import held_pose
 from mahovik.use.plan.residual.kinematics import Twists
 from mahovik.use.plan.residual.spatial import transfer
@@ -20,19 +20,15 @@ UNITS = {"m": ("force", "N"), "rad": ("moment", "N m"), "": ("wrench", "")}
 """What acts along a coordinate of a unit, and its own unit."""
 
 
-def refuse_unplannable(stand: Stand, required: RequiredMotion | Slew, options: PlanOptions) -> None:
-    """Refuse what is planned for free carriers alone. Raises StandError, MotionError, UsageError."""
+def refuse_unplannable(stand: Stand, required: RequiredMotion | Slew) -> None:
+    """Refuse what is planned for free carriers alone. Raises StandError, MotionError."""
     if stand.hold is None:
         return
     coordinates = coordinates_of(stand)
     if isinstance(required, Slew):
-        raise MotionError([f"{required.name}: a slew is of a free carrier; expected a periodic or finite motion"])
+        raise MotionError([f"{required.name}: type: {NO_SLEW}"])
     if len(required.mean) != coordinates.count:
         raise MotionError([f"{required.name}: is of another carrier; expected rows of {coordinates.words}"])
-    if options.method != "fourier":
-        raise UsageError(f"--method {options.method}: not for a held carrier: leave it out")
-    if options.partition is not None:
-        raise UsageError("--partition: not for a held carrier: leave it out")
 
 
 def mean_along_freedoms(stand: Stand, at: Twists, F: Array) -> Array:

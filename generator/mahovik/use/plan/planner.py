@@ -49,7 +49,7 @@ def plan_motion(
     to this stand. MotionError: the bounds exclude the wanted winding.
     """
     options = options or PlanOptions()
-    refuse_unplannable(stand, motion, options)
+    refuse_unplannable(stand, motion)
     plus = requested_partition(stand, options)
     if options.winding is not None:
         motion = with_winding(motion, options.winding)

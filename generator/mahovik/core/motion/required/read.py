@@ -226,6 +226,13 @@ _ONLY = {
 """Keys of one type of motion: the type, and what to say of the other."""
 
 
+NO_SLEW = (
+    "a slew is planned by the momentum that a free carrier keeps and a hold takes, found a held carrier; expected "
+    '"finite", with the turn as `samples` of the coordinates'
+)
+"""Why a held carrier has no slew, and what to give instead."""
+
+
 def load_motion(path: str | Path, stand: Stand, programme: Programme | None = None) -> RequiredMotion:
     """Read and check the motion file at `path` for `stand`. Raises MotionError with every problem.
 
@@ -263,8 +270,7 @@ def read_motion_or_slew(text: str, stand: Stand, source: str = "motion") -> Requ
         raise MotionError([f"{source}: is a programme file; expected a motion file here: were the two swapped?"])
     if document.get("type") == "slew":
         if stand.hold is not None:
-            found = "a slew is of a free carrier, found [hold]"
-            raise MotionError([f"{source}: type: {found}; expected periodic or finite"])
+            raise MotionError([f"{source}: type: {NO_SLEW}"])
         name = document.get("name") or Path(source).stem.removesuffix(".motion")
         return read_slew(document, stand, str(name), Problems(source))
     return _read_course(document, stand, source)
@@ -315,8 +321,6 @@ def _compare(table: MotionTable, stand: Stand, problems: Problems) -> None:
     """Note keys that contradict each other or the stand."""
     if table.type == "periodic" and table.bounds.start is not None:
         problems.add("bounds", "start", 'not allowed with type "periodic", which begins where it ends')
-    if table.runup is not None and stand.hold is not None:
-        problems.add("runup", "not for a held carrier, which has no run-up yet: leave it out")
     if (deviation := table.bounds.deviation) is not None:
         if table.runup is None:
             words = "needs `runup`: it bounds the carrier on the way there and back"

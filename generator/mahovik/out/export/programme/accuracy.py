@@ -14,10 +14,9 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.program.types import Precision
 from mahovik.core.stand.model import Stand
 from mahovik.out.export.programme.tables import Array, Table
-from mahovik.proof.reference.forward import forward
-from mahovik.proof.reference.torque import torque
-from mahovik.proof.verify.programme.mechanics import Scale, instants, pieces_at, scale_of, twist
+from mahovik.proof.verify.programme.mechanics import Scale, instants, scale_of, state_at
 from mahovik.proof.verify.programme.phase_spread import spread_phases
+from mahovik.proof.verify.programme.runup import torques_along
 from mahovik.proof.verify.programme.simulation import rest_near, simulate
 
 STEP_ERROR = 1e-7
@@ -46,18 +45,15 @@ class RequiredCourse:
         stand, bias = self.stand, self.programme.bias
         if up:
             phi = table.at(np.zeros(1)).phi[0]
-            q, V = rest_near(stand, phi, self.motion.mean + bias, self._scale.K0).q, np.zeros(6)
+            q = rest_near(stand, phi, self.motion.mean + bias, self._scale.K0).q
+            start = np.concatenate([q, np.zeros_like(q)])
         else:
             begin = self.motion.at(np.zeros(1), bias)
-            q, V = begin.q[0], twist(stand, begin.q[0], begin.q_dot[0])
+            start = state_at(stand, begin.q[0], begin.q_dot[0])
         times = np.unique(np.concatenate([[0.0], t]))
         longest = min(self.programme.span, table.duration) / 8
-        y = simulate(stand, table.at, np.concatenate([q, V]), times, self._scale, longest, STEP_ERROR)
-        found = []
-        for row, phi, phi_dot, phi_ddot in zip(y[np.searchsorted(times, t)], *table.at(t), strict=True):
-            at = pieces_at(stand, row[:6], row[6:], phi, phi_dot)
-            found.append(torque(at, forward(at, phi_ddot), phi_ddot))
-        return np.array(found)
+        y = simulate(stand, table.at, start, times, self._scale, longest, STEP_ERROR)
+        return torques_along(stand, y[np.searchsorted(times, t)], table.at(t))
 
     def residual(self, t: Array, angles: Angles) -> Array:
         """F - K V* - M V - J phi' - I phi'' (M, 6; N, N m) of (12) at the motion and these angles."""

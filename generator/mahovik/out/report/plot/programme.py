@@ -12,7 +12,7 @@ from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.out.report.plot.panel import Array, Panel, family, limit
 from mahovik.proof.verify.programme.finding import tolerance_for
 from mahovik.proof.verify.programme.mechanics import Scale, residuals, scale_of, state_at
-from mahovik.proof.verify.programme.simulation import simulate
+from mahovik.proof.verify.programme.simulation import rest_near, simulate
 
 if TYPE_CHECKING:
     from mahovik.core.motion.required import RequiredMotion
@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 POINTS = 400
 """Along each line of a programme."""
+
+OF_TURN = 24
+"""Points in a turn or a period of the fastest part, along the way of a carrier that runs up."""
 
 ROUNDING = 1e-6
 """mm, mrad: less is not looked at closely."""
@@ -51,6 +54,7 @@ def panels(
         _flywheel_panel("drive torque, N m", programme, seen.t, seen.tau, motion.bounds.torque),
         Panel("residual", (*residual, limit(f"accepted: {level:g}", seen.t, level)), log=True),
         *_transients(programme),
+        *(_carrier_on_the_way(programme, stand, motion, scale) if stand.hold is not None else ()),
     ]
 
 
@@ -104,4 +108,28 @@ def _transients(programme: Programme) -> list[Panel]:
         if table is not None:
             t = np.linspace(0.0, table.duration, POINTS + 1)
             found.append(Panel(f"{name}: speed, rpm", family(programme.flywheels, t, RPM * table.at(t).phi_dot)))
+    return found
+
+
+def _carrier_on_the_way(programme: Programme, stand: Stand, motion: RequiredMotion, scale: Scale) -> list[Panel]:
+    """A held carrier along its freedoms by (8) on run-up and run-down, from the mean pose. Raises StateError."""
+    found: list[Panel] = []
+    own, mean = coordinates_of(stand), motion.mean + programme.bias
+    fastest = max([1, *motion.harmonics, *map(abs, programme.winding)])
+    for name, table in (("run-up", programme.runup), ("run-down", programme.rundown)):
+        if table is None:
+            continue
+        begin = motion.at(np.zeros(1), programme.bias)
+        start = state_at(stand, begin.q[0], begin.q_dot[0])
+        if name == "run-up":
+            rest = rest_near(stand, table.samples.phi[0], mean, scale.K0).q
+            start = np.concatenate([rest, np.zeros_like(rest)])
+        count = max(POINTS, round(OF_TURN * fastest * table.duration / programme.span))
+        t = np.linspace(0.0, table.duration, count + 1)
+        y = simulate(stand, table.at, start, t, scale, min(programme.span, table.duration) / 16)
+        for group in own.groups:
+            part, unit = list(group), own.unit_names[group[0]]
+            words = f"{name}: carrier, {f'm{unit}' if unit else '1e-3'}, from the mean pose"
+            away = 1e3 * (y[:, part] - mean[part])
+            found.append(Panel(words, family([own.names[k] for k in part], t, away), least=ROUNDING))
     return found

@@ -203,10 +203,29 @@ LAST_SAMPLES = 300
 _POSE = (("O1, mm", ("x", "y", "z"), "m"), ("attitude, mrad", ("psi", "theta", "phi"), "rad"))
 
 
+_REQUIRED = re.compile(r"required (\w+)(?: \[(m|rad)\])?")
+
+
+def _pairs(columns: Mapping[str, Array]) -> list[tuple[str, tuple[str, ...], tuple[str, ...], tuple[str, ...]]]:
+    """Quantity, names, and columns of what is achieved and required; of a held carrier by the units of its freedoms."""
+    found: list[tuple[str, tuple[str, ...], tuple[str, ...], tuple[str, ...]]] = []
+    for quantity, names, unit in _POSE:
+        achieved, required = (tuple(f"{kind}{name} [{unit}]" for name in names) for kind in ("", "required_"))
+        if all(name in columns for name in (*achieved, *required)):
+            found.append((quantity, names, achieved, required))
+    matches = [match for column in columns if (match := _REQUIRED.fullmatch(column))]
+    for kind, words in (("m", "freedoms, mm"), ("rad", "freedoms, mrad"), (None, "freedoms, thousandths")):
+        own = [match for match in matches if match[2] == kind]
+        if own:
+            required = tuple(match[0] for match in own)
+            achieved = tuple(column.replace("required", "q", 1) for column in required)
+            found.append((words, tuple(match[1] for match in own), achieved, required))
+    return found
+
+
 def follows_programme(columns: Mapping[str, Array]) -> bool:
     """Does the run have what was required?"""
-    names = (f"{kind}{name} [{unit}]" for _, names, unit in _POSE for name in names for kind in ("", "required_"))
-    return all(name in columns for name in names)
+    return bool(_pairs(columns))
 
 
 def last_samples(columns: Mapping[str, Array]) -> dict[str, Array]:
@@ -219,13 +238,11 @@ def following_panels(columns: Mapping[str, Array]) -> list[Panel]:
     t = columns["t [s]"]
     last = slice(max(0, len(t) - LAST_SAMPLES), len(t))
     motion, errors = [], []
-    for quantity, names, unit in _POSE:
-        achieved, required = (
-            1e3 * np.stack([columns[f"{kind}{name} [{unit}]"] for name in names], axis=1) for kind in ("", "required_")
-        )
+    for quantity, names, *pair in _pairs(columns):
+        achieved, required = (1e3 * np.stack([columns[name] for name in own], axis=1) for own in pair)
         about, mean = achieved[last].mean(axis=0), required[last].mean(axis=0)
         lines = family(names, t[last], achieved[last] - about)
-        wanted = family(["", "", ""], t[last], required[last] - mean, dashed=True)
+        wanted = family([""] * len(names), t[last], required[last] - mean, dashed=True)
         motion.append(Panel(f"{quantity}, about the mean, at the end; dashed: required", (*lines, *wanted)))
         errors.append(
             Panel(

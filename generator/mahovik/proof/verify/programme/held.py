@@ -15,7 +15,7 @@ from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
 from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.hold import twists
-from mahovik.proof.reference.rotation import attitude
+from mahovik.proof.reference.rotation import attitude, rotation_vector
 from mahovik.proof.reference.screw import cross
 
 
@@ -49,6 +49,19 @@ def coordinate_rates(stand: Stand, q: Array, u: Array) -> Array:
     assert stand.hold is not None
     columns = np.column_stack([held_twist(stand, q, each) for each in np.eye(len(q))])
     return np.asarray(np.linalg.lstsq(columns, twists(stand.hold) @ u, rcond=None)[0])
+
+
+def displacement(stand: Stand, q: Array, mean: Array) -> tuple[float, float]:
+    """Way of O1 (m) and angle of E1 (rad) from the pose of coordinates `mean` (m) to that of q (m).
+
+    Turns about one axis are counted; about a point the angle is at most half a turn.
+    """
+    assert stand.hold is not None
+    S, (O1, C), (O1_mean, C_mean) = twists(stand.hold), pose(stand, q), pose(stand, mean)
+    way = float(np.linalg.norm(O1 - O1_mean))
+    if np.linalg.matrix_rank(S[3:]) > 1:
+        return way, float(np.linalg.norm(rotation_vector(C_mean.T @ C)))
+    return way, float(np.linalg.norm(S[3:] @ (q - mean)))
 
 
 def _product(stand: Stand, q: Array, q_dot: Array, q_ddot: Array) -> tuple[Array, Array, Array]:

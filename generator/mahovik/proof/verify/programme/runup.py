@@ -9,11 +9,12 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.hold import acceleration, twists
 from mahovik.proof.reference.rotation import attitude, rotation_vector
 from mahovik.proof.reference.torque import torque
 from mahovik.proof.verify.programme.finding import Finding, Tolerance, check_limit, largest
-from mahovik.proof.verify.programme.mechanics import Scale, pieces_at, twist
+from mahovik.proof.verify.programme.held import displacement
+from mahovik.proof.verify.programme.mechanics import Scale, pieces_at, state_at, twist
 from mahovik.proof.verify.programme.simulation import rest_near, simulate_rows
 from mahovik.proof.verify.programme.table import EXCEEDED, bound_findings, samples_finding
 
@@ -70,30 +71,31 @@ def _motion(
     """Findings on the carrier by (8), from equilibrium to the required state or the reverse, and on its bounds."""
     up = name == "run-up"
     required = motion.at(np.zeros(1), programme.bias)
-    q, V = required.q[0], twist(stand, required.q[0], required.q_dot[0])
+    q, y_required = required.q[0], state_at(stand, required.q[0], required.q_dot[0])
     mean = motion.mean + programme.bias
     t = given.samples.t
     longest = min(programme.span, given.duration) / STEPS
     try:
         rest = rest_near(stand, given.samples.phi[0 if up else -1], mean, scale.K0)
-        start = np.concatenate([rest.q, np.zeros(6)]) if up else np.concatenate([q, V])
+        start = np.concatenate([rest.q, np.zeros_like(rest.q)]) if up else y_required
         y = simulate_rows(stand, given.at, start, t, scale, longest, STEP_ERROR)
         if up:
-            x, V_left = y[-1, :6] - q, y[-1, 6:] - V
+            x, left = np.split(y[-1] - y_required, 2)
         else:
-            x, V_left = y[-1, :6] - rest_near(stand, given.samples.phi[-1], y[-1, :6], scale.K0).q, y[-1, 6:]
+            end, left = np.split(y[-1], 2)
+            x = end - rest_near(stand, given.samples.phi[-1], end, scale.K0).q
     except StateError as error:
         return [Finding(f"{name} end", np.inf, limit, False, str(error))]
     apart = twist(stand, q, x)
     shift = rest.free @ (rest.free.T @ (scale.K0 @ apart))  # where the stand may as well have begun elsewhere
-    shares = (scale.displacement_share(apart - shift), scale.twist_share(V_left))
+    shares = (scale.displacement_share(apart - shift), scale.twist_share(left if scale.S is None else scale.S @ left))
     strayed = deviation(stand, y, mean)
     words = (
         f"carrier at the end, pose {shares[0]:.2g}, twist {shares[1]:.2g} of the amplitude; on the way "
         f"{1e3 * strayed[0]:.3g} mm, {1e3 * strayed[1]:.3g} mrad from the mean pose"
     )
     angles = given.at(t)
-    tau = _torques(stand, y, angles) if motion.bounds.torque is not None else np.zeros_like(angles.phi)
+    tau = torques_along(stand, y, angles) if motion.bounds.torque is not None else np.zeros_like(angles.phi)
     names = tuple(s.name for s in stand.flywheels)
     bounds = [
         each
@@ -108,16 +110,20 @@ def _motion(
 
 
 def deviation(stand: Stand, y: Array, mean: Array) -> Array:
-    """Largest distance of O1 (m) and angle of E1 (rad) from the pose `mean`, along states y (M, 12)."""
+    """Largest distance of O1 (m) and angle of E1 (rad) from the pose `mean`, along states y (M, 12; held M, 2 m)."""
+    if stand.hold is not None:
+        away = np.array([displacement(stand, q, mean) for q in np.hsplit(y, 2)[0]])
+        return np.asarray(away.max(axis=0))
     back = attitude(stand.angles, *mean[3:]).T
     turned = [np.linalg.norm(rotation_vector(back @ attitude(stand.angles, *q[3:6]))) for q in y]
     return np.array([np.linalg.norm(y[:, :3] - mean[:3], axis=1).max(), max(turned)])
 
 
-def _torques(stand: Stand, y: Array, angles: tuple[Array, Array, Array]) -> Array:
-    """Drive torques tau (M, N; N m) while the carrier moves freely."""
+def torques_along(stand: Stand, y: Array, angles: tuple[Array, Array, Array]) -> Array:
+    """Drive torques tau (M, N; N m) along states (q, V), held (q, u), while nothing prescribes the carrier's motion."""
     found = []
     for row, phi, phi_dot, phi_ddot in zip(y, *angles, strict=True):
-        at = pieces_at(stand, row[:6], row[6:], phi, phi_dot)
-        found.append(torque(at, forward(at, phi_ddot), phi_ddot))
+        q, V = np.split(row, 2)
+        at = pieces_at(stand, q, V if stand.hold is None else twists(stand.hold) @ V, phi, phi_dot)
+        found.append(torque(at, acceleration(at, stand, phi_ddot), phi_ddot))
     return np.array(found)

@@ -261,26 +261,30 @@ TURN = 1e-10
 
 @dataclass(frozen=True, eq=False)
 class Rest:
-    """Equilibrium: q (6) at rest, and the free directions (6, n): displacements in E1, orthogonal in K0."""
+    """Equilibrium: q (6; held m) at rest, and the free directions (6, n): displacements in E1, orthogonal in K0."""
 
     q: Array
     free: Array
 
 
 def rest_near(stand: Stand, phi: Array, q: Array, K0: Array) -> Rest:
-    """The equilibrium for phases phi (N) that Newton's steps, least in K0, find from q. StateError: there is none."""
-    root = np.linalg.cholesky(K0).T  # x^T K0 x = |root x|^2
+    """The equilibrium for phases phi (N) that Newton's steps, least in K0, find from q. StateError: there is none.
+
+    Of a held carrier along its freedoms: displacements are those of its coordinates, rates those of u.
+    """
+    S = np.eye(6) if stand.hold is None else twists(stand.hold)
+    root, m = np.linalg.cholesky(S.T @ K0 @ S).T, S.shape[1]  # x^T K0 x = |root x|^2
     still = np.zeros(len(phi))
     for _ in range(50):
-        pull = rate(stand, np.concatenate([q, np.zeros(6)]), phi, still, still)[6:]
-        slopes = np.zeros((6, 6))
-        for i in range(6):
-            aside = np.zeros(12)
+        pull = rate(stand, np.concatenate([q, np.zeros(m)]), phi, still, still)[m:]
+        slopes = np.zeros((m, m))
+        for i in range(m):
+            aside = np.zeros(2 * m)
             aside[i] = 1e-6
-            y = np.concatenate([q, np.zeros(6)])
-            ahead, behind = (rate(stand, y + side * aside, phi, still, still)[6:] for side in (1, -1))
+            y = np.concatenate([q, np.zeros(m)])
+            ahead, behind = (rate(stand, y + side * aside, phi, still, still)[m:] for side in (1, -1))
             slopes[:, i] = (ahead - behind) / 2e-6
-        A = np.column_stack([twist(stand, q, each) for each in np.eye(6)])
+        A = np.linalg.lstsq(S, np.column_stack([twist(stand, q, each) for each in np.eye(m)]), rcond=None)[0]
         stiffness = root @ slopes @ np.linalg.inv(root @ A)
         U, sigma, Vt = np.linalg.svd(stiffness)
         kept = sigma > FREE * max(sigma[0], 1e-9)
@@ -289,7 +293,7 @@ def rest_near(stand: Stand, phi: Array, q: Array, K0: Array) -> Rest:
         q = q + step * min(1.0, 0.3 / max(float(np.abs(step).max()), 1e-300))
         if np.abs(step).max() < TURN:
             left = U[:, ~kept].T @ (root @ pull)
-            if np.linalg.norm(left) > 1e-6 * max(float(np.linalg.norm(stand.gravity)), 1.0) * np.sqrt(K0[0, 0]):
+            if np.linalg.norm(left) > 1e-6 * max(float(np.linalg.norm(stand.gravity)), 1.0) * root[0, 0]:
                 break
-            return Rest(q, np.linalg.solve(root, Vt[~kept].T))
+            return Rest(q, S @ np.linalg.solve(root, Vt[~kept].T))
     raise StateError("no equilibrium to start from: with the flywheels at rest the carrier accelerates everywhere")

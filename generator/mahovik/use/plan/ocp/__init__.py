@@ -1,4 +1,4 @@
-"""(13) as printed: optimal control with six dependent flywheels, or with (12) as constraints.
+"""(13) as printed: optimal control with dependent flywheels, or with (12) as constraints.
 
 Only `plan` imports CasADi, and only for the methods that need it.
 """

@@ -1,4 +1,4 @@
-"""The partition (-, +) of (13): six dependent flywheels, and where det I+ != 0 holds."""
+"""The partition (-, +) of (13): six dependent flywheels, held one a freedom, and where det I+ != 0 holds."""
 
 from __future__ import annotations
 
@@ -30,17 +30,34 @@ _ROWS = 32
 Plus = tuple[int, ...]
 
 
+COUNTS = ("one", "two", "three", "four", "five", "six")
+
+
+def dependent_count(stand: Stand) -> int:
+    """Dependent flywheels of (13), as many as (12) has rows: six, of a held carrier one a freedom."""
+    return 6 if stand.hold is None else len(stand.hold.freedoms)
+
+
+def dependent_words(m: int) -> str:
+    """That number in words."""
+    return f"{COUNTS[m - 1]} dependent flywheel{'s' if m > 1 else ''}"
+
+
 def partition_of(names: Sequence[str], stand: Stand) -> Plus:
-    """Numbers of the six flywheels of --partition, in the stand's order. UsageError: not six, unknown, or twice."""
+    """Numbers of the dependent flywheels of --partition, in the stand's order.
+
+    UsageError: not as many as (12) has rows, unknown, or twice.
+    """
     given, known = [name.strip() for name in names], [s.name for s in stand.flywheels]
     shown = f"--partition {','.join(given)}"
     for name in given:
         if name not in known:
             raise UsageError(f"{shown}: the stand has no flywheel {name!r}{suggestion(name, known)}")
-    if len(given) != 6:
-        raise UsageError(f"{shown}: {len(given)} names; expected the six dependent flywheels of (13)")
-    if len(set(given)) != 6:
-        raise UsageError(f"{shown}: a flywheel is named twice; expected six different ones")
+    m = dependent_count(stand)
+    if len(given) != m:
+        raise UsageError(f"{shown}: {len(given)} names; expected the {dependent_words(m)} of (13)")
+    if len(set(given)) != m:
+        raise UsageError(f"{shown}: a flywheel is named twice; expected {COUNTS[m - 1]} different ones")
     return tuple(k for k, name in enumerate(known) if name in given)
 
 
@@ -50,7 +67,7 @@ class PartitionCourse:
 
     t            (M, s)
     determinant  (M,) with the sign of det I+
-    values       (M, 6) singular values, largest first
+    values       (M, 6; held M, m) singular values, largest first
     """
 
     plus: Plus
@@ -116,9 +133,9 @@ def best_partition(own: Mechanics, t: Array, phi: Array) -> PartitionCourse:
     rows = np.unique(np.linspace(0, len(t) - 1, _SCREENED).round().astype(int))
     columns = scaled_columns(own, phi[rows])
     scores: list[tuple[float, Plus]] = []
-    every = combinations(range(own.N), 6)
+    every = combinations(range(own.N), own.freedoms.shape[1])
     while batch := list(islice(every, _AT_ONCE)):
-        I = np.moveaxis(columns[:, :, np.array(batch)], 2, 0)  # (partitions, times, 6, 6)
+        I = np.moveaxis(columns[:, :, np.array(batch)], 2, 0)  # (partitions, times, 6, 6), held m, m
         determinants, least = np.linalg.det(I), np.linalg.svd(I, compute_uv=False)[..., -1].min(axis=1)
         turned = np.any(determinants[:, 1:] * determinants[:, :-1] < 0.0, axis=1)
         scores = sorted([*scores, *zip((turned - least).tolist(), batch, strict=True)])[:_KEPT]
@@ -132,17 +149,19 @@ def order_of(plus: Plus, N: int) -> NDArray[np.intp]:
 
 
 def requested_partition(stand: Stand, options: PlanOptions) -> Plus | None:
-    """The six dependent flywheels named by `--partition`; None: the best six are chosen.
+    """The dependent flywheels named by `--partition`; None: the best ones are chosen.
 
-    Raises UsageError: the stand or the method has no such six.
+    Raises UsageError: the stand or the method has none such.
     """
     if options.method == "fourier":
         if options.partition is not None:
             raise UsageError("--partition needs --method ocp-partition or ocp; the method is fourier")
         return None
     N, shown = len(stand.flywheels), f"--method {options.method}"
-    if N < 6:
-        raise UsageError(f"{shown}: the stand has {N} flywheels; (13) needs six dependent ones; use --method fourier")
+    m = dependent_count(stand)
+    if m > N:
+        needs = f"(13) needs {COUNTS[m - 1]} dependent ones"
+        raise UsageError(f"{shown}: the stand has {N} flywheels; {needs}; use --method fourier")
     for wheel in stand.flywheels:
         if twist_laws(wheel) is not None:
             raise UsageError(f'{shown}: flywheel "{wheel.name}" has damping; use --method fourier')

@@ -67,7 +67,7 @@ class ScaledProblem:
         return np.hstack([x.reshape(M, -1) for x in parts]).T
 
     def _rows(self, table: Array) -> Array:
-        """A table (5, 7, M, N) with relative rows, flywheels reordered."""
+        """A table (5, 7, M, N) with relative rows, held (5, m + 1, M, N); flywheels reordered."""
         root = self.problem.norm.root / self.problem.norm.demand
         wrench = np.einsum("ij,hjmn->himn", root, table[:, :6])
         return np.concatenate([wrench, (table[:, 6] / self.torque)[:, None]], axis=1)[..., self.order]
@@ -112,7 +112,7 @@ def unknown_bounds(
     bounds = problem.motion.bounds
     x_low, x_high = _state_bounds(scaled, own, winding, part)
     u = np.tile(scaled.limits(bounds, "acceleration", part)[: own.controls], own.M)
-    widest = np.full(6, np.inf) if bounds.bias is None else np.array(bounds.bias, dtype=np.float64)
+    widest = np.full(own.rows, np.inf) if bounds.bias is None else np.array(bounds.bias, dtype=np.float64)
     shift_low, shift_high = (np.where(problem.free, sign * widest - bias, 0.0) for sign in (-1.0, 1.0))
     mean = np.full(N, np.inf if "angle" in own.kinds else 0.0)
     low = np.concatenate([x_low.ravel("F"), -u, shift_low, -mean])
@@ -148,7 +148,11 @@ def row_bounds(
     low, high = np.zeros(len(first)), np.zeros(len(first))
     for name, kind in (("dependent", "acceleration"), ("torque", "torque"), ("angle", "angle")):
         if name in rows:
-            limit = scaled.limits(bounds, kind, part)[-6:] if name == "dependent" else scaled.limits(bounds, kind, part)
+            limit = (
+                scaled.limits(bounds, kind, part)[-own.rows :]
+                if name == "dependent"
+                else scaled.limits(bounds, kind, part)
+            )
             high[rows[name]] = np.tile(limit, own.M)
             low[rows[name]] = -high[rows[name]]
     shifted = {"closing": np.concatenate([turn, 0.0 * turn])}  # phi includes its winding, swing does not
@@ -220,7 +224,9 @@ def solve(
     motion = problem.motion
     kinds = frozenset(kind for kind in ROWS if getattr(motion.bounds, kind) is not None)
     breaks = tuple(mesh.breaks.tolist())
-    own = transcription(Structure(formulation, problem.N, breaks, mesh.degree, scaled.span, motion.periodic, kinds))
+    own = transcription(
+        Structure(formulation, problem.N, breaks, mesh.degree, scaled.span, motion.periodic, kinds, problem.rows_count)
+    )
     angles = start.at(mesh.times * motion.span)
     nodes = Angles(*(x[mesh.at_nodes] for x in angles))
     of_nodes = scaled.node_parameters(mesh.nodes * motion.span, nodes, start.bias)
@@ -280,4 +286,4 @@ def _start_point(scaled: ScaledProblem, own: Structure, angles: Angles, winding:
     swing = phi[:, mesh.at_nodes] - 2.0 * np.pi * winding[order][:, None] * mesh.nodes
     mean = swing @ mesh.weights if "angle" in own.kinds else np.zeros(own.N)
     x, u = np.vstack([phi, v]), a[: own.controls, mesh.at_nodes]
-    return np.concatenate([x.ravel("F"), u.ravel("F"), np.zeros(6), mean])
+    return np.concatenate([x.ravel("F"), u.ravel("F"), np.zeros(own.rows), mean])

@@ -3,8 +3,9 @@
 Direct collocation: on every interval the states are polynomials of degree d through its start and d Gauss nodes. A
 state is a row with a column for the start and for each node of every interval, and a last one for the end of the span.
 
-Unknowns z: the states x (2N) at all columns of the mesh, the controls u at its nodes, the change of the bias (6), the
-mean of each swing (N). A and B are constant; the bounds of the rows are given at each run.
+Unknowns z: the states x (2N) at all columns of the mesh, the controls u at its nodes, the change of the bias (6;
+of a held carrier a number for each freedom), the mean of each swing (N). A and B are constant; the bounds of the rows
+are given at each run.
 """
 
 from __future__ import annotations
@@ -119,6 +120,7 @@ class Structure:
 
     span   span of the motion, in 1/Omega
     kinds  bounds that are rows: acceleration, torque, angle
+    rows   of (12): six, of a held carrier one a freedom; the bias has as many numbers
     """
 
     formulation: Formulation
@@ -128,6 +130,7 @@ class Structure:
     span: float
     periodic: bool
     kinds: frozenset[str]
+    rows: int = 6
 
     @cached_property
     def mesh(self) -> Mesh:
@@ -136,13 +139,13 @@ class Structure:
 
     @property
     def partition(self) -> bool:
-        """Whether six accelerations follow from the others."""
+        """Whether the accelerations of as many flywheels as (12) has rows follow from the others."""
         return self.formulation == "ocp-partition"
 
     @property
     def controls(self) -> int:
         """Number of controls at a node."""
-        return self.N - 6 if self.partition else self.N
+        return self.N - self.rows if self.partition else self.N
 
     @property
     def M(self) -> int:
@@ -152,14 +155,15 @@ class Structure:
     @property
     def y_slices(self) -> dict[str, slice]:
         """Slices of y of one node, by name."""
-        first = {"dependent": slice(0, 6), "volume": slice(6, 7)} if self.partition else {"residual": slice(0, 6)}
-        at = 7 if self.partition else 6
+        m = self.rows
+        first = {"dependent": slice(0, m), "volume": slice(m, m + 1)} if self.partition else {"residual": slice(0, m)}
+        at = m + 1 if self.partition else m
         return {**first, "torque": slice(at, at + self.N)} if "torque" in self.kinds else first
 
     @property
     def shapes(self) -> tuple[tuple[int, int], ...]:
-        """Shapes of x (2N, columns), u (controls, M), bias (6), mean (N); time in 1/Omega, flywheels (-, +)."""
-        return (2 * self.N, self.mesh.columns), (self.controls, self.M), (6, 1), (self.N, 1)
+        """Shapes of x (2N, columns), u (controls, M), bias (rows), mean (N); time in 1/Omega, flywheels (-, +)."""
+        return (2 * self.N, self.mesh.columns), (self.controls, self.M), (self.rows, 1), (self.N, 1)
 
     @property
     def size(self) -> int:

@@ -26,19 +26,19 @@ from mahovik.use.plan.objective import KINDS
 from mahovik.use.plan.ocp.structure import Structure
 from mahovik.use.plan.outcome import OnProgress
 
-HARMONICS, ROWS = 5, 7
-"""Harmonics 1, cos, sin, cos 2, sin 2 of an angle; six rows of a wrench and one of the torque."""
+HARMONICS = 5
+"""Harmonics 1, cos, sin, cos 2, sin 2 of an angle. Their tables have the rows of (12) and one of the torque."""
 
 
-def parameter_shapes(N: int) -> tuple[dict[str, tuple[int, ...]], dict[str, tuple[int, ...]]]:
-    """Names and shapes of the parameters: those of a node, and those of all nodes.
+def parameter_shapes(N: int, m: int) -> tuple[dict[str, tuple[int, ...]], dict[str, tuple[int, ...]]]:
+    """Names and shapes of the parameters: those of a node, and those of all nodes; N flywheels, m rows of (12).
 
     A node has the coefficients of (12) (see plan.residual.prescribed) and derivatives by the bias. All share tables,
     scales of the columns of I, weights by kind, mean speeds, motors.
     """
-    table, each = (HARMONICS, ROWS, N), (N,)
+    table, each = (HARMONICS, m + 1, N), (N,)
     return (
-        {"base": (6,), "fixed": table, "moving": table, "by_bias": (6, 6), "tau_by_bias": (N, 6)},
+        {"base": (m,), "fixed": table, "moving": table, "by_bias": (m, m), "tau_by_bias": (N, m)},
         {"still": table, "spun": table, "column": each, "weights": (len(KINDS), N)}
         | dict.fromkeys(("mean_speed", "loss", "viscous", "coulomb", "coulomb_speed"), each),
     )
@@ -56,25 +56,26 @@ def _tables(name: str, shapes: dict[str, tuple[int, ...]]) -> tuple[Any, dict[st
 
 
 def _wrenches(N: int, phi: Any, v: Any, bias: Any, at: dict[str, Any], own: dict[str, Any]) -> tuple[Any, ...]:
-    """I (6, N), P - J phi' (6), the part of tau without acceleration, and its factor of acceleration (N each)."""
-    I = ca.SX(6, N)
-    rest = ca.vertcat(*(at["base"][i] + sum(at["by_bias"][i, b] * bias[b] for b in range(6)) for i in range(6)))
+    """I (m, N), P - J phi' (m), the part of tau without acceleration, and its factor of acceleration (N each)."""
+    m = len(at["base"])
+    I = ca.SX(m, N)
+    rest = ca.vertcat(*(at["base"][i] + sum(at["by_bias"][i, b] * bias[b] for b in range(m)) for i in range(m)))
     tau, tau_by_a = ca.SX(N, 1), ca.SX(N, 1)
     for s in range(N):
         c, d = ca.cos(phi[s]), ca.sin(phi[s])
         waves = (1.0, c, d, 1.0 - 2.0 * d * d, 2.0 * c * d)
-        for row in range(ROWS):
+        for row in range(m + 1):
             of_a = sum(h * own["still"][k, row, s] for k, h in enumerate(waves))
             others = sum(
                 h * (at["fixed"][k, row, s] + v[s] * (at["moving"][k, row, s] + v[s] * own["spun"][k, row, s]))
                 for k, h in enumerate(waves)
             )
-            if row < 6:
+            if row < m:
                 I[row, s] = of_a
                 rest[row] -= others
             else:
                 tau_by_a[s] = of_a
-                tau[s] = others + sum(at["tau_by_bias"][s, b] * bias[b] for b in range(6))
+                tau[s] = others + sum(at["tau_by_bias"][s, b] * bias[b] for b in range(m))
     return I, rest, tau, tau_by_a
 
 
@@ -97,8 +98,8 @@ def _cost(N: int, v: Any, a: Any, tau: Any, own: dict[str, Any]) -> Any:
 class Node:
     """(12) and (13) at one node, with derivatives by z = (x, u, bias); x = (phi, v) (2N).
 
-    u       controls: a_- (N - 6) in the partition, else all a (N); bias (6): its change
-    value   (z, node, stand) -> (y, cost); y: a_+ (6) and |det I+| of scaled columns (1), or R (6) of (12); tau (N)
+    u       controls: a_- (N - m) in the partition, else all a (N); bias (m): its change; m = 6, held the freedoms
+    value   (z, node, stand) -> (y, cost); y: a_+ (m) and |det I+| of scaled columns (1), or R (m) of (12); tau (N)
     slope   (z, node, stand) -> (dy/dz, dcost/dz), dense
     bend    (z, node, stand, by y, by cost) -> second derivatives of by_y . y + by_cost cost, dense
     """
@@ -110,20 +111,22 @@ class Node:
     bend: Any
 
 
-def node_functions(N: int, partition: bool, torque: bool) -> Node:
-    """Functions of a node; in the partition a_+ = I+^-1 (P - I- u - J phi') of (13). `torque`: y includes tau."""
-    controls = N - 6 if partition else N
-    z = ca.SX.sym("z", 2 * N + controls + 6)
-    (node, at), (stand, own) = map(_tables, ("node", "stand"), parameter_shapes(N))
-    phi, v, u, bias = z[:N], z[N : 2 * N], z[2 * N : -6], z[-6:]
+def node_functions(N: int, partition: bool, torque: bool, m: int = 6) -> Node:
+    """Functions of a node; in the partition a_+ = I+^-1 (P - I- u - J phi') of (13). `torque`: y includes tau.
+
+    m: rows of (12)."""
+    controls = N - m if partition else N
+    z = ca.SX.sym("z", 2 * N + controls + m)
+    (node, at), (stand, own) = map(_tables, ("node", "stand"), parameter_shapes(N, m))
+    phi, v, u, bias = z[:N], z[N : 2 * N], z[2 * N : -m], z[-m:]
     I, rest, still, tau_by_a = _wrenches(N, phi, v, bias, at, own)
     if partition:
-        column = ca.vertcat(*(own["column"][s] for s in range(N - 6, N)))
-        Q, triangle = ca.qr(I[:, N - 6 :] / ca.repmat(column.T, 6, 1))  # no pivoting: valid for every angle
-        left = rest - ca.mtimes(I[:, : N - 6], u) if N > 6 else rest
+        column = ca.vertcat(*(own["column"][s] for s in range(N - m, N)))
+        Q, triangle = ca.qr(I[:, N - m :] / ca.repmat(column.T, m, 1))  # no pivoting: valid for every angle
+        left = rest - ca.mtimes(I[:, : N - m], u) if m < N else rest
         dependent = ca.solve(triangle, ca.mtimes(Q.T, left)) / column
         volume = 1.0
-        for i in range(6):
+        for i in range(m):
             volume *= triangle[i, i]
         a, rows = ca.vertcat(u, dependent), [dependent, ca.fabs(volume)]
     else:
@@ -258,7 +261,7 @@ def transcription(own: Structure) -> Transcription:
     With P the selection of the nodes' unknowns from z, g = A z + B y: its derivative is A + B Y P, with Y the slopes of
     y of each node on the diagonal; second derivatives are P^T H P, with those of each node on the diagonal of H.
     """
-    node, M = node_functions(own.N, own.partition, "torque" in own.kinds), own.M
+    node, M = node_functions(own.N, own.partition, "torque" in own.kinds, own.rows), own.M
     z = ca.MX.sym("z", own.size)
     pieces = zip(ca.vertsplit(z, own.ends), own.shapes, strict=True)
     x, u, bias, mean = (ca.reshape(part, *shape) for part, shape in pieces)
@@ -300,11 +303,11 @@ def transcription(own: Structure) -> Transcription:
 
 
 def _row_kinds(own: Structure, x: Any, u: Any, mean: Any, y: Any) -> dict[str, Any]:
-    """Rows g by kind, linear in the unknowns and in y (., M); the accelerations of the partition's six come from y."""
+    """Rows g by kind, linear in the unknowns and in y (., M), which has a_+ of the partition."""
     mesh, N, M = own.mesh, own.N, own.M
     derive, jumps = (ca.sparsify(ca.DM(each)) for each in (mesh.derive, mesh.jumps))
     nodes = x[:, mesh.at_nodes.tolist()]
-    a = ca.vertcat(u, y[:6, :]) if own.partition else u
+    a = ca.vertcat(u, y[: own.rows, :]) if own.partition else u
     found = {
         "collocation": (ca.mtimes(x, derive) - own.span * ca.vertcat(nodes[N:, :], a)) / M,
         "continuity": ca.mtimes(x, jumps),

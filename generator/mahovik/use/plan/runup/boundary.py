@@ -14,7 +14,7 @@ import numpy as np
 from scipy.interpolate import BSpline
 
 from mahovik.core.motion.programme import Angles, Programme, Samples
-from mahovik.core.motion.required import Course, RequiredMotion
+from mahovik.core.motion.required import RequiredMotion
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import (
     INTERVALS,
@@ -31,6 +31,7 @@ from mahovik.use.plan.forward import (
     linearise,
     linearise_along,
 )
+from mahovik.use.plan.held_chart import chart_at
 from mahovik.use.plan.residual import Linear, Mechanics
 from mahovik.use.plan.residual.prescribed_motion import able_at
 
@@ -128,7 +129,7 @@ FEWEST = 48
 class Amplitude:
     """Unit of errors: the motion's largest displacement and twist in the norm |root x| of the inertia.
 
-    root    6x6: x^T K0 x = |root x|^2
+    root    6x6: x^T K0 x = |root x|^2; of a held carrier m x m, along its freedoms
     """
 
     root: Array
@@ -136,8 +137,9 @@ class Amplitude:
     twist: float
 
     def shares(self, y: Array) -> Array:
-        """Dimensionless (12, ...) form of small differences of states (12, ...)."""
-        return np.concatenate([self.root @ y[:6] / self.displacement, self.root @ y[6:] / self.twist])
+        """Dimensionless (12, ...) form of small differences of states (12, ...); of a held carrier 2 m."""
+        pose, speeds = np.split(y, 2)
+        return np.concatenate([self.root @ pose / self.displacement, self.root @ speeds / self.twist])
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,8 +162,8 @@ class Flight:
 
 
 def size(error: Array) -> float:
-    """The larger part of a terminal error (12): pose or twist."""
-    return float(max(np.linalg.norm(error[:6]), np.linalg.norm(error[6:])))
+    """The larger part of a terminal error (12; held 2 m): pose or twist."""
+    return float(max(np.linalg.norm(part) for part in np.split(error, 2)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,7 +174,7 @@ class Boundary:
 
     chart   about the mean pose
     family  at 4 B + 1 nodes
-    joint   y (12) of the required motion at t = 0
+    joint   y (12; held 2 m, as all states are then) of the required motion at t = 0
     """
 
     chart: Chart
@@ -226,14 +228,14 @@ class Boundary:
 
         As exact as the flight's linear equations: call `linearise_again` first.
         """
-        N, P = flight.c.shape
-        rates = np.zeros((len(self.family.t), 12, N, P))
+        (N, P), m = flight.c.shape, self.chart.count
+        rates = np.zeros((len(self.family.t), 2 * m, N, P))
         for B, basis in zip(acceleration_rates(flight.drive, self.linearise(flight)), self.family.basis, strict=True):
-            rates[:, 6:] += B[:, :, :, None] * basis[:, None, None, :]
+            rates[:, m:] += B[:, :, :, None] * basis[:, None, None, :]
         at_rest = self.family.basis[0, 0 if self.up else -1]
-        rest = (flight.rest.by_phi[:, :, None] * at_rest).reshape(12, N * P)
+        rest = (flight.rest.by_phi[:, :, None] * at_rest).reshape(2 * m, N * P)
         start = rest if self.up else np.zeros_like(rest)
-        defects = integrate(rates.reshape(-1, 12, N * P), self.spacing)
+        defects = integrate(rates.reshape(-1, 2 * m, N * P), self.spacing)
         states = flight.course.near.solve(defects, start)
         end = states[-1] if self.up else states[-1] - rest
         return self.amplitude.shares(flight.rest.projection @ end), states
@@ -256,8 +258,7 @@ def boundary(
     fastest = max([1, *motion.harmonics, *(abs(n) for n in programme.winding)])
     B = 2 ** round(np.log2(nodes / NODES * max(fastest * NODES * duration / motion.span / INTERVALS, FEWEST)))
     t = np.linspace(0.0, duration, INTERVALS * B + 1)
-    still = np.zeros((1, 6))
-    chart = Chart.at_pose(mechanics, Course((motion.mean + programme.bias)[None], still, still))
+    chart = chart_at(mechanics, motion.mean + programme.bias)
     return Boundary(
         chart,
         amplitude_of(chart, motion, programme),
@@ -269,10 +270,11 @@ def boundary(
 
 def amplitude_of(chart: Chart, motion: RequiredMotion, programme: Programme) -> Amplitude:
     """Amplitude of a periodic motion; for a carrier held still, what the flywheels can do at the period's frequency."""
-    root = np.asarray(np.linalg.cholesky(chart.mechanics.mean_inertia).T)
+    S = chart.mechanics.freedoms
+    root = np.asarray(np.linalg.cholesky(S.T @ chart.mechanics.mean_inertia @ S).T)
     M = max(64, 16 * max(motion.harmonics, default=1))
     y = chart.of(motion.at(motion.span * np.arange(M) / M, programme.bias))
-    displacement, twist = (float(np.linalg.norm(x @ root.T, axis=1).max()) for x in (y[:, :6], y[:, 6:]))
+    displacement, twist = (float(np.linalg.norm(x @ root.T, axis=1).max()) for x in np.hsplit(y, 2))
     if twist > 0.0:
         return Amplitude(root, displacement, twist)
     Omega = 2.0 * np.pi / motion.span

@@ -1,4 +1,4 @@
-"""Newton's method for shooting, twelve terminal equations and more unknowns; steps that bring a flight inside bounds.
+"""Newton's method for shooting, two equations a freedom and more unknowns; steps that bring a flight inside bounds.
 
 Bounds are of the carrier's deviation and of speeds, accelerations and torques of the flywheels.
 """
@@ -114,9 +114,9 @@ def shares(problem: Boundary, flight: Flight, bounds: Bounds) -> Shares:
 
 def measure(problem: Boundary, flight: Flight) -> dict[str, Array]:
     """Deviation (M, 2; m, rad), speed, acceleration, torque (M, N) at the nodes."""
-    angles, y = problem.family.angles(flight.c), flight.course.y
+    angles, away = problem.family.angles(flight.c), problem.chart.displacement(flight.course.y)
     return {
-        "deviation": np.column_stack([np.linalg.norm(x, axis=1) for x in (y[:, :3], y[:, 3:6])]),
+        "deviation": np.column_stack([np.linalg.norm(x, axis=1) for x in np.hsplit(away, 2)]),
         "speed": angles.phi_dot,
         "acceleration": angles.phi_ddot,
         "torque": problem.linearise(flight).tau,
@@ -180,8 +180,8 @@ def _rows(problem: Boundary, flight: Flight, bounds: Bounds, states: Array) -> t
         own = np.zeros((len(rows), N, P))
         k = np.arange(len(rows))
         if name == "deviation":
-            pose = flight.course.y[:, :6].reshape(-1, 2, 3)[rows, columns]
-            moved = states[:, :6].reshape(len(states), 2, 3, N * P)[rows, columns]
+            pose = problem.chart.displacement(flight.course.y).reshape(-1, 2, 3)[rows, columns]
+            moved = problem.chart.displacement_change(flight.course.y, states).reshape(-1, 2, 3, N * P)[rows, columns]
             own += np.einsum("ki,kip->kp", pose / signed[:, None], moved).reshape(-1, N, P)
         elif name == "torque":
             for by, b in zip((along.tau_by_phi, along.tau_by_phi_dot, along.tau_by_phi_ddot), basis, strict=True):

@@ -1,0 +1,166 @@
+"""Held carriers follow programmes: errors along the freedoms, coordinates of poses, both plants, refusals."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mahovik.core.motion.programme import Fourier, Programme, Samples
+from mahovik.core.motion.required import RequiredMotion, read_motion
+from mahovik.core.motion.servo import read_servo
+from mahovik.core.stand import Stand
+from mahovik.errors import UsageError
+from mahovik.out.functions.following import Following, follow
+from mahovik.out.report.plot.run import following_panels, follows_programme
+from mahovik.use.control.coordinates import coordinates
+from mahovik.use.control.loop import Case, starting_state
+from mahovik.use.control.plant import plant
+from mahovik.use.control.reference_motion import ReferenceMotion
+from mahovik.use.control.servo import lightness
+from mahovik.use.plan.certificate import make_programme
+from mahovik.use.plan.residual.held_kinematics import held_pose
+from plan.held_stands import HOLDS, stand, wheel
+
+SERVO = """
+schema = 1
+sample_period = "2 ms"
+latency = "100 us"
+bandwidth = "20 Hz"
+"""
+
+SWING, PERIOD, INERTIA = 0.1, 0.5, 0.03 + 2.5 * 0.12**2 + 0.01
+WEIGHT, OMEGA = 2.5 * 9.81 * 0.12, 2.0 * math.pi / PERIOD
+
+
+def pendulum(more: str = "") -> Stand:
+    """A wheel on O1, 120 mm below the axle."""
+    return stand('freedoms = ["pitch"]\npivot = [0, 0, "120 mm"]', wheel(1, [0, 1, 0]), more)
+
+
+def swinging(own: Stand) -> tuple[RequiredMotion, Programme]:
+    """theta = SWING cos(OMEGA t): J theta'' + m g l sin theta = -J_w phi'', with Bessel's harmonics."""
+    from scipy.special import jv
+
+    document = {"schema": 1, "type": "periodic", "period": PERIOD, "harmonics": [{"k": 1, "cos": [SWING]}]}
+    required = read_motion(json.dumps(document), own, "m.json")
+    k = np.arange(1, 6)
+    moment = np.array([2.0 * WEIGHT * (-1.0) ** ((n - 1) // 2) * jv(n, SWING) if n % 2 else 0.0 for n in k])
+    moment[0] -= INERTIA * SWING * OMEGA**2
+    cos = (moment / 0.01 / (OMEGA * k) ** 2)[:, None]
+    programme = make_programme(own, required, np.zeros(1), (0,), Fourier(np.zeros(1), cos, np.zeros_like(cos)), {})
+    return required, programme
+
+
+def followed(own: Stand, text: str = SERVO, **options: Any) -> Following:
+    required, programme = swinging(own)
+    servo = read_servo(text, own)
+    return follow(own, required, programme, servo, **{"periods": 11, "causes": False, **options})
+
+
+@pytest.mark.slow
+def test_a_pendulum_follows_its_programme_along_its_freedom() -> None:
+    found = followed(pendulum(), begin="programme")
+    assert found.errors is not None
+    assert found.columns[0].values.tolist() == ["pitch"]
+    assert found.errors.amplitude[0] == pytest.approx(SWING, rel=1e-6)
+    assert found.share < 1e-4
+    assert found.errors.as_json()["coordinates"].keys() == {"pitch"}
+
+
+def test_mismatch_swings_the_pendulum_by_the_linear_formula() -> None:
+    """A pivot 1 % further away, small swing: theta = J_w phi'' / (m g l - J w^2) of the real pendulum."""
+    own = pendulum()
+    assert own.hold is not None
+    real = replace(own, carrier=replace(own.carrier, mass=own.carrier.mass * 1.02))
+    required, programme = swinging(own)
+    case = Case(ReferenceMotion.of(own, required, programme, None), real, read_servo(SERVO, own), 11)
+    y = starting_state(case)
+    mass = 2.04 + 0.5
+    inertia, weight = 0.03 + mass * 0.12**2 + 0.01, mass * 9.81 * 0.12
+    assert isinstance(programme.course, Fourier)
+    driven = 0.01 * float(programme.course.cos[0, 0]) * OMEGA**2  # J_w phi'' = -driven cos
+    expected = driven / (weight - inertia * OMEGA**2)
+    q = coordinates(own, np.array([y.position]), np.array([y.quaternion]), np.zeros((1, 1)))[0, 0]
+    assert q == pytest.approx(expected, rel=2e-2)
+    assert abs(q - SWING) > 3 * abs(q - expected)
+
+
+@pytest.mark.slow
+def test_both_plants_go_the_same_way() -> None:
+    """Emitted C and SciPy on the literal reference, 20 ms under the same torques, with friction of the axle."""
+    own = pendulum('[[hold.friction]]\nfreedom = "pitch"\nviscous = 0.1')
+    required, programme = swinging(own)
+    state = starting_state(
+        Case(ReferenceMotion.of(own, required, programme, None), own, read_servo(SERVO, own), 2, start="programme")
+    )
+    ends = []
+    for backend in ("c", "scipy"):
+        it = plant(own, state, backend)
+        for n in range(5):
+            it.advance(np.array([0.2 - 0.01 * n]), n * 4e-3, (n + 1) * 4e-3)
+        ends.append(np.concatenate([it.position, it.attitude, it.V, it.phi, it.phi_dot]))
+    assert np.abs(ends[0] - ends[1]).max() < 1e-8
+    assert abs(ends[0][-1]) > 0.05 and abs(ends[0][11]) > 1e-3
+
+
+@pytest.mark.parametrize("hold", HOLDS)
+def test_coordinates_are_found_again_from_the_pose(hold: str) -> None:
+    own = stand(hold, wheel(1, [0, 0, 1]))
+    assert own.hold is not None
+    q = np.random.default_rng(5).uniform(-1.2, 1.2, (6, len(own.hold.freedoms)))
+    from scipy.spatial.transform import Rotation
+
+    C, O1 = held_pose(own, q)
+    attitude = Rotation.from_matrix(C).as_quat()[:, [3, 0, 1, 2]]
+    near = q + np.random.default_rng(6).uniform(-0.5, 0.5, q.shape)
+    assert np.abs(coordinates(own, O1, attitude, near) - q).max() < 1e-12
+
+
+def test_whole_turns_of_an_axle_are_those_near_the_required_angle() -> None:
+    own = stand('freedoms = ["yaw"]', wheel(1, [0, 0, 1]))
+    turned = np.array([[math.cos(0.1), 0.0, 0.0, math.sin(0.1)]])
+    found = coordinates(own, np.zeros((1, 3)), turned, np.array([[4 * math.pi]]))
+    assert found[0, 0] == pytest.approx(4 * math.pi + 0.2, abs=1e-12)
+
+
+def test_rotors_feel_the_freedoms_alone() -> None:
+    """J (J - J^2 / K)^-1 = K / (K - J) of a wheel along the axle; 1 of a wheel across it."""
+    along, across = (stand('freedoms = ["yaw"]', wheel(1, axis)) for axis in ([0, 0, 1], [0, 1, 0]))
+    inertia = 0.01 + 0.01
+    assert lightness(along) == pytest.approx(inertia / (inertia - 0.01), rel=1e-12)
+    assert lightness(across) == 1.0
+
+
+@pytest.mark.slow
+def test_a_finite_programme_is_followed_once() -> None:
+    """yaw = a s(t/T), J yaw'' = -J_w phi'': the wheel turns back by J/J_w of the carrier's turn."""
+    own = stand('freedoms = ["yaw"]', wheel(1, [0, 0, 1]))
+    t = np.linspace(0.0, 1.0, 101)
+    s, s1, s2 = t**3 * (10 - 15 * t + 6 * t * t), 30 * t**2 * (1 - t) ** 2, 60 * t * (1 - t) * (1 - 2 * t)
+    samples = {"t": t.tolist(), "q": (0.5 * s)[:, None].tolist()}
+    document = {"schema": 1, "type": "finite", "duration": 1.0, "samples": samples}
+    required = read_motion(json.dumps(document), own, "m.json")
+    course = Samples(t, *(-0.5 * 0.02 / 0.01 * x[:, None] for x in (s, s1, s2)))
+    programme = make_programme(own, required, np.zeros(1), (0,), course, {})
+    found = follow(own, required, programme, read_servo(SERVO, own), mismatch=0.0, causes=False)
+    assert found.errors is not None and found.share < 1e-3
+    run = found.motion.run
+    assert "q yaw [rad]" in run.names and run["required yaw [rad]"][-1] == pytest.approx(0.5)
+    assert run["q yaw [rad]"][-1] == pytest.approx(0.5, abs=1e-3)
+    columns = {name: run[name] for name in run.names}
+    assert follows_programme(columns)
+    panel = following_panels(columns)[0]
+    assert panel.quantity.startswith("freedoms, mrad") and panel.lines[0].name == "yaw"
+
+
+def test_a_trim_is_refused_in_a_line() -> None:
+    with pytest.raises(UsageError) as caught:
+        followed(pendulum(), SERVO + "[trim]\nharmonics = 1\n")
+    assert str(caught.value).endswith(
+        "trim: measures the six coordinates of a free carrier, found a held one; leave [trim] out"
+    )
