@@ -153,7 +153,6 @@ def test_a_free_carrier_has_no_u(tmp_path: Path) -> None:
 TAKE_FREE_CARRIERS = (
     "report -o page.html",
     "report -o other.html",
-    "jitter --speed w1=100 --at tip",
 )
 
 
