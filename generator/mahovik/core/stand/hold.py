@@ -331,8 +331,8 @@ def lines(hold: Hold) -> list[str]:
 
 TAKE_HELD = (
     "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, "
-    "`response`, `jitter`, `replay`, `derive`, `cost`, `judge`, `judge-log`, `identify`, `balance`, `campaign`, "
-    "`plan`, `verify-programme`, `export programme`, `export target` and `export fmu`"
+    "`response`, `jitter`, `quiet`, `replay`, `derive`, `cost`, `judge`, `judge-log`, `identify`, `balance`, "
+    "`campaign`, `plan`, `verify-programme`, `export programme`, `export target` and `export fmu`"
 )
 """Commands that take held carriers."""
 

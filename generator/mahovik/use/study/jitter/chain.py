@@ -123,6 +123,15 @@ class Chain:
 
         return LinearMotion(omega, pose, reaction, mount)
 
+    def by_unbalance(self, speeds: Array, omega: Array, wrench: Complex) -> LinearMotion:
+        """Motion by the first order of each flywheel: line l is of wheel l, wrench (S, N, 6)."""
+        each = np.arange(wrench.shape[1])
+
+        def by_wheel(s: int) -> Complex:
+            return np.where(each == s, 1.0, 0.0)[:, None, None] * wrench[..., None]
+
+        return self.motion(speeds, omega, wrench[..., None], by_wheel)
+
     def _transmit(self, speeds: Array, omega: Array, mounts: Complex) -> Complex:
         """Mount wrenches after the internal modes of the wheels."""
         found = mounts.astype(np.complex128)

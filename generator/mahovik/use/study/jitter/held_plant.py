@@ -20,15 +20,15 @@ from mahovik.core.stand.law_schemas import held_schemas
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.jitter.plant import CHUNK, Plant, solve_many
-from mahovik.use.study.quiet.lines import mean_model
 from mahovik.use.study.response.held import HeldScene
+from mahovik.use.study.unbalance import mean_model
 
 
 @dataclass(frozen=True, eq=False)
 class HeldPlant:
     """free: plant of the carrier without its hold; S, W (6, m); a, b (m, m), gyro (N, m, m), inverse (m, 6): see above.
 
-    K (6, 6) at rest.
+    K (6, 6): mean over phases.
     """
 
     free: Plant
@@ -55,7 +55,8 @@ class HeldPlant:
             a, b = A[m:, :m], A[m:, m:]
             moved = [mean_model(stand, rest, point, row)[0][m:, m:] - b for row in np.eye(N)]
             gyro = np.array(moved).reshape(N, m, m)
-        K = scene.K
+        mechanics = scene.chart.mechanics
+        K: Array = np.asarray(mechanics.base.K + mechanics.tables.Theta[0].sum(axis=0))
         inverse: Array = np.asarray(np.linalg.solve(S.T @ K @ S, S.T)) if m else np.zeros((0, 6))
         return HeldPlant(free, S, wrenches(stand.hold), K, a, b, gyro, inverse)
 

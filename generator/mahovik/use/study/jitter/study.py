@@ -14,7 +14,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, UsageError
-from mahovik.use.plan.array import Array, Complex
+from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.balance import Balance, balance
 from mahovik.use.study.jitter.chain import Chain, Makers, undamped_mode
 from mahovik.use.study.jitter.exact import constant_load, exact_lines, left_out_of
@@ -295,15 +295,11 @@ class _Study:
         omega, wrench = plant.unbalance(self.speeds, self.phases)
         still = omega == 0.0
         positive = np.where(still, 1.0, omega)
-        each = np.arange(wrench.shape[1])
-
-        def by_wheel(s: int) -> Complex:
-            return np.where(each == s, 1.0, 0.0)[:, None, None] * wrench[..., None]
-
-        motion = chain.motion(self.speeds, positive, wrench[..., None], by_wheel)
+        motion = chain.by_unbalance(self.speeds, positive, wrench)
         a = chain.seen.linear(motion)[..., 0]
         if chain.one_way:
             mounts = chain.mounts(self.speeds, positive, motion.pose[..., 0])
+            each = np.arange(wrench.shape[1])
             mounts[:, each, each] += wrench
             a += chain.driven_amplitudes(self.speeds, positive, mounts)
         a[still] = 0.0
