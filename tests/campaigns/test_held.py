@@ -12,8 +12,9 @@ from campaigns.computing import computation, tables_of
 from cli.test_eval_held import TEXT
 from identify.test_held import table
 from mahovik.core.stand.read import loads
-from mahovik.errors import StandError
+from mahovik.errors import StandError, UsageError
 from mahovik.out.api.stands import Stand
+from study.test_response_held import shaker
 
 PEAK = {"peak": "force", "of": "hold", "axis": "x"}
 """Force of the hold along x, across the axis of the first wheel."""
@@ -42,6 +43,32 @@ def test_constant_speeds_need_no_run_in_time() -> None:
     speed = 50.0 * np.pi
     unbalance, found = forces({"speeds": {"first": speed, "second": 0.0}}, "rms")
     assert found == pytest.approx(unbalance * speed**2 / np.sqrt(2.0), rel=1e-9)
+
+
+def test_points_over_constant_speeds_are_an_oscillator() -> None:
+    """m e w^2 / (k - M w^2 + i c w) of a shaker on its rail, for each mass; the reaction across it."""
+    stand, w = mahovik.Stand.from_dict(shaker(True) | {"point": [{"name": "eye", "position": [0.1, 0.2, 0.3]}]}), 24.0
+    wanted = {
+        "moved": {"peak": "displacement", "at": "eye", "axis": "z"},
+        "shaken": {"rms": "acceleration", "at": "carrier"},
+        "turned": {"rms": "rate", "at": "eye"},
+        "force": {"rms": "force", "of": "hold"},
+    }
+    own = computation(stand, {"speeds": {"w": w}}, wanted)
+    mass = np.array([40.0, 60.0, 90.0])
+    found, reasons = own.values(tables_of(own, {"carrier.mass": mass}))
+    assert not any(reasons) and own.units == {"moved": "m", "shaken": "m/s2", "turned": "rad/s", "force": "N"}
+    z = 0.16 * w**2 / np.abs(4e4 - (mass + 8.0) * w**2 + 300j * w)
+    assert found["moved"] == pytest.approx(z, rel=0.02)  # seen at the nodes
+    assert found["shaken"] == pytest.approx(z * w**2 / np.sqrt(2.0), rel=1e-9)
+    assert found["force"] == pytest.approx(0.16 * w**2 / np.sqrt(2.0), rel=1e-9)
+    assert np.all(found["turned"] == 0.0)
+
+
+def test_a_mount_over_constant_speeds_is_refused() -> None:
+    with pytest.raises(UsageError, match="over speeds only that of the hold is known, found first"):
+        computation(table([], first={"static": "1 g mm"}, second={}), {"speeds": {"first": 10.0}},
+                    {"x": {"peak": "force", "of": "first"}})  # fmt: skip
 
 
 @pytest.mark.slow

@@ -350,8 +350,9 @@ def lines(hold: Hold) -> list[str]:
 
 TAKE_HELD = (
     "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `report`, `simulate`, `rest`, `modes`, `linearize`, "
-    "`response`, `replay`, `derive`, `cost`, `judge`, `judge-log`, `identify`, `balance`, `campaign`, `plan`, "
-    "`verify-programme`, `export programme`, `export target` and `export fmu`"
+    "`response`, `jitter`, `quiet`, `replay`, `derive`, `cost`, `judge`, `judge-log`, `identify`, `balance`, "
+    "`campaign`, `plan`, `verify-programme`, `export programme`, `export servo`, `export fuzz`, `export target` and "
+    "`export fmu`"
 )
 """Commands that take held carriers."""
 

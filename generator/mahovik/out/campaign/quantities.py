@@ -100,7 +100,7 @@ def _quantity(
         return Quantity(name, table.unit, None, "function", function=find_function(table.signal, folder, functions))
     signals, statistics = ALLOWED[kind]
     if kind == "speeds":
-        signals = OF_POINTS if stand.hold is None else ("force", "moment")
+        signals = OF_POINTS if stand.hold is None else (*OF_POINTS, "force", "moment")
     for what, given, known in (("signal", table.signal, signals), ("statistic", table.statistic, statistics)):
         if given not in known:
             raise UsageError(f"{table.statistic}: no {what} `{given}` over {kind}; expected one of {', '.join(known)}")

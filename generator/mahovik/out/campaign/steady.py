@@ -13,7 +13,7 @@ from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
 from mahovik.out.campaign.over import OverTable
 from mahovik.out.campaign.pose import Array
-from mahovik.out.campaign.quantities import Quantity
+from mahovik.out.campaign.quantities import OF_POINTS, Quantity
 from mahovik.out.campaign.signals import AXES
 from mahovik.out.functions.given import by_flywheel
 from mahovik.out.functions.vibration import speed_text
@@ -39,8 +39,8 @@ class SteadyRunner:
         self._speeds = asked.speeds(0.0)
         common_period(self._speeds)
         self._phases = by_flywheel("phases", over.phases, stand)
-        parts = (q.signal.part for q in quantities if q.signal is not None)
-        self._points = tuple(dict.fromkeys(part for part in parts if stand.hold is None))
+        parts = (q.signal.part for q in quantities if q.signal is not None and q.signal.name in OF_POINTS)
+        self._points = tuple(dict.fromkeys(parts))
 
     def values(self, tables: Tables) -> tuple[dict[str, Array], list[str]]:
         """See `compute.Runner`."""
@@ -56,7 +56,7 @@ class SteadyRunner:
             known = {place.name: place for place in places(stand, self._points)}
             for q in self._quantities:
                 assert q.signal is not None
-                if stand.hold is None:
+                if q.signal.name in OF_POINTS:
                     values = series(motion, known[q.signal.part], q.signal.name)
                 else:
                     held = motion.motion_of(REACTION)

@@ -48,12 +48,15 @@ def jitter(
         multiple=True,
         required=True,
     ),
-    point: str | None = option("--at", "Measure at a point or instrument; carrier stands for O1.", metavar="POINT"),
-    quantity: str = choice(
+    point: str | None = option(
+        "--at",
+        "Measure at a point or instrument; carrier stands for O1. Or a load: a flywheel for its mount, hold.reaction.",
+        metavar="POINT",
+    ),
+    quantity: str | None = choice(
         "--quantity",
-        ["angle", "rate", "displacement", "velocity", "acceleration"],
-        "Find this quantity.",
-        default="angle",
+        ["angle", "rate", "displacement", "velocity", "acceleration", "force", "moment"],
+        "Find this quantity; default angle, of a load force.",
     ),
     steps: int = option(
         "--steps",
@@ -98,7 +101,7 @@ def jitter(
     Exit status: 0 all requirements met, or none given; 1 a requirement failed, or no steady motion; 2 bad input; 130
     Ctrl-C.
     """
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     suffix = "" if output is None else require_suffix(output, SUFFIXES)
     from mahovik.out.functions.jitter import jitter as run
     from mahovik.use.study.response.speeds import read_speeds
@@ -208,7 +211,7 @@ def _remarks(found: Jitter, scale: float, unit: str) -> None:
     """Print what is left out, and speeds with a problem."""
     import numpy as np
 
-    from mahovik.use.study.jitter.balance import SAMPLES
+    from mahovik.use.study.jitter.left_out import SAMPLES
 
     study = found.study
     if study.checks:
@@ -220,8 +223,9 @@ def _remarks(found: Jitter, scale: float, unit: str) -> None:
         if worst.off > FAR_OFF:
             click.echo("warning: first order is too coarse for these unbalances; use --exact", err=True)
     elif np.isfinite(study.left_out).any():
+        what = "accelerations" if study.stand.hold is None else "accelerations and reaction"
         click.echo(
-            f"harmonic balance of order {max(study.order)}; accelerations left out, measured at {SAMPLES} random sets "
+            f"harmonic balance of order {max(study.order)}; {what} left out, measured at {SAMPLES} random sets "
             f"of phases: {np.nanmax(study.left_out):.1e} of the largest"
         )
         if np.isfinite(study.remainder).any():

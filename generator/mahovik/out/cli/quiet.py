@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 @command()
 def quiet(
     stand_file: str = STAND_FILE,
-    point: str = option("--point", "Quiet this point or instrument.", metavar="NAME", required=True),
+    point: str = option("--point", "Quiet this point or instrument, or hold.reaction.", metavar="NAME", required=True),
     band: tuple[float, float] = option(
         "--band",
         'Quiet it within these frequencies, "20..200Hz".',
@@ -60,11 +60,10 @@ def quiet(
         default="xyz",
         parse=quantities.axes,
     ),
-    measure: str = choice(
+    measure: str | None = choice(
         "--measure",
-        ["acceleration", "velocity", "displacement", "rate", "angle"],
-        "Measure this kind of jitter.",
-        default="acceleration",
+        ["acceleration", "velocity", "displacement", "rate", "angle", "force", "moment"],
+        "Measure this kind of jitter; default acceleration, of the reaction force.",
     ),
     limit: float | None = option(
         "--limit",
@@ -131,7 +130,7 @@ def quiet(
     """
     from mahovik.writing import write
 
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     for option_name, name in (("-o", output), ("--state", state_file)):
         if name is not None:
             require_other_file(Path(name), [stand_file], f"{option_name} {name}", "result")
@@ -197,7 +196,9 @@ def _print(found: QuietResult) -> None:
         print_line(f"{name}: {what}: RMS {rms:.4g} {found.unit}{simulated}")
     ratio = found.reduction
     words = f"{ratio:.4g} times lower" if ratio >= 1.0 else f"{1.0 / ratio:.4g} times higher"
-    print_line(f"{words}; momentum within {found.momentum_error:.1g} N m s")
+    along = "" if found.stand.hold is None else " along the freedoms"
+    kept = f"; momentum{along} within {found.momentum_error:.1g} N m s" if len(found.wheels.axes) else ""
+    print_line(f"{words}{kept}")
     if found.hold is not None:
         print_line(f"phases off by {math.degrees(found.hold):.3g} deg rms double the remaining jitter")
 

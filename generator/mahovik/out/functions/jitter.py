@@ -17,15 +17,20 @@ from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
 from mahovik.out.functions.vibration import speed_text, warn_of_planned_speeds
 from mahovik.use.study.jitter import Jitter as Study
-from mahovik.use.study.jitter import Makers, View
+from mahovik.use.study.jitter import LoadView, Makers, View
 from mahovik.use.study.jitter import jitter as find
 from mahovik.use.study.jitter.lines import LineName
+from mahovik.use.study.jitter.load_view import LOADS
 from mahovik.use.study.jitter.maker import read_harmonics, read_inner_modes, read_noise
 from mahovik.use.study.jitter.requirement import Requirement, judge, read_requirements
 from mahovik.use.study.jitter.sight import read_sight
 from mahovik.use.study.jitter.structure import read_structure
 from mahovik.use.study.jitter.tables import AXES, as_object, csv_text, json_text, order_entries, verdict_object
+from mahovik.use.study.response.held import REACTION
 from mahovik.use.study.response.speeds import ALL, read_speeds
+
+HOLD = "hold"
+"""How names of what a hold has begin."""
 
 if TYPE_CHECKING:
     from mahovik.out.report.plot.panel import Panel
@@ -153,7 +158,7 @@ def jitter(
     speeds: Mapping[str, Number] | Sequence[str],
     at: str | None = None,
     *,
-    quantity: str = "angle",
+    quantity: str | None = None,
     steps: int = 61,
     phases: Mapping[str, Number] | Sequence[Number] | None = None,
     harmonics: Mapping[str, str | Path] | None = None,
@@ -170,8 +175,10 @@ def jitter(
     """Find what wheels at any constant speeds do to a point: lines of every wheel and order, RMS, worst case.
 
     speeds   by flywheel: `{"all": "3000rpm", "w2": "2987rpm"}`; rad/s, or a text as of `--speed`; one may be swept
-    at       a point or instrument, "carrier" for O1
-    quantity "angle", "rate", "displacement", "velocity" or "acceleration"
+    at       a point or instrument, "carrier" for O1; or a load: a flywheel, for the wrench of its mount on it about
+             its origin, or "hold.reaction", of a held carrier, for that of the hold on the carrier about O1
+    quantity "angle", "rate", "displacement", "velocity" or "acceleration", by default the first; of a load "force", or
+             "moment"
     phases   at t = 0, rad or a text, by flywheel
     harmonics, noise, inner_modes   CSV files by flywheel, or by "all": what its maker says
     modes    CSV file of structural modes, one-way
@@ -183,8 +190,10 @@ def jitter(
 
     Raises StandError, UsageError, JitterFileError, CheckError.
     """
-    own = Stand.of(stand)
+    own = Stand.of(stand, held=True)
     seen = _find_view(own, at, quantity, sight)
+    if modes is not None and isinstance(seen, LoadView):
+        raise UsageError(f"--modes: structural modes have no shape of a load, {seen.name}; expected a point as --at")
     limits = read_requirements([str(each) for each in require], seen.measure)
     makers = Makers(
         _by_wheel(own, "harmonics", harmonics, read_harmonics),
@@ -210,15 +219,24 @@ def jitter(
     return Jitter(found, limits)
 
 
-def _find_view(stand: Stand, at: str | None, quantity: str, sight: str | Path | None) -> View:
-    """The point or line of sight. Raises UsageError: neither a point nor a line of sight, or both."""
+def _find_view(stand: Stand, at: str | None, quantity: str | None, sight: str | Path | None) -> View | LoadView:
+    """The point, load or line of sight. Raises UsageError: neither a point nor a line of sight, or both."""
     from mahovik.use.study.linear.model import places
 
     if (at is None) is (sight is None):
         raise UsageError("expected a point or a line of sight: one of --at and --sight")
     if sight is not None:
         return read_sight(Path(sight), stand)
-    return View.of(places(stand, [str(at)])[0], quantity)
+    name = str(at)
+    if name in [s.name for s in stand.flywheels] or name.startswith(HOLD):
+        if name.startswith(HOLD) and name != REACTION:
+            raise UsageError(f'unknown output "{name}"{suggestion(name, [REACTION])}; expected {REACTION} or a point')
+        return LoadView.of(stand, name, quantity or "force")
+    if quantity in LOADS:
+        words = "a flywheel, for the wrench of its mount on it"
+        held = f", or {REACTION}" if stand.hold is not None else ""
+        raise UsageError(f"--quantity {quantity}: {name} has none; expected {words}{held} as --at")
+    return View.of(places(stand, [name])[0], quantity or "angle")
 
 
 def _by_wheel(

@@ -16,6 +16,7 @@ from mahovik.out.functions.given import Number, StandGiven, by_flywheel, quantit
 from mahovik.out.functions.motor_limits import warn_of_speeds
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
+from mahovik.use.study.response.held import REACTION
 from mahovik.use.study.response.outputs import output_of
 from mahovik.use.study.response.speeds import ALL, SpeedPlan, read_speeds
 from mahovik.use.study.response.sweep import Sweep
@@ -217,7 +218,7 @@ def quiet(
     momentum: Sequence[float] | None = None,
     speeds: Mapping[str, Number] | Sequence[Number] | None = None,
     axes: Sequence[Sequence[float]] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)),
-    measure: str = "acceleration",
+    measure: str | None = None,
     limit: Number | None = None,
     least: Number = 0.0,
     change: Number | None = None,
@@ -234,9 +235,11 @@ def quiet(
 ) -> Quiet:
     """Find speeds and phases of redundant flywheels that make a point quiet; their momentum is kept exactly.
 
-    point, band   a point or instrument; frequencies, Hz
-    momentum      to hold, in E1, N m s; None: that of `speeds`, with which the search begins
-    axes          directions of the point that count; measure: acceleration, velocity, displacement, rate, angle
+    point, band   a point or instrument, of a held carrier also "hold.reaction"; frequencies, Hz
+    momentum      to hold, in E1, N m s; None: that of `speeds`, with which the search begins; of a held carrier only
+                  what is along the freedoms is held
+    axes          directions of the point that count; measure: acceleration (default), velocity, displacement, rate,
+                  angle; of the reaction force (default), moment
     limit, least  of every speed; change: of a speed at most; rad/s, or texts with a unit
     reduction     choose the least change that makes it lower by this factor; None: the lowest
     avoid, modes  frequencies (from, to; Hz) that no order may meet; also the natural ones, with a margin
@@ -248,7 +251,7 @@ def quiet(
     from mahovik.use.study.quiet import QuietOptions
     from mahovik.use.study.quiet import quiet as find
 
-    own = Stand.of(stand)
+    own = Stand.of(stand, held=True)
 
     def speed(name: str, value: Number | None) -> float | None:
         return None if value is None else quantity(name, value, SPEED)
@@ -256,9 +259,10 @@ def quiet(
     given = None if speeds is None else tuple(by_flywheel("speeds", speeds, own, SPEED))
     if given is not None:
         warn_of_speeds(own, given, [""] * len(given))
+    kind = measure or ("force" if point == REACTION else "acceleration")
     x, y, z = momentum if momentum is not None else (0.0, 0.0, 0.0)
     options = QuietOptions(
-        point, band, None if momentum is None else (x, y, z), given, tuple((a, b, c) for a, b, c in axes), measure,
+        point, band, None if momentum is None else (x, y, z), given, tuple((a, b, c) for a, b, c in axes), kind,
         speed("limit", limit), speed("least", least) or 0.0, speed("change", change), reduction,
         tuple((a, b) for a, b in avoid), tuple(orders), modes, margin, guard, seed,
     )  # fmt: skip

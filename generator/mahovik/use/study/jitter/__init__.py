@@ -3,7 +3,8 @@
 from mahovik.use.study.jitter.balance import Balance, balance
 from mahovik.use.study.jitter.chain import Makers
 from mahovik.use.study.jitter.lines import LineName, Lines
+from mahovik.use.study.jitter.load_view import LoadView
 from mahovik.use.study.jitter.quantity import View
 from mahovik.use.study.jitter.study import Jitter, jitter
 
-__all__ = ["Balance", "Jitter", "LineName", "Lines", "Makers", "View", "balance", "jitter"]
+__all__ = ["Balance", "Jitter", "LineName", "Lines", "LoadView", "Makers", "View", "balance", "jitter"]

@@ -12,27 +12,32 @@ by the lines that the equations still have up to MORE higher orders.
 
 Directions without a restoring force are kept from drifting: of all motions the one is found whose mean pose is that of
 rest and whose mean rotation is zero, for any phases. Where momentum is conserved nothing is needed for that.
+
+A held carrier has the same equations in the coordinates of its freedoms, see `response.held`; `left_out` then counts
+its reaction too. A clamped one has no motion, and its reaction is all.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
 from mahovik.errors import CheckError
-from mahovik.proof.reference import pieces
-from mahovik.proof.reference.forward import forward
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.plan.forward import Drive
 from mahovik.use.study.jitter.conserved import Conserved, conserves, solve
+from mahovik.use.study.jitter.left_out import left_out
 from mahovik.use.study.jitter.linearised import Linearised
 from mahovik.use.study.jitter.torus import Torus, Whole
+from mahovik.use.study.jitter.torus_motion import ROUNDING, Balance
+from mahovik.use.study.response.held import HeldScene
+from mahovik.use.study.response.periodic import scene_of
 from mahovik.use.study.response.scene import Scene
+
+__all__ = ["Balance", "balance"]
 
 STEPS = 20
 SETTLED = 1e-11
@@ -43,9 +48,6 @@ SMALL = 0.01
 
 SAME = 0.1
 """The linear equations serve for further steps as long as each step is at most this part of the one before."""
-
-ROUNDING = 1e-15
-"""m/s2, rad/s2: smaller amplitudes of V* count as zero."""
 
 LARGEST = 2.0
 """rad: limit near the edge of the chart."""
@@ -59,88 +61,18 @@ ENOUGH = 1e-6
 ENOUGH_POSE = 1e-4
 """Pose left out, relative, likewise: slow beats of higher orders move far with small accelerations."""
 
-LITTLE = 1e-6
-"""Part of the other below which a displacement or turning of the carrier is not judged."""
-
 MORE = 2
 """Orders above the kept ones whose remaining lines are found."""
 
 FIRST, HIGHEST = 2, 8
 """Orders tried without a given one."""
 
-SAMPLES = 64
-"""Random phases at which the literal reference is evaluated."""
-
-
-@dataclass(frozen=True, eq=False)
-class Balance:
-    """A motion on the torus of the flywheels that turn.
-
-    speeds    (N, rad/s); turning: indices of those that turn, in the order of the torus' phases
-    c         (n, 12): coefficients of states y = (x, r, V) in the chart about rest
-    hold      (6; N, N m): constant wrench in E1 that keeps the mean place along free directions, mean over phases
-    left_out  largest remaining acceleration by the literal reference at SAMPLES random phases, part of the largest
-    missing   (m, 6): coefficients of the pose (x, r) left out, of all k up to `missing_order`; None: too many
-    missing_w (m; rad/s): their k . phi', 0 for constants
-    short     why no higher order was found though this one leaves out too much; empty: it does not
-    """
-
-    scene: Scene
-    torus: Torus
-    order: int
-    speeds: Array
-    phases: Array
-    turning: tuple[int, ...]
-    c: Complex
-    hold: Array
-    left_out: float
-    missing: Complex | None = None
-    missing_w: Array = field(default_factory=lambda: np.zeros(0))
-    missing_order: int = 0
-    short: str = ""
-
-    @property
-    def pose_left_out(self) -> float:
-        """Sum of the amplitudes left out of the pose as a part of the sum of those found: of x or r, the larger.
-
-        0 where they are not known.
-        """
-        if self.missing is None:
-            return 0.0
-        radius = _radius(self.scene)
-        left, whole = (
-            [
-                size * float(np.linalg.norm(np.abs(c[moving, i : i + 3]).sum(axis=0)))
-                for i, size in ((0, 1.0), (3, radius))
-            ]
-            for c, moving in ((self.missing, self.missing_w != 0.0), (self.c, (self.torus.k != 0).any(axis=1)))
-        )
-        least = LITTLE * max(whole)
-        return max(a / max(b, least) for a, b in zip(left, whole, strict=True)) if least else 0.0
-
-    @property
-    def frequencies(self) -> Array:
-        """k . phi' (n; rad/s), of either sign."""
-        return self.torus.frequencies(self.speeds[list(self.turning)])
-
-    def states(self, theta: Array) -> tuple[Array, Array]:
-        """y (m, 12) and its derivative (m, 12) at phases theta (m, turning; rad) of the flywheels that turn."""
-        rates = 1j * self.frequencies[:, None] * self.c
-        return self.torus.at(self.c, theta), self.torus.at(rates, theta)
-
-    def state(self, theta: Array, V_dot: Array | None = None) -> State:
-        """The state as `eval` and `simulate` take it, at phases theta (turning; rad)."""
-        y = self.torus.at(self.c, theta[None])[0]
-        return _state(self.scene, y, self._phi(theta), self.speeds)
-
-    def _phi(self, theta: Array) -> Array:
-        phi = self.phases.copy()
-        phi[list(self.turning)] = theta
-        return phi
-
 
 def balance(
-    stand: Stand | Scene, speeds: Sequence[float], phases: Sequence[float] | None = None, order: int | None = None
+    stand: Stand | Scene | HeldScene,
+    speeds: Sequence[float],
+    phases: Sequence[float] | None = None,
+    order: int | None = None,
 ) -> Balance:
     """The motion at constant `speeds` (N, rad/s), for all phases of the flywheels that turn.
 
@@ -150,7 +82,7 @@ def balance(
 
     Raises CheckError: no equilibrium, or no motion is found.
     """
-    scene = stand if isinstance(stand, Scene) else Scene.of(stand)
+    scene = scene_of(stand) if isinstance(stand, Stand) else stand
     N = len(scene.stand.flywheels)
     start = np.zeros(N) if phases is None else np.array(phases, dtype=np.float64)
     search = _Search(scene, np.array(speeds, dtype=np.float64), start)
@@ -170,12 +102,12 @@ def balance(
 class _Search:
     """Newton's method at one order after the other, each from the last."""
 
-    def __init__(self, scene: Scene, speeds: Array, phases: Array) -> None:
+    def __init__(self, scene: Scene | HeldScene, speeds: Array, phases: Array) -> None:
         self.scene, self.speeds, self.phases = scene, speeds, phases
         self.turning = tuple(int(s) for s in np.flatnonzero(speeds))
         self.fastest = float(np.abs(speeds).max(initial=0.0)) or 1.0
         self.before: tuple[Torus, Complex] | None = None
-        self.conserves = conserves(scene)
+        self.conserves = isinstance(scene, Scene) and conserves(scene)
 
     def at(self, order: int) -> Balance:
         """The motion at an order. Raises CheckError."""
@@ -183,33 +115,45 @@ class _Search:
         w, slow = self._frequencies(torus)
         if self.conserves:
             return self._by_momentum(order, torus, w, slow)
+        if not self.scene.count:
+            return self._at_rest(order, torus)
         given = self._drive(torus.nodes)
-        f = self.scene.free.shape[1]
+        f, m = self.scene.free.shape[1], self.scene.count
         push = self.scene.effect_of_wrench(given)
         c, h = self._start(torus), np.zeros((len(torus.k), f), dtype=np.complex128)
-        size = np.repeat([1.0, self.fastest], 6)
+        size = np.repeat([1.0, self.fastest], m)
+        least = (ROUNDING + self.scene.noise) / self.fastest**2
         linear, before = None, np.inf
         for _ in range(STEPS):
             y = torus.values(c)
-            if not np.all(np.isfinite(y)) or np.abs(y[:, 3:6]).max() > LARGEST:
+            if not np.all(np.isfinite(y)) or np.abs(self.scene.whole(y)[:, 3:6]).max() > LARGEST:
                 break
-            rate = self.scene.chart.rate(given, y) + (push @ torus.values(h)[:, :, None])[:, :, 0]
+            rate = self.scene.rate(given, y) + (push @ torus.values(h)[:, :, None])[:, :, 0]
             if linear is None:
-                J = self.scene.jacobian(given, y, rate[:, 6:])
+                J = self.scene.jacobian(given, y, self.scene.twist(rate[:, m:]))
                 linear = Linearised(torus, J, push, self.scene.free_displacement, w, slow, size)
-            settled = SETTLED * np.abs(c / size).max() + ROUNDING / self.fastest**2
+            settled = SETTLED * np.abs(c / size).max() + least
             step = linear.solve(torus.coefficients(rate) - 1j * w[:, None] * c, c, SMALL * settled)
             if step is None:
                 break
             c, h = c + step[0], h + step[1]
             change = np.abs(step[0] / size).max()
-            if change <= SETTLED * np.abs(c / size).max() + ROUNDING / self.fastest**2:
+            if change <= SETTLED * np.abs(c / size).max() + least:
                 self.before = torus, c
                 return self._with_missing(self._result(order, torus, c, h), linear, h)
             if change > SAME * before:  # the linear equations of an earlier step help little here
                 linear = None
             before = change
         raise self._failure(order)
+
+    def _at_rest(self, order: int, torus: Torus) -> Balance:
+        """The carrier at rest."""
+        none = np.zeros((len(torus.k), 0), dtype=np.complex128)
+        found, larger = self._result(order, torus, none, none), self._larger(order)
+        if larger is None:
+            return found
+        w, slow = self._frequencies(larger)
+        return _with(found, np.zeros((len(w), 0), dtype=np.complex128), w, slow, order + MORE)
 
     def _by_momentum(self, order: int, torus: Torus, w: Array, slow: Whole) -> Balance:
         """The motion of a stand that keeps its momentum. Raises CheckError."""
@@ -226,7 +170,8 @@ class _Search:
         w, slow = self._frequencies(larger)
         beyond = Conserved.of(larger, self._drive(larger.nodes))
         missing = beyond.remainder(found.r, found.L, c[:, :3], w, slow, found.near)
-        return _with(result, missing, w, slow, order + MORE)
+        velocities = 1j * w[:, None] * missing
+        return _with(result, np.concatenate([missing, velocities], axis=1), w, slow, order + MORE)
 
     def _with_missing(self, found: Balance, linear: Linearised, h: Complex) -> Balance:
         """A motion with what it leaves out of (8)."""
@@ -237,12 +182,12 @@ class _Search:
         inverse = linear.inverse(w, slow)
         if inverse is None:
             return found
-        c, held = larger.pad(found.c), larger.pad(h)
+        c, held, m = larger.pad(found.c), larger.pad(h), self.scene.count
         given = self._drive(larger.nodes)
-        rate = self.scene.chart.rate(given, larger.values(c))
+        rate = self.scene.rate(given, larger.values(c))
         rate += (self.scene.effect_of_wrench(given) @ larger.values(held)[:, :, None])[:, :, 0]
         left = larger.coefficients(rate) - 1j * w[:, None] * c
-        missing = (inverse[:, :6, :12] @ left[:, :, None])[:, :, 0]
+        missing = (inverse[:, : 2 * m, : 2 * m] @ left[:, :, None])[:, :, 0]
         return _with(found, missing, w, slow, found.order + MORE)
 
     def _larger(self, order: int) -> Torus | None:
@@ -265,74 +210,24 @@ class _Search:
         )
 
     def _start(self, torus: Torus) -> Complex:
-        c = np.zeros((len(torus.k), 12), dtype=np.complex128)
+        c = np.zeros((len(torus.k), 2 * self.scene.count), dtype=np.complex128)
         if self.before is not None:
             c[: len(self.before[1])] = self.before[1]  # indices are sorted by size
         return c
 
-    def _phi(self, theta: Array) -> tuple[Array, Array]:
+    def _drive(self, theta: Array) -> Drive:
         phi = np.tile(self.phases, (len(theta), 1))
         phi[:, list(self.turning)] = theta
-        return phi, np.tile(self.speeds, (len(theta), 1))
-
-    def _drive(self, theta: Array) -> Drive:
-        return self.scene.drive(*self._phi(theta))
+        return self.scene.drive(phi, np.tile(self.speeds, (len(theta), 1)))
 
     def _result(self, order: int, torus: Torus, c: Complex, h: Complex) -> Balance:
         hold = self.scene.wrench @ h[0].real
-        found = Balance(self.scene, torus, order, self.speeds, self.phases, self.turning, c, hold, 0.0)
-        return replace(found, left_out=self._left_out(found, h))
-
-    def _left_out(self, found: Balance, h: Complex) -> float:
-        """Largest difference between V* of the motion and that of the reference, and of the pose's rate."""
-        theta = np.random.default_rng(1).uniform(0.0, 2.0 * np.pi, (SAMPLES, len(self.turning)))
-        y, y_dot = found.states(theta)
-        phi, _ = self._phi(theta)
-        given = self._drive(theta)
-        held = (self.scene.effect_of_wrench(given) @ found.torus.at(h, theta)[:, :, None])[:, 6:, 0]
-        exact = np.array([_forward(self.scene, y[i], phi[i], self.speeds) for i in range(len(theta))])
-        left = y_dot[:, 6:] - exact - held
-        pose = y_dot[:, :6] - self.scene.chart.rate(given, y)[:, :6]
-        parts = [_largest(self.scene, a, b) for a, b in ((left, exact), (pose, y_dot[:, :6]))]
-        return max(parts)
+        found = Balance(self.scene, torus, order, self.speeds, self.phases, self.turning, c, h, hold, 0.0)
+        return replace(found, left_out=left_out(found))
 
 
 def _with(found: Balance, missing: Complex, w: Array, slow: Whole, order: int) -> Balance:
-    w = w.copy()
+    m, w = found.scene.count, w.copy()
     w[slow] = 0.0
-    return replace(found, missing=missing, missing_w=w, missing_order=order)
-
-
-def _radius(scene: Scene) -> float:
-    """Radius of gyration, m."""
-    return float(np.sqrt(np.trace(scene.K[3:, 3:]) / np.trace(scene.K[:3, :3])))
-
-
-def _largest(scene: Scene, off: Array, whole: Array) -> float:
-    """Largest of off (M, 6) as a part of the largest of `whole`, rotations times the radius of gyration."""
-    radius = _radius(scene)
-    scale = np.repeat([1.0, radius], 3)
-    most = float(np.linalg.norm(whole * scale, axis=1).max())
-    return float(np.linalg.norm(off * scale, axis=1).max()) / most if most > ROUNDING else 0.0
-
-
-def _state(scene: Scene, y: Array, phi: Array, phi_dot: Array) -> State:
-    C = scene.chart.C @ Rotation.from_rotvec(y[3:6]).as_matrix()
-    w, i, j, k = Rotation.from_matrix(C).as_quat(scalar_first=True).tolist()
-    X, Y, Z = (scene.chart.O1 + scene.chart.C @ y[:3]).tolist()
-    u, v, a, p, q, r = y[6:].tolist()
-    return replace(
-        scene.rest,
-        position=(X, Y, Z),
-        angles=None,
-        quaternion=(w, i, j, k),
-        V=(u, v, a, p, q, r),
-        phi=tuple(phi.tolist()),
-        phi_dot=tuple(phi_dot.tolist()),
-    )
-
-
-def _forward(scene: Scene, y: Array, phi: Array, phi_dot: Array) -> Array:
-    """V* (6) by the literal reference."""
-    at = pieces(scene.stand, _state(scene, y, phi, phi_dot))
-    return forward(at, np.zeros(len(phi)))
+    pose = missing[:, :m] @ found.scene.twist(np.eye(m))
+    return replace(found, missing=pose, missing_c=missing, missing_w=w, missing_order=order)

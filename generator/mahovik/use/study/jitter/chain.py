@@ -5,17 +5,19 @@ All of it is linear and one-way: nothing that is driven here acts back on the wh
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.plan.residual import Mechanics
+from mahovik.use.plan.residual.spatial import skew
+from mahovik.use.study.jitter.held_plant import HeldPlant
 from mahovik.use.study.jitter.lines import TABLE, LineName, Lines
 from mahovik.use.study.jitter.maker import PARTS, PATTERNS, Harmonics, InnerModes, Noise
 from mahovik.use.study.jitter.plant import Plant
-from mahovik.use.study.jitter.quantity import View
+from mahovik.use.study.jitter.quantity import LinearMotion, Observable
 from mahovik.use.study.jitter.structure import Structure, way_back
 from mahovik.use.study.jitter.torus import Whole
 
@@ -39,34 +41,42 @@ class Chain:
 
     own          (N, 6, 6): transfer of a wheel's mount, axes at phase 0, to E1 about O1
     Theta, gyro  (N, 6, 6): mean inertia of each wheel in E1 about O1; wrench on the carrier by V, at a speed of 1
+    tilting      (N, 6, 3): wrench of each wheel's mean weight on the carrier by a turning of it, in E1 about O1
     seen_modes   (3, m): what is seen of each structural mode
     mount_modes  (N, m, 6): modal forces of wrenches of a wheel on its mount, in E1 about O1
     ratios       mass_ratio, gyro_ratio of `structure.way_back`
     """
 
-    plant: Plant
-    seen: View
+    plant: Plant | HeldPlant
+    seen: Observable
     makers: Makers
     names: tuple[str, ...]
     own: Array
     Theta: Array
     gyro: Array
+    tilting: Array
     seen_modes: Array
     mount_modes: Array
     ratios: tuple[Array, Array]
 
     @staticmethod
-    def of(plant: Plant, seen: View, makers: Makers, fastest: Array) -> Chain:
-        """The chain for speeds of up to `fastest` (N, rad/s). Raises JitterFileError: a shape is missing."""
-        mechanics = Mechanics.of(plant.stand)
-        tables, names = mechanics.tables, tuple(s.name for s in plant.stand.flywheels)
+    def of(plant: Plant | HeldPlant, seen: Observable, makers: Makers, fastest: Array, down: Array) -> Chain:
+        """The chain for speeds of up to `fastest` (N, rad/s); down: gravity (3) in E1 at rest.
+
+        Raises JitterFileError: a shape is missing; UsageError: structural modes, but a load is seen.
+        """
+        free = plant.free if isinstance(plant, HeldPlant) else plant
+        mechanics = Mechanics.of(free.stand)
+        tables, names = mechanics.tables, tuple(s.name for s in free.stand.flywheels)
         N, structure = len(names), makers.structure
         Theta = tables.Theta[0]
-        gyro = np.linalg.inv(plant.inverse) @ plant.gyro if N else np.zeros((0, 6, 6))
+        gyro = np.linalg.inv(free.inverse) @ free.gyro if N else np.zeros((0, 6, 6))
+        tilting = tables.weight[0] @ skew(down)
         if structure is None:
             none = np.zeros((3, 0))
             ratios = (np.zeros(0), np.zeros(0))
-            return Chain(plant, seen, makers, names, tables.Lm, Theta, gyro, none, np.zeros((N, 0, 6)), ratios)
+            unseen = np.zeros((N, 0, 6))
+            return Chain(plant, seen, makers, names, tables.Lm, Theta, gyro, tilting, none, unseen, ratios)
         about = np.array([_to_mount(L) for L in tables.Lm])
         modes = np.zeros((N, len(structure.omega), 6))
         for s, name in enumerate(names):
@@ -76,7 +86,7 @@ class Chain:
         spin = tables.axis * (tables.Theta_ff * fastest)[:, None]
         ratios = way_back(structure, names, local, spin)
         shown = seen.shape(structure)
-        return Chain(plant, seen, makers, names, tables.Lm, Theta, gyro, shown, modes, ratios)
+        return Chain(plant, seen, makers, names, tables.Lm, Theta, gyro, tilting, shown, modes, ratios)
 
     @property
     def one_way(self) -> bool:
@@ -89,15 +99,38 @@ class Chain:
         speeds (S, N; rad/s), omega (S, L; rad/s, above 0).
         """
         passed = self._transmit(speeds, omega, mounts)
-        more = (passed - mounts).sum(axis=2)
+        each = (passed - mounts)[..., None]
         a = np.zeros((*omega.shape, 3), dtype=np.complex128)
-        if more.any():
-            a += self.seen.by_pose(self.plant.pose(speeds, omega, more[..., None])[..., 0], omega)
+        if each.any():
+            a += self.seen.linear(self.motion(speeds, omega, each.sum(axis=2), lambda s: each[:, :, s]))[..., 0]
         if self.makers.structure is not None:
             force = np.einsum("smi,tlsi->tlm", self.mount_modes, passed)
             q = np.where(force == 0.0, 0.0, force * self.makers.structure.compliance(omega))
             a += (q @ self.seen_modes.T) * self.seen.derivative(omega)[..., None]
         return a
+
+    def motion(self, speeds: Array, omega: Array, wrench: Complex, by_wheel: Callable[[int], Complex]) -> LinearMotion:
+        """Motion of the rigid carrier by wrenches (S, L, 6, P) on it in E1 about O1; `by_wheel`: those of one wheel."""
+        pose = self.plant.pose(speeds, omega, wrench)
+
+        def reaction() -> Complex:
+            assert isinstance(self.plant, HeldPlant)
+            return self.plant.reaction_at(speeds, omega, pose, wrench)
+
+        def mount(s: int) -> Complex:
+            on_carrier = self.mount_reply(s, speeds, omega, pose) + by_wheel(s)
+            return np.asarray(-np.linalg.inv(self.own[s]) @ on_carrier)
+
+        return LinearMotion(omega, pose, reaction, mount)
+
+    def by_unbalance(self, speeds: Array, omega: Array, wrench: Complex) -> LinearMotion:
+        """Motion by the first order of each flywheel: line l is of wheel l, wrench (S, N, 6)."""
+        each = np.arange(wrench.shape[1])
+
+        def by_wheel(s: int) -> Complex:
+            return np.where(each == s, 1.0, 0.0)[:, None, None] * wrench[..., None]
+
+        return self.motion(speeds, omega, wrench[..., None], by_wheel)
 
     def _transmit(self, speeds: Array, omega: Array, mounts: Complex) -> Complex:
         """Mount wrenches after the internal modes of the wheels."""
@@ -115,6 +148,12 @@ class Chain:
         inertial = -np.einsum("sij,tlj->tlsi", self.Theta, 1j * omega[..., None] * V)
         turning = np.einsum("sij,tlj,ts->tlsi", self.gyro, V, speeds)
         return np.asarray(inertial + turning)
+
+    def mount_reply(self, s: int, speeds: Array, omega: Array, pose: Complex) -> Complex:
+        """Wrench (S, L, 6, P) of wheel s on its mount by the carrier's pose (S, L, 6, P), its weight among it."""
+        w = omega[:, :, None, None]
+        turning = 1j * w * np.einsum("ij,tljp,t->tlip", self.gyro[s], pose, speeds[:, s])
+        return np.asarray(w**2 * (self.Theta[s] @ pose) + turning + self.tilting[s] @ pose[:, :, 3:])
 
     def table_lines(self, speeds: Array) -> Lines:
         """Lines of the makers' harmonics at speeds (S, N; rad/s), each part of each order by itself."""
@@ -168,8 +207,10 @@ class Chain:
 
     def _rigid_and_modes(self, s: int, speeds: Array, omega: Array, wrench: Complex) -> Complex:
         """Amplitudes (S, L, 3, P) by wrenches (S, 6, P) of wheel s on its mount."""
-        pose = self.plant.pose(speeds, omega, np.broadcast_to(wrench[:, None], (*omega.shape, *wrench.shape[1:])))
-        a = self.seen.rows @ pose
+        on_carrier = np.broadcast_to(wrench[:, None], (*omega.shape, *wrench.shape[1:]))
+        none = np.zeros_like(on_carrier)
+        motion = self.motion(speeds, omega, on_carrier, lambda wheel: on_carrier if wheel == s else none)
+        a, pose = self.seen.linear(motion), motion.pose
         structure = self.makers.structure
         if structure is not None:
             S, m = len(speeds), len(structure.omega)
@@ -182,14 +223,15 @@ class Chain:
             right[:, :, : 3 * P] = np.einsum("im,tmp->tmip", self.seen_modes, direct).reshape(S, m, 3 * P)
             right[:, :, 3 * P : 3 * (P + 6)] = np.einsum("im,mj->mij", self.seen_modes, inertia).reshape(m, 18)
             right[:, :, 3 * (P + 6) :] = np.einsum("im,tmj->tmij", self.seen_modes, spin).reshape(S, m, 18)
-            driven = np.asarray(right.any(axis=2))[:, None]
-            out = np.where(driven, structure.compliance(omega), 0.0) @ right  # (S, L, 3 (P + 12))
+            excited = np.asarray(right.any(axis=2))[:, None]
+            out = np.where(excited, structure.compliance(omega), 0.0) @ right  # (S, L, 3 (P + 12))
             L = omega.shape[1]
             w = omega[:, :, None, None]
             by_inertia = out[..., 3 * P : 3 * (P + 6)].reshape(S, L, 3, 6)
             by_spin = out[..., 3 * (P + 6) :].reshape(S, L, 3, 6)
-            a += out[..., : 3 * P].reshape(S, L, 3, P) + (w**2 * by_inertia + 1j * w * by_spin) @ pose
-        return np.asarray(a * self.seen.derivative(omega)[:, :, None, None])
+            bent = out[..., : 3 * P].reshape(S, L, 3, P) + (w**2 * by_inertia + 1j * w * by_spin) @ pose
+            a = a + bent * self.seen.derivative(omega)[:, :, None, None]
+        return np.asarray(a)
 
 
 def undamped_mode(makers: Makers, names: Sequence[str], speeds: Array, omega: float) -> str | None:

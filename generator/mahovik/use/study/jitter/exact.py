@@ -2,32 +2,42 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
+from mahovik.core.stand.hold import wrenches
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.plan.residual.evaluate import flywheel_damping
 from mahovik.use.plan.residual.flywheels import waves
 from mahovik.use.plan.residual.prescribed_motion import prescribed_at
 from mahovik.use.study.jitter.balance import SLOW, Balance
 from mahovik.use.study.jitter.chain import Chain
+from mahovik.use.study.jitter.left_out import reactions
 from mahovik.use.study.jitter.lines import COMBINATION, UNBALANCE, LineName, Lines
-from mahovik.use.study.jitter.quantity import View
+from mahovik.use.study.jitter.load_view import LoadView
+from mahovik.use.study.jitter.quantity import FullMotion, Observable, View
+from mahovik.use.study.jitter.torus import Torus
+from mahovik.use.study.response.held import HeldScene
+from mahovik.use.study.response.scene import Scene
 
 NEGLIGIBLE = 1e-9
 """Part of the largest amplitude below which a line is left out."""
 
+LOAD_ROUNDING = 1e-13
+"""Part of the constant load, as of a weight, below which a line is rounding, and left out."""
 
-def exact_lines(found: Balance, seen: View, phases: Array, chain: Chain | None = None) -> Lines:
+
+def exact_lines(found: Balance, seen: Observable, phases: Array, chain: Chain | None = None) -> Lines:
     """Lines (S = 1) of a motion on the torus, for phases (N, rad) at t = 0.
 
     chain    what the exact mount wrenches drive in addition: internal modes of wheels, structural modes
     """
     torus = found.torus
     w = found.frequencies
-    y, y_dot = torus.values(found.c), torus.values(1j * w[:, None] * found.c)
-    a = torus.coefficients(seen.values(y, y_dot[:, 6:]))
+    a = torus.coefficients(seen.full(full_motion(found, torus, found.c, found.h)))
     if chain is not None and chain.one_way:
-        mounts = torus.coefficients(mount_wrenches(found, y, y_dot[:, 6:]))
+        mounts = torus.coefficients(mount_wrenches(found, *found.at_nodes(torus, found.c)))
         a = a + _driven_amplitudes(chain, found.speeds, w, mounts)
     a = a * np.exp(1j * (torus.k @ phases[list(found.turning)]))[:, None]
     a = np.where(w[:, None] < 0.0, a.conj(), a)
@@ -35,22 +45,62 @@ def exact_lines(found: Balance, seen: View, phases: Array, chain: Chain | None =
     f = np.where(np.abs(w) <= SLOW * fastest, 0.0, np.abs(w)) / (2.0 * np.pi)
     sizes = np.abs(a).max(axis=1)
     largest = sizes[(f > 0.0) & np.isfinite(sizes)].max(initial=0.0)
-    kept = ~(sizes <= NEGLIGIBLE * largest) | (torus.k == 0).all(axis=1)
+    constant = (torus.k == 0).all(axis=1)
+    rounding = 0.0 if isinstance(seen, View) else LOAD_ROUNDING * float(sizes[constant].max(initial=0.0))
+    kept = ~(sizes <= max(NEGLIGIBLE * largest, rounding)) | constant
     names = [found.scene.stand.flywheels[s].name for s in found.turning]
     labels = [_name(k.tolist(), names) for k in torus.k[kept]]
     return Lines(tuple(labels), f[kept][None], a[kept][None])
 
 
-def left_out_of(found: Balance, seen: View) -> Array:
+def full_motion(found: Balance, torus: Torus, c: Complex, h: Complex) -> FullMotion:
+    """Values at the nodes of a torus, of coefficients c of states on it and h of what keeps the mean place."""
+    y, V_dot = found.at_nodes(torus, c)
+
+    def reaction() -> Array:
+        assert isinstance(found.scene, HeldScene)
+        return reactions(found.scene, found, torus, c, h)
+
+    def mount(s: int) -> Array:
+        own = found.scene.chart.mechanics.tables.Lm[s]
+        return np.asarray(-mount_wrenches(found, y, V_dot, torus)[:, s] @ np.linalg.inv(own).T)
+
+    return FullMotion(y, V_dot, reaction, mount)
+
+
+def constant_load(scene: Scene | HeldScene, seen: LoadView, speeds: Array, phases: Array) -> Array:
+    """The constant part (3) to first order: a load at rest under wheels at speeds (N, rad/s), mean over phase."""
+    turning = tuple(int(s) for s in np.flatnonzero(speeds))
+    torus, m, f = Torus.of(len(turning), 1), scene.count, scene.free.shape[1]
+    c, h = (np.zeros((len(torus.k), n), dtype=np.complex128) for n in (2 * m, f))
+    motion = full_motion(Balance(scene, torus, 1, speeds, phases, turning, c, h, np.zeros(6), 0.0), torus, c, h)
+
+    def reaction() -> Array:
+        """What of it is along the freedoms is no reaction: the carrier gives way."""
+        assert isinstance(scene, HeldScene) and scene.stand.hold is not None
+        found = motion.reaction()
+        return np.asarray(found - found @ scene.S @ wrenches(scene.stand.hold).T)
+
+    return np.asarray(seen.full(replace(motion, reaction=reaction)).mean(axis=0))
+
+
+def left_out_of(found: Balance, seen: Observable) -> Array:
     """Part of the quantity (3) that the balance leaves out at any phases: sum of the amplitudes of its lines.
 
-    The lines are those of `Balance.missing`, of the rigid stand and to first order; NaN where they are not known.
+    The lines are those of `Balance.missing`, of the rigid stand and to first order; NaN where they are not known. Those
+    of a load are what the missing motion and the higher orders add to it.
     """
-    if found.missing is None:
+    if found.missing is None or found.missing_c is None:
         return np.full(3, np.nan)
     moving = found.missing_w != 0.0
-    lines = seen.by_pose(found.missing[moving], np.abs(found.missing_w[moving]))
-    return np.asarray(np.abs(lines).sum(axis=0))
+    if isinstance(seen, View):
+        lines = seen.by_pose(found.missing[moving], np.abs(found.missing_w[moving]))
+        return np.asarray(np.abs(lines).sum(axis=0))
+    kept, larger = found.torus, Torus.of(found.torus.count, found.missing_order)
+    near = larger.pad(kept.coefficients(seen.full(full_motion(found, kept, found.c, found.h))))
+    moved = larger.pad(found.c) + found.missing_c
+    whole = seen.full(full_motion(found, larger, moved, larger.pad(found.h)))
+    return np.asarray(np.abs(larger.coefficients(whole) - near)[moving].sum(axis=0))
 
 
 def _name(k: list[int], names: list[str]) -> LineName:
@@ -66,13 +116,10 @@ def _name(k: list[int], names: list[str]) -> LineName:
     return LineName(words, float(sum(map(abs, k))), COMBINATION)
 
 
-def mount_wrenches(found: Balance, y: Array, V_dot: Array) -> Array:
-    """Wrench (M, N, 6) of each flywheel on its mount, in E1 about O1, at the nodes of the torus: exact."""
+def mount_wrenches(found: Balance, y: Array, V_dot: Array, torus: Torus | None = None) -> Array:
+    """Wrench (M, N, 6) of each flywheel on its mount, in E1 about O1, at the nodes of a torus, else its own: exact."""
     mechanics = found.scene.chart.mechanics
-    theta = found.torus.nodes
-    phi = np.tile(found.phases, (len(theta), 1))
-    phi[:, list(found.turning)] = theta
-    phi_dot = np.tile(found.speeds, (len(theta), 1))
+    phi, phi_dot = found.motions((torus or found.torus).nodes)
     at = found.scene.chart.twists(y)
     given = prescribed_at(mechanics, at._replace(V_r_dot=at.V_r_dot + V_dot))
     h, _ = waves(phi)

@@ -42,6 +42,10 @@ class LineName(NamedTuple):
         return self.wheel if self.source == COMBINATION else f"{self.order:g} x {self.wheel}"
 
 
+CONSTANT = LineName("", 0.0, COMBINATION)
+"""The constant part."""
+
+
 @dataclass(frozen=True, eq=False)
 class Lines:
     """L lines at S speeds: frequency (S, L; Hz, >= 0), amplitude (S, L, 3) complex. Frequency 0: a constant."""

@@ -17,8 +17,8 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.use.plan.array import Array, Complex
-from mahovik.use.study.quiet.lines import mean_model, unbalance_wrenches
 from mahovik.use.study.response.scene import Scene
+from mahovik.use.study.unbalance import mean_model, unbalance_wrenches
 
 CHUNK = 20_000
 """Systems solved at once: more would need much memory."""
@@ -28,7 +28,7 @@ CHUNK = 20_000
 class Plant:
     """a, b, inverse (6, 6), gyro (N, 6, 6): see above. turning, hanging (N, 6), complex: unbalance, weight.
 
-    See `quiet.lines.Amplitudes`.
+    See `unbalance_wrenches`.
     """
 
     stand: Stand

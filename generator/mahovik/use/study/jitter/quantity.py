@@ -5,8 +5,9 @@ A line of sight turns by a matrix of sensitivities times displacements and turni
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -55,6 +56,59 @@ def find_quantity(name: str) -> Quantity:
 
 
 @dataclass(frozen=True, eq=False)
+class LinearMotion:
+    """Amplitudes of L motions of a rigid carrier at S sets of speeds, P at once.
+
+    omega     (S, L; rad/s, above 0); pose (S, L, 6, P): (x, r) about rest
+    reaction  gives that of the hold (S, L, 6, P), on the carrier in E1 about O1
+    mount     gives the wrench (S, L, 6, P) of a wheel's mount on it, by its number, on its axes at phase 0
+    """
+
+    omega: Array
+    pose: Complex
+    reaction: Callable[[], Complex]
+    mount: Callable[[int], Complex]
+
+
+@dataclass(frozen=True, eq=False)
+class FullMotion:
+    """Values at M moments: y (M, 12) in the chart about rest, V* (M, 6); `reaction`, `mount` (M, 6) likewise."""
+
+    y: Array
+    V_dot: Array
+    reaction: Callable[[], Array]
+    mount: Callable[[int], Array]
+
+
+class Observable(Protocol):
+    """Quantity that a study of jitter sees: of a point, a line of sight, or a load."""
+
+    @property
+    def name(self) -> str:
+        """Name of the point, of the table of sensitivities, or of the load."""
+
+    @property
+    def quantity(self) -> str:
+        """Name of the quantity."""
+
+    @property
+    def measure(self) -> Quantity:
+        """Unit and kind of the quantity."""
+
+    def linear(self, motion: LinearMotion) -> Complex:
+        """Amplitudes (S, L, 3, P) of the quantity."""
+
+    def full(self, motion: FullMotion) -> Array:
+        """Values (M, 3) of the quantity."""
+
+    def derivative(self, omega: Array) -> Complex:
+        """Factor (...) of the quantity's derivatives at omega (...; rad/s)."""
+
+    def shape(self, structure: Structure) -> Array:
+        """(3, m): what is seen of structural modes. Raises JitterFileError, UsageError."""
+
+
+@dataclass(frozen=True, eq=False)
 class View:
     """A quantity of one point, or a line of sight from several.
 
@@ -90,6 +144,14 @@ class View:
             turning = np.hstack([np.zeros((3, 3)), place.axes.T])
             found += part @ np.vstack([displacement, turning])
         return found
+
+    def linear(self, motion: LinearMotion) -> Complex:
+        """Amplitudes (S, L, 3, P) from those of the pose."""
+        return np.asarray((self.rows @ motion.pose) * self.derivative(motion.omega)[:, :, None, None])
+
+    def full(self, motion: FullMotion) -> Array:
+        """Values (M, 3) from states and V*."""
+        return self.values(motion.y, motion.V_dot)
 
     def by_pose(self, pose: Complex, omega: Array) -> Complex:
         """Amplitudes (..., 3) from those of the pose (..., 6) at omega (...; rad/s)."""

@@ -30,6 +30,8 @@ WORDS = {
     "m": "a length",
     "m/s": "a velocity",
     "m/s2": "an acceleration",
+    "N": "a force",
+    "N m": "a moment",
 }
 
 

@@ -17,11 +17,15 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.balance import Balance, balance
 from mahovik.use.study.jitter.chain import Chain, Makers, undamped_mode
-from mahovik.use.study.jitter.exact import exact_lines, left_out_of
-from mahovik.use.study.jitter.lines import UNBALANCE, LineName, Lines
+from mahovik.use.study.jitter.exact import constant_load, exact_lines, left_out_of
+from mahovik.use.study.jitter.held_plant import HeldPlant
+from mahovik.use.study.jitter.lines import CONSTANT, UNBALANCE, LineName, Lines
+from mahovik.use.study.jitter.load_view import LoadView
 from mahovik.use.study.jitter.noise import Broadband, broadband
 from mahovik.use.study.jitter.plant import Plant
-from mahovik.use.study.jitter.quantity import Quantity, View
+from mahovik.use.study.jitter.quantity import Observable, Quantity
+from mahovik.use.study.response.held import HeldScene
+from mahovik.use.study.response.periodic import scene_of
 from mahovik.use.study.response.scene import Scene
 from mahovik.use.study.response.speeds import SpeedPlan
 
@@ -62,7 +66,7 @@ class Jitter:
 
     stand: Stand
     asked: SpeedPlan
-    seen: View
+    seen: Observable
     chain: Chain
     speeds: Array
     value: Array
@@ -134,7 +138,7 @@ def jitter(
     stand: Stand,
     asked: SpeedPlan,
     steps: int,
-    seen: View,
+    seen: Observable,
     *,
     phases: Sequence[float] | None = None,
     makers: Makers | None = None,
@@ -156,8 +160,10 @@ def jitter(
     value = np.array(asked.values(steps))
     speeds = np.array([asked.speeds(x) for x in value])
     start = np.zeros(speeds.shape[1]) if phases is None else np.array(phases, dtype=np.float64)
-    scene = Scene.of(stand)
-    chain = Chain.of(Plant.of(scene), seen, makers or Makers(), np.abs(speeds).max(axis=0))
+    scene = scene_of(stand)
+    plant = HeldPlant.of(scene) if isinstance(scene, HeldScene) else Plant.of(scene)
+    down = scene.chart.C.T @ np.array(stand.gravity)
+    chain = Chain.of(plant, seen, makers or Makers(), np.abs(speeds).max(axis=0), down)
     study = _Study(scene, asked, chain, speeds, value, start, order)
     if len(value) == 1 or exact:
         return study.exact(go_on)
@@ -166,7 +172,7 @@ def jitter(
 
 @dataclass(frozen=True, eq=False)
 class _Study:
-    scene: Scene
+    scene: Scene | HeldScene
     asked: SpeedPlan
     chain: Chain
     speeds: Array
@@ -289,16 +295,24 @@ class _Study:
         omega, wrench = plant.unbalance(self.speeds, self.phases)
         still = omega == 0.0
         positive = np.where(still, 1.0, omega)
-        pose = plant.pose(self.speeds, positive, wrench[..., None])[..., 0]
-        a = chain.seen.by_pose(pose, positive)
+        motion = chain.by_unbalance(self.speeds, positive, wrench)
+        a = chain.seen.linear(motion)[..., 0]
         if chain.one_way:
-            mounts = chain.mounts(self.speeds, positive, pose)
-            each = np.arange(mounts.shape[2])
+            mounts = chain.mounts(self.speeds, positive, motion.pose[..., 0])
+            each = np.arange(wrench.shape[1])
             mounts[:, each, each] += wrench
             a += chain.driven_amplitudes(self.speeds, positive, mounts)
         a[still] = 0.0
         names = tuple(LineName(s.name, 1.0) for s in self.scene.stand.flywheels)
-        return Lines(names, omega / (2.0 * np.pi), a)
+        return Lines(names, omega / (2.0 * np.pi), a).join(self._constant())
+
+    def _constant(self) -> Lines:
+        """The constant part at all speeds: a load has one without any motion."""
+        S, seen = len(self.value), self.chain.seen
+        if not isinstance(seen, LoadView):
+            return Lines((), np.zeros((S, 0)), np.zeros((S, 0, 3), dtype=np.complex128))
+        found = [constant_load(self.scene, seen, each, self.phases) for each in self.speeds]
+        return Lines((CONSTANT,), np.zeros((S, 1)), np.array(found, dtype=np.complex128)[:, None])
 
     def _result(
         self,

@@ -9,13 +9,15 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.optimize import linprog
 
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.hold import twists
+from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.screw import f
 from mahovik.use.plan.array import Array
+from mahovik.use.study.response.held import REACTION
 
 
 class Measure(NamedTuple):
@@ -32,7 +34,12 @@ MEASURES = {
     "displacement": Measure("m", False, 2),
     "rate": Measure("rad/s", True, 0),
     "angle": Measure("rad", True, 1),
+    "force": Measure("N", False, 0),
+    "moment": Measure("N m", False, 0),
 }
+
+LOADS = ("force", "moment")
+"""Measures of the reaction of a hold."""
 
 Interval = tuple[float, float]
 
@@ -41,7 +48,7 @@ Interval = tuple[float, float]
 class QuietOptions:
     """Options of a search for quiet speeds, in SI and Hz. Raises UsageError for options without meaning.
 
-    point      name of a point or instrument
+    point      name of a point or instrument; REACTION: that of the hold
     band       Hz, the lower first
     momentum   of the flywheels relative to the carrier, in E1, N m s; None: that of `speeds`
     speeds     initial ones, rad/s; None: the smallest that give the momentum
@@ -111,6 +118,11 @@ class QuietOptions:
 def check_options(stand: Stand, options: QuietOptions) -> None:
     """Check that the options fit the stand. Raises UsageError."""
     names = [*(p.name for p in stand.instruments), *(p.name for p in stand.points)]
+    if stand.hold is not None:
+        names.append(REACTION)
+        _check_held(stand.name, stand.hold, options)
+    elif options.measure in LOADS:
+        raise UsageError(f"--measure {options.measure}: {stand.name} has no [hold], and a point transmits no force")
     if options.point not in names:
         hint = suggestion(options.point, names, "the stand has no points: add a [[point]]")
         raise UsageError(f"--point {options.point}: no point or instrument of that name{hint}")
@@ -121,6 +133,18 @@ def check_options(stand: Stand, options: QuietOptions) -> None:
         raise UsageError("--momentum, --speeds: expected finite numbers")
 
 
+def _check_held(name: str, hold: Hold, options: QuietOptions) -> None:
+    """Check what a held carrier can be asked. Raises UsageError."""
+    load, reaction = options.measure in LOADS, options.point == REACTION
+    if load is not reaction:
+        known = LOADS if reaction else [each for each in MEASURES if each not in LOADS]
+        raise UsageError(f"--measure {options.measure}: {options.point} has none; expected one of {', '.join(known)}")
+    if not hold.freedoms and not reaction:
+        raise UsageError(f"--point {options.point}: {name} is clamped, and no point moves; expected {REACTION}")
+    if options.momentum is not None and not np.any(twists(hold)[3:]):
+        raise UsageError(f"--momentum: {name} turns about nothing, and its hold takes all momentum; give --speeds")
+
+
 RANK = 1e-9
 """Part of the largest singular value below which one is zero."""
 
@@ -128,6 +152,8 @@ RANK = 1e-9
 @dataclass(frozen=True, eq=False)
 class Wheels:
     """axes (3 x N): mean angular momentum in E1 of unit speeds, spin inertia by spin axis, kg m2.
+
+    Of a held carrier only its parts along the freedoms that turn count: axes has a row for each.
 
     nullspace (N x d): orthonormal; speeds without momentum. momentum (3, N m s): the required one.
     start (N, rad/s): speeds that hold it, nearest to the given ones.
@@ -149,17 +175,20 @@ class Wheels:
         CheckError: the momentum needs more than the limits.
         """
         N = len(stand.flywheels)
-        axes = momentum_axes(stand)
+        kept = np.eye(3) if stand.hold is None else _turning_rows(stand.hold)
+        axes = kept @ momentum_axes(stand)
         left, sizes, right = np.linalg.svd(axes)
-        rank = int(np.sum(sizes > RANK * sizes[0])) if N else 0
+        rank = int(np.sum(sizes > RANK * sizes.max())) if sizes.size else 0
+        if N == 1:
+            raise UsageError(f"{stand.name}: one flywheel has nothing to cancel its unbalance; expected 2 or more")
         if rank >= N or N < 2:
             raise UsageError(
                 f"{stand.name}: {N} flywheels with spin axes of rank {rank} leave no speeds free; "
-                f"expected {rank + 1} or more"
+                f"expected {max(rank + 1, 2)} or more"
             )
         nullspace = right[rank:].T
         given = None if options.speeds is None else np.array(options.speeds)
-        momentum = axes @ given if options.momentum is None and given is not None else np.array(options.momentum)
+        momentum = axes @ given if options.momentum is None and given is not None else kept @ np.array(options.momentum)
         outside = float(np.linalg.norm(left[:, rank:].T @ momentum))
         if outside > 1e-9 * max(float(np.linalg.norm(momentum)), 1e-30):
             raise UsageError(
@@ -194,13 +223,20 @@ class Wheels:
         rows = np.eye(N)[finite]
         cost = np.append(np.zeros(N), 1.0)
         upper = np.vstack([np.column_stack([rows, -bound]), np.column_stack([-rows, -bound])])
-        scale = float(np.abs(self.axes).max())
-        equal, right = np.column_stack([self.axes / scale, np.zeros(3)]), self.momentum / scale
+        scale = float(np.abs(self.axes).max(initial=0.0)) or 1.0
+        equal, right = np.column_stack([self.axes / scale, np.zeros(len(self.axes))]), self.momentum / scale
         free: Any = [(None, None)] * N + [(0.0, None)]
         found = linprog(cost, upper, np.zeros(len(upper)), equal, right, free, method="highs")
         if found.x is None:  # rank below 3: some rows depend on others, up to rounding
             return float((np.abs(self.start[finite]) / bound).max()), self.start
         return float(found.x[-1]), np.asarray(found.x[:N])
+
+
+def _turning_rows(hold: Hold) -> Array:
+    """Directions (r x 3, unit) in E1 of the freedoms that turn: along them wheels and carrier share momentum."""
+    turns = twists(hold)[3:].T
+    size = np.linalg.norm(turns, axis=1)
+    return np.asarray(turns[size > 0.0] / size[size > 0.0, None])
 
 
 def momentum_axes(stand: Stand) -> Array:

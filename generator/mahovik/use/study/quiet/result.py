@@ -21,6 +21,7 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.stream import uniform_stream
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.linear.modes import modes
+from mahovik.use.study.quiet.held_lines import HeldAmplitudes
 from mahovik.use.study.quiet.lines import (
     Amplitudes,
     Line,
@@ -141,7 +142,8 @@ def quiet(
     wheels = Wheels.of(stand, options)
     tell = progress or (lambda _: None)
     pose = rest(stand).state
-    amplitudes = Amplitudes.of(stand, options, pose)
+    amplitudes: Amplitudes | HeldAmplitudes
+    amplitudes = Amplitudes.of(stand, options, pose) if stand.hold is None else HeldAmplitudes.of(stand, options)
     tell("searching")
     natural = _carrier_frequencies(stand, pose)
     if options.modes:
@@ -175,6 +177,8 @@ def quiet(
 
 def _carrier_frequencies(stand: Stand, pose: State) -> tuple[float, ...]:
     """Frequencies (Hz) of the carrier's oscillations, with flywheels locked at rest."""
+    if stand.hold is not None and not stand.hold.freedoms:
+        return ()
     still = replace(pose, phi_dot=(0.0,) * len(stand.flywheels))
     found = modes(linear_model(stand, still, [], locked=True)).modes
     return tuple(mode.frequency for mode in found if mode.kind == "oscillation")
@@ -183,7 +187,7 @@ def _carrier_frequencies(stand: Stand, pose: State) -> tuple[float, ...]:
 def _jitter(
     stand: Stand,
     options: QuietOptions,
-    amplitudes: Amplitudes,
+    amplitudes: Amplitudes | HeldAmplitudes,
     pose: State,
     speeds: Array,
     phases: Array,
@@ -192,7 +196,10 @@ def _jitter(
     """Jitter by first order, and by simulation."""
     a = amplitudes.at(speeds)
     found = tuple(lines(speeds, phases, a))
-    start = steady_start(pose, amplitudes, stand, speeds, phases)
+    if isinstance(amplitudes, HeldAmplitudes):
+        start = amplitudes.start(speeds, phases)
+    else:
+        start = steady_start(pose, amplitudes, stand, speeds, phases)
     free, rms = (
         math.sqrt(uncontrolled_mean_square(speeds, a, options.band)),
         math.sqrt(mean_square(list(found), options.band)),

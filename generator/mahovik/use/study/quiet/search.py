@@ -15,6 +15,7 @@ import numpy as np
 from mahovik.errors import CheckError
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
+from mahovik.use.study.quiet.held_lines import HeldAmplitudes
 from mahovik.use.study.quiet.lines import Amplitudes, best_phases, groups, uncontrolled_mean_square
 from mahovik.use.study.quiet.options import QuietOptions, Wheels
 
@@ -144,7 +145,7 @@ class Search:
     def __init__(
         self,
         wheels: Wheels,
-        amplitudes: Amplitudes,
+        amplitudes: Amplitudes | HeldAmplitudes,
         options: QuietOptions,
         seconds: float | None = None,
         tell: Callable[[str], None] | None = None,
@@ -294,4 +295,5 @@ class Search:
         several = min(tally, key=len)
         binds = [words[each] for each in (alone or sorted(several))]
         joint = " or " if alone else " and "
-        return f"no speeds hold the momentum within all limits; it would be possible without {joint.join(binds)}"
+        kept = "hold the momentum" if len(self.wheels.axes) else "are"
+        return f"no speeds {kept} within all limits; it would be possible without {joint.join(binds)}"

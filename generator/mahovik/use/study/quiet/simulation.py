@@ -23,6 +23,7 @@ from mahovik.use.plan.array import Array, Complex
 from mahovik.use.simulate import Case, simulate
 from mahovik.use.study.quiet.lines import Amplitudes
 from mahovik.use.study.quiet.options import MEASURES, Interval, QuietOptions
+from mahovik.use.study.response.held import REACTION
 from mahovik.use.study.rest import displaced_state
 
 LOBE = 4.0
@@ -106,6 +107,12 @@ def regime_of(stand: Stand, speeds: Array, phases: Array) -> Regime:
     return Regime("quiet", tuple(FlywheelRegime(s.name, Constant(speed), phase) for s, speed, phase in driven), {})
 
 
+REACTION_COLUMNS = {
+    "force": [f"{REACTION}.{letter} [N]" for letter in "xyz"],
+    "moment": [f"{REACTION}.{letter} [N m]" for letter in "kmn"],
+}
+
+
 def simulate_point(
     stand: Stand,
     options: QuietOptions,
@@ -114,7 +121,7 @@ def simulate_point(
     backend: str = "c",
     progress: Callable[[float], None] | None = None,
 ) -> Array:
-    """The measured motion, not integrated (times x axes): acceleration of the point or of its rotation.
+    """The measured motion, not integrated (times x axes): acceleration of the point or of its rotation; the reaction.
 
     Raises ToolchainError, StateError, KeyboardInterrupt.
     """
@@ -127,6 +134,9 @@ def simulate_point(
     if run.stopped is not None:
         raise StateError(run.stopped)
     count = round(sampling.until / sampling.every)
+    if options.point == REACTION:
+        columns = REACTION_COLUMNS[options.measure]
+        return np.asarray(np.column_stack([run[name] for name in columns])[:count] @ np.array(options.axes).T)
     L = dict(point_transfers(stand))[options.point]
 
     def six(linear: str, angular: str, over: tuple[str, str]) -> Array:

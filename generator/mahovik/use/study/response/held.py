@@ -14,6 +14,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.hold import freedom_names, twists
 from mahovik.core.stand.model import Stand
@@ -23,6 +24,7 @@ from mahovik.use.plan.array import Array, Complex
 from mahovik.use.plan.forward import Chart, Drive, drive
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.residual.by_carrier import by_carrier, slopes_of_residual
+from mahovik.use.plan.residual.slopes import rotation_vector_rate
 from mahovik.use.plan.residual.spatial import skew
 from mahovik.use.plan.stream import uniform_stream
 from mahovik.use.study.response.scene import FREE, LEAST
@@ -145,6 +147,16 @@ class HeldScene:
         r = moved[:, 3:]
         return np.hstack([(_left_jacobian(r) @ moved[:, :3, None])[:, :, 0], r, u @ self.S.T])
 
+    def whole_rate(self, y: Array, rate: Array) -> Array:
+        """Rates (M, 12) of states in the chart about rest, from those of own states."""
+        xi, _ = np.hsplit(y, 2)
+        xi_rate, u_rate = np.hsplit(rate, 2)
+        moved = (self._pose_rate(xi) @ xi_rate[:, :, None])[:, :, 0] @ self.S.T
+        r = xi @ self.S[3:].T
+        x_rate = Rotation.from_rotvec(r).apply(moved[:, :3])
+        r_rate = (rotation_vector_rate(r) @ moved[:, 3:, None])[:, :, 0]
+        return np.hstack([x_rate, r_rate, u_rate @ self.S.T])
+
     def at_pose(self, y: Array) -> Array:
         """The state (1, 2 m) of a pose at rest, `y` (1, 12), that the hold allows."""
         r = y[:, 3:6]
@@ -167,9 +179,7 @@ class HeldScene:
     def outputs(self, given: Drive, y: Array, V_dot: Array) -> dict[str, HeldMotion]:
         """The reaction R, force and moment about O1 in E1; displacement, velocity, acceleration of every freedom."""
         assert self.stand.hold is not None
-        at = self.chart.twists(self.whole(y))
-        moved = (V_dot + at.V_r_dot)[:, :, None]
-        R = (self._mass(given) @ moved - self.chart.wrench(given, at))[:, :, 0]
+        R = self.reaction(given, self.whole(y), V_dot)
         found = {REACTION: HeldMotion({"force": R[:, :3], "moment": R[:, 3:]})}
         xi, u = np.hsplit(y, 2)
         u_dot = V_dot @ np.linalg.pinv(self.S).T
@@ -177,6 +187,12 @@ class HeldScene:
             columns = {"displacement": xi, "velocity": u, "acceleration": u_dot}
             found[f"hold.{name}"] = HeldMotion({key: each[:, k : k + 1] for key, each in columns.items()})
         return found
+
+    def reaction(self, given: Drive, whole: Array, V_dot: Array) -> Array:
+        """R (M, 6) of states (M, 12) in the chart about rest and V* (M, 6), about O1 in E1."""
+        at = self.chart.twists(whole)
+        moved = (V_dot + at.V_r_dot)[:, :, None]
+        return np.asarray((self._mass(given) @ moved - self.chart.wrench(given, at))[:, :, 0])
 
     def _mass(self, given: Drive) -> Array:
         """K (M, 6, 6)."""

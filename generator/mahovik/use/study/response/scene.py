@@ -86,6 +86,10 @@ class Scene:
         """States (M, 12) in the chart about rest."""
         return y
 
+    def whole_rate(self, y: Array, rate: Array) -> Array:
+        """Rates (M, 12) of states in the chart about rest, from those of own states."""
+        return rate
+
     @property
     def free_displacement(self) -> Array:
         """(f, 12): displacement along the free directions from a state."""

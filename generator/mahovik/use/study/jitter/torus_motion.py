@@ -1,0 +1,129 @@
+"""A motion of the carrier on the torus of the flywheels' phases, as `balance` finds it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from mahovik.core.stand.state import State
+from mahovik.use.plan.array import Array, Complex
+from mahovik.use.study.jitter.torus import Torus
+from mahovik.use.study.response.held import HeldScene
+from mahovik.use.study.response.scene import Scene
+
+ROUNDING = 1e-15
+"""m/s2, rad/s2: smaller amplitudes of V* count as zero."""
+
+LITTLE = 1e-6
+"""Part of the other below which a displacement or turning of the carrier is not judged."""
+
+
+@dataclass(frozen=True, eq=False)
+class Balance:
+    """A motion on the torus of the flywheels that turn.
+
+    speeds    (N, rad/s); turning: indices of those that turn, in the order of the torus' phases
+    c         (n, 12): coefficients of states y = (x, r, V) in the chart about rest; (n, 2 m): of a held carrier's own
+    h         (n, f): constant numbers along the free directions that keep the mean place
+    hold      (6; N, N m): the constant wrench in E1 that they are, mean over phases
+    left_out  largest remaining acceleration by the literal reference at SAMPLES random phases, part of the largest;
+              of a held carrier also of its reaction, part of the largest that varies
+    missing   (m, 6): coefficients of the pose (x, r) left out, of all k up to `missing_order`; None: too many
+    missing_c (m, 12) or (m, 2 m): of the states
+    missing_w (m; rad/s): their k . phi', 0 for constants
+    short     why no higher order was found though this one leaves out too much; empty: it does not
+    """
+
+    scene: Scene | HeldScene
+    torus: Torus
+    order: int
+    speeds: Array
+    phases: Array
+    turning: tuple[int, ...]
+    c: Complex
+    h: Complex
+    hold: Array
+    left_out: float
+    missing: Complex | None = None
+    missing_c: Complex | None = None
+    missing_w: Array = field(default_factory=lambda: np.zeros(0))
+    missing_order: int = 0
+    short: str = ""
+
+    @property
+    def pose_left_out(self) -> float:
+        """Sum of the amplitudes left out of the pose as a part of the sum of those found: of x or r, the larger.
+
+        0 where they are not known.
+        """
+        if self.missing is None:
+            return 0.0
+        radius = gyration_radius(self.scene)
+        left, whole = (
+            [
+                size * float(np.linalg.norm(np.abs(c[moving, i : i + 3]).sum(axis=0)))
+                for i, size in ((0, 1.0), (3, radius))
+            ]
+            for c, moving in ((self.missing, self.missing_w != 0.0), (self.pose, (self.torus.k != 0).any(axis=1)))
+        )
+        least = LITTLE * max(whole)
+        return max(a / max(b, least) for a, b in zip(left, whole, strict=True)) if least else 0.0
+
+    @property
+    def pose(self) -> Complex:
+        """(n, 6): coefficients of the pose (x, r); of a held carrier to first order."""
+        m = self.scene.count
+        return self.c[:, :m] @ self.scene.twist(np.eye(m))
+
+    @property
+    def frequencies(self) -> Array:
+        """k . phi' (n; rad/s), of either sign."""
+        return self.torus.frequencies(self.speeds[list(self.turning)])
+
+    def states(self, theta: Array) -> tuple[Array, Array]:
+        """y (m, 12) and its derivative (m, 12) at phases theta (m, turning; rad) of the flywheels that turn."""
+        rates = 1j * self.frequencies[:, None] * self.c
+        y = self.torus.at(self.c, theta)
+        return self.scene.whole(y), self.scene.whole_rate(y, self.torus.at(rates, theta))
+
+    def at_nodes(self, torus: Torus, c: Complex) -> tuple[Array, Array]:
+        """y (M, 12) and V* (M, 6) at the nodes of a torus of these phases, of coefficients c of states on it."""
+        rates = 1j * torus.frequencies(self.speeds[list(self.turning)])[:, None] * c
+        return self.scene.whole(torus.values(c)), self.scene.twist(torus.values(rates)[:, self.scene.count :])
+
+    def motions(self, theta: Array) -> tuple[Array, Array]:
+        """Phases and speeds (m, N each) of all flywheels at phases theta (m, turning; rad)."""
+        phi = np.tile(self.phases, (len(theta), 1))
+        phi[:, list(self.turning)] = theta
+        return phi, np.tile(self.speeds, (len(theta), 1))
+
+    def state(self, theta: Array) -> State:
+        """The state as `eval` and `simulate` take it, at phases theta (turning; rad)."""
+        y = self.scene.whole(self.torus.at(self.c, theta[None]))[0]
+        return state_at(self.scene, y, self.motions(theta[None])[0][0], self.speeds)
+
+
+def gyration_radius(scene: Scene | HeldScene) -> float:
+    """Radius of gyration, m."""
+    return float(np.sqrt(np.trace(scene.K[3:, 3:]) / np.trace(scene.K[:3, :3])))
+
+
+def state_at(scene: Scene | HeldScene, y: Array, phi: Array, phi_dot: Array) -> State:
+    """The state as `eval` takes it, of y (12) in the chart about rest."""
+    C = scene.chart.C @ Rotation.from_rotvec(y[3:6]).as_matrix()
+    w, i, j, k = Rotation.from_matrix(C).as_quat(scalar_first=True).tolist()
+    X, Y, Z = (scene.chart.O1 + scene.chart.C @ y[:3]).tolist()
+    u, v, a, p, q, r = y[6:].tolist()
+    own = tuple((np.linalg.pinv(scene.S) @ y[6:]).tolist()) if isinstance(scene, HeldScene) else ()
+    return replace(
+        scene.rest,
+        position=(X, Y, Z),
+        angles=None,
+        quaternion=(w, i, j, k),
+        V=(u, v, a, p, q, r),
+        u=own,
+        phi=tuple(phi.tolist()),
+        phi_dot=tuple(phi_dot.tolist()),
+    )
