@@ -156,7 +156,7 @@ def servo(
     from mahovik.out.export.programme.files import element_type, write_servo
     from mahovik.out.export.servo import export_servo
 
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     found = load_programme(programme_file)
     motion = load_motion(Path(motion_file), stand, found) if motion_file is not None else None
     wanted = load_servo(servo_file, stand)
