@@ -274,7 +274,7 @@ def attitude(
     from mahovik.use.control.attitude import LoopOptions
 
     found = exportable(target_name)
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     chosen = real or found.real or "double"
     options = LoopOptions(task, rate, bandwidth, damping, momentum, failure)
     folder = Path(output if output is not None else f"{stand.name}-attitude-{target_name}")
