@@ -332,7 +332,7 @@ def lines(hold: Hold) -> list[str]:
 TAKE_HELD = (
     "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, "
     "`response`, `replay`, `derive`, `cost`, `judge`, `judge-log`, `identify`, `balance`, `campaign`, `plan`, "
-    "`verify-programme`, `export programme`, `export target`, `export servo` and `export fmu`"
+    "`verify-programme`, `export programme`, `export target`, `export servo`, `export fuzz` and `export fmu`"
 )
 """Commands that take held carriers."""
 

@@ -124,7 +124,7 @@ def fuzz(
     from mahovik.core.toolchain.fuzz_project import fuzz_project
     from mahovik.proof.verify.delivery import deliver
 
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     with progress(f"generate {stand.name} for fuzzing"):
         files = fuzz_project(stand, real)
     done = deliver(Path(output or f"{stand.name}-fuzz"), stand, real, files, "fuzz")
