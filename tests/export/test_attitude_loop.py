@@ -18,7 +18,7 @@ from scipy.spatial.transform import Rotation
 from export import attitude_law as law
 from export.attitudes import Attitude, Loop, N, Result, State, example, exported, numbers, stand, written
 from mahovik.core.stand import load
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Hold, Stand
 from mahovik.errors import UsageError
 from mahovik.out.export.attitude import attitude_sources
 from mahovik.stands import path
@@ -135,6 +135,16 @@ def test_it_turns_from_any_attitude_to_any_other(c: Attitude, seed: int) -> None
     assert max(errors[-300:]) < ARCSEC
     assert (law.rotation(goal).inv() * law.rotation(x.attitude)).magnitude() < ARCSEC
     assert np.linalg.norm(out.momentum[:]) < 5e-3
+
+
+def test_a_held_carrier_is_refused_with_what_to_use_instead() -> None:
+    stand = replace(load(path("eye4")), hold=Hold((), (0, 0, 0), (0, 0, 0), (0, 0, 0)))
+    with pytest.raises(UsageError) as told:
+        design_attitude(stand, LoopOptions())
+    assert str(told.value) == (
+        'stand "eye4": hold: the loop demands a task, which a held carrier does not have; turn it by '
+        "`inverse_fast` and `torque` of its C, as `turn.c` of docs/tutorial-held-examples.md does, or take [hold] out"
+    )
 
 
 @pytest.mark.parametrize(

@@ -127,7 +127,8 @@ class _Harness:
         results = [a for a in f.arguments if a.direction != "in"]
         state = next((a.name for a in results if a.direction == "out" and self._is_state(f, a)), "")
         places = [(self._result(f, a), a) for a in results]
-        drawn = {a.name for a in self._inputs}
+        drawn, draws = {a.name for a in self._inputs}, self._draws(f)
+        kept = [draws.index(a.name) + 1 for a in f.arguments if a.direction == "inout" and a.name in drawn]
 
         def argument_or_null(a: Argument) -> str:
             text = argument_text(a, self._place(f, a))
@@ -139,8 +140,8 @@ class _Harness:
         return {
             "name": f.name,
             "declared": [declaration(self._names, a, place) for place, a in places],
-            "draws": self._draws(f),
-            "kept": sum(a.direction == "inout" and a.name in drawn for a in f.arguments),
+            "draws": draws,
+            "kept": max(kept, default=0),
             "pointers": len(pointers),
             "results": [(place, self._source(a) if a.direction == "inout" else "") for place, a in places],
             "call": call(self._names, f, argument_or_null),

@@ -1,4 +1,4 @@
-"""inverse (12) of a held carrier: flywheel accelerations for wanted rates of its m freedoms, with diagnostics.
+"""inverse (12) of a held carrier, for wanted rates of its m freedoms, with diagnostics; `inverse_fast` beside it.
 
 S^T I phi'' = S^T (F - K V_r* - M V_r - J phi') with V* = S u*, by the singular values of G^-1 S^T I Theta_ff^-1/2,
 G G^T = S^T K S. The steps are those of `inverse`.
@@ -15,6 +15,7 @@ from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.freedoms import columns, dot, place_of
 from mahovik.core.lower.hold import write_twist
 from mahovik.core.lower.inverse import POSITIVE, check_flywheels, choose_rank, flag, hardest, sort
+from mahovik.core.lower.inverse_fast import inverse_fast
 from mahovik.core.lower.lanes import entry, row_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
@@ -27,7 +28,7 @@ from mahovik.core.routines.jacobi import name_for_rows
 
 
 def add_inverse(lib: Library) -> None:
-    """Adds `inverse` of a held carrier that has freedoms and flywheels."""
+    """Adds `inverse` and `inverse_fast` of a held carrier that has freedoms and flywheels."""
     layout, rows = lib.layout, lib.layout.freedoms
     lib.add(routines.orthogonalise(layout.inverse_work, layout.count, lib["sqrt"], layout.precision.name, rows))
     lib.add(_demand(lib))
@@ -36,6 +37,9 @@ def add_inverse(lib: Library) -> None:
     lib.add(excess.motor_lacks(lib))
     lib.add(excess.excessive(lib))
     lib.add(_inverse(lib))
+    lib.add(inverse_fast(lib))
+    if layout.sine_input:
+        lib.add(inverse_fast(lib, at=True))
 
 
 def _demand(lib: Library) -> Function:

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.formula.derived import hold as derived
 from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower import along
@@ -24,13 +23,10 @@ from mahovik.core.program.types import Kind
 
 HELD_STATUSES = ("OK", "NOT_POSITIVE_DEFINITE")
 
-OF_FREE_CARRIERS = frozenset(name for name in FUNCTIONS if name.startswith("inverse_fast"))
-"""Names of functions that the C of a held carrier does not have yet."""
-
 OF_COORDINATES = frozenset(("generalized", "state_from_coordinates"))
 """Names of functions that the C of a held carrier has where its poses have coordinates of the freedoms."""
 
-OF_FREEDOMS = frozenset(("inverse", "forward_jacobian", "coupled_jacobian"))
+OF_FREEDOMS = frozenset(("inverse", "inverse_fast", "inverse_fast_at", "forward_jacobian", "coupled_jacobian"))
 """Names of functions that the C of a clamped carrier does not have: they are along the freedoms."""
 
 

@@ -1,7 +1,7 @@
 """inverse_fast (12): the same answer by normal equations, without diagnostics, for fast loops.
 
-W y = r of `demand`, Omega the weights. With six flywheels and more y = Omega^-1 W^T z, (W Omega^-1 W^T) z = r; with
-fewer (W^T W) y = W^T r, where weights have no say.
+W y = r of `demand`, Omega the weights: six rows, or one for each freedom of a held carrier. With as many flywheels and
+more y = Omega^-1 W^T z, (W Omega^-1 W^T) z = r; with fewer (W^T W) y = W^T r, where weights have no say.
 """
 
 from __future__ import annotations
@@ -20,13 +20,15 @@ from mahovik.core.program.types import Kind
 
 
 def inverse_fast(lib: Library, at: bool = False) -> Function:
-    """phi'' for a wanted V* by the normal equations: for fast loops away from singularity.
+    """phi'' for a wanted V*, of a held carrier S u*, by the normal equations: for fast loops away from singularity.
 
     `at`: inverse_fast_at, of given sines and cosines of the phases.
     """
     layout = lib.layout
+    rows = layout.freedoms if layout.held else 6
     table, x = lib.table_argument(), lib.state_argument()
-    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")
+    wanted = "wanted, S u_dot" if layout.held else "wanted derivative of the components of V"
+    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose=wanted)
     options = Argument("options", layout.inverse_options, purpose="weights and damping; `near` and `limit` are ignored")
     given, wrench = lib.given_turns() if at else (), lib.wrench_arguments()
     phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
@@ -38,19 +40,20 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     turns = all_turns(lib, body, x.place, given)
     lib.check(body, "demand", table.place, x.place, *turns, V_dot.place, *inputs, work)
     answer = body.local("answer", (layout.count,))
-    if int(layout.count) >= 6:
+    if int(layout.count) >= rows:
         by = Scaling(lambda s: 1 / p.weight[s], lambda s: work.scale[s])
-        wide_answer(lib, body, work, p, 6, answer, by)
+        wide_answer(lib, body, work, p, rows, answer, by)
     else:
-        tall_answer(lib, body, work, p, 6, answer)
+        tall_answer(lib, body, work, p, rows, answer)
     check_answer(lib, body, answer, layout.count)
     flags = spin_up_excess(lib, body, (table.place, x.place, p), answer)
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot.place[s], answer[s])
     body.ret(Convert(flags, Kind.STATUS))
+    motion = "wanted rates of the freedoms" if layout.held else "a wanted motion of the carrier"
     return Function(
         "inverse_fast_at" if at else "inverse_fast",
-        "Flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal equations.",
+        f"Flywheel accelerations for {motion}, without diagnostics: normal equations.",
         (table, x, *given, V_dot, options, *wrench, phi_ddot),
         body.statements,
         equation="(12)",

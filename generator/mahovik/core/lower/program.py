@@ -255,7 +255,7 @@ def _add_others(lib: Library) -> None:
     """Functions of the contract that are not added above: each is a file of its name in this folder."""
     for name, row in FUNCTIONS.items():
         here = not row.needs or bool(getattr(lib.layout, row.needs))
-        here &= not (lib.layout.held and name in hold.OF_FREE_CARRIERS | hold.OF_FREEDOMS | hold.OF_COORDINATES)
+        here &= not (lib.layout.held and name in hold.OF_FREEDOMS | hold.OF_COORDINATES)
         if name not in lib and here and find_spec(f"mahovik.core.lower.{name}"):
             lib.add(getattr(import_module(f"mahovik.core.lower.{name}"), name)(lib))
 

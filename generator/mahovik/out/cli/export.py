@@ -124,7 +124,7 @@ def fuzz(
     from mahovik.core.toolchain.fuzz_project import fuzz_project
     from mahovik.proof.verify.delivery import deliver
 
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     with progress(f"generate {stand.name} for fuzzing"):
         files = fuzz_project(stand, real)
     done = deliver(Path(output or f"{stand.name}-fuzz"), stand, real, files, "fuzz")
@@ -156,7 +156,7 @@ def servo(
     from mahovik.out.export.programme.files import element_type, write_servo
     from mahovik.out.export.servo import export_servo
 
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     found = load_programme(programme_file)
     motion = load_motion(Path(motion_file), stand, found) if motion_file is not None else None
     wanted = load_servo(servo_file, stand)
@@ -274,7 +274,7 @@ def attitude(
     from mahovik.use.control.attitude import LoopOptions
 
     found = exportable(target_name)
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     chosen = real or found.real or "double"
     options = LoopOptions(task, rate, bandwidth, damping, momentum, failure)
     folder = Path(output if output is not None else f"{stand.name}-attitude-{target_name}")

@@ -184,7 +184,7 @@ def _verify_servo(
             raise UsageError(
                 f"{option_name}: not with --servo, which judges the C of servos in the folder of --against"
             )
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     servo = load_servo(servo_file, stand)
     programme = None if programme_file is None else load_programme(programme_file)
     motion = None if motion_file is None else load_motion(Path(motion_file), stand, programme)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from mahovik.core.emit.generate import PRECISIONS
 from mahovik.core.emit.literal import real_literal
@@ -26,6 +27,9 @@ from mahovik.errors import UsageError
 from mahovik.out.export.programme import ProgrammeExport, check_belongs, export_programme
 from mahovik.use.control.servo import Margins, check_margins, delay, gains, rotor_inertia, samples
 from mahovik.use.control.trim import TrimDesign, design_trim, trim_members
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists
+from mahovik.use.simulate.held import home
 
 PERIODS = 10
 """Periods of the example's run."""
@@ -81,7 +85,9 @@ def export_servo(
     form = ServoForm(layout.count, trim)
     program = lower_servo(layout, form)
     values = gains(stand, servo, programme.span)
-    tables = ServoTables(values, design, servo.period, ticks, periods, lines, _loop(layout, programme, motion, servo))
+    tables = ServoTables(
+        values, design, servo.period, ticks, periods, lines, _loop(stand, layout, programme, motion, servo)
+    )
     answers = golden(program, form, values, design)
     files = servo_files(stand, program, form, tables, answers, servo.name, called)
     return ExportedServo(files, tabled, lines, program, form, tables, found, tables.loop)
@@ -115,16 +121,15 @@ def trim_message(made: TrimDesign) -> str:
     )
 
 
-def _loop(layout: Layout, programme: Programme, motion: RequiredMotion | None, servo: Servo) -> dict[str, Any]:
+def _loop(
+    stand: Stand, layout: Layout, programme: Programme, motion: RequiredMotion | None, servo: Servo
+) -> dict[str, Any]:
     """Data of the example besides tables: initial state of the carrier, delays, duration."""
 
     def literals(values: Any) -> str:
         return ", ".join(real_literal(float(v), layout.precision) for v in values)
 
-    q, q_dot = np.zeros(6), np.zeros(6)
-    if motion is not None:
-        course = motion.at(np.zeros(1), programme.bias)
-        q, q_dot = course.q[0], course.q_dot[0]
+    begun = _begin_held(stand, programme, motion) if stand.hold is not None else _begin_free(programme, motion)
     wait = math.floor(servo.latency / servo.period + 1e-9)
     part = max(0.0, servo.latency - wait * servo.period)
     part = part if part > 1e-9 * servo.period else 0.0
@@ -138,12 +143,31 @@ def _loop(layout: Layout, programme: Programme, motion: RequiredMotion | None, s
         "wait": wait,
         "before": real_literal(part, layout.precision) if part else "",
         "after": real_literal(servo.period - part, layout.precision),
-        "q": literals(q),
-        "q_dot": literals(q_dot),
+        "held": stand.hold is not None,
+        **{name: literals(values) for name, values in begun.items()},
         "wrench": 6 * len(layout.inputs),
         "samples": count,
         "last": last,
     }
+
+
+def _begin_free(programme: Programme, motion: RequiredMotion | None) -> dict[str, Array]:
+    """q, q_dot (6 each; m, rad) of a free carrier at phase 0; zero where the motion is unknown."""
+    if motion is None:
+        return {"q": np.zeros(6), "q_dot": np.zeros(6)}
+    course = motion.at(np.zeros(1), programme.bias)
+    return {"q": course.q[0], "q_dot": course.q_dot[0]}
+
+
+def _begin_held(stand: Stand, programme: Programme, motion: RequiredMotion | None) -> dict[str, Array]:
+    """position (3, m), attitude (4), V (6) of a held carrier at phase 0; at rest at home without the motion."""
+    if motion is None:
+        at = home(stand)
+        return {"position": np.array(at.position), "attitude": np.array(at.quaternion), "V": np.zeros(6)}
+    course = motion.at(np.zeros(1), programme.bias)
+    C, O1 = held_pose(stand, course.q)
+    V, _ = held_twists(stand, course)
+    return {"position": O1[0], "attitude": Rotation.from_matrix(C[0]).as_quat(scalar_first=True), "V": V[0]}
 
 
 def _hertz(omega: float) -> str:

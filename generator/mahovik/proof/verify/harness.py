@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from mahovik.contract.functions import CHOSEN, FUNCTIONS, TASK_WANTS
+from mahovik.contract.functions import TASK_WANTS
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.generate import Generated
-from mahovik.core.lower.hold import OF_COORDINATES, OF_FREE_CARRIERS
+from mahovik.core.lower.hold import OF_COORDINATES
 from mahovik.core.stand.hold import has_coordinates
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -135,12 +135,12 @@ def free_only_rows(stand: Stand) -> list[Row]:
     """A row for each want and function of free carriers that a held one does not have."""
     if stand.hold is None:
         return []
-    reason = "the C of a held carrier has no such function yet"
-    names = [name for name in FUNCTIONS if name in OF_FREE_CARRIERS and name not in CHOSEN and not name.endswith("_at")]
+    reason = "the C of a held carrier has no such function: its freedoms have none"
+    names: list[str] = []
     if not has_coordinates(stand.hold):
         names += sorted(OF_COORDINATES)
     if not (stand.hold.freedoms and stand.flywheels):
-        names.append("inverse")
+        names += ["inverse", *(["inverse_fast"] if stand.flywheels else [])]
     if not stand.hold.freedoms:
         names += [name for name in ("forward_jacobian", "coupled_jacobian") if stand.flywheels or name[0] == "f"]
     return [Row(name, "not there", verdict="not compared", reason=reason) for name in names]

@@ -14,7 +14,7 @@ import numpy as np
 from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, TASK_WANTS, WANTS, hold_fault, want_fault
 from mahovik.contract.quantities import limits_of
 from mahovik.contract.status import refusal_reason, status_words
-from mahovik.core.lower.hold import OF_COORDINATES, OF_FREE_CARRIERS
+from mahovik.core.lower.hold import OF_COORDINATES
 from mahovik.core.lower.test_inputs import first_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
@@ -68,8 +68,6 @@ class FunctionBackend(ABC):
         for name in want:
             if name in TASK_WANTS and not state.task:
                 raise StateError(f'want: "{name}" needs a task and its demand')
-            if self.layout.held and name in OF_FREE_CARRIERS:
-                raise StateError(f'want: the C of a held carrier has no "{name}" yet')
             if self.layout.held and name in OF_COORDINATES and not self.layout.coordinates:
                 lacks = "whose freedoms have no coordinates" if self.layout.freedoms else "that clamps the carrier"
                 raise StateError(f'want: no "{name}" of a hold {lacks}, ask for forward')

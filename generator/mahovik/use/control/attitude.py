@@ -167,7 +167,16 @@ def design_attitude(stand: Stand, options: LoopOptions) -> AttitudeDesign:
 
 
 def attitude_task(stand: Stand, name: str | None) -> Task:
-    """The task of a loop: of that name, or the only one. UsageError: none, several, or other rows than wx, wy, wz."""
+    """The task of a loop: of that name, or the only one.
+
+    UsageError: a held carrier; no task, several, or other rows than wx, wy, wz.
+    """
+    if stand.hold is not None:
+        raise UsageError(
+            f'stand "{stand.name}": hold: the loop demands a task, which a held carrier does not have; turn it '
+            "by `inverse_fast` and `torque` of its C, as `turn.c` of docs/tutorial-held-examples.md does, or take "
+            "[hold] out"
+        )
     names = [task.name for task in stand.tasks]
     if name is None and len(names) != 1:
         found = f"tasks {', '.join(names)}: give --task NAME" if names else "no task: add [task.pointing] to its file"

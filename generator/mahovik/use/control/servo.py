@@ -29,6 +29,7 @@ import numpy as np
 
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.servo import Servo
+from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import CheckError
@@ -75,21 +76,20 @@ def rotor_inertia(stand: Stand) -> Array:
 
 def lightness(stand: Stand) -> float:
     """How much lighter rotors feel because the carrier moves: the largest eigenvalue of
-    J^1/2 (J - I^T K^-1 I)^-1 J^1/2 (6) over random angles; 1 if the carrier does not move.
+    J^1/2 (J - I^T S (S^T K S)^-1 S^T I)^-1 J^1/2 (6) over random angles; 1 if the carrier does not move.
 
-    A held carrier gives way along its freedoms alone: S (S^T K S)^-1 S^T takes the place of K^-1.
-
-    All gains are proportional to J, so these eigenvalues multiply the loop's gain in its modes.
+    S are the twists that a hold leaves free, all six without one. All gains are proportional to J, so these
+    eigenvalues multiply the loop's gain in its modes.
     """
     drawn = np.random.default_rng(SEED).uniform(-np.pi, np.pi, (PHASES, len(stand.flywheels)))
     bodies, largest = bodies_of(stand), 1.0
     S = np.eye(6) if stand.hold is None else twists(stand.hold)
     for phi in drawn:
         rotors = spinning_bodies(bodies.mounted, _state_at(stand, phi))
-        I, J = coupling(rotors), spin_inertia(rotors)
+        I, J = S.T @ coupling(rotors), spin_inertia(rotors)
         root = np.sqrt(np.diag(J))
-        along = S.T @ I
-        mobility = np.linalg.inv(J - along.T @ np.linalg.solve(S.T @ mass_matrix(bodies.fixed, rotors) @ S, along))
+        carried = I.T @ np.linalg.solve(S.T @ mass_matrix(bodies.fixed, rotors) @ S, I)
+        mobility = np.linalg.inv(J - carried)
         largest = max(largest, float(np.linalg.eigvalsh(root[:, None] * mobility * root)[-1]))
     return largest
 

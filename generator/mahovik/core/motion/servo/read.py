@@ -108,6 +108,10 @@ def _compare(table: ServoTable, stand: Stand, problems: Problems) -> None:
         problems.add("latency", f"{latency:g} s is more than {MOST_LATENCY} sample periods of {period:g} s")
     if table.integral is not None and table.integral > table.bandwidth:
         problems.add("integral", f"{table.integral:g} rad/s is above the bandwidth, {table.bandwidth:g} rad/s")
+    if table.trim is not None and stand.hold is not None:
+        problems.add(
+            "trim", "found [hold] in the stand file, but a trim corrects the motion of a free carrier: remove [trim]"
+        )
     without = [s.name for s in stand.flywheels if s.encoder is None]
     if table.encoder == "stand" and without:
         problems.add("encoder", f'"stand", but the stand file has none for {", ".join(without)}')

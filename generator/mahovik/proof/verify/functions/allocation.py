@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -281,14 +282,13 @@ def _weak_demand(scaled: ScaledDemand, y: Array, held: Array, regular: float) ->
     return float(np.linalg.norm(U[:, weak].T @ (scaled.r - scaled.W[:, held] @ y[held])))
 
 
-def fast_rows(
-    case: Case, function: str, loss: Callable[[State, ScaledDemand], float] = lambda state, scaled: 1.0
-) -> Iterator[Row]:
+def fast_rows(case: Case, function: str, loss: Callable[[State, ScaledDemand], float] | None = None) -> Iterator[Row]:
     """phi_ddot by normal equations, without and with damping, the refusal, and how well the equations are solved.
 
     The last is judged at any condition: an answer of bad condition solves them all the same. `loss`: relative errors
-    of W and r in units of rounding.
+    of W and r in units of rounding; None: those of the whole carrier, or of the freedoms of a held one.
     """
+    loss = loss if loss is not None else partial(_loss_along_freedoms, case)
     plain = Comparison(function, "phi_ddot, with weights", case.bounds.default)
     damped = Comparison(function, "phi_ddot, with damping", case.bounds.default)
     solved = Comparison(function, "residual of its equations", case.bounds.default)
