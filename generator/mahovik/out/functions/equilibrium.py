@@ -79,10 +79,10 @@ class Rest(Table):
         far = 1.1 * max(math.hypot(*body.center_of_mass) for body in bodies) or 0.1
         found = []
         for i, name in enumerate("xy"):
-            lines = [
-                Line(body.name, *np.stack([self.position, self.position + C @ body.center_of_mass])[:, [i, 2]].T, k)
-                for k, body in enumerate(bodies)
-            ]
+            lines = []
+            for k, body in enumerate(bodies):
+                ends = np.stack([self.position, self.position + C @ body.center_of_mass])
+                lines.append(Line(body.name, ends[:, i], ends[:, 2], k))
             quantity, span = "z in E0, m, from O1 to the centres of mass", self.position[i] + np.array([-far, far])
             across = (float(span[0]), float(span[1]))
             found.append(Panel(quantity, tuple(lines), abscissa=f"{name} in E0, m", beside=i == 1, span=across))
