@@ -135,7 +135,7 @@ def test_a_gyroscope_on_a_spherical_joint_precesses_by_its_closed_formula(tilt: 
     assert np.abs(force / expected - 1).max() < 1e-11
 
 
-def drawn(document: dict[str, Any], seed: int) -> tuple[Stand, State]:
+def random_top(document: dict[str, Any], seed: int) -> tuple[Stand, State]:
     """The stand, at fast turning and spin: moments of hundreds of N m that all but cancel the weight."""
     stand = mahovik.Stand.from_dict(document)
     rng = np.random.default_rng(seed)
@@ -149,7 +149,7 @@ def drawn(document: dict[str, Any], seed: int) -> tuple[Stand, State]:
 @pytest.mark.parametrize("document", [TOP, GYROSCOPE], ids=["top", "gyroscope"])
 def test_spherical_joints_of_others_give_the_same_acceleration_and_reaction(document: Any, judge: Any) -> None:
     for seed in range(5):
-        stand, state = drawn(document, seed)
+        stand, state = random_top(document, seed)
         theirs = judge(stand).evaluate(state)
         for own in (NumpyBackend(stand), Second(stand)):
             for want in ("forward", "coupled"):
@@ -164,7 +164,7 @@ def test_spherical_joints_of_others_give_the_same_acceleration_and_reaction(docu
 
 
 def test_a_gyroscope_nods_as_the_joint_of_pinocchio_does() -> None:
-    """Its articulated bodies, integrated by SciPy in the quaternion of the joint, and the steps of our C."""
+    """Articulated bodies of Pinocchio, integrated by SciPy in the quaternion of the joint, and the steps of our C."""
     judge = HeldPinocchio(mahovik.Stand.from_dict(GYROSCOPE))
     model, u, rate = judge.model, np.array([0.4, -0.3, 1.0]), 60.0
     data = model.createData()
