@@ -96,8 +96,8 @@ def test_a_pattern_sets_all_that_it_matches() -> None:
     assert [each.mass for each in found.flywheels] == [0.3, 0.3, 0.5]
     assert [each.inertia[0][0] for each in found.flywheels] == pytest.approx([8e-4, 8e-4, 9e-4])
     assert found.flywheels[2].position == (1e-3, 1e-3, 1e-3)
-    assert found == held_stand().replace({**{f"w{i}.mass": 0.3 for i in (1, 2)}, **{f"w{i}.inertia[0]": 8e-4 for i in (1, 2)},
-                                    "other.position": [1e-3] * 3})  # fmt: skip
+    both = {f"w{i}.mass": 0.3 for i in (1, 2)} | {f"w{i}.inertia[0]": 8e-4 for i in (1, 2)}
+    assert found == held_stand().replace({**both, "other.position": [1e-3] * 3})
 
 
 def test_tables_take_the_paths_of_replace() -> None:
