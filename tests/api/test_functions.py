@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from functools import cache
+from html import unescape
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,8 @@ from cli.run import run
 from mahovik import stands
 from mahovik.core.stand import Stand
 from mahovik.core.stand.random import BARE, random_stand
-from mahovik.out.functions.table import Table
+from mahovik.out.functions.table import Column, Table
+from mahovik.out.report.plot.shares import shares
 
 SHAKER2 = str(stands.path("shaker2"))
 SPIN = str(Path(SHAKER2).parent / "shaker2_spin.motion.json")
@@ -81,7 +83,7 @@ def test_an_unknown_column_is_named() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["simulate", "response", "jitter", "modes", "linearize", "plan", "programme"])
+@pytest.mark.parametrize("name", NAMES)
 def test_a_result_is_drawn_on_new_axes_or_given_ones(name: str) -> None:
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
@@ -96,6 +98,25 @@ def test_a_result_is_drawn_on_new_axes_or_given_ones(name: str) -> None:
     with pytest.raises(mahovik.UsageError, match="panels to draw"):
         found.plot(many)
     pyplot.close("all")
+
+
+def test_a_verdict_is_drawn_as_shares_of_what_is_accepted() -> None:
+    """Rows with nothing but zero, or without a number, have no line; 1 is the limit."""
+    panel = shares("found", {"a": np.array([1e-13, 0.0, np.nan, 3.0]), "b": np.full(4, 1e-13)}, np.full(4, 1e-12))
+    a, b, accepted = panel.lines
+    assert np.flatnonzero(np.isfinite(a.y[1::3])).tolist() == [0, 3]
+    assert a.y[1::3][[0, 3]] == pytest.approx([0.1, 3e12]) and b.y[1::3] == pytest.approx(np.full(4, 0.1))
+    assert accepted.y.tolist() == [1.0, 1.0] and accepted.dashed and panel.log
+
+
+def test_a_table_without_rows_of_numbers_has_no_picture() -> None:
+    class Names(Table):
+        columns = (Column("name", "", np.array(["a", "b"], dtype=object)),)
+
+    found = mahovik.balance({"A": ["1@0"], "ALPHA": [["1@0"]]})
+    assert len(found._panels()) == len(found.names) - 1  # the planes are counted
+    with pytest.raises(mahovik.UsageError, match="no rows of numbers"):
+        Names().plot()
 
 
 def test_a_simulation_goes_on_from_a_state_and_tells_its_progress() -> None:
@@ -140,6 +161,8 @@ def test_a_plan_without_a_programme_says_why() -> None:
     assert found.status == "NO_PROGRAM" and found.words and len(found) == 0
     with pytest.raises(mahovik.UsageError, match="NO_PROGRAM"):
         _ = found.programme
+    with pytest.raises(mahovik.UsageError, match="NO_PROGRAM"):
+        mahovik.verify_programme(rigid, motion, found)
 
 
 def test_a_programme_is_saved_and_judged(tmp_path: Path) -> None:
@@ -147,6 +170,8 @@ def test_a_programme_is_saved_and_judged(tmp_path: Path) -> None:
     made.save(tmp_path / "p.json")
     verdict = mahovik.verify_programme(SHAKER2, SPIN, tmp_path / "p.json")
     assert verdict.passed and verdict["item"].tolist() == results()["verify_programme"]["item"].tolist()
+    of_plan = mahovik.verify_programme(SHAKER2, SPIN, planned())
+    assert of_plan["found"].tolist() == results()["verify_programme"]["found"].tolist()
     phi, phi_dot, _ = made.at([0.0, made.programme.span])
     assert np.allclose(phi_dot[0], phi_dot[1])
     assert phi.shape == (2, 2)
@@ -167,8 +192,10 @@ def test_c_is_judged_and_a_page_made(tmp_path: Path) -> None:
     found = mahovik.verify(shaker(), states=5)
     assert found.passed and "forward" in found["want"]
     assert found.to_dict()["passed"] is True
+    assert all(each.lines for each in found.plot())
     page = mahovik.report(shaker())
     page.save(tmp_path / "report.html")
+    assert unescape(page._repr_html_().split('"')[1]) == page.html  # as a notebook shows it
     assert not page.failures and (tmp_path / "report.html").read_text(encoding="utf-8") == page.html
 
 

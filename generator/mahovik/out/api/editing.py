@@ -18,6 +18,7 @@ from mahovik.core.stand.schema import FlywheelTable, UnbalanceTable
 from mahovik.core.stand.units import show
 from mahovik.errors import StandError, UsageError
 from mahovik.nearest import suggestion
+from mahovik.out.api.paths import plain_paths
 
 
 def exact(value: Any) -> Any:
@@ -42,7 +43,7 @@ def put(document: dict[str, Any], changes: Mapping[str, Any]) -> None:
     mass and centre of mass are set beside it. Raises UsageError, StandError.
     """
     unbalances: dict[str, dict[str, Any]] = {}
-    for path, value in changes.items():
+    for path, value in [(each, value) for given, value in changes.items() for each in plain_paths(document, given)]:
         table, _, last = path.rpartition(".")
         if table.endswith(".unbalance"):
             unbalances.setdefault(table, {})[last] = value

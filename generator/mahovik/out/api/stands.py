@@ -52,10 +52,11 @@ class Stand(CoreStand):
         return deepcopy(document) if document is not None else toml.parse(writing.dumps(self))
 
     def replace(self, changes: Mapping[str, Any]) -> Stand:
-        """The stand with other values: `{"w1.unbalance.static": "2 g mm", "carrier.mass": 13.0, "gravity.2": 0}`.
+        """The stand with other values: `{"w1.unbalance.static": "2 g mm", "carrier.mass": 13.0, "gravity[2]": 0}`.
 
-        A path begins with the name of a body, point or law's part, or with a key of the file; keys follow, and numbers
-        for places in a list, from 0. The value None takes the key away. A flywheel that its file gives by centre of
+        A path begins with the name of a body, point or law's part, or with a key of the file; keys follow, and places
+        in lists, from 0: `carrier.center_of_mass[0]`, `leg[0].stiffness`, `w1.inertia.J12`; `w*.mass` is that of each
+        body whose name matches. The value None takes the key away. A flywheel that its file gives by centre of
         mass and inertia takes `unbalance` too: its axial offset and its moments of inertia about the origin stay.
         Numbers of `unbalance` are set last, so a static unbalance is as given whatever mass is set beside it.
         Raises UsageError for a path that leads nowhere, StandError with every problem of the result.

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,6 +15,9 @@ from mahovik.out.functions.given import Number, StandGiven, by_flywheel
 from mahovik.out.functions.table import Column, Table
 from mahovik.use.study.rest import Rest as CoreRest
 from mahovik.use.study.rest import rest as find_rest
+
+if TYPE_CHECKING:
+    from mahovik.out.report.plot.panel import Panel
 
 POSE = ("x", "y", "z", "rx", "ry", "rz")
 
@@ -57,6 +61,32 @@ class Rest(Table):
     def unstable(self) -> bool:
         """Whether the stand would leave this pose."""
         return self.result.unstable
+
+    def _panels(self) -> Sequence[Panel]:
+        """Centres of mass of the bodies at rest, joined with O1: seen along y of E0, and against x."""
+        from mahovik.core.stand.summary import summarize
+        from mahovik.out.report.plot.panel import Line, Panel
+
+        w, x, y, z = self.attitude
+        C = np.array(
+            [
+                [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+            ]
+        )
+        bodies = summarize(self.stand, None).bodies
+        far = 1.1 * max(math.hypot(*body.center_of_mass) for body in bodies) or 0.1
+        found = []
+        for i, name in enumerate("xy"):
+            lines = []
+            for k, body in enumerate(bodies):
+                ends = np.stack([self.position, self.position + C @ body.center_of_mass])
+                lines.append(Line(body.name, ends[:, i], ends[:, 2], k))
+            quantity, span = "z in E0, m, from O1 to the centres of mass", self.position[i] + np.array([-far, far])
+            across = (float(span[0]), float(span[1]))
+            found.append(Panel(quantity, tuple(lines), abscissa=f"{name} in E0, m", beside=i == 1, span=across))
+        return found
 
     def to_dict(self) -> dict[str, Any]:
         """All of it, as `mahovik rest --json` prints it."""

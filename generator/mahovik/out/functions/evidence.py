@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,8 +20,13 @@ from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 from mahovik.out.functions.table import Column, Table
 
 if TYPE_CHECKING:
+    from mahovik.out.report.plot.panel import Panel
     from mahovik.proof.diagnose.diagnosis import Diagnosis
     from mahovik.proof.verify.report import Report
+
+
+COMPARED = ("worst", "second", "between")
+"""Columns of a verification with differences: to the reference, to the second derivation, and between these two."""
 
 
 class Verification(Table):
@@ -49,6 +55,11 @@ class Verification(Table):
             Column("accepted", "", numbers([row.tolerance or self.result.tolerance for row in rows])),
             Column("verdict", "", np.array([row.verdict for row in rows], dtype=object)),
         )
+
+    def _panels(self) -> Sequence[Panel]:
+        from mahovik.out.report.plot.shares import shares
+
+        return [shares("difference", {name: self[name] for name in COMPARED}, self["accepted"])]
 
     @property
     def passed(self) -> bool:
@@ -262,6 +273,9 @@ class Page:
         from mahovik.writing import write
 
         write(Path(path), self.html)
+
+    def _repr_html_(self) -> str:
+        return f'<iframe srcdoc="{escape(self.html)}" style="width: 100%; height: 40em; border: 0"></iframe>'
 
     def __repr__(self) -> str:
         return f"<Page on {self.stand.name}: {len(self.html) // 1000} kB, {len(self.failures)} failures>"

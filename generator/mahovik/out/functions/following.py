@@ -11,9 +11,9 @@ import numpy as np
 
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import StandGiven, motion_of, programme_of, servo_of
+from mahovik.out.functions.given import StandGiven, motion_of, servo_of
 from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
-from mahovik.out.functions.programmes import MotionGiven, Programme, ProgrammeGiven
+from mahovik.out.functions.programmes import MotionGiven, Plan, Programme, ProgrammeGiven, given_programme
 from mahovik.out.functions.simulation import Simulation
 from mahovik.out.functions.table import Column, Table
 from mahovik.use.control.causes import Contribution, contributions
@@ -109,7 +109,7 @@ class Following(Table):
 def follow(
     stand: StandGiven,
     motion: MotionGiven,
-    programme: ProgrammeGiven | Programme,
+    programme: ProgrammeGiven | Programme | Plan,
     servo: Servo | str | Path,
     *,
     mismatch: float = 0.0,
@@ -158,7 +158,7 @@ def _name(given: Any, otherwise: str) -> str:
 def following_case(
     stand: Stand,
     motion: MotionGiven,
-    programme: ProgrammeGiven | Programme,
+    programme: ProgrammeGiven | Programme | Plan,
     servo: Servo | str | Path,
     mismatch: float,
     seed: int,
@@ -175,7 +175,7 @@ def following_case(
 
     if not (math.isfinite(mismatch) and mismatch >= 0.0):
         raise UsageError(f"--mismatch {mismatch:g}: expected 0 or more")
-    found = programme.programme if isinstance(programme, Programme) else programme_of(programme)
+    found = given_programme(programme)
     source = _name(programme, "the programme")
     if not (whose := stand_finding(stand, found)).passed:
         raise UsageError(f"{source}: {whose.words}")

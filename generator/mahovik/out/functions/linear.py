@@ -78,12 +78,15 @@ class Modes(Table):
     def _panels(self) -> Sequence[Panel]:
         from mahovik.out.report.plot.panel import Line, Panel
 
+        found = [mode.frequency for mode in self.result.modes if mode.kind != "free"]
+        span = (found[0] / 2, found[0] * 2) if len(set(found)) == 1 and found[0] > 0.0 else None
         lines: list[Line] = []
         for i, mode in enumerate(self.result.modes):
             if mode.kind != "free":
                 height = np.array([0.0, max(abs(mode.damping), 1e-6)])
                 lines.append(Line(f"mode {i + 1}", np.full(2, mode.frequency), height, len(lines)))
-        return [Panel("damping ratio of the modes", tuple(lines), abscissa="frequency, Hz", log_abscissa=True)]
+        quantity = "damping ratio of the modes"
+        return [Panel(quantity, tuple(lines), abscissa="frequency, Hz", log_abscissa=True, span=span)]
 
     def __repr__(self) -> str:
         free = sum(mode.kind == "free" for mode in self.result.modes)

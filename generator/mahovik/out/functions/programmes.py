@@ -235,6 +235,11 @@ class Verdict(Table):
             Column("words", "", np.array([each.words for each in self.findings], dtype=object)),
         )
 
+    def _panels(self) -> Sequence[Panel]:
+        from mahovik.out.report.plot.shares import shares
+
+        return [shares("found", {"found": self["found"]}, self["accepted"])]
+
     @property
     def passed(self) -> bool:
         """Whether every item is right."""
@@ -248,7 +253,7 @@ class Verdict(Table):
 def verify_programme(
     stand: StandGiven,
     motion: MotionGiven | Slew,
-    programme: ProgrammeGiven | Programme,
+    programme: ProgrammeGiven | Programme | Plan,
     *,
     tolerance: float | None = None,
     against: str | Path | None = None,
@@ -265,12 +270,19 @@ def verify_programme(
     from mahovik.proof.verify import programme as verification
 
     own = Stand.of(stand, held=True)
-    found = programme.programme if isinstance(programme, Programme) else programme_of(programme)
+    found = given_programme(programme)
     required = _of_course(motion, found) if isinstance(motion, Slew) else motion_of(motion, own, found)
     tell(progress, Progress("by the reference"))
     folder = None if against is None else Path(against)
     findings = verification.verify_programme(own, required, found, tolerance=tolerance, against=folder, name=name)
     return Verdict(own, required, findings)
+
+
+def given_programme(given: ProgrammeGiven | Programme | Plan) -> CoreProgramme:
+    """The programme that a function is given; of a plan the best. Raises ProgrammeError, UsageError without one."""
+    if isinstance(given, Plan):
+        given = given.programme
+    return given.programme if isinstance(given, Programme) else programme_of(given)
 
 
 class Design(Table):

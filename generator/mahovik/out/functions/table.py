@@ -94,8 +94,21 @@ class Table(ABC):
         return repr(self).strip("<>")
 
     def _panels(self) -> Sequence[Panel]:
-        """Contents of its picture."""
-        raise UsageError(f"{type(self).__name__}: there is no picture of it")
+        """Contents of its picture: each column of numbers over the rows, which are counted from 1."""
+        from mahovik.out.report.plot.panel import Panel, stems
+
+        rows = np.arange(1.0, len(self) + 1)
+        drawn = [column for column in self.columns if column.values.dtype.kind in "iuf" and column.name != self.index]
+        if not (drawn and len(rows)):
+            raise UsageError(f"{self._title}: has no rows of numbers to draw")
+        return [
+            Panel(
+                f"{column.name}, {column.unit}" if column.unit else column.name,
+                (stems("", rows, np.asarray(column.values, dtype=np.float64)),),
+                abscissa="row", span=(0.5, len(rows) + 0.5),
+            )
+            for column in drawn
+        ]  # fmt: skip
 
     def _repr_html_(self) -> str:
         head = [f"{column.name}, {column.unit}" if column.unit else column.name for column in self.columns]

@@ -188,18 +188,16 @@ class Quiet(Table):
         write(Path(path), self.regime)
 
     def _panels(self) -> Sequence[Panel]:
-        from mahovik.out.report.plot.panel import Line, Panel
+        from mahovik.out.report.plot.panel import Panel, stems
 
         found = []
         for when, jitter in (("before", self.result.before), ("after", self.result.after)):
             places = np.array([line.frequency for line in jitter.lines])
             sizes = np.array([(2.0 * line.mean_square) ** 0.5 for line in jitter.lines])
-            x = np.repeat(places, 3)
-            y = np.stack([np.zeros_like(sizes), sizes, np.full_like(sizes, np.nan)], axis=1).ravel()
             low, high = self.result.options.band
             found.append(
                 Panel(
-                    f"{self.result.options.measure}, {self.result.unit}, {when}", (Line("lines", x, y),),
+                    f"{self.result.options.measure}, {self.result.unit}, {when}", (stems("lines", places, sizes),),
                     abscissa="frequency, Hz", shaded=((low, high),),
                 )
             )  # fmt: skip

@@ -81,7 +81,7 @@ def coupled(system: System, locked: Sequence[bool] = ()) -> Results:
     S = _basis(system)
     m = S.shape[1]
     unknown = ca.MX.sym("unknown", m + system.N)
-    u_dot, phi_ddot = unknown[:m], unknown[m:]
+    u_dot, phi_ddot = unknown[:m, 0], unknown[m:, 0]
     applied, on_flywheels = system.applied_force()
     inertial, of_flywheels = system.inertial_force(S @ u_dot, phi_ddot)
     reaction = inertial - applied
@@ -89,11 +89,12 @@ def coupled(system: System, locked: Sequence[bool] = ()) -> Results:
     driven = of_flywheels - on_flywheels - system.inputs["tau"]
     left = ca.vertcat(S.T @ reaction, (1 - stopped) * driven + stopped * phi_ddot)
     found = _where_zero(left, unknown)
+    u_dot, phi_ddot = found[:m, 0], found[m:, 0]
     return {
-        "u_dot": found[:m],
-        "V_dot": S @ found[:m],
+        "u_dot": u_dot,
+        "V_dot": S @ u_dot,
         "reaction": ca.substitute(reaction, unknown, found),
-        "phi_ddot": found[m:],
+        "phi_ddot": phi_ddot,
     }
 
 

@@ -6,7 +6,6 @@ import math
 from typing import TYPE_CHECKING, Annotated, Any, Literal, cast
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.document import validate_table
 from mahovik.core.motion.fields import choice, per_flywheel
@@ -153,6 +152,8 @@ def _attitude(stand: Stand, angles: Vec3 | None, quaternion: Any, problems: Prob
     if angles is not None and quaternion is not None:
         problems.add(key, "expected angles or quaternion, found both")
     if quaternion is not None:
+        from scipy.spatial.transform import Rotation  # no other motion needs SciPy
+
         return np.asarray(Rotation.from_quat(quaternion, scalar_first=True).as_matrix())
     C = np.eye(3)
     for axis, value in zip(_SEQUENCE[stand.angles], angles or (0.0, 0.0, 0.0), strict=True):
@@ -176,6 +177,8 @@ def _turn(
             problems.add("end", f"expected angles or quaternion, found {', '.join(given) or 'none'}")
             return none
         wanted = _attitude(stand, end.angles, end.quaternion, problems, "end")
+        from scipy.spatial.transform import Rotation  # no other motion needs SciPy
+
         turned = Rotation.from_matrix(start.T @ wanted).as_rotvec()
         angle = float(np.linalg.norm(turned))
         if angle < _SAME:

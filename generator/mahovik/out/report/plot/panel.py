@@ -100,6 +100,13 @@ def limit(name: str, x: Array, value: float) -> Line:
     return Line(name, x[[0, -1]], np.full(2, value), None, dashed=True)
 
 
+def stems(name: str, x: Array, sizes: Array, colour: int = 0, foot: float = 0.0) -> Line:
+    """A vertical line at each place, from `foot` to the size there."""
+    gap = np.full(len(x), np.nan)
+    y = np.stack([np.full(len(x), foot), sizes, gap], axis=1)
+    return Line(name, np.repeat(np.asarray(x, dtype=np.float64), 3), y.ravel(), colour)
+
+
 def border(tag: str, x: float, low: float, high: float) -> Line:
     """A limit of the abscissa."""
     return Line("", np.full(2, x), np.array([low, high]), None, dashed=True, tag=tag)
