@@ -332,7 +332,7 @@ def lines(hold: Hold) -> list[str]:
 TAKE_HELD = (
     "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `simulate`, `rest`, `modes`, `linearize`, "
     "`response`, `replay`, `derive`, `cost`, `judge`, `judge-log`, `identify`, `excite`, `balance`, `campaign`, "
-    "`plan`, `verify-programme`, `export programme`, `export target` and `export fmu`"
+    "`plan`, `design`, `verify-programme`, `export programme`, `export target` and `export fmu`"
 )
 """Commands that take held carriers."""
 
