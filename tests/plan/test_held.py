@@ -247,7 +247,7 @@ def test_a_pendulum_goes_from_rest_to_rest() -> None:
     assert found.status == "OK" and found.programmes[0].report["verified"]
 
 
-HOLDS = (
+POSES = (
     'freedoms = ["pitch"]\npivot = [0.1, 0, -0.2]',
     "axis = [1, 2, -1]\npivot = [0.1, 0.3, -0.2]",
     'freedoms = ["x", "z"]',
@@ -257,7 +257,7 @@ HOLDS = (
 )
 
 
-@pytest.mark.parametrize("hold", HOLDS)
+@pytest.mark.parametrize("hold", POSES)
 def test_coordinates_of_poses_are_found_again(hold: str) -> None:
     """From other ones nearby, each row by itself; slopes are those of V; a pose that is not reached is NaN."""
     own = stand(f"{hold}\nposition = [1, 2, 3]\nangles = [0.3, -0.2, 0.1]", wheel(1, [1, 0, 0]))

@@ -10,6 +10,7 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
+from mahovik.out.campaign.holds import Holds
 from mahovik.out.campaign.observe import Chunk
 from mahovik.out.campaign.pose import Array, rotation
 from mahovik.proof.reference.rotation import kinematic_matrix
@@ -20,12 +21,16 @@ from mahovik.use.plan.residual.held_kinematics import held_coordinates, held_slo
 
 @dataclass(frozen=True, eq=False)
 class Required:
-    """The required motion of a stand's carrier under its programme; `scale`: that of errors of all six coordinates."""
+    """The required motion of a stand's carrier under its programme; `scale`: that of errors of all coordinates.
+
+    `holds`: of samples that are held at other places; their coordinates count from their own home poses.
+    """
 
     stand: Stand
     motion: RequiredMotion
     programme: Programme
     scale: Scale
+    holds: Holds | None = None
 
     @staticmethod
     def of(stand: Stand, motion: RequiredMotion, programme: Programme) -> Required:
@@ -43,7 +48,10 @@ class Required:
         q = self.q(at.t)
         m = q.shape[1]
         near = np.repeat(q[:, None, :], n, axis=1).reshape(K * n, m)
-        place, attitude = (np.moveaxis(each, 1, 2).reshape(K * n, -1) for each in (at.position, at.attitude))
+        pose = at.position, at.attitude
+        if self.holds is not None:
+            pose = self.holds.nominal_poses(*pose)
+        place, attitude = (np.moveaxis(each, 1, 2).reshape(K * n, -1) for each in pose)
         known = np.isfinite(attitude).all(axis=1) & np.isfinite(place).all(axis=1)
         whole = np.full((K * n, m), np.nan)
         if known.any():
