@@ -112,7 +112,7 @@ def test_samples_begin_at_their_own_rest() -> None:
     assert np.all(found["rate"] < 1e-9)
 
 
-def test_a_programme_takes_no_held_carrier() -> None:
-    with pytest.raises(StandError, match="over: programme: hold: found a held carrier"):
+def test_servos_take_no_held_carrier() -> None:
+    with pytest.raises(StandError, match="over: servo: hold: found a held carrier"):
         computation(table([], first={"static": "1 g mm"}, second={}),
-                    {"programme": "p.json", "motion": "m.toml"}, {"x": PEAK})  # fmt: skip
+                    {"programme": "p.json", "motion": "m.toml", "servo": "s.toml"}, {"x": PEAK})  # fmt: skip

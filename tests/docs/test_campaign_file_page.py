@@ -63,6 +63,7 @@ def test_the_tables_are_those_of_the_reader() -> None:
 
 def test_paths_of_the_page_are_found() -> None:
     from api.models import stand
+    from identify.test_excite_held import STICK
     from mahovik.errors import UsageError
     from mahovik.out.api.stands import Stand
     from mahovik.out.campaign.places import Places
@@ -71,6 +72,8 @@ def test_paths_of_the_page_are_found() -> None:
     paths = [path for line in lines[2:] for path in re.findall(r'`"([^"]+)"`', cells(line)[0])]
     assert len(paths) > 8
     places = [Places(Stand.of(stand(name))) for name in ("sat4", "remus6", "everything")]
+    hold = {**STICK["hold"], "pivot": [0, 0, 0.1], "angles": [0, 0, 0]}
+    places.append(Places(Stand.from_dict({**STICK, "hold": hold})))
     for path in paths:
         found = 0
         for each in places:

@@ -128,8 +128,8 @@ def test_channels_of_a_hold_need_one(tmp_path: Path, exact: Array) -> None:
 
 def test_what_a_hold_does_is_the_same_in_all_samples() -> None:
     model = mahovik.build(table(["pitch"], **START))
-    with pytest.raises(UsageError, match=r"hold.pivot: decides how the carrier can move"):
-        model.tables({"hold.pivot": np.zeros((2, 3))})
+    with pytest.raises(UsageError, match=r"hold.axis: decides how the carrier can move"):
+        model.tables({"hold.axis": np.zeros((2, 3))})
 
 
 @pytest.mark.parametrize("freedoms", [[], ["pitch"], ["roll", "pitch", "yaw"], ["x", "z", "pitch"]])

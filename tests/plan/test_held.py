@@ -17,7 +17,7 @@ from mahovik.errors import MahovikError
 from mahovik.proof.verify.programme import held, verify_programme
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.problem import Problem
-from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists
+from mahovik.use.plan.residual.held_kinematics import held_coordinates, held_pose, held_slopes, held_twists
 from plan.held_stands import HOLDS, stand, wheel
 
 QUICK = PlanOptions(steps=60, enough=1)
@@ -199,3 +199,31 @@ def test_a_pendulum_goes_from_rest_to_rest() -> None:
     document = {"schema": 1, "type": "finite", "duration": 1.0, "samples": samples}
     found = plan_motion(PENDULUM, read_motion(json.dumps(document), PENDULUM, "m.json"))
     assert found.status == "OK" and found.programmes[0].report["verified"]
+
+
+POSES = (
+    'freedoms = ["pitch"]\npivot = [0.1, 0, -0.2]',
+    "axis = [1, 2, -1]\npivot = [0.1, 0.3, -0.2]",
+    'freedoms = ["x", "z"]',
+    'freedoms = ["z", "x", "pitch"]\npivot = [0.1, 0.3, -0.2]',
+    'freedoms = ["pitch", "roll", "yaw"]\npivot = [0.1, 0.3, -0.2]',
+    "basis = [[0, 0.2, 0.1, 1, 0, 0]]",
+)
+
+
+@pytest.mark.parametrize("hold", POSES)
+def test_coordinates_of_poses_are_found_again(hold: str) -> None:
+    """From other ones nearby, each row by itself; slopes are those of V; a pose that is not reached is NaN."""
+    own = stand(f"{hold}\nposition = [1, 2, 3]\nangles = [0.3, -0.2, 0.1]", wheel(1, [1, 0, 0]))
+    assert own.hold is not None
+    rng, m = np.random.default_rng(5), len(own.hold.freedoms)
+    x, rates = rng.uniform(-1.0, 1.0, (40, m)), rng.normal(size=(40, m))
+    C, O1 = held_pose(own, x)
+    near = x + rng.uniform(-0.3, 0.3, x.shape)
+    found = held_coordinates(own, O1, C, near)
+    assert np.abs(found - x).max() < 1e-11
+    assert np.array_equal(held_coordinates(own, O1[:1], C[:1], near[:1]), found[:1])
+    V = (held_slopes(own, x) @ rates[:, :, None])[:, :, 0]
+    assert np.abs(V - held_twists(own, Course(x, rates, np.zeros_like(x)))[0]).max() < 1e-13
+    far = O1 + np.cross([0.3, 0.1, 0.2], np.arange(1.0, 4.0)) + 0.2
+    assert np.isnan(held_coordinates(own, far, C, near)[0]).all()

@@ -206,7 +206,10 @@ def lower_numbers(layout: Layout) -> Program:
     _add_prepare(lib)
     if layout.flywheels:
         lib.add(mounts.prepare_mounts(lib))
-    return _program(lib)
+    program = _program(lib)
+    if layout.held:  # stops ask for the axes of the home pose
+        program = replace(program, functions=(rotation.rotation(), *program.functions))
+    return program
 
 
 def _program(lib: Library) -> Program:

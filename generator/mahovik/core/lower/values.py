@@ -23,7 +23,7 @@ from mahovik.core.program.function import Function, Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, Kind
 from mahovik.core.stand.columns import Column
-from mahovik.core.stand.hold import carried_point, twists
+from mahovik.core.stand.hold import carried_point, twist_columns
 from mahovik.core.stand.model import Body as StandBody
 from mahovik.core.stand.model import Flywheel, Instrument, MountingAngles, Point, Stand
 from mahovik.errors import StandError
@@ -173,7 +173,7 @@ class _Laws:
             pivot, sliding = carried_point(stand.hold)
             laws |= {"pivot": list(pivot), "sliding": [x for row in sliding for x in row]}
             if layout.freedoms:
-                laws["S"] = twists(stand.hold).tolist()
+                laws["S"] = [list(row) for row in zip(*twist_columns(stand.hold), strict=True)]
             if layout.coordinates:
                 attitude = self._program.run("quaternion", {"angles": stand.hold.angles})[1]["attitude"]
                 laws |= {"home_position": list(stand.hold.position), "home_attitude": attitude}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from operator import mul
 from typing import Annotated, Any
@@ -100,7 +101,7 @@ def hold_of(table: HoldTable, problems: Problems) -> Hold | None:
         problems.add("hold", "pivot", f"given together with {given[0]}, where nothing turns about it: leave it out")
         return None
     hold = Hold(freedoms, table.pivot or ZERO3, table.position, table.angles)
-    row = _first_dependent(twists(hold))
+    row = _first_dependent(twists(hold)) if table.basis is not None else None  # named freedoms are independent
     if row is not None:
         others = "row 0" if row == 1 else f"rows 0 to {row - 1}"
         problems.add("hold", "basis", f"row {row} follows from {others}: rows must be independent, leave it out")
@@ -115,19 +116,32 @@ def kinds(hold: Hold) -> tuple[str, ...]:
 
 def twists(hold: Hold) -> Array:
     """S (6 x m): the twists of O1 in E1 at u = 1; m/s and rad/s for one of u."""
-    columns = [_twist(each, np.array(hold.pivot)) for each in hold.freedoms]
-    return np.array(columns, dtype=np.float64).reshape(-1, 6).T
+    return np.array(twist_columns(hold), dtype=np.float64).reshape(-1, 6).T
 
 
-def _twist(freedom: Freedom, pivot: Array) -> Array:
+def twist_columns(hold: Hold) -> list[list[Any]]:
+    """Columns of S, six numbers each; of many samples the pivot may have columns of numbers in place of numbers."""
+    return [_twist(each, hold.pivot) for each in hold.freedoms]
+
+
+def _twist(freedom: Freedom, pivot: Vec3) -> list[Any]:
     if freedom.kind == "twist":
-        return np.array(freedom.twist)
-    scaled = np.array(freedom.direction) / max(map(abs, freedom.direction))  # squares neither overflow nor vanish
-    x, y, z = scaled.tolist()
-    unit = scaled / math.sqrt(x * x + y * y + z * z)  # the same bits on every machine
-    if freedom.kind == "slide":
-        return np.concatenate([unit, np.zeros(3)])
-    return np.concatenate([np.cross(pivot, unit), unit])
+        return list(freedom.twist)
+    unit = _unit(freedom)
+    return [*unit, 0.0, 0.0, 0.0] if freedom.kind == "slide" else [*_cross(pivot, unit), *unit]
+
+
+def _unit(freedom: Freedom) -> list[float]:
+    """Direction of length 1 of what slides or turns."""
+    most = max(map(abs, freedom.direction))  # squares neither overflow nor vanish
+    x, y, z = (each / most for each in freedom.direction)
+    length = math.sqrt(x * x + y * y + z * z)  # the same bits on every machine
+    return [x / length, y / length, z / length]
+
+
+def _cross(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
+    """a x b (3), of numbers or of columns of numbers."""
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def wrenches(hold: Hold) -> Array:
@@ -135,14 +149,19 @@ def wrenches(hold: Hold) -> Array:
 
     A force through the pivot of what slides, a moment of what turns, S (S^T S)^-1 of a basis. By it u = W^T V.
     """
+    return np.array(wrench_columns(hold), dtype=np.float64).reshape(-1, 6).T
+
+
+def wrench_columns(hold: Hold) -> list[list[Any]]:
+    """Columns of W, six numbers each, as `twist_columns` has those of S."""
     if any(freedom.kind == "twist" for freedom in hold.freedoms):
-        return _dual(twists(hold))
-    pivot, columns = np.array(hold.pivot), []
+        columns: list[list[Any]] = _dual(twists(hold)).T.tolist()
+        return columns
+    found = []
     for freedom in hold.freedoms:
-        direction = _twist(freedom, np.zeros(3))
-        at_pivot = np.cross(pivot, direction[:3])
-        columns.append(np.concatenate([direction[:3], direction[3:] + at_pivot]))
-    return np.array(columns, dtype=np.float64).reshape(-1, 6).T
+        own = _twist(freedom, ZERO3)
+        found.append([*own[:3], *(a + b for a, b in zip(own[3:], _cross(hold.pivot, own[:3]), strict=True))])
+    return found
 
 
 def _dual(S: Array) -> Array:
@@ -227,7 +246,7 @@ def is_closed(hold: Hold) -> bool:
 
     The bracket of (v, omega) and (v', omega') is (omega x v' + v x omega', omega x omega').
     """
-    S = _scale(twists(hold))
+    S = _scale(twists(replace(hold, pivot=ZERO3)))  # wherever the pivot is
     for i in range(S.shape[1]):
         for j in range(i):
             v, omega, v2, omega2 = S[:3, i], S[3:, i], S[:3, j], S[3:, j]
@@ -263,7 +282,7 @@ def carried_point(hold: Hold) -> tuple[Vec3, list[list[float]]]:
     whole = [[float(i == j) for j in range(3)] for i in range(3)]
     if any(freedom.kind == "twist" for freedom in hold.freedoms) or not is_closed(hold):
         return (0.0, 0.0, 0.0), whole
-    slides = [_twist(f, np.zeros(3))[:3].tolist() for f in hold.freedoms if f.kind == "slide"]
+    slides = [_unit(f) for f in hold.freedoms if f.kind == "slide"]
     return hold.pivot, [[sum(d[i] * d[j] for d in slides) for j in range(3)] for i in range(3)]
 
 
@@ -350,9 +369,9 @@ def lines(hold: Hold) -> list[str]:
 
 TAKE_HELD = (
     "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `report`, `simulate`, `rest`, `modes`, `linearize`, "
-    "`response`, `jitter`, `quiet`, `replay`, `derive`, `cost`, `judge`, `judge-log`, `identify`, `balance`, "
-    "`campaign`, `plan`, `verify-programme`, `export programme`, `export servo`, `export fuzz`, `export target` and "
-    "`export fmu`"
+    "`response`, `jitter`, `quiet`, `replay`, `derive`, `cost`, `judge`, `judge-log`, `identify`, `excite`, `balance`, "
+    "`campaign`, `plan`, `design`, `verify-programme`, `export programme`, `export servo`, `export fuzz`, "
+    "`export target` and `export fmu`"
 )
 """Commands that take held carriers."""
 

@@ -15,7 +15,7 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
-from mahovik.core.stand.hold import wrenches
+from mahovik.core.stand.hold import wrench_columns
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure_facts import Structure
 from mahovik.laws.friction.data import Friction as Row
@@ -62,8 +62,8 @@ class Friction(LawLowering):
     def values(self, stand: Stand, run: Any) -> dict[str, Any]:
         """The numbers of the file, and the wrench along the freedom."""
         assert stand.hold is not None
-        along = wrenches(stand.hold)
-        return {"friction": [_row(friction, along[:, friction.freedom].tolist()) for friction in frictions_of(stand)]}
+        along = wrench_columns(stand.hold)
+        return {"friction": [_row(friction, along[friction.freedom]) for friction in frictions_of(stand)]}
 
     def members(self, field: Field, value: Any) -> Iterator[Member]:
         """Freedom by freedom, counted from 1."""
@@ -92,7 +92,7 @@ class Friction(LawLowering):
 LOWERING = Friction()
 
 
-def _row(friction: Row, direction: list[float]) -> dict[str, Any]:
+def _row(friction: Row, direction: list[Any]) -> dict[str, Any]:
     numbers = {name: getattr(friction, name) for name in ("viscous", "coulomb", "breakaway", "smoothing")}
     stribeck = 1.0 if friction.stribeck_speed is None else friction.stribeck_speed
     return {"direction": direction, **numbers, "stribeck_speed": stribeck}

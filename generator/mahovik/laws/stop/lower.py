@@ -15,7 +15,7 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
-from mahovik.core.stand.hold import wrenches
+from mahovik.core.stand.hold import wrench_columns
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.structure_facts import Structure
 from mahovik.laws.stop.data import Stop as Row
@@ -79,7 +79,7 @@ class Stops(LawLowering):
         assert hold is not None
         attitude = run("quaternion", {"angles": hold.angles})[1]["attitude"]
         C0 = run("rotation", {"q": attitude})[1]["C"]
-        along = wrenches(hold).T
+        along = wrench_columns(hold)
         rows: dict[str, list[dict[str, Any]]] = {}
         for stop in stops_of(stand):
             kind = hold.freedoms[stop.freedom].kind
@@ -130,19 +130,19 @@ def _call_all(lib: FunctionSet, body: Body, suffix: str, named: dict[str, Place]
                 body.call(lib[name], *lib.arguments_of(name, law=law, **named))
 
 
-def _row(stop: Row, hold: Hold, kind: str, direction: Any, C0: list[float]) -> dict[str, Any]:
+def _row(stop: Row, hold: Hold, kind: str, direction: list[Any], C0: list[Any]) -> dict[str, Any]:
     """Numbers of one stop."""
-    own = {"direction": direction.tolist(), "at": stop.at, "side": 1.0 if stop.above else -1.0}
+    own = {"direction": direction, "at": stop.at, "side": 1.0 if stop.above else -1.0}
     own |= {"stiffness": stop.stiffness, "damping": stop.damping}
     if kind == "turn":
         # the moment of the freedom is its axis
-        return own | {"axis": direction[3:].tolist(), "C0": list(C0)}
-    axis = _rotate(C0, direction[:3].tolist())
+        return own | {"axis": direction[3:], "C0": list(C0)}
+    axis = _rotate(C0, direction[:3])
     home = [place + arm for place, arm in zip(hold.position, _rotate(C0, list(hold.pivot)), strict=True)]
     return own | {"axis": axis, "home": home}
 
 
-def _rotate(C: list[float], a: list[float]) -> list[float]:
+def _rotate(C: list[Any], a: list[Any]) -> list[Any]:
     """C a, in a fixed order of summation."""
     return [C[3 * i] * a[0] + C[3 * i + 1] * a[1] + C[3 * i + 2] * a[2] for i in range(3)]
 

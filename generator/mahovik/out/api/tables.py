@@ -22,6 +22,9 @@ from mahovik.out.api.variants import Variants, change_values, variants
 LANES = {8: 8, 4: 16}
 """Stands side by side in a block, by the bytes of a real."""
 
+PLACE_OF_HOLD = ("pivot", "position", "angles")
+"""Keys of a hold that say where it holds the carrier."""
+
 _ALIGNMENT = 64
 
 Blocks = Mapping[str, NDArray[Any]]
@@ -78,12 +81,12 @@ class Tables:
 
 
 def _refuse_numbers_of_holds(stand: Stand, samples: Samples) -> None:
-    """UsageError: a sample would be held elsewhere; friction and stops of a hold may vary."""
+    """UsageError: a sample would move along other freedoms. Place, friction and stops of a hold may vary."""
     if stand.hold is None or any(body.name == "hold" for body in stand.bodies):
         return
     for path in samples.given:
         keys = path.split(".")
-        if keys[0] == "hold" and not any(key.startswith(("friction", "stop")) for key in keys[1:2]):
+        if keys[0] == "hold" and not {*keys[1:2]} & {*PLACE_OF_HOLD, "friction", "stop"}:
             raise UsageError(
                 f"{path}: decides how the carrier can move, the same for all samples; make a model of each"
             )

@@ -25,6 +25,7 @@ from mahovik.out.campaign.bounds import check_bounds
 from mahovik.out.campaign.compute import Computation, prepare
 from mahovik.out.campaign.designs import DESIGNS, Design
 from mahovik.out.campaign.file import CampaignFile, files_in, load_campaign
+from mahovik.out.campaign.holds import is_place_of_hold
 from mahovik.out.campaign.rows import Rows
 from mahovik.out.campaign.sensitivity import Sensitivity, sensitivity
 
@@ -81,6 +82,12 @@ class Campaign:
         if file.table.over is None:
             raise CampaignError(
                 [f"{file.source}: over: required, but missing; expected over what samples are computed"]
+            )
+        moved = [each.place.path for each in file.draw.parameters if is_place_of_hold(each.place.path)]
+        if moved and file.table.over.kind == "states":
+            held = "says where the carrier is held, and the states of a file are of one place"
+            raise CampaignError(
+                [f"{file.source}: vary: {moved[0]}: {held}; expected another `over`, or not to vary it"]
             )
         try:
             computation = prepare(

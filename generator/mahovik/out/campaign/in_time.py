@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -16,6 +17,7 @@ from mahovik.out.api.tables import Tables
 from mahovik.out.campaign.block import PER_BLOCK, Block
 from mahovik.out.campaign.driven import DrivenByTorque
 from mahovik.out.campaign.given_speeds import GivenSpeeds
+from mahovik.out.campaign.holds import Holds
 from mahovik.out.campaign.observe import Chunk, Observer, cut_before
 from mahovik.out.campaign.over import DT, EVERY, ORDER, OverTable
 from mahovik.out.campaign.pose import Array
@@ -88,18 +90,21 @@ class TimeRunner:
         found = {q.name: np.full(n, np.nan) for q in self._quantities}
         reasons = [""] * n
         laws = tables.laws() if any(q.signal and q.signal.part in ties(self.stand) for q in self._quantities) else {}
+        holds = None if self._required is None else Holds.of(self.stand, tables)
         with np.errstate(all="ignore"):
             whole = Block(self.stand, self._made, tables, 0, n)
             lost = self._start.begin(whole, tables)
             for first in range(0, n, self._size):
                 block = Block(self.stand, self._made, tables, first, min(self._size, n - first))
                 block.x[:] = whole.x[:, first : first + block.n]
-                self._compute(block, laws, found, reasons)
+                self._compute(block, laws, holds, found, reasons)
         for j, reason in lost.items():
             reasons[j] = reason
         return found, reasons
 
-    def _compute(self, block: Block, laws: Any, found: Mapping[str, Array], reasons: list[str]) -> None:
+    def _compute(
+        self, block: Block, laws: Any, holds: Holds | None, found: Mapping[str, Array], reasons: list[str]
+    ) -> None:
         """Quantities and reasons of a block, from its states at t = 0."""
         own = slice(block.first, block.first + block.n)
         readings = None
@@ -107,7 +112,10 @@ class TimeRunner:
             block.call("points")
             readings = block.found["points"].copy()
         begin = block.x.copy()
-        scene = Scene(self.stand, begin, frames_of(self.stand, begin, readings), _part(laws, own), self._required)
+        required = self._required
+        if required is not None and holds is not None:
+            required = replace(required, holds=holds.part(own))
+        scene = Scene(self.stand, begin, frames_of(self.stand, begin, readings), _part(laws, own), required)
         gathered = {q.name: q.new(block.n) for q in self._quantities if q.signal is not None}
         records = Records(self.stand) if any(q.function for q in self._quantities) else None
 

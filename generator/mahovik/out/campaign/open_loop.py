@@ -26,6 +26,7 @@ from mahovik.use.plan.forward import Chart
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.unbalance import twist_at_rest
 from mahovik.use.simulate.case import Case
+from mahovik.use.simulate.held import allowed_start
 
 PERIODS = 1
 """Periods of a periodic programme, where the file does not say."""
@@ -69,4 +70,5 @@ def required_state(stand: Stand, motion: RequiredMotion, programme: Programme) -
     if programme.unbalance == "averaged":
         y[6:] = twist_at_rest(stand, y[6:], angles.phi[0], angles.phi_dot[0])
     found = plant_state(stand, chart, y, angles.phi[0], angles.phi_dot[0])
-    return replace(found, phi=tuple(angles.phi[0].tolist()), phi_dot=tuple(angles.phi_dot[0].tolist()))
+    found = replace(found, phi=tuple(angles.phi[0].tolist()), phi_dot=tuple(angles.phi_dot[0].tolist()))
+    return allowed_start(stand, found)

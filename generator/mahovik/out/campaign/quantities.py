@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.core.motion.servo import COORDINATES
+from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.names import name_problem
 from mahovik.core.stand.units import QuantityError, number
@@ -110,12 +111,13 @@ def _quantity(
         raise UsageError("after: not over states, which have no time")
     signal = SIGNALS[table.signal]
     part = find_part(stand, signal, table.at, table.of)
-    axes = COORDINATES if table.signal == "error" else AXES if signal.vector else ()
+    coordinates = _units_of_coordinates(stand) if table.signal == "error" else {}
+    axes = tuple(coordinates) if table.signal == "error" else AXES if signal.vector else ()
     if table.axis is not None and table.axis not in axes:
         raise UsageError(f"axis: {table.axis}: expected {'one of ' + ', '.join(axes) if axes else 'none'}")
     unit = signal.unit
     if table.signal == "error" and table.axis is not None:
-        unit = "m" if table.axis in AXES else "rad"
+        unit = coordinates[table.axis]
     within = 0.0
     if table.statistic == "settling":
         within, unit = number(table.within, signal.dimension), "s"
@@ -134,6 +136,12 @@ def _quantity(
     elif signal.place == "part" and kind == "speeds":
         raise UsageError(f"{table.signal}: over speeds only that of the hold is known, found {part}")
     return Quantity(name, unit, own, table.statistic, table.band, table.after, within, needs=needs)
+
+
+def _units_of_coordinates(stand: Stand) -> dict[str, str]:
+    """Names of the coordinates in which a programme has an error, with their units. Raises StandError: it has none."""
+    own = coordinates_of(stand)
+    return dict(zip(own.names, own.unit_names, strict=True))
 
 
 def _check_servo_error(table: WantedTable) -> None:

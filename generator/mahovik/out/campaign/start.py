@@ -11,6 +11,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import MahovikError
 from mahovik.out.api.tables import Tables
 from mahovik.out.campaign.block import Block
+from mahovik.out.campaign.holds import Holds
 from mahovik.out.campaign.pose import Array, compose, product, rotation, small_rotation, turn
 from mahovik.use.study.rest import accuracy, rest
 
@@ -34,6 +35,8 @@ class Start:
     def begin(self, block: Block, tables: Tables) -> dict[int, str]:
         """Put the states of a block; return samples without one, with their reason."""
         block.x[:] = column(self.state)[:, None]
+        if (holds := Holds.of(block.stand, tables)) is not None:
+            block.x[:13] = holds.states(block.x[:13])
         return {}
 
 
@@ -69,6 +72,9 @@ class AtRest:
         block.x[:] = column(self._nominal)[:, None]
         block.given["phi_ddot"][:] = 0.0
         block.given["wrench"][:] = 0.0
+        holds = Holds.of(block.stand, tables)
+        if holds is not None:
+            block.x[:13] = holds.states(block.x[:13])
         for _ in range(MOST):
             block.call("forward")
             V_dot = block.given["V_dot"]
@@ -76,7 +82,9 @@ class AtRest:
             if not moving.any():
                 return {}
             moved = block.x.copy()
-            self._displace(moved, product(self._inverse[:, :, None], V_dot))
+            near = V_dot if holds is None else holds.nominal_twists(V_dot)
+            step = product(self._inverse[:, :, None], near)
+            self._displace(moved, step if holds is None else holds.twists(step))
             block.x[:, moving] = moved[:, moving]  # those that rest stay as they are, whatever the others need
         return self._one_by_one(block, tables, np.flatnonzero(moving).astype(np.int64))
 

@@ -50,6 +50,14 @@ def _pair(name: str, text: str) -> tuple[str, float | str]:
     return key.strip(), _number(name, value)
 
 
+def _names(text: str | None) -> tuple[str, ...]:
+    """Names between commas. Raises UsageError: there is none."""
+    names = tuple(each.strip() for each in (text or "").split(",") if each.strip())
+    if text is not None and not names:
+        raise UsageError(f'--channels "{text}": expected names of channels between commas, such as imu.rate.*')
+    return names
+
+
 @command(short_help="Find a programme that determines free numbers well.")
 def excite(
     stand_file: str = STAND_FILE,
@@ -74,9 +82,12 @@ def excite(
     torque: Any = option(
         "--torque", "Bound the torques of motors, besides their own limits.", metavar="N m", parse=_read_bound
     ),
+    channels: str | None = option(
+        "--channels", "Read these alone, imu.rate.*,hold.reaction.z; default: all.", metavar="CHANNELS"
+    ),
     noise: tuple[str, ...] = option(
         "--noise",
-        "Set the noise of a sample, rate=0.002 or imu.acceleration=0.02.",
+        "Set the noise of a sample: rate=0.002, imu.acceleration=0.02, force=0.02.",
         metavar="CHANNEL=VALUE",
         multiple=True,
     ),
@@ -97,8 +108,9 @@ def excite(
 ) -> None:
     """Find the flywheel programme by which free numbers are determined best.
 
-    Searches speeds and their harmonics inside bounds for the most information in what all sensors of the stand read.
-    Prints the standard errors that it predicts, beside those of distinct constant speeds inside the same bounds.
+    Searches speeds and their harmonics inside bounds for the most information in what the sensors of the stand read,
+    and of a held carrier a force table: the reaction. Prints the standard errors that it predicts, beside those of
+    distinct constant speeds inside the same bounds.
     Ctrl-C gives the best so far.
 
     Exit status: 0 a programme inside the bounds; 1 a bound is exceeded; 2 bad input; 130 Ctrl-C.
@@ -113,8 +125,8 @@ def excite(
     with progress("searching") as stage:
         found = find(
             stand, free=free, duration=duration, speed=speed, speed_min=speed_min, acceleration=acceleration,
-            torque=torque, noise=dict(_pair("--noise", each) for each in noise), rate=rate, criterion=criterion,
-            harmonics=harmonics, seconds=seconds, seed=seed, progress=stage.show,
+            torque=torque, channels=_names(channels), noise=dict(_pair("--noise", each) for each in noise), rate=rate,
+            criterion=criterion, harmonics=harmonics, seconds=seconds, seed=seed, progress=stage.show,
         )  # fmt: skip
     found.save(path)
     if as_json:

@@ -315,7 +315,7 @@ class Design(Table):
     @property
     def stand(self) -> Stand | None:
         """The stand, or None."""
-        return None if self.result.stand is None else Stand.of(self.result.stand)
+        return None if self.result.stand is None else Stand.of(self.result.stand, held=True)
 
     @property
     def programme(self) -> Programme | None:
@@ -356,7 +356,7 @@ def design(
     """
     from mahovik.use.design import DesignOptions, design_stand
 
-    own = Stand.of(stand)
+    own = Stand.of(stand, held=True)
     freedom = read_freedom(free, own)
     options = DesignOptions(seed, seconds, pareto=pareto)
 

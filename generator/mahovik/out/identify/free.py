@@ -38,7 +38,7 @@ STEP = 1e-4
 
 DELAY = "delay"
 
-_LENGTHS = ("position", "center_of_mass", "ground", "carrier", "center")
+_LENGTHS = ("position", "pivot", "center_of_mass", "ground", "carrier", "center")
 _ANGLES = ("angles",)
 
 

@@ -22,6 +22,7 @@ from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
 from mahovik.out.campaign.block import PER_BLOCK, Block
 from mahovik.out.campaign.given_speeds import GivenSpeeds
+from mahovik.out.campaign.holds import Holds
 from mahovik.out.campaign.observe import Chunk, Observer
 from mahovik.out.campaign.pose import cross, turn_back
 from mahovik.out.campaign.values import Frame, frames_of
@@ -132,10 +133,11 @@ class Predictor:
         n = len(tables)
         found = np.zeros((self.count, len(self.channels), n))
         starts = np.zeros((n, self.deviations.count)) if starts is None else starts
+        holds = Holds.of(self.stand, tables)
         for first in range(0, n, SIZE // PER_BLOCK * PER_BLOCK):
             block = Block(self.stand, self._made, tables, first, min(SIZE, n - first))
             own = slice(first, first + block.n)
-            self._begin(block, starts[own].T)
+            self._begin(block, starts[own].T, None if holds is None else holds.part(own))
             self._run(block, found[:, :, own])
         return found
 
@@ -159,8 +161,9 @@ class Predictor:
         self._require_in_range(block)
         return np.concatenate(states), np.concatenate(rates)
 
-    def _begin(self, block: Block, deviation: Array) -> None:
-        block.x[:13] = self.deviations.states(self._case.start, deviation)
+    def _begin(self, block: Block, deviation: Array, holds: Holds | None = None) -> None:
+        x = self.deviations.states(self._case.start, deviation)
+        block.x[:13] = x if holds is None else holds.states(x)
 
     def _run(self, block: Block, out: Array) -> None:
         readings = None

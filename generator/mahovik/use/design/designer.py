@@ -25,8 +25,10 @@ from mahovik.use.design.task import Task
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import certify, failed_items, figures, make_programme, torques_on
+from mahovik.use.plan.held import refuse_unplannable
 from mahovik.use.plan.levenberg import refine_periodic
 from mahovik.use.plan.objective import exceeded_bounds, has_bounds
+from mahovik.use.plan.outcome import PlanOptions
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.search import HARMONIC_COUNTS, Improver
 
@@ -70,7 +72,7 @@ def make_exact(problem: Problem, course: Periodic, budget: Budget) -> tuple[Peri
         return best, ()
     improver = Improver.of(problem)
     over = _exceeded_bounds(problem, best)
-    if (over or least > problem.tolerance) and problem.N >= 6:
+    if (over or least > problem.tolerance) and problem.rows_count <= problem.N:
         found = improver.polish(course, "given", budget)
         if found is not None and found.is_programme:
             return found.motion, ()
@@ -159,7 +161,7 @@ def design_stand(
     """The cheapest stand like `stand` whose carrier can do the motion, with its programme; or the binding constraints.
 
     motion_for   the motion for a stand with fewer flywheels: the motion file may name each. Ctrl-C during the search
-                 gives the best so far. Raises DesignError, MotionError.
+                 gives the best so far. Raises DesignError, MotionError, StandError.
     """
     options = options or DesignOptions()
     least, most = freedom.number
@@ -169,6 +171,7 @@ def design_stand(
         motion = motion_for(part)
         if not motion.periodic:
             raise DesignError([f"motion {motion.name}: a design is for a periodic motion; this one is finite"])
+        refuse_unplannable(part, motion, PlanOptions())
         try:
             tasks.append(Task.of(part, motion, freedom.for_first(N)))
         except StateError as error:

@@ -8,11 +8,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.errors import DesignError
 from mahovik.use.design.freedom import PARTS, Freedom, Key, Limits
 from mahovik.use.design.search import DesignFit, descend
 from mahovik.use.design.task import Design, Task, Weighing
 from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.held import slide_directions
 from mahovik.use.plan.mean_pose import mean_pose
 from mahovik.use.plan.preflight import Preflight, check_mean_wrench, direction, reach, second_integral
 from mahovik.use.plan.problem import uniform
@@ -23,6 +25,10 @@ SLACK = 1.01
 """Margin: the carrier turns a little, and the mean pose may move."""
 
 
+_FORCES = ("a mean force", "a force")
+"""Words of a refusal about a mean force; a mean moment may be the weight of an unbalance that is free."""
+
+
 def refuse(task: Task, freedom: Freedom) -> None:
     """Raise DesignError if nothing carries the mean force, or the largest allowed unbalance is too small."""
     motion, problem = task.motion, task.start
@@ -31,21 +37,24 @@ def refuse(task: Task, freedom: Freedom) -> None:
     if not masses:
         found = Preflight(pose.bias)
         check_mean_wrench(problem, pose, found)
-        if found.refusal is not None and found.refusal.words.startswith("a mean force"):
+        if found.refusal is not None and found.refusal.words.startswith(_FORCES):
             raise DesignError([f"motion {motion.name}: no design does this: {found.refusal.words}"])
     course = motion.at(uniform(motion.span, max(128, 16 * problem.highest)))
-    turns = np.ptp(course.q[:, 3:], axis=0).max() > 0.0
+    turning = [k for k, unit in enumerate(coordinates_of(problem.stand).unit_names) if unit != "m"]
+    turns = np.ptp(course.q[:, turning], axis=0).max(initial=0.0) > 0.0
     if masses or any(problem.mechanics.tables.damping) or (turns and freedom.free[:, :3].any()):
         return  # the required flywheel wrench depends on the design
     P = prescribe(problem.mechanics, course, pose.bias).locked_wrench()
     C = twists(problem.stand, course).C
-    force = (C @ P[:, :3, None])[:, :, 0]
+    force, ways = (C @ P[:, :3, None])[:, :, 0], slide_directions(problem.stand)
+    if ways is not None:  # the hold takes the rest
+        force = force @ ways @ ways.T
     if problem.norm.relative(np.hstack([force - force.mean(axis=0), np.zeros_like(force)])) <= problem.tolerance:
         return
     most = freedom.most[:, 5]
     if freedom.limits.total_unbalance is not None:
         most = most * min(1.0, freedom.limits.total_unbalance / max(float(most.sum()), 1e-300))
-    need, have, way = reach(second_integral(force, motion.span), np.zeros((1, 3, task.N)), most)
+    need, have, way = reach(second_integral(force, motion.span), np.zeros((1, 3, task.N)), most, ways)
     if need > SLACK * have:
         raise DesignError(
             [

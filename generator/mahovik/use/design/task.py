@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
 from mahovik.use.design.freedom import WIDTH, Freedom
 from mahovik.use.design.space import Space, limit_rows
@@ -103,7 +104,8 @@ class Task:
         """Change for a step of 1 in z: sizes of y; waves, smaller for higher harmonics; bias, of the motion's size."""
         orders = np.concatenate([[0.0], np.arange(1.0, H + 1), np.arange(1.0, H + 1)])
         waves = np.tile(1.0 / np.sqrt(1.0 + orders**2), self.N)
-        return np.concatenate([self.space.size, waves, np.array([0.01] * 3 + [0.1] * 3)[self.start.free]])
+        bias = np.array([_SHIFT if unit == "m" else _TURN for unit in coordinates_of(self.start.stand).unit_names])
+        return np.concatenate([self.space.size, waves, bias[self.start.free]])
 
     def pack(self, design: Design) -> Array:
         """z of a design."""
@@ -147,7 +149,7 @@ class Task:
         if differentiate:
             rates = by_design(at, grid.course, motion.bias, *angles)
             waves = grid.basis.chain(root @ found.by_phi, root @ found.by_phi_dot, root @ found.by_phi_ddot)
-            by_y = np.einsum("ij,mjk->mik", root, self.space.by_unknowns(y, rates.R)).reshape(6 * M, P)
+            by_y = np.einsum("ij,mjk->mik", root, self.space.by_unknowns(y, rates.R)).reshape(-1, P)
             slopes.append(weight * np.hstack([by_y, waves, problem.by_bias(grid, motion)]))
             torque = Rows.torque(found, self._by_owner(y, rates.tau))
         kinds = self._kinds(problem, grid, motion, torque, weighing)
@@ -212,6 +214,9 @@ class Task:
         by = self.space.A.reshape(self.N, WIDTH, self.space.P)[:, 5] * (weight**2 / (2.0 * whole * rows))[:, None]
         return rows, by
 
+
+_SHIFT, _TURN = 0.01, 0.1
+"""Sizes of a shift (m) and a turn (rad) of the mean pose."""
 
 _FLOOR = 1e-4
 """Part of the total unbalance added under the root, whose slope at zero is infinite."""

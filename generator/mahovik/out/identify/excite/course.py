@@ -14,6 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.motion.programme import Fourier, Programme
+from mahovik.core.stand.coordinates import coordinates_of
+from mahovik.core.stand.hold import is_closed
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.model import Stand
@@ -101,9 +103,15 @@ class Courses:
         wave *= share * fits[:, None, None]
         # phi' = a cos + b sin is phi = a/k sin - b/k cos
         course = Fourier(np.zeros(N), -(wave[:, :, 1] / k).T, (wave[:, :, 0] / k).T)
-        whose = identities(self.stand)
+        whose, names = identities(self.stand), _coordinate_names(self.stand)
         return Programme(
             stand=self.stand.name, structure=whose.structure, physics=whose.physics, motion=NAME,
             flywheels=tuple(wheel.name for wheel in self.stand.flywheels), periodic=True, span=self.duration,
-            bias=np.zeros(6), winding=tuple(turns.tolist()), course=course,
+            bias=np.zeros(len(names) or 6), winding=tuple(turns.tolist()), course=course, coordinates=names,
         )  # fmt: skip
+
+
+def _coordinate_names(stand: Stand) -> tuple[str, ...]:
+    """Names of the coordinates of a held carrier, which a programme file keeps; none where it has none, or is free."""
+    hold = stand.hold
+    return coordinates_of(stand).names if hold is not None and hold.freedoms and is_closed(hold) else ()

@@ -12,18 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.motion.programme import Programme as CoreProgramme
-from mahovik.core.stand.hold import refuse_hold
 from mahovik.core.stand.state import State
 from mahovik.core.stand.units import TIME
 from mahovik.errors import CheckError, StandError, StateError, UsageError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
-from mahovik.out.campaign.signals import sensors
 from mahovik.out.functions.given import Number, StandGiven, quantity
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.programmes import Programme
 from mahovik.out.functions.table import Column, Table
-from mahovik.out.identify.channels import six_axes
+from mahovik.out.identify.channels import REACTION, Channel, chosen_channels
 from mahovik.out.identify.excite.bounds import Bounds, Given, bounds_of
 from mahovik.out.identify.excite.course import Courses
 from mahovik.out.identify.excite.information import Criterion, Experiment, Quality
@@ -201,6 +199,7 @@ def excite(
     speed_min: Given | None = None,
     acceleration: Given | None = None,
     torque: Given | None = None,
+    channels: Sequence[str] = (),
     noise: Mapping[str, Number] | None = None,
     rate: float = 1000.0,
     criterion: Criterion = "A",
@@ -215,24 +214,25 @@ def excite(
     duration      of the experiment, s: the programme's period
     speed, ...    bounds: numbers in SI or texts with a unit, one for all flywheels, one for each, or by their names;
                   None: those of the motors
-    noise         standard deviations of samples by channel, as {"rate": 0.002, "imu.acceleration": "0.01 m/s2"}
+    channels      those that are read, as ["imu.rate.*", "hold.reaction.z"]; by default all of the sensors of the stand,
+                  and the reaction of the hold of a held carrier
+    noise         standard deviations of samples by channel, as {"rate": 0.002, "imu.acceleration": "0.01 m/s2"},
+                  of a reaction as {"force": "0.02 N", "moment": 0.002}
     rate          samples per second
     criterion     "A": least mean variance; "D": least volume of the ellipsoid of confidence
     harmonics     of the speed, whole multiples of 1/duration
     seconds       limits the search; None: a number of programmes alone
 
-    All sensors of the stand are read. Ctrl-C gives the best so far. Raises StandError, UsageError, CheckError.
+    Ctrl-C gives the best so far. Raises StandError, UsageError, CheckError.
     """
-    own = Stand.of(stand)
-    refuse_hold(own, own.name)
-    span = quantity("--duration", duration, TIME)
-    _require_experiment(own, span, rate, criterion, harmonics)
+    own = Stand.of(stand, held=True)
+    span, read = quantity("--duration", duration, TIME), chosen_channels(own, channels)
+    _require_experiment(own, read, span, rate, criterion, harmonics)
     bounds = bounds_of(own, speed, speed_min, acceleration, torque, span)
-    channels = [channel for point in sensors(own) for channel in six_axes(point)]
-    noises = noise_of_channels(channels, noise or {})
+    noises = noise_of_channels(read, noise or {})
     unknown = Free(build(own), wanted_of(str(free)).paths if isinstance(free, str | Path) else tuple(free))
     start = _start(own)
-    experiment = Experiment(own, unknown, channels, noises, rate, float(bounds.speed.max()), start)
+    experiment = Experiment(own, unknown, read, noises, rate, float(bounds.speed.max()), start)
     courses = Courses(own, bounds, span, harmonics)
     tell(progress, Progress("compiling"))
     even = _try_numbers(experiment, courses, bounds, courses.even(), 0.0, start)
@@ -271,16 +271,23 @@ def _try_numbers(
 
 
 def _start(stand: Stand) -> State | None:
-    """The static equilibrium; None where there is none: the carrier then starts at zero, still."""
+    """The static equilibrium; None where there is none: the carrier then starts at zero or its home pose, still."""
     try:
         return rest(stand).state
     except CheckError:
         return None
 
 
-def _require_experiment(stand: Stand, span: float, rate: float, criterion: str, harmonics: int) -> None:
+def _require_experiment(
+    stand: Stand, read: Sequence[Channel], span: float, rate: float, criterion: str, harmonics: int
+) -> None:
     """Raise UsageError where no experiment is possible."""
-    if not sensors(stand):
+    if stand.hold is not None and not stand.hold.freedoms and all(each.kind != REACTION for each in read):
+        raise UsageError(
+            "--channels: the carrier is clamped, so that its sensors read the same all the time; expected channels "
+            'of the reaction, such as "hold.reaction.*"'
+        )
+    if not read:
         raise UsageError(
             f"{stand.name}: has no instrument or point, so nothing is measured; give its file a [[point]] where the "
             "IMU is"
