@@ -23,7 +23,8 @@ from mahovik.out.campaign.campaign import Campaign
 from mahovik.out.campaign.holds import Holds
 from mahovik.use.plan.residual.held_kinematics import held_pose
 from mahovik.use.simulate.held import home
-from plan.test_held import PENDULUM, POSES, stand, wheel
+from plan.held_stands import stand, wheel
+from plan.test_held import PENDULUM, POSES
 
 PLACES: dict[str, Any] = {
     "hold.pivot": np.array([[0.0, 0.0, -0.2], [0.02, 0.0, -0.15], [0.0, 0.1, 0.25]]),

@@ -18,7 +18,8 @@ from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import MahovikError
 from mahovik.out.api.stands import Stand
 from mahovik.use.plan import plan_motion
-from plan.test_held import PENDULUM, QUICK, SHAKER, stand, wheel
+from plan.held_stands import stand, wheel
+from plan.test_held import PENDULUM, QUICK, SHAKER
 
 PERIOD, A = 0.05, 1e-3
 RUN = {"programme": "p.json", "motion": "m.json", "dt": 2e-4, "periods": 2}

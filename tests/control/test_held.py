@@ -14,7 +14,7 @@ from mahovik.core.motion.programme import Fourier, Programme, Samples
 from mahovik.core.motion.required import RequiredMotion, read_motion
 from mahovik.core.motion.servo import read_servo
 from mahovik.core.stand import Stand
-from mahovik.errors import UsageError
+from mahovik.errors import MahovikError
 from mahovik.out.functions.following import Following, follow
 from mahovik.out.report.plot.run import following_panels, follows_programme
 from mahovik.use.control.coordinates import coordinates
@@ -159,8 +159,5 @@ def test_a_finite_programme_is_followed_once() -> None:
 
 
 def test_a_trim_is_refused_in_a_line() -> None:
-    with pytest.raises(UsageError) as caught:
+    with pytest.raises(MahovikError, match=r"a trim corrects the motion of a free carrier: remove \[trim\]$"):
         followed(pendulum(), SERVO + "[trim]\nharmonics = 1\n")
-    assert str(caught.value).endswith(
-        "trim: measures the six coordinates of a free carrier, found a held one; leave [trim] out"
-    )

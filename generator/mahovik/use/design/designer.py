@@ -28,7 +28,6 @@ from mahovik.use.plan.certificate import certify, failed_items, figures, make_pr
 from mahovik.use.plan.held import refuse_unplannable
 from mahovik.use.plan.levenberg import refine_periodic
 from mahovik.use.plan.objective import exceeded_bounds, has_bounds
-from mahovik.use.plan.outcome import PlanOptions
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.search import HARMONIC_COUNTS, Improver
 
@@ -171,7 +170,7 @@ def design_stand(
         motion = motion_for(part)
         if not motion.periodic:
             raise DesignError([f"motion {motion.name}: a design is for a periodic motion; this one is finite"])
-        refuse_unplannable(part, motion, PlanOptions())
+        refuse_unplannable(part, motion)
         try:
             tasks.append(Task.of(part, motion, freedom.for_first(N)))
         except StateError as error:
