@@ -271,21 +271,6 @@ static eye4_status eye4_check_state(const eye4_state *x)
     return EYE4_OK;
 }
 
-/* Are six values finite, and none larger than the limit? */
-EYE4_CODE
-static EYE4_COPIED eye4_status eye4_check_six(const eye4_real values[6], eye4_real limit)
-{
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
-    {
-        if (values[0] * values[0] + values[1] * values[1] + values[2] * values[2] + values[3] * values[3]
-            + values[4] * values[4] + values[5] * values[5] < limit * limit) { return EYE4_OK; }
-    }
-#endif
-    eye4_status status = eye4_within(values, 6, limit);
-    if (status != EYE4_OK) { return status; }
-    return EYE4_OK;
-}
-
 /* The same of a state, and then: are values of the flywheels within a limit? */
 EYE4_CODE
 static eye4_status eye4_check_motion(const eye4_state *x, const eye4_real values[EYE4_N], eye4_real limit)
@@ -726,7 +711,7 @@ eye4_status eye4_forward(const eye4_table *table, const eye4_state *x, const eye
         || V_dot == NULL) { return EYE4_BAD_ARGUMENT; }
     eye4_status status = eye4_check_motion(x, phi_ddot, EYE4_MAX_ACCELERATION);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     eye4_real sine[EYE4_N];
     eye4_real cosine[EYE4_N];
@@ -743,7 +728,7 @@ eye4_status eye4_wrench(const eye4_state *x, const eye4_real wrench[6], eye4_rea
     if (x == NULL || wrench == NULL || F == NULL) { return EYE4_BAD_ARGUMENT; }
     eye4_status status = eye4_check_state(x);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     eye4_real result[6];
     eye4_external(wrench, result);
@@ -777,7 +762,7 @@ eye4_status eye4_matrices(const eye4_table *table, const eye4_state *x, const ey
     if (table == NULL || x == NULL || wrench == NULL || out == NULL) { return EYE4_BAD_ARGUMENT; }
     eye4_status status = eye4_check_state(x);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     eye4_sums sum;
     eye4_real sine[EYE4_N];
@@ -1139,7 +1124,7 @@ eye4_status eye4_coupled(const eye4_table *table, const eye4_state *x, const eye
     if (locked == NULL) { locked = eye4_none_locked; }
     eye4_status status = eye4_check_state(x);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     status = eye4_within(tau, EYE4_N, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
@@ -1316,7 +1301,7 @@ eye4_status eye4_step(const eye4_table *table, const eye4_state *x, const eye4_r
     if (locked == NULL) { locked = eye4_none_locked; }
     eye4_status status = eye4_check_state(x);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     status = eye4_within(tau, EYE4_N, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
@@ -1463,7 +1448,7 @@ eye4_status eye4_step_driven(const eye4_table *table, const eye4_state *x, const
         || next == NULL) { return EYE4_BAD_ARGUMENT; }
     eye4_status status = eye4_check_motion(x, phi_ddot, EYE4_MAX_ACCELERATION);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     if (!(dt >= -EYE4_MAX_STEP && dt <= EYE4_MAX_STEP)) {
         if (dt >= -EYE4_LARGEST && dt <= EYE4_LARGEST) { return EYE4_RANGE; }
@@ -1691,7 +1676,7 @@ eye4_status eye4_forward_jacobian(const eye4_table *table, const eye4_state *x,
         || out == NULL) { return EYE4_BAD_ARGUMENT; }
     eye4_status status = eye4_check_motion(x, phi_ddot, EYE4_MAX_ACCELERATION);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     eye4_sums sum;
     eye4_real sine[EYE4_N];
@@ -1810,7 +1795,7 @@ eye4_status eye4_coupled_jacobian(const eye4_table *table, const eye4_state *x, 
     if (locked == NULL) { locked = eye4_none_locked; }
     eye4_status status = eye4_check_state(x);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     status = eye4_within(tau, EYE4_N, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
@@ -2494,7 +2479,7 @@ eye4_status eye4_inverse(const eye4_table *table, const eye4_state *x, const eye
         || out == NULL) { return EYE4_BAD_ARGUMENT; }
     eye4_status status = eye4_check_state(x);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     status = eye4_within(V_dot, 6, EYE4_MAX_ACCELERATION);
     if (status != EYE4_OK) { return status; }
@@ -2685,7 +2670,7 @@ eye4_status eye4_inverse_fast(const eye4_table *table, const eye4_state *x, cons
         || phi_ddot == NULL) { return EYE4_BAD_ARGUMENT; }
     eye4_status status = eye4_check_state(x);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     status = eye4_within(V_dot, 6, EYE4_MAX_ACCELERATION);
     if (status != EYE4_OK) { return status; }
@@ -3203,7 +3188,7 @@ eye4_status eye4_inverse_pointing(const eye4_table *table, const eye4_state *x, 
         || out == NULL) { return EYE4_BAD_ARGUMENT; }
     eye4_status status = eye4_check_state(x);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     status = eye4_within(demand, 3, EYE4_MAX_ACCELERATION);
     if (status != EYE4_OK) { return status; }
@@ -3404,7 +3389,7 @@ eye4_status eye4_inverse_fast_pointing(const eye4_table *table, const eye4_state
         || phi_ddot == NULL) { return EYE4_BAD_ARGUMENT; }
     eye4_status status = eye4_check_state(x);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     status = eye4_within(demand, 3, EYE4_MAX_ACCELERATION);
     if (status != EYE4_OK) { return status; }
@@ -4108,7 +4093,7 @@ eye4_status eye4_torque_for_pointing(const eye4_table *table, const eye4_state *
     if (locked == NULL) { locked = eye4_none_locked; }
     eye4_status status = eye4_check_state(x);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     status = eye4_within(demand, 3, EYE4_MAX_ACCELERATION);
     if (status != EYE4_OK) { return status; }
@@ -4956,7 +4941,7 @@ eye4_status eye4_mounts(const eye4_mount_table *mounting, const eye4_state *x, c
         || mount_wrench == NULL) { return EYE4_BAD_ARGUMENT; }
     eye4_status status = eye4_check_motion(x, phi_ddot, EYE4_MAX_ACCELERATION);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     status = eye4_within(V_dot, 6, EYE4_MAX_ACCELERATION);
     if (status != EYE4_OK) { return status; }
@@ -5086,7 +5071,7 @@ eye4_status eye4_step_carried(const eye4_table *table, const eye4_state *x, cons
     if (locked == NULL) { locked = eye4_none_locked; }
     eye4_status status = eye4_check_state(x);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     status = eye4_within(tau, EYE4_N, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
@@ -5132,7 +5117,7 @@ eye4_status eye4_step_driven_carried(const eye4_table *table, const eye4_state *
         || next == NULL) { return EYE4_BAD_ARGUMENT; }
     eye4_status status = eye4_check_motion(x, phi_ddot, EYE4_MAX_ACCELERATION);
     if (status != EYE4_OK) { return status; }
-    status = eye4_check_six(wrench, EYE4_MAX_WRENCH);
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     if (!(dt >= -EYE4_MAX_STEP && dt <= EYE4_MAX_STEP)) {
         if (dt >= -EYE4_LARGEST && dt <= EYE4_LARGEST) { return EYE4_RANGE; }

@@ -345,7 +345,7 @@ extern const eye4_inverse_options eye4_default_options;           /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1372 operations on reals, 3 of them divisions. Stack: at most 1616 bytes. */
+ * At most 1359 operations on reals, 3 of them divisions. Stack: at most 1616 bytes. */
 eye4_status eye4_forward(const eye4_table *table, const eye4_state *x, const eye4_real phi_ddot[EYE4_N],
                          const eye4_real wrench[6], eye4_real V_dot[6]);
 
@@ -354,7 +354,7 @@ eye4_status eye4_forward(const eye4_table *table, const eye4_state *x, const eye
  *   wrench[6]  N, N m; run-time wrenches, six numbers a body (carrier), in its own frame about its origin
  *   F[6]       out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 199 operations on reals, no division. Stack: at most 1008 bytes. */
+ * At most 186 operations on reals, no division. Stack: at most 1008 bytes. */
 eye4_status eye4_wrench(const eye4_state *x, const eye4_real wrench[6], eye4_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
@@ -363,7 +363,7 @@ eye4_status eye4_wrench(const eye4_state *x, const eye4_real wrench[6], eye4_rea
  *   wrench[6]  N, N m; run-time wrenches, six numbers a body (carrier), in its own frame about its origin
  *   out        out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1451 operations on reals, no division. Stack: at most 1536 bytes. */
+ * At most 1438 operations on reals, no division. Stack: at most 1536 bytes. */
 eye4_status eye4_matrices(const eye4_table *table, const eye4_state *x, const eye4_real wrench[6],
                           eye4_matrices_result *out);
 
@@ -400,7 +400,7 @@ eye4_status eye4_torque(const eye4_table *table, const eye4_state *x, const eye4
  *   phi_ddot[4]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2098 operations on reals, 4 of them divisions. Stack: at most 2640 bytes. */
+ * At most 2085 operations on reals, 4 of them divisions. Stack: at most 2640 bytes. */
 eye4_status eye4_coupled(const eye4_table *table, const eye4_state *x, const eye4_real tau[EYE4_N],
                          const int locked[EYE4_N], const eye4_real wrench[6], eye4_real V_dot[6],
                          eye4_real phi_ddot[EYE4_N]);
@@ -420,7 +420,7 @@ eye4_status eye4_coupled(const eye4_table *table, const eye4_state *x, const eye
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 8818 operations on reals, 22 of them divisions. Stack: at most 3776 bytes. */
+ * At most 8805 operations on reals, 22 of them divisions. Stack: at most 3776 bytes. */
 eye4_status eye4_step(const eye4_table *table, const eye4_state *x, const eye4_real tau[EYE4_N],
                       const int locked[EYE4_N], const eye4_real wrench[6], eye4_real dt, int order,
                       eye4_state *next);
@@ -440,7 +440,7 @@ eye4_status eye4_step(const eye4_table *table, const eye4_state *x, const eye4_r
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5884 operations on reals, 18 of them divisions. Stack: at most 2848 bytes. */
+ * At most 5871 operations on reals, 18 of them divisions. Stack: at most 2848 bytes. */
 eye4_status eye4_step_driven(const eye4_table *table, const eye4_state *x, const eye4_real phi_ddot[EYE4_N],
                              const eye4_real wrench[6], eye4_real dt, int order, eye4_state *next);
 
@@ -495,7 +495,7 @@ eye4_status eye4_accumulate(eye4_encoder *encoder, int counter, int bits, int pe
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5036 operations on reals, 21 of them divisions. Stack: at most 4160 bytes. */
+ * At most 5023 operations on reals, 21 of them divisions. Stack: at most 4160 bytes. */
 eye4_status eye4_forward_jacobian(const eye4_table *table, const eye4_state *x,
                                   const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                                   eye4_forward_jacobian_result *out);
@@ -510,7 +510,7 @@ eye4_status eye4_forward_jacobian(const eye4_table *table, const eye4_state *x,
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 8646 operations on reals, 22 of them divisions. Stack: at most 5728 bytes. */
+ * At most 8633 operations on reals, 22 of them divisions. Stack: at most 5728 bytes. */
 eye4_status eye4_coupled_jacobian(const eye4_table *table, const eye4_state *x, const eye4_real tau[EYE4_N],
                                   const int locked[EYE4_N], const eye4_real wrench[6],
                                   eye4_coupled_jacobian_result *out);
@@ -528,7 +528,7 @@ eye4_status eye4_coupled_jacobian(const eye4_table *table, const eye4_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 34277 operations on reals, 1011 of them divisions. Stack: at most 4736 bytes. */
+ * At most 34264 operations on reals, 1011 of them divisions. Stack: at most 4736 bytes. */
 eye4_status eye4_inverse(const eye4_table *table, const eye4_state *x, const eye4_real V_dot[6],
                          const eye4_inverse_options *options, const eye4_real wrench[6],
                          eye4_inverse_result *out);
@@ -551,7 +551,7 @@ eye4_status eye4_inverse(const eye4_table *table, const eye4_state *x, const eye
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
  * the status is negative.
- * At most 2318 operations on reals, 47 of them divisions. Stack: at most 3808 bytes. */
+ * At most 2305 operations on reals, 47 of them divisions. Stack: at most 3808 bytes. */
 eye4_status eye4_inverse_fast(const eye4_table *table, const eye4_state *x, const eye4_real V_dot[6],
                               const eye4_inverse_options *options, const eye4_real wrench[6],
                               eye4_real phi_ddot[EYE4_N]);
@@ -569,7 +569,7 @@ eye4_status eye4_inverse_fast(const eye4_table *table, const eye4_state *x, cons
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 11803 operations on reals, 417 of them divisions. Stack: at most 4384 bytes. */
+ * At most 11790 operations on reals, 417 of them divisions. Stack: at most 4384 bytes. */
 eye4_status eye4_inverse_pointing(const eye4_table *table, const eye4_state *x, const eye4_real demand[3],
                                   const eye4_inverse_options *options, const eye4_real wrench[6],
                                   eye4_inverse_pointing_result *out);
@@ -593,7 +593,7 @@ eye4_status eye4_inverse_pointing(const eye4_table *table, const eye4_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
  * the status is negative.
- * At most 2238 operations on reals, 65 of them divisions. Stack: at most 4128 bytes. */
+ * At most 2225 operations on reals, 65 of them divisions. Stack: at most 4128 bytes. */
 eye4_status eye4_inverse_fast_pointing(const eye4_table *table, const eye4_state *x,
                                        const eye4_real demand[3], const eye4_inverse_options *options,
                                        const eye4_real wrench[6], eye4_real phi_ddot[EYE4_N]);
@@ -617,7 +617,7 @@ eye4_status eye4_inverse_fast_pointing(const eye4_table *table, const eye4_state
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, LIMITED, UNREACHABLE. Nothing is
  * written when the status is negative.
- * At most 48211 operations on reals, 6724 of them divisions. Stack: at most 5088 bytes. */
+ * At most 48198 operations on reals, 6724 of them divisions. Stack: at most 5088 bytes. */
 eye4_status eye4_torque_for_pointing(const eye4_table *table, const eye4_state *x, const eye4_real demand[3],
                                      const eye4_inverse_options *options, const int locked[EYE4_N],
                                      const eye4_real wrench[6], eye4_torque_for_pointing_result *out);
@@ -665,7 +665,7 @@ eye4_status eye4_state_from_coordinates(const eye4_real position[3], const eye4_
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4623 operations on reals, 5 of them divisions. Stack: at most 3856 bytes. */
+ * At most 4597 operations on reals, 5 of them divisions. Stack: at most 3856 bytes. */
 eye4_status eye4_generalized(const eye4_table *table, const eye4_state *x, const eye4_real angles[3],
                              const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                              eye4_generalized_result *out);
@@ -693,7 +693,7 @@ eye4_status eye4_prepare(const eye4_parameters *parameters, eye4_table *table);
  *   mount_wrench[24]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
  *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1455 operations on reals, no division. Stack: at most 1552 bytes. */
+ * At most 1442 operations on reals, no division. Stack: at most 1552 bytes. */
 eye4_status eye4_mounts(const eye4_mount_table *mounting, const eye4_state *x, const eye4_real V_dot[6],
                         const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                         eye4_real mount_wrench[24]);
@@ -720,7 +720,7 @@ eye4_status eye4_prepare_mounts(const eye4_parameters *parameters, eye4_mount_ta
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 9086 operations on reals, 22 of them divisions. Stack: at most 4000 bytes. */
+ * At most 9073 operations on reals, 22 of them divisions. Stack: at most 4000 bytes. */
 eye4_status eye4_step_carried(const eye4_table *table, const eye4_state *x, const eye4_real tau[EYE4_N],
                               const int locked[EYE4_N], const eye4_real wrench[6], eye4_real dt, int order,
                               eye4_step_carry *carry, eye4_state *next);
@@ -740,7 +740,7 @@ eye4_status eye4_step_carried(const eye4_table *table, const eye4_state *x, cons
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 6152 operations on reals, 18 of them divisions. Stack: at most 3072 bytes. */
+ * At most 6139 operations on reals, 18 of them divisions. Stack: at most 3072 bytes. */
 eye4_status eye4_step_driven_carried(const eye4_table *table, const eye4_state *x,
                                      const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                                      eye4_real dt, int order, eye4_step_carry *carry, eye4_state *next);

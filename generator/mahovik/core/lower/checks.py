@@ -73,20 +73,16 @@ def within(lib: Library) -> Function:
     return replace(function, apart=True)
 
 
-def check_within(
-    lib: Library, body: Body, values: Place, count: Operand, limit: Expr, compact: bool = False
-) -> None:
+def check_within(lib: Library, body: Body, values: Place, count: Operand, limit: Expr) -> None:
     """Returns the status of the first bad one of `count` values.
 
-    Six are tried by their squares first; by blocks, where speed is worth some code, all others are tried at once.
-    `compact`: one by one, but by blocks; for a function of little code, of which that would be some percent.
+    By blocks, where speed is worth some code, all are tried at once first.
     """
-    one_by_one = lib.layout.lanes == 1
-    if count == 6 and not (compact and one_by_one):
-        lib.check(body, "check_six", values, limit)
-        return
-    if one_by_one:
+    if lib.layout.lanes == 1:
         lib.check(body, "within", values, count, limit)
+        return
+    if count == 6:
+        lib.check(body, "check_six", values, limit)
         return
     over = call(lib["excess"], values, count, limit)
     with body.when(unequal(over >> (lib.layout.precision.width - 1), word(0)), "which one, and why"):
@@ -110,8 +106,7 @@ def check_six(lib: Library) -> Function:
         body.ret(Status("OK"))
     lib.begin(body)
     lib.check(body, "within", values.place, 6, limit.place)
-    purpose = "Are six values finite, and none larger than the limit?"
-    return replace(body.checked_function("check_six", purpose, (values, limit)), copied=True)
+    return body.checked_function("check_six", "Are six values finite, and none larger than the limit?", (values, limit))
 
 
 def check_turns(lib: Library) -> Function:

@@ -48,8 +48,8 @@ def torque(lib: Library, at: bool = False) -> Function:
     table, x, *turns, V_dot, phi_ddot = [a for a in arguments if a.name not in ("wrench", "tau")]
     wrench = tuple(a for a in arguments if a.name == "wrench")
     body = Body()
-    check_inputs(lib, body, table, x, (phi_ddot,), wrench, tuple(turns), compact=True)
-    check_within(lib, body, V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression, compact=True)
+    check_inputs(lib, body, table, x, (phi_ddot,), wrench, tuple(turns))
+    check_within(lib, body, V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     if layout.sine_input:
         sine, cosine = all_turns(lib, body, x.place, tuple(turns))
         given = {a.name: a.place for a in arguments} | {"sine": sine, "cosine": cosine}
@@ -169,9 +169,7 @@ def solve_coupled(lib: Library) -> Function:
     )
 
 
-def without_drives(
-    lib: Library, body: Body, table: Place, x: Place, seen: Scene, wrench: tuple[Argument, ...]
-) -> Pair:
+def without_drives(lib: Library, body: Body, table: Place, x: Place, seen: Scene, wrench: tuple[Argument, ...]) -> Pair:
     """K and F of K V* + I phi'' = F, before the flywheels are eliminated; their sums are in `seen`."""
     sum_up(lib, body, table, x, seen, None)
     F = body.local("F", (6,), comment="wrench (7); then the right-hand side of K V* + I phi'' = F")
@@ -196,9 +194,7 @@ class Solved:
     factor: Place
 
 
-def solve_free(
-    lib: Library, body: Body, table: Place, seen: Scene, given: Pair, system: Pair, results: Pair
-) -> Solved:
+def solve_free(lib: Library, body: Body, table: Place, seen: Scene, given: Pair, system: Pair, results: Pair) -> Solved:
     """V*, phi'' of K, F without drives, for given tau and locks, flywheel by flywheel."""
     layout = lib.layout
     (tau, locked), (K, F), (V_dot, phi_ddot) = given, system, results

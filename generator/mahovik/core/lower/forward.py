@@ -45,12 +45,10 @@ def check_inputs(
     wrench: tuple[Argument, ...] = (),
     turns: tuple[Argument, ...] = (),
     tau: tuple[Argument, ...] = (),
-    compact: bool = False,
 ) -> None:
     """Checks of state, sines, stream, accelerations, run-time wrenches, torques: before anything is computed.
 
     Accelerations or torques are looked at together with the state, where nothing has its turn between them.
-    `compact`: with little code, see `check_within`.
     """
     lib.begin(body)
     limit = {name: found.expression for name, found in lib.limits.items()}
@@ -69,7 +67,7 @@ def check_inputs(
     if lib.layout.structure.stream_stations:
         lib.check(body, "check_depth", table.place, x.place)
     for values, count, most in rest:
-        check_within(lib, body, values, count, most, compact)
+        check_within(lib, body, values, count, most)
 
 
 def scene(lib: Library, body: Body, table: Place, x: Place, attitude: bool = False, turns: Turns = ()) -> Scene:

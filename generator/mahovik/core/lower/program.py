@@ -80,7 +80,8 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         lib.add(checks.excess(lib))
     lib.add(checks.within(lib))
     lib.add(checks.check_state(lib))
-    lib.add(checks.check_six(lib))
+    if layout.lanes > 1:
+        lib.add(checks.check_six(lib))
     if layout.flywheels:
         lib.add(checks.check_motion(lib))
     if layout.sine_input:
