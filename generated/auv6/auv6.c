@@ -53,6 +53,13 @@ __asm__(".globl auv6_link_double_lanes1_v0_1_0_002b2abc\n"
 #define AUV6_APART
 #endif
 
+/* On desktop processors a copy in each caller is faster; on small ones, and for size, it takes too much code. */
+#if defined __GNUC__ && !defined __OPTIMIZE_SIZE__ && (defined __x86_64__ || defined __aarch64__)
+#define AUV6_COPIED inline __attribute__((always_inline))
+#else
+#define AUV6_COPIED
+#endif
+
 /* Sums over all bodies at one state. */
 typedef struct auv6_sums {
     auv6_real mu[3];      /* kg m; first moment of all bodies about O1 */
@@ -60,8 +67,8 @@ typedef struct auv6_sums {
     auv6_real J[6];       /* kg m2; inertia about O1 */
     auv6_real J_dot[6];   /* kg m2/s; its rate in E1 */
     auv6_real h_rel[3];   /* kg m2/s; moment part of sum I phi' */
-    auv6_real a_rel[3];   /* N; d/dt of the force part of sum I phi' */
-    auv6_real g_rel[3];   /* N m; d/dt of its moment part */
+    auv6_real g_rel[3];   /* N m; d/dt of the moment part */
+    auv6_real a_rel[3];   /* N; d/dt of the force part */
 } auv6_sums;
 
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
@@ -395,9 +402,9 @@ static void auv6_sum_mass(const auv6_table *table, const auv6_real sine[AUV6_N],
 
 /* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
 AUV6_CODE
-static void auv6_sum_steady_spin(const auv6_table *table, const auv6_real sine[AUV6_N],
-                                 const auv6_real cosine[AUV6_N], const auv6_real phi_dot[AUV6_N],
-                                 auv6_sums *restrict sum)
+static AUV6_COPIED void auv6_sum_steady_spin(const auv6_table *table, const auv6_real sine[AUV6_N],
+                                             const auv6_real cosine[AUV6_N], const auv6_real phi_dot[AUV6_N],
+                                             auv6_sums *restrict sum)
 {
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
@@ -429,9 +436,9 @@ static void auv6_sum_steady_spin(const auv6_table *table, const auv6_real sine[A
 
 /* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
 AUV6_CODE
-static void auv6_sum_spin(const auv6_table *table, const auv6_real sine[AUV6_N],
-                          const auv6_real cosine[AUV6_N], const auv6_real phi_dot[AUV6_N],
-                          const auv6_real phi_ddot[AUV6_N], auv6_sums *restrict sum)
+static AUV6_COPIED void auv6_sum_spin(const auv6_table *table, const auv6_real sine[AUV6_N],
+                                      const auv6_real cosine[AUV6_N], const auv6_real phi_dot[AUV6_N],
+                                      const auv6_real phi_ddot[AUV6_N], auv6_sums *restrict sum)
 {
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
@@ -930,9 +937,9 @@ auv6_status auv6_momentum(const auv6_table *table, const auv6_state *x, auv6_mom
 
 /* Column of I of one flywheel, and its drive torque at V* = 0, phi'' = 0, (9). */
 AUV6_CODE
-static void auv6_couple(const auv6_row *row, auv6_real s, auv6_real c,
-                        const auv6_real origin_acceleration[3], const auv6_real spun[6],
-                        auv6_coupling *restrict out)
+static AUV6_COPIED void auv6_couple(const auv6_row *row, auv6_real s, auv6_real c,
+                                    const auv6_real origin_acceleration[3], const auv6_real spun[6],
+                                    auv6_coupling *restrict out)
 {
     const auv6_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const auv6_real two_s2 = 4.0 * c * s;
@@ -1761,12 +1768,12 @@ static void auv6_row_slope(const auv6_row *row, const auv6_real weight[12], cons
     change.h_rel[0] = row->t_c[0] * weight[5] + weight[10] * row->t_0[0] - row->t_s[0] * weight[4];
     change.h_rel[1] = row->t_c[1] * weight[5] + weight[10] * row->t_0[1] - row->t_s[1] * weight[4];
     change.h_rel[2] = row->t_c[2] * weight[5] + weight[10] * row->t_0[2] - row->t_s[2] * weight[4];
-    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
-    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
-    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
     change.g_rel[0] = row->t_c[0] * weight[9] + weight[11] * row->t_0[0] - row->t_s[0] * weight[8];
     change.g_rel[1] = row->t_c[1] * weight[9] + weight[11] * row->t_0[1] - row->t_s[1] * weight[8];
     change.g_rel[2] = row->t_c[2] * weight[9] + weight[11] * row->t_0[2] - row->t_s[2] * weight[8];
+    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
+    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
+    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
     Z[0] = change.mu[2] * V[4] + change.mu_dot[0] - change.mu[1] * V[5];
     Z[1] = change.mu[0] * V[5] + change.mu_dot[1] - change.mu[2] * V[3];
     Z[2] = change.mu[1] * V[3] + change.mu_dot[2] - change.mu[0] * V[4];
@@ -1971,6 +1978,34 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
     auv6_sums sum;
     auv6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     auv6_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
+    auv6_coupling drive[AUV6_N];
+    auv6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
+    origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
+    origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
+    origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    auv6_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
+    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
+    auv6_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = table->A[0];  K.A[1] = table->A[1];  K.A[2] = table->A[2];
+    K.A[3] = table->A[3];  K.A[4] = table->A[4];  K.A[5] = table->A[5];
+    K.B[0] = table->G[0];              K.B[1] = table->G[1] - sum.mu[2];  K.B[2] = table->G[2] + sum.mu[1];
+    K.B[3] = table->G[3] + sum.mu[2];  K.B[4] = table->G[4];              K.B[5] = table->G[5] - sum.mu[0];
+    K.B[6] = table->G[6] - sum.mu[1];  K.B[7] = table->G[7] + sum.mu[0];  K.B[8] = table->G[8];
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    auv6_real none[6];  /* right-hand side */
+    none[0] = 0.0;  none[1] = 0.0;  none[2] = 0.0;
+    none[3] = 0.0;  none[4] = 0.0;  none[5] = 0.0;
+    for (int s = 0; s < AUV6_N; ++s) {
+        auv6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
+        if (locked[s] == 0) {
+            auv6_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, none);
+        }
+    }
+    auv6_schur_factor factor;
+    status = auv6_factor_schur(&K, &factor);
+    if (status != AUV6_OK) { return status; }
     auv6_real drift[3];  /* omega x C^T u */
     drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
     drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
@@ -2018,36 +2053,11 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
     auv6_velocity_matrix(V, &m);
     auv6_real slope[36];  /* derivative by V, row by row */
     auv6_twist_slope(table, V, Z, &m, slope);
-    auv6_coupling drive[AUV6_N];
-    auv6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
-    origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
-    origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
-    origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
-    auv6_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
-    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
-    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
-    auv6_schur K;  /* mass matrix with free flywheels eliminated */
-    K.A[0] = table->A[0];  K.A[1] = table->A[1];  K.A[2] = table->A[2];
-    K.A[3] = table->A[3];  K.A[4] = table->A[4];  K.A[5] = table->A[5];
-    K.B[0] = table->G[0];              K.B[1] = table->G[1] - sum.mu[2];  K.B[2] = table->G[2] + sum.mu[1];
-    K.B[3] = table->G[3] + sum.mu[2];  K.B[4] = table->G[4];              K.B[5] = table->G[5] - sum.mu[0];
-    K.B[6] = table->G[6] - sum.mu[1];  K.B[7] = table->G[7] + sum.mu[0];  K.B[8] = table->G[8];
-    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
-    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
-    auv6_schur_factor factor;
     auv6_real rhs[6];  /* right-hand side of the carrier */
     auv6_real drive_rhs[AUV6_N];  /* right-hand sides of the drives */
     auv6_real y[6];
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
-    for (int s = 0; s < AUV6_N; ++s) {
-        auv6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
-        if (locked[s] == 0) {
-            auv6_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
-        }
-    }
-    status = auv6_factor_schur(&K, &factor);
-    if (status != AUV6_OK) { return status; }
     auv6_real drive_slope[AUV6_N][6];  /* derivatives of the bias torques by V */
     auv6_real J_p[6];  /* dJ / dphi */
     auv6_real turned[3];  /* J' omega */

@@ -486,7 +486,7 @@ auv6_status auv6_forward_jacobian(const auv6_table *table, const auv6_state *x,
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 17330 operations on reals, 33 of them divisions. Stack: at most 8096 bytes. */
+ * At most 17330 operations on reals, 33 of them divisions. Stack: at most 8160 bytes. */
 auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, const auv6_real tau[AUV6_N],
                                   const int locked[AUV6_N], auv6_coupled_jacobian_result *out);
 

@@ -53,6 +53,13 @@ __asm__(".globl bench8_link_double_lanes1_v0_1_0_139422e0\n"
 #define BENCH8_APART
 #endif
 
+/* On desktop processors a copy in each caller is faster; on small ones, and for size, it takes too much code. */
+#if defined __GNUC__ && !defined __OPTIMIZE_SIZE__ && (defined __x86_64__ || defined __aarch64__)
+#define BENCH8_COPIED inline __attribute__((always_inline))
+#else
+#define BENCH8_COPIED
+#endif
+
 /* Sums over all bodies at one state. */
 typedef struct bench8_sums {
     bench8_real mu[3];      /* kg m; first moment of all bodies about O1 */
@@ -60,8 +67,8 @@ typedef struct bench8_sums {
     bench8_real J[6];       /* kg m2; inertia about O1 */
     bench8_real J_dot[6];   /* kg m2/s; its rate in E1 */
     bench8_real h_rel[3];   /* kg m2/s; moment part of sum I phi' */
-    bench8_real a_rel[3];   /* N; d/dt of the force part of sum I phi' */
-    bench8_real g_rel[3];   /* N m; d/dt of its moment part */
+    bench8_real g_rel[3];   /* N m; d/dt of the moment part */
+    bench8_real a_rel[3];   /* N; d/dt of the force part */
 } bench8_sums;
 
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
@@ -487,9 +494,10 @@ static void bench8_sum_mass(const bench8_table *table, const bench8_real sine[BE
 
 /* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
 BENCH8_CODE
-static void bench8_sum_steady_spin(const bench8_table *table, const bench8_real sine[BENCH8_N],
-                                   const bench8_real cosine[BENCH8_N], const bench8_real phi_dot[BENCH8_N],
-                                   bench8_sums *restrict sum)
+static BENCH8_COPIED void bench8_sum_steady_spin(const bench8_table *table, const bench8_real sine[BENCH8_N],
+                                                 const bench8_real cosine[BENCH8_N],
+                                                 const bench8_real phi_dot[BENCH8_N],
+                                                 bench8_sums *restrict sum)
 {
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
@@ -521,9 +529,10 @@ static void bench8_sum_steady_spin(const bench8_table *table, const bench8_real 
 
 /* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
 BENCH8_CODE
-static void bench8_sum_spin(const bench8_table *table, const bench8_real sine[BENCH8_N],
-                            const bench8_real cosine[BENCH8_N], const bench8_real phi_dot[BENCH8_N],
-                            const bench8_real phi_ddot[BENCH8_N], bench8_sums *restrict sum)
+static BENCH8_COPIED void bench8_sum_spin(const bench8_table *table, const bench8_real sine[BENCH8_N],
+                                          const bench8_real cosine[BENCH8_N],
+                                          const bench8_real phi_dot[BENCH8_N],
+                                          const bench8_real phi_ddot[BENCH8_N], bench8_sums *restrict sum)
 {
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
@@ -1005,9 +1014,9 @@ bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, 
 
 /* Column of I of one flywheel, and its drive torque at V* = 0, phi'' = 0, (9). */
 BENCH8_CODE
-static void bench8_couple(const bench8_row *row, bench8_real s, bench8_real c,
-                          const bench8_real origin_acceleration[3], const bench8_real spun[6],
-                          bench8_coupling *restrict out)
+static BENCH8_COPIED void bench8_couple(const bench8_row *row, bench8_real s, bench8_real c,
+                                        const bench8_real origin_acceleration[3], const bench8_real spun[6],
+                                        bench8_coupling *restrict out)
 {
     const bench8_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const bench8_real two_s2 = 4.0 * c * s;
@@ -1757,12 +1766,12 @@ static void bench8_row_slope(const bench8_row *row, const bench8_real weight[12]
     change.h_rel[0] = row->t_c[0] * weight[5] + weight[10] * row->t_0[0] - row->t_s[0] * weight[4];
     change.h_rel[1] = row->t_c[1] * weight[5] + weight[10] * row->t_0[1] - row->t_s[1] * weight[4];
     change.h_rel[2] = row->t_c[2] * weight[5] + weight[10] * row->t_0[2] - row->t_s[2] * weight[4];
-    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
-    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
-    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
     change.g_rel[0] = row->t_c[0] * weight[9] + weight[11] * row->t_0[0] - row->t_s[0] * weight[8];
     change.g_rel[1] = row->t_c[1] * weight[9] + weight[11] * row->t_0[1] - row->t_s[1] * weight[8];
     change.g_rel[2] = row->t_c[2] * weight[9] + weight[11] * row->t_0[2] - row->t_s[2] * weight[8];
+    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
+    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
+    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
     Z[0] = change.mu[2] * V[4] + change.mu_dot[0] - change.mu[1] * V[5];
     Z[1] = change.mu[0] * V[5] + change.mu_dot[1] - change.mu[2] * V[3];
     Z[2] = change.mu[1] * V[3] + change.mu_dot[2] - change.mu[0] * V[4];
@@ -1926,8 +1935,6 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    status = bench8_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
-    if (status != BENCH8_OK) { return status; }
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
@@ -1935,6 +1942,51 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
     bench8_sums sum;
     bench8_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     bench8_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
+    bench8_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
+    bench8_external(table, x, &sum, C, g, F);
+    bench8_subtract_rates(table, &sum, x->V, F);
+    bench8_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
+    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
+    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
+    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
+    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    bench8_coupling drive[BENCH8_N];
+    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
+    origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    bench8_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    bench8_real rate[BENCH8_N];  /* accelerations at V* = 0 */
+    for (int s = 0; s < BENCH8_N; ++s) {
+        if (locked[s] == 0) {
+            bench8_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
+            rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
+            bench8_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
+        } else {
+            drive[s].I_[0] = 0.0;  drive[s].I_[1] = 0.0;  drive[s].I_[2] = 0.0;
+            drive[s].I_[3] = 0.0;  drive[s].I_[4] = 0.0;  drive[s].I_[5] = 0.0;
+            rate[s] = 0.0;
+        }
+    }
+    bench8_schur_factor factor;
+    status = bench8_factor_schur(&K, &factor);
+    if (status != BENCH8_OK) { return status; }
+    bench8_solve_schur(&factor, F, V_result);
+    for (int s = 0; s < BENCH8_N; ++s) {
+        phi_result[s] = 0.0;
+        if (locked[s] == 0) {
+            phi_result[s] = rate[s] - (V_result[0] * drive[s].I_[0] + V_result[1] * drive[s].I_[1]
+                + V_result[2] * drive[s].I_[2] + V_result[3] * drive[s].I_[3] + V_result[4] * drive[s].I_[4]
+                + V_result[5] * drive[s].I_[5]) * table->flywheel[s].spin_inv;
+        }
+    }
     bench8_real Z[6];  /* momentum screw (2) */
     bench8_momentum_screw(table, &sum, x->V, Z);
     bench8_matrices_result m;
@@ -1965,38 +2017,11 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
     bench8_velocity_matrix(x->V, &m);
     bench8_real slope[36];  /* derivative by V, row by row */
     bench8_twist_slope(table, Z, &m, slope);
-    bench8_coupling drive[BENCH8_N];
-    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
-    origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
-    origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
-    origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
-    bench8_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
-    spun[0] = -0.5 * (x->V[3] * x->V[3]);
-    spun[1] = -0.5 * (x->V[4] * x->V[4]);
-    spun[2] = -0.5 * (x->V[5] * x->V[5]);
-    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
-    bench8_schur K;  /* mass matrix with free flywheels eliminated */
-    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
-    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
-    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
-    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
-    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
-    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
-    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
-    bench8_schur_factor factor;
     bench8_real rhs[6];  /* right-hand side of the carrier */
     bench8_real drive_rhs[BENCH8_N];  /* right-hand sides of the drives */
     bench8_real y[6];
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
-    for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
-        if (locked[s] == 0) {
-            bench8_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
-        }
-    }
-    status = bench8_factor_schur(&K, &factor);
-    if (status != BENCH8_OK) { return status; }
     bench8_real drive_slope[BENCH8_N][6];  /* derivatives of the bias torques by V */
     bench8_real J_p[6];  /* dJ / dphi */
     bench8_real turned[3];  /* J' omega */

@@ -53,6 +53,13 @@ __asm__(".globl demo3_link_double_lanes1_v0_1_0_fdeb29e7\n"
 #define DEMO3_APART
 #endif
 
+/* On desktop processors a copy in each caller is faster; on small ones, and for size, it takes too much code. */
+#if defined __GNUC__ && !defined __OPTIMIZE_SIZE__ && (defined __x86_64__ || defined __aarch64__)
+#define DEMO3_COPIED inline __attribute__((always_inline))
+#else
+#define DEMO3_COPIED
+#endif
+
 /* Sums over all bodies at one state. */
 typedef struct demo3_sums {
     demo3_real mu[3];      /* kg m; first moment of all bodies about O1 */
@@ -60,8 +67,8 @@ typedef struct demo3_sums {
     demo3_real J[6];       /* kg m2; inertia about O1 */
     demo3_real J_dot[6];   /* kg m2/s; its rate in E1 */
     demo3_real h_rel[3];   /* kg m2/s; moment part of sum I phi' */
-    demo3_real a_rel[3];   /* N; d/dt of the force part of sum I phi' */
-    demo3_real g_rel[3];   /* N m; d/dt of its moment part */
+    demo3_real g_rel[3];   /* N m; d/dt of the moment part */
+    demo3_real a_rel[3];   /* N; d/dt of the force part */
 } demo3_sums;
 
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
@@ -438,9 +445,9 @@ static void demo3_sum_mass(const demo3_table *table, const demo3_real sine[DEMO3
 
 /* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
 DEMO3_CODE
-static void demo3_sum_steady_spin(const demo3_table *table, const demo3_real sine[DEMO3_N],
-                                  const demo3_real cosine[DEMO3_N], const demo3_real phi_dot[DEMO3_N],
-                                  demo3_sums *restrict sum)
+static DEMO3_COPIED void demo3_sum_steady_spin(const demo3_table *table, const demo3_real sine[DEMO3_N],
+                                               const demo3_real cosine[DEMO3_N],
+                                               const demo3_real phi_dot[DEMO3_N], demo3_sums *restrict sum)
 {
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
@@ -472,9 +479,9 @@ static void demo3_sum_steady_spin(const demo3_table *table, const demo3_real sin
 
 /* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
 DEMO3_CODE
-static void demo3_sum_spin(const demo3_table *table, const demo3_real sine[DEMO3_N],
-                           const demo3_real cosine[DEMO3_N], const demo3_real phi_dot[DEMO3_N],
-                           const demo3_real phi_ddot[DEMO3_N], demo3_sums *restrict sum)
+static DEMO3_COPIED void demo3_sum_spin(const demo3_table *table, const demo3_real sine[DEMO3_N],
+                                        const demo3_real cosine[DEMO3_N], const demo3_real phi_dot[DEMO3_N],
+                                        const demo3_real phi_ddot[DEMO3_N], demo3_sums *restrict sum)
 {
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
@@ -859,9 +866,9 @@ demo3_status demo3_momentum(const demo3_table *table, const demo3_state *x, demo
 
 /* Column of I of one flywheel, and its drive torque at V* = 0, phi'' = 0, (9). */
 DEMO3_CODE
-static void demo3_couple(const demo3_row *row, demo3_real s, demo3_real c,
-                         const demo3_real origin_acceleration[3], const demo3_real spun[6],
-                         demo3_coupling *restrict out)
+static DEMO3_COPIED void demo3_couple(const demo3_row *row, demo3_real s, demo3_real c,
+                                      const demo3_real origin_acceleration[3], const demo3_real spun[6],
+                                      demo3_coupling *restrict out)
 {
     const demo3_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const demo3_real two_s2 = 4.0 * c * s;
@@ -1582,12 +1589,12 @@ static void demo3_row_slope(const demo3_row *row, const demo3_real weight[12], c
     change.h_rel[0] = row->t_c[0] * weight[5] + weight[10] * row->t_0[0] - row->t_s[0] * weight[4];
     change.h_rel[1] = row->t_c[1] * weight[5] + weight[10] * row->t_0[1] - row->t_s[1] * weight[4];
     change.h_rel[2] = row->t_c[2] * weight[5] + weight[10] * row->t_0[2] - row->t_s[2] * weight[4];
-    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
-    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
-    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
     change.g_rel[0] = row->t_c[0] * weight[9] + weight[11] * row->t_0[0] - row->t_s[0] * weight[8];
     change.g_rel[1] = row->t_c[1] * weight[9] + weight[11] * row->t_0[1] - row->t_s[1] * weight[8];
     change.g_rel[2] = row->t_c[2] * weight[9] + weight[11] * row->t_0[2] - row->t_s[2] * weight[8];
+    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
+    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
+    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
     Z[0] = change.mu[2] * V[4] + change.mu_dot[0] - change.mu[1] * V[5];
     Z[1] = change.mu[0] * V[5] + change.mu_dot[1] - change.mu[2] * V[3];
     Z[2] = change.mu[1] * V[3] + change.mu_dot[2] - change.mu[0] * V[4];
@@ -1747,11 +1754,55 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
     demo3_real sine[DEMO3_N];
     demo3_real cosine[DEMO3_N];
     demo3_sincos_each(x->phi, sine, cosine);
-    status = demo3_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
-    if (status != DEMO3_OK) { return status; }
     demo3_sums sum;
     demo3_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     demo3_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
+    demo3_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
+    F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
+    F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
+    demo3_subtract_rates(table, &sum, x->V, F);
+    demo3_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
+    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
+    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
+    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
+    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    demo3_coupling drive[DEMO3_N];
+    demo3_real origin_acceleration[3];  /* omega x v */
+    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    demo3_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    demo3_real rate[DEMO3_N];  /* accelerations at V* = 0 */
+    for (int s = 0; s < DEMO3_N; ++s) {
+        if (locked[s] == 0) {
+            demo3_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
+            rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
+            demo3_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
+        } else {
+            drive[s].I_[0] = 0.0;  drive[s].I_[1] = 0.0;  drive[s].I_[2] = 0.0;
+            drive[s].I_[3] = 0.0;  drive[s].I_[4] = 0.0;  drive[s].I_[5] = 0.0;
+            rate[s] = 0.0;
+        }
+    }
+    demo3_schur_factor factor;
+    status = demo3_factor_schur(&K, &factor);
+    if (status != DEMO3_OK) { return status; }
+    demo3_solve_schur(&factor, F, V_result);
+    for (int s = 0; s < DEMO3_N; ++s) {
+        phi_result[s] = 0.0;
+        if (locked[s] == 0) {
+            phi_result[s] = rate[s] - (V_result[0] * drive[s].I_[0] + V_result[1] * drive[s].I_[1]
+                + V_result[2] * drive[s].I_[2] + V_result[3] * drive[s].I_[3] + V_result[4] * drive[s].I_[4]
+                + V_result[5] * drive[s].I_[5]) * table->flywheel[s].spin_inv;
+        }
+    }
     demo3_real Z[6];  /* momentum screw (2) */
     demo3_momentum_screw(table, &sum, x->V, Z);
     demo3_matrices_result m;
@@ -1782,38 +1833,11 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
     demo3_velocity_matrix(x->V, &m);
     demo3_real slope[36];  /* derivative by V, row by row */
     demo3_twist_slope(Z, &m, slope);
-    demo3_coupling drive[DEMO3_N];
-    demo3_real origin_acceleration[3];  /* omega x v */
-    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
-    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
-    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
-    demo3_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
-    spun[0] = -0.5 * (x->V[3] * x->V[3]);
-    spun[1] = -0.5 * (x->V[4] * x->V[4]);
-    spun[2] = -0.5 * (x->V[5] * x->V[5]);
-    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
-    demo3_schur K;  /* mass matrix with free flywheels eliminated */
-    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
-    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
-    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
-    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
-    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
-    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
-    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
-    demo3_schur_factor factor;
     demo3_real rhs[6];  /* right-hand side of the carrier */
     demo3_real drive_rhs[DEMO3_N];  /* right-hand sides of the drives */
     demo3_real y[6];
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
-    for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
-        if (locked[s] == 0) {
-            demo3_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
-        }
-    }
-    status = demo3_factor_schur(&K, &factor);
-    if (status != DEMO3_OK) { return status; }
     demo3_real drive_slope[DEMO3_N][6];  /* derivatives of the bias torques by V */
     demo3_real J_p[6];  /* dJ / dphi */
     demo3_real turned[3];  /* J' omega */

@@ -53,6 +53,13 @@ __asm__(".globl remus6_link_double_lanes1_v0_1_0_5f25aea2\n"
 #define REMUS6_APART
 #endif
 
+/* On desktop processors a copy in each caller is faster; on small ones, and for size, it takes too much code. */
+#if defined __GNUC__ && !defined __OPTIMIZE_SIZE__ && (defined __x86_64__ || defined __aarch64__)
+#define REMUS6_COPIED inline __attribute__((always_inline))
+#else
+#define REMUS6_COPIED
+#endif
+
 /* Sums over all bodies at one state. */
 typedef struct remus6_sums {
     remus6_real mu[3];      /* kg m; first moment of all bodies about O1 */
@@ -60,8 +67,8 @@ typedef struct remus6_sums {
     remus6_real J[6];       /* kg m2; inertia about O1 */
     remus6_real J_dot[6];   /* kg m2/s; its rate in E1 */
     remus6_real h_rel[3];   /* kg m2/s; moment part of sum I phi' */
-    remus6_real a_rel[3];   /* N; d/dt of the force part of sum I phi' */
-    remus6_real g_rel[3];   /* N m; d/dt of its moment part */
+    remus6_real g_rel[3];   /* N m; d/dt of the moment part */
+    remus6_real a_rel[3];   /* N; d/dt of the force part */
 } remus6_sums;
 
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
@@ -396,9 +403,10 @@ static void remus6_sum_mass(const remus6_table *table, const remus6_real sine[RE
 
 /* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
 REMUS6_CODE
-static void remus6_sum_steady_spin(const remus6_table *table, const remus6_real sine[REMUS6_N],
-                                   const remus6_real cosine[REMUS6_N], const remus6_real phi_dot[REMUS6_N],
-                                   remus6_sums *restrict sum)
+static REMUS6_COPIED void remus6_sum_steady_spin(const remus6_table *table, const remus6_real sine[REMUS6_N],
+                                                 const remus6_real cosine[REMUS6_N],
+                                                 const remus6_real phi_dot[REMUS6_N],
+                                                 remus6_sums *restrict sum)
 {
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
@@ -430,9 +438,10 @@ static void remus6_sum_steady_spin(const remus6_table *table, const remus6_real 
 
 /* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
 REMUS6_CODE
-static void remus6_sum_spin(const remus6_table *table, const remus6_real sine[REMUS6_N],
-                            const remus6_real cosine[REMUS6_N], const remus6_real phi_dot[REMUS6_N],
-                            const remus6_real phi_ddot[REMUS6_N], remus6_sums *restrict sum)
+static REMUS6_COPIED void remus6_sum_spin(const remus6_table *table, const remus6_real sine[REMUS6_N],
+                                          const remus6_real cosine[REMUS6_N],
+                                          const remus6_real phi_dot[REMUS6_N],
+                                          const remus6_real phi_ddot[REMUS6_N], remus6_sums *restrict sum)
 {
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
@@ -926,9 +935,9 @@ remus6_status remus6_momentum(const remus6_table *table, const remus6_state *x, 
 
 /* Column of I of one flywheel, and its drive torque at V* = 0, phi'' = 0, (9). */
 REMUS6_CODE
-static void remus6_couple(const remus6_row *row, remus6_real s, remus6_real c,
-                          const remus6_real origin_acceleration[3], const remus6_real spun[6],
-                          remus6_coupling *restrict out)
+static REMUS6_COPIED void remus6_couple(const remus6_row *row, remus6_real s, remus6_real c,
+                                        const remus6_real origin_acceleration[3], const remus6_real spun[6],
+                                        remus6_coupling *restrict out)
 {
     const remus6_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const remus6_real two_s2 = 4.0 * c * s;
@@ -1769,12 +1778,12 @@ static void remus6_row_slope(const remus6_row *row, const remus6_real weight[12]
     change.h_rel[0] = row->t_c[0] * weight[5] + weight[10] * row->t_0[0] - row->t_s[0] * weight[4];
     change.h_rel[1] = row->t_c[1] * weight[5] + weight[10] * row->t_0[1] - row->t_s[1] * weight[4];
     change.h_rel[2] = row->t_c[2] * weight[5] + weight[10] * row->t_0[2] - row->t_s[2] * weight[4];
-    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
-    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
-    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
     change.g_rel[0] = row->t_c[0] * weight[9] + weight[11] * row->t_0[0] - row->t_s[0] * weight[8];
     change.g_rel[1] = row->t_c[1] * weight[9] + weight[11] * row->t_0[1] - row->t_s[1] * weight[8];
     change.g_rel[2] = row->t_c[2] * weight[9] + weight[11] * row->t_0[2] - row->t_s[2] * weight[8];
+    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
+    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
+    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
     Z[0] = change.mu[2] * V[4] + change.mu_dot[0] - change.mu[1] * V[5];
     Z[1] = change.mu[0] * V[5] + change.mu_dot[1] - change.mu[2] * V[3];
     Z[2] = change.mu[1] * V[3] + change.mu_dot[2] - change.mu[0] * V[4];
@@ -1981,6 +1990,34 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
     remus6_sums sum;
     remus6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     remus6_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
+    remus6_coupling drive[REMUS6_N];
+    remus6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
+    origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
+    origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
+    origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    remus6_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
+    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
+    remus6_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = table->A[0];  K.A[1] = table->A[1];  K.A[2] = table->A[2];
+    K.A[3] = table->A[3];  K.A[4] = table->A[4];  K.A[5] = table->A[5];
+    K.B[0] = table->G[0];              K.B[1] = table->G[1] - sum.mu[2];  K.B[2] = table->G[2] + sum.mu[1];
+    K.B[3] = table->G[3] + sum.mu[2];  K.B[4] = table->G[4];              K.B[5] = table->G[5] - sum.mu[0];
+    K.B[6] = table->G[6] - sum.mu[1];  K.B[7] = table->G[7] + sum.mu[0];  K.B[8] = table->G[8];
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    remus6_real none[6];  /* right-hand side */
+    none[0] = 0.0;  none[1] = 0.0;  none[2] = 0.0;
+    none[3] = 0.0;  none[4] = 0.0;  none[5] = 0.0;
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
+        if (locked[s] == 0) {
+            remus6_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, none);
+        }
+    }
+    remus6_schur_factor factor;
+    status = remus6_factor_schur(&K, &factor);
+    if (status != REMUS6_OK) { return status; }
     remus6_real drift[3];  /* omega x C^T u */
     drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
     drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
@@ -2028,36 +2065,11 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
     remus6_velocity_matrix(V, &m);
     remus6_real slope[36];  /* derivative by V, row by row */
     remus6_twist_slope(table, V, Z, &m, slope);
-    remus6_coupling drive[REMUS6_N];
-    remus6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
-    origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
-    origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
-    origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
-    remus6_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
-    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
-    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
-    remus6_schur K;  /* mass matrix with free flywheels eliminated */
-    K.A[0] = table->A[0];  K.A[1] = table->A[1];  K.A[2] = table->A[2];
-    K.A[3] = table->A[3];  K.A[4] = table->A[4];  K.A[5] = table->A[5];
-    K.B[0] = table->G[0];              K.B[1] = table->G[1] - sum.mu[2];  K.B[2] = table->G[2] + sum.mu[1];
-    K.B[3] = table->G[3] + sum.mu[2];  K.B[4] = table->G[4];              K.B[5] = table->G[5] - sum.mu[0];
-    K.B[6] = table->G[6] - sum.mu[1];  K.B[7] = table->G[7] + sum.mu[0];  K.B[8] = table->G[8];
-    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
-    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
-    remus6_schur_factor factor;
     remus6_real rhs[6];  /* right-hand side of the carrier */
     remus6_real drive_rhs[REMUS6_N];  /* right-hand sides of the drives */
     remus6_real y[6];
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
-    for (int s = 0; s < REMUS6_N; ++s) {
-        remus6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
-        if (locked[s] == 0) {
-            remus6_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
-        }
-    }
-    status = remus6_factor_schur(&K, &factor);
-    if (status != REMUS6_OK) { return status; }
     remus6_real drive_slope[REMUS6_N][6];  /* derivatives of the bias torques by V */
     remus6_real J_p[6];  /* dJ / dphi */
     remus6_real turned[3];  /* J' omega */

@@ -508,7 +508,7 @@ remus6_status remus6_forward_jacobian(const remus6_table *table, const remus6_st
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 16184 operations on reals, 33 of them divisions. Stack: at most 8096 bytes. */
+ * At most 16184 operations on reals, 33 of them divisions. Stack: at most 8160 bytes. */
 remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_state *x,
                                       const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                       remus6_coupled_jacobian_result *out);

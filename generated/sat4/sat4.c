@@ -53,6 +53,13 @@ __asm__(".globl sat4_link_double_lanes1_v0_1_0_e77ec5a4\n"
 #define SAT4_APART
 #endif
 
+/* On desktop processors a copy in each caller is faster; on small ones, and for size, it takes too much code. */
+#if defined __GNUC__ && !defined __OPTIMIZE_SIZE__ && (defined __x86_64__ || defined __aarch64__)
+#define SAT4_COPIED inline __attribute__((always_inline))
+#else
+#define SAT4_COPIED
+#endif
+
 /* Sums over all bodies at one state. */
 typedef struct sat4_sums {
     sat4_real mu[3];      /* kg m; first moment of all bodies about O1 */
@@ -60,8 +67,8 @@ typedef struct sat4_sums {
     sat4_real J[6];       /* kg m2; inertia about O1 */
     sat4_real J_dot[6];   /* kg m2/s; its rate in E1 */
     sat4_real h_rel[3];   /* kg m2/s; moment part of sum I phi' */
-    sat4_real a_rel[3];   /* N; d/dt of the force part of sum I phi' */
-    sat4_real g_rel[3];   /* N m; d/dt of its moment part */
+    sat4_real g_rel[3];   /* N m; d/dt of the moment part */
+    sat4_real a_rel[3];   /* N; d/dt of the force part */
 } sat4_sums;
 
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
@@ -435,9 +442,9 @@ static void sat4_sum_mass(const sat4_table *table, const sat4_real sine[SAT4_N],
 
 /* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
 SAT4_CODE
-static void sat4_sum_steady_spin(const sat4_table *table, const sat4_real sine[SAT4_N],
-                                 const sat4_real cosine[SAT4_N], const sat4_real phi_dot[SAT4_N],
-                                 sat4_sums *restrict sum)
+static SAT4_COPIED void sat4_sum_steady_spin(const sat4_table *table, const sat4_real sine[SAT4_N],
+                                             const sat4_real cosine[SAT4_N], const sat4_real phi_dot[SAT4_N],
+                                             sat4_sums *restrict sum)
 {
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
@@ -469,9 +476,9 @@ static void sat4_sum_steady_spin(const sat4_table *table, const sat4_real sine[S
 
 /* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
 SAT4_CODE
-static void sat4_sum_spin(const sat4_table *table, const sat4_real sine[SAT4_N],
-                          const sat4_real cosine[SAT4_N], const sat4_real phi_dot[SAT4_N],
-                          const sat4_real phi_ddot[SAT4_N], sat4_sums *restrict sum)
+static SAT4_COPIED void sat4_sum_spin(const sat4_table *table, const sat4_real sine[SAT4_N],
+                                      const sat4_real cosine[SAT4_N], const sat4_real phi_dot[SAT4_N],
+                                      const sat4_real phi_ddot[SAT4_N], sat4_sums *restrict sum)
 {
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
@@ -856,9 +863,9 @@ sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_mom
 
 /* Column of I of one flywheel, and its drive torque at V* = 0, phi'' = 0, (9). */
 SAT4_CODE
-static void sat4_couple(const sat4_row *row, sat4_real s, sat4_real c,
-                        const sat4_real origin_acceleration[3], const sat4_real spun[6],
-                        sat4_coupling *restrict out)
+static SAT4_COPIED void sat4_couple(const sat4_row *row, sat4_real s, sat4_real c,
+                                    const sat4_real origin_acceleration[3], const sat4_real spun[6],
+                                    sat4_coupling *restrict out)
 {
     const sat4_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const sat4_real two_s2 = 4.0 * c * s;
@@ -1575,12 +1582,12 @@ static void sat4_row_slope(const sat4_row *row, const sat4_real weight[12], cons
     change.h_rel[0] = row->t_c[0] * weight[5] + weight[10] * row->t_0[0] - row->t_s[0] * weight[4];
     change.h_rel[1] = row->t_c[1] * weight[5] + weight[10] * row->t_0[1] - row->t_s[1] * weight[4];
     change.h_rel[2] = row->t_c[2] * weight[5] + weight[10] * row->t_0[2] - row->t_s[2] * weight[4];
-    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
-    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
-    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
     change.g_rel[0] = row->t_c[0] * weight[9] + weight[11] * row->t_0[0] - row->t_s[0] * weight[8];
     change.g_rel[1] = row->t_c[1] * weight[9] + weight[11] * row->t_0[1] - row->t_s[1] * weight[8];
     change.g_rel[2] = row->t_c[2] * weight[9] + weight[11] * row->t_0[2] - row->t_s[2] * weight[8];
+    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
+    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
+    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
     Z[0] = change.mu[2] * V[4] + change.mu_dot[0] - change.mu[1] * V[5];
     Z[1] = change.mu[0] * V[5] + change.mu_dot[1] - change.mu[2] * V[3];
     Z[2] = change.mu[1] * V[3] + change.mu_dot[2] - change.mu[0] * V[4];
@@ -1739,11 +1746,55 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    status = sat4_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
-    if (status != SAT4_OK) { return status; }
     sat4_sums sum;
     sat4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     sat4_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
+    sat4_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
+    F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
+    F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
+    sat4_subtract_rates(table, &sum, x->V, F);
+    sat4_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
+    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
+    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
+    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
+    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    sat4_coupling drive[SAT4_N];
+    sat4_real origin_acceleration[3];  /* omega x v */
+    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    sat4_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    sat4_real rate[SAT4_N];  /* accelerations at V* = 0 */
+    for (int s = 0; s < SAT4_N; ++s) {
+        if (locked[s] == 0) {
+            sat4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
+            rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
+            sat4_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
+        } else {
+            drive[s].I_[0] = 0.0;  drive[s].I_[1] = 0.0;  drive[s].I_[2] = 0.0;
+            drive[s].I_[3] = 0.0;  drive[s].I_[4] = 0.0;  drive[s].I_[5] = 0.0;
+            rate[s] = 0.0;
+        }
+    }
+    sat4_schur_factor factor;
+    status = sat4_factor_schur(&K, &factor);
+    if (status != SAT4_OK) { return status; }
+    sat4_solve_schur(&factor, F, V_result);
+    for (int s = 0; s < SAT4_N; ++s) {
+        phi_result[s] = 0.0;
+        if (locked[s] == 0) {
+            phi_result[s] = rate[s] - (V_result[0] * drive[s].I_[0] + V_result[1] * drive[s].I_[1]
+                + V_result[2] * drive[s].I_[2] + V_result[3] * drive[s].I_[3] + V_result[4] * drive[s].I_[4]
+                + V_result[5] * drive[s].I_[5]) * table->flywheel[s].spin_inv;
+        }
+    }
     sat4_real Z[6];  /* momentum screw (2) */
     sat4_momentum_screw(table, &sum, x->V, Z);
     sat4_matrices_result m;
@@ -1774,38 +1825,11 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
     sat4_velocity_matrix(x->V, &m);
     sat4_real slope[36];  /* derivative by V, row by row */
     sat4_twist_slope(Z, &m, slope);
-    sat4_coupling drive[SAT4_N];
-    sat4_real origin_acceleration[3];  /* omega x v */
-    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
-    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
-    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
-    sat4_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
-    spun[0] = -0.5 * (x->V[3] * x->V[3]);
-    spun[1] = -0.5 * (x->V[4] * x->V[4]);
-    spun[2] = -0.5 * (x->V[5] * x->V[5]);
-    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
-    sat4_schur K;  /* mass matrix with free flywheels eliminated */
-    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
-    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
-    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
-    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
-    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
-    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
-    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
-    sat4_schur_factor factor;
     sat4_real rhs[6];  /* right-hand side of the carrier */
     sat4_real drive_rhs[SAT4_N];  /* right-hand sides of the drives */
     sat4_real y[6];
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
-    for (int s = 0; s < SAT4_N; ++s) {
-        sat4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
-        if (locked[s] == 0) {
-            sat4_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
-        }
-    }
-    status = sat4_factor_schur(&K, &factor);
-    if (status != SAT4_OK) { return status; }
     sat4_real drive_slope[SAT4_N][6];  /* derivatives of the bias torques by V */
     sat4_real J_p[6];  /* dJ / dphi */
     sat4_real turned[3];  /* J' omega */

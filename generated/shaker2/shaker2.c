@@ -53,6 +53,13 @@ __asm__(".globl shaker2_link_double_lanes1_v0_1_0_2591b2a4\n"
 #define SHAKER2_APART
 #endif
 
+/* On desktop processors a copy in each caller is faster; on small ones, and for size, it takes too much code. */
+#if defined __GNUC__ && !defined __OPTIMIZE_SIZE__ && (defined __x86_64__ || defined __aarch64__)
+#define SHAKER2_COPIED inline __attribute__((always_inline))
+#else
+#define SHAKER2_COPIED
+#endif
+
 /* Sums over all bodies at one state. */
 typedef struct shaker2_sums {
     shaker2_real mu[3];      /* kg m; first moment of all bodies about O1 */
@@ -60,8 +67,8 @@ typedef struct shaker2_sums {
     shaker2_real J[6];       /* kg m2; inertia about O1 */
     shaker2_real J_dot[6];   /* kg m2/s; its rate in E1 */
     shaker2_real h_rel[3];   /* kg m2/s; moment part of sum I phi' */
-    shaker2_real a_rel[3];   /* N; d/dt of the force part of sum I phi' */
-    shaker2_real g_rel[3];   /* N m; d/dt of its moment part */
+    shaker2_real g_rel[3];   /* N m; d/dt of the moment part */
+    shaker2_real a_rel[3];   /* N; d/dt of the force part */
 } shaker2_sums;
 
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
@@ -489,9 +496,11 @@ static void shaker2_sum_mass(const shaker2_table *table, const shaker2_real sine
 
 /* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
 SHAKER2_CODE
-static void shaker2_sum_steady_spin(const shaker2_table *table, const shaker2_real sine[SHAKER2_N],
-                                    const shaker2_real cosine[SHAKER2_N],
-                                    const shaker2_real phi_dot[SHAKER2_N], shaker2_sums *restrict sum)
+static SHAKER2_COPIED void shaker2_sum_steady_spin(const shaker2_table *table,
+                                                   const shaker2_real sine[SHAKER2_N],
+                                                   const shaker2_real cosine[SHAKER2_N],
+                                                   const shaker2_real phi_dot[SHAKER2_N],
+                                                   shaker2_sums *restrict sum)
 {
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
@@ -523,9 +532,11 @@ static void shaker2_sum_steady_spin(const shaker2_table *table, const shaker2_re
 
 /* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
 SHAKER2_CODE
-static void shaker2_sum_spin(const shaker2_table *table, const shaker2_real sine[SHAKER2_N],
-                             const shaker2_real cosine[SHAKER2_N], const shaker2_real phi_dot[SHAKER2_N],
-                             const shaker2_real phi_ddot[SHAKER2_N], shaker2_sums *restrict sum)
+static SHAKER2_COPIED void shaker2_sum_spin(const shaker2_table *table, const shaker2_real sine[SHAKER2_N],
+                                            const shaker2_real cosine[SHAKER2_N],
+                                            const shaker2_real phi_dot[SHAKER2_N],
+                                            const shaker2_real phi_ddot[SHAKER2_N],
+                                            shaker2_sums *restrict sum)
 {
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
@@ -1011,9 +1022,9 @@ shaker2_status shaker2_momentum(const shaker2_table *table, const shaker2_state 
 
 /* Column of I of one flywheel, and its drive torque at V* = 0, phi'' = 0, (9). */
 SHAKER2_CODE
-static void shaker2_couple(const shaker2_row *row, shaker2_real s, shaker2_real c,
-                           const shaker2_real origin_acceleration[3], const shaker2_real spun[6],
-                           shaker2_coupling *restrict out)
+static SHAKER2_COPIED void shaker2_couple(const shaker2_row *row, shaker2_real s, shaker2_real c,
+                                          const shaker2_real origin_acceleration[3],
+                                          const shaker2_real spun[6], shaker2_coupling *restrict out)
 {
     const shaker2_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const shaker2_real two_s2 = 4.0 * c * s;
@@ -1768,12 +1779,12 @@ static void shaker2_row_slope(const shaker2_row *row, const shaker2_real weight[
     change.h_rel[0] = row->t_c[0] * weight[5] + weight[10] * row->t_0[0] - row->t_s[0] * weight[4];
     change.h_rel[1] = row->t_c[1] * weight[5] + weight[10] * row->t_0[1] - row->t_s[1] * weight[4];
     change.h_rel[2] = row->t_c[2] * weight[5] + weight[10] * row->t_0[2] - row->t_s[2] * weight[4];
-    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
-    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
-    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
     change.g_rel[0] = row->t_c[0] * weight[9] + weight[11] * row->t_0[0] - row->t_s[0] * weight[8];
     change.g_rel[1] = row->t_c[1] * weight[9] + weight[11] * row->t_0[1] - row->t_s[1] * weight[8];
     change.g_rel[2] = row->t_c[2] * weight[9] + weight[11] * row->t_0[2] - row->t_s[2] * weight[8];
+    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
+    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
+    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
     Z[0] = change.mu[2] * V[4] + change.mu_dot[0] - change.mu[1] * V[5];
     Z[1] = change.mu[0] * V[5] + change.mu_dot[1] - change.mu[2] * V[3];
     Z[2] = change.mu[1] * V[3] + change.mu_dot[2] - change.mu[0] * V[4];
@@ -1937,8 +1948,6 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    status = shaker2_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
-    if (status != SHAKER2_OK) { return status; }
     shaker2_real C[9];  /* attitude */
     shaker2_rotation(x->attitude, C);
     shaker2_real g[3];  /* gravity in E1 */
@@ -1946,6 +1955,51 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
     shaker2_sums sum;
     shaker2_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     shaker2_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
+    shaker2_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
+    shaker2_external(table, x, &sum, C, g, F);
+    shaker2_subtract_rates(table, &sum, x->V, F);
+    shaker2_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
+    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
+    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
+    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
+    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    shaker2_coupling drive[SHAKER2_N];
+    shaker2_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
+    origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    shaker2_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    shaker2_real rate[SHAKER2_N];  /* accelerations at V* = 0 */
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        if (locked[s] == 0) {
+            shaker2_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
+            rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
+            shaker2_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
+        } else {
+            drive[s].I_[0] = 0.0;  drive[s].I_[1] = 0.0;  drive[s].I_[2] = 0.0;
+            drive[s].I_[3] = 0.0;  drive[s].I_[4] = 0.0;  drive[s].I_[5] = 0.0;
+            rate[s] = 0.0;
+        }
+    }
+    shaker2_schur_factor factor;
+    status = shaker2_factor_schur(&K, &factor);
+    if (status != SHAKER2_OK) { return status; }
+    shaker2_solve_schur(&factor, F, V_result);
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        phi_result[s] = 0.0;
+        if (locked[s] == 0) {
+            phi_result[s] = rate[s] - (V_result[0] * drive[s].I_[0] + V_result[1] * drive[s].I_[1]
+                + V_result[2] * drive[s].I_[2] + V_result[3] * drive[s].I_[3] + V_result[4] * drive[s].I_[4]
+                + V_result[5] * drive[s].I_[5]) * table->flywheel[s].spin_inv;
+        }
+    }
     shaker2_real Z[6];  /* momentum screw (2) */
     shaker2_momentum_screw(table, &sum, x->V, Z);
     shaker2_matrices_result m;
@@ -1976,38 +2030,11 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
     shaker2_velocity_matrix(x->V, &m);
     shaker2_real slope[36];  /* derivative by V, row by row */
     shaker2_twist_slope(table, Z, &m, slope);
-    shaker2_coupling drive[SHAKER2_N];
-    shaker2_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
-    origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
-    origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
-    origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
-    shaker2_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
-    spun[0] = -0.5 * (x->V[3] * x->V[3]);
-    spun[1] = -0.5 * (x->V[4] * x->V[4]);
-    spun[2] = -0.5 * (x->V[5] * x->V[5]);
-    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
-    shaker2_schur K;  /* mass matrix with free flywheels eliminated */
-    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
-    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
-    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
-    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
-    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
-    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
-    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
-    shaker2_schur_factor factor;
     shaker2_real rhs[6];  /* right-hand side of the carrier */
     shaker2_real drive_rhs[SHAKER2_N];  /* right-hand sides of the drives */
     shaker2_real y[6];
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
-    for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
-        if (locked[s] == 0) {
-            shaker2_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
-        }
-    }
-    status = shaker2_factor_schur(&K, &factor);
-    if (status != SHAKER2_OK) { return status; }
     shaker2_real drive_slope[SHAKER2_N][6];  /* derivatives of the bias torques by V */
     shaker2_real J_p[6];  /* dJ / dphi */
     shaker2_real turned[3];  /* J' omega */

@@ -87,6 +87,7 @@ class Code:
             "prototype": prototype(f, self.names, self._restrictable, self._inline),
             "body": body,
             "apart": f.apart,
+            "copied": f.copied,
         }
 
     def table(

@@ -38,8 +38,11 @@ def prototype(
     `restrictable`: (function, argument) of results that overlap no other argument; C calls them `restrict`.
     `inline`: all internal functions are, but for those that are apart: a compiler is asked to copy them nowhere.
     """
-    copied = function.short or (inline and not function.apart)
-    storage = "" if function.public else "static inline " if copied else "static "
+    storage = "" if function.public else "static "
+    if function.short or (inline and not function.apart):
+        storage += "inline "
+    elif function.copied:
+        storage += f"{names.constant('COPIED')} "
     returns = names.type(function.returns) if function.returns is not None else "void"
     head = f"{storage}{returns} {names.function(function.name)}("
     arguments = [_argument(a, names, (function.name, a.name) in restrictable) for a in function.arguments] or ["void"]

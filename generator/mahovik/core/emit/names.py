@@ -11,7 +11,7 @@ from mahovik.core.program.types import Kind, NamedCount, Shape, Struct
 RESERVED = frozenset(
     (
         *("H", "HPP", "BATCH_H", "SERVO_H", "STRUCTURE", "PHYSICS", "TABLE_HASH", "LANES", "FAST", "REAL_BYTES"),
-        *("VERSION_MAJOR", "VERSION_MINOR", "VERSION_PATCH", "CODE", "CONST", "ALIGNED", "APART"),
+        *("VERSION_MAJOR", "VERSION_MINOR", "VERSION_PATCH", "CODE", "CONST", "ALIGNED", "APART", "COPIED"),
         *(
             "ALLOW_FAST_MATH",
             "SQRT",

@@ -47,7 +47,7 @@ def spans(source: str, name: str) -> dict[str, tuple[int, int]]:
     """First and last line of every function defined in a stand's C, by its name without prefix."""
     found = {}
     definition = re.compile(
-        rf"^(?:static )?(?:inline )?\w+ {name}_(\w+)\([^;{{]*\)\n{{\n.*?^}}\n", re.DOTALL | re.MULTILINE
+        rf"^(?:static )?(?:inline |\w+_COPIED )?\w+ {name}_(\w+)\([^;{{]*\)\n{{\n.*?^}}\n", re.DOTALL | re.MULTILINE
     )
     for match in definition.finditer(source):
         first = source.count("\n", 0, match.start()) + 1

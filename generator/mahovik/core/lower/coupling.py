@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from mahovik.core.formula.derived import accumulate as derived_rows
@@ -77,9 +77,10 @@ def couple(lib: Library) -> Function:
     columns = {name: row.place.member(name) for name in _columns(lib)}
     turn: dict[str, Expr] = {"s": s.place, "c": c.place}
     _couple(lib, body, turn, columns, {a.name: a.place for a in alike}, list(out.place.I), out.place.bias)
-    return body.function(
+    function = body.function(
         "couple", f"Column of I of one flywheel, and {_PURPOSE}", (row, s, c, *alike, out), equation="(9)"
     )
+    return replace(function, copied=True)
 
 
 def couple_block(lib: Library) -> Function:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from mahovik.core.lower import hold, lanes
 from mahovik.core.lower.checks import check_within
 from mahovik.core.lower.coupling import (
@@ -35,6 +37,8 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, equal, integer, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
+
+Pair = tuple[Place, Place]
 
 
 def torque(lib: Library, at: bool = False) -> Function:
@@ -153,14 +157,9 @@ def solve_coupled(lib: Library) -> Function:
         freedoms, drift = equations_along(lib, body, table.place, x.place, seen, tuple(wrench), None)
         solve_held(lib, body, table.place, seen, (tau.place, locked.place), freedoms, drift, results)
     else:
-        sum_up(lib, body, table.place, x.place, seen, None)
-        F = body.local("F", (6,), comment="wrench (7); then the right-hand side of K V* + I phi'' = F")
-        external_wrench(lib, body, table.place, x.place, seen, tuple(wrench), F)
-        body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
-        K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
-        start_schur(lib, body, table.place, seen.sums, K)
-        solve = _solve if layout.lanes == 1 else _solve_blocks
-        solve(lib, body, table.place, seen, (tau.place, locked.place), (K, F), (results[0], results[1]))
+        system = without_drives(lib, body, table.place, x.place, seen, tuple(wrench))
+        solve = solve_free if layout.lanes == 1 else _solve_blocks
+        solve(lib, body, table.place, seen, (tau.place, locked.place), system, (results[0], results[1]))
         from_stream(body, x.place, seen, results[0])
     return body.checked_function(
         "solve_coupled",
@@ -170,16 +169,33 @@ def solve_coupled(lib: Library) -> Function:
     )
 
 
+def without_drives(lib: Library, body: Body, table: Place, x: Place, seen: Scene, wrench: tuple[Argument, ...]) -> Pair:
+    """K and F of K V* + I phi'' = F, before the flywheels are eliminated; their sums are in `seen`."""
+    sum_up(lib, body, table, x, seen, None)
+    F = body.local("F", (6,), comment="wrench (7); then the right-hand side of K V* + I phi'' = F")
+    external_wrench(lib, body, table, x, seen, wrench, F)
+    body.call(lib["subtract_rates"], table, seen.sums, seen.V, F)
+    K = body.local("K", (), lib.layout.schur, "mass matrix with free flywheels eliminated")
+    start_schur(lib, body, table, seen.sums, K)
+    return K, F
+
+
 def turns_in(arguments: tuple[Argument, ...]) -> tuple[Argument, ...]:
     """Sines and cosines among the arguments."""
     return tuple(a for a in arguments if a.name in ("sine", "cosine"))
 
 
-Pair = tuple[Place, Place]
+@dataclass(frozen=True)
+class Solved:
+    """What solving leaves: columns of I and bias torques of the drives (N), common terms, and the factors of K."""
+
+    drives: Place
+    alike: Carried
+    factor: Place
 
 
-def _solve(lib: Library, body: Body, table: Place, seen: Scene, given: Pair, system: Pair, results: Pair) -> None:
-    """V*, phi'' of K, F without drives, for given tau and locks."""
+def solve_free(lib: Library, body: Body, table: Place, seen: Scene, given: Pair, system: Pair, results: Pair) -> Solved:
+    """V*, phi'' of K, F without drives, for given tau and locks, flywheel by flywheel."""
     layout = lib.layout
     (tau, locked), (K, F), (V_dot, phi_ddot) = given, system, results
     drives = body.local("drive", (layout.count,), layout.coupling)
@@ -205,6 +221,7 @@ def _solve(lib: Library, body: Body, table: Place, seen: Scene, given: Pair, sys
         with body.when(equal(locked[s], integer(0))):
             back = along(list(drives[s].I), V_dot) * table.flywheel[s].spin_inv
             body.set(phi_ddot[s], rate[s] - back)
+    return Solved(drives, alike, factor)
 
 
 def _solve_blocks(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from mahovik.core.formula.derived import accumulate as derived
@@ -231,7 +232,7 @@ def sum_spin(lib: Library, steady: bool = False, apart: bool = False) -> Functio
             given["phi_ddot"] = body.let("a", acceleration.place[k])
         row = columns_of(table.place.flywheel[k])
         _add_row(body, given, row, _sums_of(lib, sums.place), names, _USED[_SPIN])
-    return body.function(
+    function = body.function(
         f"sum_{'steady_' if steady else ''}{'turning' if apart else 'spin'}",
         ("Rate of the first moment, and terms" if apart else "Terms")
         + " of the flywheels' turning in momentum and forces; w = phi'"
@@ -239,6 +240,7 @@ def sum_spin(lib: Library, steady: bool = False, apart: bool = False) -> Functio
         (table, *turns, phi_dot, *phi_ddot, sums),
         equation="(2), (5)",
     )
+    return replace(function, copied=not apart)
 
 
 def add_block(lib: Library) -> Function:

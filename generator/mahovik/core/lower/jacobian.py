@@ -10,7 +10,7 @@ from mahovik.core.formula.derived import carrier as derived_carrier
 from mahovik.core.formula.derived import drive as derived_drive
 from mahovik.core.formula.derived import sensitivity as derived
 from mahovik.core.lower.coupling import along, couple_flywheel, declare_common_terms
-from mahovik.core.lower.drive import check_drive
+from mahovik.core.lower.drive import Solved, check_drive, solve_free, without_drives
 from mahovik.core.lower.flywheel_slopes import (
     CoupledMotion,
     by_flywheels,
@@ -19,7 +19,15 @@ from mahovik.core.lower.flywheel_slopes import (
     row_weights,
 )
 from mahovik.core.lower.flywheels import columns_of, let_turn, turns_of
-from mahovik.core.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, external_wrench, scene, sum_up
+from mahovik.core.lower.forward import (
+    STATE_STATUSES,
+    Scene,
+    check_inputs,
+    drift_of,
+    external_wrench,
+    scene,
+    sum_up,
+)
 from mahovik.core.lower.lanes import entry, row_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.matrices import fill
@@ -138,10 +146,17 @@ def coupled_jacobian(lib: Library) -> Function:
     motion = body.local("V_result", (6,), comment="V*, then V_r*")
     spins = body.local("phi_result", (layout.count,), comment="phi''")
     turns = turns_of(lib, body, x.place)
-    inputs = [a.place for a in (tau, locked, *wrench)]
-    lib.check(body, "solve_coupled", table.place, x.place, *turns, *inputs, motion, spins)
+    apart = layout.lanes > 1 or layout.stream  # lanes have other columns, and with a stream bits would change
+    if apart:
+        inputs = [a.place for a in (tau, locked, *wrench)]
+        lib.check(body, "solve_coupled", table.place, x.place, *turns, *inputs, motion, spins)
     seen = scene(lib, body, table.place, x.place, turns=turns)
-    sum_up(lib, body, table.place, x.place, seen, None)
+    if apart:
+        sum_up(lib, body, table.place, x.place, seen, None)
+        solved = _factor(lib, body, table.place, seen, locked.place)
+    else:
+        system = without_drives(lib, body, table.place, x.place, seen, wrench)
+        solved = solve_free(lib, body, table.place, seen, (tau.place, locked.place), system, (motion, spins))
     if seen.stream is not None:
         drift = drift_of(body, x.place, seen.stream)
         for i in range(3):
@@ -149,20 +164,10 @@ def coupled_jacobian(lib: Library) -> Function:
     Z = body.local("Z", (6,), comment="momentum screw (2)")
     body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
     slope, axial = twist_slopes(lib, body, table.place, x.place, seen, wrench, Z)
-    drives = body.local("drive", (layout.count,), layout.coupling)
-    alike = declare_common_terms(lib, body, seen)
-    K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
-    start_schur(lib, body, table.place, seen.sums, K)
-    factor = body.local("factor", (), layout.schur_factor)
-    work = _Work(lib, body, table.place, locked.place, drives, factor)
-    with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, table.place, s, seen, alike, drives[s])
-        with body.when(equal(locked.place[s], integer(0))):
-            body.call(lib["eliminate"], drives[s].I, entry(lib, table.place, s, "spin_inv"), real(0), K, work.rhs)
-    lib.check(body, "factor_schur", K, factor)
+    work = _Work(lib, body, table.place, locked.place, solved.drives, solved.factor)
     _by_twist(lib, work, o, seen, slope, axial)
     _drift(body, o.V_dot_V, seen.stream)
-    drive = CoupledMotion(table.place, x.place, wrench, seen, motion, spins, alike.origin_acceleration)
+    drive = CoupledMotion(table.place, x.place, wrench, seen, motion, spins, solved.alike.origin_acceleration)
     by_flywheels(lib, body, drive, o, work)
     return body.checked_function(
         "coupled_jacobian",
@@ -172,6 +177,24 @@ def coupled_jacobian(lib: Library) -> Function:
         notes=("At a kink of a damping law with magnitudes, the derivative from one side is returned.",),
         public=True,
     )
+
+
+def _factor(lib: Library, body: Body, table: Place, seen: Scene, locked: Place) -> Solved:
+    """Drives and factors of K by the flywheels one after another, where `solve_coupled` has solved."""
+    drives = body.local("drive", (lib.layout.count,), lib.layout.coupling)
+    alike = declare_common_terms(lib, body, seen)
+    K = body.local("K", (), lib.layout.schur, "mass matrix with free flywheels eliminated")
+    start_schur(lib, body, table, seen.sums, K)
+    none = body.local("none", (6,), comment="right-hand side")
+    for element in none:
+        body.set(element, real(0))
+    with body.loop("s", lib.layout.count) as s:
+        couple_flywheel(lib, body, table, s, seen, alike, drives[s])
+        with body.when(equal(locked[s], integer(0))):
+            body.call(lib["eliminate"], drives[s].I, entry(lib, table, s, "spin_inv"), real(0), K, none)
+    factor = body.local("factor", (), lib.layout.schur_factor)
+    lib.check(body, "factor_schur", K, factor)
+    return Solved(drives, alike, factor)
 
 
 class _Work:

@@ -21,14 +21,15 @@ class Layout(Tables):
 
     @cached_property
     def sums(self) -> Struct:
+        """Sums over all bodies; h_rel and g_rel, of one form, lie side by side, so that compilers add them in pairs."""
         fields = (
             Field("mu", REAL, (3,), "kg m", "first moment of all bodies about O1"),
             Field("mu_dot", REAL, (3,), "kg m/s", "its rate in E1"),
             Field("J", REAL, (6,), "kg m2", "inertia about O1"),
             Field("J_dot", REAL, (6,), "kg m2/s", "its rate in E1"),
             Field("h_rel", REAL, (3,), "kg m2/s", "moment part of sum I phi'"),
-            Field("a_rel", REAL, (3,), "N", "d/dt of the force part of sum I phi'"),
-            Field("g_rel", REAL, (3,), "N m", "d/dt of its moment part"),
+            Field("g_rel", REAL, (3,), "N m", "d/dt of the moment part"),
+            Field("a_rel", REAL, (3,), "N", "d/dt of the force part"),
         )
         return Struct("sums", "Sums over all bodies at one state.", fields)
 

@@ -15,7 +15,8 @@ class Function:
 
     `equation` are numbers of the paper, "(8)"; `returns` None, REAL or STATUS; `statuses` those it can return;
     `notes` further lines of the contract; `public` functions stand in the header; `apart`: not copied into its callers;
-    `short`: a compiler is asked to copy it there, which takes fewer instructions and no more code than calls.
+    `short`: a compiler is asked to copy it there, which takes fewer instructions and no more code than calls;
+    `copied`: on desktop processors it is made to copy it there, which is faster and takes more code.
     """
 
     name: str
@@ -29,6 +30,7 @@ class Function:
     public: bool = False
     apart: bool = False
     short: bool = False
+    copied: bool = False
 
     @property
     def signature(self) -> Signature:
