@@ -167,11 +167,13 @@ def _look_at_sums(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place
                 sums[name], most[name] = body.local(f"{name}2"), bound
                 each.append((name, values))
             each.append(("speed", x.phi_dot))
-        for total in sums.values():
-            body.set(total, real(0))
-        with body.loop("i", 3) as i:
-            for name, value in (("position", x.position[i]), ("velocity", x.V[i]), ("speed", x.V[i + integer(3)])):
-                body.add(sums[name], value * value)
+        carrier = {"position": list(x.position), "velocity": list(x.V)[:3], "speed": list(x.V)[3:]}
+        for name, total in sums.items():  # beside few freedoms a loop of three turns counts
+            body.set(total, _squares(carrier[name]) if lib.layout.held and name in carrier else real(0))
+        if not lib.layout.held:
+            with body.loop("i", 3) as i:
+                for name, value in (("position", x.position[i]), ("velocity", x.V[i]), ("speed", x.V[i + integer(3)])):
+                    body.add(sums[name], value * value)
         if each:
             with body.loop("s", lib.layout.count) as s:
                 for name, values in each:
