@@ -105,8 +105,13 @@ def test_what_the_c_has_not_is_an_error_line_and_no_function() -> None:
     with pytest.raises(StateError, match='no "generalized" of a hold whose freedoms have no coordinates'):
         InterpreterBackend(generate_all(knife_edge)).evaluate(rest_state(knife_edge), ["generalized"])
     clamped = replace(stand, hold=Hold((), PIVOT, (0.0,) * 3, (0.0,) * 3))
-    with pytest.raises(StateError, match='no "inverse" of a carrier without freedoms'):
-        InterpreterBackend(generate_all(clamped)).evaluate(rest_state(clamped), ["inverse"])
+    for lacking, why in (
+        (clamped, "of a hold that clamps the carrier"),
+        (replace(stand, flywheels=()), "of a held carrier without flywheels"),
+    ):
+        for backend in (InterpreterBackend(generate_all(lacking)), NumpyBackend(lacking)):
+            with pytest.raises(StateError, match=rf'^want: no "inverse" {why}, ask for forward$'):
+                backend.evaluate(rest_state(lacking), ["inverse"])
     own = generate_all(clamped).program
     assert {"inverse", "inverse_fast"}.isdisjoint(f.name for f in own.functions)
 

@@ -11,7 +11,7 @@ from mahovik.contract.public_function import ANY, BITS, JUDGES, NORMAL, REFEREES
 __all__ = [
     "ALL_WANTS", "ANY", "BATCH_FUNCTIONS", "BITS", "CHOSEN", "CONFLICTS", "FUNCTIONS", "JUDGES", "NORMAL", "OF_TASKS",
     "REFEREES", "ROWS", "TASK_CONFLICTS", "TASK_TAKERS", "TASK_WANTS", "WANTS", "PublicFunction", "hold_fault",
-    "is_public", "row_of", "task_of", "want_fault", "wants_of", "wants_of_carrier",
+    "inverse_fault", "is_public", "row_of", "task_of", "want_fault", "wants_of", "wants_of_carrier",
 ]  # fmt: skip
 
 _STATE = ("table", "x")
@@ -349,6 +349,13 @@ def hold_fault(want: Sequence[str], held: bool) -> str:
         if name in WANTS and name not in wants_of_carrier(held):
             return f'want: "{name}" is of held carriers, and the stand has no [hold]: ask for forward'
     return ""
+
+
+def inverse_fault(freedoms: int, flywheels: int) -> str:
+    """Why a held carrier with so many freedoms and flywheels has no `inverse`, or an empty string."""
+    if not freedoms:
+        return 'want: no "inverse" of a hold that clamps the carrier, ask for forward'
+    return "" if flywheels else 'want: no "inverse" of a held carrier without flywheels, ask for forward'
 
 
 def task_of(function: str) -> str:

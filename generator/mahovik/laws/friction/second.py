@@ -47,8 +47,7 @@ def _dissipation(friction: Friction, u: Expr) -> Expr:
 def _speeds(hold: Hold, V: Expr) -> Expr:
     """Speeds (m) of the freedoms: turning about an axis, the pivot along a direction; of a basis least squares."""
     if hold.freedoms[0].kind == "twist":
-        S = ca.DM(np.array([freedom.twist for freedom in hold.freedoms]).T)
-        return ca.solve(S.T @ S, S.T @ V)
+        return ca.DM(np.linalg.pinv(np.array([freedom.twist for freedom in hold.freedoms]).T)) @ V
     at_pivot = V[:3] + ca.cross(V[3:], ca.DM(hold.pivot))
     found = []
     for freedom in hold.freedoms:

@@ -11,6 +11,7 @@ from typing import cast
 
 import numpy as np
 
+from mahovik.contract.functions import inverse_fault
 from mahovik.core.stand.model import Freedom, Hold, Stand, Vec6
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError, count_numbers
@@ -184,8 +185,10 @@ def answer_coupled(at: Pieces, stand: Stand, state: State) -> Values:
 
 
 def answer_inverse(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
-    """phi_ddot (N), status, residual (m), sigma (min(m, N)), rank."""
+    """phi_ddot (N), status, residual (m), sigma (min(m, N)), rank. StateError: no freedoms, or no flywheels."""
     hold = _hold(stand)
+    if fault := inverse_fault(len(hold.freedoms), len(at.flywheels)):
+        raise StateError(fault)
     found = held_inverse(at, hold, vector(state.V_dot), cuts)
     needed = motor_shares(stand, at, held_forward(at, hold, found.phi_ddot).V_dot, found.phi_ddot)
     return dict(vars(found)) | {"status": with_excess(found.status, needed)}

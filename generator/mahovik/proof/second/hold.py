@@ -104,10 +104,14 @@ def _basis(system: System) -> Expr:
 
 
 def _where_zero(left: Expr, unknown: Expr) -> Expr:
-    """The unknowns at which what is left, linear in them, is zero; scaled to a unit diagonal, rows as columns."""
+    """The unknowns at which what is left, linear in them, is zero; scaled to a unit diagonal, rows as columns.
+
+    By Householder reflections: Gram-Schmidt, of "symbolicqr", loses the square of the condition, which a basis of
+    nearly the same rows has.
+    """
     if not unknown.shape[0]:
         return unknown
     matrix, at_zero = ca.substitute([ca.jacobian(left, unknown), left], [unknown], [ca.MX.zeros(unknown.shape)])
     scale = 1 / ca.sqrt(ca.diag(matrix))
     scaled = ca.diag(scale) @ matrix @ ca.diag(scale)
-    return -scale * ca.solve(ca.densify(scaled), scale * at_zero, "symbolicqr")
+    return -scale * ca.solve(ca.densify(scaled), scale * at_zero, "qr")

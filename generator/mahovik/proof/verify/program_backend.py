@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, TASK_WANTS, WANTS, hold_fault, want_fault
+from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, TASK_WANTS, WANTS, hold_fault, inverse_fault, want_fault
 from mahovik.contract.quantities import limits_of
 from mahovik.contract.status import refusal_reason, status_words
 from mahovik.core.lower.hold import OF_COORDINATES
@@ -71,8 +71,9 @@ class FunctionBackend(ABC):
             if self.layout.held and name in OF_COORDINATES and not self.layout.coordinates:
                 lacks = "whose freedoms have no coordinates" if self.layout.freedoms else "that clamps the carrier"
                 raise StateError(f'want: no "{name}" of a hold {lacks}, ask for forward')
-            if self.layout.held and name == "inverse" and not (self.layout.freedoms and self.layout.flywheels):
-                raise StateError('want: no "inverse" of a carrier without freedoms or flywheels, ask for forward')
+            own = self.layout.held and name == "inverse"
+            if own and (fault := inverse_fault(self.layout.freedoms, self.layout.flywheels)):
+                raise StateError(fault)
         missing = [body for body in state.wrench if body not in self.inputs]
         if missing:
             raise StateError(f'wrench: the C takes none on "{missing[0]}": set `wrench_input = true` in the stand file')

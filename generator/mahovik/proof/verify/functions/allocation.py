@@ -183,7 +183,7 @@ def inverse_rows(case: Case) -> Iterator[Row]:
             scale = loss * damped_scale(case, scaled, options, rank, answer)
             damped.note(found["phi_ddot"], answer, scale, name)
             share = largest_damping(scaled, rank, near, damping)
-            damped_by.note(found["damped_by"], share, np.linalg.norm(scaled.W), name)
+            damped_by.note(found["damped_by"], share, loss * np.linalg.norm(scaled.W), name)
             beside.note(state, options, status, found, scaled, name)
             options = options_of(case, number, limits_of(case, expected))
             status, found = answer_of(case, given, options)
@@ -300,7 +300,7 @@ def fast_rows(case: Case, function: str, loss: Callable[[State, ScaledDemand], f
             weight = np.array(options["weight"])
             status, found = case.backend.call(function, given | {"options": options})
             rest = status & ~STATUS_VALUES["EXCESSIVE"] if status > 0 else status  # has a judge of its own
-            status_row.note_difference(*_wrong_refusal(case, rest, normal_matrix(scaled, weight, damping)), name)
+            status_row.note_difference(*wrong_refusal(case, rest, normal_matrix(scaled, weight, damping)), name)
             note_fast(row, case, scaled, options, status, found, name, loss(state, scaled))
             if status >= 0 and not damping:
                 solved.note_difference(
@@ -329,7 +329,7 @@ def note_fast(
     row.note(found["phi_ddot"], expected, scale, name)
 
 
-def _wrong_refusal(case: Case, status: int, gram: Array) -> tuple[float, str]:
+def wrong_refusal(case: Case, status: int, gram: Array) -> tuple[float, str]:
     """Difference of a status of `inverse_fast`, and words: OK, or a refusal where a pivot of the matrix is too small.
 
     The least part that a pivot of Cholesky keeps of its diagonal decides, within a factor of ten.

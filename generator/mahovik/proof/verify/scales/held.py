@@ -15,12 +15,20 @@ from mahovik.proof.reference.rotation import attitude
 from mahovik.proof.verify.scales.magnitudes import Array, Magnitudes, geometric_mean, inverse_magnitude
 from mahovik.proof.verify.scales.parts import length
 
+ROUNDING = 2.0**-10
+"""Part of the whole right-hand side of (8) that a component has for a scale at least.
+
+Where nothing acts along a freedom, its own terms have no size, but whoever solves for motion and reaction together, or
+turns the terms into other axes, leaves some units in the last place of the others: 1e-12 of this part is about four.
+"""
+
 
 def held_forward(m: Magnitudes) -> dict[str, Any]:
     """Scales of u_dot (m), V_dot (6), reaction (6): |(S^T K S)^-1| |S^T| times that of the right-hand side of (8)."""
     assert m.stand.hold is not None
     moved = reference_forward(m.at, m.stand.hold, np.array(m.state.phi_ddot, dtype=np.float64))
     right = m.S_bias + m.S_I @ m.acceleration + m.S_K @ (np.abs(moved.V_dot) + m.stream_rate)
+    right = _above_rounding(right, np.diag(m.at.K))
     u_dot = m.free.K_inverse @ m.free.S.T @ right
     return _motion(m, u_dot, right)
 
@@ -34,13 +42,21 @@ def held_coupled(m: Magnitudes, hold: Hold, on_flywheels: Array, locked: Array) 
     count = len(hold.freedoms)
     free = np.concatenate([np.full(count, True), np.logical_not(locked)])
     whole = np.block([[m.free.K, m.free.I], [m.free.I.T, m.at.Theta_ff]])[np.ix_(free, free)]
-    right = m.S_bias + m.S_K @ m.stream_rate
-    given = np.concatenate([m.free.S.T @ right, on_flywheels + m.S_I.T @ m.stream_rate])[free]
+    right = np.concatenate([m.S_bias + m.S_K @ m.stream_rate, on_flywheels + m.S_I.T @ m.stream_rate])
+    right = _above_rounding(right, np.concatenate([np.diag(m.at.K), np.diag(m.at.Theta_ff)]))
+    given = np.concatenate([m.free.S.T @ right[:6], right[6:]])[free]
     solution = np.abs(np.concatenate([motion.u_dot, phi_ddot]))[free]
     found = np.zeros(len(free))
     found[free] = inverse_magnitude(whole) @ (given + geometric_mean(np.diag(whole)) @ solution)
-    spun = right + m.S_I @ (np.abs(phi_ddot) + found[count:])
+    spun = right[:6] + m.S_I @ (np.abs(phi_ddot) + found[count:])
     return _motion(m, found[:count], spun + m.S_K @ np.abs(motion.V_dot)) | {"phi_ddot": found[count:]}
+
+
+def _above_rounding(right: Array, inertias: Array) -> Array:
+    """Scale of a right-hand side, each component at least ROUNDING of the whole, in units in which `inertias` are 1."""
+    root = np.sqrt(np.abs(inertias))
+    whole = length(np.divide(right, root, out=np.zeros_like(right), where=root > 0))
+    return np.maximum(right, ROUNDING * whole * root)
 
 
 def _motion(m: Magnitudes, u_dot: Array, right: Array) -> dict[str, Any]:
@@ -84,7 +100,7 @@ def held_generalized(m: Magnitudes) -> dict[str, Any]:
     spread = length(np.array([x for x, slides in zip(u_dot, sliding, strict=True) if slides]))
     found["q_dot"] = np.array([off * speed if slides else omega for slides in sliding])
     rates = off * (known + omega * speed) + spread
-    found["q_ddot"] = np.where(sliding, rates, u_dot)
+    found["q_ddot"] = np.where(sliding, rates, u_dot + omega**2)  # of a turn: the axes turn, and these terms cancel
     return found
 
 
