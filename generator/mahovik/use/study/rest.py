@@ -135,17 +135,17 @@ class _Search:
         return found
 
     def nearest(self, found: Rest) -> Rest:
-        """Of the equilibria that the free directions of a held carrier join to `found`, the one nearest to home.
+        """The equilibrium nearest to home, among those that free directions of a held carrier join to `found`.
 
         There the displacement from home has no part along them: a ball joint is tilted and not turned.
         """
         for _ in range(_TO_HOME if self.stand.hold is not None and found.free else 0):
             self.state, free = found.state, np.array(found.free).T
             C = self.at(self.state).C
-            off = self.along(displacement(self.home, C, self.state), free)
+            off = self.shares(displacement(self.home, C, self.state), free)
             if np.abs(off).max() <= _AT_HOME:
                 break
-            slope = np.column_stack([self.along(self.home_slope(C, each), free) for each in free.T])
+            slope = np.column_stack([self.shares(self.home_slope(C, each), free) for each in free.T])
             least = 1e-8 * np.eye(len(off))  # turned by 180 degrees, all of them are as near
             self.state = self.displace(C, limit_step(-free @ np.linalg.solve(slope.T @ slope + least, slope.T @ off)))
             try:
@@ -199,7 +199,7 @@ class _Search:
                 step = self.scale.T @ np.linalg.lstsq(S, pull, rcond=FREE)[0]
             if carried:
                 free = self.scale.T @ rows[soft].T
-                step = step - free @ self.along(step, free)
+                step = step - free @ self.shares(step, free)
             self.state = self.displace(at.C, limit_step(step))
         at = self.at(self.state)
         if carried:
@@ -219,7 +219,7 @@ class _Search:
         """The present state displaced by a small twist in E1 (6); of a held carrier along what its hold allows."""
         return displaced_state(self.state, C, step) if self.stand.hold is None else move(self.state, C, step)
 
-    def along(self, step: Array, free: Array) -> Array:
+    def shares(self, step: Array, free: Array) -> Array:
         """Parts of a step (6) along free directions (6, f): without them shifts are least, then rotations.
 
         Of a held carrier these are the shifts and rotations of its freedoms: wherever its pivot is, O1 may move.
