@@ -178,7 +178,7 @@ HINGE = TEXT.replace('freedoms = ["pitch"]', "axis = [0, 1, 1]")
 
 def test_lists_say_what_a_freedom_is_that_goes_by_its_place(tmp_path: Path) -> None:
     """`1` of an `axis` is said in words wherever people read it; columns and coordinates keep their names."""
-    file, words = tmp_path / "hinge.toml", "1 is turning about (0, 1, 1)"
+    file, words = tmp_path / "hinge.toml", "1 is turning about (0, 0.707107, 0.707107)"
     friction = "\n[[hold.friction]]\nviscous = 0.1\n"
     file.write_text(HINGE + friction)
     place = str(file)
@@ -192,7 +192,7 @@ def test_lists_say_what_a_freedom_is_that_goes_by_its_place(tmp_path: Path) -> N
     assert "q 1 [rad]" in table.read_text().splitlines()[0]
     done = run("response", place, "--speed", "w1=100", "--at", "hold.1")
     assert done.exit_code == 0 and f"hold.{words}" in " ".join(done.stdout.split())
-    assert "friction of 1 (turning about (0, 1, 1))" in " ".join(run("check", place).stdout.split())
+    assert "friction of 1 (turning about (0, 0.707107, 0.707107))" in " ".join(run("check", place).stdout.split())
     file.write_text(HINGE + friction.replace("viscous", 'freedom = "pitch"\nviscous'))
     assert f"{words}" in refused("check", place)
 

@@ -10,7 +10,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mahovik.core.stand import dumps, identities, loads, structure
-from mahovik.core.stand.hold import FREEDOMS, is_closed, kinds, twist_of, twists
+from mahovik.core.stand.hold import (
+    FREEDOMS,
+    has_coordinates,
+    is_closed,
+    kinds,
+    no_coordinates,
+    twist_of,
+    twists,
+    words,
+)
 from mahovik.core.stand.model import Freedom, Hold
 from mahovik.core.stand.summary import summarize
 from mahovik.errors import StandError
@@ -115,6 +124,37 @@ def test_the_blocked_wrenches_do_no_work() -> None:
 def test_a_closed_set_of_twists_is_told_from_others(text: str, closed: bool) -> None:
     assert is_closed(hold_of(text)) is closed
     assert ("not a closed set" in summarize(loads(with_hold(text))).hold) is not closed
+
+
+def test_a_closed_basis_is_said_to_have_no_coordinates() -> None:
+    """`eval` and the C refuse them, in the same words; `rest` and `modes` take its rows."""
+    stand = loads(with_hold("basis = [[0.1, 0, 0.2, 0, 1, 0]]"))
+    assert stand.hold is not None and is_closed(stand.hold) and not has_coordinates(stand.hold)
+    said = words(stand.hold)
+    assert "a closed set: `rest`, `modes` and `plan` count along it" in said and "no coordinates in `eval`" in said
+    assert no_coordinates(stand.hold) == "a basis of [hold] has no coordinates"
+
+
+@pytest.mark.parametrize("axis", ["[1e-300, 0, 0]", "[1e200, 0, 0]"])
+def test_an_axis_of_any_length_is_shown_by_its_unit_vector(axis: str) -> None:
+    assert words(hold_of(f"axis = {axis}")).startswith("1 freedom, turning about (1, 0, 0);")
+
+
+LEG = "\n[[leg]]\nground = [0, 0, -1]\ncarrier = [0.1, 0, 0]\nlength = 0.9\nstiffness = 100\n"
+
+
+def test_a_leg_on_a_clamped_carrier_is_a_warning() -> None:
+    found = [line for line in summarize(loads(with_hold("freedoms = []") + LEG)).warnings if line.startswith("legs")]
+    assert found == ["legs: [hold] clamps the carrier: wrenches on it add to the reaction and do nothing else"]
+    assert not [line for line in summarize(loads(with_hold('freedoms = ["yaw"]') + LEG)).warnings if "legs" in line]
+
+
+@pytest.mark.parametrize("text", ['hold = ["yaw"]\n', "hold = 3\n"])
+def test_a_hold_that_is_no_table_is_shown_one(text: str) -> None:
+    with pytest.raises(StandError, match=r'expected one table, \[hold\] with a line such as freedoms = \["yaw"\]'):
+        loads(text + with_hold("freedoms = []").replace("[hold]\nfreedoms = []", ""))
+    with pytest.raises(StandError, match="expected one table"):
+        loads(with_hold("freedoms = []").replace("[hold]", "[[hold]]"))
 
 
 @pytest.mark.parametrize(

@@ -186,6 +186,14 @@ def test_a_freedom_has_one_column() -> None:
     assert found.sweep.unit == "m/s"
 
 
+def test_a_freedom_goes_by_its_number_too() -> None:
+    by_name, by_number = (
+        mahovik.response(str(HELD / "linear_shaker.toml"), {"left": 20.0}, at).sweep for at in ("hold.z", "hold.1")
+    )
+    assert by_number.point == by_name.point == "hold.z"
+    np.testing.assert_array_equal(by_number.rms(), by_name.rms())
+
+
 @pytest.mark.parametrize(
     ("words", "expected"),
     [

@@ -111,3 +111,38 @@ def test_a_stop_that_presses_at_home_lets_the_stand_come_to_rest(at: float, stif
 def test_a_weight_rests_on_a_stop_in_which_it_begins() -> None:
     stand = pendulum_with('freedoms = ["z"]', '\n[[hold.stop]]\nat = 0.1\nside = "below"\nstiffness = 1e6\n')
     assert rest(stand).state.position[2] == pytest.approx(0.1 - 2.5 * 9.81 / 1e6, abs=1e-12)
+
+
+BALL = """
+schema = 1
+name = "ball"
+gravity = [0, 0, -9.81]
+[carrier]
+mass = 1.7
+center_of_mass = [0.004, -0.004, HEIGHT]
+inertia = [[6e-3, 1e-4, 2e-4], [1e-4, 7e-3, -3e-4], [2e-4, -3e-4, 5e-3]]
+inertia_about = "center_of_mass"
+[hold]
+freedoms = ["roll", "pitch", "yaw"]
+pivot = [X, 0, 0.2]
+"""
+
+
+@pytest.mark.parametrize("height", [0.0715, 0.21])  # hangs; leans over by more than 90 degrees until it hangs
+@pytest.mark.parametrize("x", [0.0, 0.0005, 0.001, 0.003, 0.01])
+def test_a_ball_joint_tilts_and_does_not_turn_where_nothing_brings_it_back(x: float, height: float) -> None:
+    """The tilt is the angle of the mass centre, seen from the pivot, to straight down; its axis is level."""
+    stand = loads(BALL.replace("X", str(x)).replace("HEIGHT", str(height)))
+    found = rest(stand)
+    arm = np.array([0.004 - x, -0.004, height - 0.2])
+    level = np.array([arm[1], -arm[0], 0.0])  # arm x (0, 0, 1)
+    tilt = math.acos(-arm[2] / np.linalg.norm(arm))
+    expected = (math.cos(tilt / 2), *(-math.sin(tilt / 2) * level / np.linalg.norm(level)).tolist())
+    assert found.state.quaternion == pytest.approx(expected, abs=1e-9)
+    assert len(found.free) == 1 and not found.unstable
+
+
+def test_turns_beyond_half_a_turn_are_told_the_short_way_round() -> None:
+    """A screw that turns on by more than 180 degrees before it rests."""
+    found = rest(pendulum_with("basis = [[0.1, 0, 0.2, 0, 1, 0]]"))
+    assert found.state.quaternion is not None and found.state.quaternion[0] >= 0.0

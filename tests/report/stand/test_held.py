@@ -149,11 +149,11 @@ def test_the_balance_of_a_held_carrier_has_the_reaction() -> None:
 def test_an_axis_is_said_in_words_beside_its_number() -> None:
     stand = loads(SKATE.replace('freedoms = ["x", "yaw"]', "axis = [0, 1, 1]"))
     found = hold_text(stand)
-    assert "1 turning about (0, 1, 1) angle, rad rad/s" in found
-    assert "1 is turning about (0, 1, 1)" in found
+    assert "1 turning about (0, 0.707107, 0.707107) angle, rad rad/s" in found
+    assert "1 is turning about (0, 0.707107, 0.707107)" in found
     made = matrices.section(shown(stand))
     assert made is not None
-    assert "1 is turning about (0, 1, 1)" in text(made.html)
+    assert "1 is turning about (0, 0.707107, 0.707107)" in text(made.html)
 
 
 def test_freedoms_without_coordinates_say_why_there_is_no_equilibrium() -> None:

@@ -189,6 +189,16 @@ def test_requirements_on_a_force(tmp_path: Path) -> None:
     assert "expected a force" in refused(*asked, "--require", "rms 1 arcsec")
 
 
+def test_the_mean_is_printed_where_there_is_one() -> None:
+    """The weight that the hold carries, beside the lines of the unbalance."""
+    stand = load(HELD / "force_table.toml")
+    mass = stand.carrier.mass + sum(each.mass for each in stand.flywheels)
+    asked = ("jitter", str(HELD / "force_table.toml"), "--speed", "wheel=3000rpm", "--at")
+    (row,) = [line.split() for line in run(*asked, "hold.reaction").stdout.splitlines() if "mean" in line]
+    assert float(row[-1]) == pytest.approx(-mass * stand.gravity[2], rel=1e-5)
+    assert float(row[-2]) == pytest.approx(0.0, abs=1e-9)
+
+
 @pytest.mark.slow
 def test_a_mount_of_a_free_carrier_is_that_of_its_exact_wrench() -> None:
     """To first order and in full, of a stand with weight, a suspension and gyroscopic moments."""
@@ -238,7 +248,8 @@ def test_it_is_the_motion_of_the_c_through_time(name: str) -> None:
     ("words", "expected"),
     [
         (["--at", "hold.reacton"], 'unknown output "hold.reacton", did you mean "hold.reaction"?'),
-        (["--at", "hold.z"], 'unknown output "hold.z"'),
+        (["--at", "hold.z"], "expected hold.reaction or a point, or `mahovik response --at hold.z`"),
+        (["--at", "hold.2"], 'unknown output "hold.2"'),
         (["--at", "hold.reaction", "--quantity", "angle"], "--quantity angle: hold.reaction is a load"),
         (["--at", "carrier", "--quantity", "moment"], "--quantity moment: carrier has none; expected a flywheel"),
         (["--at", "left", "--modes", "modes.csv"], "--modes: structural modes have no shape of a load, left"),

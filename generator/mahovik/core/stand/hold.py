@@ -265,7 +265,10 @@ def has_coordinates(hold: Hold) -> bool:
 
 def no_coordinates(hold: Hold) -> str:
     """Why a hold has no coordinates, in words."""
-    return "the freedoms of [hold] have no coordinates" if hold.freedoms else "the carrier is clamped"
+    if not hold.freedoms:
+        return "the carrier is clamped"
+    basis = any(freedom.kind == "twist" for freedom in hold.freedoms)
+    return "a basis of [hold] has no coordinates" if basis else "the freedoms of [hold] have no coordinates"
 
 
 def numbered_freedoms(hold: Hold) -> list[int]:
@@ -291,11 +294,15 @@ def words(hold: Hold) -> str:
     if not hold.freedoms:
         return "clamped: it does not move, and the reaction is what is asked for"
     count = len(hold.freedoms)
-    closed = (
-        "a closed set: poses have as many coordinates"
-        if is_closed(hold)
-        else "not a closed set: poses have more coordinates than there are freedoms, and none belong to these alone"
-    )
+    if not is_closed(hold):
+        closed = "not a closed set: poses have more coordinates than there are freedoms, and none belong to these alone"
+    elif has_coordinates(hold):
+        closed = "a closed set: poses have as many coordinates"
+    else:
+        closed = (
+            "a closed set: `rest`, `modes` and `plan` count along it from the home pose; as a basis it has no "
+            "coordinates in `eval` and in the C"
+        )
     return f"{count} freedom{'s' if count > 1 else ''}, {', '.join(freedom_words(hold))}; {closed}"
 
 
@@ -305,18 +312,18 @@ def freedom_names(hold: Hold) -> list[str]:
 
 
 def freedom_words(hold: Hold) -> list[str]:
-    """Each freedom in words: its name, or how it moves, such as `turning about (0, 1, 1)`."""
+    """Each freedom in words: its name, or how it moves, such as `turning about (0, 0.6, 0.8)`."""
     return list(map(_word, hold.freedoms))
 
 
 def freedom_labels(hold: Hold) -> list[str]:
-    """Each freedom by its name; one that is known by its place also in words: `1 (turning about (0, 1, 1))`."""
+    """Each freedom by its name; one that is known by its place also in words: `1 (turning about (0, 0.6, 0.8))`."""
     pairs = zip(freedom_names(hold), freedom_words(hold), strict=True)
     return [name if name == what else f"{name} ({what})" for name, what in pairs]
 
 
 def numbers_in_words(hold: Hold | None, prefix: str = "") -> str:
-    """What freedoms are that go by their places: `1 is turning about (0, 1, 1)`; empty where all have names.
+    """What freedoms are that go by their places: `1 is turning about (0, 0.6, 0.8)`; empty where all have names.
 
     `prefix` stands before each place, as in a column `q_1`.
     """
@@ -332,7 +339,7 @@ def _word(freedom: Freedom) -> str:
     if freedom.kind == "twist":
         moved = (f"{x:+g} {letter}" for x, letter in zip(freedom.twist, TWIST_LETTERS, strict=True) if x)
         return "twist " + " ".join(moved)
-    axis = ", ".join(f"{x:g}" for x in freedom.direction)
+    axis = ", ".join(f"{x + 0.0:g}" for x in _unit(freedom))
     return f"turning about ({axis})" if freedom.kind == "turn" else f"sliding along ({axis})"
 
 
@@ -349,6 +356,11 @@ def idle_laws(stand: Stand) -> list[str]:
             found.append(
                 f"{name}: [hold] blocks the motion along {', '.join(idle)} of its wrench, which there adds to the "
                 "reaction and does nothing else"
+            )
+        elif not stand.hold.freedoms:
+            found.append(
+                f"{type(law).__name__.lower()}: [hold] clamps the carrier: wrenches on it add to the reaction and do "
+                "nothing else"
             )
     return found
 

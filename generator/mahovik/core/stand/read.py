@@ -120,7 +120,7 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
     profile = _profile(problems, document, header)
     tasks = _tasks(problems, document)
     in_order = len(problems.lines)
-    hold_table = _table(problems, document, "hold", hold_with_laws())
+    hold_table = _hold_table(problems, document)
     hold = hold_of(hold_table, problems) if hold_table and len(problems.lines) == in_order else None
     if hold_table and hold:
         laws += _held_laws(problems, hold_table, hold)
@@ -201,6 +201,15 @@ def _law(problems: Problems, document: dict[str, Any], schema: LawSchema) -> Law
     for key, table in schema.arrays.items():
         given[key] = [item for _, item in _array(problems, document, key, table)]
     return schema.read(header, given)
+
+
+def _hold_table(problems: Problems, document: dict[str, Any]) -> HoldTable | None:
+    """`[hold]`; None without, or where it is not in order, which is noted."""
+    if isinstance(document.get("hold", {}), dict):
+        return _table(problems, document, "hold", hold_with_laws())
+    expected = 'expected one table, [hold] with a line such as freedoms = ["yaw"]'
+    problems.add("hold", f"{expected}, found {show(document['hold'])}")
+    return None
 
 
 def _held_laws(problems: Problems, table: HoldTable, hold: Hold) -> list[LawData | None]:

@@ -29,6 +29,17 @@ from mahovik.out.cli.sweep import PICTURES, SHOWN, SUFFIXES, TimeLimit, check_pl
 if TYPE_CHECKING:
     from mahovik.out.functions.jitter import Jitter
 
+SUMS = {
+    "rms": "RMS",
+    "rss": "RMS over all phases",
+    "worst": "worst case over phases",
+    "mean": "mean, with its sign",
+}
+"""Rows below the lines, by name."""
+
+SMALL_MEAN = 1e-6
+"""Part of the worst case above which a mean is printed."""
+
 FAR_OFF = 0.01
 """Difference of the RMS to first order from that of the full equations above which a sweep warns."""
 
@@ -183,10 +194,11 @@ def _print(found: Jitter) -> None:
         if total[at, i] > 0.0:
             sizes = [f"{scale * x:.6g}" for x in lines.sizes[at, i]]
             rows.append((f"{lines.names[i].text} {lines.names[i].part}", f"{lines.frequency[at, i]:.6g}", *sizes))
-    for name, values in study.sums().items():
-        if name != "mean":
+    sums = study.sums()
+    for name, values in sums.items():
+        if name != "mean" or np.nanmax(np.abs(values)) > SMALL_MEAN * np.nanmax(sums["worst"]):
             at = int(np.nanargmax(np.linalg.norm(values, axis=1)))
-            words = {"rms": "RMS", "rss": "RMS over all phases", "worst": "worst case over phases"}[name]
+            words = SUMS[name]
             speed = f" at {RPM * study.value[at]:.6g} rpm" if study.swept else ""
             rows.append((f"{words}{speed}", "", *(f"{scale * x:.6g}" for x in values[at])))
     print_table(columns, rows, title=f"{study.stand.name}: {study.quantity} of {study.point}, {many}")

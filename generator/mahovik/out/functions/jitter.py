@@ -27,6 +27,7 @@ from mahovik.use.study.jitter.sight import read_sight
 from mahovik.use.study.jitter.structure import read_structure
 from mahovik.use.study.jitter.tables import AXES, as_object, csv_text, json_text, order_entries, verdict_object
 from mahovik.use.study.response.held import REACTION
+from mahovik.use.study.response.outputs import freedom_of
 from mahovik.use.study.response.speeds import ALL, read_speeds
 
 HOLD = "hold"
@@ -230,6 +231,9 @@ def _find_view(stand: Stand, at: str | None, quantity: str | None, sight: str | 
     name = str(at)
     if name in [s.name for s in stand.flywheels] or name.startswith(HOLD):
         if name.startswith(HOLD) and name != REACTION:
+            if stand.hold is not None and freedom_of(stand.hold, name) is not None:
+                other = f"expected {REACTION} or a point, or `mahovik response --at {name}`"
+                raise UsageError(f"--at {name}: jitter has no freedoms of the hold; {other}")
             raise UsageError(f'unknown output "{name}"{suggestion(name, [REACTION])}; expected {REACTION} or a point')
         return LoadView.of(stand, name, quantity or "force")
     if quantity in LOADS:

@@ -66,6 +66,18 @@ def move(state: State, C: Array, step: Array) -> State:
     return replace(state, position=cast(Vec3, tuple(position.tolist())), angles=None, quaternion=_quaternion(turned))
 
 
+def displacement(start: State, C: Array, state: State) -> Array:
+    """The twist in E1 (6; m, rad) along whose screw `move` leads from a start to a state of attitude C."""
+    from scipy.spatial.transform import Rotation
+
+    assert start.quaternion is not None
+    w, *vector = start.quaternion
+    C0 = Rotation.from_quat([*vector, w]).as_matrix()
+    turned = Rotation.from_matrix(C0.T @ C).as_rotvec()
+    moved = C0.T @ (np.array(state.position) - np.array(start.position))
+    return np.concatenate([np.linalg.solve(_left_jacobian(turned), moved), turned])
+
+
 def complete_start(stand: Stand, state: State, given: Collection[str]) -> State:
     """The start of a held carrier, whose keys are `given`: a missing attitude is that of the home pose, a missing
     position the one where the hold has the carrier. Raises UsageError where the hold does not allow the rest.
@@ -141,14 +153,7 @@ def _shows_freedoms(hold: Hold) -> bool:
 
 def _off_freedoms(stand: Stand, hold: Hold, state: State) -> Array:
     """Part (6; m, rad) of the twist from the home pose to that of the state which no freedom gives."""
-    from scipy.spatial.transform import Rotation
-
-    at_home = home(stand)
-    C0, C = carrier_rotation(stand, at_home), carrier_rotation(stand, state)
-    turned = Rotation.from_matrix(C0.T @ C).as_rotvec()
-    shift = C0.T @ (np.array(state.position) - np.array(at_home.position))
-    twist = np.concatenate([np.linalg.solve(_left_jacobian(turned), shift), turned])
-    S = twists(hold)
+    twist, S = displacement(home(stand), carrier_rotation(stand, state), state), twists(hold)
     return np.asarray(twist - S @ np.linalg.lstsq(S, twist, rcond=None)[0]) if S.shape[1] else twist
 
 

@@ -19,9 +19,10 @@ from mahovik.proof.reference import Pieces, pieces
 from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.hold import free_equations
+from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.reference.stream import stream_at
 from mahovik.proof.verify.scales.wrenches import wrench_scale
-from mahovik.use.simulate.held import home, move
+from mahovik.use.simulate.held import displacement, home, move
 
 Array = NDArray[np.float64]
 
@@ -36,6 +37,7 @@ _PUSHES = (0.05, -0.05, 0.5)  # m or rad
 _TURN, _SHIFT = 0.3, 0.1  # rad, m: limit of a step
 _FAR = 1e12  # beyond the limit of a step
 _DIFFERENCE = 1e-5  # m, rad: step of the differences for the stiffness
+_TO_HOME, _AT_HOME = 30, 1e-12  # most steps along free directions towards the home pose; m, rad: the last one
 _REACH = 1e7  # m: beyond any position that the C takes
 
 
@@ -57,8 +59,8 @@ class Rest:
 def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
     """Equilibrium of `stand` with flywheels held at the phases `phi` (N, rad; default 0), nearest to q = 0.
 
-    No run-time wrench acts. Free directions stay at zero. Raises CheckError: there is none, or it is outside of the
-    profile of the stream, within which the search itself need not stay.
+    No run-time wrench acts. Free directions stay at zero. The quaternion of its state has w >= 0. Raises CheckError:
+    there is none, or it is outside of the profile of the stream, within which the search itself need not stay.
     """
     state = home(stand)
     if phi is not None:
@@ -69,9 +71,10 @@ def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
             f"{stand.name}: no static equilibrium: {found}; expected a closed set, as `mahovik check` says"
         )
     if stand.hold is not None and not stand.hold.freedoms:
-        return Rest(state, (0.0,) * 6, (), False)
+        return Rest(with_least_turn(state), (0.0,) * 6, (), False)
     try:
-        result = _Search(everywhere(stand), state).run()
+        search = _Search(everywhere(stand), state)
+        result = search.nearest(search.run())
         stream_at(stand, result.state.position)
         return result
     except (StateError, np.linalg.LinAlgError) as error:
@@ -106,6 +109,7 @@ class _Search:
         self.bodies = bodies_of(stand)
         self.state = state
         self.stops = any(law.has_kinks for law in stand.laws)
+        self.home = state
         free = free_equations(pieces(stand, state), stand)
         self.scale = np.linalg.inv(np.linalg.cholesky(free.K)) @ free.S.T  # G^-1 S^T; K depends only on the phases
         self.steps = [column * (_DIFFERENCE / np.abs(column).max()) for column in self.scale]
@@ -129,6 +133,32 @@ class _Search:
                 return other
             self.state = found.state
         return found
+
+    def nearest(self, found: Rest) -> Rest:
+        """The equilibrium nearest to home, among those that free directions of a held carrier join to `found`.
+
+        There the displacement from home has no part along them: a ball joint is tilted and not turned.
+        """
+        for _ in range(_TO_HOME if self.stand.hold is not None and found.free else 0):
+            self.state, free = found.state, np.array(found.free).T
+            C = self.at(self.state).C
+            off = self.shares(displacement(self.home, C, self.state), free)
+            if np.abs(off).max() <= _AT_HOME:
+                break
+            slope = np.column_stack([self.shares(self.home_slope(C, each), free) for each in free.T])
+            least = 1e-8 * np.eye(len(off))  # turned by 180 degrees, all of them are as near
+            self.state = self.displace(C, limit_step(-free @ np.linalg.solve(slope.T @ slope + least, slope.T @ off)))
+            try:
+                found = self.settle(leave=False)
+            except CheckError:  # what joins them ends here
+                break
+        return found
+
+    def home_slope(self, C: Array, free: Array) -> Array:
+        """Change of the displacement from home (6) by a twist along a free direction."""
+        ends = [move(self.state, C, sign * _DIFFERENCE * free) for sign in (1.0, -1.0)]
+        forward, backward = (displacement(self.home, carrier_rotation(self.stand, end), end) for end in ends)
+        return np.asarray((forward - backward) / (2 * _DIFFERENCE))
 
     def first(self) -> Rest:
         """The equilibrium reached from the start: a stable one, else any. Raises CheckError."""
@@ -168,7 +198,8 @@ class _Search:
             if carried and np.abs(step).max() < 1e-3:
                 step = self.scale.T @ np.linalg.lstsq(S, pull, rcond=FREE)[0]
             if carried:
-                step = self.at_home(step, self.scale.T @ rows[soft].T)
+                free = self.scale.T @ rows[soft].T
+                step = step - free @ self.shares(step, free)
             self.state = self.displace(at.C, limit_step(step))
         at = self.at(self.state)
         if carried:
@@ -188,12 +219,18 @@ class _Search:
         """The present state displaced by a small twist in E1 (6); of a held carrier along what its hold allows."""
         return displaced_state(self.state, C, step) if self.stand.hold is None else move(self.state, C, step)
 
-    @staticmethod
-    def at_home(step: Array, free: Array) -> Array:
-        """The step without its part along free directions (columns): shifts first, then rotations."""
-        weight = np.array([1e3] * 3 + [1.0] * 3)
-        spared = np.linalg.lstsq(weight[:, None] * free, weight * step, rcond=None)[0]
-        return np.asarray(step - free @ spared)
+    def shares(self, step: Array, free: Array) -> Array:
+        """Parts of a step (6) along free directions (6, f): without them shifts are least, then rotations.
+
+        Of a held carrier these are the shifts and rotations of its freedoms: wherever its pivot is, O1 may move.
+        """
+        weights = np.diag([1e3] * 3 + [1.0] * 3)
+        if self.stand.hold is not None:
+            S = twists(self.stand.hold)
+            turning = np.linalg.norm(S[3:], axis=0)
+            sizes = np.where(turning > 0.0, turning, 1e3 * np.linalg.norm(S[:3], axis=0))
+            weights = sizes[:, None] * np.linalg.pinv(S)
+        return np.asarray(np.linalg.lstsq(weights @ free, weights @ step, rcond=None)[0])
 
     def is_balanced(self, at: Pieces) -> bool:
         """Whether the force on the whole stand is zero, to rounding."""
@@ -247,7 +284,7 @@ class _Search:
         free = tuple(cast(Vec6, _tuple(unit_twist(row))) for row in reduced_basis(soft @ self.scale))
         values = np.linalg.eigvals(S)
         least = -max(FREE * float(np.abs(values).max()), 1e-9)
-        return Rest(self.state, cast(Vec6, _tuple(V_dot)), free, bool(values.real.min() < least))
+        return Rest(with_least_turn(self.state), cast(Vec6, _tuple(V_dot)), free, bool(values.real.min() < least))
 
     def reason(self, at: Pieces) -> str:
         """Message: why there is no equilibrium."""
@@ -285,6 +322,12 @@ def displaced_state(state: State, C: Array, step: Array) -> State:
     )
     unit = q / np.linalg.norm(q)
     return replace(state, position=cast(Vec3, _tuple(position)), quaternion=cast(Quaternion, _tuple(unit)))
+
+
+def with_least_turn(state: State) -> State:
+    """The state with the quaternion of its attitude that has w >= 0: of a turn by at most 180 degrees."""
+    q = state.quaternion
+    return replace(state, quaternion=cast(Quaternion, _tuple(-np.array(q)))) if q and q[0] < 0.0 else state
 
 
 def reduced_basis(rows: Array, digits: int = 6) -> Array:

@@ -234,9 +234,10 @@ def _check_hold(stand: Stand, locked: bool) -> None:
     if not is_closed(hold):
         raise CheckError(f"{start}the freedoms of [hold] are not a closed set, so that they are no coordinates")
     if not hold.freedoms and (locked or not stand.flywheels):
-        raise CheckError(
-            f"{start}[hold] clamps the carrier and no flywheel is free; give --flywheels free, or freedoms"
-        )
+        found = "there is no flywheel; give freedoms"
+        if stand.flywheels:
+            found = "the flywheels are locked, as `modes` has them by default; give --flywheels free, or freedoms"
+        raise CheckError(f"{start}[hold] clamps the carrier, and {found}")
 
 
 def _along_freedoms(hold: Hold, others: int) -> tuple[Array, Array]:

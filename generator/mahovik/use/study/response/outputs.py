@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from mahovik.core.stand.hold import freedom_names
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Hold, Stand
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 from mahovik.use.study.linear.model import places
@@ -42,17 +42,24 @@ def output_of(stand: Stand, name: str, quantity: str | None) -> Output:
         return Output(name, chosen, AXES, UNITS[chosen])
     if stand.hold is None:
         raise UsageError(f'--at {name}: {stand.name} has no [hold]; expected a point, an instrument or "carrier"')
-    freedoms = dict(zip(freedom_names(stand.hold), stand.hold.freedoms, strict=True))
+    freedoms = freedom_names(stand.hold)
     known = [REACTION, *(f"hold.{each}" for each in freedoms)]
-    if name not in known:
+    freedom = freedom_of(stand.hold, name)
+    if name != REACTION and freedom is None:
         raise UsageError(f'unknown output "{name}"{suggestion(name, known)}; expected one of {", ".join(known)}')
-    if name == REACTION:
+    if freedom is None:
         chosen = _choose(name, quantity, tuple(_REACTION_UNITS), "force")
         return Output(name, chosen, AXES, _REACTION_UNITS[chosen])
-    freedom = name.removeprefix("hold.")
     chosen = _choose(name, quantity, QUANTITIES, "acceleration")
     rate = {"displacement": "", "velocity": "/s", "acceleration": "/s2"}[chosen]
-    return Output(name, chosen, (freedom,), _LENGTHS[freedoms[freedom].kind] + rate)
+    own, kind = freedoms[freedom], stand.hold.freedoms[freedom].kind
+    return Output(f"hold.{own}", chosen, (own,), _LENGTHS[kind] + rate)
+
+
+def freedom_of(hold: Hold, name: str) -> int | None:
+    """Place of the freedom that an output such as `hold.pitch` or `hold.1` is; None where it is none."""
+    own, names = name.removeprefix("hold."), freedom_names(hold)
+    return next((k for k, each in enumerate(names) if own in (each, str(k + 1))), None)
 
 
 def _choose(name: str, quantity: str | None, known: Sequence[str], usual: str) -> str:
