@@ -173,3 +173,52 @@ def test_planes_far_apart_leave_the_grade_of_the_static_part(own_folder: Path) -
     assert row["plane_velocity"] is None and row["plane_grade"] is None
     for wrong in ("0", "-1 mm", "3 kg", "nan"):
         assert "--planes: " in run("check", "a.toml", "--planes", wrong).stderr
+
+
+CART = """schema = 1
+name = "cart"
+gravity = [0, 0, -9.81]
+[carrier]
+mass = 2
+inertia = [0.02, 0.02, 0.02]
+[hold]
+freedoms = ["x", "yaw"]
+pivot = ["3 mm", 0, 0]
+angles = [0, "10 deg", 0]
+position = [0, 0, 0.5]
+[[hold.friction]]
+freedom = "x"
+viscous = "0.5 N s/m"
+coulomb = 1.2
+[[hold.stop]]
+freedom = "yaw"
+at = "60 deg"
+stiffness = "2 N m/deg"
+[[hold.stop]]
+freedom = "yaw"
+at = "-60 deg"
+stiffness = 40
+"""
+
+
+def test_the_place_of_a_hold_its_friction_and_stops_are_shown_and_in_json(own_folder: Path) -> None:
+    (own_folder / "cart.toml").write_text(CART, encoding="utf-8")
+    lines = [re.split(r" {2,}", line.strip()) for line in run("check", "cart.toml").stdout.splitlines()]
+    for expected in (
+        ["hold", "pivot in E1", "0.003", "0", "0", "m"],
+        ["hold", "home position of O1 in E0", "0", "0", "0.5", "m"],
+        ["hold", "home angles, ship", "0", "10", "0", "deg"],
+        ["friction of x", "viscous", "0.5", "N s/m"],
+        ["friction of x", "coulomb", "1.2", "N"],
+        ["stop of yaw, above", "at", "60", "deg"],
+        ["stop of yaw, above", "stiffness", "114.592", "N m/rad"],
+        ["stop of yaw, below", "stiffness", "40", "N m/rad"],
+        ["pivot", "[3 mm, 0, 0]", "[0.003, 0, 0] m", "hold"],
+        ["viscous", "0.5 N s/m", "0.5 N s/m", "hold.friction[0]"],
+        ["at", "60 deg", "1.0472 rad", "hold.stop[0]"],
+        ["stiffness", "2 N m/deg", "114.592 N m/rad", "hold.stop[0]"],
+    ):
+        assert expected in lines
+    found = json.loads(run("check", "cart.toml", "--json").stdout)
+    assert {"of": "friction of x", "name": "coulomb", "value": 1.2, "unit": "N"} in found["hold_numbers"]
+    assert "hold_numbers" not in json.loads(run("check", SAT4, "--json").stdout)

@@ -31,7 +31,9 @@ from mahovik.proof.reference.coordinates import coordinates_at
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.held import allowed_start, home
 from mahovik.use.simulate.run import simulate
+from mahovik.use.study import campbell as study
 from mahovik.use.study.campbell import natural_at
+from mahovik.use.study.growth import compare_growth
 from mahovik.use.study.response.periodic import scene_of
 from report.stand.reports import read, words
 from report.stand.runs import material, run_of
@@ -106,6 +108,8 @@ def test_sections_without_meaning_of_a_clamped_carrier_are_left_out_with_a_sente
     assert [each.section(given) for each in (campbell, jitter, singular)] == [None, None, None]
     found = hold_text(held_stand("force_table"))
     assert "no modes, no natural frequencies against speed, and no singular values of (12)" in found
+    assert "mahovik jitter --at hold.reaction gives that of the reaction." in found
+    assert "(11) are six; the carrier is clamped." in found
     made = matrices.section(given)
     assert made is not None
     assert "Not shown: the carrier is clamped" in text(made.html)
@@ -160,7 +164,8 @@ def test_freedoms_without_coordinates_say_why_there_is_no_equilibrium() -> None:
     stand = loads(SKATE)
     found = hold_text(stand)
     assert "not a closed set" in found
-    assert "no static equilibrium" in found
+    assert "no static equilibrium" in found and "as mahovik check says" in found
+    assert "jitter" not in found and "the freedoms of [hold] have no coordinates." in found
     made = response.section(shown(stand))
     assert made is not None
     assert "So there is no steady reaction to show" in text(made.html)
@@ -199,3 +204,101 @@ def test_the_residual_of_a_run_has_the_reaction_beside_the_forces() -> None:
     assert "F+R" in re.sub(r"\s", "", text(made.html)) and "force of the hold" in made.html
     state = run.state(-1, stand.hold)
     assert np.array(state.V) == pytest.approx(twists(stand.hold) @ np.array(state.u) if stand.hold else None, abs=1e-15)
+
+
+BRAKED = """
+schema = 1
+name = "braked"
+gravity = [0, 0, -9.81]
+[carrier]
+mass = 2.0
+center_of_mass = [0, 0, -0.05]
+inertia = [0.02, 0.03, 0.01]
+inertia_about = "center_of_mass"
+[hold]
+freedoms = ["pitch"]
+[[hold.friction]]
+viscous = 2.0
+[[hold.stop]]
+at = "60 deg"
+stiffness = 40
+[[hold.stop]]
+at = "-60 deg"
+stiffness = 40
+[[flywheel]]
+name = "wheel"
+mass = 0.5
+spin_inertia = 0.01
+transverse_inertia = 0.006
+"""
+
+
+def test_friction_and_stops_are_shown_with_their_units() -> None:
+    made = bodies.section(material(loads(BRAKED)))
+    assert made is not None and read(made.html).wrong == []
+    found = text(made.html)
+    for words_ in (
+        "friction of pitch viscous 2 N m s/rad",
+        "stop of pitch, above at 60 deg",
+        "stop of pitch, below stiffness 40 N m/rad",
+        "damping 0 N m s/rad²",
+    ):
+        assert words_ in found
+    free = bodies.section(material(held_stand("pendulum")))
+    assert free is not None and "along the freedoms" not in text(free.html)
+
+
+def test_a_carrier_above_critical_damping_is_said_to_have_a_stiffness() -> None:
+    """J s^2 + c s + m g l = 0, J of carrier and wheel, has two real roots."""
+    J, c, k = 0.03 + 2.0 * 0.05**2 + 0.006, 2.0, 2.0 * 9.81 * 0.05
+    roots = np.sort(np.roots([J, c, k]).real)
+    made = campbell.section(material(loads(BRAKED)))
+    assert made is not None
+    found = text(made.html)
+    assert "has a stiffness in every direction" in found
+    assert f"eigenvalues of {roots[0]:.4g}, {roots[1]:.4g} 1/s" in found
+    assert "Nothing brings" not in found
+
+
+TILTED_WHEEL = """
+schema = 1
+name = "ball"
+gravity = [0, 0, -9.81]
+[carrier]
+mass = 1.3
+center_of_mass = [0.004, -0.007, 0.06]
+inertia = [[6e-3, 1e-4, 2e-4], [1e-4, 7e-3, -3e-4], [2e-4, -3e-4, 5e-3]]
+inertia_about = "center_of_mass"
+[hold]
+freedoms = ["roll", "pitch", "yaw"]
+pivot = [0.003, 0, 0.2]
+[[flywheel]]
+name = "w1"
+position = [0.03, -0.02, 0.12]
+axis = [0.1, 1, 0.2]
+zero = [0, 0, 1]
+mass = 0.25
+spin_inertia = 4e-4
+transverse_inertia = [2.2e-4, 2.6e-4]
+unbalance = { static = 2e-5, dynamic = 3e-7, dynamic_at = 1.2 }
+"""
+
+
+def test_growth_of_the_mean_that_no_steady_motion_has_is_not_called_unstable() -> None:
+    scene = scene_of(loads(TILTED_WHEEL))
+    diagram = study.campbell(scene, np.linspace(0.0, 300.0, 31))
+    assert diagram.growth.any()
+    growth = compare_growth(scene, diagram)
+    assert growth is not None and growth.unstable is None and growth.found >= 3
+    assert growth.multiplier < 1.001
+    assert "shows no instability" in campbell._growth(scene, diagram)
+
+
+def test_a_damper_that_drives_is_unstable_from_rest_on() -> None:
+    suspension = "[suspension]\nstiffness = [0, 0, 0, 0, 3, 0]\ndamping = [0, 0, 0, 0, -0.5, 0]\n[[flywheel]]"
+    stand = loads(BRAKED.replace("viscous = 2.0", "viscous = 0.01").replace("[[flywheel]]", suspension))
+    scene = scene_of(stand)
+    diagram = study.campbell(scene, np.linspace(0.0, 300.0, 31))
+    growth = compare_growth(scene, diagram)
+    assert growth is not None and growth.unstable == 0.0
+    assert "unstable at 0 rpm" in campbell._growth(scene, diagram)

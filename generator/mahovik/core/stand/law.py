@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -15,6 +16,22 @@ Note = Callable[..., None]
 
 TablesByKey = Mapping[str, Sequence[Any]]
 """The valid tables of a stand file by key: one of `[key]`, any number of `[[key]]`."""
+
+
+@dataclass(frozen=True)
+class HoldNumber:
+    """A number of a hold, in SI: `of` says of what, such as "friction of yaw"; `value` three numbers of a vector."""
+
+    of: str
+    name: str
+    value: float | tuple[float, float, float]
+    unit: str
+
+    @property
+    def printed(self) -> tuple[tuple[float, ...], str]:
+        """The numbers and their unit as people read them: angles in degrees."""
+        values = self.value if isinstance(self.value, tuple) else (self.value,)
+        return (tuple(map(math.degrees, values)), "deg") if self.unit == "rad" else (values, self.unit)
 
 
 @dataclass(frozen=True)

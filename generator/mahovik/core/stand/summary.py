@@ -12,6 +12,7 @@ from mahovik.core.stand.balance import eccentric_velocity, grade, plane_velocity
 from mahovik.core.stand.capacity import Capacity, momentum_capacity, torque_capacity
 from mahovik.core.stand.hold import idle_laws, words
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
+from mahovik.core.stand.law import HoldNumber
 from mahovik.core.stand.model import Flywheel, Instrument, Mat3, Stand, Vec3
 from mahovik.core.stand.slips import slips
 from mahovik.core.stand.task import row_name
@@ -91,6 +92,7 @@ class Summary:
     momentum, torque   capacity of the flywheels whose motors have a speed, N m s, or a torque, N m
     force              worst case, N: the unbalance forces of all flywheels in one line
     hold               how a held carrier can move, in words; empty where it is free
+    hold_numbers       where it is held, and what acts along its freedoms, in SI
     """
 
     name: str
@@ -107,11 +109,12 @@ class Summary:
     warnings: tuple[str, ...]
     tasks: tuple[TaskSummary, ...] = ()
     hold: str = ""
+    hold_numbers: tuple[HoldNumber, ...] = ()
 
     def as_dict(self) -> dict[str, Any]:
-        """The figures as plain dicts and tuples, which `json` writes as objects and lists; `hold` if there is one."""
+        """The figures as plain dicts and tuples, which `json` writes as objects and lists; a hold if there is one."""
         found = asdict(self)
-        return found if self.hold else {key: value for key, value in found.items() if key != "hold"}
+        return found if self.hold else {key: value for key, value in found.items() if not key.startswith("hold")}
 
 
 def summarize(
@@ -146,6 +149,7 @@ def summarize(
         warnings=(*_warnings(stand), *slips(stand, [row.speed for row in unbalance], known, written)),
         tasks=tuple(TaskSummary(task.name, tuple(map(row_name, task.rows))) for task in stand.tasks),
         hold=_hold(stand),
+        hold_numbers=(*_place(stand), *forces_along_freedoms(stand)),
     )
 
 
@@ -155,6 +159,22 @@ def _hold(stand: Stand) -> str:
         return ""
     own = (part(law, "text").short(stand) for law in LAWS if part(law, "schema").SCHEMA.held)
     return "; ".join([words(stand.hold), *filter(None, own)])
+
+
+def _place(stand: Stand) -> list[HoldNumber]:
+    """Where the hold is: pivot of what turns, and home pose."""
+    hold = stand.hold
+    if hold is None:
+        return []
+    turning = any(freedom.kind == "turn" for freedom in hold.freedoms)
+    pivot = [HoldNumber("hold", "pivot in E1", hold.pivot, "m")] if turning else []
+    home = HoldNumber("hold", "home position of O1 in E0", hold.position, "m")
+    return [*pivot, home, HoldNumber("hold", f"home angles, {stand.angles}", hold.angles, "rad")]
+
+
+def forces_along_freedoms(stand: Stand) -> list[HoldNumber]:
+    """The numbers of the laws along the freedoms of a hold: friction and stops."""
+    return [each for law in parts("text") if hasattr(law, "numbers") for each in law.numbers(stand)]
 
 
 def _unbalance(flywheel: Flywheel, asked: float | None, planes: float | None) -> UnbalanceRow:

@@ -13,7 +13,9 @@ from pydantic import BaseModel
 from mahovik.contract.laws import parts
 from mahovik.core.stand.echoes import list_item, text_with_unit
 from mahovik.core.stand.fields import QuantityValidator, Table
-from mahovik.core.stand.law_schemas import mounted_schemas, with_laws
+from mahovik.core.stand.hold import HoldTable, hold_of
+from mahovik.core.stand.law_schemas import held_schemas, mounted_schemas, with_laws
+from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.schema import CarrierTable, FlywheelTable, Header, InstrumentTable, PointTable
 from mahovik.core.stand.shapes import Blocks, vector
 from mahovik.core.stand.toml import parse
@@ -59,6 +61,7 @@ def written_numbers(path: str | Path) -> list[Written]:
         tables |= {**law.tables, **law.arrays}
     tables |= {law.key: law.table for law in mounted_schemas()}
     found: list[Written] = []
+    hold = document.get("hold")
     for header in (Header, *(law.header for law in laws)):
         if header is not None:
             found += _of_table(document, header, "stand")
@@ -67,7 +70,24 @@ def written_numbers(path: str | Path) -> list[Written]:
         for k, item in enumerate(items if isinstance(items, list) else [items]):
             where = item.get("name", f"{key}[{k}]" if isinstance(items, list) else key)
             found += _of_table(item, table, where)
-    return found
+    return found if hold is None else [*found, *_of_hold(hold)]
+
+
+def _of_hold(raw: dict[str, Any]) -> Iterator[Written]:
+    """The numbers of `[hold]`, and of friction and stops, whose units are those of their freedoms."""
+    yield from _of_table(raw, HoldTable, "hold")
+    own = HoldTable.model_validate({key: value for key, value in raw.items() if key in HoldTable.model_fields})
+    hold = hold_of(own, Problems("hold"))
+    if hold is None:
+        return
+    for law in held_schemas():
+        for key, table in law.held.items():
+            for k, item in enumerate(raw.get(key, [])):
+                read = table.model_validate(item)
+                for name, value in item.items():
+                    dimension = law.dimension_of(name, read, hold)
+                    if dimension is not None:
+                        yield from _of_value(value, dimension, f"hold.{key}[{k}]", name)
 
 
 def _of_table(raw: dict[str, Any], table: type[BaseModel], where: str, path: str = "") -> Iterator[Written]:

@@ -5,21 +5,13 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Any
 
-from mahovik.core.stand import units
 from mahovik.core.stand.fields import Table, Text, require_bounds
 from mahovik.core.stand.hold import find_freedom, freedom_names
 from mahovik.core.stand.law import LawSchema, Note, TablesByKey
-from mahovik.core.stand.model import FreedomKind, Hold, Stand
+from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.toml import fields
 from mahovik.core.stand.units import Dimension, QuantityError, number
-from mahovik.laws.friction.data import Friction, Frictions
-
-_FORCES: dict[FreedomKind, tuple[Dimension, Dimension, Dimension]] = {
-    "slide": (units.LINEAR_DAMPING, units.FORCE, units.VELOCITY),
-    "turn": (units.VISCOUS, units.TORQUE, units.SPEED),
-    "twist": (units.PLAIN, units.PLAIN, units.PLAIN),
-}
-"""Viscous coefficient, force and speed of a freedom of a kind; of a basis in SI."""
+from mahovik.laws.friction.data import FORCES, Friction, Frictions
 
 SMOOTHING = 1e-2
 """m/s or rad/s: default of `smoothing`."""
@@ -68,7 +60,7 @@ def _friction(table: FrictionTable, hold: Hold, note: Note) -> Friction | None:
     except QuantityError as error:
         note("freedom", str(error))
         return None
-    viscous, force, speed = _FORCES[hold.freedoms[freedom].kind]
+    viscous, force, speed = FORCES[hold.freedoms[freedom].kind]
     bounds = {"above": 0.0, "least": _SMALLEST, "most": _LARGEST}
     numbers = {
         "viscous": _number(note, "viscous", table.viscous, viscous, least=0.0),
@@ -142,7 +134,7 @@ def structure(law: Frictions | None, stand: Stand) -> dict[str, Any]:
 
 def dimension_of(key: str, table: FrictionTable, hold: Hold) -> Dimension | None:
     """Dimension of a number of the table, by the kind of its freedom."""
-    viscous, force, speed = _FORCES[hold.freedoms[find_freedom(hold, table.freedom)].kind]
+    viscous, force, speed = FORCES[hold.freedoms[find_freedom(hold, table.freedom)].kind]
     numbers = {"viscous": viscous, "coulomb": force, "breakaway": force, "stribeck_speed": speed, "smoothing": speed}
     return numbers.get(key)
 

@@ -6,24 +6,13 @@ import math
 from dataclasses import asdict
 from typing import Annotated, Any
 
-from mahovik.core.stand import units
 from mahovik.core.stand.fields import Table, Text, require_bounds, text, validator
 from mahovik.core.stand.hold import coordinate_problem, find_freedom, freedom_names
 from mahovik.core.stand.law import LawSchema, Note, TablesByKey
-from mahovik.core.stand.model import FreedomKind, Hold, Stand
+from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.toml import fields, line_of
 from mahovik.core.stand.units import Dimension, QuantityError, number, show
-from mahovik.laws.stop.data import Stop, Stops, highest_and_lowest
-
-_ROTARY = Dimension("a stiffness", "N m/rad")
-_PER_DEPTH = Dimension("a damping per depth", "N s/m^2")
-_ROTARY_PER_DEPTH = Dimension("a damping per depth", "N m s/rad^2")
-
-_FORCES: dict[FreedomKind, tuple[Dimension, Dimension, Dimension]] = {
-    "slide": (units.LENGTH, units.STIFFNESS, _PER_DEPTH),
-    "turn": (units.ANGLE, _ROTARY, _ROTARY_PER_DEPTH),
-}
-"""Coordinate, stiffness and damping of a freedom of a kind."""
+from mahovik.laws.stop.data import FORCES, Stop, Stops, highest_and_lowest
 
 LARGEST_ANGLE = math.radians(170.0)
 """rad: an angle counts to half a turn, where it begins again; a stop nearer to it could be passed."""
@@ -75,7 +64,7 @@ def _range_problem(stops: list[Stop], hold: Hold) -> str | None:
             f'turn from home, where the angle begins again; expected one of side = "{missing}" too'
         )
     if lowest > highest:
-        unit = _FORCES[kind][0].si
+        unit = FORCES[kind][0].si
         return (
             f"{name} may not go above {highest:.6g} {unit}, nor below {lowest:.6g} {unit}: nothing is left between; "
             "expected the stop below under the one above"
@@ -93,7 +82,7 @@ def _stop(table: StopTable, hold: Hold, note: Note) -> Stop | None:
         note("freedom", f"{problem}: there is no stop for it")
         return None
     kind = hold.freedoms[freedom].kind
-    place, spring, damper = _FORCES[kind]
+    place, spring, damper = FORCES[kind]
     numbers = {
         "at": _number(note, "at", table.at, place),
         "stiffness": _number(note, "stiffness", table.stiffness, spring, above=0.0),
@@ -146,7 +135,7 @@ def structure(law: Stops | None, stand: Stand) -> dict[str, Any]:
 
 def dimension_of(key: str, table: StopTable, hold: Hold) -> Dimension | None:
     """Dimension of a number of the table, by the kind of its freedom."""
-    found = _FORCES[hold.freedoms[find_freedom(hold, table.freedom)].kind]
+    found = FORCES[hold.freedoms[find_freedom(hold, table.freedom)].kind]
     return dict(zip(("at", "stiffness", "damping"), found, strict=True)).get(key)
 
 

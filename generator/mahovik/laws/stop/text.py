@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from mahovik.core.stand.hold import freedom_labels
+from mahovik.core.stand.law import HoldNumber
 from mahovik.core.stand.model import Stand
-from mahovik.laws.stop.data import Stop, stops_of
+from mahovik.laws.stop.data import FORCES, Stop, stops_of
 
 NAME = "stop"
 CARRIES_WEIGHT = False
@@ -29,3 +30,16 @@ def warnings(stand: Stand) -> list[str]:
         for stop in stops_of(stand)
         if (stop.at < 0.0 if stop.above else stop.at > 0.0)
     ]
+
+
+def numbers(stand: Stand) -> list[HoldNumber]:
+    """The numbers of each stop; its name has the side where the coordinate may not go."""
+    if stand.hold is None:
+        return []
+    found: list[HoldNumber] = []
+    for stop in stops_of(stand):
+        units = (each.si for each in FORCES[stand.hold.freedoms[stop.freedom].kind])
+        of = f"stop of {_label(stand, stop)}, {'above' if stop.above else 'below'}"
+        given = (("at", stop.at), ("stiffness", stop.stiffness), ("damping", stop.damping))
+        found += [HoldNumber(of, name, value, unit) for (name, value), unit in zip(given, units, strict=True)]
+    return found

@@ -184,6 +184,7 @@ def _print(summary: Summary, names: Identities, short: list[str], written: list[
         print_table(("task", "rows demanded>"), ((task.name, ", ".join(task.rows)) for task in summary.tasks))
     if summary.hold:
         print_line(f"held, {summary.hold}")
+        _print_hold(summary)
     _print_written(written)
     for warning in (*summary.warnings, *short):
         print_line(f"warning: {warning}", "yellow")
@@ -263,11 +264,23 @@ def _print_columns(names: Sequence[str], columns: Sequence[Column], head: str = 
     print_table((head, *(title for title, _ in columns)), cells)
 
 
+def _print_hold(summary: Summary) -> None:
+    """Where the carrier is held, and friction and stops of its freedoms."""
+    rows = []
+    for each in summary.hold_numbers:
+        values, unit = each.printed
+        text = "  ".join(f"{x + 0.0:.6g}" for x in values)  # no -0
+        rows.append((each.of, each.name, text, unit or "SI"))
+    print_table(("held by", "number", "value>", "unit"), rows)
+
+
 def _print_written(written: list[Written]) -> None:
-    """Numbers of the file with units, other than angles, as they are written; those of several bodies in a row."""
+    """Numbers of the file with units as they are written; those of several bodies in a row. Angles of bodies, which
+    other tables have, are left out.
+    """
     bodies: dict[tuple[str, str, str], list[str]] = {}
     for each in written:
-        if each.unit != "rad":
+        if each.unit != "rad" or each.where.partition(".")[0] == "hold":
             bodies.setdefault((each.key, each.text, each.in_si), []).append(each.where)
     if bodies:
         print_table(("written in the file", "value", "SI", "of"), ((*row, ", ".join(of)) for row, of in bodies.items()))

@@ -11,7 +11,7 @@ from mahovik.contract.laws import of_bodies
 from mahovik.contract.quantities import RPM
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
-from mahovik.core.stand.summary import Summary, UnbalanceRow, summarize
+from mahovik.core.stand.summary import Summary, UnbalanceRow, forces_along_freedoms, summarize
 from mahovik.out.report.stand.inertia import axes_table, inertia_table, products_table
 from mahovik.out.report.stand.markup import Cell, definitions, figure, figures, paragraph, side_by_side, table, verdict
 from mahovik.out.report.stand.material import Material, Section
@@ -27,7 +27,8 @@ def section(material: Material) -> Section | None:
     blocks = [_bodies(stand, summary), products_table(stand), inertia_table(stand)]
     if stand.flywheels:
         blocks += [_flywheels(stand, summary), axes_table(stand), _drives(stand)]
-    blocks += [_added_mass(stand), Markup("<h3>What acts on it</h3>\n") + definitions(surroundings(stand))]
+    acting = Markup("<h3>What acts on it</h3>\n") + definitions(surroundings(stand))
+    blocks += [_added_mass(stand), acting + _along_freedoms(stand)]
     parts = [side_by_side(blocks)]
     short = shortfalls(stand, [row.speed for row in summary.unbalance])
     for words in (*summary.warnings, *map(str, short)):
@@ -113,6 +114,21 @@ def _drives(stand: Stand) -> Markup:
         "counts per turn>", "latency, µs>",
     )  # fmt: skip
     return Markup("<h3>Drives and encoders</h3>\n") + table(head, [rows])
+
+
+def _along_freedoms(stand: Stand) -> Markup:
+    """Friction and stops of the freedoms of a hold, where there are any."""
+    rows: list[list[Cell]] = []
+    for each in forces_along_freedoms(stand):
+        (value,), unit = each.printed
+        rows.append([each.of, each.name.replace("_", " "), figure(value), _power(unit)])
+    head = ("along the freedoms of the hold", "number", "value>", "unit")
+    return table(head, [rows]) if rows else Markup("")
+
+
+def _power(unit: str) -> str:
+    """A unit with its squares raised; of a basis, whose numbers have none of their own, SI."""
+    return unit.replace("^2", "²") or "SI"
 
 
 def _added_mass(stand: Stand) -> Markup:

@@ -11,9 +11,10 @@ from mahovik.core.stand.summary import summarize
 from mahovik.errors import CheckError
 from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.panel import Array, Line, Mark, Panel
-from mahovik.out.report.stand.markup import figure, paragraph, table
+from mahovik.out.report.stand.markup import figure, message, paragraph, table
 from mahovik.out.report.stand.material import Material, Section
-from mahovik.use.study.campbell import Campbell, campbell
+from mahovik.use.study.campbell import Campbell, campbell, mean_equations
+from mahovik.use.study.growth import compare_growth
 from mahovik.use.study.response.held import HeldScene
 from mahovik.use.study.response.periodic import scene_of
 from mahovik.use.study.response.scene import Scene
@@ -33,6 +34,9 @@ ROOM = 0.15
 ROUNDING = 1e-12
 """Damping ratio that is rounding."""
 
+STILL = 1e-6
+"""Part of the largest eigenvalue below which one is zero."""
+
 ANCHOR, TITLE = "campbell", "Campbell diagram: natural frequencies against speed"
 
 
@@ -44,12 +48,12 @@ def section(material: Material) -> Section | None:
     try:
         scene = scene_of(stand)
     except CheckError as error:
-        words = f"{error}. So there is no pose to be linear about, and no natural frequency."
+        words = f"{message(error)}. So there is no pose to be linear about, and no natural frequency."
         return Section(ANCHOR, TITLE, paragraph(words))
     limit = max(row.speed for row in summarize(stand).unbalance)
     found = campbell(scene, np.linspace(0.0, limit, POINTS))
     if not np.isfinite(found.natural).any():
-        return Section(ANCHOR, TITLE, paragraph(_nothing(scene)))
+        return Section(ANCHOR, TITLE, paragraph(_nothing(scene, found)))
     last = max((each.speed for each in found.crossings), default=0.0) or _meeting(found)
     split = 0.0 < FAR * NEAR * last < limit
     wide = found
@@ -118,11 +122,24 @@ def _meeting(found: Campbell) -> float:
     return 2.0 * math.pi * float(np.nanmax(still)) if np.isfinite(still).any() else 0.0
 
 
-def _nothing(scene: Scene | HeldScene) -> str:
+def _nothing(scene: Scene | HeldScene, found: Campbell) -> str:
+    """Why nothing swings at any speed."""
+    free, count, held = scene.free.shape[1], scene.count, isinstance(scene, HeldScene)
+    if free == count:
+        where, spin = "along or about any axis", "have no net momentum that would make it swing"
+        if held:
+            where, spin = "in any freedom of the hold", "make it swing in none"
+        return (
+            f"Nothing brings the carrier back {where}, and flywheels at one common speed {spin}: their spin inertias "
+            f"add up as vectors to {_net(scene)}. There is no natural frequency. {_growth(scene, found)}"
+        )
+    values = np.linalg.eigvals(mean_equations(scene, np.zeros(1)))[0].real
+    rates = [f"{x:.4g}" for x in sorted(values.tolist()) if abs(x) > STILL * np.abs(values).max()]
+    where = f"in {count - free} of {count} directions" if free else "in every direction"
     return (
-        "Nothing brings the carrier back along or about any axis, and flywheels at one common speed have no net "
-        f"momentum that would make it swing: their spin inertias add up as vectors to {_net(scene)}. "
-        "There is no natural frequency."
+        f"The carrier has a stiffness {where}, but swings at no speed of this range: deviations change by exponentials "
+        f"alone, as above critical damping, at rest with eigenvalues of {', '.join(rates)} 1/s. There is no frequency "
+        f"of swinging that an order could meet. {_growth(scene, found)}"
     )
 
 
@@ -150,10 +167,27 @@ def _words(scene: Scene | HeldScene, found: Campbell) -> str:
         words += f"{free} of {count} directions are free and have no natural frequency at rest. "
     twice = "at 2× asymmetric flywheels vary K" if 2 in found.orders else "no flywheel is asymmetric, so there is no 2×"
     words += f"1× is the order that unbalance drives; {twice}. "
-    if found.growth.any():
-        first = RPM * float(found.speed[np.flatnonzero(found.growth)[0]])
-        words += f"From {first:.4g} rpm on a mode grows: the stand is unstable there."
-    return words
+    return words + _growth(scene, found)
+
+
+def _growth(scene: Scene | HeldScene, found: Campbell) -> str:
+    """What growth in the means says, by steady motions at the speeds that have it."""
+    growth = compare_growth(scene, found)
+    if growth is None:
+        return ""
+    if growth.unstable is not None:
+        return (
+            f"The stand is unstable at {RPM * growth.unstable:.4g} rpm, the lowest of the speeds tried at which "
+            "deviations from steady motion grow. "
+        )
+    words = f"From {RPM * growth.first:.4g} rpm on a mode of the mean grows, by at most {growth.largest:.2g} 1/s, "
+    if not growth.found:
+        return words + "but no steady motion was found there that could be unstable, so that this shows nothing. "
+    return (
+        f"{words}which shows no instability, for rest is no steady motion where flywheels turn: deviations from the "
+        f"steady motions at {growth.found} of these speeds have multipliers of at most "
+        f"1 + {max(growth.multiplier - 1.0, 0.0):.1g} over a turn. "
+    )
 
 
 def _table(found: Campbell, absent: int) -> str:

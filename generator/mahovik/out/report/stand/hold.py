@@ -12,6 +12,7 @@ from mahovik.core.stand.hold import (
     freedom_names,
     freedom_words,
     has_coordinates,
+    is_closed,
     no_coordinates,
     numbered_freedoms,
     twists,
@@ -20,7 +21,7 @@ from mahovik.core.stand.hold import (
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError
-from mahovik.out.report.stand.markup import Cell, figure, math_text, paragraph, sentence, table
+from mahovik.out.report.stand.markup import Cell, figure, math_text, message, paragraph, sentence, table
 from mahovik.out.report.stand.material import Material, Section
 from mahovik.out.report.stand.matrices import Side, matrix, named_freedoms
 from mahovik.proof import reference
@@ -56,7 +57,7 @@ def section(material: Material) -> Section | None:
         parts.append(_freedoms(hold))
     parts += [Markup("<h3>Equilibrium</h3>\n"), *_equilibrium(stand, hold)]
     parts += [Markup("<h3>Motion and reaction at a state</h3>\n"), *_motion(material, hold)]
-    parts += [Markup("<h3>Left out on this page</h3>\n"), paragraph(_left_out(hold))]
+    parts += [Markup("<h3>Left out on this page</h3>\n"), paragraph(_left_out(stand, hold))]
     return Section("hold", "Hold", Markup("").join(parts), summary=words(hold).partition(";")[0])
 
 
@@ -109,7 +110,7 @@ def _equilibrium(stand: Stand, hold: Hold) -> list[Markup]:
     try:
         found = rest(stand)
     except CheckError as error:
-        return [paragraph(f"{error}.")]
+        return [paragraph(f"{message(error)}.")]
     state = found.state
     rows: list[list[Cell]] = [["O₁ in E₀, m", *_cells(np.array(state.position)), ""]]
     rows.append(["quaternion, w first", *(figure(_clean(x)) for x in state.quaternion or (1.0, 0.0, 0.0, 0.0))])
@@ -190,16 +191,21 @@ def _motion(material: Material, hold: Hold) -> list[Markup]:
     return shown
 
 
-def _left_out(hold: Hold) -> str:
-    found = ["Jitter is that of free carriers."]
+def _left_out(stand: Stand, hold: Hold) -> str:
+    found = []
+    if stand.flywheels and is_closed(hold):
+        points = ", and ``--at`` with a point that of the point" if hold.freedoms else ""
+        found.append(
+            "The page has no jitter of a held carrier: ``mahovik jitter --at hold.reaction`` gives that of the "
+            f"reaction{points}."
+        )
     if not hold.freedoms:
         found.append(
             "A clamped carrier has no modes, no natural frequencies against speed, and no singular values of (12): "
             "nothing moves that flywheels could drive."
         )
-    found.append(
-        "The generalized coordinates of (10) and (11) are six; a held carrier has those of its freedoms in their place."
-    )
+    own = "a held carrier has those of its freedoms in their place" if has_coordinates(hold) else no_coordinates(hold)
+    found.append(f"The generalized coordinates of (10) and (11) are six; {own}.")
     return " ".join(found)
 
 

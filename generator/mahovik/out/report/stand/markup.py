@@ -104,6 +104,11 @@ def paragraph(text: str) -> Markup:
     return Markup("<p>{}</p>\n").format(Markup("").join(found))
 
 
+def message(error: Exception) -> str:
+    """The words of an error for `paragraph`: what is between backticks there is a command, no notation."""
+    return str(error).replace("`", "``")
+
+
 def table(
     head: Sequence[Cell],
     groups: Iterable[Sequence[Sequence[Cell]]],

@@ -14,7 +14,7 @@ from mahovik.core.stand.summary import summarize
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.response import panels
-from mahovik.out.report.stand.markup import paragraph
+from mahovik.out.report.stand.markup import message, paragraph
 from mahovik.out.report.stand.material import Material, Section
 from mahovik.out.report.stand.matrices import named_freedoms
 from mahovik.use.study.response.held import REACTION
@@ -51,7 +51,7 @@ def section(material: Material) -> Section | None:
         if 0.0 < near < limit / FAR:
             found.insert(0, sweep_speeds(stand, near))
     except (CheckError, UsageError) as error:
-        return Section(ANCHOR, TITLE, paragraph(f"{error}. So there is no steady vibration to show."))
+        return Section(ANCHOR, TITLE, paragraph(f"{message(error)}. So there is no steady vibration to show."))
     largest, speed = max(map(_largest, found))
     if largest < STILL:
         return Section(ANCHOR, TITLE, paragraph(f"Nothing shakes {_point(found[0])}: the flywheels are balanced."))
@@ -72,7 +72,7 @@ def _held_section(stand: Stand, hold: Hold, limit: float) -> Section:
         if 0.0 < near < limit / FAR:
             sweeps.insert(0, sweep_outputs(stand, _common_speed(stand, near), STEPS, seen))
     except (CheckError, UsageError) as error:
-        return Section(ANCHOR, HELD_TITLE, paragraph(f"{error}. So there is no steady reaction to show."))
+        return Section(ANCHOR, HELD_TITLE, paragraph(f"{message(error)}. So there is no steady reaction to show."))
     if any(found[0].interrupted for found in sweeps):
         raise KeyboardInterrupt
     shown, summaries = [], []
