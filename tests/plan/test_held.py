@@ -14,7 +14,7 @@ from mahovik.core.motion.programme import programme_text, read_programme
 from mahovik.core.motion.required import RequiredMotion, read_motion
 from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
-from mahovik.proof.verify.programme import held, verify_programme
+from mahovik.proof.verify.programme import held, simulation, verify_programme
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.problem import Problem
@@ -199,6 +199,29 @@ def test_a_programme_file_names_its_coordinates_and_is_verified() -> None:
     assert all(each.passed for each in verify_programme(SHAKER, required, again))
     wrong = replace(again, coordinates=("x",))
     assert [each.name for each in verify_programme(SHAKER, required, wrong) if not each.passed] == ["stand"]
+
+
+@pytest.mark.parametrize(
+    ("law", "words"),
+    [
+        ("[suspension]\nstiffness = [0, 0, 20000, 0, 0, 0]", "neutral, the carrier swings undamped"),
+        ("[suspension]\nstiffness = [0, 0, 20000, 0, 0, 0]\ndamping = [0, 0, 100, 0, 0, 0]", "stable, disturbances"),
+        ("", "neutral, the carrier is free to drift"),
+    ],
+)
+def test_a_neutral_carrier_swings_or_drifts(law: str, words: str) -> None:
+    """A spring without a damper brings the carrier back, for ever; without a spring nothing does."""
+    wheels = wheel(1, [1, 0, 0], 20.0, (0, -0.1, 0)) + wheel(2, [1, 0, 0], 20.0, (0, 0.1, 0))
+    own = stand('freedoms = ["z"]', wheels, law, gravity=-9.81 if law else 0.0)
+    required = motion(own, {"cos": [2e-3]}, period=0.05, winding="spin")
+    found = planned(own, required, verify=False)
+    finding = simulation.floquet_finding(own, required, found.programmes[0], 1.001)
+    assert finding.words.startswith(f"largest multiplier: {words}")
+
+
+def test_a_carrier_may_drift_and_swing() -> None:
+    assert simulation._neutral((1j, -1j, 1 + 1e-6j, 1 - 1e-6j), 1e-3) == "is free to drift and swings undamped"
+    assert simulation._neutral((-1, -1, 0.5, 0.2), 1e-3) == "swings undamped"
 
 
 @pytest.mark.slow
