@@ -16,6 +16,7 @@ from cli.run import run
 from mahovik import stands
 from mahovik.core.stand import Stand
 from mahovik.core.stand.random import BARE, random_stand
+from mahovik.out.functions import following
 from mahovik.out.functions.table import Column, Table
 from mahovik.out.report.plot.shares import shares
 
@@ -206,6 +207,24 @@ def test_servos_follow_a_programme(tmp_path: Path) -> None:
     found = mahovik.follow(shaker(), SPIN, planned().programme, servo, periods=12, causes=False, backend="scipy")
     assert found.share < 0.2 and len(found) == 6
     assert len(found.motion) > 1000 and not found.interrupted
+
+
+@pytest.mark.parametrize(
+    ("mismatch", "words"),
+    [
+        ("1", "1: expected per cent with"),
+        ("-1%", "-1%: expected 0% or"),
+        (-0.1, "-0.1: expected 0 or"),
+        (None, "None: exp"),
+    ],
+)
+def test_a_mismatch_that_is_no_share_is_refused(mismatch: Any, words: str) -> None:
+    with pytest.raises(mahovik.UsageError, match=f"^--mismatch {words}"):
+        mahovik.follow(shaker(), SPIN, "programme.json", "servo.toml", mismatch=mismatch)
+
+
+def test_a_mismatch_is_a_share_or_a_text() -> None:
+    assert following.share_of("1%") == following.share_of(0.01) == following.share_of(" 1.0 %") == 0.01
 
 
 @pytest.mark.slow

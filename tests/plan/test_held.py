@@ -12,10 +12,11 @@ import pytest
 from mahovik.core.motion.course import Course
 from mahovik.core.motion.programme import programme_text, read_programme
 from mahovik.core.motion.required import RequiredMotion, read_motion
-from mahovik.core.stand import Stand
+from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
-from mahovik.proof.verify.programme import held, verify_programme
+from mahovik.proof.verify.programme import held, simulation, verify_programme
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
+from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.problem import Problem
 from mahovik.use.plan.residual.held_kinematics import held_coordinates, held_pose, held_slopes, held_twists
 from plan.held_stands import HOLDS, stand, wheel
@@ -51,6 +52,32 @@ def test_a_pendulum_is_swung_by_the_closed_formula() -> None:
     inertia = 0.03 + 2.5 * 0.12**2 + 0.01  # the wheel at O1, its spin inertia about the axle
     wanted = -(inertia * theta_ddot + weight * np.sin(theta)) / 0.01
     assert np.abs(found.programmes[0].at(t).phi_ddot[:, 0] - wanted).max() < 1e-6 * np.abs(wanted).max()
+
+
+def with_motor(own: Stand, motor: str) -> Stand:
+    return loads(dumps(own).replace('name = "w1"', f'name = "w1"\nmotor = {motor}'))
+
+
+def test_a_motor_that_is_too_weak_is_named_in_a_line() -> None:
+    """Peaks beside the numbers of the motor; a stronger one is not named. The programme and the status stay."""
+    required = motion(PENDULUM, {"cos": [0.3]}, winding="rock")
+    plain = planned(PENDULUM, required, verify=False)
+    report = plain.programmes[0].report
+    (torque,), (speed,) = report["peak_torque"], report["peak_speed"]
+    for share, kinds in ((0.9, ["torque", "speed"]), (1.1, [])):
+        own = with_motor(PENDULUM, f"{{ torque = {share * torque}, speed = {share * speed} }}")
+        found = planned(own, required, verify=False)
+        lines = [line for line in found.warnings if line.startswith("w1: peak")]
+        assert found.status == "OK" and len(lines) == len(kinds)
+        peaks = {"torque": (torque, "N m"), "speed": (speed, "rad/s")}
+        for kind, line in zip(kinds, lines, strict=True):
+            peak, unit = peaks[kind]
+            begin = f"w1: peak {kind} {peak:.4g} {unit} is above its motor's {share * peak:.4g} {unit}"
+            assert line.startswith(begin) and f"add {kind} to the bounds" in line
+    assert motor_warnings(own, {**report, "runup": {"peak": {"torque": [9e9], "speed": [0.0]}}})[0].startswith(
+        "w1: peak torque in the run-up 9e+09 N m"
+    )
+    assert motor_warnings(own, {**report, "rundown": {"reason": "none found"}}) == ()
 
 
 def test_six_numbers_with_zeros_for_what_is_blocked_are_the_same_motion() -> None:
@@ -172,6 +199,29 @@ def test_a_programme_file_names_its_coordinates_and_is_verified() -> None:
     assert all(each.passed for each in verify_programme(SHAKER, required, again))
     wrong = replace(again, coordinates=("x",))
     assert [each.name for each in verify_programme(SHAKER, required, wrong) if not each.passed] == ["stand"]
+
+
+@pytest.mark.parametrize(
+    ("law", "words"),
+    [
+        ("[suspension]\nstiffness = [0, 0, 20000, 0, 0, 0]", "neutral, the carrier swings undamped"),
+        ("[suspension]\nstiffness = [0, 0, 20000, 0, 0, 0]\ndamping = [0, 0, 100, 0, 0, 0]", "stable, disturbances"),
+        ("", "neutral, the carrier is free to drift"),
+    ],
+)
+def test_a_neutral_carrier_swings_or_drifts(law: str, words: str) -> None:
+    """A spring without a damper brings the carrier back, for ever; without a spring nothing does."""
+    wheels = wheel(1, [1, 0, 0], 20.0, (0, -0.1, 0)) + wheel(2, [1, 0, 0], 20.0, (0, 0.1, 0))
+    own = stand('freedoms = ["z"]', wheels, law, gravity=-9.81 if law else 0.0)
+    required = motion(own, {"cos": [2e-3]}, period=0.05, winding="spin")
+    found = planned(own, required, verify=False)
+    finding = simulation.floquet_finding(own, required, found.programmes[0], 1.001)
+    assert finding.words.startswith(f"largest multiplier: {words}")
+
+
+def test_a_carrier_may_drift_and_swing() -> None:
+    assert simulation._neutral((1j, -1j, 1 + 1e-6j, 1 - 1e-6j), 1e-3) == "is free to drift and swings undamped"
+    assert simulation._neutral((-1, -1, 0.5, 0.2), 1e-3) == "swings undamped"
 
 
 @pytest.mark.slow

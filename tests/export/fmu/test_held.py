@@ -213,3 +213,81 @@ def test_the_command_writes_it_and_its_numbers_are_not_those_of_the_hold(tmp_pat
     names = [v.name for v in fmpy.read_model_description(str(target)).modelVariables]
     assert "hold.reaction[6]" in names and "gravity[3]" in names
     assert not any(name.startswith(("S[", "pivot", "sliding", "home_")) for name in names)
+
+
+FRICTION = {
+    "slide": {"viscous": "N.s/m", "coulomb": "N", "breakaway": "N", "stribeck_speed": "m/s", "smoothing": "m/s"},
+    "turn": {
+        "viscous": "N.m.s/rad", "coulomb": "N.m", "breakaway": "N.m", "stribeck_speed": "rad/s", "smoothing": "rad/s"
+    },
+    "twist": {"viscous": "J.s", "coulomb": "J", "breakaway": "J", "stribeck_speed": "1/s", "smoothing": "1/s"},
+}  # fmt: skip
+STOP = {
+    "slide": {"at": "m", "stiffness": "N/m", "damping": "N.s/m2"},
+    "turn": {"at": "rad", "stiffness": "N.m/rad", "damping": "N.m.s/rad2"},
+}
+
+
+def resisted(hold: str, freedom: str = "", stops: bool = True) -> Stand:
+    """A stand of HOLDS or OTHERS with friction, and stops, of one freedom."""
+    text = TEXT.replace('["pitch"]', HOLDS[hold][0]) if hold in HOLDS else OTHERS[hold]
+    own = f'freedom = "{freedom}"\n' if freedom else ""
+    tables = f"[[hold.friction]]\n{own}viscous = 0.02\ncoulomb = 0.05\nbreakaway = 0.1\nstribeck_speed = 0.2\n"
+    if stops:
+        tables += f'[[hold.stop]]\n{own}at = 0.15\nside = "above"\nstiffness = 50\ndamping = 20\n'
+        tables += f'[[hold.stop]]\n{own}at = -0.1\nside = "below"\nstiffness = 50\ndamping = 20\n'
+    return loads(f"{text}\n{tables}")
+
+
+@pytest.mark.parametrize("version", ["2.0", "3.0"])
+@pytest.mark.parametrize(
+    ("hold", "freedom", "kind"),
+    [("pendulum", "", "turn"), ("plane", "yaw", "turn"), ("shaker", "", "slide"),
+     ("hinge", "", "turn"), ("basis", "2", "twist")],
+)  # fmt: skip
+def test_friction_and_stops_are_parameters_in_the_units_of_their_freedom(
+    hold: str, freedom: str, kind: str, version: str, tmp_path: Path
+) -> None:
+    """None of them is a number that follows from the hold, such as the direction."""
+    stand, file = resisted(hold, freedom, stops=kind != "twist"), tmp_path / "held.fmu"
+    file.write_bytes(export_fmu(stand, version, "cs", "torque", dt=DT, start=home(stand), binary=False).content)
+    described = fmpy.read_model_description(str(file), validate=True).modelVariables
+    found = {
+        v.name: v.unit or v.declaredType.unit for v in described if v.name.startswith(("friction", "turn_", "sli"))
+    }
+    wanted = {f"friction[1].{key}": unit for key, unit in FRICTION[kind].items()}
+    for k in (1, 2):
+        wanted |= {f"{kind}_stop[{k}].{key}": unit for key, unit in STOP.get(kind, {}).items()}
+    assert wanted == found
+
+
+@pytest.mark.parametrize(("hold", "freedom"), [("pendulum", ""), ("shaker", ""), ("basis", "2")])
+@pytest.mark.parametrize(("version", "kind"), [("2.0", "cs"), ("3.0", "me")])
+def test_friction_and_stops_act_as_simulate_has_them(
+    hold: str, freedom: str, version: str, kind: Kind, tmp_path: Path
+) -> None:
+    stand = resisted(hold, freedom, stops=hold != "basis")
+    assert stand.hold is not None
+    u = (1.5,) * len(stand.hold.freedoms)
+    state = replace(rest_state(stand), u=u, V=twist_of(stand.hold, u))
+    state = complete_start(stand, state, {"u"})
+    regime = loads_regime("schema = 1\n[flywheel.w1]\ntorque = 0.02", stand, 0.6)
+    step = DT if kind == "cs" else DT / 10  # a stop is a kink, where a step of a fixed length errs most
+    expected = simulate(Case(stand, regime, state, 0.6, 0.05, step), mounts=True)
+    file = tmp_path / "held.fmu"
+    file.write_bytes(export_fmu(stand, version, kind, "torque", dt=DT, start=state).content)
+    columns = pairs(stand, "torque")
+    given = {"w1.tau": 0.02}
+    free, found = (
+        fmpy.simulate_fmu(
+            str(file), stop_time=0.6, output_interval=0.05, relative_tolerance=1e-9, output=list(columns),
+            start_values=given | changed,
+        )
+        for changed in ({"friction[1].viscous": 2.0}, {})
+    )  # fmt: skip
+    most, apart = 1e-9 if kind == "cs" else 1e-5, 0.0
+    for variable, column in columns.items():
+        scale = max(1.0, float(np.abs(expected[column]).max()))
+        assert found[variable] == pytest.approx(expected[column], abs=most * scale), variable
+        apart = max(apart, float(np.abs(free[variable] - expected[column]).max()) / scale)
+    assert apart > 1e-3  # the parameter reaches the law

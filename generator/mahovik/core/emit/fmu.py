@@ -178,7 +178,7 @@ class _Printer:
         structs = {
             s.name: s for type_ in types if isinstance(type_, Struct) for s in type_.inner_structs() if _reals(s)
         }
-        found = [(s.name, s, [row for f in s.fields for row in _read(f)]) for s in structs.values()]
+        found = [(s.name, s, [row for f in s.fields if not f.of_hold for row in _read(f)]) for s in structs.values()]
         found += [("laws", layout.table, rows)] if rows else []
         return [{"name": name, "type": self._names.type(struct), "rows": rows} for name, struct, rows in found]
 

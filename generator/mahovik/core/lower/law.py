@@ -53,8 +53,8 @@ class LawLowering:
         """The numbers of its members, by name; `run` runs a function of the program."""
         raise NotImplementedError
 
-    def members(self, field: Field, value: Any) -> Iterator[Member]:
-        """Every real of one of its members, depth first, for simulators."""
+    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
+        """Every real of one of its members, depth first, for simulators; none that follows from the hold."""
         raise NotImplementedError
 
     def add_functions(self, lib: FunctionSet) -> None:

@@ -29,20 +29,25 @@ def member(value: Any, name: str) -> Any:
     return value[name] if isinstance(value, Mapping) else getattr(value, name)
 
 
-def members(prefix: str, struct: Struct, value: Any) -> Iterator[Member]:
-    """Members of a struct; those of a struct inside stand under the same prefix."""
+def members(prefix: str, struct: Struct, value: Any, of_freedom: Mapping[str, Unit] | None = None) -> Iterator[Member]:
+    """Members of a struct but what follows from the hold; those of a struct inside stand under the same prefix.
+
+    `of_freedom`: units, by name, of members whose unit is that of what slides or turns.
+    """
     for f in struct.fields:
+        if f.of_hold:
+            continue
         given = member(value, f.name)
         if isinstance(f.type, Struct):
             yield from members(prefix, f.type, given)
         elif f.type is Kind.REAL:
             what = f"{prefix}: {f.name.replace('_', ' ')}" + (f", {f.comment}" if f.comment else "")
-            yield from vector(f"{prefix}.{f.name}", f, given, what)
+            yield from vector(f"{prefix}.{f.name}", f, given, what, (of_freedom or {}).get(f.name))
 
 
-def vector(name: str, f: Field, value: Any, description: str) -> Iterator[Member]:
-    """A scalar or a one-dimensional array."""
-    unit = units.of_member(f.unit)
+def vector(name: str, f: Field, value: Any, description: str, unit: Unit | None = None) -> Iterator[Member]:
+    """A scalar or a one-dimensional array; `unit` where the field does not tell it."""
+    unit = unit or units.of_member(f.unit)
     if not f.shape:
         positive = f.name in ("mass", "displaced_mass", "length")
         yield Member(name, unit, description, float(value), positive)

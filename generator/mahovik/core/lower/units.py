@@ -49,6 +49,11 @@ MAGNETIC_MOMENT = Unit("A.m2", m=2, A=1, quantity="MagneticMoment")
 LINE_DENSITY = Unit("kg/m", kg=1, m=-1, quantity="LinearDensity")
 PER_RADIAN = Unit("1/rad", rad=-1)
 SECOND_PER_METRE = Unit("s/m", m=-1, s=1)
+ROTARY_STIFFNESS = Unit("N.m/rad", kg=1, m=2, s=-2, rad=-1)
+ROTARY_DAMPING = Unit("N.m.s/rad", kg=1, m=2, s=-1, rad=-1)
+DEPTH_DAMPING = Unit("N.s/m2", kg=1, m=-1, s=-1)
+JOULE_SECOND = Unit("J.s", kg=1, m=2, s=-1)
+ROTARY_DEPTH_DAMPING = Unit("N.m.s/rad2", kg=1, m=2, s=-1, rad=-2)
 RACE = Unit("m2/rad2", m=2, rad=-2)
 
 DISPLAY = {

@@ -57,13 +57,17 @@ FLOAT = Precision("float", 32, 24, 127, np.float32, np.uint32, BOUNDS["MAX_PHASE
 
 @dataclass(frozen=True)
 class Field:
-    """A member of a struct. `shape` () is a scalar; `unit` and `frame` are for the reader."""
+    """A member of a struct. `shape` () is a scalar; `unit` and `frame` are for the reader.
+
+    of_hold  it follows from the hold, with others: nobody changes it alone
+    """
 
     name: str
     type: Kind | Struct
     shape: Shape = ()
     unit: str = ""
     comment: str = ""
+    of_hold: bool = False
 
 
 @dataclass(frozen=True)

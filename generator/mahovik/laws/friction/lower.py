@@ -6,17 +6,19 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from mahovik.core.formula.derived import FormulaModule
+from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import LawLowering
 from mahovik.core.lower.member import Member, members
 from mahovik.core.lower.symbolic import translate
+from mahovik.core.lower.units import Unit
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.hold import wrench_columns
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import FreedomKind, Stand
 from mahovik.core.stand.structure_facts import Structure
 from mahovik.laws.friction.data import Friction as Row
 from mahovik.laws.friction.data import frictions_of
@@ -27,11 +29,12 @@ else:  # without SymPy, until a formula has to be derived
     formulas = FormulaModule("laws.friction.derive")
 
 REAL = Kind.REAL
+_ALONG = "wrench of a force 1 along the freedom; its product with V is the speed"
 FRICTION = Struct(
     "friction",
     "Friction of one freedom.",
     (
-        Field("direction", REAL, (6,), "", "wrench of a force 1 along the freedom; its product with V is the speed"),
+        Field("direction", REAL, (6,), "", _ALONG, of_hold=True),
         Field("viscous", REAL, (), "SI", "force per speed"),
         Field("coulomb", REAL, (), "SI", "force at high speed"),
         Field("breakaway", REAL, (), "SI", "force at low speed"),
@@ -39,6 +42,14 @@ FRICTION = Struct(
         Field("smoothing", REAL, (), "SI", "speed at which the smoothed sign is 1/sqrt(2); not zero"),
     ),
 )
+
+_KEYS = ("viscous", "coulomb", "breakaway", "stribeck_speed", "smoothing")
+_UNITS: dict[FreedomKind, tuple[Unit, ...]] = {
+    "slide": (units.DAMPING, units.FORCE, units.FORCE, units.VELOCITY, units.VELOCITY),
+    "turn": (units.ROTARY_DAMPING, units.TORQUE, units.TORQUE, units.ANGULAR_VELOCITY, units.ANGULAR_VELOCITY),
+    "twist": (units.JOULE_SECOND, units.ENERGY, units.ENERGY, units.RATE, units.RATE),
+}
+"""Units of _KEYS by what the freedom does."""
 
 _LAW = Argument("law", FRICTION)
 _TWIST = Argument("V", REAL, (6,), purpose="twist of the carrier")
@@ -65,10 +76,13 @@ class Friction(LawLowering):
         along = wrench_columns(stand.hold)
         return {"friction": [_row(friction, along[friction.freedom]) for friction in frictions_of(stand)]}
 
-    def members(self, field: Field, value: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
         """Freedom by freedom, counted from 1."""
-        for k, friction in enumerate(value):
-            yield from members(f"friction[{k + 1}]", FRICTION, friction)
+        assert stand.hold is not None
+        for k, (friction, row) in enumerate(zip(value, frictions_of(stand), strict=True)):
+            kind = stand.hold.freedoms[row.freedom].kind
+            own = dict(zip(_KEYS, _UNITS[kind], strict=True))
+            yield from members(f"friction[{k + 1}]", FRICTION, friction, own)
 
     def add_functions(self, lib: FunctionSet) -> None:
         """The friction of one freedom."""

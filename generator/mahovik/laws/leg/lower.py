@@ -60,7 +60,7 @@ class Legs(LawLowering):
         """Every leg as the file gives it."""
         return {"leg": [{f.name: getattr(leg, f.name) for f in LEG.fields} for leg in legs_of(stand)]}
 
-    def members(self, field: Field, value: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
         """Leg by leg, counted from 1."""
         for k, leg in enumerate(value):
             yield from members(f"leg[{k + 1}]", LEG, leg)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from mahovik.core.formula.derived import FormulaModule
+from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import LawLowering
 from mahovik.core.lower.member import Member, members
@@ -27,12 +28,11 @@ else:  # without SymPy, until a formula has to be derived
     formulas = FormulaModule("laws.stop.derive")
 
 REAL = Kind.REAL
-_DIRECTION = Field(
-    "direction", REAL, (6,), "", "wrench of a force 1 along the freedom; its product with V is the speed"
-)
+_ALONG = "wrench of a force 1 along the freedom; its product with V is the speed"
+_DIRECTION = Field("direction", REAL, (6,), "", _ALONG, of_hold=True)
 _PUSH = (
     Field("at", REAL, (), "SI", "coordinate at which the stop begins"),
-    Field("side", REAL, (), "", "1: stops what goes above, -1: what goes below"),
+    Field("side", REAL, (), "", "1: stops what goes above, -1: what goes below", of_hold=True),
     Field("stiffness", REAL, (), "SI", "force per depth"),
     Field("damping", REAL, (), "SI", "force per depth and speed"),
 )
@@ -41,8 +41,8 @@ TURN_STOP = Struct(
     "A stop of what turns.",
     (
         _DIRECTION,
-        Field("axis", REAL, (3,), "", "of the freedom, in E1, of length 1"),
-        Field("C0", REAL, (9,), "", "attitude of the home pose, row by row"),
+        Field("axis", REAL, (3,), "", "of the freedom, in E1, of length 1", of_hold=True),
+        Field("C0", REAL, (9,), "", "attitude of the home pose, row by row", of_hold=True),
         *_PUSH,
     ),
 )
@@ -51,11 +51,21 @@ SLIDE_STOP = Struct(
     "A stop of what slides.",
     (
         _DIRECTION,
-        Field("axis", REAL, (3,), "", "direction of the freedom in the home pose, in E0, of length 1"),
-        Field("home", REAL, (3,), "m", "place of the pivot in the home pose, in E0"),
+        Field("axis", REAL, (3,), "", "direction of the freedom in the home pose, in E0, of length 1", of_hold=True),
+        Field("home", REAL, (3,), "m", "place of the pivot in the home pose, in E0", of_hold=True),
         *_PUSH,
     ),
 )
+
+_UNITS = {
+    "slide_stop": {"at": units.METRE, "stiffness": units.STIFFNESS, "damping": units.DEPTH_DAMPING},
+    "turn_stop": {
+        "at": units.RADIAN,
+        "stiffness": units.ROTARY_STIFFNESS,
+        "damping": units.ROTARY_DEPTH_DAMPING,
+    },
+}
+"""Units of numbers of a stop that are those of its freedom, by the name of the struct."""
 
 
 class Stops(LawLowering):
@@ -86,11 +96,11 @@ class Stops(LawLowering):
             rows.setdefault(f"{kind}_stop", []).append(_row(stop, hold, kind, along[stop.freedom], C0))
         return rows
 
-    def members(self, field: Field, value: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
         """Stop by stop, counted from 1."""
         assert isinstance(field.type, Struct)
         for k, stop in enumerate(value):
-            yield from members(f"{field.name}[{k + 1}]", field.type, stop)
+            yield from members(f"{field.name}[{k + 1}]", field.type, stop, _UNITS[field.name])
 
     def add_functions(self, lib: FunctionSet) -> None:
         """The push of one stop."""

@@ -60,7 +60,7 @@ class Suspension(LawLowering):
         numbers = {"stiffness": law.stiffness, "damping": law.damping, "position": law.position}
         return {"suspension": numbers | {"attitude": attitude}}
 
-    def members(self, field: Field, value: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
         """Elements of both matrices and of the equilibrium."""
         for f in SUSPENSION.fields:
             given = member(value, f.name)

@@ -63,7 +63,7 @@ class Torquers(LawLowering):
                 row["mount"] = instruments.index(torquer.mount) if torquer.mount in instruments else -1
         return {"magnetic_field": list(law.magnetic_field), "torquer": rows}
 
-    def members(self, field: Field, value: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
         """The field; then torquer by torquer, counted from 1."""
         if field.name == "magnetic_field":
             yield from vector("magnetic_field", field, value, "magnetic field in E0")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -47,10 +46,10 @@ def follow(stand_file: str, options: FollowOptions, output: str | None, as_json:
     if options.servo is None or options.motion is None:
         missing = "--servo S.toml" if options.servo is None else "--motion M.json"
         raise UsageError(f"--programme {options.programme}: needs {missing}, which is missing")
-    share, table = share_of(options.mismatch), _rows(options.table)
+    table = _rows(options.table)
     with progress(f"follow {Path(options.programme).name}", unit="s") as stage:
         found = run(
-            stand, options.motion, options.programme, options.servo, mismatch=share, seed=options.seed,
+            stand, options.motion, options.programme, options.servo, mismatch=options.mismatch, seed=options.seed,
             periods=options.periods, begin=options.begin, table=table, backend=options.backend, causes=causes,
             progress=stage.show,
         )  # fmt: skip
@@ -73,20 +72,6 @@ def follow(stand_file: str, options: FollowOptions, output: str | None, as_json:
     if found.causes_interrupted:
         click.echo("interrupted: the run is complete, but its limits were not determined", err=True)
         raise SystemExit(INTERRUPTED)
-
-
-def share_of(text: str) -> float:
-    """A share from `1%`. Raises UsageError."""
-    number = text.strip()
-    try:
-        if not number.endswith("%"):
-            raise ValueError
-        found = float(number[:-1]) / 100.0
-    except ValueError:
-        raise UsageError(f"--mismatch {text}: expected per cent with their sign, such as 1%") from None
-    if not (math.isfinite(found) and found >= 0.0):
-        raise UsageError(f"--mismatch {text}: expected 0% or more")
-    return found
 
 
 def _rows(text: str) -> int | None:

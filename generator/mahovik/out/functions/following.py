@@ -11,7 +11,7 @@ import numpy as np
 
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import StandGiven, motion_of, servo_of
+from mahovik.out.functions.given import Number, StandGiven, motion_of, servo_of
 from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 from mahovik.out.functions.programmes import MotionGiven, Plan, Programme, ProgrammeGiven, given_programme
 from mahovik.out.functions.simulation import Simulation
@@ -112,7 +112,7 @@ def follow(
     programme: ProgrammeGiven | Programme | Plan,
     servo: Servo | str | Path,
     *,
-    mismatch: float = 0.0,
+    mismatch: Number = 0.0,
     seed: int = 1,
     periods: int | None = None,
     begin: str | None = None,
@@ -121,7 +121,7 @@ def follow(
     causes: bool = True,
     progress: OnProgress | None = None,
 ) -> Following:
-    """Follow a programme by sampled servos, on a stand whose numbers are wrong by `mismatch` (0.01: 1 %).
+    """Follow a programme by sampled servos, on a stand whose numbers are wrong by `mismatch` (0.01 or "1%").
 
     seed     of the errors; periods to run, None: until it has settled
     begin    "settled", "programme" or "rest", with the run-up; None: "settled", or of a finite programme "programme"
@@ -155,12 +155,27 @@ def _name(given: Any, otherwise: str) -> str:
     return Path(given).name if isinstance(given, str | Path) else otherwise
 
 
+def share_of(mismatch: Number) -> float:
+    """A share from `0.01` or `"1%"`. Raises UsageError."""
+    is_text = isinstance(mismatch, str)
+    try:
+        if is_text and not str(mismatch).strip().endswith("%"):
+            raise ValueError
+        found = float(str(mismatch).strip()[:-1]) / 100.0 if is_text else float(mismatch)
+    except (TypeError, ValueError):
+        wanted = "per cent with their sign, such as 1%" if is_text else "a share, such as 0.01, or a text, such as '1%'"
+        raise UsageError(f"--mismatch {mismatch}: expected {wanted}") from None
+    if not (math.isfinite(found) and found >= 0.0):
+        raise UsageError(f"--mismatch {mismatch}: expected {'0%' if is_text else '0'} or more")
+    return found
+
+
 def following_case(
     stand: Stand,
     motion: MotionGiven,
     programme: ProgrammeGiven | Programme | Plan,
     servo: Servo | str | Path,
-    mismatch: float,
+    mismatch: Number,
     seed: int,
     periods: int | None,
     begin: str | None,
@@ -173,8 +188,7 @@ def following_case(
     from mahovik.use.control.reference_motion import ReferenceMotion
     from mahovik.use.control.trim import design_trim
 
-    if not (math.isfinite(mismatch) and mismatch >= 0.0):
-        raise UsageError(f"--mismatch {mismatch:g}: expected 0 or more")
+    share = share_of(mismatch)
     found = given_programme(programme)
     source = _name(programme, "the programme")
     if not (whose := stand_finding(stand, found)).passed:
@@ -210,7 +224,7 @@ def following_case(
             f"--periods {periods}: expected at least {MEASURED_PERIODS + 1}: the last {MEASURED_PERIODS} are measured"
         )
     _check_loops(stand, servos, servo_source)
-    return Case(wanted, with_mismatch(stand, mismatch, seed), servos, periods, design, begin, backend)
+    return Case(wanted, with_mismatch(stand, share, seed), servos, periods, design, begin, backend)
 
 
 def _check_finite(source: str, periods: int | None, begin: str | None, table: int | None) -> None:

@@ -24,6 +24,7 @@ from mahovik.use.plan.certificate import (
 )
 from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, search_finite, table_of
 from mahovik.use.plan.held import refuse_unplannable
+from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.objective import Cost, Rows, exceeded_bounds, has_bounds
 from mahovik.use.plan.ocp import requested_partition
 from mahovik.use.plan.outcome import Candidates, OnProgress, Plan, PlanOptions
@@ -112,7 +113,7 @@ def _plan_periodic(
                     programme = drop_refused_tables(certify(problem.stand, motion, programme))
             yield programme
 
-    return _verified_plan(first, found, candidates, effort, programmes(), whole, options.keep)
+    return _verified_plan(problem.stand, first, found, candidates, effort, programmes(), whole, options.keep)
 
 
 def _plan_finite(
@@ -128,7 +129,7 @@ def _plan_finite(
     cost = Cost.of(own.mechanics, own.motion.objective, 2.0 * np.pi / own.motion.span)
     found = search_finite(problem, first.bias, options.seed, budget, max(options.enough, options.keep), tell)
     candidates: Candidates[FiniteSolution] = Candidates(
-        [(each, {}) for each in found.found], words=[_finite_not_found_message(found)]
+        [(each, {}) for each in found.found], words=[_finite_not_found_message(found, own.stand)]
     )
     if options.method != "fourier" and found.found and not found.interrupted:
         from mahovik.use.plan.ocp.plan import finite_ocp
@@ -155,7 +156,7 @@ def _plan_finite(
                     programme = certify(own.stand, own.motion, programme)
             yield programme
 
-    return _verified_plan(first, found, candidates, effort, programmes(), budget, options.keep)
+    return _verified_plan(own.stand, first, found, candidates, effort, programmes(), budget, options.keep)
 
 
 def _effort(found: Search[Any], options: PlanOptions, budget: Budget) -> dict[str, Any]:
@@ -172,6 +173,7 @@ def _effort(found: Search[Any], options: PlanOptions, budget: Budget) -> dict[st
 
 
 def _verified_plan(
+    stand: Stand,
     first: Preflight,
     found: Search[Any],
     candidates: Candidates[Any],
@@ -197,7 +199,8 @@ def _verified_plan(
     interrupted = found.interrupted or budget.interrupted
     if not good:
         return Plan("NO_PROGRAM", "SEARCH", tuple(refused), tuple(first.warnings), (), effort, interrupted)
-    warnings = (*first.warnings, *good[0].report.get("warnings", ()))
+    limits = motor_warnings(stand, good[0].report)
+    warnings = (*first.warnings, *limits, *good[0].report.get("warnings", ()))
     over = (*good[0].report["exceeded"], *shortcomings(good[0]))
     return Plan("OK_LIMIT" if over else "OK", None, over, warnings, tuple(good), effort, interrupted)
 
@@ -214,11 +217,13 @@ def not_found_message(found: Search[Candidate]) -> str:
     )
 
 
-def _finite_not_found_message(found: Search[FiniteSolution]) -> str:
-    """Message that no programme was found for a finite motion."""
+def _finite_not_found_message(found: Search[FiniteSolution], stand: Stand) -> str:
+    """Message that no programme was found for a finite motion. Two flywheels more than its rows keep I regular."""
+    few = stand.hold is None and len(stand.flywheels) < 8
     return (
         f"no programme was found (this does not prove that there is none): {found.starts} starts tried, best relative "
-        f"residual {found.best:.3g}, {found.end_reason}; try eight flywheels, a smaller or slower motion, or free means"
+        f"residual {found.best:.3g}, {found.end_reason}; try another seed, more time, a smaller or slower motion or "
+        f"{'eight flywheels' if few else 'one more flywheel'}"
     )
 
 

@@ -61,7 +61,7 @@ def laws(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]:
             yield from of_arrays[f.name](stand, given)
         else:
             law = next(law for law in layout.law_tables if f in law.fields(layout.structure))
-            yield from law.members(f, given)
+            yield from law.members(stand, f, given)
 
 
 def _damper_members(body: str, layout: Layout, value: Any) -> Iterator[Member]:

@@ -246,10 +246,17 @@ def floquet_finding(stand: Stand, motion: RequiredMotion, programme: Programme, 
     if value > limit:
         words = "largest multiplier: the motion is right, but not stable without feedback"
     elif value > 2 - limit:
-        words = "largest multiplier: neutral, the carrier is free to drift"
+        words = f"largest multiplier: neutral, the carrier {_neutral(found, limit - 1)}"
     else:
         words = f"largest multiplier: stable, disturbances decay by {value:.3g} a period"
     return Finding("Floquet", value, limit, bool(np.isfinite(value)), words, found)
+
+
+def _neutral(found: tuple[complex, ...], near: float) -> str:
+    """What multipliers of modulus 1 mean: one that is 1 itself keeps a displacement, any other one turns it on."""
+    kept = [abs(z - 1) <= near for z in found if abs(z) > 1 - near]
+    drifts = ["is free to drift"] if any(kept) else []
+    return " and ".join([*drifts, *([] if all(kept) else ["swings undamped"])])
 
 
 FREE = 1e-6
