@@ -128,7 +128,7 @@ def _plan_finite(
     cost = Cost.of(own.mechanics, own.motion.objective, 2.0 * np.pi / own.motion.span)
     found = search_finite(problem, first.bias, options.seed, budget, max(options.enough, options.keep), tell)
     candidates: Candidates[FiniteSolution] = Candidates(
-        [(each, {}) for each in found.found], words=[_finite_not_found_message(found)]
+        [(each, {}) for each in found.found], words=[_finite_not_found_message(found, problem)]
     )
     if options.method != "fourier" and found.found and not found.interrupted:
         from mahovik.use.plan.ocp.plan import finite_ocp
@@ -214,11 +214,12 @@ def not_found_message(found: Search[Candidate]) -> str:
     )
 
 
-def _finite_not_found_message(found: Search[FiniteSolution]) -> str:
+def _finite_not_found_message(found: Search[FiniteSolution], problem: FiniteProblem) -> str:
     """Message that no programme was found for a finite motion."""
+    wheels = "eight flywheels" if problem.stand.hold is None else "more flywheels than freedoms"
     return (
         f"no programme was found (this does not prove that there is none): {found.starts} starts tried, best relative "
-        f"residual {found.best:.3g}, {found.end_reason}; try eight flywheels, a smaller or slower motion, or free means"
+        f"residual {found.best:.3g}, {found.end_reason}; try {wheels}, a smaller or slower motion, or free means"
     )
 
 
@@ -245,7 +246,7 @@ def _finite_report(problem: FiniteProblem, cost: Cost, solved: FiniteSolution) -
     """Figures of a finite programme."""
     motion, span = solved.motion, problem.motion.span
     t = np.linspace(0.0, span, _TIMES)
-    grid = problem.grid_of(solved.degree, t)
+    grid = problem.grid_of(solved.space, t)
     angles: Angles = motion.at(grid.basis)
     at = linear(prescribe(problem.mechanics, grid.course, motion.bias), *angles)
     swing = angles.phi - angles.phi.mean(axis=0)
