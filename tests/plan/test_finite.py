@@ -65,7 +65,7 @@ def test_bench8_moves_from_rest_to_rest() -> None:
     (solved,) = search_finite(problem, preflight(own).bias, 0, Budget(2000)).found
     assert solved.residual < 1e-7
     table = table_of(problem, solved)
-    fine = problem.grid_between_nodes(solved.degree, 17)
+    fine = problem.grid_between_nodes(solved.space, 17)
     R = problem.scaled_residual(fine, solved.motion.bias, Angles(*table.at(fine.t)))
     assert np.linalg.norm(R, axis=1).max() < 1e-6
     assert np.abs(table.phi_dot[0]).max() < 1e-9

@@ -3,6 +3,9 @@
 The motion's q'' has kinks of its third derivative at the samples; phi'' needs the same kinks, so phi is four times
 differentiable there and a polynomial between. Modes are those of a free beam in that space: the first is constant,
 and each has a frequency; the search damps by it.
+
+Wheels of a held carrier that follow (12) in time may turn many times: their motions are fitted, by splines with further
+breaks between the samples where they must be, and refined in the same way.
 """
 
 from __future__ import annotations
@@ -18,6 +21,7 @@ from mahovik.core.motion.programme import Angles, Samples
 from mahovik.core.motion.required.course import SampledCourse
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.followed import angles_at, follow, resolved
 from mahovik.use.plan.levenberg import Rules, StartBatch, refine
 from mahovik.use.plan.outcome import OnProgress
 from mahovik.use.plan.problem import Basis, Grid, Periodic, Problem
@@ -103,18 +107,34 @@ class SplineSpace:
 
     def convert(self, waves: Array, other: SplineSpace) -> Array:
         """Coefficients (N, size) here of the function with `waves` (N, n) in a space of lower degree or fewer modes."""
+        t, _ = self.nodes(self.degree + 1)
+        theirs = other.modes(t, waves.shape[1]).value @ waves[:, :].T
+        return self._fit(theirs, waves[:, :1])
+
+    def fit(self, table: Samples) -> Array:
+        """Coefficients (N, size) nearest to the angles of a table, less its start speed."""
+        t, weight = self.nodes(self.degree + 1)
+        angles = angles_at(table, t)
+        if self.pinned:
+            return self._fit(angles, table.phi[0][:, None])
+        root = np.sqrt(weight)[:, None]
+        return np.asarray(np.linalg.lstsq(root * self.modes(t).value, root * angles, rcond=None)[0].T)
+
+    def _fit(self, angles: Array, first: Array) -> Array:
+        """Coefficients of angles at the nodes, where that of the first mode (N, 1) is known."""
         t, weight = self.nodes(self.degree + 1)
         root = np.sqrt(weight)[:, None]
-        theirs = other.modes(t, waves.shape[1]).value @ waves[:, :].T
-        first = waves[:, :1]
-        left = root * (theirs - first.T)
-        rest = np.linalg.lstsq(root * self.modes(t).value[:, 1:], left, rcond=None)[0]
+        rest = np.linalg.lstsq(root * self.modes(t).value[:, 1:], root * (angles - first.T), rcond=None)[0]
         return np.hstack([first, rest.T])
 
 
 DEGREES = (5, 7, 9, 11, 13)
 """Spline degrees tried, in order."""
 DRAWN, CHOSEN, REFINED, ROUNDS = 192, 32, 6, 8
+FOLLOWED = 32
+"""Starts of a held carrier that follow (12) in time."""
+_NEAR = 1e-3
+"""Relative residual of fitted splines beyond which they are not refined."""
 _SCORED, _CROWD, _STEPS = 8, 12, 15
 """Modes for the score; modes of the batch; its steps."""
 _VARIATION = 0.1
@@ -145,21 +165,23 @@ class SplineMotion(Periodic):
 class FiniteProblem(Problem):
     """The problem of a finite motion."""
 
-    _spaces: dict[int, SplineSpace] = field(default_factory=dict)
+    _spaces: dict[tuple[int, int], SplineSpace] = field(default_factory=dict)
 
     @staticmethod
     def from_problem(own: Problem) -> FiniteProblem:
         """The finite problem with the data of `own`."""
         return FiniteProblem(own.stand, own.motion, own.mechanics, own.norm, own.free, own.tolerance)
 
-    def space(self, degree: int) -> SplineSpace:
-        """Splines of a degree, with breaks at the samples of the motion."""
-        if degree not in self._spaces:
+    def space(self, degree: int, parts: int = 1) -> SplineSpace:
+        """Splines of a degree, with breaks at the samples of the motion and `parts` intervals between two of them."""
+        if (degree, parts) not in self._spaces:
             course = self.motion.course
             breaks = course.t if isinstance(course, SampledCourse) else np.linspace(0.0, self.motion.span, 13)
+            rows = np.arange(len(breaks))
+            breaks = np.interp(np.arange(parts * rows[-1] + 1) / parts, rows, breaks) if parts > 1 else breaks
             pinned = self.motion.bounds.start_phi is not None
-            self._spaces[degree] = SplineSpace(self.motion.span, breaks, degree, pinned)
-        return self._spaces[degree]
+            self._spaces[degree, parts] = SplineSpace(self.motion.span, breaks, degree, pinned)
+        return self._spaces[degree, parts]
 
     def grid(self, M: int, H: int, shift: float = 0.0) -> Grid:
         """M uniform times with the first H + 1 modes of the lowest degree, for batches of starts."""
@@ -169,15 +191,23 @@ class FiniteProblem(Problem):
             self._grids[key] = Grid(t, self.motion.at(t), self.space(DEGREES[0]).modes(t, H + 1))
         return self._grids[key]
 
-    def grid_of(self, degree: int, t: Array) -> Grid:
-        """All modes of a degree at given times."""
-        return Grid(t, self.motion.at(t), self.space(degree).modes(t))
+    def grid_of(self, space: SplineSpace, t: Array) -> Grid:
+        """All modes of a space at given times."""
+        return Grid(t, self.motion.at(t), space.modes(t))
 
-    def grid_between_nodes(self, degree: int, each: int) -> Grid:
-        """Grid with `each` times in every interval of the samples, none of them a node of the collocation."""
-        breaks = self.space(degree).breaks
+    def grid_between_nodes(self, space: SplineSpace, each: int) -> Grid:
+        """Grid with `each` times in every interval of the space, none of them a node of the collocation."""
         inside = (np.arange(each) + 0.381966) / each
-        return self.grid_of(degree, (breaks[:-1, None] + np.diff(breaks)[:, None] * inside).ravel())
+        return self.grid_of(space, (space.breaks[:-1, None] + np.diff(space.breaks)[:, None] * inside).ravel())
+
+    def collocation(self, space: SplineSpace) -> Grid:
+        """Grid of the nodes where (12) is solved; each end has four more, as it adds four functions."""
+        return self.grid_of(space, space.nodes(max(3, space.degree - 2), 4)[0])
+
+    def between(self, space: SplineSpace, motion: Periodic) -> float:
+        """Relative residual between the nodes."""
+        fine = self.grid_between_nodes(space, 3 * space.degree)
+        return float(np.linalg.norm(self.rows(fine, motion), axis=1).max())
 
 
 class SplineBatch(StartBatch):
@@ -195,11 +225,16 @@ class SplineBatch(StartBatch):
 
 @dataclass(frozen=True, eq=False)
 class FiniteSolution:
-    """A finite programme: modes of a degree, its residual between the nodes."""
+    """A finite programme: modes of a space, its residual between the nodes."""
 
     motion: Periodic
-    degree: int
+    space: SplineSpace
     residual: float
+
+    @property
+    def degree(self) -> int:
+        """Degree of its splines."""
+        return self.space.degree
 
 
 def search_finite(
@@ -214,8 +249,12 @@ def search_finite(
     rng, state, N = np.random.default_rng(seed), Search[FiniteSolution](tried={"finite": 0}), problem.N
     bounds = problem.motion.bounds
     speed = np.array(bounds.start_phi_dot or (0.0,) * N) * problem.motion.span / (2.0 * np.pi)
+    spare = N - problem.rows_count  # flywheels beyond the freedoms: without any, (12) leaves no choice to search
+    followed_in = None if problem.stand.hold is None or spare < 0 else min(spare, 1)
     try:
-        for _ in range(ROUNDS):
+        for number in range(ROUNDS):
+            if number == followed_in:
+                _follow(problem, bias, seed, budget, enough, state, on_progress)
             if state.found or budget.exhausted:
                 break
             state.doing = "searching"
@@ -247,23 +286,77 @@ def search_finite(
     return state
 
 
+def _follow(
+    problem: FiniteProblem,
+    bias: Array,
+    seed: int,
+    budget: Budget,
+    enough: int,
+    state: Search[FiniteSolution],
+    on_progress: OnProgress,
+) -> None:
+    """Programmes from motions that follow (12) in time, the least mean square of phi'' first."""
+    state.doing = "searching"
+    on_progress(state)
+    bounds, N = problem.motion.bounds, problem.N
+    phi = np.random.default_rng(seed).uniform(-np.pi, np.pi, (FOLLOWED, N))
+    if bounds.start_phi is not None:
+        phi = np.array([bounds.start_phi])
+    tables = follow(problem, bias, phi, np.array(bounds.start_phi_dot or (0.0,) * N), budget)
+    state.starts += len(phi)
+    state.tried["finite"] = state.starts
+    state.doing = "improving"
+    for table in tables[:REFINED]:
+        on_progress(state)
+        if budget.exhausted or len(state.found) >= enough:
+            break
+        fine = resolved(problem, bias, table, budget)
+        solved = None if fine is None else fit(problem, bias, fine, budget)
+        if solved is not None:
+            state.remember(solved.residual)
+            if solved.residual < problem.tolerance:
+                state.found.append(solved)
+
+
+def fit(problem: FiniteProblem, bias: Array, table: Samples, budget: Budget) -> FiniteSolution | None:
+    """The table as splines, of rising degree and then of more intervals until they can follow it, and refined.
+
+    None: the budget ends before the splines are near enough to the table.
+    """
+    winding = table.phi_dot[0] * problem.motion.span / (2.0 * np.pi)
+    found: FiniteSolution | None = None
+    for degree, parts in (*((each, 1) for each in DEGREES), (DEGREES[-1], 2), (DEGREES[-1], 4)):
+        space = problem.space(degree, parts)
+        if (space.size * problem.N > _MOST_UNKNOWNS and degree > DEGREES[0]) or budget.exhausted:
+            break
+        motion = SplineMotion(problem.motion.span, winding, space.fit(table), bias)
+        if problem.between(space, motion) > _NEAR:
+            continue
+        rules = Rules(1e-3 * problem.tolerance, 8, 1e-6)
+        reached = refine(problem, problem.collocation(space), motion, rules, budget).motion
+        residual = problem.between(space, reached)
+        if found is None or residual < found.residual:
+            found = FiniteSolution(reached, space, residual)
+        if residual < 0.5 * problem.tolerance:
+            break
+    return found
+
+
 def collocate(problem: FiniteProblem, start: Periodic, budget: Budget) -> FiniteSolution:
     """Collocation at Gauss points in every interval, degree by degree, from modes of the lowest degree."""
     motion, damping, before, below = start, 1e-2, np.inf, problem.space(DEGREES[0])
-    found = FiniteSolution(start, DEGREES[0], np.inf)
+    found = FiniteSolution(start, below, np.inf)
     for degree in DEGREES:
         space = problem.space(degree)
         if space.size * problem.N > _MOST_UNKNOWNS and degree > DEGREES[0]:
             break
         motion = replace(motion, waves=space.convert(motion.waves, below))
-        grid = problem.grid_of(degree, space.nodes(max(3, degree - 2), 4)[0])  # each end adds four functions
-        first = degree == DEGREES[0]
+        grid, first = problem.collocation(space), degree == DEGREES[0]
         reached = refine(problem, grid, motion, Rules(1e-3 * problem.tolerance, 25 if first else 8, damping), budget)
         motion, damping, below = reached.motion, reached.damping, space
-        fine = problem.grid_between_nodes(degree, 3 * degree)
-        residual = float(np.linalg.norm(problem.rows(fine, motion), axis=1).max())
+        residual = problem.between(space, motion)
         if residual < found.residual:
-            found = FiniteSolution(motion, degree, residual)
+            found = FiniteSolution(motion, space, residual)
         if (
             residual < 0.1 * problem.tolerance
             or residual > 0.5 * before
@@ -280,8 +373,8 @@ def table_of(problem: FiniteProblem, solved: FiniteSolution) -> Samples:
 
     Rows stand at the samples and evenly between them: kinks of the fifth derivative fall on rows.
     """
-    space, each = problem.space(solved.degree), 4
-    between = problem.grid_between_nodes(solved.degree, 61)
+    space, each = solved.space, 4
+    between = problem.grid_between_nodes(space, 61)
     while True:
         inside = np.arange(each) / each
         t = (space.breaks[:-1, None] + np.diff(space.breaks)[:, None] * inside).ravel()

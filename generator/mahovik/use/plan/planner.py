@@ -250,7 +250,7 @@ def _finite_report(problem: FiniteProblem, cost: Cost, solved: FiniteSolution) -
     """Figures of a finite programme."""
     motion, span = solved.motion, problem.motion.span
     t = np.linspace(0.0, span, _TIMES)
-    grid = problem.grid_of(solved.degree, t)
+    grid = problem.grid_of(solved.space, t)
     angles: Angles = motion.at(grid.basis)
     at = linear(prescribe(problem.mechanics, grid.course, motion.bias), *angles)
     swing = angles.phi - angles.phi.mean(axis=0)

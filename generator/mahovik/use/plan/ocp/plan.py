@@ -60,13 +60,13 @@ def exact_periodic(improver: Improver, start: Candidate, found: CollocatedMotion
 
 def finite_start(problem: FiniteProblem, solved: FiniteSolution) -> Start:
     """A finite flywheel motion as a start."""
-    space = problem.space(solved.degree)
+    space = solved.space
     return Start(lambda t: solved.motion.at(space.modes(t)), np.zeros(problem.N), solved.motion.bias)
 
 
 def finite_exact(problem: FiniteProblem, start: FiniteSolution, found: CollocatedMotion) -> FiniteSolution:
     """The finite motion on (12) next to a collocated one: fit of its modes, then steps at the degree of the start."""
-    space = problem.space(start.degree)
+    space = start.space
     t, weight = space.nodes(start.degree + 1)
     root = np.sqrt(weight)[:, None]
     modes, phi = space.modes(t), found.at(t).phi - t[:, None] * found.phi_dot[:, 0]
@@ -78,12 +78,11 @@ def finite_exact(problem: FiniteProblem, start: FiniteSolution, found: Collocate
     waves[:, 0] = first
     waves[:, columns] = np.linalg.lstsq(root * modes.value[:, columns], left, rcond=None)[0].T
     motion = replace(start.motion, waves=waves, bias=found.bias)
-    grid = problem.grid_of(start.degree, space.nodes(max(3, start.degree - 2), 4)[0])
+    grid = problem.collocation(space)
     reached = refine(
         problem, grid, motion, Rules(1e-3 * problem.tolerance, REFINEMENT_STEPS, 1e-2), Budget(REFINEMENT_STEPS)
     ).motion
-    fine = problem.grid_between_nodes(start.degree, 3 * start.degree)
-    return FiniteSolution(reached, start.degree, float(np.linalg.norm(problem.rows(fine, reached), axis=1).max()))
+    return FiniteSolution(reached, space, problem.between(space, reached))
 
 
 INTERVALS, DEGREE = 24, 4
@@ -148,7 +147,7 @@ def finite_ocp(
     on_progress: OnProgress,
 ) -> Candidates[FiniteSolution]:
     """(13) of a finite motion with x(t0) = x0, from programmes of the search; `figures`: of one, for its report."""
-    breaks = problem.space(warm[0].degree).breaks / problem.motion.span if warm else np.linspace(0.0, 1.0, 13)
+    breaks = warm[0].space.breaks / problem.motion.span if warm else np.linspace(0.0, 1.0, 13)
     inside = np.arange(EACH) / EACH
     fine = np.append((breaks[:-1, None] + np.diff(breaks)[:, None] * inside).ravel(), 1.0)
     task = _Task[FiniteSolution](

@@ -1,0 +1,88 @@
+"""Finite motions of held carriers whose wheels follow (12) in time and turn many times."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from mahovik.core.motion.required import RequiredMotion, read_motion
+from mahovik.core.stand import Stand, loads
+from mahovik.proof.reference.hold import acceleration
+from mahovik.proof.verify.programme.mechanics import pieces_at, twist, twist_rate
+from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, search_finite, table_of
+from mahovik.use.plan.preflight import preflight
+from mahovik.use.plan.problem import Problem
+
+PIVOT = """
+schema = 1
+name = "pivot"
+gravity = [0, 0, -9.81]
+[carrier]
+mass = "2 kg"
+center_of_mass = ["5 mm", 0, "-60 mm"]
+inertia = [6e-3, 7e-3, 5e-3]
+inertia_about = "center_of_mass"
+[hold]
+freedoms = ["pitch"]
+pivot = [0, 0, "40 mm"]
+[[flywheel]]
+name = "w1"
+position = [0, "20 mm", "-120 mm"]
+axis = [0, 1, 0]
+zero = [0, 0, 1]
+mass = "250 g"
+spin_inertia = 4e-4
+transverse_inertia = [2.2e-4, 2.5e-4]
+unbalance = { static = "20 g mm", dynamic = "40 g mm^2" }
+"""
+"""A carrier that sags beside its pivot, so that the wheel turns faster and faster to hold it."""
+
+
+def turn(own: Stand, samples: int, free: bool = True) -> RequiredMotion:
+    """0.2 rad in 1 s, from the home pose or (`free`) from where the carrier hangs."""
+    t = np.linspace(0.0, 1.0, samples)
+    q = 0.2 * (10 * t**3 - 15 * t**4 + 6 * t**5)
+    table = {"t": t.tolist(), "q": q[:, None].tolist()}
+    document = {"schema": 1, "type": "finite", "duration": 1.0, "samples": table, "free_mean": [free]}
+    return read_motion(json.dumps(document), own, "m.json")
+
+
+def found_for(required: RequiredMotion, own: Stand) -> tuple[FiniteProblem, FiniteSolution]:
+    problem = Problem.of(own, required)
+    finite = FiniteProblem.from_problem(problem)
+    (solved,) = search_finite(finite, preflight(problem).bias, 0, Budget(2000)).found
+    return finite, solved
+
+
+@pytest.mark.parametrize(
+    ("samples", "free", "parts"),
+    [(41, True, 1), (16, True, 4), pytest.param(41, False, 4, marks=pytest.mark.slow)],
+)
+def test_one_unbalanced_wheel_turns_a_carrier_on_a_pivot(samples: int, free: bool, parts: int) -> None:
+    """By the reference, the wheel's motion gives the required acceleration; few samples need breaks between them."""
+    own = loads(PIVOT)
+    required = turn(own, samples, free)
+    finite, solved = found_for(required, own)
+    assert len(solved.space.breaks) == parts * (samples - 1) + 1
+    table = table_of(finite, solved)
+    assert np.ptp(table.phi) > 9 * 2 * np.pi and np.abs(table.phi_dot[0]).max() < 1e-9
+    t = np.linspace(0.013, 0.987, 40)
+    course, angles = required.at(t, solved.motion.bias), table.at(t)
+    errors, wanted = [], []
+    for k in range(len(t)):
+        V = twist(own, course.q[k], course.q_dot[k])
+        at = pieces_at(own, course.q[k], V, angles.phi[k], angles.phi_dot[k])
+        wanted.append(twist_rate(own, course.q[k], course.q_dot[k], course.q_ddot[k]))
+        errors.append(acceleration(at, own, angles.phi_ddot[k]) - wanted[-1])
+    assert np.abs(errors).max() < 1e-5 * np.abs(wanted).max()
+
+
+def test_a_wheel_across_the_freedom_is_not_followed() -> None:
+    """Only its unbalance acts along the freedom, in vain at rest: no programme, and no warning of NumPy."""
+    own = loads(PIVOT.replace("axis = [0, 1, 0]", "axis = [1, 0, 0]"))
+    problem = Problem.of(own, turn(own, 41))
+    state = search_finite(FiniteProblem.from_problem(problem), np.zeros(1), 0, Budget(40))
+    assert not state.found and state.starts > 0
