@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define AUV6_RECORDER_FORMAT 3u           /* version of the log format */
-#define AUV6_RECORDER_SOURCE 0x543d6f1au  /* FNV-1a hash of the texts of auv6.h and auv6.c */
+#define AUV6_RECORDER_SOURCE 0x7ae59a24u  /* FNV-1a hash of the texts of auv6.h and auv6.c */
 #define AUV6_RECORD_BYTES    501  /* longest record of a step; most have 64 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

@@ -53,7 +53,7 @@ __asm__(".globl demo3_link_double_lanes1_v0_1_0_fdeb29e7\n"
 #define DEMO3_APART
 #endif
 
-/* On desktop processors a copy in each caller is faster; on small ones, and for size, it takes too much code. */
+/* On desktop processors copies in the callers are faster; elsewhere they take too much code. */
 #if defined __GNUC__ && !defined __OPTIMIZE_SIZE__ && (defined __x86_64__ || defined __aarch64__)
 #define DEMO3_COPIED inline __attribute__((always_inline))
 #else

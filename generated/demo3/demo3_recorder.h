@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define DEMO3_RECORDER_FORMAT 3u           /* version of the log format */
-#define DEMO3_RECORDER_SOURCE 0xfe5afdf6u  /* FNV-1a hash of the texts of demo3.h and demo3.c */
+#define DEMO3_RECORDER_SOURCE 0xeb5a7566u  /* FNV-1a hash of the texts of demo3.h and demo3.c */
 #define DEMO3_RECORD_BYTES    357  /* longest record of a step; most have 40 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define EYE4_RECORDER_FORMAT 3u           /* version of the log format */
-#define EYE4_RECORDER_SOURCE 0x8d7f6057u  /* FNV-1a hash of the texts of eye4.h and eye4.c */
+#define EYE4_RECORDER_SOURCE 0xdf58297du  /* FNV-1a hash of the texts of eye4.h and eye4.c */
 #define EYE4_RECORD_BYTES    445  /* longest record of a step; most have 48 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

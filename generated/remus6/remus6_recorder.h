@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define REMUS6_RECORDER_FORMAT 3u           /* version of the log format */
-#define REMUS6_RECORDER_SOURCE 0x7f9db7dbu  /* FNV-1a hash of the texts of remus6.h and remus6.c */
+#define REMUS6_RECORDER_SOURCE 0x9436676bu  /* FNV-1a hash of the texts of remus6.h and remus6.c */
 #define REMUS6_RECORD_BYTES    501  /* longest record of a step; most have 64 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define SAT4_RECORDER_FORMAT 3u           /* version of the log format */
-#define SAT4_RECORDER_SOURCE 0x4888ea27u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
+#define SAT4_RECORDER_SOURCE 0x7cc13435u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
 #define SAT4_RECORD_BYTES    397  /* longest record of a step; most have 48 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

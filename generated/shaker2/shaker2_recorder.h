@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define SHAKER2_RECORDER_FORMAT 3u           /* version of the log format */
-#define SHAKER2_RECORDER_SOURCE 0x0783534cu  /* FNV-1a hash of the texts of shaker2.h and shaker2.c */
+#define SHAKER2_RECORDER_SOURCE 0x4d9fc896u  /* FNV-1a hash of the texts of shaker2.h and shaker2.c */
 #define SHAKER2_RECORD_BYTES    317  /* longest record of a step; most have 32 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

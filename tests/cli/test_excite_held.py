@@ -42,7 +42,7 @@ def test_the_programme_of_a_pendulum_is_a_regime(own_folder: Path) -> None:
         ({"freedoms": []}, ("--channels", ","), "expected names of channels between commas"),
         ({"freedoms": ["pitch"]}, ("--noise", "gyro.force=1"), "unknown channel"),
         ({"freedoms": ["pitch"]}, ("--noise", "force=1 N m"), "expected a force"),
-        ({"freedoms": ["pitch"]}, ("--free", "hold.angles"), "hold.angles"),
+        ({"freedoms": ["pitch"]}, ("--free", "hold.freedoms"), "hold.freedoms"),
     ],
 )
 def test_what_makes_no_sense_is_refused(own_folder: Path, hold: Any, options: tuple[str, ...], words: str) -> None:

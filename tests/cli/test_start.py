@@ -59,7 +59,7 @@ def test_a_command_imports_only_what_it_needs(arguments: tuple[str, ...], own_fo
     ("module", "without"),
     [
         ("mahovik.use.study.linear", ("mahovik.use.plan.planner", "mahovik.use.simulate.run", "scipy")),
-        ("mahovik.use.study.friction_steps", ("mahovik.core.motion", "mahovik.use.simulate.case")),
+        ("mahovik.use.simulate.friction_steps", ("mahovik.core.motion", "mahovik.use.simulate.case")),
     ],
 )
 def test_a_study_does_not_load_what_it_takes_no_part_of(module: str, without: tuple[str, ...]) -> None:

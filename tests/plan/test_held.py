@@ -15,10 +15,11 @@ from mahovik.core.motion.required import RequiredMotion, read_motion
 from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
 from mahovik.proof.verify.programme import held, simulation, verify_programme
+from mahovik.use.control.nearest_coordinates import held_coordinates
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.problem import Problem
-from mahovik.use.plan.residual.held_kinematics import held_coordinates, held_pose, held_slopes, held_twists
+from mahovik.use.plan.residual.held_kinematics import held_pose, held_slopes, held_twists
 from plan.held_stands import HOLDS, stand, wheel
 
 QUICK = PlanOptions(steps=60, enough=1)

@@ -16,7 +16,8 @@ from mahovik.out.campaign.pose import Array, rotation
 from mahovik.proof.reference.rotation import kinematic_matrix
 from mahovik.proof.verify.programme.mechanics import Scale, scale_of
 from mahovik.use.control.coordinates import coordinates
-from mahovik.use.plan.residual.held_kinematics import held_coordinates, held_slopes
+from mahovik.use.control.nearest_coordinates import held_coordinates
+from mahovik.use.plan.residual.held_kinematics import held_slopes
 
 
 @dataclass(frozen=True, eq=False)

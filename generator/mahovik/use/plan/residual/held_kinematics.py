@@ -9,7 +9,6 @@ the twist so far to V_new = Ad V + S x', Ad the change of frame by the motion, a
 from __future__ import annotations
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.course import Course
 from mahovik.core.stand.coordinates import coordinates_of
@@ -17,12 +16,6 @@ from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.spatial import attitude, motor_cross, skew
-
-_MOST, _LONGEST = 40, 3.0
-"""Most steps of Newton's method; longest step of a coordinate, m or rad."""
-
-_CLOSE, _REACHED = 1e-13, 1e-6
-"""m, rad: a pose this near is met; one farther off is not reached."""
 
 SMALL = 1e-2
 """rad: below it the translation of a screw is taken from a series."""
@@ -66,32 +59,6 @@ def held_slopes(stand: Stand, x: Array) -> Array:
         one[:, k] = 1.0
         columns.append(held_twists(stand, Course(x, one, none))[0])
     return np.stack(columns, axis=2)
-
-
-def held_coordinates(stand: Stand, O1: Array, C: Array, near: Array) -> Array:
-    """Coordinates (M, m) of poses O1 (M, 3; m), C (M, 3, 3), by Newton's method from `near` (M, m).
-
-    Angles are those within half a turn of `near`. NaN where the freedoms do not reach the pose.
-    """
-    x, moving = near.copy(), np.arange(len(near))
-    for _ in range(_MOST):
-        off = _offset(stand, O1[moving], C[moving], x[moving])
-        far = np.abs(off).max(axis=1, initial=0.0) > _CLOSE * (1.0 + np.abs(O1[moving]).max(axis=1, initial=0.0))
-        moving, off = moving[far], off[far]  # rows that have converged stay: their bits depend on no other row
-        if not len(moving):
-            break
-        step = (np.linalg.pinv(held_slopes(stand, x[moving])) @ off[:, :, None])[:, :, 0]
-        x[moving] += np.clip(step, -_LONGEST, _LONGEST)
-    lost = np.abs(_offset(stand, O1, C, x)).max(axis=1, initial=0.0) > _REACHED
-    return np.where(lost[:, None], np.nan, x)
-
-
-def _offset(stand: Stand, O1: Array, C: Array, x: Array) -> Array:
-    """Shift and rotation vector (M, 6; m, rad) in E1 from the pose at coordinates x to another."""
-    there, place = held_pose(stand, x)
-    back = np.swapaxes(there, 1, 2)
-    turned = Rotation.from_matrix(back @ C).as_rotvec()
-    return np.hstack([(back @ (O1 - place)[:, :, None])[:, :, 0], turned])
 
 
 def _motion(S: Array, x: Array) -> tuple[Array, Array]:
