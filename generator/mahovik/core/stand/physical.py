@@ -20,8 +20,8 @@ Array = NDArray[np.float64]
 LEAST_EIGENVALUE = 1e-12  # stand.md
 RELATIVE = 1e-9  # stand.md: a flat disc, rounded, is a body
 
-MOST_CONDITION = 2.0**20
-"""Largest condition of S^T D S of a basis: a double has ten digits left, where two rows differ by a 500th."""
+MOST_CONDITION = 5e5
+"""Largest condition of S^T D S of a basis: a double has ten digits left, where two rows differ by a 350th."""
 
 
 LARGEST = BOUNDS["MAX_PARAMETER"].value
@@ -150,11 +150,11 @@ def _check_basis(stand: Stand, problems: Problems) -> None:
     with np.errstate(all="ignore"):
         condition = condition_of_twists(stand, twists(stand.hold))
     if condition > MOST_CONDITION:
-        found = f"condition {condition:.2g}" if np.isfinite(condition) else "a condition above 1e15"
+        found = f"condition {condition:.2g}" if np.isfinite(condition) else "a condition that no double can tell"
         problems.add(
             "hold",
             "basis",
             f"rows are nearly dependent, by masses and inertias as units they have {found}, expected at most "
-            f"{MOST_CONDITION:.2g}: say the same motions by rows that differ more, such as by the difference of two rows "
+            f"{MOST_CONDITION:g}: say the same motions by rows that differ more, such as by the difference of two rows "
             "in place of one of them",
         )
