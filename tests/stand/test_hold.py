@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mahovik.core.stand import dumps, identities, loads, structure
+from mahovik.core.stand.definite import condition_of_twists
 from mahovik.core.stand.hold import (
     FREEDOMS,
     has_coordinates,
@@ -168,6 +169,8 @@ def test_a_hold_that_is_no_table_is_shown_one(text: str) -> None:
         ("pivot = [0, 0, 1]", "it is not said how the carrier can move, expected one of"),
         ("slide = [0, 0, 1]\npivot = [0, 0, 1]", "pivot: given together with slide"),
         ("basis = [[1, 0, 0, 0, 0, 1], [2, 0, 0, 0, 0, 2]]", "row 1 follows from row 0"),
+        ("basis = [[1, 0, 0, 0, 0, 0], [1, 0, 0, 0, 0, 1e-13]]", "rows are nearly dependent, by masses and inertias"),
+        ("basis = [[1, 0, 0, 0, 0, 0], [1, 0, 0, 0, 0, 1e-3]]", "the difference of two rows in place of one"),
         ("basis = [[1, 0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 0]]", "a row of zeros is no motion"),
         ("basis = [[1, 0, 0]]", "expected 6 numbers, found 3"),
         ("basis = []", "freedoms = [] is clamped"),
@@ -180,6 +183,34 @@ def test_a_hold_that_is_none_is_refused_in_one_line(text: str, reason: str) -> N
         loads(with_hold(text))
     (line,) = caught.value.problems
     assert "hold" in line and reason in line
+
+
+@pytest.mark.parametrize(
+    "basis",
+    [
+        "[[1, 0, 0, 0, 0, 0], [1, 0, 0, 0, 0, 0.1]]",
+        "[[0, 0, 0, 0, 0, 1], [0.1, 0, 0, 0, 0, 1], [0, 1, 0, 1e-13, 0, 0]]",  # a screw of a very small pitch
+        "[[1, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e-9]]",  # whatever the unit of a row
+    ],
+)
+def test_rows_that_differ_are_taken_whatever_their_size(basis: str) -> None:
+    stand = loads(with_hold(f"basis = {basis}"))
+    assert stand.hold is not None and np.linalg.matrix_rank(twists(stand.hold), tol=1e-10) == len(stand.hold.freedoms)
+
+
+def test_the_condition_of_a_basis_is_that_of_its_rows_not_of_a_far_centre_of_mass() -> None:
+    """Two rows at the angle whose tangent is 1/x, where masses and inertias are units: condition (c + 1)/(1 - c)."""
+    for x in (1e-2, 0.5):
+        text = f"""
+schema = 1
+name = "bob"
+carrier = {{ mass = 1, center_of_mass = [0, 1, 0], inertia = [1.000001, 2e-6, 1.000001], inertia_about = "origin" }}
+hold = {{ basis = [[1, 0, 0, 0, 0, 0], [1, 0, 0, 0, 0, {x}]] }}
+"""
+        stand = loads(text)
+        assert stand.hold is not None
+        cosine, found = 1 / np.sqrt(1 + 1.000001 * x * x), condition_of_twists(stand, twists(stand.hold))
+        assert found == pytest.approx((1 + cosine) / (1 - cosine), rel=1e-9)
 
 
 def test_a_suspension_on_what_is_blocked_is_a_warning() -> None:

@@ -352,7 +352,7 @@ def hold_fault(want: Sequence[str], held: bool) -> str:
 
 
 def inverse_fault(freedoms: int, flywheels: int) -> str:
-    """Why a held carrier with so many freedoms and flywheels has no `inverse`, or an empty string."""
+    """Why a held carrier with these numbers of freedoms and flywheels has no `inverse`; "" where it has one."""
     if not freedoms:
         return 'want: no "inverse" of a hold that clamps the carrier, ask for forward'
     return "" if flywheels else 'want: no "inverse" of a held carrier without flywheels, ask for forward'

@@ -51,6 +51,21 @@ def least_eigenvalue(stand: Stand) -> tuple[float, tuple[float, ...]]:
     return values[worst], tuple(float(x) for x in np.mod(candidates[worst], 2 * np.pi))
 
 
+def condition_of_twists(stand: Stand, S: Array) -> float:
+    """Condition of S^T D S, scaled to unit diagonal, D the diagonal of K averaged over phases; inf: hidden by rounding.
+
+    S (6xm): twists of O1 in E1. Whoever solves for a motion along them loses as many digits. What a far centre of mass
+    couples is not counted: it is the stand's, whichever twists say the same motions.
+    """
+    mean = _fixed_inertia(stand) + sum((_Rotor(stand, each).mean for each in stand.flywheels), np.zeros((6, 6)))
+    along = (S.T * np.diag(mean)) @ S
+    diagonal = np.diag(along)
+    if not (diagonal > 0).all() or not np.isfinite(along).all():
+        return np.inf
+    values = np.linalg.eigvalsh(along / np.sqrt(np.outer(diagonal, diagonal)))
+    return float(values[-1] / values[0]) if values[0] > 1e-15 else np.inf
+
+
 def _alternate(constant: Array, harmonics: Array) -> Array:
     """Phases (starts, N) of the lowest Schur complements; `harmonics` (N, 5, 6, 6) of 1, cos, sin, cos 2, sin 2."""
     rng = np.random.default_rng(_SEED)

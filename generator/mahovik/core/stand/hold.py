@@ -40,7 +40,7 @@ _WAYS = ("freedoms", "axis", "slide", "basis")
 """Keys that say how the carrier can move; a hold has one of them."""
 
 DEPENDENT = 1e-9
-"""Sine of the angle of a column of S to those before it, below which it says nothing new; lengths by the arm."""
+"""Sine of the angle of a column of S to those before it, below which it says nothing new; `physical` asks for more."""
 
 
 def _freedoms(raw: Any) -> tuple[Freedom, ...]:
@@ -215,20 +215,24 @@ def coordinate_problem(hold: Hold, freedom: int) -> str | None:
     return None
 
 
-def _scale(S: Array) -> Array:
-    """S with lengths divided by the largest arm, columns of length 1."""
+def _arms(S: Array) -> list[float]:
+    """Distances (m) from O1 at which what a column turns moves as fast as O1; at least one."""
     turning = np.linalg.norm(S[3:], axis=0)
     arms = np.linalg.norm(S[:3], axis=0)[turning > 0] / turning[turning > 0]
-    arm = max(1e-9, float(arms.max(initial=0.0)))
+    return [float(arm) for arm in arms if arm > 1e-9] or [1e-9]
+
+
+def _scale(S: Array, arm: float) -> Array:
+    """S with lengths divided by an arm, columns of length 1."""
     scaled = S / np.array([[arm]] * 3 + [[1.0]] * 3)
     return np.asarray(scaled / np.linalg.norm(scaled, axis=0))
 
 
 def _first_dependent(S: Array) -> int | None:
-    """Number of the first column that those before it give; None where all are independent."""
-    scaled = _scale(S)
-    for k in range(1, scaled.shape[1]):
-        if _distance(scaled[:, k], scaled[:, :k]) < DEPENDENT:
+    """Number of the first column that those before it give, by whatever arm; None where all are independent."""
+    tried = [_scale(S, arm) for arm in _arms(S)]
+    for k in range(1, S.shape[1]):
+        if all(_distance(scaled[:, k], scaled[:, :k]) < DEPENDENT for scaled in tried):
             return k
     return None
 
@@ -246,7 +250,8 @@ def is_closed(hold: Hold) -> bool:
 
     The bracket of (v, omega) and (v', omega') is (omega x v' + v x omega', omega x omega').
     """
-    S = _scale(twists(replace(hold, pivot=ZERO3)))  # wherever the pivot is
+    S = twists(replace(hold, pivot=ZERO3))  # wherever the pivot is
+    S = _scale(S, max(_arms(S)))
     for i in range(S.shape[1]):
         for j in range(i):
             v, omega, v2, omega2 = S[:3, i], S[3:, i], S[:3, j], S[3:, j]

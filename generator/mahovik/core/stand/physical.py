@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract.quantities import BOUNDS
-from mahovik.core.stand.definite import least_eigenvalue
+from mahovik.core.stand.definite import condition_of_twists, least_eigenvalue
+from mahovik.core.stand.hold import twists
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.law_schemas import body_schemas
 from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Stand
@@ -18,6 +19,9 @@ Array = NDArray[np.float64]
 
 LEAST_EIGENVALUE = 1e-12  # stand.md
 RELATIVE = 1e-9  # stand.md: a flat disc, rounded, is a body
+
+MOST_CONDITION = 5e5
+"""Largest condition of S^T D S of a basis: a double has ten digits left, where two rows differ by a 350th."""
 
 
 LARGEST = BOUNDS["MAX_PARAMETER"].value
@@ -126,6 +130,7 @@ def check_stand(stand: Stand, problems: Problems) -> None:
         except np.linalg.LinAlgError:
             least, phases = -np.inf, ()
     if least >= LEAST_EIGENVALUE:
+        _check_basis(stand, problems)
         return
     if np.isfinite(least):
         at = ", ".join(f"{f.name} = {phi:.4g}" for f, phi in zip(stand.flywheels, phases, strict=True))
@@ -136,3 +141,20 @@ def check_stand(stand: Stand, problems: Problems) -> None:
         f"mass matrix of the whole stand, scaled to unit diagonal, has {found}, "
         f"expected eigenvalues of at least {LEAST_EIGENVALUE:g}: some motion has no inertia"
     )
+
+
+def _check_basis(stand: Stand, problems: Problems) -> None:
+    """Note rows of a basis that are so nearly dependent that digits of the motion would be lost."""
+    if stand.hold is None or all(freedom.kind != "twist" for freedom in stand.hold.freedoms):
+        return
+    with np.errstate(all="ignore"):
+        condition = condition_of_twists(stand, twists(stand.hold))
+    if condition > MOST_CONDITION:
+        found = f"condition {condition:.2g}" if np.isfinite(condition) else "a condition that no double can tell"
+        problems.add(
+            "hold",
+            "basis",
+            f"rows are nearly dependent, by masses and inertias as units they have {found}, expected at most "
+            f"{MOST_CONDITION:g}: say the same motions by rows that differ more, such as by the difference of two rows "
+            "in place of one of them",
+        )
