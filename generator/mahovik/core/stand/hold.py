@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.fields import ZERO3, Angle3, Direction, Length3, Table, validator
-from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Freedom, Hold, Stand, Vec3, Vec6
+from mahovik.core.stand.model import TWIST_LETTERS, Freedom, Hold, Stand, Vec3, Vec6
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.shapes import vector
 from mahovik.core.stand.toml import line_of, value_of
@@ -346,28 +346,6 @@ def _word(freedom: Freedom) -> str:
         return "twist " + " ".join(moved)
     axis = ", ".join(f"{x + 0.0:g}" for x in _unit(freedom))
     return f"turning about ({axis})" if freedom.kind == "turn" else f"sliding along ({axis})"
-
-
-def idle_laws(stand: Stand) -> list[str]:
-    """Warnings, a line for each law whose wrench acts on what the hold blocks: there it adds to the reaction alone."""
-    if stand.hold is None:
-        return []
-    S = twists(stand.hold)
-    found = []
-    for law in stand.laws:
-        idle = [WRENCH_LETTERS[i] for i in law.rows or () if not np.any(S[i])]
-        if idle:
-            name = type(law).__name__.lower()
-            found.append(
-                f"{name}: [hold] blocks the motion along {', '.join(idle)} of its wrench, which there adds to the "
-                "reaction and does nothing else"
-            )
-        elif not stand.hold.freedoms:
-            found.append(
-                f"{type(law).__name__.lower()}: [hold] clamps the carrier: wrenches on it add to the reaction and do "
-                "nothing else"
-            )
-    return found
 
 
 def lines(hold: Hold) -> list[str]:

@@ -10,7 +10,8 @@ from typing import Any
 from mahovik.contract.laws import BODY_LAWS, LAWS, of_bodies, part, parts
 from mahovik.core.stand.balance import eccentric_velocity, grade, plane_velocity
 from mahovik.core.stand.capacity import Capacity, momentum_capacity, torque_capacity
-from mahovik.core.stand.hold import idle_laws, words
+from mahovik.core.stand.hold import words
+from mahovik.core.stand.idle_laws import idle_laws
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.law import HoldNumber
 from mahovik.core.stand.model import Flywheel, Instrument, Mat3, Stand, Vec3
