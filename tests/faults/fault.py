@@ -58,7 +58,9 @@ def changed(fault: Fault, text: str) -> str:
     if fault.function:
         bodies = list(
             re.finditer(
-                rf"^(?:static )?(?:inline |\w+_COPIED )?\w+ {stand}_{fault.function}\(.*?\n}}\n", text, re.DOTALL | re.MULTILINE
+                rf"^(?:static )?(?:inline |\w+_COPIED )?\w+ {stand}_{fault.function}\(.*?\n}}\n",
+                text,
+                re.DOTALL | re.MULTILINE,
             )
         )
         assert len(bodies) == 1, fault.function

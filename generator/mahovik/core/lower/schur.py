@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.formula.derived import carrier as derived_carrier
@@ -138,8 +137,7 @@ def solve_schur(lib: Library) -> Function:
     assign(body, out[:3], derived_carrier.linear_part(True), binding)
     for target, value in zip(out[3:], omega_dot, strict=True):
         body.set(target, value)
-    function = body.function("solve_schur", "Solves [A B^T; B D] y = F by the factors.", (factor, F, y))
-    return function
+    return body.function("solve_schur", "Solves [A B^T; B D] y = F by the factors.", (factor, F, y))
 
 
 def start_schur(lib: Library, body: Body, table: Place, sums: Place, K: Place) -> None:
