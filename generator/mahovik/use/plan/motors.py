@@ -1,4 +1,4 @@
-"""What a programme asks of the motors of the stand file beyond what they give, in words."""
+"""Peaks of a programme above the limits of the motors in the stand file, in words."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ def motor_warnings(stand: Stand, report: Mapping[str, Any]) -> tuple[str, ...]:
     Peaks are compared with the motor's numbers, as they are in the file: its torque at speed is less, and its friction
     comes on top. A flywheel without a motor, or whose motor has no limit, has no line.
     """
-    found = list(_beyond(stand, report["peak_torque"], report["peak_speed"], ""))
+    found = list(_exceeding(stand, report["peak_torque"], report["peak_speed"], ""))
     for key, where in _PARTS.items():
         if peak := report.get(key, {}).get("peak"):
-            found += _beyond(stand, peak["torque"], peak["speed"], f" {where}")
+            found += _exceeding(stand, peak["torque"], peak["speed"], f" {where}")
     return tuple(found)
 
 
-def _beyond(stand: Stand, torques: Sequence[float], speeds: Sequence[float], where: str) -> Iterator[str]:
+def _exceeding(stand: Stand, torques: Sequence[float], speeds: Sequence[float], where: str) -> Iterator[str]:
     for flywheel, torque, speed in zip(stand.flywheels, torques, speeds, strict=True):
         motor = flywheel.motor
         if motor is None:
