@@ -116,3 +116,13 @@ def test_numbers_that_noise_hides_are_named() -> None:
     result = run("excite", "a.toml", *QUICK, *loud, "--free", "w1.mass,carrier.mass")
     assert result.exit_code == 0
     assert "warning: the programme hardly shows w1.mass, carrier.mass\n" in result.stderr
+
+
+def test_one_wheel_is_best_at_a_constant_speed_and_a_zero_unbalance_has_no_angle() -> None:
+    """The force table of the examples: nothing is "1 times less", and no error is "nan"."""
+    table = Path(__file__).parents[2] / "docs" / "held" / "force_table.toml"
+    result = run("excite", str(table), "--time", "0.001", *QUICK)
+    assert result.exit_code == 0, result.output
+    assert "no programme was found that tells more than constant speeds" in result.stdout
+    assert "wheel.unbalance.dynamic_at: no angle, as the unbalance is zero" in result.stdout
+    assert "nan" not in result.stdout and "another run may find more" not in result.output

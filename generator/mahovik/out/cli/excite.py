@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isnan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -137,7 +138,10 @@ def excite(
         click.echo(line, err=True)
     if found.unseen:
         click.echo(f"warning: the programme hardly shows {_some(found.unseen)}", err=True)
-    end_of_search(found, ("OK",), True)
+    more = (
+        "another run may find more" if found.is_better else "nothing better had been found, more time may change that"
+    )
+    end_of_search(found, ("OK",), True, more)
 
 
 def _report(found: Excitation, output: str) -> None:
@@ -145,7 +149,12 @@ def _report(found: Excitation, output: str) -> None:
     print_line(f"{click.format_filename(output)}   {found.programme.programme.span:g} s, {found.status}")
     names = ("parameter", "unit", "value>", "standard error>", "at constant speeds>")
     columns = [column.values.tolist() for column in found.columns]
-    print_table(names, ((row[0], row[1], *(f"{x:.4g}" for x in row[2:])) for row in zip(*columns, strict=True)))
+    print_table(
+        names,
+        ((row[0], row[1], *("-" if isnan(x) else f"{x:.4g}" for x in row[2:])) for row in zip(*columns, strict=True)),
+    )
+    if found.without_angle:
+        click.echo(f"{_some(found.without_angle)}: no angle, as the unbalance is zero")
     peaks = found.found.peaks
     print_table(
         ("flywheel", "speed, rad/s>", "acceleration, rad/s2>", "torque of motor, N m>"),
@@ -157,10 +166,7 @@ def _report(found: Excitation, output: str) -> None:
             )
         ),
     )  # fmt: skip
-    click.echo(
-        f"mean variance {found.gain:.3g} times less than at constant speeds spread evenly inside the bounds; "
-        f"{found.effort['tried']} programmes tried"
-    )
+    click.echo(f"{found.comparison}; {found.effort['tried']} programmes tried")
 
 
 def _some(names: Sequence[str]) -> str:

@@ -128,10 +128,13 @@ def new_file(output: str | None, name: str) -> Path:
     return path
 
 
-def end_of_search(found: Any, good: Iterable[str], kept: bool) -> None:
-    """Print what cut a search short, and exit by its `status`: 0 for the good ones; `kept`: it has found something."""
+def end_of_search(found: Any, good: Iterable[str], kept: bool, more: str = "another run may find more") -> None:
+    """Print what cut a search short, and exit by its `status`: 0 for the good ones; `kept`: it has found something.
+
+    more   what more time may bring, in words
+    """
     if found.effort and found.effort.get("cut_by_time"):
-        click.echo("warning: --time cut the search: another run may find more", err=True)
+        click.echo(f"warning: --time cut the search: {more}", err=True)
     if found.interrupted:
         best = "this is the best so far" if kept else "nothing was found yet, nothing is written"
         click.echo(f"interrupted: {best}", err=True)

@@ -21,7 +21,7 @@ from mahovik.core.motion.programme import Angles, Samples
 from mahovik.core.motion.required.course import SampledCourse
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.followed import angles_at, follow, resolved
+from mahovik.use.plan.follow import angles_at, follow, resolve
 from mahovik.use.plan.levenberg import Rules, StartBatch, refine
 from mahovik.use.plan.outcome import OnProgress
 from mahovik.use.plan.problem import Basis, Grid, Periodic, Problem
@@ -204,7 +204,7 @@ class FiniteProblem(Problem):
         """Grid of the nodes where (12) is solved; each end has four more, as it adds four functions."""
         return self.grid_of(space, space.nodes(max(3, space.degree - 2), 4)[0])
 
-    def between(self, space: SplineSpace, motion: Periodic) -> float:
+    def residual_between(self, space: SplineSpace, motion: Periodic) -> float:
         """Relative residual between the nodes."""
         fine = self.grid_between_nodes(space, 3 * space.degree)
         return float(np.linalg.norm(self.rows(fine, motion), axis=1).max())
@@ -310,7 +310,7 @@ def _follow(
         on_progress(state)
         if budget.exhausted or len(state.found) >= enough:
             break
-        fine = resolved(problem, bias, table, budget)
+        fine = resolve(problem, bias, table, budget)
         solved = None if fine is None else fit(problem, bias, fine, budget)
         if solved is not None:
             state.remember(solved.residual)
@@ -330,11 +330,11 @@ def fit(problem: FiniteProblem, bias: Array, table: Samples, budget: Budget) -> 
         if (space.size * problem.N > _MOST_UNKNOWNS and degree > DEGREES[0]) or budget.exhausted:
             break
         motion = SplineMotion(problem.motion.span, winding, space.fit(table), bias)
-        if problem.between(space, motion) > _NEAR:
+        if problem.residual_between(space, motion) > _NEAR:
             continue
         rules = Rules(1e-3 * problem.tolerance, 8, 1e-6)
         reached = refine(problem, problem.collocation(space), motion, rules, budget).motion
-        residual = problem.between(space, reached)
+        residual = problem.residual_between(space, reached)
         if found is None or residual < found.residual:
             found = FiniteSolution(reached, space, residual)
         if residual < 0.5 * problem.tolerance:
@@ -354,7 +354,7 @@ def collocate(problem: FiniteProblem, start: Periodic, budget: Budget) -> Finite
         grid, first = problem.collocation(space), degree == DEGREES[0]
         reached = refine(problem, grid, motion, Rules(1e-3 * problem.tolerance, 25 if first else 8, damping), budget)
         motion, damping, below = reached.motion, reached.damping, space
-        residual = problem.between(space, motion)
+        residual = problem.residual_between(space, motion)
         if residual < found.residual:
             found = FiniteSolution(motion, space, residual)
         if (

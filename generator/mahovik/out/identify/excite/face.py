@@ -41,6 +41,9 @@ UNBALANCES = "*.unbalance"
 SHARES = (1.0, 0.8, 0.6, 0.4, 0.2, 0.1, 0.0)
 """Shares of the modulations that are tried until motors can give the torque."""
 
+LEAST_GAIN = 1.005
+"""Gain that is printed as more than 1."""
+
 MOST_SAMPLES = 200_000
 """Samples of an experiment at most: derivatives of all are in memory at once."""
 
@@ -111,6 +114,25 @@ class Excitation(Table):
         return self.even.quality.mean_variance / self.found.quality.mean_variance
 
     @property
+    def is_better(self) -> bool:
+        """Whether the programme tells more than evenly spread constant speeds, in the figures that are printed."""
+        return self.gain >= LEAST_GAIN
+
+    @property
+    def comparison(self) -> str:
+        """The gain in words."""
+        even = "constant speeds spread evenly inside the bounds"
+        if self.is_better:
+            return f"mean variance {self.gain:.3g} times less than at {even}"
+        return f"no programme was found that tells more than {even}"
+
+    @property
+    def without_angle(self) -> tuple[str, ...]:
+        """Free angles of unbalances that are zero: they have no standard error."""
+        rows = zip(self.free.paths, self["error"], strict=True)
+        return tuple(path for path, error in rows if path.endswith("_at") and math.isnan(error))
+
+    @property
     def status(self) -> str:
         """OK, OK_LIMIT."""
         return "OK_LIMIT" if self.words else "OK"
@@ -169,7 +191,7 @@ class Excitation(Table):
         return self.programme._panels()
 
     def __repr__(self) -> str:
-        return f"<Excitation of {self.stand.name}: {len(self)} free numbers, mean variance {self.gain:.3g} times less>"
+        return f"<Excitation of {self.stand.name}: {len(self)} free numbers, {self.comparison}>"
 
 
 def _plain(value: Any) -> Any:

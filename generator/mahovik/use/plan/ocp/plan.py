@@ -82,7 +82,7 @@ def finite_exact(problem: FiniteProblem, start: FiniteSolution, found: Collocate
     reached = refine(
         problem, grid, motion, Rules(1e-3 * problem.tolerance, REFINEMENT_STEPS, 1e-2), Budget(REFINEMENT_STEPS)
     ).motion
-    return FiniteSolution(reached, space, problem.between(space, reached))
+    return FiniteSolution(reached, space, problem.residual_between(space, reached))
 
 
 INTERVALS, DEGREE = 24, 4

@@ -62,7 +62,7 @@ def found_for(required: RequiredMotion, own: Stand) -> tuple[FiniteProblem, Fini
     [(41, True, 1), (16, True, 4), pytest.param(41, False, 4, marks=pytest.mark.slow)],
 )
 def test_one_unbalanced_wheel_turns_a_carrier_on_a_pivot(samples: int, free: bool, parts: int) -> None:
-    """By the reference, the wheel's motion gives the required acceleration; few samples need breaks between them."""
+    """The wheel's motion gives the required acceleration by the reference; few samples need breaks between them."""
     own = loads(PIVOT)
     required = turn(own, samples, free)
     finite, solved = found_for(required, own)

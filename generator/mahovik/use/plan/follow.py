@@ -37,7 +37,7 @@ def follow(problem: Problem, bias: Array, phi: Array, phi_dot: Array, budget: Bu
     return tuple(tables)
 
 
-def resolved(problem: Problem, bias: Array, table: Samples, budget: Budget) -> Samples | None:
+def resolve(problem: Problem, bias: Array, table: Samples, budget: Budget) -> Samples | None:
     """The same motion with enough steps for its turns; None if the budget ends."""
     turns = float(np.abs(table.phi_dot).max()) * problem.motion.span / (2.0 * np.pi)
     steps = min(int(_PER_TURN * turns), _MOST_STEPS)
