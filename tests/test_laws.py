@@ -19,6 +19,7 @@ LAW_PARTS = {
     "schema": ("core.stand",),
     "random": ("core.stand",),
     "text": ("core.stand",),
+    "units": ("core.stand",),
     "steps": ("core.stand",),
     "derive": ("core.derive",),
     "lower": ("core.stand", "core.program", "core.formula", "core.lower"),
@@ -38,7 +39,7 @@ LAW_PARTS = {
 }
 """Parts of a law: the stage that asks for each comes last, before it those whose words the stage itself uses. Every
 part may import the law's own `data`; `faults` and `terms` its `reference`,
-`lower` its `derive`, `lower` and `plan` the `strips` of a quadrature as well."""
+`lower` its `derive`, `lower` and `plan` the `strips` of a quadrature, `schema` and `text` its `units` as well."""
 
 
 def imports_of_package() -> dict[str, set[str]]:
@@ -57,12 +58,11 @@ def iterating(graph: Mapping[str, set[str]]) -> set[str]:
 def beyond_vocabulary(path: Path, graph: Mapping[str, set[str]]) -> set[str]:
     """Imports of a law's part that lie in no stage of its own, or reach a module that iterates over the laws."""
     own = f"mahovik.laws.{path.parent.name}"
-    parts = (
-        "data",
-        *{"faults": ("reference",), "terms": ("reference",), "lower": ("derive", "strips"), "plan": ("strips",)}.get(
-            path.stem, ()
-        ),
-    )
+    more = {
+        **{"faults": ("reference",), "terms": ("reference",), "lower": ("derive", "strips"), "plan": ("strips",)},
+        **{"schema": ("units",), "text": ("units",)},
+    }
+    parts = ("data", *more.get(path.stem, ()))
     stages = tuple(f"mahovik.{stage}." for stage in LAW_PARTS[path.stem])
     imports = graph[module_name(path)] - {f"{own}.{part}" for part in parts}
     return {name for name in imports if not f"{name}.".startswith(stages)} | imports & iterating(graph)

@@ -11,7 +11,8 @@ from mahovik.core.stand.law import LawSchema, Note, TablesByKey
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.toml import fields
 from mahovik.core.stand.units import Dimension, QuantityError, number
-from mahovik.laws.friction.data import FORCES, Friction, Frictions
+from mahovik.laws.friction.data import Friction, Frictions
+from mahovik.laws.friction.units import FORCES
 
 SMOOTHING = 1e-2
 """m/s or rad/s: default of `smoothing`."""

@@ -5,7 +5,8 @@ from __future__ import annotations
 from mahovik.core.stand.hold import freedom_labels
 from mahovik.core.stand.law import HoldNumber
 from mahovik.core.stand.model import Stand
-from mahovik.laws.friction.data import FORCES, frictions_of
+from mahovik.laws.friction.data import frictions_of
+from mahovik.laws.friction.units import FORCES
 
 NAME = "friction"
 CARRIES_WEIGHT = False

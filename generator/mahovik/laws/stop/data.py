@@ -6,19 +6,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from mahovik.core.stand import units
-from mahovik.core.stand.model import FreedomKind, LawData, Stand
-from mahovik.core.stand.units import Dimension
-
-_ROTARY = Dimension("a stiffness", "N m/rad")
-_PER_DEPTH = Dimension("a damping per depth", "N s/m^2")
-_ROTARY_PER_DEPTH = Dimension("a damping per depth", "N m s/rad^2")
-
-FORCES: dict[FreedomKind, tuple[Dimension, Dimension, Dimension]] = {
-    "slide": (units.LENGTH, units.STIFFNESS, _PER_DEPTH),
-    "turn": (units.ANGLE, _ROTARY, _ROTARY_PER_DEPTH),
-}
-"""Coordinate, stiffness and damping of a freedom of a kind."""
+from mahovik.core.stand.model import LawData, Stand
 
 
 @dataclass(frozen=True)

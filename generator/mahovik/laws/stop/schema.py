@@ -12,7 +12,8 @@ from mahovik.core.stand.law import LawSchema, Note, TablesByKey
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.toml import fields, line_of
 from mahovik.core.stand.units import Dimension, QuantityError, number, show
-from mahovik.laws.stop.data import FORCES, Stop, Stops, highest_and_lowest
+from mahovik.laws.stop.data import Stop, Stops, highest_and_lowest
+from mahovik.laws.stop.units import FORCES
 
 LARGEST_ANGLE = math.radians(170.0)
 """rad: an angle counts to half a turn, where it begins again; a stop nearer to it could be passed."""

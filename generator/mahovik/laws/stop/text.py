@@ -5,7 +5,8 @@ from __future__ import annotations
 from mahovik.core.stand.hold import freedom_labels
 from mahovik.core.stand.law import HoldNumber
 from mahovik.core.stand.model import Stand
-from mahovik.laws.stop.data import FORCES, Stop, stops_of
+from mahovik.laws.stop.data import Stop, stops_of
+from mahovik.laws.stop.units import FORCES
 
 NAME = "stop"
 CARRIES_WEIGHT = False
