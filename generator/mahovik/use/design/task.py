@@ -149,7 +149,7 @@ class Task:
         if differentiate:
             rates = by_design(at, grid.course, motion.bias, *angles)
             waves = grid.basis.chain(root @ found.by_phi, root @ found.by_phi_dot, root @ found.by_phi_ddot)
-            by_y = np.einsum("ij,mjk->mik", root, self.space.by_unknowns(y, rates.R)).reshape(found.R.size, P)
+            by_y = np.einsum("ij,mjk->mik", root, self.space.by_unknowns(y, rates.R)).reshape(M * len(root), P)
             slopes.append(weight * np.hstack([by_y, waves, problem.by_bias(grid, motion)]))
             torque = Rows.torque(found, self._by_owner(y, rates.tau))
         kinds = self._kinds(problem, grid, motion, torque, weighing)
