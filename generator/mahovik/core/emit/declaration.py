@@ -39,7 +39,7 @@ def prototype(
     `inline`: all internal functions are, but for those that are apart: a compiler is asked to copy them nowhere.
     """
     storage = "" if function.public else "static "
-    if function.short or (inline and not function.apart):
+    if not function.public and (function.short or (inline and not function.apart)):
         storage += "inline "
     elif function.copied:
         storage += f"{names.constant('COPIED')} "
