@@ -59,8 +59,12 @@ def beyond_vocabulary(path: Path, graph: Mapping[str, set[str]]) -> set[str]:
     """Imports of a law's part that lie in no stage of its own, or reach a module that iterates over the laws."""
     own = f"mahovik.laws.{path.parent.name}"
     more = {
-        **{"faults": ("reference",), "terms": ("reference",), "lower": ("derive", "strips"), "plan": ("strips",)},
-        **{"schema": ("units",), "text": ("units",)},
+        "faults": ("reference",),
+        "terms": ("reference",),
+        "lower": ("derive", "strips"),
+        "plan": ("strips",),
+        "schema": ("units",),
+        "text": ("units",),
     }
     parts = ("data", *more.get(path.stem, ()))
     stages = tuple(f"mahovik.{stage}." for stage in LAW_PARTS[path.stem])
