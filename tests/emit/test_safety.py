@@ -118,7 +118,7 @@ def test_no_flywheel_takes_a_name_of_a_header(tmp_path: Path) -> None:
     names = sorted(name.lower() for name in RESERVED)
     given = stand("bench8")
     for number in range(0, len(names), 6):
-        chosen = [*names[number : number + 6], "n", "N", "m1", "m2", "m3", "m4"][:8]
+        chosen = [*names[number : number + 6], "n", "N", "m1", "m2", "m3", "m4", "m5", "m6"][:8]
         flywheels = tuple(replace(f, name=name) for f, name in zip(given.flywheels, chosen, strict=True))
         odd = replace(given, flywheels=flywheels)
         made = generate_all(odd)
