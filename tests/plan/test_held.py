@@ -15,7 +15,7 @@ from mahovik.core.motion.required import RequiredMotion, read_motion
 from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
 from mahovik.proof.verify.programme import held, simulation, verify_programme
-from mahovik.use.control.nearest_coordinates import held_coordinates
+from mahovik.use.control.coordinates import held_coordinates
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.problem import Problem

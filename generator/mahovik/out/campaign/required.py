@@ -15,8 +15,7 @@ from mahovik.out.campaign.observe import Chunk
 from mahovik.out.campaign.pose import Array, rotation
 from mahovik.proof.reference.rotation import kinematic_matrix
 from mahovik.proof.verify.programme.mechanics import Scale, scale_of
-from mahovik.use.control.coordinates import coordinates
-from mahovik.use.control.nearest_coordinates import held_coordinates
+from mahovik.use.control.coordinates import coordinates, held_coordinates
 from mahovik.use.plan.residual.held_kinematics import held_slopes
 
 

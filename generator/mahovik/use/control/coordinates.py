@@ -12,16 +12,18 @@ from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.units import ANGLE
 from mahovik.errors import StateError
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.held_chart import coordinate_speeds
 from mahovik.use.plan.residual import Mechanics
-from mahovik.use.plan.residual.held_kinematics import held_pose
+from mahovik.use.plan.residual.held_kinematics import held_pose, held_slopes
 from mahovik.use.plan.residual.spatial import attitude as attitude_of
 
 EULER: dict[Sequence, str] = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 """SciPy's names of the stand's sequences: about axes that turn along."""
 
-MOST, SETTLED = 30, 1e-13
-"""Most Newton steps to the coordinates of a basis, and the last one."""
+_MOST, _LONGEST, _SETTLED = 40, 3.0, 1e-13
+"""Most steps of Newton's method; longest step of a coordinate, and the one that ends it, m or rad."""
+
+_REACHED = 1e-6
+"""m, rad: a pose farther off than this is one that the freedoms do not reach."""
 
 
 def coordinates(stand: Stand, position: Array, attitude: Array, near: Array) -> Array:
@@ -47,7 +49,10 @@ def _freedom_coordinates(mechanics: Mechanics, position: Array, rotations: Rotat
     hold = stand.hold
     assert hold is not None
     if any(each.kind == "twist" for each in hold.freedoms):
-        return _by_newton(mechanics, position, rotations.as_matrix(), near)
+        q = held_coordinates(stand, position, rotations.as_matrix(), near)
+        if np.isnan(q).any():
+            raise StateError(f"{stand.name}: hold: found a pose far from the required one, which it does not allow")
+        return q
     turns = [k for k in found.order if found.dimensions[k] == ANGLE]
     home, S, pivot = attitude_of(stand.angles, np.array(hold.angles)), mechanics.freedoms, np.array(hold.pivot)
     C = rotations.as_matrix()
@@ -62,19 +67,31 @@ def _freedom_coordinates(mechanics: Mechanics, position: Array, rotations: Rotat
     return np.asarray(q)
 
 
-def _by_newton(mechanics: Mechanics, position: Array, C: Array, near: Array) -> Array:
-    """Coordinates whose pose is the given one along the freedoms, from `near`."""
-    q, to_speeds = near.copy(), np.linalg.pinv(mechanics.freedoms)
-    for _ in range(MOST):
-        C_here, O1 = held_pose(mechanics.stand, q)
-        back = np.swapaxes(C_here, 1, 2)
-        moved = (back @ (position - O1)[:, :, None])[:, :, 0]
-        apart = np.hstack([moved, Rotation.from_matrix(back @ C).as_rotvec()]) @ to_speeds.T
-        step = np.linalg.solve(coordinate_speeds(mechanics, q), apart[:, :, None])[:, :, 0]
-        q = q + step
-        if np.abs(step).max() < SETTLED * (1.0 + np.abs(q).max()):
-            return np.asarray(q)
-    raise StateError(f"{mechanics.stand.name}: hold: found a pose far from the required one, which it does not allow")
+def held_coordinates(stand: Stand, O1: Array, C: Array, near: Array) -> Array:
+    """Coordinates (M, m) of poses O1 (M, 3; m), C (M, 3, 3) of a held carrier, by Newton's method from `near` (M, m).
+
+    Each row by itself, so that its bits depend on no other. Angles are those within half a turn of `near`. NaN where
+    the freedoms do not reach the pose.
+    """
+    x, moving = near.copy(), np.arange(len(near))
+    for _ in range(_MOST):
+        off = _offset(stand, O1[moving], C[moving], x[moving])
+        step = (np.linalg.pinv(held_slopes(stand, x[moving])) @ off[:, :, None])[:, :, 0]
+        x[moving] += np.clip(step, -_LONGEST, _LONGEST)
+        far = np.abs(step).max(axis=1, initial=0.0) > _SETTLED * (1.0 + np.abs(x[moving]).max(axis=1, initial=0.0))
+        moving = moving[far]
+        if not len(moving):
+            break
+    lost = np.abs(_offset(stand, O1, C, x)).max(axis=1, initial=0.0) > _REACHED
+    return np.where(lost[:, None], np.nan, x)
+
+
+def _offset(stand: Stand, O1: Array, C: Array, x: Array) -> Array:
+    """Shift and rotation vector (M, 6; m, rad) in E1 from the pose at coordinates x to another."""
+    there, place = held_pose(stand, x)
+    back = np.swapaxes(there, 1, 2)
+    turned = Rotation.from_matrix(back @ C).as_rotvec()
+    return np.hstack([(back @ (O1 - place)[:, :, None])[:, :, 0], turned])
 
 
 @lru_cache(maxsize=4)
