@@ -150,16 +150,16 @@ def null_pointers(made: Emitted) -> str:
 def unphysical_tables(made: Emitted) -> str:
     backend = made.backend
     given = backend.arguments(states_of(made.host)[0][1]) | {"phi_ddot": [0.0] * len(stand_of(made.host).flywheels)}
-    for axis in range(3):
-        table = backend.library.value(backend.program.function("forward"), "table")
-        table["inertia"] = [-1e3 if i == axis else 1e3 if i < 3 else 0.0 for i in range(6)]
-        inputs = given | {"table": table}
-        names = {a.name for a in backend.program.function("forward").arguments}
-        status, untouched = backend.library.probe(
-            backend.program.function("forward"), {n: v for n, v in inputs.items() if n in names}
-        )
-        if status != STATUS_VALUES["NOT_POSITIVE_DEFINITE"] or not untouched:
-            return f"forward with J{axis + 1}{axis + 1} < 0: status {status}"
+    for name in ("forward", "forward_jacobian"):  # each has pivots of its own
+        function = backend.program.function(name)
+        names = {a.name for a in function.arguments}
+        for axis in range(3):
+            table = backend.library.value(function, "table")
+            table["inertia"] = [-1e3 if i == axis else 1e3 if i < 3 else 0.0 for i in range(6)]
+            inputs = {n: v for n, v in (given | {"table": table}).items() if n in names}
+            status, untouched = backend.library.probe(function, inputs)
+            if status != STATUS_VALUES["NOT_POSITIVE_DEFINITE"] or not untouched:
+                return f"{name} with J{axis + 1}{axis + 1} < 0: status {status}"
     return ""
 
 
