@@ -44,7 +44,7 @@ part may import the law's own `data`; `faults` and `terms` its `reference`,
 
 def imports_of_package() -> dict[str, set[str]]:
     """Modules of the package that each of its modules imports."""
-    return imports_between({module_name(path): list(imported(path)) for path in MODULES})
+    return imports_between({module_name(path): imported(path) for path in MODULES})
 
 
 def iterating(graph: Mapping[str, set[str]]) -> set[str]:
