@@ -101,6 +101,7 @@ def test_the_page_lists_the_functions() -> None:
             assert [word.strip("` ") for word in listed[name][2].split(",")] == list(f.gives)
 
 
+@pytest.mark.slow
 def test_the_page_does_what_it_shows() -> None:
     failed, tried = doctest.testfile(
         str(PAGE), module_relative=False, optionflags=doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS

@@ -17,6 +17,7 @@ N, COUNT, STEP = 11, 5, 1e-3
 Array = NDArray[Any]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pushed", [False, True])
 def test_a_course_has_the_bits_of_its_steps(pushed: bool) -> None:
     """Speeds that vary, rest and begin again, with a run-time wrench or without one; samples that differ."""

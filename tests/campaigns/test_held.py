@@ -30,6 +30,7 @@ def forces(run: dict[str, Any], statistic: str = "peak") -> Any:
     return unbalance, found["x"]
 
 
+@pytest.mark.slow
 def test_a_force_table_reads_the_unbalance_of_each_sample() -> None:
     """U w^2, seen within the cosine of half a step of phase."""
     speed = 50.0 * np.pi
@@ -45,6 +46,7 @@ def test_constant_speeds_need_no_run_in_time() -> None:
     assert found == pytest.approx(unbalance * speed**2 / np.sqrt(2.0), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_points_over_constant_speeds_are_an_oscillator() -> None:
     """m e w^2 / (k - M w^2 + i c w) of a shaker on its rail, for each mass; the reaction across it."""
     stand, w = mahovik.Stand.from_dict(shaker(True) | {"point": [{"name": "eye", "position": [0.1, 0.2, 0.3]}]}), 24.0

@@ -127,6 +127,7 @@ def test_samples_begin_at_their_own_rest() -> None:
     assert np.all(values["moved"] < 1e-13)
 
 
+@pytest.mark.slow
 def test_the_bits_of_a_sample_do_not_depend_on_the_others() -> None:
     """Rows are the same however samples are parted: one by one, some, all."""
     n = 21

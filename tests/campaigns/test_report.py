@@ -125,6 +125,7 @@ at = "carrier"
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("design", "title"), quick(1, [("morris", "Elementary effects of Morris"), ("saltelli", "Sobol' indices")])
 )

@@ -159,6 +159,7 @@ def test_while_it_compiles(arguments: tuple[str, ...], code: str, tmp_path: Path
     assert all(map(has_ended, pids))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", quick(1, RUN_SUFFIXES))
 def test_a_simulation_keeps_what_is_computed(suffix: str, tmp_path: Path) -> None:
     for seconds in (0.5, 3.0, 12.0):  # on a busy machine there is no row yet

@@ -139,6 +139,7 @@ def test_every_command_has_it_or_a_reason() -> None:
     assert all('"--json"' in (here / file).read_text(encoding="utf-8") for file in ELSEWHERE.values())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("command", "arguments"), GOOD_CASES.items(), ids=GOOD_CASES)
 def test_one_document(command: str, arguments: tuple[str, ...]) -> None:
     result = run(command, *arguments, "--json")

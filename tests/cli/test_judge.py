@@ -50,6 +50,7 @@ def test_a_program_that_agrees_has_no_fault(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_a_program_that_differs_is_told_its_fault() -> None:
     result = run("judge", SHAKER, "--with", PHASE, "--explain", "--states", "6")
     assert result.exit_code == 1

@@ -26,6 +26,7 @@ def changed(tmp_path: Path, source: str, **keys: object) -> str:
     return str(path)
 
 
+@pytest.mark.slow
 def test_a_programme_is_written_verified_and_told(tmp_path: Path) -> None:
     """A rocking programme of demo3; nothing else is left in the folder."""
     result = run("plan", DEMO3, "--motion", TURN, "-o", str(tmp_path / "a.json"), "--winding", "rock", "--seed", "5")
@@ -104,6 +105,7 @@ def test_a_folder_is_made_for_what_is_found_and_only_for_that(tmp_path: Path) ->
     assert not (tmp_path / "new").exists()
 
 
+@pytest.mark.slow
 def test_fewer_than_were_to_be_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A message says so, and no file of an earlier run is left that could be mistaken for a new one."""
     programme = shaker()[2]

@@ -25,6 +25,7 @@ print("result")
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("columns", [40, 80])
 @pytest.mark.parametrize("kind", ["known", "unknown"])
 def test_a_line_that_fits_and_is_gone_at_the_end(kind: str, columns: int) -> None:
@@ -39,6 +40,7 @@ def test_a_line_that_fits_and_is_gone_at_the_end(kind: str, columns: int) -> Non
     assert ("━" in plain[-1]) == (kind == "known" and columns == 80)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("env", "drawn", "coloured"), [({"NO_COLOR": "1"}, True, False), ({"TERM": "dumb"}, False, False), ({}, True, True)]
 )

@@ -261,6 +261,7 @@ def test_what_cannot_be_is_refused_in_a_line(options: tuple[str, ...], said: str
     assert list(Path().iterdir()) == []
 
 
+@pytest.mark.slow
 def test_a_programme_of_another_stand_or_motion_is_refused() -> None:
     planned = run("plan", DEMO3, "--motion", TURN, "-o", "p.json", "--winding", "rock", "--seed", "5")
     assert planned.exit_code == 0

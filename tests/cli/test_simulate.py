@@ -55,6 +55,7 @@ def test_without_a_regime_a_stand_stays_at_rest() -> None:
         assert max(map(abs, found[name])) < 1e-12
 
 
+@pytest.mark.slow
 def test_points_are_read_and_scipy_agrees() -> None:
     stand = str(path("auv6"))
     for backend in ("c", "scipy"):
@@ -81,6 +82,7 @@ def test_starts_from_a_state_and_from_what_rest_prints() -> None:
     assert max(map(abs, columns("run.csv")["v_z [m/s]"])) < 1e-12
 
 
+@pytest.mark.slow
 def test_motors_that_fall_short_are_told() -> None:
     text = Path(BENCH8).read_text() + "\n[flywheel.motor]\ntorque = 0.001\n"
     Path("weak.toml").write_text(text)

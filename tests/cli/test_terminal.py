@@ -50,6 +50,7 @@ def test_colours_on_a_terminal(env: dict[str, Any], coloured: bool) -> None:
     assert seen.colours == coloured
 
 
+@pytest.mark.slow
 def test_colours_in_a_pipe_only_where_they_are_forced() -> None:
     plain = process("check", AUV6, NO_COLOR="", FORCE_COLOR="")
     assert "\x1b" not in plain.stdout

@@ -62,6 +62,7 @@ def test_the_table_as_json_and_no_files_when_all_is_well(tmp_path: Path) -> None
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_broken_c_fails_and_leaves_a_state_that_replays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     for name, text in generate(load(BENCH8)).items():
@@ -75,6 +76,7 @@ def test_broken_c_fails_and_leaves_a_state_that_replays(tmp_path: Path, monkeypa
     assert run("eval", BENCH8, "--backend", "numpy", stdin=lines).exit_code == 0
 
 
+@pytest.mark.slow
 def test_a_failed_verdict_stands_where_its_files_cannot_be_written(tmp_path: Path) -> None:
     result = run("verify", DEMO3, "--with", program("pass"), "--junit", str(tmp_path))
     assert result.exit_code == 1

@@ -70,6 +70,7 @@ def heavier(share: float) -> Stand:
     return replace(stand(), carrier=replace(stand().carrier, inertia=inertia_now))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["attitude", "sight"])
 def test_a_slew_from_rest_ends_where_demanded(kind: str) -> None:
     record = close_loop(case(kind))
@@ -83,6 +84,7 @@ def test_a_slew_from_rest_ends_where_demanded(kind: str) -> None:
     assert 0.0 < found.share_end <= found.share < 1e-5
 
 
+@pytest.mark.slow
 def test_a_stand_with_more_inertia_turns_less_by_the_law_of_momentum() -> None:
     found = tracking(close_loop(case("attitude", heavier(0.02))))
     assert found.slew is not None
@@ -126,6 +128,7 @@ def arguments(files: dict[str, str]) -> list[str]:
     return [files["sat.toml"], *(x for option, name in pairs for x in (option, files[name]))]
 
 
+@pytest.mark.slow
 def test_the_command_says_where_the_slew_ends(files: dict[str, str]) -> None:
     said = run("simulate", *arguments(files), "--no-causes", "--json")
     assert said.exit_code == 0, said.output

@@ -64,6 +64,7 @@ def test_total_momentum_form_is_8(added_mass: bool) -> None:
     assert remainders(emitted - printed, SO3) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("added_mass", [False, True])
 def test_momentum_is_2(added_mass: bool) -> None:
     """Z = K V + I_s phi', and the mass matrix of the sums is the sum of the bodies' matrices."""
@@ -81,6 +82,7 @@ def test_relative_rates_are_the_last_sums_of_5() -> None:
     assert remainders(found.a_rel.col_join(found.g_rel) - paper.I * PHI_DDOT - squared, SO3) == []
 
 
+@pytest.mark.slow
 def test_kinetic_energy_is_that_of_the_bodies() -> None:
     """T = V_s . Theta_s V_s / 2 with V_s = Ls^T V + f phi', of one flywheel."""
     Ls = L(W.O, W.R * elementary(1, W.phi))

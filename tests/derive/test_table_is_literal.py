@@ -77,6 +77,7 @@ def test_orthogonality_alone_does_not_carry_K_dot(literal: flywheel.Literal, sum
     assert remainders(difference, cofactors) == []
 
 
+@pytest.mark.slow
 def test_literal_K_dot_is_the_derivative_of_K() -> None:
     """(6) is d/dt of (2) at the phase's rate, for the factors as they are printed: R needs no property at all."""
     found = flywheel.literal(W, carrier.V)

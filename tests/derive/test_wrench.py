@@ -101,6 +101,7 @@ def test_axes_of_a_turned_flywheel() -> None:
     assert remainders(derived.turned_axes() - trigonometric(matrix("R") * elementary(1, phi), phi)) == []
 
 
+@pytest.mark.slow
 def test_relative_quaternion_is_the_rotation_from_equilibrium() -> None:
     """C(q_rel) = C_eq^T C for unit quaternions."""
     q, q_eq = vector("q", 4), vector("q_eq", 4)

@@ -30,6 +30,7 @@ def one_axis() -> Outcome:
     return design_stand(shaker(), motion_of, freedom(), DesignOptions(seed=2, starts=20))
 
 
+@pytest.mark.slow
 def test_two_flywheels_for_one_axis() -> None:
     """Exact, verified, inside bounds and limits, with the least unbalance that there is; the file says the same."""
     found = one_axis()

@@ -65,6 +65,7 @@ def up_and_down(own: Stand) -> RequiredMotion:
     return motion(own, {"cos": [3e-4]})
 
 
+@pytest.mark.slow
 def test_one_flywheel_is_enough_for_one_freedom() -> None:
     """The hold takes the force across the rail, so one wheel does, at constant speed, with the unbalance of the closed
     formula: mu Omega^2 = |k - m Omega^2 + i d Omega| A.

@@ -18,7 +18,7 @@ from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.batch import Batch
 from toolchain.tools import compile_c, require, run
 
-KINDS = ("bench8", "demo3", "remus6", "auv6", "shaker2", "everything0", "everything1", "wet7", *HELD)
+KINDS = ("bench8", "everything6", "remus6", "auv6", "shaker2", "everything0", "everything1", "wet7", *HELD)
 LENGTHS = (1, 7, 8, 9, 41)
 
 
@@ -28,7 +28,7 @@ def native() -> Batched:
     return Batched("bench8", flags=("-O2", "-march=native", "-fopenmp"))
 
 
-@pytest.fixture(params=["everything6", *(pytest.param(name, marks=pytest.mark.slow) for name in KINDS)], scope="module")
+@pytest.fixture(params=["demo3", *(pytest.param(name, marks=pytest.mark.slow) for name in KINDS)], scope="module")
 def built(request: pytest.FixtureRequest) -> Batched:
     require("gcc", "gcc")
     return Batched(request.param)
@@ -169,6 +169,7 @@ def test_the_number_of_threads_changes_no_bit() -> None:
     assert len(found) == len([b for b in built.batches if not b.each])
 
 
+@pytest.mark.slow
 def test_optimised_for_this_machine() -> None:
     built = native()
     inputs = spoilt(built.inputs(np.random.default_rng(6), 41))

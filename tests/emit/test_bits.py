@@ -41,6 +41,7 @@ def all_bits(call: Call, c: Compiled, chosen: list[State]) -> dict[tuple[int, st
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", quick(2, NAMES))
 def test_interpreter_is_c(name: str) -> None:
     c = compiled(name, SHIPPED)
@@ -48,6 +49,7 @@ def test_interpreter_is_c(name: str) -> None:
     assert all_bits(c.interpreted, c, chosen) == all_bits(c.c, c, chosen)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", quick(1, ("bare5", NAME, "hung5")))
 def test_interpreter_is_c_in_float(name: str) -> None:
     c = compiled_float(name, SHIPPED)

@@ -53,10 +53,12 @@ def check_object(source: Path, tmp_path: Path) -> None:
         assert re.search(rf"\b{name}\b", header), f"{name} is no static, and not in the header"
 
 
+@pytest.mark.slow
 def test_gcc_at_full_warnings_and_bare_objects(source: Path, tmp_path: Path) -> None:
     check_object(source, tmp_path)
 
 
+@pytest.mark.slow
 def test_gcc_with_float(float_source: Path, tmp_path: Path) -> None:
     check_object(float_source, tmp_path)
 
@@ -125,6 +127,7 @@ NULL EOF INT32_MAX errno main abs uint64_t
 """Names of flywheels: like our own, like one another in capitals, like variables of the C, like names of libc."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "features"), quick(1, [("B", EVERYTHING), ("bench", BARE), ("c", EVERYTHING), ("_x", BARE)])
 )

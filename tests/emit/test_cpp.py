@@ -49,11 +49,13 @@ def check(name: str, made: Generated, folder: Path, compilers: tuple[tuple[str, 
     run(require("g++", "g++"), "-std=c++17", *STRICT, "-fsyntax-only", folder / "example.cpp")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FEW)
 def test_no_warning(name: str, tmp_path: Path) -> None:
     check(name, generated(name), tmp_path, COMPILERS)
 
 
+@pytest.mark.slow
 def test_no_warning_with_float(tmp_path: Path) -> None:
     check("auv6", generate_all(stand("auv6"), "float"), tmp_path, COMPILERS)
     assert float_texts(stand("auv6"))[0].precision.name == "float"
@@ -122,6 +124,7 @@ int main()
 """
 
 
+@pytest.mark.slow
 def test_calls_have_the_bits_of_the_c(tmp_path: Path) -> None:
     made = generated("bench8")
     source = write({**made.files, **cpp_header(stand("bench8"), made)}, tmp_path)
@@ -180,6 +183,7 @@ def test_a_header_of_another_stand_is_refused(tmp_path: Path) -> None:
         run(require("g++", "g++"), "-std=c++17", "-fsyntax-only", user)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", quick(2, ["std", "linux", "mahovik", "N", "Real"]))
 def test_names_that_clash(name: str, tmp_path: Path) -> None:
     given = random_stand(np.random.default_rng(5), 2, BARE, name)

@@ -25,6 +25,7 @@ def block(readme: str, language: str) -> str:
     return found[1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("real", quick(1, ["double", "float"]))
 @pytest.mark.parametrize("name", quick(2, TRIED))
 def test_the_example_compiles_and_prints_an_acceleration(name: str, real: str, tmp_path: Path) -> None:

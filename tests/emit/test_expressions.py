@@ -68,6 +68,7 @@ def build(program: Program, folder: Path) -> tuple[Any, Any]:
     return ffi, ffi.dlopen(str(folder / "trees.so"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)
 @pytest.mark.parametrize("seed", quick(1, range(3)))
 def test_random_trees_mean_in_c_what_they_mean(precision: Precision, seed: int, tmp_path: Path) -> None:

@@ -76,6 +76,7 @@ def test_the_delivery_says_so() -> None:
     assert "fast" not in json.loads(manifest(stand("demo3"), "double", files))
 
 
+@pytest.mark.slow
 def test_only_words_differ_from_c_with_the_same_bits() -> None:
     """The programs are the same: so what is proved of the one is, but for rounding, true of the other."""
     slow, fast = generate_with_selftest("demo3", "double", 2)[1], generate_with_selftest("demo3", "double", 2, True)[1]

@@ -31,6 +31,7 @@ def undefined(source: Path, tmp_path: Path, tool: str, *flags: str) -> tuple[lis
     return run(require("nm", "binutils"), "-u", "-f", "posix", thing).split("\n"), thing
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", quick(1, SINGLE))
 def test_no_helpers_of_double_where_the_fpu_is_single(name: str, source: Path, tmp_path: Path) -> None:
     wanted, _ = undefined(source, tmp_path, require(*ARM), "-mthumb", *SINGLE[name])

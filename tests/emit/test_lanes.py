@@ -112,6 +112,7 @@ def lines_of(source: str, function: str) -> tuple[int, int]:
     return first, next(i for i, line in enumerate(lines, 1) if i > first and line == "}")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("there", "here"), [(1, 4), (4, 1), (4, 8)])
 def test_header_and_sources_of_other_lanes_are_refused(there: int, here: int, tmp_path: Path) -> None:
     require("gcc", "gcc")

@@ -69,6 +69,7 @@ def test_a_caller_with_another_header_does_not_link(compiler: str, lto: tuple[st
     assert "shaker2_link_float_lanes1" in linked(compiler, source, tmp_path / "float" / "caller.o", *lto)
 
 
+@pytest.mark.slow
 def test_float_and_double_lie_in_one_image_under_two_names(tmp_path: Path) -> None:
     assert cli("generate", str(path("shaker2")), "-o", str(tmp_path)).exit_code == 0
     given = ("--real", "float", "--prefix", "shaker2f", "-o", str(tmp_path / "f"))
@@ -105,6 +106,7 @@ def test_the_check_takes_no_memory_and_can_be_left_out(tmp_path: Path) -> None:
     assert linked(compiler, checked[0], wide) == ""
 
 
+@pytest.mark.slow
 def test_the_linker_of_aarch64_takes_it(tmp_path: Path) -> None:
     """It refuses an address of a number in the object that defines it."""
     compiler = require("aarch64-linux-gnu-gcc", "gcc-aarch64-linux-gnu")

@@ -25,6 +25,7 @@ def _sources(folder: Path) -> list[Path]:
     return [each for each in sorted(folder.glob("*.c")) if not each.stem.endswith("_eva")]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "only", quick(2, ["forward,torque", "mounts", "inverse,prepare", "step", "quaternion", "accumulate"])
 )
@@ -51,6 +52,7 @@ def test_a_part_is_text_of_the_whole_and_smaller() -> None:
     assert body is not None and body[0] in whole
 
 
+@pytest.mark.slow
 def test_its_page_names_no_command_that_refuses_it() -> None:
     whole, part = (delivery(stand("sat4"), only=only)["README.md"] for only in ((), ("forward",)))
     for command in ("--targets all", "replay STAND.toml"):
@@ -101,6 +103,7 @@ def test_the_manifest_names_the_functions_and_commands_know_them(tmp_path: Path)
     )
 
 
+@pytest.mark.slow
 def test_a_part_is_measured() -> None:
     """Cost of the public functions of a part alone, on this machine."""
     require("valgrind", "valgrind")
@@ -108,6 +111,7 @@ def test_a_part_is_measured() -> None:
     assert [f.function for f in target.functions] == ["torque"]
 
 
+@pytest.mark.slow
 def test_drivers_of_frama_c_are_those_of_the_part() -> None:
     files = delivery(stand("sat4"), only=("forward", "torque"))
     drivers = re.findall(r"^void sat4_eva_\w+?_(\w+)\(void\)", files["sat4_eva.c"], re.MULTILINE)

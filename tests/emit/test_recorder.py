@@ -59,6 +59,7 @@ def test_header_in_cpp(source: Path, tmp_path: Path) -> None:
     run(require("g++", "g++"), *flags, "-fsyntax-only", user)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("optimisation", quick(1, ["-O2", "-O3", "-O1", "-Os"]))
 def test_stack_is_as_the_header_says(optimisation: str, source: Path) -> None:
     """The frames of the recorder and of the steps, deepest chain; the bound is less than three times as large."""

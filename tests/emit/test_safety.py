@@ -62,6 +62,7 @@ def test_exact_arithmetic_is_taken(folder: Path, compiler: str, flags: tuple[str
     assert "error" not in complaint(compiler, folder / "bench8.c", *flags)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("real", ["double", "float"])
 @pytest.mark.parametrize(
     ("compiler", "flag"), [("clang", "-funsafe-math-optimizations"), ("gcc", "-funsafe-math-optimizations")]

@@ -78,6 +78,7 @@ def generated(name: str, real: str) -> Generated:
     return generate_all(stand(name), real)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", names())
 def test_bounds_hold_for_the_cost_tables(name: str) -> None:
     """Every function on every target whose stack was measured; the routines of a recorder have a test of their own."""
@@ -107,6 +108,7 @@ def test_bounds_hold_for_every_optimisation(name: str, real: str, compiler: str,
             assert taken[function] <= bound, (level, function, taken[function])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("real", ["double", "float"])
 def test_headers_of_servos_and_programmes_state_bounds(real: str, tmp_path: Path) -> None:
     """Both parts, at all levels, without the functions that gcc leaves no frame."""

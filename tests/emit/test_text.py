@@ -73,6 +73,7 @@ def test_no_function_of_a_library(files: dict[str, str]) -> None:
     assert not re.search(r"\b(goto|while|static\s+\w+\s+\w+\s*=|malloc|volatile|long double)\b", code_of(source))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["bench8", "everything6", "everything0", "hung5"])
 def test_float_programs_hold_no_double(name: str) -> None:
     for text in float_texts(stand(name))[3].values():
@@ -135,6 +136,7 @@ def without_numbers(text: str, name: str) -> str:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", quick(2, ["everything6", "hung5", "wet7", "auv6", "bench8"]))
 def test_structure_decides_the_text(name: str) -> None:
     given = stand(name)

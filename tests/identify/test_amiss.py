@@ -74,6 +74,7 @@ def test_a_bad_fit_of_other_reasons_accuses_no_sensor(tmp_path: Path, truth: mah
     assert "or a number that is not free?" in note
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("error")
 def test_channels_without_a_signal_are_told(tmp_path: Path, truth: mahovik.Stand, clean: Array) -> None:
     rows = clean.copy()

@@ -82,6 +82,7 @@ def test_constant_speeds_are_distinct_and_reach_both_bounds() -> None:
     assert np.ptp(programme.at(np.linspace(0.0, 2.0, 50)).phi_dot, axis=0).max() == 0.0
 
 
+@pytest.mark.slow
 def test_information_is_that_of_a_dense_least_squares() -> None:
     """The covariance equals that of one least-squares problem in which the offsets of the channels are unknowns too."""
     rng = np.random.default_rng(2)
@@ -162,6 +163,7 @@ def test_motors_limit_the_modulation() -> None:
     assert impossible.status == "OK_LIMIT" and "w1: torque of" in impossible.words[0]
 
 
+@pytest.mark.slow
 def test_ctrl_c_keeps_the_best_so_far() -> None:
     def press(now: mahovik.Progress) -> None:
         if now.done == 12:

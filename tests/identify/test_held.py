@@ -174,6 +174,7 @@ def _place(column: Array, point: Array) -> Array:
     return np.asarray(column[:3] + _axes(column[3:7]) @ point)
 
 
+@pytest.mark.slow
 def test_friction_and_mass_of_a_pendulum_are_told_by_its_swing(tmp_path: Path) -> None:
     """A stick with a rate gyro swings freely from an unknown angle; its pivot is on a table that reads the force."""
     keys = {

@@ -51,6 +51,7 @@ def files(tmp_path: Path, exact: Array, monkeypatch: pytest.MonkeyPatch) -> Path
     return tmp_path
 
 
+@pytest.mark.slow
 def test_unbalances_are_found_within_their_standard_errors(files: Path, truth: mahovik.Stand) -> None:
     wanted = mahovik.identify(truth, files / "run.csv", "w*.unbalance")
     found = mahovik.identify(truth.replace(CHANGED), files / "run.csv", "w*.unbalance")
@@ -66,6 +67,7 @@ def test_unbalances_are_found_within_their_standard_errors(files: Path, truth: m
     assert found.residual == pytest.approx(0.1, rel=0.1)  # the noise of the data
 
 
+@pytest.mark.slow
 def test_the_file_keeps_its_words_and_units(files: Path) -> None:
     result = run("identify", "stand.toml", "--data", "run.csv", "--free", "w1.unbalance,imu.position", "-o", "new.toml",
                  "--json")  # fmt: skip
@@ -84,6 +86,7 @@ def test_the_file_keeps_its_words_and_units(files: Path) -> None:
         assert isinstance(parameters[path]["standard_error"], float)
 
 
+@pytest.mark.slow
 def test_two_flywheels_at_one_speed_are_named(tmp_path: Path, truth: mahovik.Stand) -> None:
     rows = recorded(truth, (150.0, 150.0), 0.5)
     found = mahovik.identify(truth, write_csv(tmp_path / "same.csv", with_noise(rows, 10.0, 2)), "w*.unbalance")
@@ -92,6 +95,7 @@ def test_two_flywheels_at_one_speed_are_named(tmp_path: Path, truth: mahovik.Sta
     assert not found.unobservable  # the flywheels are at other places: channels tell them apart
 
 
+@pytest.mark.slow
 def test_a_number_that_no_channel_tells_is_named_and_stays(files: Path, truth: mahovik.Stand) -> None:
     """Where the springs have no force only adds a constant to readings, which offsets of the sensors take."""
     free = ["w1.unbalance", "suspension.position[0]"]
@@ -189,6 +193,7 @@ def test_too_few_data_are_refused(files: Path, exact: Array) -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_file_of_free_numbers_may_have_a_delay(files: Path) -> None:
     """A free delay adds to the known one; together they are the true one, which is none."""
     text = 'schema = 1\nfree = ["imu.delay"]\n[delay]\nimu = "{}"\n'
@@ -200,6 +205,7 @@ def test_a_file_of_free_numbers_may_have_a_delay(files: Path) -> None:
     assert words.strip() == 'error: free.toml: delay.imu: unit "mm" does not fit, expected a time (s)'
 
 
+@pytest.mark.slow
 def test_an_order_that_the_stand_does_not_have_stands_out_of_the_residual(files: Path, exact: Array) -> None:
     """A third order of w1 is measured: figures by order and the page show it."""
     rows = with_noise(exact, 30.0, 3)
@@ -226,6 +232,7 @@ def test_an_order_that_the_stand_does_not_have_stands_out_of_the_residual(files:
     assert not (files / "other.toml").exists()
 
 
+@pytest.mark.slow
 def test_samples_without_a_phase_are_left_out(files: Path, exact: Array, truth: mahovik.Stand) -> None:
     """The phase of w1 ends after 0.7 s: what was measured later is not compared with a motion that is not known."""
     rows = with_noise(exact, 10.0, 5)

@@ -18,6 +18,7 @@ from mahovik.use.simulate.by_scipy import SciPyMotion
 from mahovik.use.simulate.case import Case
 
 
+@pytest.mark.slow
 def test_channels_are_those_of_the_literal_reference() -> None:
     stand = bench8(3)
     regime = constant(stand, [100.0, -130.0, 210.0], [0.1, 0.2, 0.3])

@@ -61,6 +61,7 @@ def compiled() -> CBackend:
     return CBackend(steered(1))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("speed", [90.0, -70.0, 0.0])
 def test_derivations_and_C_agree(speed: float) -> None:
     from mahovik.proof.second import Second
@@ -87,6 +88,7 @@ def test_rigorous_balls_hold_the_wrench() -> None:
         np.testing.assert_allclose(middles(found["V_dot"]).ravel(), expected, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_random_stands_have_them_on_several_bodies() -> None:
     """Inputs of the carrier and of an instrument: each product takes those of its own body."""
     from mahovik.proof.second import Second

@@ -131,6 +131,7 @@ def test_drag_takes_power_and_planning_has_its_slopes(V: np.ndarray, together: b
     np.testing.assert_allclose(planned.rate(V[None])[0], differences.T, rtol=0, atol=0.02)
 
 
+@pytest.mark.slow
 def test_many_states_at_once_have_the_bits_of_one() -> None:
     model = mahovik.build(slender(4, True))
     rng = np.random.default_rng(4)

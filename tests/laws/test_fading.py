@@ -133,6 +133,7 @@ def test_jacobian_of_the_C_is_that_of_differences() -> None:
     assert np.all(np.isfinite(still.V_dot_V))
 
 
+@pytest.mark.slow
 def test_each_state_has_its_own_numbers_and_the_bits_of_it_alone() -> None:
     """Also beyond the speed at which the exponential is zero by definition."""
     model = mahovik.build(loads(FILE))

@@ -69,6 +69,7 @@ def finned(seed: int) -> Stand:
     )
 
 
+@pytest.mark.slow
 def test_derivations_and_C_agree() -> None:
     from mahovik.proof.second import Second
 

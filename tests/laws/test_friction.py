@@ -75,6 +75,7 @@ def test_levels_by_hand() -> None:
 _POSITIVE = st.floats(1e-3, 1e3)
 
 
+@pytest.mark.slow
 @settings(deadline=None)
 @given(st.sampled_from(sorted(HOLDS)), _POSITIVE, _POSITIVE, _POSITIVE, st.floats(1.01, 1e3), st.integers(0, 99))
 def test_friction_never_does_positive_work(

@@ -103,6 +103,7 @@ def test_a_mass_bounces_off_an_undamped_stop() -> None:
     assert inside == pytest.approx(math.pi * math.sqrt(mass / stiffness), abs=2e-3)
 
 
+@pytest.mark.slow
 def test_a_damped_stop_returns_what_hunt_and_crossley_say() -> None:
     """m v dv/dx = -k x (1 + d v), d = damping / stiffness: v/d - ln(1 + d v)/d^2 is the same on the way in and out."""
     stiffness, damping, v = 8e3, 8e3, 0.5

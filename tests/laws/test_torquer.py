@@ -64,6 +64,7 @@ def test_the_field_is_constant_in_E0() -> None:
     np.testing.assert_allclose(F[3:], np.cross([2.0, 3.0, 0.0], [-2e-5, 0.0, -4e-5]), rtol=1e-12, atol=1e-19)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", quick(2, range(4)))
 def test_derivations_and_C_agree(seed: int) -> None:
     """Literal, by energy and the compiled C."""

@@ -110,6 +110,7 @@ def cases(draw: st.DrawFn) -> tuple[str, dict[str, list[float]], list[float], st
     return real, x, arrays["values"], of
 
 
+@pytest.mark.slow
 @settings(max_examples=500, deadline=None)
 @given(cases(), st.sampled_from([1, 2]))
 def test_the_status_is_that_of_the_first_bad_number(

@@ -41,6 +41,7 @@ def ask(c: CBackend, seed: int = 1, **options: Any) -> tuple[dict[str, Any], int
     return given, status, out["out"] if status >= 0 else {}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", quick(3, COUNTS))
 def test_residual_and_equations_agree(count: int) -> None:
     """residual = F - K V* - M V - J phi' - I phi'' with the matrices of the C; zero for N >= 6."""
@@ -57,6 +58,7 @@ def test_residual_and_equations_agree(count: int) -> None:
         assert np.abs(out["residual"]).max() < 1e-10 * np.abs(left).max()
 
 
+@pytest.mark.slow
 def test_weights_choose_among_flywheels() -> None:
     """One of 12 flywheels, weighted heavily, moves less; the target is still met, with the least weighted norm."""
     c = backend_of(12)

@@ -130,6 +130,7 @@ def rows_within(found: object, exact: np.ndarray, allowed: np.ndarray) -> bool:
 CASES = [*RANDOM, *names()]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", quick(1, [1, 2]))
 @pytest.mark.parametrize("name", quick(3, CASES))
 def test_derivatives_of_forward(name: str, seed: int) -> None:
@@ -146,6 +147,7 @@ def test_derivatives_of_forward(name: str, seed: int) -> None:
             assert np.abs(slopes[key]).max() < 1e-9, key
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", quick(1, [1, 2]))
 @pytest.mark.parametrize("name", [n for n in CASES if n != "bare 0"])
 def test_derivatives_of_coupled(name: str, seed: int) -> None:

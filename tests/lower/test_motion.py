@@ -182,6 +182,7 @@ def test_a_null_pointer_is_refused() -> None:
         assert status == STATUS_VALUES["BAD_ARGUMENT"], argument.name
 
 
+@pytest.mark.slow
 def test_a_locked_flywheel_is_one_more_rigid_body() -> None:
     """All locked, all at rest on the carrier: the motion of forward with phi'' = 0."""
     c = everything()
@@ -209,6 +210,7 @@ def test_a_lock_holds_one_flywheel_only() -> None:
     assert np.array(free_now["V_dot"]) == pytest.approx(np.array(locked["V_dot"]), abs=1e-11 * scale)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("speed", quick(1, [2e3, -2e3]))
 def test_a_step_over_too_many_turns_is_refused_in_float(speed: float) -> None:
     """A phase that a float cannot hold to its digits is out of range, not a worse answer."""

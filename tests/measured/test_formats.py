@@ -238,6 +238,7 @@ def test_a_missing_file(tmp_path: Path) -> None:
         read_recordings([tmp_path / "gone.csv"], STAND)
 
 
+@pytest.mark.slow
 @given(st.text(max_size=40))
 def test_any_header_is_a_channel_or_one_line(text: str) -> None:
     """No other error for any text."""

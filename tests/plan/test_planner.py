@@ -25,6 +25,7 @@ def planned(options: PlanOptions, **changed: Any) -> Plan:
     return plan_motion(stand, replace(motion, **changed), options)
 
 
+@pytest.mark.slow
 def test_a_bound_that_cannot_be_kept() -> None:
     """OK_LIMIT: a programme all the same, exact, with the excess that it really has, in words and in the report."""
     found = planned(replace(QUICK, steps=90), bounds=Bounds(acceleration=(60.0,) * N))

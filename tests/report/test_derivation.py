@@ -252,6 +252,7 @@ def test_constant_columns_are_the_flywheel_s_own() -> None:
         assert np.allclose(constant, expected, rtol=0, atol=1e-12 * scale)
 
 
+@pytest.mark.slow
 def test_a_held_carrier_has_a_section_on_its_hold() -> None:
     """The mass matrix is that of the reference; a clamped carrier has an equation alone, a free one no section."""
     folder = STANDS.parents[2] / "docs" / "held"

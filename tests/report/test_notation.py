@@ -87,6 +87,7 @@ class Reader:
         raise AssertionError(f"{node} cannot be read")
 
 
+@pytest.mark.slow
 def test_what_is_printed_is_the_expression() -> None:
     """Signs, brackets, fractions and powers of every expression of the documents, read back."""
     shown = expressions()

@@ -87,6 +87,7 @@ def test_run_ups_have_a_panel_of_their_own() -> None:
     assert panel.lines[0].y[-1] == pytest.approx(100.0 * RPM)
 
 
+@pytest.mark.slow
 def test_the_command_writes_pictures(programme: Path, tmp_path: Path) -> None:
     assert plot(*WITH, "--programme", programme, "-o", tmp_path / "a.png").exit_code == 0
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")

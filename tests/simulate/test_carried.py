@@ -43,6 +43,7 @@ def test_a_carried_run_in_float_keeps_what_a_plain_one_loses() -> None:
     assert error(carried, "x [m]") < 0.02  # the place of a float 200 m away
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("real", ["float", "double"])
 def test_given_speeds_are_kept_in_a_carried_run(real: str) -> None:
     """Flywheels of given speed have it at every row, and a carried run in double is the plain one but for rounding."""

@@ -77,6 +77,7 @@ def case(stand: Stand, text: str, until: float = 0.03, **more: Any) -> Case:
     return Case(stand, loads_regime(text, stand, until), start, until, **{"every": 0.01, **more})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "text"), quick(1, [("hinge", MIXED), ("knife edge", LAWS), ("ball joint", TORQUES), ("clamped", TORQUES)])
 )
@@ -230,6 +231,7 @@ def test_a_run_has_the_coordinates_of_the_freedoms_and_counts_whole_turns() -> N
     assert found["q_dot pitch [rad/s]"] == pytest.approx(np.full(11, 40.0), abs=1e-9)
 
 
+@pytest.mark.slow
 def test_a_run_of_a_ball_joint_has_its_quaternion_from_home() -> None:
     document = {**PENDULUM, "hold": {"freedoms": ["roll", "pitch", "yaw"], "angles": [0, 0.5, 0.1]}}
     found = mahovik.simulate(mahovik.Stand.from_dict(document), 0.1, start={"u": [1.0, 2.0, 0.5]}, dt=1e-3).run

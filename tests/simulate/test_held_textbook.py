@@ -56,6 +56,7 @@ def test_a_pendulum_with_stribeck_friction_swings_as_its_equation() -> None:
     assert np.abs(expected[0][-10:]).max() < 0.85 * 2.0  # the friction matters
 
 
+@pytest.mark.slow
 def test_coulomb_friction_takes_the_same_angle_in_each_half_swing() -> None:
     """Small swings lose 2 F_c / (m g a) between turning points, until rest (textbook solution of linear pieces)."""
     coulomb, first = 0.01, 0.12

@@ -9,6 +9,7 @@ from random import Random
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -79,6 +80,7 @@ def with_one_other(value: Any, place: str) -> Iterator[tuple[str, Any]]:
                 yield where, (*value[:k], other, *value[k + 1 :])
 
 
+@pytest.mark.slow
 def test_every_number_of_a_stand_changes_its_physics() -> None:
     """Masses, places, motors, and the data of all laws, of bodies and of the carrier: none is left out."""
     drag = CrossFlow(1.0, (0.0, 1.0), (1.0, 2.0), (3.0, 4.0), (1.5, 1.25), (2.5, 2.25), 2, together=False)

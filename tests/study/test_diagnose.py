@@ -127,6 +127,7 @@ def test_every_fault_can_be_seen() -> None:
     assert set(found.unseen) <= SEEN_ELSEWHERE
 
 
+@pytest.mark.slow
 def test_no_two_faults_are_the_same() -> None:
     """No two causes predict the same error of a stand with everything."""
     predicted = {fault.name: diagnoser().predictions.error((Part(fault),), False) for fault in DICTIONARY}
@@ -157,6 +158,7 @@ def test_a_single_fault_is_named_first(fault: Fault) -> None:
         assert fault.words in " ".join(sentences(found))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["J22 - J33 missing", "phi' not squared", "weight at the hub"])
 def test_the_flywheel_that_has_it_is_named(name: str) -> None:
     found = planted(Part(BY_NAME[name], "w2"))
@@ -164,6 +166,7 @@ def test_the_flywheel_that_has_it_is_named(name: str) -> None:
     assert "in w2 alone" in " ".join(sentences(found))
 
 
+@pytest.mark.slow
 def test_of_two_flywheels_that_mirror_one_another_one_is_named() -> None:
     """Two faults together cancel in some quantities; each alone does not."""
     shaker = load(path("shaker2"))
@@ -204,6 +207,7 @@ def test_two_at_once() -> None:
     assert sentences(found)[0] == "two faults at once found:"
 
 
+@pytest.mark.slow
 def test_a_fault_in_one_function_only() -> None:
     right, wrong = (
         FaultyProgram(stand()).answer,
@@ -240,6 +244,7 @@ def test_a_faulty_program_in_float_has_its_fault() -> None:
     assert names(found)[0] == {("phi'^2 terms, sign", None)}
 
 
+@pytest.mark.slow
 def test_noise_has_no_fault() -> None:
     """Errors of one percent that come from nowhere."""
     rng = np.random.default_rng(1)

@@ -28,6 +28,7 @@ HALF_EXPLAINED = [
 """Without these in the dictionary another fault explains 70 to 89 % of their error in `forward` and `torque`."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", quick(1, HALF_EXPLAINED))
 def test_what_explains_less_than_nine_tenths_is_no_fault_found(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(search, "DICTIONARY", tuple(fault for fault in DICTIONARY if fault.name != name))

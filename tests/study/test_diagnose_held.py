@@ -49,6 +49,7 @@ def first_requests(diagnoser: Diagnoser) -> list[Request]:
     return list(found.values())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", HOLDS)
 def test_every_fault_answers_every_want(name: str, tmp_path: Path) -> None:
     stand = stand_of(tmp_path, name)

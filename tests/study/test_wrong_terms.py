@@ -71,6 +71,7 @@ def named(result: TermSearchResult) -> set[tuple[str, str, str, float, float | N
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["hull", "demo3"])
 def test_a_wrong_sign_is_named_with_its_coefficient(name: str) -> None:
     def change(_: Any, right: Any, at: Pieces) -> None:
@@ -127,6 +128,7 @@ def test_terms_of_phases_and_of_torques() -> None:
     }
 
 
+@pytest.mark.slow
 def test_nothing_is_named_for_a_right_program_or_for_what_is_no_product() -> None:
     assert found("demo3", lambda *_: None).terms == ()
 
@@ -151,6 +153,7 @@ def test_too_few_answers_are_refused_with_their_number() -> None:
         search("demo3").find(lambda _: {"V_dot": [float("nan")] * 6})
 
 
+@pytest.mark.slow
 def test_terms_of_the_momentum() -> None:
     stand = stand_of("demo3")
 
@@ -168,6 +171,7 @@ def test_terms_of_the_momentum() -> None:
     assert (inertia.factor, inertia.expected, inertia.coefficient) == (-1.0, 1.0, "I_yy")
 
 
+@pytest.mark.slow
 def test_terms_of_coupled_equations() -> None:
     """A wrong drive torque and a wrong force at once, in a program that is asked for the motion under torques."""
     stand = stand_of("shaker2")
@@ -228,6 +232,7 @@ def test_coupled_is_asked_for_only_where_it_says_more() -> None:
     assert TermSearch(stand_of("shaker2"), wants=("forward", "torque", "coupled")).wants == ("forward", "torque")
 
 
+@pytest.mark.slow
 def test_words_and_data_of_terms() -> None:
     def change(_: Any, right: Any, at: Pieces) -> None:
         right[2] -= 2 * mass("demo3") * at.V_r[0] * at.V_r[4]

@@ -26,6 +26,7 @@ def printed(name: str, real: str, programme: str, kind: str, folder: Path) -> li
     return run(made, elf).splitlines()
 
 
+@pytest.mark.slow
 def test_a_float_processor(tmp_path: Path) -> None:
     """The Cortex-M4 alone, in its element type, with a run-up."""
     lines = printed("m4", "float", "started", "quintic", tmp_path)

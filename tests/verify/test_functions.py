@@ -80,6 +80,7 @@ def test_a_function_without_a_judge_fails(monkeypatch: pytest.MonkeyPatch) -> No
     assert [row.verdict for row in rows] == ["FAILED"]
 
 
+@pytest.mark.slow
 def test_float_is_judged_as_well() -> None:
     assert [row.reason for row in function_rows(case_of("sat4", real="float")) if row.failed] == []
 

@@ -67,6 +67,7 @@ def agree(stand: Stand, state: State, own: Any, judge: Any, want: str, most: flo
     assert not found or worst(found, other) < most, want
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "features"), quick(3, [(name, (DRY, WET)[k % 2]) for k, name in enumerate(HOLDS)]))
 def test_the_program_agrees_with_both_derivations(name: str, features: Features) -> None:
     stand = stand_of(name, 3, features)
@@ -159,6 +160,7 @@ def test_a_lock_leaves_a_flywheel_as_part_of_the_carrier(name: str) -> None:
     assert np.array(torque["tau"])[[0, 2]] == pytest.approx(np.array(state.tau)[[0, 2]], rel=1e-9)
 
 
+@pytest.mark.slow
 def test_compiled_c_gives_the_bits_of_the_interpreter_and_float_its_digits() -> None:
     stand = stand_of("knife edge", 8, DRY)
     state, made = replace(state_of(stand, 3), wrench={}), generate_all(stand)

@@ -36,11 +36,13 @@ def test_every_stand_is_named_in_the_tutorial() -> None:
         assert load(str(file)).name == file.stem
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("file", quick(1, FILES), ids=lambda file: file.stem)
 def test_a_stand_verifies(file: Path) -> None:
     assert verify_c(load(str(file)), seed=3, count=6).passed
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_joints_of_others_agree(file: Path) -> None:
     found = verify_judges(load(str(file)), count=6, names=("pinocchio", "mujoco"), bare=True)

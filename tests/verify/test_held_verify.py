@@ -136,6 +136,7 @@ PLANTED = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("fault", quick(1, PLANTED))
 def test_a_wrong_basis_in_the_c_fails(fault: str, tmp_path: Path) -> None:
     (tmp_path / "pendulum.toml").write_text(TEXT)

@@ -33,6 +33,7 @@ NANO = {"mass": "20 g", "spin": "12 g cm^2", "across": "7 g cm^2", "static": "0.
 CASES = quick(1, [("1.3 kg", 1, PICO, 1), ("4 kg", 3, NANO, 2), ("1.3 kg", 1, PICO, 2), ("4 kg", 3, NANO, 5)])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("carrier", "count", "wheel", "seed"), CASES)
 def test_right_c_passes(carrier: str, count: int, wheel: dict[str, str], seed: int) -> None:
     found = verify_c(small(carrier, count, **wheel), seed=seed, count=12)

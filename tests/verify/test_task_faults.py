@@ -92,6 +92,7 @@ def test_a_planted_fault_is_noticed(fault: str, tmp_path: Path) -> None:
     assert any(row.verdict == "FAILED" for row in rows)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("seed", "real"),
     quick(1, [(1, "double"), (2, "float"), *((k, "double") for k in range(3, 30))]),
@@ -111,6 +112,7 @@ def test_tasks_of_random_stands(seed: int, real: str) -> None:
         assert check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)).verdict == "ok"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("flywheels", [4, 8])
 def test_all_six_rows_of_o1_are_the_inverse_problem(flywheels: int) -> None:
     """phi'', sigma and rank those of (12), its residual -K times the task's; also with weights."""

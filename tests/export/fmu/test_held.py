@@ -58,6 +58,7 @@ def moving(name: str) -> tuple[Stand, State]:
     return stand, complete_start(stand, state, {"u", "phi_dot"})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "version", "kind", "inputs"), FORMS)
 def test_it_moves_as_simulate_does(name: str, version: str, kind: Kind, inputs: Inputs, tmp_path: Path) -> None:
     stand, state = moving(name)
@@ -108,6 +109,7 @@ def written(stand: Stand, state: State, folder: Path, kind: Kind = "cs") -> str:
     return str(file)
 
 
+@pytest.mark.slow
 def test_an_angle_counts_its_turns_also_within_a_communication_step(tmp_path: Path) -> None:
     """25 rad/s is two turns in half a second, and back again after the sign of the speed is changed."""
     stand = loads(OTHERS["hinge"])
@@ -127,6 +129,7 @@ def test_an_angle_counts_its_turns_also_within_a_communication_step(tmp_path: Pa
         assert abs(found["q[1]"][-1]) > 2 * math.pi
 
 
+@pytest.mark.slow
 def test_of_model_exchange_an_angle_is_within_half_a_turn(tmp_path: Path) -> None:
     stand, state = moving("pendulum")
     described = fmpy.read_model_description(written(stand, state, tmp_path, "me"))
@@ -134,6 +137,7 @@ def test_of_model_exchange_an_angle_is_within_half_a_turn(tmp_path: Path) -> Non
     assert "within half a turn" in angle.description
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "units"),
     [
@@ -161,6 +165,7 @@ def test_coordinates_have_units_of_their_freedoms(
     assert {each: found[each] for each in units} == units
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "given", "message"),
     [
@@ -239,6 +244,7 @@ def resisted(hold: str, freedom: str = "", stops: bool = True) -> Stand:
     return loads(f"{text}\n{tables}")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("version", ["2.0", "3.0"])
 @pytest.mark.parametrize(
     ("hold", "freedom", "kind"),
@@ -261,6 +267,7 @@ def test_friction_and_stops_are_parameters_in_the_units_of_their_freedom(
     assert wanted == found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("hold", "freedom"), [("pendulum", ""), ("shaker", ""), ("basis", "2")])
 @pytest.mark.parametrize(("version", "kind"), [("2.0", "cs"), ("3.0", "me")])
 def test_friction_and_stops_act_as_simulate_has_them(

@@ -79,6 +79,7 @@ def roundtrip(version: str, kind: Any = "cs") -> None:
         free(kept)
 
 
+@pytest.mark.slow
 def test_states_are_kept() -> None:
     roundtrip("2.0")
 

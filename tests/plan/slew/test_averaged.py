@@ -70,6 +70,7 @@ def test_wheels_at_working_speeds_slew(keys: dict[str, Any]) -> None:
     assert angle["rms"] < angle["largest"]
 
 
+@pytest.mark.slow
 def test_what_unbalance_adds_is_what_the_reference_simulates() -> None:
     """The literal reference over the first turns of the wheels, by another method in other coordinates."""
     stand, programme = sat4(), quick()
@@ -177,6 +178,7 @@ def test_a_row_within_reach_is_held_against_unbalance() -> None:
     assert found.status == "OK", found.words
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("aside", [False, True])
 def test_a_point_stays_at_rest_while_the_carrier_turns_about_the_line_through_it(aside: bool) -> None:
     """Six rows: about the line through the centre of mass the wheels do it; about another they have no force."""

@@ -118,6 +118,7 @@ def test_flywheels_at_rest_move_nothing() -> None:
     assert not found.lines.rms().any() and found.left_out[0] == 0.0
 
 
+@pytest.mark.slow
 def test_quantities_are_derivatives_of_one_another() -> None:
     stand = load(path("sat4"))
     asked = read_speeds(stand, ["all=3000rpm", "rw2=2987rpm"])

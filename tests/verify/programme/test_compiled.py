@@ -120,6 +120,7 @@ def test_a_bad_manifest_is_refused_without_assertions_too(tmp_path: Path) -> Non
     assert "not as `mahovik export programme` writes it" in done.stdout
 
 
+@pytest.mark.slow
 def test_the_command_judges_the_folder(tmp_path: Path) -> None:
     source = written(exported("spin"), tmp_path)
     save_programme(programmes.spin(), tmp_path / "p.json")

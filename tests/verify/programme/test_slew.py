@@ -38,6 +38,7 @@ def moved(programme: Programme, **changed: Any) -> Programme:
     return replace(programme, carrier=replace(programme.carrier, **changed))
 
 
+@pytest.mark.slow
 def test_the_programme_passes() -> None:
     assert failed(*case()) == set()
 

@@ -188,5 +188,6 @@ def test_a_carrier_that_is_thrown_off_is_not_followed(monkeypatch: pytest.Monkey
     assert "2.5 amplitudes from the required motion at t = 0.0" in found.words
 
 
+@pytest.mark.slow
 def test_numbers_beyond_all_bounds_are_refused_without_a_word_of_numpy() -> None:
     assert offended(replace(shaker()[2], course=fourier(cos=1e200))) >= {"residual", "simulation"}

@@ -95,6 +95,7 @@ def still_from_rest() -> Case:
     return stand, motion, finite
 
 
+@pytest.mark.slow
 def test_a_finite_programme() -> None:
     stand, motion, programme = still_from_rest()
     phi = programme.at(np.zeros(1)).phi[0]

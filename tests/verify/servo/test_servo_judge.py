@@ -56,6 +56,7 @@ def public_functions(header: Path, prefix: str = "shaker2") -> set[str]:
     return set(re.findall(rf"^\w[\w ]*\b{prefix}_(\w+)\(", text, re.MULTILINE))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "real"),
     quick(2, [("trimmed", "double"), ("spin", "float"), ("trimmed", "float"), ("swaying", "double")]),
@@ -98,6 +99,7 @@ OTHER = quick(
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "coordinates", "harmonics", "real"), OTHER)
 def test_functions_of_other_stands(
     name: str, coordinates: tuple[int, ...], harmonics: int, real: str, tmp_path: Path

@@ -96,6 +96,7 @@ def difference(name: str) -> float:
     return float((np.abs(found.matrix - expected) / scale).max())
 
 
+@pytest.mark.slow
 def test_a_number_of_the_matrix_that_is_not_right_fails(tmp_path: Path) -> None:
     """Wrong in the fourth digit, in sign, or in the place of another: the zeros of the means see none of these."""
     source = written(exported("trimmed"), tmp_path)
