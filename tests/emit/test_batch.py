@@ -177,6 +177,7 @@ def test_optimised_for_this_machine() -> None:
         check(built, batch, inputs, 41)
 
 
+@pytest.mark.slow
 def test_no_multiply_add_is_fused_and_vectors_are_used(tmp_path: Path) -> None:
     library = tmp_path / "batch.o"
     library.write_bytes(native().object_code)
