@@ -31,15 +31,15 @@ if TYPE_CHECKING:
 @command(short_help="Simulate a stand, or a programme on it.")
 def simulate(
     stand_file: str = STAND_FILE,
-    until: float | None = option("--until", 'Simulate for this time, "500 ms" or s.', metavar="TIME", parse=quantities.time),
+    until: float | None = option(
+        "--until", 'Simulate for this time, "500 ms" or s.', metavar="TIME", parse=quantities.time
+    ),
     output: str | None = file_option("-o", "FILE.csv|FILE.parquet", "Write the motion to this file, in columns."),
     regime: str | None = file_option(
         "--regime", "FILE", "Read speeds or torques of the flywheels from this file; default: none turns."
     ),
     start: str | None = file_option("--start", "STATE.json", "Start from this state; default: the static equilibrium."),
-    dt: float = option(
-        "--dt", "Limit the step to this time.", metavar="TIME", default="0.1 ms", parse=quantities.time
-    ),
+    dt: float = option("--dt", "Limit the step to this time.", metavar="TIME", default="0.1 ms", parse=quantities.time),
     every: float = option(
         "--every", "Write a row each time this passes.", metavar="TIME", default="1 ms", parse=quantities.time
     ),
