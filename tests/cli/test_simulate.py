@@ -104,7 +104,7 @@ def test_motors_that_fall_short_are_told() -> None:
     ("arguments", "words"),
     [
         (("--until", "0", "-o", "a.csv"), "--until 0: expected a time above 0"),
-        (("--until", "nan", "-o", "a.csv"), "--until nan: expected a time, as \"10 ms\""),
+        (("--until", "nan", "-o", "a.csv"), '--until nan: expected a time, as "10 ms"'),
         (("--until", "1m", "-o", "a.csv"), '--until 1m: unit "m" does not fit, expected a time (s)'),
         (("--until", "1", "--dt", "1 2", "-o", "a.csv"), "--dt 1 2: expected a time"),
         (("--until", "1", "--dt", "0", "-o", "a.csv"), "--dt 0: expected a time above 0"),
