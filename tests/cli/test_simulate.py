@@ -116,6 +116,10 @@ def test_motors_that_fall_short_are_told() -> None:
         (("-o", "a.csv"), "Missing option '--until'"),
         (("--until", "1", "-o", "a.csv", "--regime", "none.toml"), "none.toml: no such file"),
         (("--until", "1", "-o", "a.csv", "--start", "none.json"), "none.json: cannot be read"),
+        (
+            ("--until", "1", "-o", "a.csv", "--start", "s.toml"),
+            "--start s.toml: expected a JSON file;",
+        ),
         (("--until", "1", "-o", "a.csv", "--order", "3"), "'3' is not one of"),
         (("--until", "1", "-o", "a.csv", "--backend", "matlab"), "'matlab' is not one of"),
     ],
