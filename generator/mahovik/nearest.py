@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-ALIKE = 0.4
+ALIKE = 0.5
 """Minimum similarity (0 to 1) for a suggestion; below it the known names are listed."""
 
 LISTED = 24

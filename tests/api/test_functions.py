@@ -78,6 +78,13 @@ def test_a_result_has_columns_with_units_in_every_form(name: str) -> None:
     assert repr(found).startswith("<") and "\n" not in repr(found)
 
 
+def test_speeds_are_a_mapping_texts_or_one_text() -> None:
+    given = ({"left": "600 rpm", "right": "-1*left"}, ["left=600rpm", "right=-1*left"], "all=600rpm")
+    mapping, texts, one = (mahovik.response(shaker(), speeds, "carrier").sweep.steps[0].turning for speeds in given)
+    assert mapping == texts
+    assert one.speeds == (mapping.speeds[0],) * 2
+
+
 def test_an_unknown_column_is_named() -> None:
     with pytest.raises(mahovik.InputError, match="no such column, did you mean"):
         results()["simulate"]["phi_dot leftt"]

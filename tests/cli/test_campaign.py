@@ -80,6 +80,7 @@ def test_bad_input_is_one_line(out: Path) -> None:
             "status",
             "nowhere",
         ): "nowhere: no campaign was begun here; `mahovik campaign run C.toml -o nowhere`",
+        ("campaign", "status", str(out.parent / "c.toml")): "c.toml: is a file, expected the folder of a campaign",
         ("campaign", "run", str(out.parent / "c.toml"), "-o", str(out.parent)): "holds other files",
         ("campaign", "run", "missing.toml", "-o", "out"): "missing.toml",
         ("campaign", "run", "c.toml", "-o", "out", "--scheduler", "here"): "scheduler here: cannot be reached, missing",

@@ -82,6 +82,15 @@ def test_starts_from_a_state_and_from_what_rest_prints() -> None:
     assert max(map(abs, columns("run.csv")["v_z [m/s]"])) < 1e-12
 
 
+def test_times_have_units() -> None:
+    """The same file, whether a time is in ms or a plain number in s."""
+    for output, until, dt, every in (("s.csv", "0.01", "1e-4", "0.002"), ("ms.csv", "10 ms", "100 us", "2ms")):
+        result = run("simulate", DEMO3, "--until", until, "--dt", dt, "--every", every, "-o", output)
+        assert result.exit_code == 0, result.output
+    assert Path("s.csv").read_text() == Path("ms.csv").read_text()
+    assert columns("s.csv")["t [s]"] == [0.0, 0.002, 0.004, 0.006, 0.008, 0.01]
+
+
 @pytest.mark.slow
 def test_motors_that_fall_short_are_told() -> None:
     text = Path(BENCH8).read_text() + "\n[flywheel.motor]\ntorque = 0.001\n"
@@ -97,7 +106,9 @@ def test_motors_that_fall_short_are_told() -> None:
     ("arguments", "words"),
     [
         (("--until", "0", "-o", "a.csv"), "--until 0: expected a time above 0"),
-        (("--until", "nan", "-o", "a.csv"), "--until nan"),
+        (("--until", "nan", "-o", "a.csv"), '--until nan: expected a time, as "10 ms"'),
+        (("--until", "1m", "-o", "a.csv"), '--until 1m: unit "m" does not fit, expected a time (s)'),
+        (("--until", "1", "--dt", "1 2", "-o", "a.csv"), "--dt 1 2: expected a time"),
         (("--until", "1", "--dt", "0", "-o", "a.csv"), "--dt 0: expected a time above 0"),
         (("--until", "100", "--dt", "20", "-o", "a.csv"), "--dt 20: expected at most 10 s"),
         (("--until", "1", "-o", "/proc/a.csv"), "/proc/a.csv: cannot be written"),
@@ -107,6 +118,10 @@ def test_motors_that_fall_short_are_told() -> None:
         (("-o", "a.csv"), "Missing option '--until'"),
         (("--until", "1", "-o", "a.csv", "--regime", "none.toml"), "none.toml: no such file"),
         (("--until", "1", "-o", "a.csv", "--start", "none.json"), "none.json: cannot be read"),
+        (
+            ("--until", "1", "-o", "a.csv", "--start", "s.toml"),
+            "--start s.toml: expected a JSON file;",
+        ),
         (("--until", "1", "-o", "a.csv", "--order", "3"), "'3' is not one of"),
         (("--until", "1", "-o", "a.csv", "--backend", "matlab"), "'matlab' is not one of"),
     ],

@@ -44,6 +44,13 @@ def test_relative_links_resolve(page: Path) -> None:
         assert not anchor or anchor in anchors(file), target
 
 
+def test_pages_named_in_the_code_exist() -> None:
+    """A page of the repository by its path, or one that a template makes; names in capitals are of delivered files."""
+    for source in sorted(PACKAGE.rglob("*.py")):
+        for name in re.findall(r"\b[a-z][a-z/-]+\.md\b", source.read_text(encoding="utf-8")):
+            assert (ROOT / name).is_file() or (ROOT / "templates" / f"{name}.j2").is_file(), (source.name, name)
+
+
 @pages
 def test_tables_are_rectangular(page: Path) -> None:
     for table in tables(page):

@@ -12,7 +12,7 @@ from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.recorder import RECORDED, recorder_files
 from mahovik.core.toolchain.footprint import STACK_FLAGS, footprint
 from toolchain.quick import quick
-from toolchain.tools import compile_c, require, require_32_bit, run
+from toolchain.tools import compile_c, compile_elsewhere, require, run, symbols_of
 
 CASES = [
     ("bench8", "double"),
@@ -35,10 +35,8 @@ def source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
 
 
 def test_strict_warnings_and_bare_objects(source: Path, tmp_path: Path) -> None:
-    thing = tmp_path / "recorder.o"
-    compile_c(require("gcc", "gcc"), source, "-O2", "-c", "-o", thing)
     name = source.stem.removesuffix("_recorder")
-    listed = [line.split()[-2:] for line in run(require("nm", "binutils"), thing).splitlines()]
+    listed = symbols_of(source, tmp_path)
     wanted = {symbol for kind, symbol in listed if kind == "U"}
     link = {symbol for symbol in wanted if symbol.startswith(f"{name}_link_")}
     assert len(link) == 1  # of the linker's check, without memory
@@ -48,8 +46,7 @@ def test_strict_warnings_and_bare_objects(source: Path, tmp_path: Path) -> None:
 
 
 def test_clang_and_32_bits(source: Path) -> None:
-    compile_c(require("clang", "clang"), source, "-fsyntax-only")
-    compile_c(require_32_bit(), source, "-m32", "-fsyntax-only")
+    compile_elsewhere(source)
 
 
 def test_header_in_cpp(source: Path, tmp_path: Path) -> None:

@@ -24,7 +24,7 @@ from mahovik.out.export.attitude import attitude_sources
 from mahovik.stands import path
 from mahovik.use.control.attitude import LoopOptions, design_attitude
 from toolchain.quick import quick
-from toolchain.tools import compile_c, require, require_32_bit, run
+from toolchain.tools import compile_c, compile_elsewhere, require, run, symbols_of
 
 ARCSEC = 4.84813681109536e-06  # rad
 
@@ -191,10 +191,8 @@ def test_stands_without_a_task_or_enough_axes_are_refused(tmp_path: Path) -> Non
 def test_clang_32_bits_cpp_and_bare_objects(tmp_path: Path) -> None:
     folder = written(exported("float"), tmp_path)
     source = folder / "eye4_attitude.c"
-    compile_c(require("clang", "clang"), source, "-fsyntax-only")
-    compile_c(require_32_bit(), source, "-m32", "-fsyntax-only")
-    compile_c(require("gcc", "gcc"), source, "-O2", "-c", "-o", folder / "loop.o")
-    listed = [line.split()[-2:] for line in run(require("nm", "binutils"), folder / "loop.o").splitlines()]
+    compile_elsewhere(source)
+    listed = symbols_of(source, folder)
     outside = {symbol for kind, symbol in listed if kind == "U"}
     assert outside <= {"memcpy", "memset", "eye4_torque_for_pointing", "eye4_momentum", "eye4_default_options"}
     assert {kind for kind, _ in listed} <= set("UTtRrA")

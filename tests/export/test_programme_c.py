@@ -13,7 +13,7 @@ from export.programmes import exported, self_tested, spin, written
 from mahovik.core.emit.names import Names
 from mahovik.core.lower.programme.form import RESERVED
 from mahovik.core.program.cost import cost
-from toolchain.tools import compile_c, require, require_32_bit, run
+from toolchain.tools import compile_c, compile_elsewhere, require, require_32_bit, run, symbols_of
 
 CASES = [
     ("spin", "quintic", "double"),
@@ -43,11 +43,8 @@ def test_every_bit_is_the_interpreters(source: Path) -> None:
 
 
 def test_clang_32_bits_and_bare_objects(source: Path, tmp_path: Path) -> None:
-    compile_c(require("clang", "clang"), source, "-fsyntax-only")
-    compile_c(require_32_bit(), source, "-m32", "-fsyntax-only")
-    thing = tmp_path / "programme.o"
-    compile_c(require("gcc", "gcc"), source, "-O2", "-c", "-o", thing)
-    listed = [line.split()[-2:] for line in run(require("nm", "binutils"), thing).splitlines()]
+    compile_elsewhere(source)
+    listed = symbols_of(source, tmp_path)
     assert {symbol for kind, symbol in listed if kind == "U"} <= {"memcpy", "memset"}
     assert {kind for kind, _ in listed} <= set("UTtRrA")  # no data that could change
     assert all("_link_" in symbol for kind, symbol in listed if kind == "A")  # a number for the linker

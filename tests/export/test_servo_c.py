@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from export.servos import exported, self_tested, written
-from toolchain.tools import compile_c, require, require_32_bit, run
+from toolchain.tools import compile_c, compile_elsewhere, require, run, symbols_of
 
 slow = pytest.mark.slow
 CASES = [
@@ -41,11 +41,8 @@ def test_every_bit_is_the_interpreters(source: Path) -> None:
 
 
 def test_clang_32_bits_and_bare_objects(source: Path, tmp_path: Path) -> None:
-    compile_c(require("clang", "clang"), source, "-fsyntax-only")
-    compile_c(require_32_bit(), source, "-m32", "-fsyntax-only")
-    thing = tmp_path / "servo.o"
-    compile_c(require("gcc", "gcc"), source, "-O2", "-c", "-o", thing)
-    listed = [line.split()[-2:] for line in run(require("nm", "binutils"), thing).splitlines()]
+    compile_elsewhere(source)
+    listed = symbols_of(source, tmp_path)
     assert {symbol for kind, symbol in listed if kind == "U"} <= {"memcpy", "memset"}
     assert {kind for kind, _ in listed} <= set("UTtRrA")  # no data that could change
     assert all("_link_" in symbol for kind, symbol in listed if kind == "A")  # a number for the linker

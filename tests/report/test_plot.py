@@ -198,6 +198,7 @@ def test_wrong_use_is_refused(programme: Path, tmp_path: Path) -> None:
         (["--programme", programme, *WITH[:1], "-o", tmp_path / "a.svg"], "give both or neither"),
         (["--programme", tmp_path / "none.json", "-o", tmp_path / "a.svg"], "none.json"),
         (["--run", tmp_path / "none.csv", "-o", tmp_path / "a.svg"], "cannot be read"),
+        (["--run", programme, "-o", tmp_path / "a.svg"], "expected a Parquet file, or a name that ends in .csv"),
         (["--programme", programme, "--waterfall", "x", "-o", tmp_path / "a.svg"], "--waterfall: only of a run"),
     ):
         found = plot(*arguments)

@@ -1,4 +1,4 @@
-"""What several tests of enclosures do: balls as arrays, and the widest of them."""
+"""What several tests of enclosures do: balls as arrays, and the comparison of their middles with the reference."""
 
 from __future__ import annotations
 
@@ -7,6 +7,9 @@ from typing import Any
 import numpy as np
 from flint import arb
 from numpy.typing import NDArray
+
+from mahovik.core.stand import Stand, State
+from mahovik.proof import reference, rigorous
 
 
 def flat(balls: Any) -> list[arb]:
@@ -20,3 +23,10 @@ def middles(balls: Any) -> NDArray[np.float64]:
         return float(value.mid()) if isinstance(value, arb) else [nested(each) for each in value]
 
     return np.array(nested(balls), dtype=np.float64)
+
+
+def forward_is_enclosed(stand: Stand, state: State) -> None:
+    """V_dot of (8) in balls is that of the literal reference."""
+    found = rigorous.evaluate(rigorous.pieces_at(stand, state), state, "forward")
+    expected = reference.evaluate(stand, state, ["forward"])["V_dot"]
+    np.testing.assert_allclose(middles(found["V_dot"]).ravel(), expected, rtol=1e-9)

@@ -48,6 +48,20 @@ def compile_c(compiler: str, source: Path, *flags: str | Path) -> None:
     run(compiler, *FIRMWARE_WARNINGS, "-ffp-contract=off", *flags, source)
 
 
+def compile_elsewhere(source: Path) -> None:
+    """Compiles a file by clang and for 32 bits; asserts that neither complains. Writes nothing."""
+    compile_c(require("clang", "clang"), source, "-fsyntax-only")
+    compile_c(require_32_bit(), source, "-m32", "-fsyntax-only")
+
+
+def symbols_of(source: Path, folder: Path) -> list[tuple[str, str]]:
+    """Kind, as `nm` has it, and name of each symbol of the object that gcc makes of a file at -O2."""
+    thing = folder / f"{source.stem}.o"
+    compile_c(require("gcc", "gcc"), source, "-O2", "-c", "-o", thing)
+    listed = run(require("nm", "binutils"), thing).splitlines()
+    return [(kind, symbol) for kind, symbol in (line.split()[-2:] for line in listed)]
+
+
 def run(*command: str | Path) -> str:
     """Runs a command that must succeed in silence, and returns what it printed."""
     done = subprocess.run([str(c) for c in command], capture_output=True, text=True, check=False)

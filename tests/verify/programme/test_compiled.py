@@ -21,6 +21,7 @@ from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.proof.verify.programme.programme_c import compiled_findings
 from mahovik.stands import path
 from toolchain.quick import quick
+from verify.planting import changed
 
 
 def judged(folder: Path, programme: str = "started") -> dict[str, Finding]:
@@ -55,17 +56,6 @@ def test_every_function_of_the_header_is_judged(programme: str, kind: str, real:
     assert functions & {"at", "runup_at", "rundown_at"} <= rows
     assert {"clock", "residual"} <= rows
     assert ("torque" in rows) == (programme == "spin")
-
-
-def changed(pattern: str, new: str, count: int = 1) -> Callable[[str], str]:
-    """The source with a pattern replaced, which it must hold."""
-
-    def change(text: str) -> str:
-        text, found = re.subn(pattern, new, text, count=count)
-        assert found
-        return text
-
-    return change
 
 
 FAULTS = [

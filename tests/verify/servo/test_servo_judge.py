@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -32,6 +31,7 @@ from mahovik.stands import path
 from test_architecture import PACKAGE, REPOSITORY
 from test_independence import OURS, reached
 from toolchain.quick import quick
+from verify.planting import changed
 
 LIMITED = (
     'integral = "4 Hz"\nspeed_filter = "900 Hz"\ntorque_limit = "0.2 N m"\ntorque_rate = "50 N m/s"\n'
@@ -131,17 +131,6 @@ def test_functions_of_other_stands(
     found = verify_servo(given, read_servo(HEAD + trim, given), tmp_path)
     assert {row.want for row in found.failures} <= {"servo_default", "trim_default"}  # their numbers are drawn
     assert public_functions(tmp_path / f"{name}_servo.h", name) <= {row.want for row in found.rows if row.states}
-
-
-def changed(pattern: str, new: str, count: int = 1) -> Callable[[str], str]:
-    """The source with a pattern replaced, which it must hold."""
-
-    def change(text: str) -> str:
-        text, found = re.subn(pattern, new, text, count=count)
-        assert found
-        return text
-
-    return change
 
 
 FAULTS = [

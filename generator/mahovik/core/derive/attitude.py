@@ -32,7 +32,7 @@ class Attitude:
 
 @cache
 def attitude(sequence: str) -> Attitude:
-    """The matrices of a sequence of stand.md. Derived: <omega> = C^T C', B from its coefficients."""
+    """The matrices of an attitude sequence. Derived: <omega> = C^T C', B from its coefficients."""
     axes = SEQUENCES[sequence]
     C = sp.eye(3)
     for axis, name in zip(axes, ANGLES, strict=True):

@@ -1,4 +1,4 @@
-"""Checks of inputs: finite, and inside the ranges of stand.md. Nothing is computed from an input before it passed.
+"""Checks of inputs: finite, and inside the ranges of limits.py. Nothing is computed from an input before it passed.
 
 Values are looked at one by one only where a sum of their squares is not below the square of the limit. Where it is,
 each value is within: rounding keeps the order of numbers, so a rounded sum of what is not negative is no smaller than

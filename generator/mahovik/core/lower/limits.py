@@ -1,4 +1,4 @@
-"""Ranges that the emitted C accepts (stand.md, *Evaluation*), as named constants of the program."""
+"""Ranges that the emitted C accepts (docs/c-interface.md, Ranges), as named constants of the program."""
 
 from __future__ import annotations
 

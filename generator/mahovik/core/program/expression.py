@@ -72,7 +72,7 @@ class Const(Expr):
 
 
 class Status(Expr):
-    """A status of stand.md by name, such as OK or NOT_FINITE."""
+    """A status of contract/status.py by name, such as OK or NOT_FINITE."""
 
     __slots__ = ("name",)
 

@@ -33,7 +33,7 @@ class Precision:
     bias: int
     scalar: Any
     word: Any
-    max_phase: float  # largest accepted flywheel phase, rad (stand.md)
+    max_phase: float  # largest accepted flywheel phase, rad (docs/c-interface.md, Ranges)
 
     @property
     def epsilon(self) -> float:

@@ -17,8 +17,8 @@ from mahovik.core.stand.units import INERTIA
 
 Array = NDArray[np.float64]
 
-LEAST_EIGENVALUE = 1e-12  # stand.md
-RELATIVE = 1e-9  # stand.md: a flat disc, rounded, is a body
+LEAST_EIGENVALUE = 1e-12  # docs/limits.md, The definiteness check
+RELATIVE = 1e-9  # a flat disc, rounded, is a body
 
 MOST_CONDITION = 5e5
 """Largest condition of S^T D S of a basis: a double has ten digits left, where two rows differ by a 350th."""

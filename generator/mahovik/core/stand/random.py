@@ -180,7 +180,7 @@ class _Bodies(Draw):
     """Bodies and what belongs to one."""
 
     def body(self, name: str, mass: float, size: float, fluid: bool, inputs: bool) -> dict[str, Any]:
-        """Fields of any body: a cloud of eight point masses, off the origin by a third of its size."""
+        """Fields of any body: eight point masses, `mass` kg in all, off the origin by a third of their `size`, m."""
         rng = self.rng
         parts = rng.uniform(0.5, 1.5, 8) * mass / 8
         at = rng.normal(size=(8, 3)) * size + rng.normal(size=3) * size / 3

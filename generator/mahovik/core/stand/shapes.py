@@ -1,4 +1,4 @@
-"""Vectors and matrices of a stand file: lists of quantities in the spellings that stand.md allows, checked as read."""
+"""Vectors and matrices of a stand file: lists of quantities, spelt as docs/stand-file.md allows, checked as read."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ class KeptBackend(FunctionBackend):
         return KeptBackend(with_all_inputs(self._stand), self._real)
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
-        """Results by the names of stand.md. Raises StateError."""
+        """Results by the names of contract/quantities.py. Raises StateError."""
         if any(body not in self.inputs for body in state.wrench):
             return super(KeptBackend, self.full).evaluate(state, want)
         return super().evaluate(state, want)

@@ -38,7 +38,10 @@ def place_at(stand: Stand, attitude: Array) -> Array:
 
 
 def check_pose(stand: Stand, position: Array, attitude: Array) -> None:
-    """InputError for poses (3 and 4, or n of them) that the hold does not allow; not of a set that is not closed."""
+    """Raise InputError for poses that the hold does not allow; of a set that is not closed all are allowed.
+
+    position: m, in E0, (3) or (n, 3); attitude: quaternions, w first, (4) or (n, 4)
+    """
     hold = stand.hold
     assert hold is not None
     if not is_closed(hold) or any(freedom.kind == "twist" for freedom in hold.freedoms):

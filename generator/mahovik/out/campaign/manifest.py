@@ -113,6 +113,8 @@ def read_manifest(folder: Path) -> Manifest:
         text = path.read_text(encoding="utf-8")
     except FileNotFoundError:
         raise UsageError(f"{folder}: no campaign was begun here; `mahovik campaign run C.toml -o {folder}`") from None
+    except NotADirectoryError:
+        raise UsageError(f"{folder}: is a file, expected the folder of a campaign") from None
     except OSError as error:
         raise UsageError(f"{path}: cannot be read: {error.strerror or error}") from None
     except ValueError as error:

@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from mahovik.core.stand.capacity import Capacity
     from mahovik.core.stand.identity import Identities
     from mahovik.core.stand.summary import Summary, UnbalanceRow
-    from mahovik.core.stand.units import Dimension
     from mahovik.core.stand.written import Written
 
 
@@ -60,9 +59,9 @@ def check(
     that a task should name the rows that are demanded; and of tasks that the flywheels do not reach.
     """
     stand = load_stand(stand_file, held=True)
-    asked = None if speed is None else read_speed(speed)
-    apart = None if planes is None else read_distance(planes)
-    ahead = None if fluid is None else read_velocity(fluid)
+    asked = None if speed is None else abs(_read("--speed", speed, ("an angular speed", "rad/s"), -1e9, 1e9))
+    apart = None if planes is None else _read("--planes", planes, ("a length", "m"), 1e-6, 1e6)
+    ahead = None if fluid is None else _read("--fluid", fluid, ("a velocity", "m/s"), 1e-3, 1e4)
     if asked is not None:
         warn_of_speeds(stand, [asked] * len(stand.flywheels), [str(speed)] * len(stand.flywheels))
     from mahovik.core.stand import identities
@@ -78,7 +77,7 @@ def check(
     unbalances = {each.where: each.text for each in written if each.key == "unbalance.static"}
     summary, names = summarize(stand, asked, apart, unbalances), identities(stand)
     short = shortfalls(stand, [row.speed for row in summary.unbalance])
-    step = USUAL_STEP if dt is None else read_step(dt)
+    step = USUAL_STEP if dt is None else _read("--dt", dt, ("a time", "s"), 1e-9, 1e3)
     lost = lost_increments(stand, [row.speed for row in summary.unbalance], step)
     over, unreached = excess(stand), task_shortfalls(stand)
     steep = long_steps(stand, step)
@@ -112,57 +111,20 @@ def check(
         print_fluid(in_fluid)
 
 
-def read_distance(text: str) -> float:
-    """A distance above 0 in m: a plain number, or one with a unit. Raises UsageError."""
-    from mahovik.core.stand.units import LENGTH
-
-    found = _read_quantity(text, LENGTH, "--planes")
-    if not 1e-6 <= found <= 1e6:
-        raise UsageError(f"--planes: {text} is out of range, expected 1e-06 to 1e+06 m")
-    return found
-
-
-def read_step(text: str) -> float:
-    """A step of time above 0 in s: a plain number, or one with a unit. Raises UsageError."""
-    from mahovik.core.stand.units import TIME
-
-    found = _read_quantity(text, TIME, "--dt")
-    if not 1e-9 <= found <= 1e3:
-        raise UsageError(f"--dt: {text} is out of range, expected 1e-09 to 1000 s")
-    return found
-
-
-def read_velocity(text: str) -> float:
-    """A velocity above 0 in m/s: a plain number, or one with a unit. Raises UsageError."""
-    from mahovik.core.stand.units import VELOCITY
-
-    found = _read_quantity(text, VELOCITY, "--fluid")
-    if not 1e-3 <= found <= 1e4:
-        raise UsageError(f"--fluid: {text} is out of range, expected 0.001 to 10000 m/s")
-    return found
-
-
-def _read_quantity(text: str, dimension: Dimension, name: str) -> float:
-    """A plain number in SI, or one with a unit."""
-    from mahovik.core.stand.units import QuantityError, number
+def _read(option: str, text: str, dimension: tuple[str, str], low: float, high: float) -> float:
+    """A number in SI, plain or with a unit; `dimension`: words and SI unit. Raises UsageError."""
+    from mahovik.core.stand.units import Dimension, QuantityError, number
 
     try:
-        return float(text)
+        found = float(text)
     except ValueError:
         try:
-            return number(text, dimension)
+            found = number(text, Dimension(*dimension))
         except QuantityError as error:
-            raise UsageError(f"{name}: {error}") from None
-
-
-def read_speed(text: str) -> float:
-    """A speed in rad/s: a plain number, or one with a unit. Raises UsageError."""
-    from mahovik.core.stand.units import SPEED
-
-    found = _read_quantity(text, SPEED, "--speed")
-    if not (math.isfinite(found) and abs(found) <= 1e9):
-        raise UsageError(f"--speed: {text} is out of range")
-    return abs(found)
+            raise UsageError(f"{option}: {error}") from None
+    if not low <= found <= high:
+        raise UsageError(f"{option}: {text} is out of range, expected {low:g} to {high:g} {dimension[1]}")
+    return found
 
 
 def _print(summary: Summary, names: Identities, short: list[str], written: list[Written]) -> None:

@@ -8,6 +8,7 @@ from typing import Literal
 import click
 
 from mahovik.errors import UsageError
+from mahovik.out.cli import quantities
 from mahovik.out.cli.group import Commands
 from mahovik.out.cli.options import (
     REAL,
@@ -51,7 +52,9 @@ def fmu(
     ),
     output: str | None = file_option("-o", "FILE.fmu", "Write this file; default ./NAME.fmu of the stand."),
     start: str | None = file_option("--start", "STATE.json", "Start from this state; default: the static equilibrium."),
-    dt: float = option("--dt", "Limit the internal step of cs, s.", metavar="S", type=float, default=0.0001),
+    dt: float = option(
+        "--dt", "Limit the internal step of cs.", metavar="TIME", default="0.1 ms", parse=quantities.time
+    ),
     binary: bool = option(
         "--binary/--no-binary",
         "Compile for this machine, beside the sources.",

@@ -24,7 +24,7 @@ from mahovik.out.cli.options import (
 from mahovik.out.cli.output import INTERRUPTED, print_json_text, print_table, require_suffix
 from mahovik.out.cli.progress import progress
 from mahovik.out.cli.rest import read_phases
-from mahovik.out.cli.sweep import PICTURES, SHOWN, SUFFIXES, TimeLimit, check_place
+from mahovik.out.cli.sweep import PICTURES, SHOWN, STEPS, SUFFIXES, TimeLimit, check_place
 
 if TYPE_CHECKING:
     from mahovik.out.functions.jitter import Jitter
@@ -69,13 +69,7 @@ def jitter(
         ["angle", "rate", "displacement", "velocity", "acceleration", "force", "moment"],
         "Find this quantity; default angle, of a load force.",
     ),
-    steps: int = option(
-        "--steps",
-        "Divide the sweep into this number of speeds.",
-        metavar="N",
-        type=click.IntRange(2, 100000),
-        default=61,
-    ),
+    steps: int = STEPS,
     phases: tuple[str, ...] = PHASES,
     harmonics: tuple[str, ...] = _table("--harmonics", "Add a maker's table of harmonics, all=FILE or by name."),
     noise: tuple[str, ...] = _table("--noise", "Add a maker's table of broadband noise."),

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from mahovik.errors import UsageError
 from mahovik.out.cli.output import note_json
 
 if TYPE_CHECKING:
@@ -78,8 +79,15 @@ def choice(declaration: str, values: Sequence[str], help: str, **attributes: Any
 
 
 def file_option(declaration: str, metavar: str, help: str, **attributes: Any) -> Any:
-    """An option that names a file or folder."""
-    return option(declaration, help, metavar=metavar, type=click.Path(), **attributes)
+    """An option that names a file or folder; where one of JSON is read, a name that ends in .toml is refused."""
+    parse = _json_name if metavar.endswith(".json") and declaration != "-o" else None
+    return option(declaration, help, parse=parse, metavar=metavar, type=click.Path(), **attributes)
+
+
+def _json_name(name: str, path: str) -> str:
+    if path.endswith(".toml"):
+        raise UsageError(f"{name} {path}: expected a JSON file; the name is that of a TOML file, such as a stand")
+    return path
 
 
 def json_option(help: str = "Print JSON instead of text.") -> Any:

@@ -69,6 +69,14 @@ def frequency(option: str, text: str) -> float:
     return found[0]
 
 
+def time(option: str, text: str) -> float:
+    """One time, s. Raises UsageError."""
+    found = _list(option, text, ("a time", "s"))
+    if len(found) != 1:
+        raise UsageError(f'{option} {text}: expected a time, as "10 ms"')
+    return found[0]
+
+
 def interval(option: str, text: str) -> tuple[float, float]:
     """Two frequencies, Hz, as "20..200Hz". Raises UsageError."""
     low, dots, high = text.partition("..")

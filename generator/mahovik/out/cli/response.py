@@ -10,11 +10,11 @@ import click
 from mahovik.contract.quantities import RPM
 from mahovik.errors import UsageError
 from mahovik.out.cli import quantities
-from mahovik.out.cli.options import JSON, STAND_FILE, choice, command, file_option, is_given, load_stand, option
+from mahovik.out.cli.options import JSON, PHASES, STAND_FILE, choice, command, file_option, is_given, load_stand, option
 from mahovik.out.cli.output import INTERRUPTED, print_json_text, print_table, require_suffix
 from mahovik.out.cli.progress import progress
 from mahovik.out.cli.rest import read_phases
-from mahovik.out.cli.sweep import SHOWN, SUFFIXES, TimeLimit, check_place
+from mahovik.out.cli.sweep import SHOWN, STEPS, SUFFIXES, TimeLimit, check_place
 
 if TYPE_CHECKING:
     from mahovik.use.study.response.sweep import Sweep
@@ -38,13 +38,7 @@ def response(
         metavar="POINT",
         required=True,
     ),
-    steps: int = option(
-        "--steps",
-        "Divide the sweep into this number of speeds.",
-        metavar="N",
-        type=click.IntRange(2, 100000),
-        default=61,
-    ),
+    steps: int = STEPS,
     quantity: str | None = choice(
         "--quantity",
         ["acceleration", "velocity", "displacement", "force", "moment"],
@@ -53,9 +47,7 @@ def response(
     band: tuple[float, float] | None = option(
         "--band", "Print also the RMS of the harmonics within this band.", metavar="A..BHz", parse=quantities.band
     ),
-    phases: tuple[str, ...] = option(
-        "--phase", 'Set the phase at t = 0, "w1=90 deg"; default 0.', metavar="NAME=ANGLE", multiple=True
-    ),
+    phases: tuple[str, ...] = PHASES,
     seconds: float | None = option(
         "--time", "Limit the time of the sweep.", metavar="S", type=click.FloatRange(min=0, min_open=True)
     ),

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mahovik.errors import UsageError
+from mahovik.out.cli import quantities
 from mahovik.out.cli.options import (
     REAL,
     STAND_FILE,
@@ -30,14 +31,18 @@ if TYPE_CHECKING:
 @command(short_help="Simulate a stand, or a programme on it.")
 def simulate(
     stand_file: str = STAND_FILE,
-    until: float | None = option("--until", "Simulate for this time, s.", metavar="S", type=float),
+    until: float | None = option(
+        "--until", 'Simulate for this time, "500 ms" or s.', metavar="TIME", parse=quantities.time
+    ),
     output: str | None = file_option("-o", "FILE.csv|FILE.parquet", "Write the motion to this file, in columns."),
     regime: str | None = file_option(
         "--regime", "FILE", "Read speeds or torques of the flywheels from this file; default: none turns."
     ),
     start: str | None = file_option("--start", "STATE.json", "Start from this state; default: the static equilibrium."),
-    dt: float = option("--dt", "Limit the step to this time, s.", metavar="S", type=float, default=0.0001),
-    every: float = option("--every", "Write a row each time this passes, s.", metavar="S", type=float, default=0.001),
+    dt: float = option("--dt", "Limit the step to this time.", metavar="TIME", default="0.1 ms", parse=quantities.time),
+    every: float = option(
+        "--every", "Write a row each time this passes.", metavar="TIME", default="1 ms", parse=quantities.time
+    ),
     order: str = choice("--order", ["4", "2"], "Choose the order of the step.", default="4"),
     backend: str = choice(
         "--backend",

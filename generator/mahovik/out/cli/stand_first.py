@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 
 import click
 
-from mahovik.out.cli.options import Parameter, option
+from mahovik.out.cli.options import Parameter, file_option
 
 STAND = "STAND.toml"
 OptionalName = TypeVar("OptionalName", str, str | None)
@@ -33,7 +33,7 @@ FURTHER: Any = Parameter(_HiddenArgument, (), {"nargs": -1, "type": click.Path()
 
 def needed_option(declaration: str, metavar: str, help: str) -> Any:
     """An option that is required, unless the arguments have the former order."""
-    return option(declaration, f"{help}  [required]", metavar=metavar, type=click.Path())
+    return file_option(declaration, metavar, f"{help}  [required]")
 
 
 def stand_first(

@@ -1,10 +1,13 @@
-"""A sweep of speeds on the command line: its limit of time, and the file that it writes."""
+"""A sweep of speeds on the command line: its steps, its limit of time, and the file that it writes."""
 
 from __future__ import annotations
 
 import time
 from pathlib import Path
 
+import click
+
+from mahovik.out.cli.options import option
 from mahovik.writing import probe
 
 PICTURES = (".svg", ".png")
@@ -12,6 +15,15 @@ SUFFIXES = (".csv", ".json", *PICTURES)
 
 SHOWN = 12
 """Lines in the table."""
+
+
+STEPS = option(
+    "--steps",
+    "Divide the sweep into this number of speeds.",
+    metavar="N",
+    type=click.IntRange(2, 100000),
+    default=61,
+)
 
 
 class TimeLimit:

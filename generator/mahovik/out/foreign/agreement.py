@@ -1,6 +1,6 @@
 """Comparison of an imported stand with the original file in Pinocchio or MuJoCo: relative differences of the dynamics.
 
-Both are compared in the terms of model.md; the originals use only the joint names of the stand.
+Both are compared in the terms of docs/model.md; the originals use only the joint names of the stand.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import Number, StandGiven, by_flywheel
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
-from mahovik.out.functions.vibration import speed_text, warn_of_planned_speeds
+from mahovik.out.functions.vibration import planned_speeds
 from mahovik.use.study.jitter import Jitter as Study
 from mahovik.use.study.jitter import LoadView, Makers, View
 from mahovik.use.study.jitter import jitter as find
@@ -28,7 +28,7 @@ from mahovik.use.study.jitter.structure import read_structure
 from mahovik.use.study.jitter.tables import AXES, as_object, csv_text, json_text, order_entries, verdict_object
 from mahovik.use.study.response.held import REACTION
 from mahovik.use.study.response.outputs import freedom_of
-from mahovik.use.study.response.speeds import ALL, read_speeds
+from mahovik.use.study.response.speeds import ALL
 
 HOLD = "hold"
 """How names of what a hold has begin."""
@@ -202,9 +202,7 @@ def jitter(
         _by_wheel(own, "inner_modes", inner_modes, read_inner_modes),
         None if modes is None else read_structure(Path(modes), own),
     )
-    texts = [speed_text(*each) for each in speeds.items()] if isinstance(speeds, Mapping) else list(speeds)
-    asked = read_speeds(own, texts)
-    warn_of_planned_speeds(own, asked, texts)
+    asked = planned_speeds(own, speeds)
     count, words = 1 if asked.sweep is None else steps, f"jitter of {own.name}, speeds"
 
     def shall_go_on(done: int) -> bool:

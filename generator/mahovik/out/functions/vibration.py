@@ -94,9 +94,7 @@ def response(
     """
     own = Stand.of(stand, held=True)
     output_of(own, at, quantity)
-    texts = [speed_text(*each) for each in speeds.items()] if isinstance(speeds, Mapping) else list(speeds)
-    asked = read_speeds(own, texts)
-    warn_of_planned_speeds(own, asked, texts)
+    asked = planned_speeds(own, speeds)
     count, words = 1 if asked.sweep is None else steps, f"response of {own.name}, speeds"
 
     def shall_go_on(done: int) -> bool:
@@ -115,7 +113,20 @@ def speed_text(name: str, speed: Number) -> str:
     return f"{name}={speed}" if isinstance(speed, str) else f"{name}={float(speed)!r} rad/s"
 
 
-def warn_of_planned_speeds(stand: Stand, asked: SpeedPlan, given: Sequence[str]) -> None:
+def planned_speeds(stand: Stand, speeds: Mapping[str, Number] | Sequence[str]) -> SpeedPlan:
+    """Speeds by flywheel, or texts as of `--speed`, one text or several; warns of those beyond the motors' speeds.
+
+    Raises UsageError.
+    """
+    given = [speeds] if isinstance(speeds, str) else list(speeds)
+    if isinstance(speeds, Mapping):
+        given = [speed_text(*each) for each in speeds.items()]
+    asked = read_speeds(stand, given)
+    _warn_of_planned_speeds(stand, asked, given)
+    return asked
+
+
+def _warn_of_planned_speeds(stand: Stand, asked: SpeedPlan, given: Sequence[str]) -> None:
     """Warn of speeds beyond those of the motors, and of fast ones without a unit."""
     fastest = [max(map(abs, each)) for each in zip(*(asked.speeds(x) for x in asked.sweep or (0.0,)), strict=True)]
     texts = dict.fromkeys(asked.names, "")

@@ -23,7 +23,7 @@ ALONE = 4
 
 
 def separating_states(stand: Stand, seed: int = 1, actuators: bool = False) -> list[tuple[str, State]]:
-    """States with their names, the same for the same seed; without stand.md's extremes, which rounding disturbs.
+    """States with their names, the same for the same seed; without the extremes of `verify`, which rounding disturbs.
 
     `actuators`: with deflections of fins and speeds of propellers, for programs that take them.
     """

@@ -1,4 +1,4 @@
-"""Evaluation of a state (stand.md): which equations answer which `want`."""
+"""Evaluation of a state, as `mahovik eval` asks for it: which equations answer which `want`."""
 
 from __future__ import annotations
 

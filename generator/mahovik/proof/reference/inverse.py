@@ -16,7 +16,7 @@ from mahovik.proof.reference.pieces import Pieces
 
 @dataclass(frozen=True)
 class Cuts:
-    """Thresholds of rank and status (stand.md, for double).
+    """Thresholds of rank and status, for double.
 
     rank     of the first singular value: those below are taken as zero
     near     of the first singular value: a smallest kept one below this is NEAR_SINGULAR
@@ -29,7 +29,7 @@ class Cuts:
 
 
 CUTS = Cuts()
-"""Thresholds of stand.md for double."""
+"""Thresholds for double."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +76,7 @@ def inverse(at: Pieces, V_dot: Array, cuts: Cuts = CUTS, rank: int | None = None
 
 
 def status_names(scaled_demand: Array, scaled_residual: Array, sigma: Array, rank: int, least: int, cuts: Cuts) -> str:
-    """Names of stand.md joined by |, in the order of their bits; a rank below `least` is RANK_DEFICIENT."""
+    """Names of contract/status.py joined by |, in the order of their bits; a rank below `least` is RANK_DEFICIENT."""
     names = []
     if rank and sigma[rank - 1] < cuts.near * sigma[0]:
         names.append("NEAR_SINGULAR")

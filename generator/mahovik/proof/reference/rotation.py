@@ -41,7 +41,7 @@ ELEMENTARY = (C1, C2, C3)
 
 
 def attitude(sequence: Sequence, psi: float, theta: float, phi: float) -> Array:
-    """C (3x3): ship C3(psi) C2(theta) C1(phi), aircraft C2(psi) C3(theta) C1(phi), Euler C3 C1 C3."""
+    """C (3x3), angles in rad: ship C3(psi) C2(theta) C1(phi), aircraft C2(psi) C3(theta) C1(phi), Euler C3 C1 C3."""
     if sequence == "ship":
         return C3(psi) @ C2(theta) @ C1(phi)
     if sequence == "aircraft":
@@ -70,7 +70,7 @@ def carrier_rotation(stand: Stand, state: State) -> Array:
 
 
 def fixed_rotation(psi: float, theta: float, phi: float) -> Array:
-    """C (3x3) of an instrument or a point in its mount: always C3(psi) C2(theta) C1(phi)."""
+    """C (3x3) of an instrument or a point in its mount, angles in rad: always C3(psi) C2(theta) C1(phi)."""
     return C3(psi) @ C2(theta) @ C1(phi)
 
 
@@ -163,7 +163,7 @@ def kinematic_matrix_rate(sequence: Sequence, angles: Array, rates: Array) -> Ar
     return D
 
 
-SINGULAR = 1e-6  # stand.md: |cos theta| (Euler: |sin theta|) below this is an error of `generalized`
+SINGULAR = 1e-6  # |cos theta| (Euler: |sin theta|) below this is an error of `generalized`
 
 
 def check_attitude(sequence: Sequence, angles: Array) -> None:

@@ -1,4 +1,4 @@
-"""Enclosures of what `want` names (stand.md), at a precision, or as narrow as is asked."""
+"""Enclosures of what `want` names, at a precision, or as narrow as is asked."""
 
 from __future__ import annotations
 

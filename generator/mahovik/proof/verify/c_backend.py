@@ -141,7 +141,7 @@ class CBackend(ProgramBackend):
         return CBackend(stand, self._precision_name, lanes=self.generated.layout.lanes, fast=self.fast)
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
-        """Results by the names of stand.md. Raises StateError."""
+        """Results by the names of contract/quantities.py. Raises StateError."""
         if self._folder is None and any(body not in self.inputs for body in state.wrench):
             return super(CBackend, self.full).evaluate(state, want)
         return super().evaluate(state, want)

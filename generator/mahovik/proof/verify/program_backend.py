@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from mahovik.core.program.function import Program
 
 NEAR_SINGULAR_BELOW = 1e-6
-"""`NEAR_SINGULAR` in eval: smallest kept singular value below this part of the first (stand.md)."""
+"""`NEAR_SINGULAR` in eval: smallest kept singular value below this part of the first."""
 
 
 _TASK_ANSWERS = {
@@ -62,7 +62,7 @@ class FunctionBackend(ABC):
         return self.layout.inputs
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
-        """Results by the names of stand.md. Raises StateError."""
+        """Results by the names of contract/quantities.py. Raises StateError."""
         if fault := want_fault(want) or hold_fault(want, bool(self.layout.held)):
             raise StateError(fault)
         for name in want:
@@ -148,7 +148,7 @@ class FunctionBackend(ABC):
             "tau": state.tau,
             "locked": [0] * len(state.phi),
             "wrench": wrench,
-            "options": {  # of `inverse`: by the stand file what each flywheel has, the rest by stand.md
+            "options": {  # of `inverse`: by the stand file what each flywheel has, the rest by default
                 **self._options,
                 "weight": [1.0] * len(state.phi),
                 "limit": [self.layout.precision.largest] * len(state.phi),

@@ -280,7 +280,7 @@ def check_first_moment(problem: Problem, force: Array, C: Array, found: Prefligh
 
 
 def second_integral(force: Array, period: float) -> Array:
-    """Twice integrated by Fourier series (M, ...), its mean and that of `force` removed."""
+    """Twice integrated over a `period`, s, by Fourier series (M, ...), its mean and that of `force` removed."""
     spectrum = np.fft.rfft(force, axis=0)
     k = np.arange(len(spectrum), dtype=np.float64)
     k[0] = np.inf

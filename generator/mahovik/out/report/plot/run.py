@@ -73,8 +73,12 @@ def _csv(path: Path) -> dict[str, Array]:
 
 
 def _parquet(path: Path) -> dict[str, Array]:
+    parquet = _parquet_module(path)
     with path.open("rb") as file:
-        table = _parquet_module(path).read_table(file)
+        try:
+            table = parquet.read_table(file)
+        except ValueError:
+            raise ValueError("expected a Parquet file, or a name that ends in .csv") from None
     return {name: np.asarray(table[name], dtype=np.float64) for name in table.column_names}
 
 

@@ -1,7 +1,7 @@
 """Pinocchio as a judge: free-flyer and revolute joints; CRBA, RNEA, ABA.
 
 Its twists are (linear; angular) in the body's frame, and its spatial acceleration is the derivative of their
-components: V and V* as model.md has them, without conversion.
+components: V and V* as docs/model.md has them, without conversion.
 """
 
 from __future__ import annotations

@@ -27,7 +27,7 @@ class JudgeError(UsageError):
 
 
 class StateJudge(Protocol):
-    """A program of others with the model of one stand. Everything it returns is in the terms of model.md."""
+    """A program of others with the model of one stand. Everything it returns is in the terms of docs/model.md."""
 
     name: str
     version: str

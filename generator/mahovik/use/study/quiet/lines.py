@@ -193,7 +193,7 @@ def mean_square(found: list[Line], band: Interval) -> float:
 
 
 def uncontrolled_mean_square(speeds: Array, a: Complex, band: Interval) -> float:
-    """Mean square in the band if no phase is held: the mean over all phases."""
+    """Mean square in the band if no phase is held, the mean over all phases; speeds in rad/s."""
     inside_band = (np.abs(speeds) >= 2 * np.pi * band[0]) & (np.abs(speeds) <= 2 * np.pi * band[1]) & (speeds != 0.0)
     return float(np.sum(np.abs(a[:, inside_band]) ** 2)) / 2.0
 

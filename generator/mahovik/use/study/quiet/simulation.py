@@ -94,7 +94,7 @@ class Sampling:
 
 
 def steady_start(rest: State, amplitudes: Amplitudes, stand: Stand, speeds: Array, phases: Array) -> State:
-    """State at t = 0 on the steady motion, to first order: no mode has to decay first."""
+    """State at t = 0 on the steady motion (rad/s, rad), to first order: no mode has to decay first."""
     x = (amplitudes.states(speeds) * np.exp(1j * np.sign(speeds) * phases)).sum(axis=1).real
     state = displaced_state(rest, pieces(stand, rest).C, x[:6])
     V = cast(Vec6, tuple(x[6:].tolist()))
@@ -102,7 +102,7 @@ def steady_start(rest: State, amplitudes: Amplitudes, stand: Stand, speeds: Arra
 
 
 def regime_of(stand: Stand, speeds: Array, phases: Array) -> Regime:
-    """Constant speeds and phases at t = 0."""
+    """Constant speeds, rad/s, and phases at t = 0, rad."""
     driven = zip(stand.flywheels, speeds.tolist(), phases.tolist(), strict=True)
     return Regime("quiet", tuple(FlywheelRegime(s.name, Constant(speed), phase) for s, speed, phase in driven), {})
 

@@ -383,7 +383,7 @@ class _Search:
 
 
 def largest_multiplier(J: Array, period: float) -> float:
-    """Largest modulus of the multipliers of dy' = J dy over a period: exponentials from middle to middle of nodes."""
+    """Largest modulus of the multipliers of dy' = J dy over a `period`, s: exponentials between middles of nodes."""
     monodromy = np.eye(J.shape[1])
     for each in expm(J * (period / len(J))):
         monodromy = each @ monodromy
