@@ -13,7 +13,7 @@ from export.held_servos import ARM, MASS, SPIN, WHOLE, pendulum, servo
 from mahovik.core.motion.servo import Servo, read_servo
 from mahovik.core.stand import load, loads
 from mahovik.core.stand.model import Freedom, Hold, Stand
-from mahovik.errors import CheckError, ServoError
+from mahovik.errors import CheckError
 from mahovik.stands import path
 from mahovik.use.control.servo import check_margins, delay, lightness, loop_gains, margins
 
@@ -110,11 +110,3 @@ def test_what_the_hold_makes_unstable_is_refused_with_a_bandwidth_that_is_accept
     hertz = float(str(told.value).split("at most ")[1].split(" Hz")[0])
     assert hertz * 2 * math.pi < given.bandwidth
     assert margins(pendulum(), read_servo(text.format(hertz), pendulum())).are_sufficient
-
-
-def test_a_trim_of_a_held_carrier_is_refused_in_a_line() -> None:
-    with pytest.raises(ServoError) as told:
-        servo("[trim]\n")
-    expected = "a trim corrects the motion of a free carrier: remove [trim]"
-    assert str(told.value) == f"hold.toml: trim: found [hold] in the stand file, but {expected}"
-    assert servo("trim = false\n").trim is None

@@ -50,7 +50,7 @@ def check(name: str, made: Generated, folder: Path, compilers: tuple[tuple[str, 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", FEW)
+@pytest.mark.parametrize("name", (*FEW, *HELD))
 def test_no_warning(name: str, tmp_path: Path) -> None:
     check(name, generated(name), tmp_path, COMPILERS)
 

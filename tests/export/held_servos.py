@@ -17,15 +17,15 @@ from mahovik.out.export.servo import ExportedServo, export_servo
 SPIN, WHOLE, ARM, MASS = 0.013, 0.04, 0.1, 1.5
 """kg m2 of the wheel about its axis and of everything about the pivot; m, kg of everything: of its mass centre."""
 
+FRICTION = 0.02
+"""N m s/rad, of the hinge that has some."""
+
 SWAY, PERIOD, HARMONICS = 0.3, 1.0, 9
 
 HEAD = 'schema = 1\nname = "hold"\nsample_period = "1 ms"\nlatency = "1300 us"\nbandwidth = "20 Hz"\n'
 
 
-@cache
-def pendulum() -> Stand:
-    """A body on a hinge along y of E1 through O1, with a balanced wheel on the same axis, and its weight below."""
-    return loads(f"""
+PENDULUM = f"""
 schema = 1
 name = "hinge"
 gravity = [0, 0, -9.81]
@@ -43,26 +43,43 @@ zero = [0, 0, 1]
 mass = {MASS - 1.0}
 spin_inertia = {SPIN}
 transverse_inertia = 0.007
-""")
+"""
+"""A body on a hinge along y of E1 through O1, with a balanced wheel on the same axis, and its weight below."""
 
 
 @cache
-def motion() -> RequiredMotion:
+def pendulum() -> Stand:
+    """The stand of PENDULUM."""
+    return loads(PENDULUM)
+
+
+@cache
+def hung() -> Stand:
+    """The pendulum with viscous friction of the hinge, so that it settles."""
+    friction = f"[[hold.friction]]\nviscous = {FRICTION}\n"
+    return loads(PENDULUM.replace("[[flywheel]]", friction + "[[flywheel]]"))
+
+
+@cache
+def motion(stand: Stand | None = None) -> RequiredMotion:
     """theta = SWAY cos(2 pi t / PERIOD)."""
     given = {"schema": 1, "name": "sway", "type": "periodic", "period": PERIOD, "winding": "rock"}
-    return read_motion(json.dumps({**given, "harmonics": [{"k": 1, "cos": [SWAY]}]}), pendulum(), "sway.json")
+    return read_motion(json.dumps({**given, "harmonics": [{"k": 1, "cos": [SWAY]}]}), stand or pendulum(), "sway.json")
 
 
 @cache
-def programme() -> Programme:
-    """WHOLE theta'' + SPIN phi'' = -MASS g ARM sin theta, integrated twice harmonic by harmonic."""
+def programme(stand: Stand | None = None) -> Programme:
+    """WHOLE theta'' + c theta' + SPIN phi'' = -MASS g ARM sin theta, integrated twice harmonic by harmonic."""
     omega = 2 * np.pi / PERIOD
     theta = SWAY * np.cos(2 * np.pi * np.arange(64) / 64)
     phi_ddot = (WHOLE * omega**2 * theta - MASS * 9.81 * ARM * np.sin(theta)) / SPIN
     k = np.arange(1, HARMONICS + 1)
     cos = -2 * np.fft.rfft(phi_ddot).real[k] / 64 / (k * omega) ** 2
-    found, own = identities(pendulum()), pendulum()
-    course = Fourier(np.zeros(1), cos[:, None], np.zeros((HARMONICS, 1)))
+    own = stand or pendulum()
+    found = identities(own)
+    sin = np.zeros((HARMONICS, 1))
+    sin[0] = -(FRICTION if own == hung() else 0.0) * SWAY / (omega * SPIN)
+    course = Fourier(np.zeros(1), cos[:, None], sin)
     return Programme(
         own.name, found.structure, found.physics, "sway", ("w",), True, PERIOD, np.zeros(1), (0,), course,
         coordinates=("pitch",),

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from pil import Run, processor_in_the_loop, read_run
 
-from export.held_servos import exported, motion, pendulum, programme, servo
+from export.held_servos import exported, hung, motion, pendulum, programme, servo
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.motion.programme import Fourier
 from mahovik.core.stand import identities
@@ -19,14 +19,17 @@ from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.toolchain.board import build, run
 from mahovik.errors import StandError
 from mahovik.out.export.servo import ExportedServo, export_servo
+from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.servo import verify_servo
 from targets.boards import target
 from toolchain.tools import compile_c
 
 
-def written(made: ExportedServo, stand: Stand, folder: Path, real: str = "double") -> Path:
-    """Servo, programme and stand in a folder."""
-    own = generate_all(stand, real, only=("step", "wrap")).files
+def written(
+    made: ExportedServo, stand: Stand, folder: Path, real: str = "double", only: tuple[str, ...] = ("step", "wrap")
+) -> Path:
+    """Servo, programme and stand in a folder, the stand with these functions."""
+    own = generate_all(stand, real, only=only).files
     for name, text in {**own, **made.programme.files, **made.servo}.items():
         (folder / name).write_text(text, encoding="utf-8")
     return folder
@@ -88,20 +91,75 @@ def test_judges_pass_it_and_find_a_wrong_gain(tmp_path: Path) -> None:
     assert [(row.want, row.quantity) for row in report.failures] == [("servo_default", "speed")]
 
 
-def ran(board: str, real: str, folder: Path) -> Run:
+TRIM = 'integral = "2 Hz"\n[trim]\nharmonics = 2\nsettling = 3\n'
+
+
+def trimmed(folder: Path) -> Path:
+    """Servos with a trim for the hinge that has friction, and its C."""
+    own = hung()
+    made = export_servo(own, programme(own), motion(own), servo(TRIM, own))
+    assert any(line.startswith("trim: 2 harmonics of pitch, 4 directions; ") for line in made.lines)
+    return written(made, own, folder, only=("step", "wrap", "generalized"))
+
+
+def test_a_trim_measures_the_coordinates_of_generalized(tmp_path: Path) -> None:
+    """There is nothing to correct in the example, whose stand is the nominal one."""
+    folder = trimmed(tmp_path)
+    assert "trim_coordinates" not in (folder / "hinge_servo.h").read_text()
+    assert microradians(folder) <= 1
+    main = folder / "hinge_servo_main.c"
+    text, own, size = main.read_text(), "q[i] = found.q[measured[i]];", "me.trim.present[0][1]"
+    assert own in text
+    shown = text.replace("largest * 1000000", f"({size} < 0 ? -{size} : {size}) * 1000000")  # a correction instead
+    main.write_text(shown)
+    assert microradians(folder) < 10
+    main.write_text(shown.replace(own, own.replace(";", " * 1.1;")))
+    assert microradians(folder) > 1000  # what is measured wrongly is corrected
+
+
+def test_judges_pass_a_trim_and_find_a_wrong_number_of_its_matrix(tmp_path: Path) -> None:
+    folder, own = trimmed(tmp_path), hung()
+
+    def judged() -> Report:
+        return verify_servo(own, servo(TRIM, own), folder, motion=motion(own), programme=programme(own), count=20)
+
+    report = judged()
+    assert not report.failures
+    assert {"trim_step", "trim_reset", "trim_default"} <= {row.want for row in report.rows}
+    source = folder / "hinge_servo.c"
+    text = source.read_text()
+    head, matrix = text.split(".matrix = ", 1)
+    own_matrix = matrix[: matrix.index(";")]
+    number = max(re.findall(r"-?\d+\.\d{8,}(?!\d*e)", own_matrix), key=lambda each: abs(float(each)))
+    source.write_text(f"{head}.matrix = {matrix.replace(number, str(float(number) * 1.001), 1)}")
+    assert [(row.want, row.quantity) for row in judged().failures] == [("trim_default", "matrix")]
+
+
+def test_the_self_test_of_a_trim_passes(tmp_path: Path) -> None:
+    folder = trimmed(tmp_path)
+    sources = [folder / f"hinge{end}.c" for end in ("_servo_test", "", "_servo")]
+    compile_c("gcc", sources[0], "-O0", *sources[1:], "-o", folder / "test")
+    done = subprocess.run([folder / "test"], capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == 0 and "trim_run PASS" in done.stdout, done.stdout
+
+
+def ran(board: str, real: str, folder: Path, trim: bool = False) -> Run:
     """Output of a board that plays a hinge whose carrier is heavier by 2 %."""
-    stand, chosen = pendulum(), target(board)
+    stand, chosen = hung() if trim else pendulum(), target(board)
+    made = exported(real)
+    if trim:
+        made = export_servo(stand, programme(stand), motion(stand), servo(TRIM, stand), real)
     heavier = replace(stand, carrier=replace(stand.carrier, mass=1.02))
-    texts = processor_in_the_loop(stand, heavier, exported(real), 600)
+    texts = processor_in_the_loop(stand, heavier, made, 600)
     (folder / board).mkdir()
     return read_run(run(chosen, build(chosen, texts, folder / board), timeout=300))
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("real", ["float", "double"])
-def test_the_loop_on_the_cortex_m4_has_the_bits_of_the_desk(real: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("real", "trim"), [("float", False), ("double", False), ("double", True)])
+def test_the_loop_on_the_cortex_m4_has_the_bits_of_the_desk(real: str, trim: bool, tmp_path: Path) -> None:
     """The real hinge is heavier: the servo holds the wheel to its programme."""
-    host, board = (ran(name, real, tmp_path) for name in ("host", "m4"))
+    host, board = (ran(name, real, tmp_path, trim) for name in ("host", "m4"))
     assert len(set(host.torques)) > 500
     assert board.torques == host.torques
     assert (board.followed, board.limited) == (host.followed, 0)

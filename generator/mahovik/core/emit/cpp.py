@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from mahovik.contract.status import BITS, REFUSALS
 from mahovik.core.emit.calls import argument_text, call
 from mahovik.core.emit.code import INDENT, Code
@@ -13,6 +15,7 @@ from mahovik.core.emit.status import statuses
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind, NamedCount, Struct
+from mahovik.core.stand.hold import freedom_labels, twists
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
@@ -31,7 +34,7 @@ def cpp_header(stand: Stand, generated: Generated) -> dict[str, str]:
     """The C++17 header of generated C, by its file name."""
     code = Code(generated.program, identities(stand))
     program, names = code.program, code.names
-    absent = "default_options" if generated.values.options is None else ""
+    absent = "" if any(each.name == "inverse_options" for each in program.structs) else "default_options"
     text = code.render(
         "stand.hpp.j2",
         namespace=namespace(stand),
@@ -48,6 +51,8 @@ def cpp_header(stand: Stand, generated: Generated) -> dict[str, str]:
         ],
         tables=[(name, of, names.function(c)) for name, (c, of) in _TABLES.items() if name != absent],
         functions=[_function(f, names, program) for f in code.public],
+        held=stand.hold is not None,
+        twist=_first_twist(stand, code)[0],
         members=[(f.name, "; ".join(p for p in (f.unit, f.comment) if p)) for f in generated.layout.state.fields],
     )
     return {f"{stand.name}.hpp": text}
@@ -115,11 +120,38 @@ def cpp_example(stand: Stand, generated: Generated) -> dict[str, str]:
     forward = code.program.function("forward")
     given = {"table": "stand::default_table", "x": "x"}
     zeroed = [a for a in forward.arguments if a.direction == "in" and a.name not in given]
+    twist, freedom = _first_twist(stand, code)
     text = code.render(
         "cmake/example.cpp.j2",
         namespace=namespace(stand),
         flywheel=stand.flywheels[0].name if stand.flywheels else "",
+        home=_home_pose(stand, generated, code),
+        held=stand.hold is not None,
+        twist=twist,
+        freedom=freedom,
         declarations=[(f"{_variable_type(a, code.names, 'stand::')} {a.name}", a.unit) for a in zeroed],
+        results=[
+            f"{_variable_type(a, code.names, 'stand::')} {a.name}" for a in forward.arguments if a.direction == "out"
+        ],
         call=f"stand::forward({', '.join(given.get(a.name, a.name) for a in forward.arguments)})",
     )
     return {"example.cpp": text}
+
+
+def _first_twist(stand: Stand, code: Code) -> tuple[str, str]:
+    """V of a held carrier at u = 1 of its first freedom, as C++ lists it, and that freedom; empty without one."""
+    if stand.hold is None or not stand.hold.freedoms:
+        return "", ""
+    column = twists(stand.hold)[:, 0].tolist()
+    return ", ".join(code.real(x) if x else "0" for x in column), freedom_labels(stand.hold)[0]
+
+
+def _home_pose(stand: Stand, generated: Generated, code: Code) -> list[tuple[str, str]]:
+    """Members of a state and their values in C++ in the home pose of a held carrier; empty where a State begins so."""
+    if stand.hold is None:
+        return []
+    found: list[tuple[str, Sequence[float]]] = [("position", stand.hold.position)] if any(stand.hold.position) else []
+    if any(stand.hold.angles):
+        run = generated.values.interpreter.run
+        found.append(("attitude", run("quaternion", {"angles": stand.hold.angles})[1]["attitude"]))
+    return [(name, ", ".join(map(code.real, values))) for name, values in found]

@@ -366,7 +366,7 @@ TAKE_HELD = (
     "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `report`, `simulate`, `rest`, `modes`, `linearize`, "
     "`response`, `jitter`, `quiet`, `replay`, `derive`, `cost`, `judge`, `judge-log`, `identify`, `excite`, `balance`, "
     "`campaign`, `plan`, `design`, `verify-programme`, `export programme`, `export servo`, `export fuzz`, "
-    "`export target` and `export fmu`"
+    "`export target`, `export cmake` and `export fmu`"
 )
 """Commands that take held carriers."""
 

@@ -233,7 +233,7 @@ def cmake(
     from mahovik.out.export.cmake import cmake_project
     from mahovik.proof.verify.delivery import deliver
 
-    stand = load_stand(stand_file)
+    stand = load_stand(stand_file, held=True)
     done = deliver(Path(output or f"{stand.name}-cmake"), stand, real, cmake_project(stand, real, batch), "cmake")
     print_paths(done.paths, done.notes)
 

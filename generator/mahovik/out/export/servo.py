@@ -19,8 +19,9 @@ from mahovik.core.lower.servo.golden import golden
 from mahovik.core.lower.servo.program import lower_servo
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
-from mahovik.core.motion.servo import COORDINATES, Servo
+from mahovik.core.motion.servo import Servo
 from mahovik.core.program.function import Program
+from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.errors import UsageError
@@ -78,9 +79,9 @@ def export_servo(
     trim, design, lines = None, None, servo_messages(stand, servo, found, ticks, periods)
     if servo.trim is not None and motion is not None:
         made = design_trim(stand, motion, programme, servo.trim)
-        trim = TrimForm(servo.trim.coordinates, servo.trim.harmonics)
+        trim = TrimForm(servo.trim.coordinates, servo.trim.harmonics, stand.hold is not None)
         design = trim_members(made, motion, programme, servo.period)
-        lines = (*lines, trim_message(made))
+        lines = (*lines, trim_message(made, stand))
     tabled = export_programme(stand, programme, motion, kind, real=real, source=sources[0], called=called)
     form = ServoForm(layout.count, trim)
     program = lower_servo(layout, form)
@@ -111,10 +112,10 @@ def servo_messages(stand: Stand, servo: Servo, found: Margins, ticks: int, perio
     return tuple(lines)
 
 
-def trim_message(made: TrimDesign) -> str:
+def trim_message(made: TrimDesign, stand: Stand) -> str:
     """Message: the trim's corrections, and their speed."""
     trim = made.trim
-    names = ", ".join(COORDINATES[i] for i in trim.coordinates)
+    names = ", ".join(coordinates_of(stand).in_words[i] for i in trim.coordinates)
     return (
         f"trim: {trim.harmonics} harmonics of {names}, {made.rank} directions; a round of "
         f"{trim.settling + trim.averaging} periods leaves {made.radius:.3f} of an error, by the nominal model"
@@ -145,6 +146,7 @@ def _loop(
         "after": real_literal(servo.period - part, layout.precision),
         "held": stand.hold is not None,
         **{name: literals(values) for name, values in begun.items()},
+        "measured": "" if servo.trim is None else ", ".join(map(str, servo.trim.coordinates)),
         "wrench": 6 * len(layout.inputs),
         "samples": count,
         "last": last,

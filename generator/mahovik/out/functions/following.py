@@ -197,9 +197,6 @@ def following_case(
     if not (whose := motion_finding(required, found)).passed:
         raise UsageError(f"{source}: {whose.words}")
     servos, servo_source = servo_of(servo, stand), _name(servo, "the servos")
-    if stand.hold is not None and servos.trim is not None:
-        why = "measures the six coordinates of a free carrier, found a held one"
-        raise UsageError(f"{servo_source}: trim: {why}; leave [trim] out")
     if not found.periodic:
         _check_finite(source, periods, begin, table)
         begin, table, periods = "programme", None, 1

@@ -128,7 +128,7 @@ class Controller:
 def _compile_servos(stand: Stand, trim: tuple[tuple[int, ...], int] | None) -> Library:
     """The C of servos for a stand; `trim`: measured coordinates, harmonics. Raises ToolchainError."""
     made = generate_all(stand, "double")
-    form = ServoForm(made.layout.count, None if trim is None else TrimForm(*trim))
+    form = ServoForm(made.layout.count, None if trim is None else TrimForm(*trim, held=stand.hold is not None))
     tables = ServoTables(_zeros(form.gains), None if trim is None else _zeros(form.design), 1.0)
     files = servo_code(stand, lower_servo(made.layout, form), form, tables)
     name = f"{stand.name}_servo"

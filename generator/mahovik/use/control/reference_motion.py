@@ -176,7 +176,7 @@ class Orbit:
 
     @property
     def monodromy(self) -> Array:
-        """Phi (12, 12)."""
+        """Phi (12, 12; held 2 m, 2 m)."""
         return np.asarray(self.free[-1])
 
     @property
@@ -185,32 +185,32 @@ class Orbit:
         return np.linspace(0.0, self.span, len(self.y))
 
     def periodic_start(self, ends: Array) -> Array:
-        """x(0) (12, n) with x(0) = Phi x(0) + ends; the smallest one if directions are free."""
-        return np.asarray(np.linalg.lstsq(np.eye(12) - self.monodromy, ends, rcond=_SINGULAR)[0])
+        """x(0) (12, n; held 2 m, n) with x(0) = Phi x(0) + ends; the smallest one if directions are free."""
+        return np.asarray(np.linalg.lstsq(np.eye(len(self.monodromy)) - self.monodromy, ends, rcond=_SINGULAR)[0])
 
     def response(self, basis: Array) -> Array:
-        """x (M + 1, 12, N, P): the carrier's periodic response to phi_s = c_sj basis_j, at c_sj = 1.
+        """x (M + 1, 12, N, P): the carrier's periodic response to phi_s = c_sj basis_j, at c_sj = 1; held 2 m, not 12.
 
         basis (3, M + 1, P): functions of a period at the nodes, with two derivatives.
         """
-        N, P = self.phi_ddot.shape[1], basis.shape[2]
-        rates = np.zeros((len(self.y), 12, N, P))
+        N, P, n = self.phi_ddot.shape[1], basis.shape[2], self.y.shape[1]
+        rates = np.zeros((len(self.y), n, N, P))
         found = linearise_along(self.chart, self.drive, self.y, self.phi_ddot)
         for B, function in zip(acceleration_rates(self.drive, found), basis, strict=True):
-            rates[:, 6:] += B[:, :, :, None] * function[:, None, None, :]
+            rates[:, n // 2 :] += B[:, :, :, None] * function[:, None, None, :]
         spacing = self.span / (len(self.y) - 1)
-        defects = integrate(rates.reshape(-1, 12, N * P), spacing)
-        ends = self.near.solve(defects, np.zeros((12, N * P)))[-1]
-        return self.near.solve(defects, self.periodic_start(ends)).reshape(-1, 12, N, P)
+        defects = integrate(rates.reshape(-1, n, N * P), spacing)
+        ends = self.near.solve(defects, np.zeros((n, N * P)))[-1]
+        return self.near.solve(defects, self.periodic_start(ends)).reshape(-1, n, N, P)
 
     def coordinates(self) -> Array:
-        """dq/dx (M + 1, 6, 6): derivatives of q (m, rad) by the pose in y, along the motion."""
-        columns = []
+        """dq/dx (M + 1, 6, 6; held M + 1, m, m): derivatives of q (m, rad) by the pose in y, along the motion."""
+        columns, count = [], self.chart.count
         still = np.zeros_like(self.q)
-        for i in range(6):
-            aside = np.zeros(6)
+        for i in range(count):
+            aside = np.zeros(count)
             aside[i] = _STEP
-            ends = (self.chart.of(Course(self.q + sign * aside, still, still))[:, :6] for sign in (1, -1))
+            ends = (self.chart.of(Course(self.q + sign * aside, still, still))[:, :count] for sign in (1, -1))
             columns.append(np.subtract(*ends) / (2.0 * _STEP))
         return np.asarray(np.linalg.inv(np.stack(columns, axis=2)))
 

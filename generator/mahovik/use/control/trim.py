@@ -53,7 +53,9 @@ class TrimDesign:
     matrix     g G^+ (N T, C T): change of corrections by the error; zero for the means, which are not corrected
     unit       (C T): a metre, or the equivalent in each row, by the inertia
     theta      (N): f^T Theta_s f, kg m2: torque of a correction's acceleration
-    window     (12 + r, 12 + r): from window to window, the carrier's deviation and the r directions of c
+    window     (n + r, n + r): from window to window, the carrier's deviation, n = 12 (held 2 m), and the r directions
+               of c
+    rank       r: number of corrected directions of the error
     """
 
     trim: Trim
@@ -63,11 +65,7 @@ class TrimDesign:
     unit: Array
     theta: Array
     window: Array
-
-    @property
-    def rank(self) -> int:
-        """Number of corrected directions of the error."""
-        return len(self.window) - 12
+    rank: int
 
     @cached_property
     def radius(self) -> float:
@@ -114,7 +112,7 @@ def design_trim(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     matrix = np.zeros((len(weight), len(unit)))
     matrix[:, moving] = trim.gain * (basis / sigma[kept]) @ U[:, kept].T / unit[moving]
     window = _window(orbit, trim, matrix, G, basis)
-    found = TrimDesign(trim, orbit.span, G, matrix, unit, mechanics.tables.Theta_ff, window)
+    found = TrimDesign(trim, orbit.span, G, matrix, unit, mechanics.tables.Theta_ff, window, basis.shape[1])
     if not found.radius < 1.0:
         raise UsageError(
             f"trim: does not converge, errors grow by {found.radius:.3g} per window; use a `gain` below {trim.gain:g} "
@@ -164,15 +162,18 @@ def _correction_terms(orbit: Orbit, trim: Trim) -> Array:
 
 
 def _terms(orbit: Orbit, states: Array, trim: Trim, harmonics: int) -> Array:
-    """(C, T, n): mean, cos, sin ... of the measured coordinates for states (M + 1, 12, ...) of a period."""
-    flat = states[:-1, :6].reshape(len(states) - 1, 6, -1)
+    """(C, T, P): mean, cos, sin ... of the measured coordinates for states (M + 1, n, ...) of a period."""
+    count = orbit.chart.count
+    flat = states[:-1, :count].reshape(len(states) - 1, count, -1)
     q = (orbit.coordinates()[:-1] @ flat)[:, list(trim.coordinates)]
     return np.asarray(np.einsum("tm,mcn->ctn", _averages(harmonics, len(q)), q))
 
 
 def _units(mechanics: Mechanics) -> Array:
-    """(6): a metre, and equivalent rotations, by the inertia."""
-    K0 = mechanics.mean_inertia
+    """(6): a metre, and equivalent rotations, by the inertia; of a held carrier (m) each freedom by its own."""
+    K0, S = mechanics.mean_inertia, mechanics.freedoms
+    if mechanics.stand.hold is not None:
+        return np.asarray(np.sqrt(K0[0, 0] / np.diag(S.T @ K0 @ S)))
     return np.repeat([1.0, math.sqrt(K0[0, 0] / (np.trace(K0[3:, 3:]) / 3.0))], 3)
 
 
@@ -183,14 +184,14 @@ def _window(orbit: Orbit, trim: Trim, matrix: Array, G: Array, basis: Array) -> 
     and Q the effect of a deviation at the beginning on the window's result: x <- Phi^n (x - X u) + X u and u <- u -
     matrix (G u + Q (x - X u)).
     """
-    Phi, periods = orbit.monodromy, trim.settling + trim.averaging
-    powers = (np.linalg.matrix_power(Phi, n) for n in range(trim.settling, periods))
+    Phi, periods, n = orbit.monodromy, trim.settling + trim.averaging, len(orbit.monodromy)
+    powers = (np.linalg.matrix_power(Phi, k) for k in range(trim.settling, periods))
     Q = (
-        _terms(orbit, orbit.free, trim, trim.harmonics).reshape(matrix.shape[1], 12)
-        @ sum(powers, np.zeros((12, 12)))
+        _terms(orbit, orbit.free, trim, trim.harmonics).reshape(matrix.shape[1], n)
+        @ sum(powers, np.zeros((n, n)))
         / trim.averaging
     )
-    X = orbit.response(_basis(orbit, trim.harmonics))[0].reshape(12, -1) @ basis
+    X = orbit.response(_basis(orbit, trim.harmonics))[0].reshape(n, -1) @ basis
     over, loss = np.linalg.matrix_power(Phi, periods), np.linalg.pinv(basis) @ matrix
-    top = np.hstack([over, (np.eye(12) - over) @ X])
+    top = np.hstack([over, (np.eye(n) - over) @ X])
     return np.vstack([top, np.hstack([-loss @ Q, np.eye(basis.shape[1]) - loss @ (G @ basis - Q @ X)])])

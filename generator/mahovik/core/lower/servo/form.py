@@ -16,15 +16,20 @@ NO_LIMIT = short(BOUNDS["MAX_WRENCH"].value)
 
 @dataclass(frozen=True)
 class TrimForm:
-    """Measured coordinates among x, y, z, psi, theta, phi, by number, and the highest harmonic, 1 or more."""
+    """Measured coordinates by number, and the highest harmonic, 1 or more.
+
+    They are among x, y, z, psi, theta, phi. Of a held carrier they are those of its freedoms, which `generalized` of
+    the stand's C gives.
+    """
 
     coordinates: tuple[int, ...]
     harmonics: int
+    held: bool = False
 
     @property
     def angles(self) -> bool:
-        """Are angles of the carrier among them?"""
-        return max(self.coordinates) >= 3
+        """Are angles of a free carrier among them?"""
+        return not self.held and max(self.coordinates) >= 3
 
     @cached_property
     def measured(self) -> NamedCount:

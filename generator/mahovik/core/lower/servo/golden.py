@@ -117,13 +117,18 @@ def _trim(interpreter: Interpreter, precision: Precision, form: ServoForm, desig
     state = interpreter.run("trim_reset", {})[1]["state"]
     filled = interpreter.fill_storage(form.design, {**design, "settling": SETTLING, "window": WINDOW})
     for _ in range(SWEEP):
-        phase, pose = drawn.phase(), drawn.reals(6, LARGEST["pose"])
-        given = {"position": pose[:3], "attitude": [1.0, *pose[3:]]}
+        phase = drawn.phase()
+        if form.trim.held:
+            q = drawn.reals(int(form.trim.measured), LARGEST["pose"])
+        else:
+            pose = drawn.reals(6, LARGEST["pose"])
+            given = {"position": pose[:3], "attitude": [1.0, *pose[3:]]}
+            q = interpreter.run("trim_coordinates", given)[1]["q"]
         inputs = {
             "design": filled,
             "state": state,
             "phase": phase,
-            "q": interpreter.run("trim_coordinates", given)[1]["q"],
+            "q": q,
             "phi": drawn.reals(n, LARGEST["phi_ref"]),
             "phi_dot": drawn.reals(n, LARGEST["phi_dot_ref"]),
             "tau": drawn.reals(n, LARGEST["tau_ff"]),

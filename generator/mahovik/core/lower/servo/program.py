@@ -14,12 +14,15 @@ from mahovik.core.program.validate import validate
 
 
 def lower_servo(layout: Layout, form: ServoForm) -> Program:
-    """Functions `servo_reset`, `servo_step`, and with a trim `trim_reset`, `trim_step`, `trim_coordinates`."""
+    """Functions `servo_reset`, `servo_step`, and with a trim `trim_reset`, `trim_step`, `trim_coordinates`.
+
+    A held carrier has its coordinates from `generalized` of the stand's C instead of `trim_coordinates`.
+    """
     lib = Library(layout)
     precision = layout.precision
     if form.trim is not None:
         lib.add(routines.sincos(precision))
-    if form.trim is not None and pose.THETA in form.trim.coordinates:
+    if form.trim is not None and form.trim.angles and pose.THETA in form.trim.coordinates:
         lib.add(routines.square_root(precision))
     if form.trim is not None and form.trim.angles:
         lib.add(routines.atan2(precision))
@@ -39,7 +42,8 @@ def lower_servo(layout: Layout, form: ServoForm) -> Program:
         trim.correct(lib, form)
         lib.add(trim.reset(form))
         lib.add(trim.step(lib, form))
-        lib.add(pose.coordinates(lib, form))
+        if not form.trim.held:
+            lib.add(pose.coordinates(lib, form))
         structs += [form.design, form.trim_state]
         counts += [form.trim.measured, form.trim.terms, form.unknowns, form.known]
     program = Program(layout.structure.name, precision, tuple(counts), tuple(structs), lib.functions)

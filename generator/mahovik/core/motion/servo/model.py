@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 COORDINATES = ("x", "y", "z", "psi", "theta", "phi")
-"""Coordinates of the carrier: O1 in E0, then the three angles of the stand's sequence."""
+"""Coordinates of a free carrier: O1 in E0, then the three angles of the stand's sequence."""
 
 
 @dataclass(frozen=True)
@@ -15,7 +15,7 @@ class Trim:
 
     harmonics     the mean and harmonics 1..harmonics are corrected; of a programme's period
     gain          part of the measured error that one correction removes, above 0, at most 1
-    coordinates   which of COORDINATES are measured, rising
+    coordinates   which are measured, rising: numbers in COORDINATES, of a held carrier of its freedoms
     settling      periods that the carrier has to settle after a correction
     averaging     periods over which is measured
     limit         largest magnitude of each corrected coefficient, rad

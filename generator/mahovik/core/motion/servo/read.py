@@ -7,12 +7,21 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from mahovik.core.motion.document import document_of, text_of, validate_table
-from mahovik.core.motion.fields import angular_speed, choice, per_flywheel, positions, table_or_false, whole_number
+from mahovik.core.motion.fields import (
+    angular_speed,
+    choice,
+    context_validator,
+    per_flywheel,
+    positions,
+    table_or_false,
+    whole_number,
+)
 from mahovik.core.motion.ranges import MAX_WRENCH
 from mahovik.core.motion.servo.model import COORDINATES, Servo, Trim
 from mahovik.core.stand.content import TEXT
 from mahovik.core.stand.fields import Flag, Table, Text, require_bounds, scalar, validator
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.hold import freedom_labels, freedom_names, has_coordinates, numbered_freedoms
+from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import ANGLE, PLAIN, TIME, TORQUE, Dimension, QuantityError, show
 from mahovik.errors import ServoError
@@ -24,10 +33,11 @@ MOST_HARMONICS = 16
 """Most harmonics of a trim: its matrix has (2 harmonics + 1)^2 numbers for each coordinate and flywheel."""
 
 
-def _coordinates(raw: Any) -> tuple[int, ...]:
+def _coordinates(raw: Any, context: dict[str, Any]) -> tuple[int, ...]:
+    known = context["coordinates"]
     if not isinstance(raw, list) or not raw:
-        raise QuantityError(f"expected names among {', '.join(COORDINATES)}, found {show(raw)}")
-    return tuple(sorted(positions(raw, COORDINATES)))
+        raise QuantityError(f"expected names among {', '.join(known)}, found {show(raw)}")
+    return tuple(sorted(positions(raw, known)))
 
 
 def _speed_or_false(raw: Any) -> float | None:
@@ -46,7 +56,7 @@ class TrimTable(Table):
 
     harmonics: Annotated[int, whole_number(1, MOST_HARMONICS)] = 1
     gain: Annotated[float, scalar(PLAIN, above=0.0, most=1.0)] = 0.5
-    coordinates: Annotated[tuple[int, ...], validator(_coordinates)] = tuple(range(len(COORDINATES)))
+    coordinates: Annotated[tuple[int, ...] | None, context_validator(_coordinates)] = None
     settling: Annotated[int, whole_number(0, 10**6)] = 20
     averaging: Annotated[int, whole_number(1, 10**6)] = 1
     limit: Annotated[float, scalar(ANGLE, above=0.0)] = 0.5
@@ -79,7 +89,9 @@ def load_servo(path: str | Path, stand: Stand) -> Servo:
 def read_servo(text: str, stand: Stand, source: str = "servo") -> Servo:
     """Read and check a servo given as text; `source` names it in messages. Raises ServoError with every problem."""
     problems, N = Problems(source), len(stand.flywheels)
-    table = validate_table(ServoTable, document_of(text, source, ServoError, is_json=False), problems, flywheels=N)
+    known = COORDINATES if stand.hold is None else tuple(freedom_names(stand.hold))
+    document = document_of(text, source, ServoError, is_json=False)
+    table = validate_table(ServoTable, document, problems, flywheels=N, coordinates=known)
     if not N:
         problems.add(f'the stand "{stand.name}" has no flywheels: there is nothing to drive')
     if table is not None:
@@ -96,9 +108,15 @@ def read_servo(text: str, stand: Stand, source: str = "servo") -> Servo:
             "torque_limit": table.torque_limit
             or tuple(math.inf if m is None or m.torque is None else m.torque for m in motors),
             "torque_rate": table.torque_rate or (math.inf,) * N,
-            "trim": None if table.trim is None else Trim(**dict(table.trim)),
+            "trim": None if table.trim is None else _trim(table.trim, len(known)),
         }
     )
+
+
+def _trim(table: TrimTable, count: int) -> Trim:
+    """The trim of its table; without `coordinates` all of them are measured."""
+    chosen = tuple(range(count)) if table.coordinates is None else table.coordinates
+    return Trim(**dict(table) | {"coordinates": chosen})
 
 
 def _compare(table: ServoTable, stand: Stand, problems: Problems) -> None:
@@ -108,10 +126,18 @@ def _compare(table: ServoTable, stand: Stand, problems: Problems) -> None:
         problems.add("latency", f"{latency:g} s is more than {MOST_LATENCY} sample periods of {period:g} s")
     if table.integral is not None and table.integral > table.bandwidth:
         problems.add("integral", f"{table.integral:g} rad/s is above the bandwidth, {table.bandwidth:g} rad/s")
-    if table.trim is not None and stand.hold is not None:
+    if table.trim is not None and stand.hold is not None and not _has_numbers(stand.hold):
+        found = freedom_labels(stand.hold) or ["a clamped carrier"]
         problems.add(
-            "trim", "found [hold] in the stand file, but a trim corrects the motion of a free carrier: remove [trim]"
+            "trim",
+            f"found {', '.join(found)} in [hold] of the stand file, expected freedoms that each have a number in "
+            "`generalized` of the C, as an axis, a rail or a plane has: remove [trim]",
         )
     without = [s.name for s in stand.flywheels if s.encoder is None]
     if table.encoder == "stand" and without:
         problems.add("encoder", f'"stand", but the stand file has none for {", ".join(without)}')
+
+
+def _has_numbers(hold: Hold) -> bool:
+    """Whether each freedom has a number among the coordinates that `generalized` of the C answers."""
+    return has_coordinates(hold) and len(numbered_freedoms(hold)) == len(hold.freedoms)

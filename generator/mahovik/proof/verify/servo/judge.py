@@ -51,6 +51,9 @@ JUDGES: dict[str, Callable[[ServoCase], Iterable[Row]]] = {
 SERVO, TRIM = ("servo_reset", "servo_step"), ("trim_reset", "trim_step", "trim_coordinates")
 """Functions that a folder must have: always, and if the servo file has a trim."""
 
+TRIM_OF_HELD = ("trim_reset", "trim_step")
+"""Functions of a held carrier's trim: `generalized` of the stand's C gives its coordinates."""
+
 
 def verify_servo(
     stand: Stand,
@@ -104,7 +107,8 @@ def _rows(case: ServoCase, motion: RequiredMotion | None, programme: Programme |
     elif trim is not None:
         yield from design_rows(made, case.stand, case.servo, trim, motion, programme)
     yield time_row(made, case.servo, motion)
-    for function in (*SERVO, *(TRIM if made.has_trim else ())):
+    required = TRIM if case.stand.hold is None else TRIM_OF_HELD
+    for function in (*SERVO, *(required if made.has_trim else ())):
         if function in public:
             yield from JUDGES[function](case)
         else:

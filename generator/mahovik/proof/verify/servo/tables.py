@@ -159,7 +159,7 @@ def _matrix_row(
 def _target(motion: RequiredMotion, trim: Trim) -> Array:
     """Fourier coefficients (C, T) of the measured coordinates of the required motion."""
     phase = np.arange(NODES) / NODES
-    q = motion.at(phase * motion.span, np.zeros(6)).q[:, list(trim.coordinates)]
+    q = motion.at(phase * motion.span, np.zeros_like(motion.mean)).q[:, list(trim.coordinates)]
     columns = [q.mean(axis=0)]
     for k in range(1, trim.harmonics + 1):
         found = 2.0 * (np.exp(-2j * math.pi * k * phase)[:, None] * q).mean(axis=0)

@@ -16,18 +16,22 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Trim
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.bodies import Bodies, bodies_of, spinning_bodies
+from mahovik.proof.reference.coordinates import pose_of, rates_at
 from mahovik.proof.reference.generalized import generalized
+from mahovik.proof.reference.hold import held_forward
+from mahovik.proof.reference.hold import twists as freedom_twists
 from mahovik.proof.reference.mass import mass_matrix
-from mahovik.proof.reference.rotation import kinematic_matrix
+from mahovik.proof.reference.rotation import attitude, kinematic_matrix
 from mahovik.proof.verify.servo.law import Array
 
 PROTECTED, WEIGHT = 2, 30.0
@@ -51,8 +55,8 @@ STEP = 1e-5
 class Balance:
     """Linear equations at M uniform times of a period, by the phase (rad) in place of time.
 
-    pose, speed          (M, 6, 6): derivatives of q'' by q and q'
-    angle, rate, change  (M, 6, N): by phi, phi' and phi'' of the flywheels
+    pose, speed          (M, 6, 6; held M, m, m): derivatives of q'' by q and q'
+    angle, rate, change  (M, 6, N; held M, m, N): by phi, phi' and phi'' of the flywheels
     """
 
     pose: Array
@@ -69,7 +73,7 @@ def trim_matrix(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     """
     highest = max([trim.harmonics + PROTECTED, *motion.harmonics, *(2 * abs(n) for n in programme.winding)])
     found = responses(balance(stand, motion, programme, 4 * highest + 25), trim.harmonics)
-    units = np.repeat([1.0, _radius(stand)], 3)[list(trim.coordinates)]
+    units = _units(stand)[list(trim.coordinates)]
     measured = np.moveaxis(found[:, list(trim.coordinates)], 1, 0) / units[:, None, None]
     T, columns = 2 * trim.harmonics + 1, found.shape[-1]
     G, above = measured[:, 1:T].reshape(-1, columns), measured[:, T:].reshape(-1, columns)
@@ -77,7 +81,8 @@ def trim_matrix(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     matrix = np.zeros((columns, len(units), T))
     matrix[:, :, 1:] = least.reshape(columns, len(units), T - 1)
     scale = np.full(matrix.shape, np.abs(matrix).max())
-    return tuple((each / units[:, None]).reshape(columns, -1) for each in (matrix, scale))
+    own, largest = ((each / units[:, None]).reshape(columns, -1) for each in (matrix, scale))
+    return own, largest
 
 
 def least_cost_matrix(G: Array, above: Array, harmonics: int) -> Array:
@@ -103,16 +108,18 @@ def least_cost_matrix(G: Array, above: Array, harmonics: int) -> Array:
 def responses(of: Balance, harmonics: int) -> Array:
     """Harmonics (1 + 2 H.., 6, N T) of the carrier's coordinates by the corrections, mean, cos, sin, ... in turn.
 
+    Of a held carrier m in place of 6.
+
     Raises StateError: a free motion of the carrier has such harmonics, so that they are not determined.
     """
-    M, _, N = of.angle.shape
+    M, n, N = of.angle.shape
     T = 2 * harmonics + 1
     first, second = (_differentiation(M, order) for order in (1, 2))
-    left = np.einsum("ij,kl->ikjl", second, np.eye(6)) - np.einsum("ij,ikl->ikjl", first, of.speed)
+    left = np.einsum("ij,kl->ikjl", second, np.eye(n)) - np.einsum("ij,ikl->ikjl", first, of.speed)
     for i in range(M):
         left[i, :, i, :] -= of.pose[i]
     phase = 2.0 * math.pi * np.arange(M) / M
-    forced = np.zeros((M, 6, N, T))
+    forced = np.zeros((M, n, N, T))
     for j in range(T):
         k, sine = (j + 1) // 2, j > 0 and j % 2 == 0
         wave = np.sin(k * phase) if sine else np.cos(k * phase)
@@ -120,14 +127,14 @@ def responses(of: Balance, harmonics: int) -> Array:
         forced[:, :, :, j] = (
             of.angle * wave[:, None, None] + of.rate * slope[:, None, None] - of.change * (k**2 * wave)[:, None, None]
         )
-    U, size, Vt = np.linalg.svd(left.reshape(6 * M, 6 * M))
+    U, size, Vt = np.linalg.svd(left.reshape(n * M, n * M))
     free = size < FREE * size[0]
-    own = _harmonics(Vt[free].T.reshape(M, 6, -1), harmonics + PROTECTED)
+    own = _harmonics(Vt[free].T.reshape(M, n, -1), harmonics + PROTECTED)
     if np.any(np.abs(own[1:]) > STILL):
         raise StateError("a free motion of the carrier changes the harmonics")
     kept = ~free
-    d = Vt[kept].T @ ((U[:, kept].T @ forced.reshape(6 * M, -1)) / size[kept][:, None])
-    return _harmonics(d.reshape(M, 6, -1), harmonics + PROTECTED)
+    d = Vt[kept].T @ ((U[:, kept].T @ forced.reshape(n * M, -1)) / size[kept][:, None])
+    return _harmonics(d.reshape(M, n, -1), harmonics + PROTECTED)
 
 
 def balance(stand: Stand, motion: RequiredMotion, programme: Programme, M: int) -> Balance:
@@ -158,8 +165,10 @@ def _derivatives(stand: Stand, bodies: Bodies, given: tuple[Array, ...], unit: f
 
 
 def _acceleration(stand: Stand, bodies: Bodies, given: list[Array], unit: float) -> Array:
-    """q'' (6) by (11)."""
+    """q'' (6) by (11); of a held carrier (m) by its equations with multipliers."""
     q, q_dot, phi, phi_dot, phi_ddot = given
+    if stand.hold is not None:
+        return _held_acceleration(stand, stand.hold, bodies, given, unit)
     angles = q[3:]
     V = kinematic_matrix(stand.angles, angles) @ (q_dot / unit)
     state = replace(
@@ -168,6 +177,21 @@ def _acceleration(stand: Stand, bodies: Bodies, given: list[Array], unit: float)
     )  # fmt: skip
     at = reference.pieces(stand, state, bodies)
     return generalized(at, stand.angles, state).q_ddot * unit**2
+
+
+def _held_acceleration(stand: Stand, hold: Hold, bodies: Bodies, given: list[Array], unit: float) -> Array:
+    """q'' (m) of the freedoms' coordinates."""
+    q, q_dot, phi, phi_dot, phi_ddot = given
+    at = pose_of(hold, stand.angles, q, None, q_dot / unit, np.zeros(len(q)))
+    u = np.asarray(np.linalg.lstsq(freedom_twists(hold), at.V, rcond=None)[0], dtype=np.float64)
+    x, y, z, w = Rotation.from_matrix(at.C).as_quat()
+    state = replace(
+        rest_state(stand), position=tuple(at.position), quaternion=(w, x, y, z), V=tuple(at.V), u=tuple(u),
+        phi=tuple(phi), phi_dot=tuple(phi_dot / unit), phi_ddot=tuple(phi_ddot / unit**2),
+    )  # fmt: skip
+    u_dot = held_forward(reference.pieces(stand, state, bodies), hold, phi_ddot / unit**2).u_dot
+    R = attitude(stand.angles, *hold.angles).T @ at.C
+    return rates_at(hold, R, u, np.asarray(u_dot, dtype=np.float64))[1] * unit**2
 
 
 def _differentiation(M: int, order: int) -> Array:
@@ -185,10 +209,15 @@ def _harmonics(d: Array, highest: int) -> Array:
     return np.array(parts)
 
 
-def _radius(stand: Stand) -> float:
-    """Rotations (rad) that are worth a metre, by K of (2), mean over the flywheels' angles."""
+def _units(stand: Stand) -> Array:
+    """Metres and rotations (6; rad) that are worth a metre, by K of (2), mean over the flywheels' angles.
+
+    Of a held carrier (m) what moves along each freedom with the same energy as a metre, by the mass.
+    """
     bodies, rest = bodies_of(stand), rest_state(stand)
     turns = [2.0 * math.pi * j / 8 for j in range(8)]
     states: list[State] = [replace(rest, phi=(turn,) * len(stand.flywheels)) for turn in turns]
     K = np.mean([mass_matrix(bodies.fixed, spinning_bodies(bodies.mounted, each)) for each in states], axis=0)
-    return math.sqrt(K[0, 0] / (np.trace(K[3:, 3:]) / 3.0))
+    if stand.hold is None:
+        return np.repeat([1.0, math.sqrt(K[0, 0] / (np.trace(K[3:, 3:]) / 3.0))], 3)
+    return np.array([math.sqrt(K[0, 0] / (column @ K @ column)) for column in freedom_twists(stand.hold).T])
