@@ -31,6 +31,8 @@ def wrong(change: str) -> str:
     return f"{PYTHON} -c {shlex.quote(WRONG.replace('CHANGE', change))} {{stand}}"
 
 
+PENDULUM = str(Path(__file__).parents[2] / "docs" / "held" / "pendulum.toml")
+
 SHAKER = str(path("shaker2"))
 """A stand with unbalanced flywheels: without wrenches balanced ones know no phase."""
 
@@ -87,6 +89,41 @@ def test_a_wrong_term_as_json() -> None:
     assert (term["want"], term["component"], term["term"], term["coefficient"]) == ("forward", "M", "w r", "")
     assert term["factor"] - term["expected"] == pytest.approx(0.25, rel=1e-9)
     assert diagnosis["unexplained"] < 1e-9
+
+
+ARM = """
+import json, sys
+import mahovik
+from mahovik.proof import reference
+from mahovik.proof.verify.states import read_request
+stand = mahovik.load(sys.argv[1])
+for line in sys.stdin:
+    given = json.loads(line)
+    if given["want"] != ["forward"]:
+        print(json.dumps({"id": given["id"], "error": "not offered"}))
+        continue
+    state = read_request(stand, given).state
+    at = reference.pieces(stand, state)
+    found = reference.evaluate(stand, state, ("forward",), at)
+    moment = 0.2 * 0.048 * at.gravity[0]
+    u_dot = float(found["u_dot"][0]) - moment / at.K[4, 4]
+    reaction = found["reaction"] + at.K[:, 4] * (u_dot - found["u_dot"][0])
+    reaction[4] = 0.0
+    V_dot = [0, 0, 0, 0, u_dot, 0]
+    print(json.dumps({"id": given["id"], "u_dot": [u_dot], "V_dot": V_dot, "reaction": reaction.tolist()}))
+"""
+"""A pendulum whose weight has a fifth less of its arm, 0.048 kg m over the pivot O1."""
+
+
+@pytest.mark.slow
+def test_a_wrong_term_of_a_held_carrier() -> None:
+    command = f"{PYTHON} -c {shlex.quote(ARM)} {{stand}}"
+    result = run("judge", PENDULUM, "--with", command, "--explain", "--json", "--states", "8")
+    found = json.loads(result.stdout)["diagnosis"]
+    assert (result.exit_code, found["verdict"], found["outcome"]) == (1, "named", "terms")
+    (term,) = found["found"]
+    assert (term["want"], term["component"], term["term"]) == ("forward", "M", "g_x")
+    assert (round(term["factor"], 9), term["expected"], term["coefficient"]) == (0.8, 1.0, "W z_G")
 
 
 @pytest.mark.slow

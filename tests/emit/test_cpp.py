@@ -23,6 +23,7 @@ STRICT = (
 COMPILERS = (("g++", "g++", "c++17"), ("clang++", "clang", "c++20"))
 OTHERS = (("g++", "g++", "c++20"), ("clang++", "clang", "c++17"))
 FEW = ("bench8", "auv6", "everything6", "bare0")
+HELD = ("held3", "clamped4", "edge2")
 
 USER = """#include "{name}.hpp"
 #include "{name}.hpp"
@@ -67,7 +68,7 @@ def test_no_warning_of_any(name: str, tmp_path: Path) -> None:
     check(name, generated(name), tmp_path, (*COMPILERS, *OTHERS))
 
 
-@pytest.mark.parametrize("name", FEW)
+@pytest.mark.parametrize("name", (*FEW, *HELD))
 def test_every_function_and_status_is_there(name: str) -> None:
     made = generated(name)
     text = cpp_header(stand(name), made)[f"{name}.hpp"]

@@ -125,6 +125,69 @@ def test_with_a_common_period_it_is_the_response(name: str, quantity: str) -> No
     np.testing.assert_allclose(total[:8], wanted[:8], rtol=0, atol=1e-6 * np.abs(wanted[1:]).max())
 
 
+@pytest.mark.parametrize("last", ["11.3", "5..11.3"])
+@pytest.mark.parametrize(("quantity", "power"), [("displacement", 0), ("velocity", 1), ("acceleration", 2)])
+def test_the_shift_of_a_freedom_is_that_of_its_oscillator(last: str, quantity: str, power: int) -> None:
+    """m e w^2 (i w)^power / (k - M w^2 + i c w), one number for the one freedom."""
+    document = shaker(False)
+    document["flywheel"].append(document["flywheel"][0] | {"name": "v"})
+    stand = stand_of(document)
+    for name in ("hold.z", "hold.1"):
+        found = mahovik.jitter(stand, {"w": 24.0, "v": last}, name, quantity=quantity, steps=2)
+        for wheel, w in (("w", 24.0), ("v", 11.3)):
+            z = 0.16 * w ** (2 + power) / abs(4e4 - 76.0 * w**2 + 300j * w)
+            np.testing.assert_allclose(size(found, wheel), [z, 0.0, 0.0], rtol=1e-9, atol=1e-15)
+        assert found.rms.shape == (len(found.study.value), 1)
+        assert found.study.point == "hold.z"
+
+
+@pytest.mark.parametrize("quantity", ["displacement", "velocity", "acceleration"])
+def test_the_angle_of_a_freedom_is_the_response(quantity: str) -> None:
+    """A pendulum that swings far, about an axis off O1: the full equations, harmonic by harmonic."""
+    stand = stand_of(SWINGING)
+    found = mahovik.jitter(stand, {"w1": 20.0, "w2": 30.0}, "hold.pitch", quantity=quantity, order=8)
+    wanted = periodic_response(stand, [20.0, 30.0]).motion_of("hold.pitch").harmonics(quantity)
+    lines, base = found.study.lines, 10.0 / (2.0 * math.pi)
+    total = np.zeros((24, 1), dtype=complex)
+    for i, hertz in enumerate(lines.frequency[0]):
+        if round(hertz / base) < len(total):
+            total[round(hertz / base)] += lines.amplitude[0, i, :1]
+    np.testing.assert_allclose(total[:8], wanted[:8], rtol=0, atol=1e-6 * np.abs(wanted[1:]).max())
+    assert found.remainder.shape == (1, 1) and found.remainder.max() < 1e-5 * found.worst.max()
+
+
+def test_one_turn_has_the_rate_of_the_carrier() -> None:
+    stand = stand_of(SWINGING)
+    speeds: dict[str, float | str] = {"w1": 20.0, "w2": 31.7}
+    of_point = mahovik.jitter(stand, speeds, "carrier", quantity="rate")
+    of_freedom = mahovik.jitter(stand, speeds, "hold.pitch", quantity="rate")
+    np.testing.assert_allclose(of_freedom.rss[:, 0], of_point.rss[:, 1], rtol=1e-12)
+    assert mahovik.jitter(stand, speeds, "hold.pitch").study.quantity == "angle"
+
+
+def test_a_freedom_in_files_and_requirements(tmp_path: Path) -> None:
+    words = [
+        "jitter",
+        str(HELD / "linear_shaker.toml"),
+        "--speed",
+        "left=20",
+        "--speed",
+        "right=31.7",
+        "--at",
+        "hold.z",
+    ]
+    given = json.loads(run(*words, "--require", "rms 1 m", "--json").stdout)
+    assert (given["point"], given["quantity"], given["axes"]) == ("hold.z", "displacement", ["z"])
+    assert all(len(given[key]) == 1 for key in ("rms", "rss", "worst", "mean", "remainder"))
+    assert len(given["orders"][0]["amplitude"]) == len(given["budget"][0]["rms"]) == 1
+    assert given["requirements"][0]["axis"] == "z"
+    table = run(*words, "-o", str(tmp_path / "a.csv"))
+    assert table.exit_code == 0 and "amplitude z, m" in table.stdout and "amplitude x" not in table.stdout
+    head = (tmp_path / "a.csv").read_text(encoding="utf-8").splitlines()[0]
+    assert "rms z [m]" in head and " x [m]" not in head
+    assert run(*words, "-o", str(tmp_path / "a.svg")).exit_code == 0
+
+
 def test_a_wrong_motion_is_seen_in_what_is_left_out() -> None:
     """A planted fault of a thousandth in one coefficient, and one in the reaction alone: a drift of the mean place."""
     found = balance(stand_of(SWINGING), [20.0, 31.7], order=6)
@@ -248,7 +311,8 @@ def test_it_is_the_motion_of_the_c_through_time(name: str) -> None:
     ("words", "expected"),
     [
         (["--at", "hold.reacton"], 'unknown output "hold.reacton", did you mean "hold.reaction"?'),
-        (["--at", "hold.z"], "expected hold.reaction or a point, or `mahovik response --at hold.z`"),
+        (["--at", "hold.z", "--quantity", "angle"], "hold.z has none; expected one of displacement, velocity"),
+        (["--at", "hold.z", "--modes", "modes.csv"], "--modes: structural modes have no shape of a freedom, hold.z"),
         (["--at", "hold.2"], 'unknown output "hold.2"'),
         (["--at", "hold.reaction", "--quantity", "angle"], "--quantity angle: hold.reaction is a load"),
         (["--at", "carrier", "--quantity", "moment"], "--quantity moment: carrier has none; expected a flywheel"),

@@ -61,7 +61,8 @@ def jitter(
     ),
     point: str | None = option(
         "--at",
-        "Measure at a point or instrument; carrier stands for O1. Or a load: a flywheel for its mount, hold.reaction.",
+        "Measure at a point or instrument; carrier stands for O1. Or a load: a flywheel for its mount, hold.reaction; "
+        "or a freedom, hold.pitch.",
         metavar="POINT",
     ),
     quantity: str | None = choice(
@@ -179,14 +180,14 @@ def _print(found: Jitter) -> None:
     scale, unit = (1.0, found.unit) if study.measure.arcsec is None else (ARCSEC, study.measure.arcsec)
     many = "one speed" if len(found) == 1 else f"{len(found)} speeds"
     largest = "largest " if study.swept else ""
-    columns = ("line", "Hz>", *(f"{largest}amplitude {axis}, {unit}>" for axis in "xyz"))
+    columns = ("line", "Hz>", *(f"{largest}amplitude {axis}, {unit}>" for axis in study.axes))
     rows = []
     lines = study.lines
     total = np.linalg.norm(lines.sizes, axis=2)
     for i in np.argsort(-np.nanmax(total, axis=0, initial=0.0), kind="stable")[:SHOWN]:
         at = int(np.nanargmax(total[:, i]))
         if total[at, i] > 0.0:
-            sizes = [f"{scale * x:.6g}" for x in lines.sizes[at, i]]
+            sizes = [f"{scale * x:.6g}" for x in lines.sizes[at, i, : len(study.axes)]]
             rows.append((f"{lines.names[i].text} {lines.names[i].part}", f"{lines.frequency[at, i]:.6g}", *sizes))
     sums = study.sums()
     for name, values in sums.items():
@@ -194,7 +195,7 @@ def _print(found: Jitter) -> None:
             at = int(np.nanargmax(np.linalg.norm(values, axis=1)))
             words = SUMS[name]
             speed = f" at {RPM * study.value[at]:.6g} rpm" if study.swept else ""
-            rows.append((f"{words}{speed}", "", *(f"{scale * x:.6g}" for x in values[at])))
+            rows.append((f"{words}{speed}", "", *(f"{scale * x:.6g}" for x in values[at, : len(study.axes)])))
     print_table(columns, rows, title=f"{study.stand.name}: {study.quantity} of {study.point}, {many}")
     if found.verdicts:
         _print_verdicts(found, scale, unit)
@@ -209,7 +210,7 @@ def _print_verdicts(found: Jitter, scale: float, unit: str) -> None:
         numbers = (f"{scale * each.requirement.limit:.6g}", f"{scale * each.value:.6g}", f"{100 * each.margin:.4g} %")
         speed = f"{RPM * found.study.value[each.step]:.6g}"
         said = ("met", "green") if each.met else ("failed", "red")
-        rows.append((each.requirement.text, *numbers, "xyz"[each.axis], speed, said))
+        rows.append((each.requirement.text, *numbers, found.study.axes[each.axis], speed, said))
     print_table(columns, rows, title="requirements, with the makers' tolerances")
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from mahovik.core.stand.hold import freedom_names
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.fields import Array
@@ -16,8 +17,8 @@ from mahovik.out.functions.given import Number, StandGiven, by_flywheel
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
 from mahovik.out.functions.vibration import planned_speeds
+from mahovik.use.study.jitter import FreedomView, LoadView, Makers, View
 from mahovik.use.study.jitter import Jitter as Study
-from mahovik.use.study.jitter import LoadView, Makers, View
 from mahovik.use.study.jitter import jitter as find
 from mahovik.use.study.jitter.lines import LineName
 from mahovik.use.study.jitter.load_view import LOADS
@@ -25,9 +26,8 @@ from mahovik.use.study.jitter.maker import read_harmonics, read_inner_modes, rea
 from mahovik.use.study.jitter.requirement import Requirement, judge, read_requirements
 from mahovik.use.study.jitter.sight import read_sight
 from mahovik.use.study.jitter.structure import read_structure
-from mahovik.use.study.jitter.tables import AXES, as_object, csv_text, json_text, order_entries, verdict_object
+from mahovik.use.study.jitter.tables import as_object, csv_text, json_text, order_entries, verdict_object
 from mahovik.use.study.response.held import REACTION
-from mahovik.use.study.response.outputs import freedom_of
 from mahovik.use.study.response.speeds import ALL
 
 HOLD = "hold"
@@ -54,11 +54,11 @@ class Jitter(Table):
         study, unit = self.study, self.unit
         found = [Column(f"speed {name}", "rad/s", study.speeds[:, s]) for s, name in enumerate(study.asked.names)]
         for name, values in study.sums().items():
-            found += [Column(f"{name} {axis}", unit, values[:, i]) for i, axis in enumerate(AXES)]
+            found += [Column(f"{name} {axis}", unit, values[:, i]) for i, axis in enumerate(study.axes)]
         for i, label in enumerate(_labels(study.lines.names)):
             size = study.lines.sizes[:, i]
             if np.nanmax(size, initial=0.0) > 0.0:
-                found += [Column(f"{label} {axis}", unit, size[:, j]) for j, axis in enumerate(AXES)]
+                found += [Column(f"{label} {axis}", unit, size[:, j]) for j, axis in enumerate(study.axes)]
         return tuple(found)
 
     @property
@@ -73,18 +73,22 @@ class Jitter(Table):
 
     @property
     def rms(self) -> Array:
-        """Root mean square (S, 3) at the given phases, along the point's axes."""
-        return self.study.sums()["rms"]
+        """Root mean square (S, 3) at the given phases, along the point's axes; of a freedom (S, 1), as all below."""
+        return self._existing_axes("rms")
 
     @property
     def rss(self) -> Array:
         """Root mean square (S, 3) over all phases of the flywheels."""
-        return self.study.sums()["rss"]
+        return self._existing_axes("rss")
 
     @property
     def worst(self) -> Array:
         """Sum of all amplitudes (S, 3): the largest value at the worst phases."""
-        return self.study.sums()["worst"]
+        return self._existing_axes("worst")
+
+    def _existing_axes(self, name: str) -> Array:
+        """A sum along the axes that there are."""
+        return self.study.sums()[name][:, : len(self.study.axes)]
 
     @property
     def orders(self) -> list[dict[str, Any]]:
@@ -104,7 +108,7 @@ class Jitter(Table):
     @property
     def remainder(self) -> Array:
         """Part of the quantity that the balance leaves out (S, 3): lines of two more orders, summed; NaN: unknown."""
-        return self.study.remainder
+        return self.study.remainder[:, : len(self.study.axes)]
 
     @property
     def problems(self) -> tuple[str, ...]:
@@ -177,9 +181,10 @@ def jitter(
 
     speeds   by flywheel: `{"all": "3000rpm", "w2": "2987rpm"}`; rad/s, or a text as of `--speed`; one may be swept
     at       a point or instrument, "carrier" for O1; or a load: a flywheel, for the wrench of its mount on it about
-             its origin, or "hold.reaction", of a held carrier, for that of the hold on the carrier about O1
+             its origin, or "hold.reaction", of a held carrier, for that of the hold on the carrier about O1;
+             "hold.pitch", or "hold.1" by its place, is a freedom
     quantity "angle", "rate", "displacement", "velocity" or "acceleration", by default the first; of a load "force", or
-             "moment"
+             "moment"; of a freedom that slides "displacement" is the first
     phases   at t = 0, rad or a text, by flywheel
     harmonics, noise, inner_modes   CSV files by flywheel, or by "all": what its maker says
     modes    CSV file of structural modes, one-way
@@ -193,8 +198,11 @@ def jitter(
     """
     own = Stand.of(stand, held=True)
     seen = _find_view(own, at, quantity, sight)
-    if modes is not None and isinstance(seen, LoadView):
-        raise UsageError(f"--modes: structural modes have no shape of a load, {seen.name}; expected a point as --at")
+    if modes is not None and not isinstance(seen, View):
+        what = "load" if isinstance(seen, LoadView) else "freedom"
+        raise UsageError(f"--modes: structural modes have no shape of a {what}, {seen.name}; expected a point as --at")
+    if require and seen.measure.unit.startswith("1"):
+        raise UsageError(f"--require: {seen.name} of a basis has no unit; expected another freedom, a point or a load")
     limits = read_requirements([str(each) for each in require], seen.measure)
     makers = Makers(
         _by_wheel(own, "harmonics", harmonics, read_harmonics),
@@ -218,8 +226,10 @@ def jitter(
     return Jitter(found, limits)
 
 
-def _find_view(stand: Stand, at: str | None, quantity: str | None, sight: str | Path | None) -> View | LoadView:
-    """The point, load or line of sight. Raises UsageError: neither a point nor a line of sight, or both."""
+def _find_view(
+    stand: Stand, at: str | None, quantity: str | None, sight: str | Path | None
+) -> View | LoadView | FreedomView:
+    """The point, load, freedom or line of sight. Raises UsageError: neither a point nor a line of sight, or both."""
     from mahovik.use.study.linear.model import places
 
     if (at is None) is (sight is None):
@@ -229,16 +239,22 @@ def _find_view(stand: Stand, at: str | None, quantity: str | None, sight: str | 
     name = str(at)
     if name in [s.name for s in stand.flywheels] or name.startswith(HOLD):
         if name.startswith(HOLD) and name != REACTION:
-            if stand.hold is not None and freedom_of(stand.hold, name) is not None:
-                other = f"expected {REACTION} or a point, or `mahovik response --at {name}`"
-                raise UsageError(f"--at {name}: jitter has no freedoms of the hold; {other}")
-            raise UsageError(f'unknown output "{name}"{suggestion(name, [REACTION])}; expected {REACTION} or a point')
+            if (freedom := FreedomView.of(stand, name, quantity)) is not None:
+                return freedom
+            raise UsageError(_unknown_of_hold(stand, name))
         return LoadView.of(stand, name, quantity or "force")
     if quantity in LOADS:
         words = "a flywheel, for the wrench of its mount on it"
         held = f", or {REACTION}" if stand.hold is not None else ""
         raise UsageError(f"--quantity {quantity}: {name} has none; expected {words}{held} as --at")
     return View.of(places(stand, [name])[0], quantity or "angle")
+
+
+def _unknown_of_hold(stand: Stand, name: str) -> str:
+    """Why an output of the hold is none, in a line."""
+    freedoms = () if stand.hold is None else freedom_names(stand.hold)
+    known = [REACTION, *(f"hold.{each}" for each in freedoms)]
+    return f'unknown output "{name}"{suggestion(name, known)}; expected {", ".join(known)} or a point'
 
 
 def _by_wheel(

@@ -212,11 +212,12 @@ def _diagnosis(
         return replace(diagnosed, failed=_failure_words(found, diagnosed.wrong))
     silent = {gap.want for gap in diagnosed.gaps if gap.everywhere}
     searched = tuple(want for want in offered if want not in silent)
-    if diagnosed.outcome != "unknown" or stand.hold is not None:
+    if diagnosed.outcome != "unknown" and not (diagnosed.in_part and stand.hold is not None):
         return diagnosed
+    known = diagnosed.outcome == "named"
     if not set(searched) & set(WANTS):
         without = [want for want in WANTS if want in silent]
-        return replace(diagnosed, hindrance=_silence(without)) if without else diagnosed
+        return replace(diagnosed, hindrance=_silence(without)) if without and not known else diagnosed
     rounding = ROUNDING if tolerance <= DOUBLE.default else tolerance
     if states is not None:
         states = spread_rows(states, ROWS_OF_TERMS * count(stand))
@@ -224,9 +225,9 @@ def _diagnosis(
     try:
         return diagnosed.with_terms(terms.find(answers(terms.requests)))
     except CheckError as error:
-        if not diagnosed.gaps:
+        if not (diagnosed.gaps or known):
             raise
-        return replace(diagnosed, hindrance=str(error))
+        return diagnosed if known else replace(diagnosed, hindrance=str(error))
 
 
 def _silence(wants: Sequence[str]) -> str:

@@ -84,10 +84,29 @@ class Diagnosis:
             return "unnamed" if self.gaps or self.failed else "none"
         return "named" if self.outcome in ("named", "terms") else "unnamed"
 
+    @property
+    def in_part(self) -> bool:
+        """Whether what is named is no single whole fault that explains the error to rounding.
+
+        Along few freedoms a wrong factor looks like a part of many faults.
+        """
+        best = self.causes[:1]
+        return self.outcome == "named" and any(c.share != 1.0 or len(c.parts) > 1 or c.score > EXACT for c in best)
+
     def with_terms(self, found: TermSearchResult) -> Diagnosis:
-        """The diagnosis of an unknown error after the search for wrong terms."""
+        """The diagnosis of an error after the search for wrong terms: of one that is unknown, or named in part.
+
+        In place of parts of faults terms are named only where they are no more than these.
+        """
         after = replace(self, terms=found)
-        return replace(after, outcome="terms") if after.wrong_terms else after
+        if self.in_part and (not after.wrong_terms or self._is_shorter(len(after.wrong_terms))):
+            return self
+        return replace(after, outcome="terms", causes=(), others=()) if after.wrong_terms else after
+
+    def _is_shorter(self, terms: int) -> bool:
+        """Whether the causes explain the error to rounding, and are fewer than these wrong terms."""
+        names = sum(len(each.parts) for each in self.causes)
+        return self.causes[0].score <= EXACT and names < terms
 
     @property
     def unexplained(self) -> float:

@@ -11,7 +11,7 @@ from mahovik.proof.diagnose.faults import DICTIONARY
 from mahovik.proof.diagnose.predict import Part
 from mahovik.proof.diagnose.search import EXACT
 from mahovik.proof.diagnose.terms.coefficients import Multiple
-from mahovik.proof.diagnose.terms.search import WrongTerm
+from mahovik.proof.diagnose.terms.search import TermSearchResult, WrongTerm
 
 SURE = 0.5
 """Least confidence of a fault that is not called a guess."""
@@ -19,7 +19,7 @@ SURE = 0.5
 SUREST = 0.999
 """Largest confidence that is reported: a fault that is not in the dictionary may look like one that is."""
 
-WRENCH_SIDE = "factors are those on the right-hand side of K V* = ..., of force and moment about O1 in E1"
+WRENCH_SIDE = "factors are those on the right-hand side of K V* = ..., of force and moment about {} in E1"
 """The equations that the factors of wrong terms of a wrench belong to, in words."""
 
 MOST_TWINS = 4
@@ -67,9 +67,10 @@ def _sentences(diagnosis: Diagnosis) -> list[str]:
         case "nothing":
             return ["no diagnosis: the program answered nothing that can be compared"]
         case "terms":
-            besides = diagnosis.terms.besides if diagnosis.terms is not None else ()
+            assert diagnosis.terms is not None
+            besides = diagnosis.terms.besides
             more = [f"the error of {want} is not a few terms: nothing of it is named" for want in besides]
-            return _term_lines(diagnosis.wrong_terms) + more
+            return _term_lines(diagnosis.terms) + more
         case "unknown" if diagnosis.terms is not None and diagnosis.terms.doubtful:
             return _doubtful_lines(diagnosis.terms.doubtful)
         case "unknown":
@@ -146,8 +147,9 @@ def _parts_of_error(diagnosis: Diagnosis) -> list[dict[str, Any]]:
     return [{"fault": name_of(part), "share": 1.0 - each.score} for each in diagnosis.causes[:1] for part in each.parts]
 
 
-def _term_lines(found: Sequence[WrongTerm]) -> list[str]:
-    """A line for each wrong term."""
+def _term_lines(result: TermSearchResult) -> list[str]:
+    """A line for each wrong term, and what their names stand for."""
+    found = result.terms
     count = len(found)
     lines = ["wrong term found:" if count == 1 else f"{count} wrong terms found:"]
     for each in found:
@@ -155,9 +157,12 @@ def _term_lines(found: Sequence[WrongTerm]) -> list[str]:
         lines.append(f"  {place}: {_term_words(each.multiple, each.term)}; {_part(each.share)} of the error")
         if each.twins:
             lines.append(f"    these states do not tell it from {_some(each.twins)}, which the equations do not have")
-    sides = {"forward": WRENCH_SIDE, "coupled": WRENCH_SIDE, "momentum": "factors are those in Z about O1 in E1"}
+    sides = dict.fromkeys(("forward", "coupled", "reaction"), WRENCH_SIDE.format(result.about))
+    sides |= {"momentum": f"factors are those in Z about {result.about} in E1"}
     for side in dict.fromkeys(sides[each.want] for each in found if each.want in sides):
         lines.append(f"  {side}; letters of SNAME")
+    if result.freedoms:
+        lines.append(f"  {result.freedoms}")
     lines.append(f"without {'it' if count == 1 else 'them'} nothing is left of the error beyond rounding")
     return lines
 

@@ -86,10 +86,10 @@ def _spectrum(found: Jitter, what: str, scale: float, floor: float) -> Panel:
     return Panel(what, (line,), log=True, abscissa="frequency, Hz", height=1.5, span=(0.0, top))
 
 
-def _axes(value: Array) -> list[tuple[int, str]]:
+def _axes(found: Jitter, value: Array) -> list[tuple[int, str]]:
     """Number and name of the axes along which anything happens; values (..., 3). A line of sight may have two."""
     some = np.any(value.reshape(-1, 3) != 0.0, axis=0)
-    return [(i, axis) for i, axis in enumerate("xyz") if some[i] or not some.any()]
+    return [(i, axis) for i, axis in enumerate(found.axes) if some[i] or not some.any()]
 
 
 def _cumulative(found: Jitter, what: str, scale: float) -> Panel:
@@ -97,7 +97,7 @@ def _cumulative(found: Jitter, what: str, scale: float) -> Panel:
     f, total = spectrum(found, step).cumulative()
     top = 1.05 * float(f.max(initial=0.0)) or 1.0
     drawn = []
-    for i, axis in _axes(total):
+    for i, axis in _axes(found, total):
         x = np.concatenate([[0.0], np.repeat(f, 2), [top]])
         y = np.concatenate([[0.0, 0.0], np.repeat(scale * total[:, i], 2)])
         drawn.append(Line(axis, x, y, i))
@@ -116,7 +116,7 @@ def _density(found: Jitter, what: str, scale: float) -> Panel:
     value = scale**2 * at.density
     floor = float(value.max(initial=0.0)) * 10.0 ** (-2 * DECADES)
     x = np.repeat(at.edges, 2)[1:-1]
-    drawn = [Line(axis, x, np.repeat(np.maximum(value[:, i], floor), 2), i) for i, axis in _axes(value)]
+    drawn = [Line(axis, x, np.repeat(np.maximum(value[:, i], floor), 2), i) for i, axis in _axes(found, value)]
     return Panel(
         f"density of {what}: square by Hz, bands of 1 Hz", tuple(drawn), log=True, note=_speed_note(found, step),
         abscissa="frequency, Hz", span=(0.0, float(at.edges[-1])),

@@ -12,7 +12,8 @@ import numpy as np
 
 from mahovik.contract import laws
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
-from mahovik.proof.diagnose.terms.monomials import ACCELERATIONS, DOWN, Monomial, Motion, harmonics
+from mahovik.proof.diagnose.terms.directions import FREE, Directions
+from mahovik.proof.diagnose.terms.monomials import DOWN, Monomial, Motion, harmonics
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.screw import Phi
@@ -28,6 +29,8 @@ THERE = 1e-9
 
 MOST_NAMES = 3
 """Names that are printed of quantities with the same value."""
+
+_RATES = FREE.rates
 
 Place = tuple[int, tuple[str, ...]]
 """A component of the wrench on the carrier, and the factors of a product."""
@@ -52,18 +55,25 @@ class Coefficients:
     """Right coefficients of the products in the right-hand side of K V_r* = ..., and what they are multiples of."""
 
     def __init__(
-        self, products: Sequence[Monomial], right: Array | None, motion: Motion, at: Sequence[Pieces], stand: Stand
+        self,
+        products: Sequence[Monomial],
+        right: Array | None,
+        motion: Motion,
+        at: Sequence[Pieces],
+        stand: Stand,
+        along: Directions = FREE,
     ) -> None:
-        """`right` (m, 6): of products without accelerations, or None: unknown."""
-        self._products = products
+        """`right` (m, c): of products without accelerations, or None: unknown. `along`: rows of the equations."""
+        self._products, self._along = products, along
         waves = list(harmonics([each.name for each in stand.flywheels], motion.phi))
         self._waves = {wave: i for i, (wave, _) in enumerate(waves)}
         base = np.column_stack([values for _, values in waves])
         bodies = np.array([p.K_bodies for p in at]).reshape(len(at), 36)
-        self._K = np.linalg.lstsq(base, bodies, rcond=None)[0].reshape(-1, 6, 6)
-        self._K[0] += at[0].Lambda
+        K = np.linalg.lstsq(base, bodies, rcond=None)[0].reshape(-1, 6, 6)
+        K[0] += at[0].Lambda
+        self._K = along.mass(K)
         self._right = right
-        self._quantities = list(_quantities(stand, self._K[0] - at[0].Lambda, at[0]))
+        self._quantities = list(_quantities(stand, K[0] - at[0].Lambda, at[0], along))
 
     def multiple(self, component: int, k: int, error: float) -> Multiple:
         """The factor of product k in a component, where its coefficient has this error."""
@@ -72,13 +82,14 @@ class Coefficients:
             return Multiple(error, None, "")
         return self.multiple_of(expected, error, component, self._products[k].factors)
 
-    def multiple_of(self, expected: float, error: float, component: int, factors: tuple[str, ...]) -> Multiple:
+    def multiple_of(self, expected: float, error: float, row: int, factors: tuple[str, ...]) -> Multiple:
         """A right coefficient that has an error in a program, as a multiple of a quantity of the stand if it is one.
 
         Only quantities that occur in a place name what stands there: others may have the same value, as those of
         another axis do.
         """
-        place = component, factors
+        component = self._along.places[row]
+        place = -1 if component is None else component, factors
         if any(each.startswith(("cos ", "sin ")) for each in factors):
             own: list[Quantity] = self._quantities
         elif abs(expected) <= SAME * abs(error):
@@ -100,7 +111,7 @@ class Coefficients:
         of = self._products[k]
         if of.accelerates:
             wave = self._waves[of.factors[1:]]
-            return -float(self._K[wave, component, ACCELERATIONS.index(of.factors[0])])
+            return -float(self._K[wave, component, self._along.rates.index(of.factors[0])])
         return None if self._right is None else float(self._right[k, component])
 
 
@@ -179,13 +190,17 @@ class Quantity:
     added: bool = False
 
 
-def _quantities(stand: Stand, K: Array, at: Pieces) -> Iterator[Quantity]:
-    """Quantities of (8) by name, SI, without zeros: of the whole stand about O1, K (6x6) its mean over the phases."""
+def _quantities(stand: Stand, about_O1: Array, at: Pieces, along: Directions) -> Iterator[Quantity]:
+    """Quantities of (8) by name, SI, without zeros: of the whole stand about O1, or about the pivot of a hold.
+
+    `about_O1` (6x6): the mean of K over the phases, without added mass.
+    """
     g = float(np.linalg.norm(stand.gravity))
+    K, Lambda = along.at_pivot(about_O1), along.at_pivot(at.Lambda)
     moments = (g * x for x in (K[0, 0], K[5, 1], K[3, 2], K[4, 0]))
-    found = [*_inertial(K, at.Lambda), *_of_weight("W", "G", 1.0, *moments)]
+    found = [*_inertial(K, Lambda), *_of_weight("W", "G", 1.0, *moments)]
     named: dict[str, float] = {}
-    for of_law in laws.of_bodies("faults", "coefficients"):
+    for of_law in laws.of_bodies("faults", "coefficients") if along.at_origin else ():  # those of laws are about O1
         named |= of_law(stand.carrier, g)
     weightlike = [name for name in named if name.startswith("B")]
     if weightlike:
@@ -217,7 +232,7 @@ def _inertial(K: Array, Lambda: Array) -> Iterator[Quantity]:
     for i in range(6):
         for j in range(i, 6):
             name, twin = (f"{WRENCH_LETTERS[a]}_{TWIST_LETTERS[b]}dot" for a, b in ((i, j), (j, i)))
-            value, place = -float(Lambda[i, j]), (j, (ACCELERATIONS[i],))
+            value, place = -float(Lambda[i, j]), (j, (_RATES[i],))
             of = inertia(name, value, (i, j, -1.0))
             if i == j:
                 yield of
@@ -229,7 +244,7 @@ def _inertial(K: Array, Lambda: Array) -> Iterator[Quantity]:
 def _places_of(unit: Array) -> Iterator[tuple[Place, float]]:
     """Products in -Phi(V) B V and in -B V*, of B (6x6), and their factors."""
     for component, row in enumerate(unit):
-        yield from (((component, (ACCELERATIONS[j],)), -float(row[j])) for j in np.flatnonzero(row))
+        yield from (((component, (_RATES[j],)), -float(row[j])) for j in np.flatnonzero(row))
     axes = np.eye(6)
     for a in range(6):
         for b in range(a, 6):

@@ -1,4 +1,7 @@
-"""Errors of a program as errors of equations: of the wrench (8), the drive torques, the momentum (2)."""
+"""Errors of a program as errors of equations: of the wrench (8), the drive torques, the momentum (2).
+
+Those of a held carrier are along its freedoms, S^T (K V_r* - ...) = 0, and beside them those of its reaction.
+"""
 
 from __future__ import annotations
 
@@ -8,10 +11,16 @@ from functools import cached_property
 
 import numpy as np
 
-from mahovik.core.stand.model import WRENCH_LETTERS, Stand
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof import reference
 from mahovik.proof.diagnose.terms.coefficients import Coefficients, Multiple, is_there
+from mahovik.proof.diagnose.terms.directions import (
+    Directions,
+    along_freedoms,
+    of_all_components,
+    of_blocked_components,
+)
 from mahovik.proof.diagnose.terms.fit import Columns
 from mahovik.proof.diagnose.terms.law_columns import KINDS, LawColumns, widen
 from mahovik.proof.diagnose.terms.monomials import Monomial, Motion, momentum_monomials, monomials
@@ -29,11 +38,24 @@ ANSWERS: Mapping[str, tuple[str, ...]] = {
     "torque": ("tau",),
     "coupled": ("V_dot", "phi_ddot"),
     "momentum": ("Z",),
+    "reaction": ("reaction",),
 }
 """Wants whose error is a sum of products of the model, and the quantities that it is taken from."""
 
+OF_HELD = ("reaction",)
+"""Wants that a free carrier does not have."""
+
 OF_FLYWHEELS = ("torque", "coupled")
 """Wants that a stand without flywheels does not have."""
+
+
+def quantities_of(stand: Stand, want: str) -> tuple[str, ...]:
+    """Quantities that the error of a want is taken from; of a held carrier the reaction of `forward` and `coupled` is
+    looked at besides, where it is answered."""
+    if stand.hold is None or "V_dot" not in ANSWERS[want]:
+        return ANSWERS[want]
+    motion = ("u_dot",) if stand.hold.freedoms else ("reaction",)
+    return (*motion, *(name for name in ANSWERS[want] if name != "V_dot"))
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,6 +89,7 @@ class Equations:
 
     def __init__(self, stand: Stand, own: Sequence[State]) -> None:
         self._stand, self._own = stand, own
+        self._along = along_freedoms(stand)
 
     def errors(
         self, want: str, states: Sequence[State], at: Sequence[Pieces], answers: Mapping[str, Array]
@@ -76,24 +99,47 @@ class Equations:
             return [self._momentum(states, at, answers["Z"])]
         if want == "torque":
             return [self._torque(states, at, answers["tau"])]
-        if want == "forward":
-            return [self._forward(states, at, answers["V_dot"])]
-        reached = [
-            replace(s, V_dot=tuple(a), phi_ddot=tuple(b))
-            for s, a, b in zip(states, answers["V_dot"].tolist(), answers["phi_ddot"].tolist(), strict=True)
-        ]
-        tau = np.array([s.tau for s in states])
-        return [self._forward(reached, at, answers["V_dot"]), self._torque(reached, at, tau)]
+        if want == "reaction":
+            return [self._reaction(states, at, answers["reaction"], self._all_components)]
+        reached = self._states_of_answers(states, answers)
+        found = [self._forward(reached, at)] if self._along.components else []
+        if want == "coupled":
+            found.append(self._torque(reached, at, np.array([s.tau for s in states])))
+        if "reaction" in answers:
+            found.append(self._reaction(reached, at, answers["reaction"], self._blocked_components))
+        return found
 
-    def _forward(self, states: Sequence[State], at: Sequence[Pieces], V_dot: Array) -> EquationErrors:
-        """Errors of V_dot (n, 6), as wrenches K V_r* - (F - M V_r - J phi' - I phi'')."""
-        V_r_dot = np.array([p.V_r_dot(x) for p, x in zip(at, V_dot, strict=True)])
+    def _states_of_answers(self, states: Sequence[State], answers: Mapping[str, Array]) -> list[State]:
+        """The states with the accelerations that the program answers (n, ...)."""
+        V_dot = answers.get("V_dot")
+        if V_dot is None:
+            u_dot = answers.get("u_dot", np.zeros((len(states), 0)))
+            V_dot = u_dot @ self._along.rows.T
+        found = [replace(s, V_dot=tuple(a)) for s, a in zip(states, V_dot.tolist(), strict=True)]
+        phi_ddot = answers.get("phi_ddot")
+        if phi_ddot is None:
+            return found
+        return [replace(s, phi_ddot=tuple(b)) for s, b in zip(found, phi_ddot.tolist(), strict=True)]
+
+    def _forward(self, states: Sequence[State], at: Sequence[Pieces]) -> EquationErrors:
+        """Errors of the V_dot of the states, as wrenches K V_r* - (F - M V_r - J phi' - I phi'') along what is free."""
+        none = np.zeros((len(states), 6))
+        return self._wrench_errors(states, at, none, self._wrench, self._along)
+
+    def _reaction(self, states: Sequence[State], at: Sequence[Pieces], reaction: Array, known: _Rows) -> EquationErrors:
+        """Errors of the reactions (n, 6) of the motion of the states, as wrenches K V_r* - (F + R - M V_r - ...)."""
+        return self._wrench_errors(states, at, reaction, known.coefficients, known.along)
+
+    def _wrench_errors(
+        self, states: Sequence[State], at: Sequence[Pieces], reaction: Array, known: Coefficients, along: Directions
+    ) -> EquationErrors:
+        V_r_dot = _relative_rates(states, at)
         inertial = np.array([p.K @ x for p, x in zip(at, V_r_dot, strict=True)])
         size = [np.abs(p.K) @ np.abs(x) + np.abs(p.F) + np.abs(bias(p)) for p, x in zip(at, V_r_dot, strict=True)]
-        products = monomials(self._stand, Motion.of(states, at, V_r_dot))
-        error, known = inertial - _right_hand_sides(states, at), self._wrench
-        sizes, of_laws = np.array(size), LawColumns(at)
-        return EquationErrors(WRENCH_LETTERS, error, sizes, products, known.multiple, known.occurs, of_laws)
+        products = monomials(self._stand, Motion.of(states, at, V_r_dot, self._along))
+        error = (inertial - _right_hand_sides(states, at) - reaction) @ along.rows
+        sizes, of_laws = np.array(size) @ np.abs(along.rows), LawColumns(at, along.rows)
+        return EquationErrors(along.components, error, sizes, products, known.multiple, known.occurs, of_laws)
 
     def _torque(self, states: Sequence[State], at: Sequence[Pieces], tau: Array) -> EquationErrors:
         """Errors of the drive torques (n, N)."""
@@ -103,13 +149,15 @@ class Equations:
         return EquationErrors(names, tau - right, np.abs(right), products, plain.multiple, plain.occurs)
 
     def _momentum(self, states: Sequence[State], at: Sequence[Pieces], Z: Array) -> EquationErrors:
-        """Errors of the momentum Z (n, 6), (2)."""
+        """Errors of the momentum Z (n, 6), (2); of a held carrier about its pivot."""
         right, products = self._momenta(states, at)
         own_right, own_products = self._momenta(self._own, self._own_pieces)
-        factors = columns_of(own_products).least_squares(own_right, with_later=True)
-        plain = _PlainFactors(factors, self._wrench, products)
-        size = np.abs(right)
-        return EquationErrors(WRENCH_LETTERS, Z - right, size, products, plain.multiple, plain.occurs)
+        along = self._all_components.along
+        factors = columns_of(own_products).least_squares(own_right @ along.rows, with_later=True)
+        plain = _PlainFactors(factors, self._all_components.coefficients, products)
+        size = np.abs(right) @ np.abs(along.rows)
+        error = (Z - right) @ along.rows
+        return EquationErrors(along.components, error, size, products, plain.multiple, plain.occurs)
 
     @cached_property
     def _own_pieces(self) -> list[Pieces]:
@@ -117,14 +165,30 @@ class Equations:
 
     @cached_property
     def _wrench(self) -> Coefficients:
-        """Right coefficients of the products in the right-hand side of K V_r* = ..."""
+        """Right coefficients of the products in the right-hand side of K V_r* = ..., along what is free."""
+        return self._coefficients(self._along)
+
+    @cached_property
+    def _all_components(self) -> _Rows:
+        """Equations of all six components, about the pivot."""
+        along = of_all_components(self._stand)
+        return _Rows(along, self._wrench if self._stand.hold is None else self._coefficients(along))
+
+    @cached_property
+    def _blocked_components(self) -> _Rows:
+        """Equations of the components that the hold bears, about the pivot."""
+        along = of_blocked_components(self._stand)
+        return _Rows(along, self._coefficients(along))
+
+    def _coefficients(self, along: Directions) -> Coefficients:
         right = _right_hand_sides(self._own, self._own_pieces) - np.array(
             [_other_wrenches(p, self._stand) for p in self._own_pieces]
         )
-        motion = Motion.of(self._own, self._own_pieces, np.array([s.V_dot for s in self._own]))
+        motion = Motion.of(self._own, self._own_pieces, np.array([s.V_dot for s in self._own]), self._along)
         products = monomials(self._stand, motion)
-        factors = _factors_beside_laws(columns_of(products), right, LawColumns(self._own_pieces))
-        return Coefficients(products, factors, motion, self._own_pieces, self._stand)
+        of_laws = LawColumns(self._own_pieces, along.rows)
+        factors = _factors_beside_laws(columns_of(products), right @ along.rows, of_laws)
+        return Coefficients(products, factors, motion, self._own_pieces, self._stand, along)
 
     @cached_property
     def _known_torques(self) -> Array | None:
@@ -134,15 +198,23 @@ class Equations:
 
     def _torques(self, states: Sequence[State], at: Sequence[Pieces]) -> tuple[Array, list[Monomial]]:
         """Drive torques (n, N) of the reference, and the products at the states."""
-        V_r_dot = np.array([p.V_r_dot(np.array(s.V_dot)) for p, s in zip(at, states, strict=True)])
+        V_r_dot = _relative_rates(states, at)
         right = np.array([torque(p, np.array(s.V_dot), np.array(s.phi_ddot)) for p, s in zip(at, states, strict=True)])
-        return right, monomials(self._stand, Motion.of(states, at, V_r_dot))
+        return right, monomials(self._stand, Motion.of(states, at, V_r_dot, self._along))
 
     def _momenta(self, states: Sequence[State], at: Sequence[Pieces]) -> tuple[Array, list[Monomial]]:
         """Momentum (n, 6) of the reference, and the products at the states."""
-        motion = Motion.of(states, at, np.zeros((len(states), 6)))
+        motion = Motion.of(states, at, np.zeros((len(states), 6)), self._along)
         streams = np.array([p.u for p in at]) if any(self._stand.stream or ()) or self._stand.profile else None
         return np.array([momentum(p) for p in at]), momentum_monomials(self._stand, motion, streams)
+
+
+@dataclass(frozen=True, eq=False)
+class _Rows:
+    """Equations, and the right coefficients in them."""
+
+    along: Directions
+    coefficients: Coefficients
 
 
 class _PlainFactors:
@@ -180,11 +252,11 @@ def columns_of(products: Sequence[Monomial]) -> Columns:
 
 
 def _factors_beside_laws(columns: Columns, right: Array, of_laws: LawColumns) -> Array | None:
-    """Factors (m, 6) of the products in right-hand sides (n, 6), where coefficients of laws explain the rest."""
+    """Factors (m, c) of the products in right-hand sides (n, c), where coefficients of laws explain the rest."""
     if not of_laws.there:
         return columns.least_squares(right, with_later=False)
     found = []
-    for component in range(6):
+    for component in range(right.shape[1]):
         wide, _ = widen(columns, next(of_laws.of(component)))
         factors = wide.least_squares(right[:, [component]], with_later=False)
         if factors is None:
@@ -196,6 +268,11 @@ def _factors_beside_laws(columns: Columns, right: Array, of_laws: LawColumns) ->
 def _right_hand_sides(states: Sequence[State], at: Sequence[Pieces]) -> Array:
     """F - M V_r - J phi' - I phi'' (n, 6)."""
     return np.array([p.F - bias(p) - p.I @ np.array(s.phi_ddot) for p, s in zip(at, states, strict=True)])
+
+
+def _relative_rates(states: Sequence[State], at: Sequence[Pieces]) -> Array:
+    """V_r* (n, 6) of the V* of the states."""
+    return np.array([p.V_r_dot(np.array(s.V_dot)) for p, s in zip(at, states, strict=True)])
 
 
 def _other_wrenches(at: Pieces, stand: Stand) -> Array:

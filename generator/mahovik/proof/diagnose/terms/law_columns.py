@@ -45,8 +45,9 @@ class LawColumn:
 class LawColumns:
     """Columns of all laws at n states, from coarse to fine."""
 
-    def __init__(self, at: Sequence[Pieces]) -> None:
-        self._at = at
+    def __init__(self, at: Sequence[Pieces], rows: Array) -> None:
+        """`rows` (6 x c): components are rows^T of a wrench on the carrier, in E1 about O1."""
+        self._at, self._rows = at, rows
 
     @property
     def there(self) -> bool:
@@ -66,7 +67,8 @@ class LawColumns:
                 for name, L, term in of_law
                 if term.detail == min(detail, most)
             ]
-            yield _merge([_column(name, L, term, component) for name, L, term in chosen])
+            row = self._rows[:, component]
+            yield _merge([_column(name, row @ L, term) for name, L, term in chosen])
 
     @cached_property
     def _terms(self) -> list[list[tuple[str, Array, LawTerm]]]:
@@ -81,12 +83,12 @@ class LawColumns:
         return found
 
 
-def _column(body: str, L: Array, term: LawTerm, component: int) -> LawColumn:
-    """A part of a law in one component, as E1 has it about O1."""
+def _column(body: str, row: Array, term: LawTerm) -> LawColumn:
+    """A part of a law in the component that `row` (6) takes of the wrench on the body."""
     fixed = "" if body == "carrier" else f"{body}: "
     of_body = term.coefficient.startswith(("cross_flow", "fading_damping"))
     path = f"{body}.{term.coefficient}" if of_body else term.coefficient
-    values = np.asarray(term.wrench @ L[component], dtype=np.float64)
+    values = np.asarray(term.wrench @ row, dtype=np.float64)
     return LawColumn(Monomial((f"{fixed}{term.term}",), values, accelerates=False), path, term.value)
 
 

@@ -12,11 +12,20 @@ from typing import Any, cast
 import numpy as np
 
 from mahovik.core.stand.model import Stand, Vec6
+from mahovik.core.stand.random_state import along_freedoms
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import CheckError
 from mahovik.proof import reference
 from mahovik.proof.diagnose.terms.coefficients import Multiple
-from mahovik.proof.diagnose.terms.equations import ANSWERS, OF_FLYWHEELS, EquationErrors, Equations
+from mahovik.proof.diagnose.terms.directions import freedoms_in_words, point_in_words
+from mahovik.proof.diagnose.terms.equations import (
+    ANSWERS,
+    OF_FLYWHEELS,
+    OF_HELD,
+    EquationErrors,
+    Equations,
+    quantities_of,
+)
 from mahovik.proof.diagnose.terms.fit import MOST, Columns, Fit
 from mahovik.proof.diagnose.terms.law_columns import LawColumn, widen
 from mahovik.proof.diagnose.terms.monomials import count
@@ -86,6 +95,8 @@ class TermSearchResult:
     wants        those that were looked at
     exact        whether they leave nothing beyond rounding
     besides      wants whose error is no few terms, beside others whose error is
+    about        the point that moments are about, in words
+    freedoms     what the names of equations and speeds of a held carrier stand for
     """
 
     terms: tuple[WrongTerm, ...]
@@ -93,6 +104,8 @@ class TermSearchResult:
     wants: tuple[str, ...]
     exact: bool
     besides: tuple[str, ...] = ()
+    about: str = "O1"
+    freedoms: str = ""
 
     @property
     def whole(self) -> bool:
@@ -139,6 +152,7 @@ class TermSearch:
             for want in WANTS
             if want in wants
             and (stand.flywheels or want not in OF_FLYWHEELS)
+            and (stand.hold is not None or want not in OF_HELD)
             and not (want in IMPLIED and set(IMPLIED[want]) <= set(wants))
         )
         self._requests = {
@@ -172,16 +186,25 @@ class TermSearch:
             for terms, of_part in parts:
                 found += terms
                 fits += of_part
-        in_forces = [(x.component, x.term, x.error) for x in found if x.want != "torque"]
+        in_forces = [(x.component, x.term, x.error) for x in found if x.want in ("forward", "coupled", "momentum")]
         if not has_mass_matrix(self._stand, in_forces):
             return TermSearchResult((), 1.0, self.wants, False, tuple(besides))
         left = max((each.left for each in fits), default=0.0)
-        return TermSearchResult(tuple(found), left, self.wants, all(each.exact for each in fits), tuple(besides))
+        return TermSearchResult(
+            tuple(found),
+            left,
+            self.wants,
+            all(each.exact for each in fits),
+            tuple(besides),
+            point_in_words(self._stand),
+            freedoms_in_words(self._stand),
+        )
 
     def _check_repeats(self, answers: Answers) -> None:
         for want, again in self._again.items():
             for first, second in zip(self._requests[want], again, strict=False):
-                if _values(answers(first), want) != _values(answers(second), want):
+                names = quantities_of(self._stand, want)
+                if _values(answers(first), names) != _values(answers(second), names):
                     raise CheckError(
                         f"it is not deterministic: {want} of state {first.id!r} has another answer when it is asked "
                         "for again; a diagnosis needs a program without memory and chance"
@@ -207,14 +230,20 @@ class TermSearch:
     def _collect_answers(self, want: str, answers: Answers) -> tuple[list[int], dict[str, Array]]:
         """Rows of the states that have finite answers, and these by quantity. Raises CheckError: none."""
         rows: list[int] = []
-        found: dict[str, list[Array]] = {name: [] for name in ANSWERS[want]}
+        N, hold = len(self._stand.flywheels), self._stand.hold
+        names = quantities_of(self._stand, want)
+        of_hold = "u_dot" in names and not set(OF_HELD) & set(self.wants)
+        if of_hold and any("reaction" in answers(request) for request in self._requests[want]):
+            names = (*names, "reaction")  # no want of its own tells it; a program may leave it out here too
+        lengths = {"u_dot": len(hold.freedoms) if hold else 0, "tau": N, "phi_ddot": N}
+        found: dict[str, list[Array]] = {name: [] for name in names}
+        sizes = [(lengths.get(name, 6),) for name in names]
         for i, request in enumerate(self._requests[want]):
             given = answers(request)
             try:
                 values = [np.array(given.get(name), dtype=np.float64) for name in found]
             except (TypeError, ValueError, OverflowError):
                 continue
-            sizes = [(6,) if name in ("V_dot", "Z") else (len(self._stand.flywheels),) for name in found]
             if [x.shape for x in values] == sizes and all(np.isfinite(x).all() for x in values):
                 rows.append(i)
                 for name, x in zip(found, values, strict=True):
@@ -321,8 +350,8 @@ def _likeliest(
     return (changed, found) if changed.exact else (fit, doubtful)
 
 
-def _values(answer: Mapping[str, Any], want: str) -> Any:
-    return repr([np.array(answer.get(name), dtype=object).tolist() for name in ANSWERS[want]])  # NaN is equal
+def _values(answer: Mapping[str, Any], names: Sequence[str]) -> Any:
+    return repr([np.array(answer.get(name), dtype=object).tolist() for name in names])  # NaN is equal
 
 
 def _state(stand: Stand, rng: np.random.Generator) -> State:
@@ -334,7 +363,7 @@ def _state(stand: Stand, rng: np.random.Generator) -> State:
 
     q = rng.normal(size=4)
     q /= np.linalg.norm(q)
-    return State(
+    state = State(
         position=(0.0, 0.0, 0.0),
         angles=None,
         quaternion=cast(Quaternion, tuple(float(x) for x in q)),
@@ -346,3 +375,4 @@ def _state(stand: Stand, rng: np.random.Generator) -> State:
         tau=tuple(x * wheel.inertia[0][0] for x, wheel in zip(normal("phi_ddot", N), stand.flywheels, strict=True)),
         wrench=MappingProxyType({}),
     )
+    return state if stand.hold is None else along_freedoms(stand, state, rng)

@@ -13,6 +13,7 @@ from mahovik.use.plan.residual.flywheels import waves
 from mahovik.use.plan.residual.prescribed_motion import prescribed_at
 from mahovik.use.study.jitter.balance import SLOW, Balance
 from mahovik.use.study.jitter.chain import Chain
+from mahovik.use.study.jitter.freedom_view import FreedomView
 from mahovik.use.study.jitter.left_out import reactions
 from mahovik.use.study.jitter.lines import COMBINATION, UNBALANCE, LineName, Lines
 from mahovik.use.study.jitter.load_view import LoadView
@@ -46,7 +47,7 @@ def exact_lines(found: Balance, seen: Observable, phases: Array, chain: Chain | 
     sizes = np.abs(a).max(axis=1)
     largest = sizes[(f > 0.0) & np.isfinite(sizes)].max(initial=0.0)
     constant = (torus.k == 0).all(axis=1)
-    rounding = 0.0 if isinstance(seen, View) else LOAD_ROUNDING * float(sizes[constant].max(initial=0.0))
+    rounding = LOAD_ROUNDING * float(sizes[constant].max(initial=0.0)) if isinstance(seen, LoadView) else 0.0
     kept = ~(sizes <= max(NEGLIGIBLE * largest, rounding)) | constant
     names = [found.scene.stand.flywheels[s].name for s in found.turning]
     labels = [_name(k.tolist(), names) for k in torus.k[kept]]
@@ -93,7 +94,7 @@ def left_out_of(found: Balance, seen: Observable) -> Array:
     if found.missing is None or found.missing_c is None:
         return np.full(3, np.nan)
     moving = found.missing_w != 0.0
-    if isinstance(seen, View):
+    if isinstance(seen, View | FreedomView):
         lines = seen.by_pose(found.missing[moving], np.abs(found.missing_w[moving]))
         return np.asarray(np.abs(lines).sum(axis=0))
     kept, larger = found.torus, Torus.of(found.torus.count, found.missing_order)

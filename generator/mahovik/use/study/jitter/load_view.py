@@ -13,7 +13,7 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.use.plan.array import Array, Complex
-from mahovik.use.study.jitter.quantity import FullMotion, LinearMotion, Quantity
+from mahovik.use.study.jitter.quantity import AXES, FullMotion, LinearMotion, Quantity
 from mahovik.use.study.jitter.structure import Structure
 from mahovik.use.study.response.held import REACTION
 
@@ -42,6 +42,11 @@ class LoadView:
         if stand.hold is None:
             raise UsageError(f"--at {name}: {stand.name} has no [hold]; expected a point, an instrument or a flywheel")
         return LoadView(name, quantity, None)
+
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """Axes of force and moment."""
+        return AXES
 
     @property
     def measure(self) -> Quantity:

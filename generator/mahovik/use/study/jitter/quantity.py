@@ -34,6 +34,9 @@ class Quantity(NamedTuple):
         return self.unit.replace("rad", "arcsec") if self.turning else None
 
 
+AXES = ("x", "y", "z")
+"""Names of the axes of a point or a load."""
+
 QUANTITIES = {
     "angle": Quantity("rad", True, 0),
     "rate": Quantity("rad/s", True, 1),
@@ -88,6 +91,10 @@ class Observable(Protocol):
         """Name of the point, of the table of sensitivities, or of the load."""
 
     @property
+    def axes(self) -> tuple[str, ...]:
+        """Names of its axes; of three columns the first, where it has fewer."""
+
+    @property
     def quantity(self) -> str:
         """Name of the quantity."""
 
@@ -129,6 +136,11 @@ class View:
         part[:, 3:] = np.eye(3) if find_quantity(quantity).turning else 0.0
         part[:, :3] = 0.0 if find_quantity(quantity).turning else np.eye(3)
         return View(place.name, quantity, ((place, part),))
+
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """Axes of the point."""
+        return AXES
 
     @property
     def measure(self) -> Quantity:

@@ -30,6 +30,7 @@ WORDS = {
     "m": "a length",
     "m/s": "a velocity",
     "m/s2": "an acceleration",
+    "rad/s2": "an angular acceleration",
     "N": "a force",
     "N m": "a moment",
 }

@@ -98,6 +98,11 @@ class Jitter:
         return self.seen.measure
 
     @property
+    def axes(self) -> tuple[str, ...]:
+        """Names of the axes of the quantity; of three columns of values the first, where it has fewer."""
+        return self.seen.axes
+
+    @property
     def swept(self) -> bool:
         """Whether a speed is swept."""
         return self.asked.sweep is not None

@@ -12,13 +12,12 @@ import numpy as np
 from mahovik.contract.quantities import RPM
 from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.lines import COMBINATION, LineName
-from mahovik.use.study.jitter.quantity import ARCSEC
+from mahovik.use.study.jitter.quantity import ARCSEC, AXES
 from mahovik.use.study.jitter.requirement import Verdict
 from mahovik.use.study.jitter.spectrum import budget, spectrum
 from mahovik.use.study.jitter.study import Jitter
 from mahovik.use.study.linear.model import encode_lines
 
-AXES = ("x", "y", "z")
 SUMS = ("rms", "rss", "worst", "mean")
 SHOWN = 60
 """Lines of orders with columns of their own in CSV."""
@@ -41,9 +40,14 @@ def _entry(found: Jitter, i: int) -> dict[str, Any]:
     entry = {
         **_origin(name),
         "frequency": _plain(frequency, found.swept),
-        "amplitude": _plain(np.abs(a), found.swept),
+        "amplitude": _plain(_existing_axes(found, np.abs(a)), found.swept),
     }
-    return entry | ({"phase": _plain(np.angle(a), found.swept)} if not name.part else {})
+    return entry | ({"phase": _plain(_existing_axes(found, np.angle(a)), found.swept)} if not name.part else {})
+
+
+def _existing_axes(found: Jitter, values: Array) -> Array:
+    """Values (..., 3) along the axes that there are."""
+    return values[..., : len(found.axes)]
 
 
 def _origin(name: LineName) -> dict[str, Any]:
@@ -67,7 +71,7 @@ def _null(value: Any) -> Any:
 def as_object(found: Jitter, verdicts: Sequence[Verdict] = ()) -> dict[str, Any]:
     """Contents of the JSON file; SI, frequencies in Hz."""
     asked, quantity, swept = found.asked, found.measure, found.swept
-    values = found.sums()
+    values = {name: _existing_axes(found, each) for name, each in found.sums().items()}
     result: dict[str, Any] = {
         "schema": 1,
         "stand": found.stand.name,
@@ -84,7 +88,7 @@ def as_object(found: Jitter, verdicts: Sequence[Verdict] = ()) -> dict[str, Any]
         "phases": found.phases.tolist(),
         "method": found.method,
         "left_out": _plain(found.left_out, swept),
-        "remainder": _plain(found.remainder, swept),
+        "remainder": _plain(_existing_axes(found, found.remainder), swept),
         "highest_order": list(found.order) if swept else found.order[0],
         "checks": [{"speed": float(found.value[c.step]), "left_out": c.left_out, "off": c.off} for c in found.checks],
         "hold": found.hold.tolist(),
@@ -94,10 +98,13 @@ def as_object(found: Jitter, verdicts: Sequence[Verdict] = ()) -> dict[str, Any]
     }  # fmt: skip
     result |= {name: _plain(each, swept) for name, each in values.items()}
     if any(name.tolerance for name in found.lines.names):
-        result["with_tolerance"] = {name: _plain(each, swept) for name, each in found.toleranced.sums().items()}
+        sums = found.toleranced.sums()
+        result["with_tolerance"] = {name: _plain(_existing_axes(found, each), swept) for name, each in sums.items()}
     if quantity.arcsec:
         in_arcsec = {name: _plain(each * ARCSEC, swept) for name, each in values.items()}
         result["arcsec"] = {"unit": quantity.arcsec, **in_arcsec}
+    if found.axes != AXES:
+        result["axes"] = list(found.axes)
     result |= _at_the_worst(found)
     result["one_way"] = _one_way(found)
     result["requirements"] = [verdict_object(found, each) for each in verdicts]
@@ -111,9 +118,12 @@ def _at_the_worst(found: Jitter) -> dict[str, Any]:
     frequency, cumulative = at.cumulative()
     return {
         "worst_speed": float(found.value[step]),
-        "budget": [{"wheel": x.wheel, "what": x.what, "rms": x.rms.tolist()} for x in budget(found, step)],
-        "cumulative": {"frequency": frequency.tolist(), "rms": cumulative.tolist()},
-        "psd": {"edges": at.edges.tolist(), "density": at.density.tolist()},
+        "budget": [
+            {"wheel": x.wheel, "what": x.what, "rms": _existing_axes(found, x.rms).tolist()}
+            for x in budget(found, step)
+        ],
+        "cumulative": {"frequency": frequency.tolist(), "rms": _existing_axes(found, cumulative).tolist()},
+        "psd": {"edges": at.edges.tolist(), "density": _existing_axes(found, at.density).tolist()},
     }
 
 
@@ -136,7 +146,7 @@ def verdict_object(found: Jitter, verdict: Verdict) -> dict[str, Any]:
         "margin": verdict.margin if np.isfinite(verdict.margin) else None,
         "met": verdict.met,
         "worst_speed": float(found.value[verdict.step]),
-        "axis": AXES[verdict.axis],
+        "axis": found.axes[verdict.axis],
     }
 
 
@@ -151,13 +161,13 @@ def csv_text(found: Jitter) -> str:
     head = [f"speed {name} [rpm]" for name in found.asked.names]
     columns = [RPM * found.speeds]
     for name, values in found.sums().items():
-        head += [f"{name} {axis} [{unit}]" for axis in AXES]
-        columns.append(values)
+        head += [f"{name} {axis} [{unit}]" for axis in found.axes]
+        columns.append(_existing_axes(found, values))
     largest = found.lines.sizes.max(axis=(0, 2), initial=0.0)
     for i in np.argsort(-largest, kind="stable")[:SHOWN]:
         if largest[i] > 0.0:
-            head += [f"{found.lines.names[i].text} {axis} [{unit}]" for axis in AXES]
-            columns.append(found.lines.sizes[:, i])
+            head += [f"{found.lines.names[i].text} {axis} [{unit}]" for axis in found.axes]
+            columns.append(_existing_axes(found, found.lines.sizes[:, i]))
     file = io.StringIO()
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(head)

@@ -159,9 +159,7 @@ class HeldScene:
 
     def at_pose(self, y: Array) -> Array:
         """The state (1, 2 m) of a pose at rest, `y` (1, 12), that the hold allows."""
-        r = y[:, 3:6]
-        moved = np.hstack([np.linalg.solve(_left_jacobian(r), y[:, :3, None])[:, :, 0], r])
-        return np.hstack([moved @ np.linalg.pinv(self.S).T, np.zeros((1, self.count))])
+        return np.hstack([coordinates(self.S, y), np.zeros((1, self.count))])
 
     def jacobian(self, given: Drive, y: Array, V_dot: Array) -> Array:
         """dy'/dy (M, 2 m, 2 m), with V* (M, 6) given. Exact except for terms of third order in xi in its rate."""
@@ -223,6 +221,13 @@ class HeldScene:
         for k in range(TERMS, 1, -1):
             found = np.eye(self.count) - ad @ found / k
         return np.asarray(found)
+
+
+def coordinates(S: Array, y: Array) -> Array:
+    """xi (M, m) of states `y` (M, 6 or more) in the chart about rest that the hold allows: their pose is exp(S xi)."""
+    r = y[:, 3:6]
+    moved = np.hstack([np.linalg.solve(_left_jacobian(r), y[:, :3, None])[:, :, 0], r])
+    return np.asarray(moved @ np.linalg.pinv(S).T)
 
 
 def _left_jacobian(r: Array) -> Array:
