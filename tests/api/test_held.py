@@ -16,7 +16,7 @@ from mahovik.stands import path
 
 
 def test_what_is_of_the_freedoms_has_their_names() -> None:
-    model = mahovik.build(Stand.of(loads(TEXT), held=True))
+    model = mahovik.build(Stand.of(loads(TEXT)))
     x = model.state(angles=[0, 0.3, 0], V=[0.2 * 0.4, 0, 0, 0, 0.4, 0])  # u = 0.4 rad/s about the pivot
     moved = model.forward(x, phi_ddot=3.0)
     assert moved["u_dot", "pitch"] == moved["V_dot", "q"] != 0
@@ -26,7 +26,7 @@ def test_what_is_of_the_freedoms_has_their_names() -> None:
 
 
 def test_the_reaction_of_arrays_of_motions_is_that_of_each() -> None:
-    stand = Stand.of(loads(TEXT), held=True)
+    stand = Stand.of(loads(TEXT))
     model = mahovik.build(stand)
     rates = np.linspace(-1.0, 1.0, 4)
     V = np.outer(rates, [0.2, 0, 0, 0, 1, 0])
@@ -57,7 +57,7 @@ def test_a_reaction_without_its_motion_is_refused() -> None:
 
 
 def test_coordinates_of_freedoms_have_their_names_and_take_no_angles() -> None:
-    model = mahovik.build(Stand.of(loads(TEXT), held=True))
+    model = mahovik.build(Stand.of(loads(TEXT)))
     x = model.state(angles=[0, 0.3, 0], V=[0.2 * 0.4, 0, 0, 0, 0.4, 0])
     found = model.generalized(x, phi_ddot=3.0)
     assert found.q == pytest.approx([0.3], rel=1e-14)
@@ -68,7 +68,7 @@ def test_coordinates_of_freedoms_have_their_names_and_take_no_angles() -> None:
 
 
 def test_a_twist_that_the_hold_blocks_is_refused_by_its_direction() -> None:
-    model = mahovik.build(Stand.of(loads(TEXT), held=True))
+    model = mahovik.build(Stand.of(loads(TEXT)))
     good = [0.2 * 0.4, 0.0, 0.0, 0.0, 0.4, 0.0]
     with pytest.raises(InputError, match=r"V: moves along x, which \[hold\] blocks; expected S u of the freedoms"):
         model.state(V=[0, 0, 0, 0, 0.4, 0])

@@ -20,7 +20,7 @@ TURNED = TEXT.replace("pivot = [0, 0, -0.2]", "pivot = [0, 0.1, -0.2]\nposition 
 
 
 def model_of(freedoms: str, text: str = TURNED) -> Any:
-    return mahovik.build(Stand.of(loads(text.replace('freedoms = ["pitch"]', freedoms)), held=True))
+    return mahovik.build(Stand.of(loads(text.replace('freedoms = ["pitch"]', freedoms))))
 
 
 @pytest.mark.parametrize(

@@ -76,7 +76,7 @@ def test_a_mount_over_constant_speeds_is_refused() -> None:
 @pytest.mark.slow
 def test_samples_of_a_pendulum_are_their_own_stands() -> None:
     """Peak of the force of the pivot and the last speed of the tip, of a stick whose friction and mass vary."""
-    stand = Stand.of(loads(TEXT + "\n[[hold.friction]]\nviscous = 0.01\n"), held=True)
+    stand = Stand.of(loads(TEXT + "\n[[hold.friction]]\nviscous = 0.01\n"))
     start = {"angles": [0.0, 0.4, 0.0], "u": [0.3]}
     regime = {"default": {"speed": 100}}
     run = {"regime": regime, "until": 0.1, "dt": 1e-3, "every": 5e-3, "start": start}
@@ -101,7 +101,7 @@ def test_samples_of_a_pendulum_are_their_own_stands() -> None:
 def test_samples_begin_at_their_own_rest() -> None:
     """A pendulum that hangs with its mass off its axis: its force is its weight, and it does not move."""
     hanging = TEXT.replace("pivot = [0, 0, -0.2]", "pivot = [0, 0, 0.2]")
-    stand = Stand.of(loads(hanging), held=True).replace({"carrier.inertia_about": "center_of_mass"})
+    stand = Stand.of(loads(hanging)).replace({"carrier.inertia_about": "center_of_mass"})
     own = computation(
         stand,
         {"regime": {"default": {"hold": True}}, "until": 0.05, "start": "rest"},

@@ -36,7 +36,7 @@ PLACES: dict[str, Any] = {
 @pytest.mark.parametrize("hold", [POSES[0], *(pytest.param(each, marks=pytest.mark.slow) for each in POSES[1:-1])])
 def test_a_state_is_as_far_from_the_home_pose_of_each_sample(hold: str) -> None:
     """Coordinates and speeds of its freedoms stay, there and back, in every sample."""
-    own = Stand.of(stand(f"{hold}\nposition = [1, 2, 3]\nangles = [0.3, -0.2, 0.1]", wheel(1, [1, 0, 0])), held=True)
+    own = Stand.of(stand(f"{hold}\nposition = [1, 2, 3]\nangles = [0.3, -0.2, 0.1]", wheel(1, [1, 0, 0])))
     assert own.hold is not None
     m = len(own.hold.freedoms)
     changes = {path: values for path, values in PLACES.items() if path != "hold.pivot" or "pivot" in hold}
@@ -76,7 +76,7 @@ def test_tables_are_those_of_the_stands_one_by_one() -> None:
     """Bit for bit: twists of the freedoms, pivot, home pose, and the wrenches of friction and stops."""
     more = "[[hold.friction]]\nviscous = 0.01\n"
     more += "".join(f"[[hold.stop]]\nat = {at}\nstiffness = 10\n" for at in (1, -1))
-    own = Stand.of(loads(TEXT + more), held=True)
+    own = Stand.of(loads(TEXT + more))
     laws = mahovik.build(own).tables(PLACES)
     for j in range(3):
         alone = mahovik.build(laws.stand(j)).tables({}, 1).laws()
@@ -92,7 +92,7 @@ def _part(value: Any, j: int) -> Any:
 
 @pytest.mark.slow
 def test_samples_with_other_pivots_are_their_own_stands() -> None:
-    own = Stand.of(loads(TEXT), held=True)
+    own = Stand.of(loads(TEXT))
     regime = {"default": {"speed": 100}}
     run = {"regime": regime, "until": 0.1, "dt": 1e-3, "every": 5e-3, "start": {"angles": [0.0, 0.4, 0.0], "u": [0.3]}}
     wanted = {
@@ -114,7 +114,7 @@ def test_samples_with_other_pivots_are_their_own_stands() -> None:
 def test_samples_with_other_pivots_begin_at_their_own_rest() -> None:
     """The pivot of a pendulum off its axis: it hangs there with its weight on the pivot, and does not move."""
     hanging = TEXT.replace("pivot = [0, 0, -0.2]", "pivot = [0, 0, 0.2]")
-    own = Stand.of(loads(hanging), held=True)
+    own = Stand.of(loads(hanging))
     computed = computation(
         own,
         {"regime": {"default": {"hold": True}}, "until": 0.05, "start": "rest"},
@@ -135,7 +135,7 @@ def test_the_error_of_a_programme_counts_from_the_own_home_pose(tmp_path: Path) 
     """Another place in E0 changes nothing, another pivot what the equation of the pendulum says."""
     write_files(tmp_path, PENDULUM, SWING)
     computed = computation(
-        Stand.of(PENDULUM, held=True), {**RUN, "periods": 1, "dt": 1e-3}, {"e": {"peak": "error", "axis": "pitch"}},
+        Stand.of(PENDULUM), {**RUN, "periods": 1, "dt": 1e-3}, {"e": {"peak": "error", "axis": "pitch"}},
         folder=tmp_path,
     )  # fmt: skip
     changes = {
@@ -198,7 +198,7 @@ def test_states_of_a_file_are_of_one_place(tmp_path: Path) -> None:
 
 
 def test_the_home_pose_is_where_a_sample_begins_without_a_start() -> None:
-    own = Stand.of(loads(TEXT), held=True)
+    own = Stand.of(loads(TEXT))
     tables = mahovik.build(own).tables(PLACES)
     holds = Holds.of(own, tables)
     at_home = home(own)

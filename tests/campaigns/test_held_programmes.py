@@ -50,7 +50,7 @@ def test_a_heavier_shaker_misses_its_motion_by_the_closed_formula(tmp_path: Path
     wanted: dict[str, Keys] = {
         "share": {"peak": "error"}, "z": {"end": "error", "axis": "z"}, "across": {"peak": "force", "of": "hold"},
     }  # fmt: skip
-    own = computation(Stand.of(SHAKER, held=True), RUN, wanted, folder=tmp_path)
+    own = computation(Stand.of(SHAKER), RUN, wanted, folder=tmp_path)
     assert own.units == {"share": "", "z": "m", "across": "N"}
     d = np.array([0.0, 0.01, 0.05])
     found, reasons = own.values(tables_of(own, {"carrier.mass": 2.0 + d}))
@@ -69,7 +69,7 @@ def test_a_pendulum_keeps_its_programme_or_not(tmp_path: Path) -> None:
     """The planned motion is reached by the stand it was planned for, a smaller spin inertia gives less swing."""
     write_files(tmp_path, PENDULUM, SWING)
     own = computation(
-        Stand.of(PENDULUM, held=True), {**RUN, "periods": 1, "dt": 1e-3}, {"pitch": {"peak": "error", "axis": "pitch"}},
+        Stand.of(PENDULUM), {**RUN, "periods": 1, "dt": 1e-3}, {"pitch": {"peak": "error", "axis": "pitch"}},
         folder=tmp_path,
     )  # fmt: skip
     found, reasons = own.values(tables_of(own, {"w1.inertia.0.0": np.array([0.01, 0.0099])}))
@@ -89,5 +89,5 @@ def test_a_pendulum_keeps_its_programme_or_not(tmp_path: Path) -> None:
 def test_what_makes_no_sense_is_refused_in_a_line(tmp_path: Path, own: CoreStand, wanted: Keys, words: str) -> None:
     write_files(tmp_path, SHAKER, SHAKE)
     with pytest.raises(MahovikError) as refused:
-        computation(Stand.of(own, held=True), RUN, {"e": wanted}, folder=tmp_path)
+        computation(Stand.of(own), RUN, {"e": wanted}, folder=tmp_path)
     assert words in str(refused.value) and "\n" not in str(refused.value)

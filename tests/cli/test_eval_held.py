@@ -10,9 +10,6 @@ import numpy as np
 import pytest
 
 from cli.run import refused, run
-from mahovik.core.stand import loads
-from mahovik.errors import StandError
-from mahovik.out.api.stands import Stand
 
 TEXT = """
 schema = 1
@@ -223,11 +220,6 @@ def test_a_plan_of_what_is_blocked_names_the_direction(
     message = refused("plan", file, "--motion", str(tmp_path / "m.json"), "-o", str(tmp_path / "p.json"))
     assert reason in message and len(message.strip().splitlines()) == 1
     assert not (tmp_path / "p.json").exists()
-
-
-def test_python_refuses_it_likewise() -> None:
-    with pytest.raises(StandError, match=r"expected a stand without \[hold\]; take"):
-        Stand.of(loads(TEXT))
 
 
 def test_check_says_how_it_moves(file: str) -> None:

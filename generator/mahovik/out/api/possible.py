@@ -52,7 +52,7 @@ def possible_tables(model: Model, changes: Mapping[str, Any], n: int | None = No
 
 def _reasons(model: Model, samples: Samples) -> dict[int, str]:
     """Reasons of the samples that cannot be, by number. Raises UsageError."""
-    stand, reasons = Stand.of(model.stand, held=True), dict[int, str]()
+    stand, reasons = Stand.of(model.stand), dict[int, str]()
     with suppress(StandError):  # a path that leads nowhere is no matter of one sample
         change_values(stand, samples.values(0) if samples.n else {})
     found = variants(stand, model.tables({}, 0).real, samples, reasons)

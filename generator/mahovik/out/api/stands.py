@@ -11,7 +11,6 @@ from typing import Any
 from mahovik import stands
 from mahovik.core.stand import toml
 from mahovik.core.stand import write as writing
-from mahovik.core.stand.hold import refuse_hold
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.read import load as load_file
 from mahovik.core.stand.read import read
@@ -35,13 +34,10 @@ class Stand(CoreStand):
         return _read(exact(document), source)
 
     @staticmethod
-    def of(stand: CoreStand | str | Path, held: bool = False) -> Stand:
-        """A stand as it is, or the one of a file. `held`: held carriers are taken too. Raises StandError."""
-        source = Path(stand).name if isinstance(stand, str | Path) else stand.name
+    def of(stand: CoreStand | str | Path) -> Stand:
+        """A stand as it is, or the one of a file. Raises StandError."""
         if not isinstance(stand, CoreStand):
             stand = load(stand)
-        if not held:
-            refuse_hold(stand, source)
         if isinstance(stand, Stand):
             return stand
         return Stand(**vars(stand))
@@ -79,7 +75,7 @@ class Stand(CoreStand):
 
 def load(path: str | Path) -> Stand:
     """The stand of a stand file, checked and in SI. Raises StandError with every problem of the file."""
-    stand = Stand.of(load_file(path), held=True)
+    stand = Stand.of(load_file(path))
     # read once more only for its keys: the file was in order a moment ago
     return _with_document(stand, toml.parse(Path(path).read_text(encoding="utf-8-sig")))
 
@@ -95,7 +91,7 @@ def example(name: str) -> Stand:
 
 
 def _read(document: dict[str, Any], source: str) -> Stand:
-    return _with_document(Stand.of(read(document, source), held=True), document)
+    return _with_document(Stand.of(read(document, source)), document)
 
 
 def _with_document(stand: Stand, document: dict[str, Any]) -> Stand:

@@ -43,7 +43,7 @@ class Tables:
 
     def __init__(self, made_of: CoreStand, real: str, samples: Samples, found: Variants, prepare: Prepare) -> None:
         """`found`: the numbers of all samples; `prepare`: makes the blocks. Raises StandError."""
-        self.made_of, self.base, self.real, self.samples = made_of, Stand.of(made_of, held=True), real, samples
+        self.made_of, self.base, self.real, self.samples = made_of, Stand.of(made_of), real, samples
         self._found, self._prepare = found, prepare
         self._blocks, _ = prepare(False)
 
@@ -102,7 +102,7 @@ def make_tables(
     n: int | None,
 ) -> Tables:
     """See `Model.tables`."""
-    stand, samples = Stand.of(of, held=True), Samples.of(changes, n)
+    stand, samples = Stand.of(of), Samples.of(changes, n)
     _refuse_numbers_of_holds(stand, samples)
     found = variants(stand, real, samples)
     for number in np.flatnonzero(found.doubtful):

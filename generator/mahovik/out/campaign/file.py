@@ -162,7 +162,7 @@ def _stand(given: str, folder: Path, problems: Problems) -> Stand:
     """The stand of a file beside the campaign file, or an example. Raises CampaignError, StandError."""
     path = folder / given
     if path.is_file():
-        return Stand.of(path, held=True)
+        return Stand.of(path)
     if given in stands.names():
         return load(stands.path(given))
     known = [*sorted(each.name for each in folder.glob("*.toml")), *stands.names()]

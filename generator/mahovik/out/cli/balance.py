@@ -83,7 +83,7 @@ def balance(
         found = by_influence(influence, method=method)
     else:
         assert stand_file is not None
-        found = balance_stand(load_stand(stand_file, held=True), data, planes=_planes(planes))
+        found = balance_stand(load_stand(stand_file), data, planes=_planes(planes))
         if report is not None:
             found.report(report)
     if output is not None:

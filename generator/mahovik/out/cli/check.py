@@ -58,7 +58,7 @@ def check(
     float would not resolve an unbalance, or would lose what short steps add; where (12) is singular in practice, so
     that a task should name the rows that are demanded; and of tasks that the flywheels do not reach.
     """
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     asked = None if speed is None else abs(_read("--speed", speed, ("an angular speed", "rad/s"), -1e9, 1e9))
     apart = None if planes is None else _read("--planes", planes, ("a length", "m"), 1e-6, 1e6)
     ahead = None if fluid is None else _read("--fluid", fluid, ("a velocity", "m/s"), 1e-3, 1e4)

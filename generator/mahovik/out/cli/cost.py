@@ -64,7 +64,7 @@ def cost(
     for line in absent:
         click.echo(f"left out: {line}", err=True)
     usual = targets is None and real is None and not absent
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     folder = Path(output if output is not None else stand.name)
     stand = stand_in(folder, stand, UsageError)
     if not check:

@@ -21,7 +21,7 @@ def derive(
     The matrices of (8)-(11): one generic flywheel with symbols, then the numbers of the stand.
     """
     suffix = ".tex" if output is None else require_suffix(output, (".html", ".tex"))
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     from mahovik.out.report.derivation.page import html, latex
     from mahovik.writing import probe, write
 

@@ -59,7 +59,7 @@ def design(
 
     Exit status: 0 a design; 1 none, or a bound is exceeded; 2 bad input; 130 Ctrl-C.
     """
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     from mahovik.out.functions.programmes import design as find
     from mahovik.out.functions.programmes import read_freedom
 

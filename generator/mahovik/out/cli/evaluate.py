@@ -46,7 +46,7 @@ def evaluate(
     """
     if real == "float" and backend != "c":
         raise UsageError(f"--real float: only --backend c has it, not {backend}")
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     chosen = _backend(stand, backend, real)
     from mahovik.proof.verify.states import evaluate_lines, split_lines
 

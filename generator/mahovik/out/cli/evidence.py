@@ -54,7 +54,7 @@ def evidence(
         raise UsageError("give a stand file, or --check DIR")
     if full and quick:
         raise UsageError("--full, --quick: give only one of them")
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     from mahovik.proof.evidence.collect import nothing_ran, select_pieces
     from mahovik.proof.evidence.page import failures
     from mahovik.proof.evidence.pieces import PIECES
@@ -96,7 +96,7 @@ def _collect(
     from mahovik.proof.evidence.collect import collect
     from mahovik.proof.evidence.pieces import PIECES
 
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     order = [each.name for each in PIECES if each.name in wanted]
     with progress("generate") as stage:
 

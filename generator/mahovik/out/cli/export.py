@@ -71,7 +71,7 @@ def fmu(
     from mahovik.use.simulate.case import load_start
     from mahovik.writing import probe, write
 
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     target = Path(output if output is not None else f"{stand.name}.fmu")
     if kind == "me" and is_given("dt"):
         raise UsageError("--dt: model exchange has no internal step, the tool integrates; remove it, or use --kind cs")
@@ -105,7 +105,7 @@ def target(
 
     stand_file, (name,) = stand_first(stand_file, further, {"--target": target_name}, former=("--target", STAND))
     found = exportable(name)
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     chosen = real or found.real or "double"
     folder = Path(output if output is not None else f"{stand.name}-{name}")
     with progress(f"generate {stand.name} for {name}"):
@@ -127,7 +127,7 @@ def fuzz(
     from mahovik.core.toolchain.fuzz_project import fuzz_project
     from mahovik.proof.verify.delivery import deliver
 
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     with progress(f"generate {stand.name} for fuzzing"):
         files = fuzz_project(stand, real)
     done = deliver(Path(output or f"{stand.name}-fuzz"), stand, real, files, "fuzz")
@@ -159,7 +159,7 @@ def servo(
     from mahovik.out.export.programme.files import element_type, write_servo
     from mahovik.out.export.servo import export_servo
 
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     found = load_programme(programme_file)
     motion = load_motion(Path(motion_file), stand, found) if motion_file is not None else None
     wanted = load_servo(servo_file, stand)
@@ -207,7 +207,7 @@ def programme(
 
     given = {"--programme": programme_file}
     stand_file, (source,) = stand_first(stand_file, further, given, former=(STAND, "--programme"))
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     found = load_programme(source)
     motion = load_motion(Path(motion_file), stand, found) if motion_file is not None else None
     folder = Path(output if output is not None else stand.name)
@@ -233,7 +233,7 @@ def cmake(
     from mahovik.out.export.cmake import cmake_project
     from mahovik.proof.verify.delivery import deliver
 
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     done = deliver(Path(output or f"{stand.name}-cmake"), stand, real, cmake_project(stand, real, batch), "cmake")
     print_paths(done.paths, done.notes)
 
@@ -277,7 +277,7 @@ def attitude(
     from mahovik.use.control.attitude import LoopOptions
 
     found = exportable(target_name)
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     chosen = real or found.real or "double"
     options = LoopOptions(task, rate, bandwidth, damping, momentum, failure)
     folder = Path(output if output is not None else f"{stand.name}-attitude-{target_name}")

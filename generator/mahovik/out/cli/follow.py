@@ -42,7 +42,7 @@ def follow(stand_file: str, options: FollowOptions, output: str | None, as_json:
 
     if output is not None:
         check_output(Path(output))
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     if options.servo is None or options.motion is None:
         missing = "--servo S.toml" if options.servo is None else "--motion M.json"
         raise UsageError(f"--programme {options.programme}: needs {missing}, which is missing")

@@ -58,7 +58,7 @@ def generate(
         from mahovik.core.formula.derived import without_cache
 
         without_cache()
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     from mahovik.errors import CheckError
     from mahovik.out.functions.evidence import generate as make
     from mahovik.proof.verify.delivery import differences

@@ -107,7 +107,7 @@ def jitter(
     Exit status: 0 all requirements met, or none given; 1 a requirement failed, or no steady motion; 2 bad input; 130
     Ctrl-C.
     """
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     suffix = "" if output is None else require_suffix(output, SUFFIXES)
     from mahovik.out.functions.jitter import jitter as run
     from mahovik.use.study.response.speeds import read_speeds

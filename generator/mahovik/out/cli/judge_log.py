@@ -41,7 +41,7 @@ def judge_log(
     text = content(Path(log), TABLE).decode("utf-8", "replace")
     if only is not None and stand_file is None:
         raise UsageError("--only: found no stand file, expected STAND.toml, from which the functions are generated")
-    found = judge(text, log, load_stand(stand_file, held=True) if stand_file is not None else None, only or ())
+    found = judge(text, log, load_stand(stand_file) if stand_file is not None else None, only or ())
     if as_json:
         print_json(
             {

@@ -37,7 +37,7 @@ def modes(
     A shape is a motion of the carrier (O1 along the axes of E1, rotations about them) and of free flywheels; its
     largest number is 1, in m or rad. Free directions come first.
     """
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     from mahovik.out.functions.linear import modes as find
 
     with progress(f"modes of {stand.name}"):
@@ -119,7 +119,7 @@ def linearize(
     States: pose, V, angles and speeds of the flywheels. Inputs: drive torques, a wrench on the carrier. Outputs:
     displacement, velocity and acceleration of points. Names and units are in the file.
     """
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     from mahovik.out.functions.linear import linearize as find
     from mahovik.use.study.linear.model import check_model_file
     from mahovik.writing import probe

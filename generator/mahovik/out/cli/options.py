@@ -11,7 +11,6 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -126,15 +125,11 @@ PHASES = option("--phase", 'Set the phase at t = 0, "w1=90 deg"; default 0.', me
 JSON = json_option()
 
 
-def load_stand(stand_file: str, held: bool = False) -> Stand:
-    """The stand of a file. `held`: the command takes held carriers too. Raises StandError."""
+def load_stand(stand_file: str) -> Stand:
+    """The stand of a file. Raises StandError."""
     from mahovik.core.stand import load
-    from mahovik.core.stand.hold import refuse_hold
 
-    stand = load(stand_file)
-    if not held:
-        refuse_hold(stand, Path(stand_file).name)
-    return stand
+    return load(stand_file)
 
 
 def is_given(name: str) -> bool:

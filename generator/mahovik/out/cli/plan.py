@@ -67,7 +67,7 @@ def plan(
 
     Exit status: 0 a programme inside the bounds; 1 none, or a bound is exceeded; 2 bad input; 130 Ctrl-C.
     """
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     from mahovik.core.motion.programme import programme_text
     from mahovik.out.functions.given import required_of
     from mahovik.out.functions.programmes import plan as find

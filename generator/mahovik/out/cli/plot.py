@@ -81,7 +81,7 @@ def _programme_panels(file: str, stand_file: str | None, motion_file: str | None
     title = f"{programme.stand}: {programme.motion}"
     if stand_file is None or motion_file is None:
         return title, panels(programme)
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     motion = load_motion(motion_file, stand, programme)
     for whose in (stand_finding(stand, programme), motion_finding(motion, programme)):
         if not whose.passed:

@@ -130,7 +130,7 @@ def quiet(
     """
     from mahovik.writing import write
 
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     for option_name, name in (("-o", output), ("--state", state_file)):
         if name is not None:
             require_other_file(Path(name), [stand_file], f"{option_name} {name}", "result")

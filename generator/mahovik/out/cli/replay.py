@@ -88,7 +88,7 @@ def _stand(start: Start, stand_file: str | None, log: Path) -> tuple[Stand, str]
     from mahovik.proof.verify.folder_stand import under_name
 
     if stand_file is not None:
-        stand = load_stand(stand_file, held=True)
+        stand = load_stand(stand_file)
         return under_name(stand, start.stand, start.physics) or stand, stand_file
     name = f"{start.stand}.toml"
     places = [Path(name), log.parent / name]
@@ -98,7 +98,7 @@ def _stand(start: Start, stand_file: str | None, log: Path) -> tuple[Stand, str]
         if not place.is_file():
             continue
         try:
-            stand = load_stand(str(place), held=True)
+            stand = load_stand(str(place))
         except StandError:
             continue
         if identities(stand).physics == start.physics:

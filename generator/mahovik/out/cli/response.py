@@ -61,7 +61,7 @@ def response(
     The solutions are exact for the full equations, not linearised. Speeds must be in whole ratios: the motion has their
     common period. Ctrl-C keeps the speeds that are done.
     """
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     suffix = "" if output is None else require_suffix(output, SUFFIXES)
     from mahovik.core.stand.hold import numbers_in_words
     from mahovik.out.functions.vibration import response as run

@@ -26,7 +26,7 @@ def rest(
 
     Flywheels are at rest at their phases; no run-time wrench acts. Exit status 1 if there is no equilibrium.
     """
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     phi = read_phases(stand, phases)
     from mahovik.out.functions.equilibrium import rest as find
 

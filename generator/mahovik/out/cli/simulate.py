@@ -103,7 +103,7 @@ def simulate(
         return
     if until is None or output is None:
         raise click.UsageError(f"Missing option '{'--until' if until is None else '-o'}'.")
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     from mahovik.core.stand.hold import numbers_in_words
     from mahovik.out.functions.simulation import simulate as run
     from mahovik.use.simulate.held import coordinate_columns

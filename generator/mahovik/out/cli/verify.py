@@ -112,12 +112,12 @@ def verify(
             raise UsageError("--targets runs the self-test of a fresh copy: not with --judges, --with, --against, -o")
         reals = (real,) if is_given("real") else None
         sweep = states if is_given("states") else None
-        _verify_on_targets(load_stand(stand_file, held=True), targets, reals, sweep, as_json, junit, lanes or 1)
+        _verify_on_targets(load_stand(stand_file), targets, reals, sweep, as_json, junit, lanes or 1)
         return
     from mahovik.out.functions import evidence
 
     wants = read_wants(want)
-    stand, folder = load_stand(stand_file, held=True), None if against is None else Path(against)
+    stand, folder = load_stand(stand_file), None if against is None else Path(against)
     if rigorous:
         from mahovik.proof.verify.folder_stand import stand_in
 
@@ -184,7 +184,7 @@ def _verify_servo(
             raise UsageError(
                 f"{option_name}: not with --servo, which judges the C of servos in the folder of --against"
             )
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     servo = load_servo(servo_file, stand)
     programme = None if programme_file is None else load_programme(programme_file)
     motion = None if motion_file is None else load_motion(Path(motion_file), stand, programme)

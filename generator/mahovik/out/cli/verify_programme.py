@@ -50,7 +50,7 @@ def verify_programme(
     )
     if against is None and is_given("name"):
         raise UsageError("--name: no C is judged; give its folder, as --against DIR")
-    stand = load_stand(stand_file, held=True)
+    stand = load_stand(stand_file)
     with progress("by the reference") as stage:
         found = judged(
             stand, motion_file, programme_file, tolerance=tolerance, against=against, name=name, progress=stage.show

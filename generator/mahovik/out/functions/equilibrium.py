@@ -110,5 +110,5 @@ def rest(stand: StandGiven, phases: Mapping[str, Number] | Sequence[Number] | No
 
     Raises StandError, UsageError; CheckError: there is no equilibrium.
     """
-    own = Stand.of(stand, held=True)
+    own = Stand.of(stand)
     return Rest(own, find_rest(own, by_flywheel("phases", phases, own)))

@@ -126,7 +126,7 @@ def verify(
     from mahovik.proof.verify.folder_stand import stand_in
     from mahovik.proof.verify.harness import verify_c
 
-    own: CoreStand = Stand.of(stand, held=True)
+    own: CoreStand = Stand.of(stand)
     folder, words = None if against is None else Path(against), f"verify {own.name}"
     if judges and folder is not None:
         raise UsageError("--judges judges a fresh copy: not with --with, --against")
@@ -307,7 +307,7 @@ def report(
     def text(path: str | Path | None) -> str | None:
         return None if path is None else str(path)
 
-    own = Stand.of(stand, held=True)
+    own = Stand.of(stand)
     source = str(stand) if isinstance(stand, str | Path) else f"{own.name}.toml"
     material = gather(
         own,

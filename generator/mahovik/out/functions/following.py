@@ -130,7 +130,7 @@ def follow(
 
     Ctrl-C keeps what was computed. Raises StandError, MotionError, ProgrammeError, ServoError, UsageError, CheckError.
     """
-    own = Stand.of(stand, held=True)
+    own = Stand.of(stand)
     case = following_case(own, motion, programme, servo, mismatch, seed, periods, begin, table, backend)
     T, words = case.servo.period, f"follow {_name(programme, 'the programme')}"
     first, last = case.first * T, case.last * T

@@ -196,7 +196,7 @@ def jitter(
 
     Raises StandError, UsageError, JitterFileError, CheckError.
     """
-    own = Stand.of(stand, held=True)
+    own = Stand.of(stand)
     seen = _find_view(own, at, quantity, sight)
     if modes is not None and not isinstance(seen, View):
         what = "load" if isinstance(seen, LoadView) else "freedom"

@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from mahovik.core.stand.hold import refuse_hold
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
@@ -65,7 +66,9 @@ def judge(
     A program that dies or hangs gives a result with an `error`. Raises StandError, DataError, UsageError where it
     cannot start.
     """
-    own = Stand.of(stand, held=log is None and fmu is None)
+    own = Stand.of(stand)
+    if log is not None or fmu is not None:
+        refuse_hold(own, Path(stand).name)
     if sum(each is not None for each in (command, log, fmu)) != 1:
         raise UsageError("--with, --log, --fmu: expected one of them")
     if (fmu is None) != (variables is None):

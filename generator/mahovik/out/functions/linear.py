@@ -101,7 +101,7 @@ def modes(stand: StandGiven, at: At = None, *, locked: bool = True) -> Modes:
 
     Raises StandError, UsageError, CheckError where there is no equilibrium.
     """
-    own = Stand.of(stand, held=True)
+    own = Stand.of(stand)
     uniform_stream(own)
     model = linear_model(own, _nominal(own, at), [], locked=locked)
     return Modes(own, modes_of(model), model.steady)
@@ -183,7 +183,7 @@ def linearize(
 
     Raises StandError, UsageError, CheckError where there is no equilibrium.
     """
-    own = Stand.of(stand, held=True)
+    own = Stand.of(stand)
     uniform_stream(own)
     names = None if points is None else list(points)
     if names is None and not (own.points or own.instruments):

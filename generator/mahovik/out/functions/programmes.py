@@ -181,7 +181,7 @@ def plan(
     Programmes are verified by the literal reference. Ctrl-C gives the best so far. Raises StandError, MotionError,
     UsageError.
     """
-    own = Stand.of(stand, held=True)
+    own = Stand.of(stand)
     required = required_of(motion, own)
     chosen = read_winding(winding, len(own.flywheels), required.periodic)
     if isinstance(required, Slew):
@@ -269,7 +269,7 @@ def verify_programme(
     """
     from mahovik.proof.verify import programme as verification
 
-    own = Stand.of(stand, held=True)
+    own = Stand.of(stand)
     found = given_programme(programme)
     required = _of_course(motion, found) if isinstance(motion, Slew) else motion_of(motion, own, found)
     tell(progress, Progress("by the reference"))
@@ -315,7 +315,7 @@ class Design(Table):
     @property
     def stand(self) -> Stand | None:
         """The stand, or None."""
-        return None if self.result.stand is None else Stand.of(self.result.stand, held=True)
+        return None if self.result.stand is None else Stand.of(self.result.stand)
 
     @property
     def programme(self) -> Programme | None:
@@ -356,7 +356,7 @@ def design(
     """
     from mahovik.use.design import DesignOptions, design_stand
 
-    own = Stand.of(stand, held=True)
+    own = Stand.of(stand)
     freedom = read_freedom(free, own)
     options = DesignOptions(seed, seconds, pareto=pareto)
 

@@ -109,7 +109,7 @@ def simulate(
     Ctrl-C keeps the rows so far. Raises StandError, RegimeError, UsageError, StateError, ToolchainError, CheckError
     where there is no equilibrium to begin from.
     """
-    own = Stand.of(stand, held=True)
+    own = Stand.of(stand)
     chosen, state = _beginning(own, regime, start, until)
     case = Case(own, chosen, state, until, every, dt, order, real, carried)
     warn_of_steps(case)

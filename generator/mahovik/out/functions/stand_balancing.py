@@ -151,7 +151,7 @@ def balance_stand(
     """
     from mahovik.use.measured import read_recordings
 
-    own = Stand.of(stand, held=True)
+    own = Stand.of(stand)
     given = load_planes(Path(planes)) if isinstance(planes, str | Path) else planes
     places = read_planes(own, given or {})
     files = [Path(data)] if isinstance(data, str | Path) else [Path(each) for each in data]

@@ -92,7 +92,7 @@ def response(
 
     Ctrl-C keeps the speeds that are done. Raises StandError, UsageError, CheckError.
     """
-    own = Stand.of(stand, held=True)
+    own = Stand.of(stand)
     output_of(own, at, quantity)
     asked = planned_speeds(own, speeds)
     count, words = 1 if asked.sweep is None else steps, f"response of {own.name}, speeds"
@@ -260,7 +260,7 @@ def quiet(
     from mahovik.use.study.quiet import QuietOptions
     from mahovik.use.study.quiet import quiet as find
 
-    own = Stand.of(stand, held=True)
+    own = Stand.of(stand)
 
     def speed(name: str, value: Number | None) -> float | None:
         return None if value is None else quantity(name, value, SPEED)

@@ -90,7 +90,7 @@ class Free:
 
     def __init__(self, model: Model, paths: Sequence[str]) -> None:
         """`paths`: as `Places.found` takes them; also `NAME.unbalance`, all of it, and `POINT.delay`."""
-        self.stand = Stand.of(model.stand, held=True)
+        self.stand = Stand.of(model.stand)
         places = Places(self.stand)
         found: dict[str, Place] = {}
         delays: list[str] = []

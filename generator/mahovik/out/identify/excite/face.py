@@ -247,7 +247,7 @@ def excite(
 
     Ctrl-C gives the best so far. Raises StandError, UsageError, CheckError.
     """
-    own = Stand.of(stand, held=True)
+    own = Stand.of(stand)
     span, read = quantity("--duration", duration, TIME), chosen_channels(own, channels)
     _require_experiment(own, read, span, rate, criterion, harmonics)
     bounds = bounds_of(own, speed, speed_min, acceleration, torque, span)
