@@ -185,7 +185,7 @@ def aligned(size: int) -> Aligned:
 
 def _vary(name: str, table: Struct, real: str) -> str:
     """C that scales every number of a copy of the default table."""
-    lines = _scaled(table, "t->", count())
+    lines = _statements(table, "t->", count(), _scale)
     return f"""#include "{name}_batch.h"
 int size_of_table(void);
 int size_of_wide(void);
@@ -203,7 +203,8 @@ void vary({name}_table *t, double factor)
 
 def _vary_mounting(name: str, mounting: Struct, real: str) -> str:
     """C that scales every number of a copy of the mountings, and that puts those of n stands side by side."""
-    lines, put = _scaled(mounting, "t->", count()), _put(mounting, "", count())
+    lines = _statements(mounting, "t->", count(), _scale)
+    put = _statements(mounting, ".", count(), _put)
     return f"""
 int size_of_mounting(void);
 int size_of_wide_mounting(void);
@@ -228,19 +229,26 @@ void put_mountings(const {name}_mount_table *t, int n, {name}_wide_mount_table *
 """
 
 
-def _put(struct: Struct, path: str, numbers: Iterator[int]) -> list[str]:
+def _statements(struct: Struct, path: str, numbers: Iterator[int], leaf: Callable[[str, Any], str]) -> list[str]:
+    """C that does what `leaf` gives, of a place and its type, with every number of a struct, in loops."""
     found = []
     for f in struct.fields:
-        at, heads = f"{path}.{f.name}", []
+        at, heads = f"{path}{f.name}", []
         for length in f.shape:
-            index = f"p{next(numbers)}"
+            index = f"k{next(numbers)}"
             heads.append(f"for (int {index} = 0; {index} < {int(length)}; ++{index}) {{")
             at += f"[{index}]"
-        inner = (
-            _put(f.type, at, numbers) if isinstance(f.type, Struct) else [f"w[j / lanes]{at}.at[j % lanes] = t[i]{at};"]
-        )
+        inner = _statements(f.type, f"{at}.", numbers, leaf) if isinstance(f.type, Struct) else [leaf(at, f.type)]
         found += [*heads, *inner, *("}" for _ in heads)]
     return found
+
+
+def _put(place: str, _: Any) -> str:
+    return f"w[j / lanes]{place}.at[j % lanes] = t[i]{place};"
+
+
+def _scale(place: str, kind: Any) -> str:
+    return f"{place} *= f;" if kind is Kind.REAL else ""
 
 
 def _reals(struct: Struct) -> int:
@@ -250,20 +258,4 @@ def _reals(struct: Struct) -> int:
         for length in f.shape:
             size *= int(length)
         found += size
-    return found
-
-
-def _scaled(struct: Struct, path: str, numbers: Iterator[int]) -> list[str]:
-    found = []
-    for f in struct.fields:
-        at, heads = f"{path}{f.name}", []
-        for length in f.shape:
-            index = f"i{next(numbers)}"
-            heads.append(f"for (int {index} = 0; {index} < {int(length)}; ++{index}) {{")
-            at += f"[{index}]"
-        if isinstance(f.type, Struct):
-            inner = _scaled(f.type, f"{at}.", numbers)
-        else:
-            inner = [f"{at} *= f;"] if f.type is Kind.REAL else []
-        found += [*heads, *inner, *("}" for _ in heads)]
     return found

@@ -13,25 +13,22 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import mahovik
+from identify.experiments import HIGH, LOW, STEEP, check_predicted_errors
 from identify.stands import bench8
 from mahovik.core.motion.programme import load_programme, programme_text, read_programme
-from mahovik.core.motion.programme.regime import programme_regime
 from mahovik.core.motion.read import load, loads_regime
 from mahovik.errors import RegimeError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.identify.channels import six_axes
 from mahovik.out.identify.deviations import Deviations
-from mahovik.out.identify.estimate import PRIOR, PRIOR_START, estimate
+from mahovik.out.identify.estimate import PRIOR, PRIOR_START
 from mahovik.out.identify.excite import face
 from mahovik.out.identify.excite.bounds import Bounds, bounds_of
 from mahovik.out.identify.excite.course import Courses
-from mahovik.out.identify.excite.information import Experiment, quality_of
+from mahovik.out.identify.excite.information import quality_of
 from mahovik.out.identify.free import Free
-from mahovik.out.identify.predict import Predictor
-from mahovik.out.identify.run import Run
 
-LOW, HIGH, STEEP = 40.0, 100.0, 90.0
 SECONDS = 0.5
 
 
@@ -103,21 +100,7 @@ def test_information_is_that_of_a_dense_least_squares() -> None:
 @pytest.mark.slow
 def test_predicted_errors_are_those_of_the_estimation() -> None:
     """An estimate from data with this noise states the same covariance."""
-    stand = bench8(2)
-    free = Free(build(stand), ["w*.unbalance"])
-    channels, rate, rng = six_axes("imu"), 500.0, np.random.default_rng(4)
-    noise = np.repeat([0.02, 0.002], 3)
-    own = Courses(stand, bounds_of(stand, HIGH, LOW, STEEP, None, 1.0), 1.0, 2)
-    programme = own.programme(rng.uniform(size=(2, 5)))
-    predicted = Experiment(stand, free, channels, noise, rate, HIGH).quality(programme, fine=True)
-    predictor = Predictor(stand, programme_regime(programme), channels, 0.0, 1 / rate, 501)
-    exact = predictor(build(stand).tables({}, 1))[:, :, 0]
-    measured = exact + noise * rng.normal(size=exact.shape)
-    places = np.repeat(np.arange(501.0)[:, None], len(channels), axis=1)
-    found = estimate(free, [Run("made", predictor, measured, places, 1.0)])
-    errors = np.sqrt(np.diag(found.covariance))
-    assert np.allclose(np.sqrt(np.diag(predicted.covariance)), errors, rtol=0.1)
-    assert (np.abs(found.theta - free.nominal) < 5 * errors).all()
+    check_predicted_errors(bench8(2), ["w*.unbalance"], six_axes("imu"), np.repeat([0.02, 0.002], 3))
 
 
 @pytest.mark.slow

@@ -8,21 +8,18 @@ import numpy as np
 import pytest
 
 import mahovik
+from identify.experiments import check_predicted_errors
 from identify.test_held import START, TRUE, table
-from mahovik.core.motion.programme.regime import programme_regime
 from mahovik.errors import UsageError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.identify.channels import chosen_channels
-from mahovik.out.identify.estimate import estimate
 from mahovik.out.identify.excite import face
 from mahovik.out.identify.excite.bounds import bounds_of
 from mahovik.out.identify.excite.course import Courses
 from mahovik.out.identify.excite.information import Experiment
 from mahovik.out.identify.excite.noise import noise_of_channels
 from mahovik.out.identify.free import Free
-from mahovik.out.identify.predict import Predictor
-from mahovik.out.identify.run import Run
 
 STICK: dict[str, Any] = {
     "schema": 1, "name": "stick", "gravity": [0, 0, -9.81],
@@ -77,20 +74,8 @@ def test_each_channel_adds_to_what_is_known() -> None:
 def test_predicted_errors_are_those_of_the_estimation(freedoms: list[str]) -> None:
     """An estimate from data with this noise states the same covariance."""
     stand = table(freedoms, **START)
-    free, rng, rate = Free(build(stand), ["*.unbalance"]), np.random.default_rng(4), 500.0
     channels = chosen_channels(stand, ())
-    noise = noise_of_channels(channels, {})
-    own = Courses(stand, bounds_of(stand, 100.0, 40.0, 90.0, None, 1.0), 1.0, 2)
-    programme = own.programme(rng.uniform(size=(2, 5)))
-    predicted = Experiment(stand, free, channels, noise, rate, 100.0).quality(programme, fine=True)
-    predictor = Predictor(stand, programme_regime(programme), channels, 0.0, 1 / rate, 501)
-    exact = predictor(build(stand).tables({}, 1))[:, :, 0]
-    measured = exact + noise * rng.normal(size=exact.shape)
-    places = np.repeat(np.arange(501.0)[:, None], len(channels), axis=1)
-    found = estimate(free, [Run("made", predictor, measured, places, 1.0)])
-    errors = np.sqrt(np.diag(found.covariance))
-    assert np.allclose(np.sqrt(np.diag(predicted.covariance)), errors, rtol=0.1)
-    assert (np.abs(found.theta - free.nominal) < 5 * errors).all()
+    check_predicted_errors(stand, ["*.unbalance"], channels, noise_of_channels(channels, {}))
 
 
 def test_a_free_carrier_has_no_reaction() -> None:

@@ -362,23 +362,11 @@ def lines(hold: Hold) -> list[str]:
     return ["", "[hold]", *own, line_of("position", hold.position), line_of("angles", hold.angles)]
 
 
-TAKE_HELD = (
-    "`mahovik check`, `eval`, `generate`, `verify`, `evidence`, `report`, `simulate`, `rest`, `modes`, `linearize`, "
-    "`response`, `jitter`, `quiet`, `replay`, `derive`, `cost`, `judge`, `judge-log`, `identify`, `excite`, `balance`, "
-    "`campaign`, `plan`, `design`, `verify-programme`, `export programme`, `export servo`, `export fuzz`, "
-    "`export target`, `export cmake` and `export fmu`"
-)
-"""Commands that take held carriers."""
-
-INSTEAD = f"take [hold] out to treat the carrier as free, or use what takes a held one: {TAKE_HELD}"
-"""Advice after a refusal of a held carrier."""
-
-
 def refuse_hold(stand: Stand, source: str) -> None:
     """StandError for a held carrier, where only a free one can be taken."""
     if stand.hold is not None:
-        found = "found a held carrier, expected a stand without [hold]"
-        raise StandError([f"{source}: hold: {found}; {INSTEAD}"])
+        expected = "expected a stand without [hold]; take it out to treat the carrier as free"
+        raise StandError([f"{source}: hold: found a held carrier, {expected}"])
 
 
 def twist_of(hold: Hold, u: Sequence[float]) -> Vec6:
