@@ -32,6 +32,7 @@ EXAMPLES = Path(__file__).parents[2] / "docs" / "held"
 MORE = {"arm": ("pendulum", 'freedoms = ["pitch"]', 'freedoms = ["pitch"]\npivot = [0, 0, "-50 mm"]')}
 MORE |= {"skew": ("pendulum", 'freedoms = ["pitch"]', "axis = [0, 1, 1]")}
 MORE |= {"plane": ("pendulum", 'freedoms = ["pitch"]', 'freedoms = ["pitch", "x", "z"]\npivot = [0, 0, "-50 mm"]')}
+MORE |= {"stream": ("pendulum", "gravity =", "stream = [0.3, 0.2, 0.1]\ngravity =")}
 MORE |= {"clamped": ("linear_shaker", 'freedoms = ["z"]', "freedoms = []")}
 
 
@@ -62,6 +63,7 @@ def found(name: str, change: Change, want: str = "forward", reaction: bool = Tru
         at = reference.pieces(stand, state)
         K, right, phi_ddot = at.K.copy(), at.F - bias(at), np.array(state.phi_ddot)
         change(K, right, at)
+        right = right - K @ at.stream_rate()  # V_r* is V* and this
         if want == "reaction":
             return {"reaction": (K @ np.array(state.V_dot) - right + at.I @ phi_ddot).tolist()}
         if want == "forward":
@@ -183,6 +185,14 @@ def test_a_freedom_without_a_name_goes_by_its_number() -> None:
     result = found("skew", change, reaction=False)
     assert named(result) == {("1", "u_1", -0.02, 0.0, "")}
     assert "1 along 1 (turning about (0, 0.707107, 0.707107)); speeds: u_1" in result.freedoms
+
+
+def test_speeds_are_relative_to_the_stream() -> None:
+    def change(_: Any, right: Any, at: Pieces) -> None:
+        right[4] -= 0.02 * at.V_r[4] * at.V_r[0]
+
+    (term,) = found("stream", change, reaction=False).terms
+    assert (term.component, term.term, round(term.error, 9)) == ("M", "u q", -0.02)
 
 
 def test_what_the_hold_bears_is_told_by_the_reaction() -> None:
