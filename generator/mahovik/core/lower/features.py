@@ -35,6 +35,8 @@ class Features:
     precision: Precision
     lanes: int = 1
     """Flywheels side by side in the loops that add them up; 1: one after the other."""
+    fast: bool = False
+    """C for speed on a desk: its members may lie in another order."""
 
     @property
     def blocks(self) -> NamedCount:
