@@ -28,9 +28,13 @@ N = 3
 
 
 @cache
-def backend(real: str, lanes: int = 1) -> CBackend:
+def backend(real: str, lanes: int = 1, fast: bool = False) -> CBackend:
     """The C of demo3."""
-    return CBackend(load(path("demo3")), real, lanes=lanes)
+    return CBackend(load(path("demo3")), real, lanes=lanes, fast=fast)
+
+
+BUILDS = [(1, False), (2, False), (2, True), (4, True)]
+"""Lanes, and whether for speed; three flywheels fill no blocks."""
 
 
 def limit(name: str, real: str) -> float:
@@ -112,25 +116,28 @@ def cases(draw: st.DrawFn) -> tuple[str, dict[str, list[float]], list[float], st
 
 @pytest.mark.slow
 @settings(max_examples=500, deadline=None)
-@given(cases(), st.sampled_from([1, 2]))
+@given(cases(), st.sampled_from(BUILDS))
 def test_the_status_is_that_of_the_first_bad_number(
-    case: tuple[str, dict[str, list[float]], list[float], str], lanes: int
+    case: tuple[str, dict[str, list[float]], list[float], str], build: tuple[int, bool]
 ) -> None:
     real, x, values, of = case
-    c = backend(real, lanes)
+    c = backend(real, *build)
     found: dict[str, Any] = {"table": c.table(), "x": x}
     found |= {"phi_ddot": values} if of == "MAX_ACCELERATION" else {"tau": values, "locked": [0] * N}
     status, _ = c.call("forward" if of == "MAX_ACCELERATION" else "coupled", found)
     assert status == STATUS_VALUES[expected(x, values, real, of)]
+    if of == "MAX_ACCELERATION":
+        status, _ = c.call("torque", {**found, "V_dot": [0.5] * 6})
+        assert status == STATUS_VALUES[expected(x, values, real, of)]
     status, _ = c.call("momentum", {"table": c.table(), "x": x})
     assert status == STATUS_VALUES[expected(x, [0.0], real, of)]
 
 
 @settings(max_examples=200, deadline=None)
-@given(st.data(), st.sampled_from(sorted(PRECISIONS)), st.sampled_from([1, 2]))
-def test_six_numbers_are_looked_at_after_the_others(data: st.DataObject, real: str, lanes: int) -> None:
+@given(st.data(), st.sampled_from(sorted(PRECISIONS)), st.sampled_from(BUILDS))
+def test_six_numbers_are_looked_at_after_the_others(data: st.DataObject, real: str, build: tuple[int, bool]) -> None:
     """Acceleration of the carrier, for torque: its status counts where state and flywheels are in order."""
-    c, bound = backend(real, lanes), limit("MAX_ACCELERATION", real)
+    c, bound = backend(real, *build), limit("MAX_ACCELERATION", real)
     pool = st.sampled_from([float(PRECISIONS[real].scalar(e)) for e in (0.5, *edges(bound, PRECISIONS[real]))])
     V_dot = data.draw(st.lists(pool, min_size=6, max_size=6))
     phi_ddot = [0.25, data.draw(pool), 0.25]

@@ -78,7 +78,7 @@ def generate_all(
     only: tuple[str, ...] = (),
     chosen: tuple[str, ...] = (),
 ) -> Generated:
-    """Return the files of `generate`, with the program and its numbers. `fast` changes what the header says.
+    """Return the files of `generate`, with the program and its numbers.
 
     `only`: public functions to emit, with what they need; empty: all, and those of CHOSEN that `chosen` names.
     """
@@ -86,7 +86,7 @@ def generate_all(
         raise UsageError(f"--real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
     if lanes not in LANES:
         raise UsageError(f"--lanes {lanes}: only {', '.join(map(str, LANES))} can be generated")
-    layout = Layout(structure(stand), PRECISIONS[precision_name], lanes if stand.flywheels else 1)
+    layout = Layout(structure(stand), PRECISIONS[precision_name], lanes if stand.flywheels else 1, fast)
     program = lower_layout(layout, tuple(name for name in CHOSEN if name in (*only, *chosen)))
     values = Values(stand, layout, program)
     if only:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from mahovik.core.lower import lanes
 from mahovik.core.lower.library import Library, unit_square
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
@@ -126,10 +127,7 @@ def check_turns(lib: Library) -> Function:
 
 def _squares(values: Sequence[Expr]) -> Expr:
     """The sum of the squares."""
-    total = values[0] * values[0]
-    for value in values[1:]:
-        total = total + value * value
-    return total
+    return _total([value * value for value in values])
 
 
 def _look_at_words(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place, Expr]] = ()) -> None:
@@ -190,6 +188,58 @@ def _look_at_all(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place,
     """OK where a look at all numbers at once says so: by sums, or by words where vectors are about."""
     look = _look_at_sums if lib.layout.lanes == 1 else _look_at_words
     look(lib, body, x, more)
+
+
+def all_small(
+    lib: Library, body: Body, x: Place, each: Sequence[tuple[Place, Expr]], six: Sequence[tuple[Place, Expr]]
+) -> Expr:
+    """Whether one sum shows that a state and more are within their limits, and the quaternion is of unit length.
+
+    Each square is divided by that of its limit: where the sum of all shares is below 1, no value is beyond its limit;
+    0.99 leaves room for the rounding of the weights. The few sums go side by side, as each waits for its numbers.
+    `each`: values of the flywheels; `six`: others, six or more. Both with their limits.
+    """
+    layout, width = lib.layout, lib.layout.lanes
+    limit: dict[str, Expr] = {name: found.expression for name, found in lib.limits.items()}
+    whole, more = divmod(int(layout.count), width)
+    wheels = [(x.phi, limit["MAX_PHASE"]), (x.phi_dot, limit["MAX_SPEED"]), *each]
+    share = body.local("share", (layout.lane_count,), comment="sums of squares, each over that of its limit, by lanes")
+
+    def add(start: Expr, count: Operand) -> None:
+        with body.loop("k", count) as k:
+            body.add(share[k], _total([_share(values[start + k], most) for values, most in wheels]))
+
+    with body.loop("k", layout.lane_count) as k:
+        body.set(share[k], _total([_share(values[k], most) for values, most in six]))
+    if whole:
+        with body.loop("b", whole if more else layout.blocks) as b:
+            add(b * integer(width), layout.lane_count)
+    if more:
+        add(integer(whole * width), more)
+    V = list(x.V)
+    rest = [(V[:3], limit["MAX_VELOCITY"]), (V[3:], limit["MAX_SPEED"])]
+    rest = [(list(x.position), limit["MAX_POSITION"]), *rest, *((list(values)[width:], most) for values, most in six)]
+    norm = body.let("norm2", _squares(list(x.attitude)))
+    shares = [*(_squares(few) * _weight(most) for few, most in rest), lanes.tree(list(share))]
+    return and_(unit_square(norm), body.let("shares", _total(shares)) < real(0.99))
+
+
+def _weight(limit: Expr) -> Expr:
+    """1 / limit^2."""
+    return real(1) / (limit * limit)
+
+
+def _share(value: Expr, limit: Expr) -> Expr:
+    """(value / limit)^2."""
+    return value * value * _weight(limit)
+
+
+def _total(parts: Sequence[Expr]) -> Expr:
+    """The sum, from left to right."""
+    total = parts[0]
+    for part in parts[1:]:
+        total = total + part
+    return total
 
 
 def _look_at_each(lib: Library, body: Body, state: Place) -> None:

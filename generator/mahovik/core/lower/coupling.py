@@ -9,7 +9,7 @@ from typing import Any
 from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import drive as derived
 from mahovik.core.formula.derived import wrench as derived_wrench
-from mahovik.core.lower import lanes
+from mahovik.core.lower import harmonics, lanes
 from mahovik.core.lower.flywheels import COLUMNS, turn_of
 from mahovik.core.lower.forward import Scene
 from mahovik.core.lower.library import Library
@@ -99,7 +99,11 @@ def couple_block(lib: Library) -> Function:
 
 
 def balance_block(lib: Library) -> Function:
-    """The drive torques of a block."""
+    """The drive torques of a block; for speed by harmonics, whose sums have other bits."""
+    return _balance_by_harmonics(lib) if lib.layout.fast else _balance_by_columns(lib)
+
+
+def _balance_by_columns(lib: Library) -> Function:
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2")
     phi_ddot = lanes.room_argument(lib, "phi_ddot", unit="rad/s2")
     total = lanes.room_argument(lib, "total", direction="out", unit="N m")
@@ -116,6 +120,66 @@ def balance_block(lib: Library) -> Function:
         "Drive torques of a block of flywheels: I . V* + Theta_ff phi'' + bias.",
         (*shared, V_dot, phi_ddot, total),
     )
+
+
+def _balance_by_harmonics(lib: Library) -> Function:
+    acceleration = Argument("acceleration", Kind.REAL, (3,), unit="m/s2", purpose="of O1 in E1, minus gravity")
+    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2")
+    phi_ddot = lanes.room_argument(lib, "phi_ddot", unit="rad/s2")
+    total = lanes.room_argument(lib, "total", direction="out", unit="N m")
+    block, first, sine, cosine, _, *alike = shared = _block_arguments(lib)
+    body = Body()
+    with body.loop("k", lib.layout.lane_count) as k:
+        common = {"origin_acceleration": acceleration.place, "V_dot": V_dot.place, **{a.name: a.place for a in alike}}
+        given = {**lanes.lane_columns(block.place, k, _columns(lib)), **common}
+        of = _balance_by_harmonic(lib)
+        body.note("what the harmonics multiply, and what none does: none of it waits for a sine")
+        sums = {name: harmonics.add_up(of[name], given) for name in _HARMONICS}
+        by = {name: body.let(f"by_{name}", value) for name, (_, value) in sums.items()}
+        spin = block.place.spin[k] * phi_ddot.place[first.place + k]
+        torque: Expr = body.let("constant", spin + harmonics.add_up(of[""], given)[1])
+        turn: dict[str, Expr] = {
+            "s": body.let("s", sine.place[first.place + k]),
+            "c": body.let("c", cosine.place[first.place + k]),
+        }
+        for name in ("two_c2", "two_s2"):
+            turn[name] = body.let(name, translate(derived_rows.weights()[name], turn), _DOUBLE[name])
+        for name in reversed(_HARMONICS):
+            part = by[name] * turn[name]
+            torque = torque - part if sums[name][0] else torque + part
+        body.set(total.place[first.place + k], torque)
+    return body.function(
+        "balance_block",
+        "Drive torques of a block of flywheels: I . V* + Theta_ff phi'' + bias, each harmonic multiplied once.",
+        (*shared[:4], acceleration, *alike, V_dot, phi_ddot, total),
+    )
+
+
+_HARMONICS = ("c", "s", "two_c2", "two_s2")
+
+
+def _balance_by_harmonic(lib: Library) -> dict[str, list[harmonics.Term]]:
+    """I . V* + bias, where the acceleration of O1 has v* already: it multiplies what v* does."""
+    displaces = lib.layout.flywheel_displaces
+    column = list(derived_rows.columns().I)
+    mu_p, J_p = (list(slopes) for slopes in derived.phase_derivatives())
+    assert mu_p == column[:3]
+    inner = {
+        f"{name}[{i}]": x
+        for name, each in (("column", column), ("mu_p", mu_p), ("J_p", J_p))
+        for i, x in enumerate(each)
+    }
+    if displaces:
+        inner |= {
+            f"displaced_p[{i}]": ("-", ("*", f"displaced_s[{i}]", "c"), ("*", f"displaced_c[{i}]", "s"))
+            for i in range(3)
+        }
+    found = harmonics.by_harmonic(derived.bias_torque(displaces), inner, _HARMONICS)
+    turning = harmonics.by_harmonic(derived_wrench.row_times("column", "V_dot"), inner, _HARMONICS)
+    for name, products in turning.items():
+        own = [term for term in products if not {"V_dot[0]", "V_dot[1]", "V_dot[2]"} & {*term[1]}]
+        found[name] = own + found[name]
+    return found
 
 
 def _block_arguments(lib: Library) -> tuple[Argument, ...]:
@@ -185,8 +249,15 @@ def balance_blocks(
     lib: Library, body: Body, table: Place, seen: Scene, by: Carried, V_dot: Place, phi_ddot: Place, total: Place
 ) -> None:
     """Drive torques of all blocks, without those of the fluid."""
+    common = {"V_dot": V_dot, "phi_ddot": phi_ddot, "total": total}
+    if lib.layout.fast:
+        about = "of O1, minus gravity" if lib.layout.weight else "of O1, in E1"
+        acceleration = body.local("acceleration", (3,), comment=about)
+        for i, target in enumerate(acceleration):
+            body.set(target, by.origin_acceleration[i] + V_dot[i])
+        common |= {"acceleration": acceleration}
     with lanes.blocks(lib, body) as (b, first):
-        named = {"V_dot": V_dot, "phi_ddot": phi_ddot, "total": total, **_bind_arguments(table, b, first, seen, by)}
+        named = {**common, **_bind_arguments(table, b, first, seen, by)}
         body.call(lib["balance_block"], *lib.arguments_of("balance_block", **named))
 
 

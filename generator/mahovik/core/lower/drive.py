@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mahovik.core.lower import hold, lanes
-from mahovik.core.lower.checks import check_within
+from mahovik.core.lower.checks import all_small, check_within
 from mahovik.core.lower.coupling import (
     Carried,
     along,
@@ -34,7 +34,7 @@ from mahovik.core.lower.schur import start_schur
 from mahovik.core.lower.wrenches import own_wrenches
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Place, equal, integer, real, select
+from mahovik.core.program.expression import Not, Place, equal, integer, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -48,8 +48,19 @@ def torque(lib: Library, at: bool = False) -> Function:
     table, x, *turns, V_dot, phi_ddot = [a for a in arguments if a.name not in ("wrench", "tau")]
     wrench = tuple(a for a in arguments if a.name == "wrench")
     body = Body()
-    check_inputs(lib, body, table, x, (phi_ddot,), wrench, tuple(turns))
-    check_within(lib, body, V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
+    limit = {name: found.expression for name, found in lib.limits.items()}
+
+    def check_each() -> None:
+        check_inputs(lib, body, table, x, (phi_ddot,), wrench, tuple(turns))
+        check_within(lib, body, V_dot.place, 6, limit["MAX_ACCELERATION"])
+
+    if layout.lanes in (2, 4) and not turns and not layout.stream:
+        six = [(V_dot.place, limit["MAX_ACCELERATION"]), *((a.place, limit["MAX_WRENCH"]) for a in wrench)]
+        fine = all_small(lib, body, x.place, [(phi_ddot.place, limit["MAX_ACCELERATION"])], six)
+        with body.when(Not(fine), "which one, and why"):
+            check_each()
+    else:
+        check_each()
     if layout.sine_input:
         sine, cosine = all_turns(lib, body, x.place, tuple(turns))
         given = {a.name: a.place for a in arguments} | {"sine": sine, "cosine": cosine}
@@ -119,6 +130,9 @@ def _balance_blocks(
     """tau of all flywheels, block by block."""
     layout = lib.layout
     accelerations = lanes.roomy(lib, body, phi_ddot, "accelerations")
+    if seen.own is None and int(layout.room) == int(layout.count):
+        balance_blocks(lib, body, table, seen, alike, V_dot, accelerations, tau)
+        return
     total = body.local("total", (layout.room,))
     balance_blocks(lib, body, table, seen, alike, V_dot, accelerations, total)
     with body.loop("s", layout.count) as s:

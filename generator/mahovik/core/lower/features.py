@@ -35,6 +35,8 @@ class Features:
     precision: Precision
     lanes: int = 1
     """Flywheels side by side in the loops that add them up; 1: one after the other."""
+    fast: bool = False
+    """C for speed on a desk: members in another order, sums by harmonics, with bits that need not be reproducible."""
 
     @property
     def blocks(self) -> NamedCount:

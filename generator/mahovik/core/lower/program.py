@@ -93,7 +93,8 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
     lib.add(flywheels.start_sums(lib))
     if layout.flywheels:
         each = routines.sincos_each(precision, layout.count, layout.room)
-        lib.add(replace(each, short=layout.held))  # beside few freedoms a call of it counts
+        # beside few freedoms a call of it counts, and for speed
+        lib.add(replace(each, short=layout.held, copied=layout.fast))
         _add_rows(lib)
     _add_wrenches(lib)
     lib.add(solve.momentum_screw(lib))

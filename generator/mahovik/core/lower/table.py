@@ -22,6 +22,7 @@ class Tables(Features):
 
     @cached_property
     def state(self) -> Struct:
+        """Flywheels last; first where speed is all: then their vectors begin where a state that is aligned does."""
         fields = [
             Field("position", REAL, (3,), "m", "position of O1, in E0"),
             Field("attitude", REAL, (4,), "", "unit quaternion, w first: x0 = C x1"),
@@ -34,10 +35,11 @@ class Tables(Features):
             ),
         ]
         if self.flywheels:
-            fields += [
+            wheels = [
                 Field("phi", REAL, (self.count,), "rad", "phases"),
                 Field("phi_dot", REAL, (self.count,), "rad/s", "speeds relative to the mount"),
             ]
+            fields = wheels + fields if self.fast else fields + wheels
         return Struct("state", "State of the whole system.", tuple(fields))
 
     @cached_property
