@@ -7,11 +7,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from mahovik.core.stand.hold import refuse_hold
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.api.stands import Stand
+from mahovik.out.api.stands import Stand, refuse_hold
 from mahovik.out.functions.evidence import Verification
 from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 
