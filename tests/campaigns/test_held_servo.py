@@ -39,8 +39,8 @@ def write_files(folder: Path) -> None:
 
 @pytest.mark.slow
 def test_a_pendulum_with_servos_is_that_of_follow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """No sample has C of its own. The first sample is the stand of the programme; the second has more friction; the third is held at an angle
-    from which its own is counted, so it hangs as the first does and reads less by that angle.
+    """No sample has C of its own. The first is the stand of the programme; the second has more friction; the third is
+    held at an angle from which its own is counted, so it hangs as the first does and reads less by that angle.
     """
     write_files(tmp_path)
     stand, turned = Stand.of(hung()), 0.02
