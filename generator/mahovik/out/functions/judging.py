@@ -67,7 +67,7 @@ def judge(
     cannot start.
     """
     own = Stand.of(stand)
-    if log is not None or fmu is not None:
+    if fmu is not None:
         refuse_hold(own, Path(stand).name)
     if sum(each is not None for each in (command, log, fmu)) != 1:
         raise UsageError("--with, --log, --fmu: expected one of them")
