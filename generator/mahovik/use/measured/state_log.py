@@ -205,7 +205,12 @@ class _Reader:
     def _require(self, wants: Sequence[str]) -> None:
         """Raises DataError where an input of every answer is missing, or there are no answers."""
         needed = [key for key in ("V", "phi", "phi_dot") if key in self._groups]
-        problems = [self._missing(key, "every state has them") for key in needed if key not in self._values]
+        instead = ", or " + " ".join(name for name, _ in self._groups["u"]) if "u" in self._groups else ""
+        problems = [
+            self._missing(key, f"every state has them{instead if key == 'V' else ''}")
+            for key in needed
+            if key not in self._values
+        ]
         if not problems and not wants:
             need = " and ".join(key for key in ("V_dot", "phi_ddot") if key in self._groups and key not in self._values)
             problems.append(self._missing(need.split(" ")[0], "there is nothing to compare") if need else "")
