@@ -65,9 +65,9 @@ def log_of(stand: Stand, count: int, change: Change = lambda *_: None, of_hold: 
 
     for _ in range(count):
         drawn = onto_hold(stand, replace(random_state(stand, rng), wrench={}))
-        u = rng.normal(size=S.shape[1])
+        u = np.array(rng.normal(size=S.shape[1]))
         state = replace(
-            drawn, u=tuple(u), V=tuple(S @ u), phi_dot=tuple(rng.normal(size=len(names))),
+            drawn, u=tuple(u.tolist()), V=tuple((S @ u).tolist()), phi_dot=tuple(rng.normal(size=len(names))),
             phi_ddot=tuple(rng.normal(size=len(names))),
         )  # fmt: skip
         at = reference.pieces(stand, state)
@@ -151,7 +151,7 @@ def arm(right: Any, at: Pieces) -> None:
     right[4] += 0.2 * 2.5 * 0.2 * at.gravity[0]
 
 
-def across(right: Any, at: Pieces) -> None:
+def pull(right: Any, at: Pieces) -> None:
     """A force of 0.5 kg m on what is clamped."""
     right[0] -= 0.5 * at.phi_dot[0] ** 2
 
@@ -164,7 +164,7 @@ def across(right: Any, at: Pieces) -> None:
         ("hinge", arm, 80, True, ("M", "g_x", 1.2, 1.0, "W z_G")),
         ("cube", gyroscopic, 300, True, ("M", "r wx.speed", 0.0, -1.0, "J11(wx)")),
         ("linear_shaker", centrifugal, 160, False, ("Z", "left.speed left.speed cos left", -0.16, 0.16, "")),
-        ("clamped", across, 60, True, ("X", "w1.speed w1.speed", -0.5, 0.0, "")),
+        ("clamped", pull, 60, True, ("X", "w1.speed w1.speed", -0.5, 0.0, "")),
     ],
 )
 def test_a_wrong_term_of_a_log_is_named(name: str, change: Change, rows: int, of_hold: bool, term: Any) -> None:
@@ -187,7 +187,7 @@ def test_accelerations_are_derived_from_the_speeds() -> None:
     options = ("--start", "start.json", "--until", "0.5", "--every", "0.002", "-o", "run.csv")
     assert run("simulate", "held.toml", *options).exit_code == 0
     lines = [line.split(",") for line in Path("run.csv").read_text(encoding="utf-8").splitlines()]
-    kept = [k for k, name in enumerate(lines[0]) if name.startswith(("t ", "q pitch", "phi ", "phi_dot "))]
+    kept = [k for k, name in enumerate(lines[0]) if name.startswith(("t ", "q pitch", "phi"))]
     speeds = [[line[k] for k in kept] for line in lines]
     u = [line[lines[0].index("q_dot pitch [rad/s]")] for line in lines]
     rows = [",".join([*line, x]) for line, x in zip(speeds, ["u pitch [rad/s]", *u[1:]], strict=True)]

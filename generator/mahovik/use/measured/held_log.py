@@ -55,7 +55,7 @@ def groups_of(hold: Hold) -> Iterator[tuple[str, list[tuple[str, Dimension]]]]:
 
 
 class HeldColumns:
-    """What the columns of a held carrier say of its motion and its pose. `values`: groups by key, in place."""
+    """Motion and pose of a held carrier by the columns of its log. `values`: groups by key, in place."""
 
     def __init__(self, stand: Stand, hold: Hold, path: Path, values: dict[str, Array]) -> None:
         self._stand, self._hold, self._path, self._values = stand, hold, path, values
