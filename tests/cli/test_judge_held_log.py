@@ -113,7 +113,7 @@ def wants_of(found: Mapping[str, Any]) -> list[str]:
 @pytest.mark.parametrize("of_hold", [False, True])
 @pytest.mark.parametrize("name", HOLDS)
 def test_a_right_log_agrees(name: str, of_hold: bool) -> None:
-    """By the columns of `simulate`, or by speeds and coordinates of the freedoms."""
+    """Columns are those of `simulate`, or speeds and coordinates of the freedoms."""
     found = judged(write(log_of(stand_of(name), 6, of_hold=of_hold)), status=0)
     motion = [] if name == "clamped" else ["forward u_dot", "forward V_dot"]
     assert wants_of(found) == [*motion, "reaction reaction"]
@@ -181,7 +181,7 @@ def test_a_wrong_term_of_a_log_is_named(name: str, change: Change, rows: int, of
 
 @pytest.mark.slow
 def test_accelerations_are_derived_from_the_speeds() -> None:
-    """Of a swing from `simulate`; where an inertia of the stand file is another one, the motion differs."""
+    """A swing from `simulate` agrees; where the stand file has another inertia, it differs."""
     stand_of("hinge")
     Path("start.json").write_text('{"u": [1.0], "phi_dot": [50]}', encoding="utf-8")
     options = ("--start", "start.json", "--until", "0.5", "--every", "0.002", "-o", "run.csv")
