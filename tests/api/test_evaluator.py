@@ -17,7 +17,7 @@ from mahovik.out.api.evaluator import KeptBackend
 from mahovik.proof.verify.c_backend import CBackend
 from toolchain.quick import quick
 
-CASES = (("general", "double"), ("everything", "double"), ("everything", "float"), ("rigid", "double"))
+CASES = (("everything", "double"), ("general", "double"), ("everything", "float"), ("rigid", "double"))
 
 
 def outcome(backend: Any, state: Any, want: str) -> Any:
@@ -36,7 +36,7 @@ def plain(value: Any) -> Any:
     return value
 
 
-@pytest.mark.parametrize(("name", "real"), quick(2, CASES))
+@pytest.mark.parametrize(("name", "real"), quick(1, CASES))
 def test_bits_are_those_of_the_harness(name: str, real: str) -> None:
     of, rng = stand(name), np.random.default_rng(19)
     kept, judged = KeptBackend(of, cast(Real, real)), CBackend(of, real)

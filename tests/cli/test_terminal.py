@@ -41,7 +41,15 @@ def test_a_narrow_terminal_folds_and_never_cuts() -> None:
 
 @pytest.mark.parametrize(
     ("env", "coloured"),
-    [({}, True), ({"NO_COLOR": "1"}, False), ({"TERM": "dumb"}, False), ({"NO_COLOR": "1", "FORCE_COLOR": "1"}, False)],
+    quick(
+        2,
+        [
+            ({}, True),
+            ({"NO_COLOR": "1", "FORCE_COLOR": "1"}, False),
+            ({"NO_COLOR": "1"}, False),
+            ({"TERM": "dumb"}, False),
+        ],
+    ),
 )
 def test_colours_on_a_terminal(env: dict[str, Any], coloured: bool) -> None:
     """The warning of auv6 is yellow."""

@@ -15,6 +15,7 @@ from cli.run import BENCH8, DEMO3, process, refused, run
 from mahovik.contract.functions import WANTS
 from mahovik.core.emit.generate import generate
 from mahovik.core.stand import load
+from toolchain.quick import quick
 
 PYTHON = shlex.quote(sys.executable)
 EVAL = f"{PYTHON} -c 'from mahovik.out.cli import main; main()' eval {{stand}}"
@@ -153,7 +154,7 @@ for number, line in enumerate(subprocess.run(command, stdin=sys.stdin, capture_o
 """
 
 
-@pytest.mark.parametrize(("name", "drop"), [("I0", "number > 0"), ("D", "True"), ("q_ddot", "True")])
+@pytest.mark.parametrize(("name", "drop"), quick(2, [("I0", "number > 0"), ("D", "True"), ("q_ddot", "True")]))
 def test_what_is_left_out_now_and_then_or_not_allowed_to_be_is_missing(name: str, drop: str) -> None:
     text = DROPPING.replace("DROP", drop).replace("NAME", repr(name))
     command = f"{program(text)} {{stand}}"

@@ -59,7 +59,7 @@ def test_32_bits_print_the_same(real: str, tmp_path: Path) -> None:
     assert found[0][0] == 0
 
 
-@pytest.mark.parametrize(("name", "real"), [("demo3", "double"), ("bare5", "float")])
+@pytest.mark.parametrize(("name", "real"), quick(1, [("demo3", "double"), ("bare5", "float")]))
 def test_the_sweep_is_that_of_the_interpreter(name: str, real: str, tmp_path: Path) -> None:
     # the C draws its own states: integers, scaling and quaternions must be those of Python, refused states included
     generated, files = generate_with_selftest(name, real)

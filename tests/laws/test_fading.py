@@ -22,6 +22,7 @@ from mahovik.laws.fading.reference import fading_damping
 from mahovik.proof import reference
 from mahovik.proof.verify.c_backend import CBackend
 from second.agreement import AGREEMENT, differences, expectations
+from toolchain.quick import quick
 
 FILE = """
 schema = 1
@@ -55,7 +56,7 @@ def slow(seed: int, flywheels: int = 1) -> Stand:
     )
 
 
-@pytest.mark.parametrize("real", ["double", "float"])
+@pytest.mark.parametrize("real", quick(1, ["double", "float"]))
 def test_derivations_and_C_agree(real: str) -> None:
     from mahovik.proof.second import Second
 

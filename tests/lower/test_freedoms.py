@@ -18,6 +18,7 @@ from mahovik.core.stand.model import Freedom, Hold, Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import InterpreterBackend
+from toolchain.quick import quick
 from verify.test_held_c import DRY, PIVOT, agree, state_of
 
 SETS = [tuple(each) for each in chain.from_iterable(combinations(FREEDOMS, m) for m in range(1, 7))]
@@ -65,7 +66,7 @@ def test_sets_are_closed_as_their_twists_are() -> None:
     assert not are_closed(("twist",))
 
 
-@pytest.mark.parametrize("name", ALONG)
+@pytest.mark.parametrize("name", quick(3, ALONG))
 def test_few_freedoms_agree_with_the_reference(name: str) -> None:
     stand = stand_with(name, (DRY, WET)[list(ALONG).index(name) % 2])
     own, judge = InterpreterBackend(generate_all(stand)), NumpyBackend(stand)

@@ -28,6 +28,7 @@ from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.attitudes import freedom_row
 from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.harness import judge
+from toolchain.quick import quick
 from verify.test_held_c import state_of
 
 __all__ = ["file"]
@@ -52,7 +53,7 @@ def made(name: str) -> tuple[Stand, InterpreterBackend]:
     return stand, InterpreterBackend(generate_all(stand))
 
 
-@pytest.mark.parametrize("name", HOLDS)
+@pytest.mark.parametrize("name", quick(3, HOLDS))
 def test_three_derivations_agree(name: str) -> None:
     stand, own = made(name)
     second, states = Second(stand), draw(stand, 1, 8, wrenches=False)

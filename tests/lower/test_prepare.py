@@ -28,7 +28,7 @@ MAX_PARAMETER = limits(DOUBLE)["MAX_PARAMETER"].value
 
 
 @pytest.mark.parametrize("lanes", [1, 4])
-@pytest.mark.parametrize("name", quick(3, NAMES))
+@pytest.mark.parametrize("name", quick(2, NAMES))
 def test_its_part_of_the_program_makes_the_same_numbers(name: str, lanes: int) -> None:
     given = stand(name)
     layout = Layout(structure(given), DOUBLE, lanes if given.flywheels else 1)
@@ -74,7 +74,7 @@ def c(request: pytest.FixtureRequest) -> Compiled:
     return compiled(str(request.param))
 
 
-@pytest.mark.parametrize("name", quick(3, NAMES))
+@pytest.mark.parametrize("name", quick(2, NAMES))
 def test_default_parameters_give_the_default_table(name: str) -> None:
     c = compiled(name)
     inputs = inputs_of(c)

@@ -18,6 +18,7 @@ from mahovik.core.toolchain import library
 from mahovik.core.toolchain.compiler import build_shared
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
 from mahovik.proof.verify.functions.carries import end_of_steps
+from toolchain.quick import quick
 
 STANDS = Path(__file__).parents[2] / "generator" / "mahovik" / "stands"
 COARSE, RANGE = STATUS_VALUES["COARSE"], STATUS_VALUES["RANGE"]
@@ -122,7 +123,7 @@ def test_a_carry_moves_what_is_far_from_the_origin() -> None:
     assert carried["position"][0] + carry["rounding"][0] == pytest.approx(200.005, abs=1e-6)
 
 
-@pytest.mark.parametrize("real", ["double", "float"])
+@pytest.mark.parametrize("real", quick(1, ["float", "double"]))
 def test_one_step_with_an_empty_carry_is_a_step(real: str) -> None:
     """The same bits, but for the attitude, which is brought to unit length with fewer roundings."""
     c = compiled("bench8", real)

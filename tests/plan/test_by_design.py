@@ -15,6 +15,7 @@ from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features
 from mahovik.use.plan.residual import PARAMETERS, Mechanics, by_design, prescribe, residual, torques
 from mahovik.use.plan.residual.spatial import mount_axes
 from plan.courses import RandomCourse, random_course
+from toolchain.quick import quick
 
 Array = NDArray[np.float64]
 KINDS = [replace(EVERYTHING, angles=s) for s in SEQUENCES] + [BARE, Features(), Features()]
@@ -63,7 +64,7 @@ def answers(stand: Stand, motion: RandomCourse) -> tuple[Array, Array]:
     return residual(at, *motion[3:]), torques(at, *motion[3:])
 
 
-@pytest.mark.parametrize("number", range(8))
+@pytest.mark.parametrize("number", quick(4, range(8)))
 def test_derivatives_by_design_are_those_of_differences(number: int) -> None:
     """All parameters of all flywheels of stands of all kinds: central differences of the rebuilt stand."""
     stand, mechanics, motion = random_course(300 + number, 2, KINDS[number % len(KINDS)], M=3)

@@ -15,6 +15,7 @@ from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, search_finite, table_of
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Problem
+from toolchain.quick import quick
 
 PIVOT = """
 schema = 1
@@ -59,7 +60,7 @@ def found_for(required: RequiredMotion, own: Stand) -> tuple[FiniteProblem, Fini
 
 @pytest.mark.parametrize(
     ("samples", "free", "parts"),
-    [(41, True, 1), (16, True, 4), pytest.param(41, False, 4, marks=pytest.mark.slow)],
+    quick(1, [(16, True, 4), (41, True, 1), (41, False, 4)]),
 )
 def test_one_unbalanced_wheel_turns_a_carrier_on_a_pivot(samples: int, free: bool, parts: int) -> None:
     """The wheel's motion gives the required acceleration by the reference; few samples need breaks between them."""

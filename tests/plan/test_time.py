@@ -27,6 +27,8 @@ from plan.test_runup import spinning
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 from plan_stands import campaign_move, campaign_stand
 
+from toolchain.quick import quick
+
 WISHES = PlanOptions(verify=False)
 
 
@@ -108,7 +110,7 @@ def pressing(times: int) -> Any:
     return certified
 
 
-@pytest.mark.parametrize("where", ["periodic", "finite"])
+@pytest.mark.parametrize("where", quick(1, ["finite", "periodic"]))
 def test_ctrl_c_in_the_verification_waits_for_its_end(where: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The programme is given, as interrupted; a second Ctrl-C does not wait."""
     stand, motion = example("shaker2", "shaker2_spin")

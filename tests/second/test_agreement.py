@@ -42,7 +42,7 @@ def test_example_stands_agree_in_every_want(path: Path) -> None:
     assert {want for want, _ in compared} == set(WANTS)
 
 
-@pytest.mark.parametrize("flywheels", quick(3, [0, 5, 7, 1, 6, 12]))
+@pytest.mark.parametrize("flywheels", quick(2, [0, 7, 5, 1, 6, 12]))
 @pytest.mark.parametrize("kind", KINDS)
 def test_random_general_stands_agree_in_every_want(flywheels: int, kind: str) -> None:
     angles = SEQUENCES[(flywheels + list(KINDS).index(kind)) % 3]
@@ -51,7 +51,7 @@ def test_random_general_stands_agree_in_every_want(flywheels: int, kind: str) ->
     assert {want for want, _ in compared} == set(WANTS)
 
 
-@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize("seed", quick(12, range(30)))
 def test_many_small_random_stands_agree(seed: int) -> None:
     stand = random_stand(np.random.default_rng(seed), seed % 4)
     assert agrees(stand, seed, 6)

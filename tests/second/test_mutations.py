@@ -94,7 +94,7 @@ def test_without_a_mutation_there_is_no_difference() -> None:
     assert worst(mahovik.proof.second) <= AGREEMENT
 
 
-@pytest.mark.parametrize("name", quick(12, MUTATIONS))
+@pytest.mark.parametrize("name", quick(6, MUTATIONS))
 def test_mutations_are_noticed(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     module, there, instead = MUTATIONS[name]
     if module.startswith("laws."):

@@ -140,7 +140,7 @@ def test_no_two_faults_are_the_same() -> None:
 # ---- what is planted is found ----
 
 
-FEW = DICTIONARY[::12]
+FEW = DICTIONARY[::24]
 
 
 @pytest.mark.parametrize(

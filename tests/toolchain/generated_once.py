@@ -74,20 +74,37 @@ def _same(names: Any, before: dict[Any, Any]) -> bool:
     )
 
 
-def once(make: Callable[..., Any], usable: Callable[[], bool]) -> Callable[..., Any]:
+class Trust:
+    """Whether a result is being made of a generator that was looked at: what it calls need not look again.
+
+    A stand has hundreds of formulas, and a look costs as much as many of them.
+    """
+
+    def __init__(self) -> None:
+        self.given = False
+
+    def make(self, function: Callable[[], Any]) -> Any:
+        before, self.given = self.given, True
+        try:
+            return function()
+        finally:
+            self.given = before
+
+
+def once(make: Callable[..., Any], usable: Callable[[], bool], trust: Trust | None = None) -> Callable[..., Any]:
     """`make`, whose results are remembered by their arguments, however passed; files of C are the caller's own."""
     known: dict[bytes, Any] = {}
-    parameters = signature(make)
+    parameters, inside = signature(make), trust or Trust()
 
     @wraps(make)
     def found(*arguments: Any, **named: Any) -> Any:
-        if not usable():
+        if not (inside.given or usable()):
             return make(*arguments, **named)
         bound = parameters.bind(*arguments, **named)
         bound.apply_defaults()
         key = pickle.dumps(bound.arguments)
         if key not in known:
-            known[key] = make(*arguments, **named)
+            known[key] = inside.make(partial(make, *arguments, **named))
         result = known[key]
         return replace(result, files=dict(result.files)) if hasattr(result, "files") else result
 
@@ -104,10 +121,11 @@ def install(formulas: str) -> Unchanged:
     def usable(packages: tuple[str, ...]) -> bool:
         return os.environ.get("MAHOVIK_CACHE") == formulas and unchanged.holds(packages)
 
+    trust = Trust()
     for module, name, packages in (
         ("core.emit.generate", "generate_all", GENERATOR),
         ("core.formula.derived", "_derive", DERIVATION),
     ):
         place = import_module(f"mahovik.{module}")
-        setattr(place, name, once(getattr(place, name), partial(usable, packages)))
+        setattr(place, name, once(getattr(place, name), partial(usable, packages), trust))
     return unchanged

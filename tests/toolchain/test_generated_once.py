@@ -12,7 +12,7 @@ from conftest import GENERATOR
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import load
 from mahovik.stands import path
-from toolchain.generated_once import Unchanged, once
+from toolchain.generated_once import Trust, Unchanged, once
 
 DEMO3 = load(path("demo3"))
 
@@ -57,6 +57,26 @@ def test_equal_arguments_are_made_once_where_that_may_be() -> None:
     may[0] = False
     made(1)
     assert calls[3:] == [(1, "")]
+
+
+def test_what_is_called_on_the_way_does_not_look_again() -> None:
+    looks: list[str] = []
+
+    def look(name: str) -> bool:
+        looks.append(name)
+        return True
+
+    def fail(number: int) -> int:
+        raise ValueError(number)
+
+    trust = Trust()
+    inner = once(lambda number: number + 1, lambda: look("inner"), trust)
+    outer = once(lambda number: 2 * inner(number), lambda: look("outer"), trust)
+    assert outer(1) == 4
+    with pytest.raises(ValueError, match="1"):
+        once(fail, lambda: look("fail"), trust)(1)
+    assert inner(5) == 6
+    assert looks == ["outer", "fail", "inner"]  # nothing is trusted after the end, also where it is an error
 
 
 def test_the_generator_is_unchanged_by_its_use() -> None:

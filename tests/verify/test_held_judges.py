@@ -100,7 +100,7 @@ def test_what_no_joint_has_is_refused(judge: Any) -> None:
         judge(replace(stand, hold=replace(stand.hold, freedoms=KNIFE)))
 
 
-@pytest.mark.parametrize("name", quick(2, HOLDS))
+@pytest.mark.parametrize("name", quick(1, HOLDS))
 def test_the_command_judges_the_c(name: str) -> None:
     stand, _ = stand_and_state(name, 3, flywheels=2)
     found = verify_judges(stand, count=5)

@@ -16,6 +16,7 @@ from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.registry import rows_of
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
+from toolchain.quick import quick
 from verify.test_functions import case_of, planted
 from verify.test_task_faults import stand
 
@@ -60,7 +61,7 @@ def test_one_wrong_input_at_a_time_is_refused() -> None:
     assert found.verdict == "ok", (found.reason, found.state)
 
 
-@pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.parametrize("fault", quick(2, FAULTS))
 def test_a_planted_fault_is_noticed(fault: str, tmp_path: Path) -> None:
     place, pattern, wrong = FAULTS[fault]
     folder = planted("sat4", tmp_path, place, pattern, wrong, stand())
@@ -88,6 +89,7 @@ def test_a_thousand_demands_within_bounds_are_those_of_scipy() -> None:
         *(pytest.param(k, "double", marks=pytest.mark.slow) for k in range(3, 20)),
     ],
 )
+@pytest.mark.slow
 def test_random_stands(seed: int, real: str) -> None:
     rng = np.random.default_rng(900 + seed)
     given = random_stand(rng, int(rng.integers(1, 9)), EVERYTHING)

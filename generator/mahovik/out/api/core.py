@@ -149,7 +149,7 @@ class Built(MakesStates):
         self,
         function: str,
         x: Any,
-        dt: float,
+        dt: float | str,
         order: int,
         on_error: OnError,
         wrench: Wrenches,
@@ -157,6 +157,7 @@ class Built(MakesStates):
         tables: Tables | None,
         **given: Any,
     ) -> States:
+        dt = inputs.time(dt, "dt") if isinstance(dt, str) else dt
         given |= {"dt": self._number(dt, "dt"), "order": _order(order)}
         if carry is not None:
             given["carry"] = carry

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from mahovik.contract.quantities import UNIT_LENGTH
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Hold
-from mahovik.core.stand.units import show
+from mahovik.core.stand.units import TIME, QuantityError, number, show
 from mahovik.errors import InputError
 from mahovik.nearest import suggestion
 from mahovik.proof.verify.held import blocked_twist
@@ -34,6 +34,14 @@ def numbers(given: Any, what: str) -> Array:
             return found.astype(np.float64)
         raise InputError(f"{what}: expected real numbers, found an array of {found.dtype}")
     return found
+
+
+def time(text: str, what: str) -> float:
+    """A time with its unit, in s. Raises InputError."""
+    try:
+        return number(text, TIME)
+    except QuantityError as error:
+        raise InputError(f"{what}: {error}") from None
 
 
 def read(given: Given, what: str, count: int, names: Sequence[str], noun: str) -> Array:

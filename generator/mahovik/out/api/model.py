@@ -147,7 +147,7 @@ class Model(WithReaction, WithRegressor, WithCoordinates):
     def step(
         self,
         x: States | ArrayLike,
-        dt: float,
+        dt: float | str,
         tau: Given = 0.0,
         *,
         locked: Locks = (),
@@ -157,7 +157,7 @@ class Model(WithReaction, WithRegressor, WithCoordinates):
         tables: Tables | None = None,
         on_error: OnError = "raise",
     ) -> States:
-        """The states a time `dt` (s) later, under drive torques and wrenches held constant.
+        """The states a time `dt` later, s or a text with a unit, under drive torques and wrenches held constant.
 
         order  4: Runge-Kutta; 2: midpoint rule
         carry  of `model.carry`: takes what rounding took from these states, and is changed in place
@@ -171,7 +171,7 @@ class Model(WithReaction, WithRegressor, WithCoordinates):
     def step_driven(
         self,
         x: States | ArrayLike,
-        dt: float,
+        dt: float | str,
         phi_ddot: Given = 0.0,
         *,
         order: Literal[2, 4] = 4,

@@ -47,12 +47,12 @@ def rotation(q: Array) -> Array:
 
 
 def turn(C: Array, v: Array) -> Array:
-    """C v."""
+    """C v of n samples: C (..., 3, 3, n), v (..., 3, n). Not by `@`, whose order of summation may depend on n."""
     return np.stack([_sum(C[..., i, 0, :], C[..., i, 1, :], C[..., i, 2, :], v) for i in range(3)], axis=-2)
 
 
 def turn_back(C: Array, v: Array) -> Array:
-    """C^T v."""
+    """C^T v of n samples, as `turn`."""
     return np.stack([_sum(C[..., 0, i, :], C[..., 1, i, :], C[..., 2, i, :], v) for i in range(3)], axis=-2)
 
 

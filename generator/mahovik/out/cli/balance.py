@@ -43,13 +43,18 @@ def balance(
         default="least-squares",
     ),
     data: tuple[str, ...] = file_option(
-        "--data", "FILE", "Read measured data of the stand at constant speeds.", multiple=True
+        "--data",
+        "FILE",
+        "Read measured data of the stand at constant speeds.",
+        multiple=True,
+        reads="measured data",
     ),
     planes: tuple[str, ...] = option(
         "--plane",
         'Set planes of a flywheel, or of "all", at these places on its axis; or by a file, with pieces.',
         metavar="NAME=X,..|FILE.toml",
         multiple=True,
+        reads="a file of correction planes",
     ),
     report: str | None = file_option("--report", "FILE.html", "Write a page with charts; needs --data."),
     output: str | None = file_option("-o", "FILE.json", "Write what --json prints."),

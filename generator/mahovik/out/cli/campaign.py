@@ -34,7 +34,7 @@ def campaign() -> None:
 
 @command(group=campaign)
 def run(
-    campaign_file: str = argument("C.toml"),
+    campaign_file: str = argument("C.toml", reads="a campaign file"),
     output: str = file_option("-o", "DIR", "Keep the rows in this folder.", required=True),
     workers: int | None = WORKERS,
     scheduler: str | None = SCHEDULER,

@@ -37,7 +37,11 @@ def design(
     stand_file: str = STAND_FILE,
     motion_file: str = MOTION,
     free: str = option(
-        "--free", "Free these numbers: position,angles,unbalance ...", metavar="KEYS|FREE.toml", required=True
+        "--free",
+        "Free these numbers: position,angles,unbalance ...",
+        metavar="KEYS|FREE.toml",
+        required=True,
+        reads="a file that names free numbers",
     ),
     output: str = file_option("-o", "OUT.toml", "Write the stand, and its programme to OUT.json.", required=True),
     seed: int = SEED_OF_STARTS,

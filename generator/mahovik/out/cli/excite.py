@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import click
 
 from mahovik.errors import UsageError
+from mahovik.out.cli import quantities
 from mahovik.out.cli.options import (
     SEED_OF_STARTS,
     STAND_FILE,
@@ -67,10 +68,11 @@ def excite(
         "--free",
         "Free these numbers of the stand file, or those of a file.",
         metavar="KEYS|FREE.toml",
+        reads="a file that names free numbers",
         default="*.unbalance",
     ),
-    duration: Any = option(
-        "--duration", "Set the duration of the experiment, s.", metavar="S", default="10", parse=_number
+    duration: float = option(
+        "--duration", "Set the duration of the experiment.", metavar="TIME", default="10 s", parse=quantities.time_limit
     ),
     speed: Any = option(
         "--speed",

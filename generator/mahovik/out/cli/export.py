@@ -140,7 +140,9 @@ def servo(
     programme_file: str = file_option(
         "--programme", "P.json", "Follow this programme of `mahovik plan`.", required=True
     ),
-    servo_file: str = file_option("--servo", "S.toml", "Read the servos from this file.", required=True),
+    servo_file: str = file_option(
+        "--servo", "S.toml", "Read the servos from this file.", required=True, reads="a servo file"
+    ),
     motion_file: str | None = file_option("--motion", "M.json", "Read the required motion, for feedforward and trim."),
     output: str | None = FOLDER,
     kind: str = TABLE,

@@ -17,11 +17,23 @@ if TYPE_CHECKING:
 @command()
 def identify(
     stand_file: str = STAND_FILE,
-    data: tuple[str, ...] = file_option("--data", "FILE", "Read measured data of the stand.", multiple=True),
-    free: str = option("--free", "Free these numbers, such as w*.unbalance.", metavar="KEYS|FREE.toml", required=True),
+    data: tuple[str, ...] = file_option(
+        "--data", "FILE", "Read measured data of the stand.", multiple=True, reads="measured data"
+    ),
+    free: str = option(
+        "--free",
+        "Free these numbers, such as w*.unbalance.",
+        metavar="KEYS|FREE.toml",
+        required=True,
+        reads="a file that names free numbers",
+    ),
     output: str = file_option("-o", "NEW.toml", "Write the stand file with the estimated numbers.", required=True),
     check: tuple[str, ...] = file_option(
-        "--check", "FILE", "Read data that are only predicted, to check the result.", multiple=True
+        "--check",
+        "FILE",
+        "Read data that are only predicted, to check the result.",
+        multiple=True,
+        reads="measured data",
     ),
     loss: str = choice(
         "--loss", ["linear", "soft_l1", "huber"], "Choose the loss; the last two bear outliers.", default="linear"

@@ -9,6 +9,7 @@ import click
 
 from mahovik.contract.quantities import RPM
 from mahovik.errors import UsageError
+from mahovik.out.cli import quantities
 from mahovik.out.cli.options import (
     JSON,
     PHASES,
@@ -91,7 +92,7 @@ def jitter(
     ),
     exact: bool = flag("--exact", "Use the full equations at every speed of a sweep."),
     seconds: float | None = option(
-        "--time", "Limit the time of the exact solutions.", metavar="S", type=click.FloatRange(min=0, min_open=True)
+        "--time", "Limit the time of the exact solutions.", metavar="TIME", parse=quantities.time_limit
     ),
     output: str | None = file_option("-o", "FILE", f"Write numbers or a picture: {', '.join(SUFFIXES)}."),
     as_json: bool = JSON,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from mahovik.errors import UsageError
+from mahovik.out.cli import quantities
 from mahovik.out.cli.options import (
     JUNIT,
     SEED_OF_STATES,
@@ -32,7 +33,9 @@ def judge(
         "--log", "FILE.csv", "Judge a log of states and accelerations instead, with the columns of `simulate`."
     ),
     fmu: str | None = file_option("--fmu", "FILE.fmu", "Judge an FMU instead, with --map."),
-    variables: str | None = file_option("--map", "MAP.toml", "Read from this file what the variables of --fmu are."),
+    variables: str | None = file_option(
+        "--map", "MAP.toml", "Read from this file what the variables of --fmu are.", reads="a map of variables"
+    ),
     explain: bool = flag("--explain", "Name the fault in its equations if it differs."),
     want: str | None = option(
         "--want", "Require these wants of the program; default: those it offers.", metavar="NAME,..."
@@ -46,7 +49,7 @@ def judge(
         default=1e-12,
     ),
     timeout: float = option(
-        "--timeout", "Limit the time of the program, s.", type=click.FloatRange(0.1), default=300.0
+        "--timeout", "Limit the time of the program.", metavar="TIME", default="5 min", parse=quantities.time_limit
     ),
     as_json: bool = json_option("Print table and diagnosis as JSON."),
     junit: str | None = JUNIT,

@@ -11,11 +11,13 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from mahovik.errors import UsageError
+from mahovik.out.cli import quantities
 from mahovik.out.cli.output import note_json
 
 if TYPE_CHECKING:
@@ -51,17 +53,30 @@ def command(
     return make_command
 
 
-def argument(metavar: str | None, **attributes: Any) -> Any:
-    """An argument: by default the path of a file."""
-    return Parameter(click.Argument, (), {"metavar": metavar, "type": click.Path(), **attributes})
+def argument(metavar: str | None, *, reads: str | None = None, **attributes: Any) -> Any:
+    """An argument: by default the path of a file; `reads`: what file, if it is not the stand's."""
+    known: dict[str, Any] = {"metavar": metavar, "type": click.Path()}
+    if reads is not None:
+        known["callback"] = lambda _context, _own, path: _no_stand("", path, reads)
+    return Parameter(click.Argument, (), known | attributes)
 
 
-def option(declaration: str, help: str, *, parse: Callable[[str, str], object] | None = None, **attributes: Any) -> Any:
+def option(
+    declaration: str,
+    help: str,
+    *,
+    parse: Callable[[str, str], object] | None = None,
+    reads: str | None = None,
+    **attributes: Any,
+) -> Any:
     """An option; its default is shown. `help` is a sentence that begins with what the option does.
 
-    `parse` makes its value of the option's name and text.
+    parse  makes its value of the option's name and text
+    reads  what file it reads, as "a regime file": a stand file in its place is refused by name
     """
     known: dict[str, Any] = {"help": help, "show_default": "default" in attributes}
+    if reads is not None:
+        known["callback"] = lambda _context, own, path: _no_stand(f"{own.opts[0]} ", path, reads)
     if parse is not None:
         known["callback"] = lambda _context, own, text: None if text is None else parse(own.opts[0], text)
     return Parameter(click.Option, (declaration,), known | attributes)
@@ -87,6 +102,30 @@ def _json_name(name: str, path: str) -> str:
     if path.endswith(".toml"):
         raise UsageError(f"{name} {path}: expected a JSON file; the name is that of a TOML file, such as a stand")
     return path
+
+
+def _no_stand(where: str, given: Any, expected: str) -> Any:
+    """The path or paths given. Raises UsageError if one is that of a stand file.
+
+    Readers of other files would list every key of it as unknown, and not say what the file is.
+    """
+    for path in (given,) if isinstance(given, str) else given or ():
+        if path.endswith(".toml") and is_stand_file(Path(path)):
+            raise UsageError(f"{where}{path}: this is a stand file, expected {expected}")
+    return given
+
+
+def is_stand_file(path: Path) -> bool:
+    """Whether the file holds TOML with the keys that no other file of the project has together."""
+    import tomllib
+
+    try:
+        if not path.is_file():  # of a FIFO the reader would find nothing more
+            return False
+        found = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return False  # the reader says what is wrong with it
+    return "schema" in found and "carrier" in found
 
 
 def json_option(help: str = "Print JSON instead of text.") -> Any:
@@ -118,7 +157,7 @@ MOTION = file_option("--motion", "M.json", "Read the required motion from this f
 SEED_OF_STARTS = option("--seed", "Draw the starts from this seed.", metavar="N", type=click.IntRange(min=0), default=0)
 SEED_OF_STATES = option("--seed", "Draw the random states from this seed.", type=click.IntRange(0), default=1)
 STATES = option("--states", "Evaluate this number of states.", type=click.IntRange(1, 1_000_000), default=200)
-TIME_LIMIT = option("--time", "Limit the time of the search.", metavar="S", type=click.FloatRange(min=0, min_open=True))
+TIME_LIMIT = option("--time", "Limit the time of the search.", metavar="TIME", parse=quantities.time_limit)
 JUNIT = file_option("--junit", "FILE", "Write the table as JUnit XML too.")
 WORST = file_option("-o", "FILE", "Write the worst states, for `eval`; default: on failure only.")
 PHASES = option("--phase", 'Set the phase at t = 0, "w1=90 deg"; default 0.', metavar="NAME=ANGLE", multiple=True)

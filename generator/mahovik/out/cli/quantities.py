@@ -77,6 +77,14 @@ def time(option: str, text: str) -> float:
     return found[0]
 
 
+def time_limit(option: str, text: str) -> float:
+    """How long something may take, s. Raises UsageError."""
+    found = time(option, text)
+    if not found > 0.0:
+        raise UsageError(f"{option} {text}: expected a time above 0")
+    return found
+
+
 def interval(option: str, text: str) -> tuple[float, float]:
     """Two frequencies, Hz, as "20..200Hz". Raises UsageError."""
     low, dots, high = text.partition("..")

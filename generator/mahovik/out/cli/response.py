@@ -49,7 +49,7 @@ def response(
     ),
     phases: tuple[str, ...] = PHASES,
     seconds: float | None = option(
-        "--time", "Limit the time of the sweep.", metavar="S", type=click.FloatRange(min=0, min_open=True)
+        "--time", "Limit the time of the sweep.", metavar="TIME", parse=quantities.time_limit
     ),
     output: str | None = file_option("-o", "FILE", f"Write numbers or a picture: {', '.join(SUFFIXES)}."),
     as_json: bool = JSON,

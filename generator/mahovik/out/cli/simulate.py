@@ -36,7 +36,10 @@ def simulate(
     ),
     output: str | None = file_option("-o", "FILE.csv|FILE.parquet", "Write the motion to this file, in columns."),
     regime: str | None = file_option(
-        "--regime", "FILE", "Read speeds or torques of the flywheels from this file; default: none turns."
+        "--regime",
+        "FILE",
+        "Read speeds or torques of the flywheels from this file; default: none turns.",
+        reads="a regime file",
     ),
     start: str | None = file_option("--start", "STATE.json", "Start from this state; default: the static equilibrium."),
     dt: float = option("--dt", "Limit the step to this time.", metavar="TIME", default="0.1 ms", parse=quantities.time),
@@ -59,7 +62,9 @@ def simulate(
         "--programme", "P.json", "Follow this programme by servos, instead of a regime."
     ),
     motion: str | None = file_option("--motion", "M.json", "Read the required motion of --programme from this file."),
-    servo: str | None = file_option("--servo", "S.toml", "Read the servos that follow --programme from this file."),
+    servo: str | None = file_option(
+        "--servo", "S.toml", "Read the servos that follow --programme from this file.", reads="a servo file"
+    ),
     mismatch: str = option(
         "--mismatch", "Make the stand's numbers wrong by this, with --programme.", metavar="PERCENT", default="0%"
     ),

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mahovik.errors import UsageError
+from mahovik.out.cli import quantities
 from mahovik.out.cli.options import (
     FAST,
     JUNIT,
@@ -51,9 +52,15 @@ def verify(
         "--want", "Require these wants of the program of --with; default: those it offers.", metavar="NAME,..."
     ),
     timeout: float = option(
-        "--timeout", "Limit the time of the program of --with, s.", type=click.FloatRange(0.1), default=300.0
+        "--timeout",
+        "Limit the time of the program of --with.",
+        metavar="TIME",
+        default="5 min",
+        parse=quantities.time_limit,
     ),
-    servo: str | None = file_option("--servo", "S.toml", "Judge the C of these servos in the folder of --against."),
+    servo: str | None = file_option(
+        "--servo", "S.toml", "Judge the C of these servos in the folder of --against.", reads="a servo file"
+    ),
     motion: str | None = file_option(
         "--motion", "M.json", "Judge also the duration and the target of a trim, with --servo."
     ),

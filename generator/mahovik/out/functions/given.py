@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.state import State
-from mahovik.core.stand.units import ANGLE, Dimension, QuantityError, number, show
+from mahovik.core.stand.units import ANGLE, TIME, Dimension, QuantityError, number, show
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.editing import exact
@@ -108,6 +108,21 @@ def quantity(name: str, value: Number, dimension: Dimension) -> float:
         return number(exact(value), dimension)
     except QuantityError as error:
         raise UsageError(f"{name}: {error}") from None
+
+
+def time(name: str, value: Number) -> float:
+    """A time in s of an argument `name`, which the caller still has to bound. Raises UsageError."""
+    return quantity(name, value, TIME) if isinstance(value, str) else value
+
+
+def time_limit(name: str, value: Number | None) -> float | None:
+    """How long a search may take, s; None: as long as it needs. Raises UsageError."""
+    if value is None:
+        return None
+    found = time(name, value)
+    if not found > 0.0:
+        raise UsageError(f"{name} {found:g}: expected a time above 0, in s")
+    return found
 
 
 def by_flywheel(

@@ -12,6 +12,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.api.stands import Stand, refuse_hold
 from mahovik.out.functions.evidence import Verification
+from mahovik.out.functions.given import Number, time
 from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ def judge(
     states: int = STATES,
     seed: int = 1,
     tolerance: float = 1e-12,
-    timeout: float = 300.0,
+    timeout: Number = 300.0,
     progress: OnProgress | None = None,
 ) -> Verification:
     """Judge a program that implements the contract of `eval`, an FMU, or a log of states, and find its fault.
@@ -60,7 +61,7 @@ def judge(
     log        CSV or Parquet file in place of a program, with the columns of `simulate`; all its rows are judged
     fmu        FMU in place of a program; variables: the file that maps its variables
     explain    name the fault where it differs; want: wants it must offer, default those that it offers
-    tolerance  relative to the natural scale; timeout of the program, s
+    tolerance  relative to the natural scale; timeout of the program, s, or a text with a unit
 
     A program that dies or hangs gives a result with an `error`. Raises StandError, DataError, UsageError where it
     cannot start.
@@ -74,14 +75,15 @@ def judge(
         return _judge_log(own, Path(log), explain, tuple(want), seed, tolerance, progress)
     from mahovik.proof.verify.foreign import program_of
 
+    longest = time("--timeout", timeout)
     if fmu is not None and variables is not None:
         from mahovik.proof.verify.fmu.program import program
 
         judged, actuators = program(Path(fmu), Path(variables), own, str(stand)), False
     else:
         judged = program_of(str(command), str(stand))
-        actuators = _takes_actuators(own, judged, timeout)
-    return _judge_program(own, judged, explain, tuple(want), states, seed, tolerance, timeout, actuators, progress)
+        actuators = _takes_actuators(own, judged, longest)
+    return _judge_program(own, judged, explain, tuple(want), states, seed, tolerance, longest, actuators, progress)
 
 
 def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool:

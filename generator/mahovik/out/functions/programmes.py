@@ -15,7 +15,15 @@ from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import Keys, StandGiven, motion_of, programme_of, required_of
+from mahovik.out.functions.given import (
+    Keys,
+    Number,
+    StandGiven,
+    motion_of,
+    programme_of,
+    required_of,
+    time_limit,
+)
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
 from mahovik.use.plan import Plan as CorePlan
@@ -161,7 +169,7 @@ def plan(
     stand: StandGiven,
     motion: MotionGiven | Slew,
     *,
-    seconds: float | None = None,
+    seconds: Number | None = None,
     seed: int = 0,
     winding: str | Sequence[int] | None = None,
     keep: int = 1,
@@ -171,7 +179,7 @@ def plan(
 ) -> Plan:
     """Plan a programme: motions of the flywheels that make the carrier move exactly as required; (12), (13).
 
-    seconds    limits the search; None: a budget of starts and steps alone
+    seconds    limits the search, also as "1 min"; None: a budget of starts and steps alone
     winding    "any", "spin", "rock" or turns per period; None: that of the motion
     keep       programmes to find; method: "fourier", or from it "ocp-partition", "ocp" by IPOPT
     partition  the six dependent flywheels of (13)
@@ -181,7 +189,7 @@ def plan(
     Programmes are verified by the literal reference. Ctrl-C gives the best so far. Raises StandError, MotionError,
     UsageError.
     """
-    own = Stand.of(stand)
+    own, limit = Stand.of(stand), time_limit("seconds", seconds)
     required = required_of(motion, own)
     chosen = read_winding(winding, len(own.flywheels), required.periodic)
     if isinstance(required, Slew):
@@ -191,7 +199,7 @@ def plan(
             raise UsageError("--method, --partition, --keep: not for a slew, which has one programme")
         return Plan(own, required, plan_slew(own, required, tell=lambda words: tell(progress, Progress(words))))
     six = None if partition is None else tuple(partition)
-    options = PlanOptions(seed, seconds, chosen, keep, method=method, partition=six)
+    options = PlanOptions(seed, limit, chosen, keep, method=method, partition=six)
     return Plan(own, required, plan_motion(own, required, options, lambda state: tell(progress, Progress(state.words))))
 
 
@@ -342,7 +350,7 @@ def design(
     motion: MotionGiven,
     free: str | Path | Freedom,
     *,
-    seconds: float | None = None,
+    seconds: Number | None = None,
     seed: int = 0,
     pareto: int = 0,
     progress: OnProgress | None = None,
@@ -350,6 +358,7 @@ def design(
     """Design a stand together with its programme: choose free numbers so that the carrier moves as required.
 
     free     "position,angles,unbalance" of all flywheels, or a file FREE.toml
+    seconds  limits the search, also as "1 min"; None: a budget of starts and steps alone
     pareto   number of weights of unbalance against torque; 0: no front
 
     Ctrl-C gives the best so far. Raises StandError, MotionError, DesignError, UsageError.
@@ -358,7 +367,7 @@ def design(
 
     own = Stand.of(stand)
     freedom = read_freedom(free, own)
-    options = DesignOptions(seed, seconds, pareto=pareto)
+    options = DesignOptions(seed, time_limit("seconds", seconds), pareto=pareto)
 
     def report_progress(state: Any) -> None:
         tell(progress, Progress(state.words))

@@ -15,7 +15,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.api.fields import Array
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import Keys, StandGiven, regime_of, state_of
+from mahovik.out.functions.given import Keys, Number, StandGiven, regime_of, state_of, time
 from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 from mahovik.out.functions.table import Column, Table, split_unit
 from mahovik.use.simulate.case import HINT, START_KEYS, Case
@@ -83,12 +83,12 @@ class Simulation(Table):
 
 def simulate(
     stand: StandGiven,
-    until: float,
+    until: Number,
     *,
     regime: Regime | Keys | str | Path | None = None,
     start: State | Keys | str | Path | None = None,
-    dt: float = 1e-4,
-    every: float = 1e-3,
+    dt: Number = 1e-4,
+    every: Number = 1e-3,
     order: int = 4,
     backend: str = "c",
     mounts: bool = False,
@@ -96,11 +96,11 @@ def simulate(
     carried: bool = False,
     progress: OnProgress | None = None,
 ) -> Simulation:
-    """Simulate a stand for `until` s.
+    """Simulate a stand until a time. Times are numbers in s, or texts with a unit, "500 ms".
 
     regime   speeds or torques of the flywheels and wrenches; None: the flywheels keep the speeds of `start`
     start    the state at t = 0; None: the static equilibrium
-    dt       the longest step, s; every: time between rows, s; order of the step: 4 or 2
+    dt       the longest step; every: time between rows; order of the step: 4 or 2
     backend  "c", the generated C, or "scipy", the literal reference
     mounts   also the wrench of the mount on each flywheel
     real     element type of the C: "double", or "float" to see what a board's `step` makes of the motion
@@ -109,15 +109,15 @@ def simulate(
     Ctrl-C keeps the rows so far. Raises StandError, RegimeError, UsageError, StateError, ToolchainError, CheckError
     where there is no equilibrium to begin from.
     """
-    own = Stand.of(stand)
-    chosen, state = _beginning(own, regime, start, until)
-    case = Case(own, chosen, state, until, every, dt, order, real, carried)
+    own, end = Stand.of(stand), time("--until", until)
+    chosen, state = _beginning(own, regime, start, end)
+    case = Case(own, chosen, state, end, time("--every", every), time("--dt", dt), order, real, carried)
     warn_of_steps(case)
     if backend == "c":
-        for each in long_steps(own, dt, chosen.has_speed_law):
+        for each in long_steps(own, case.dt, chosen.has_speed_law):
             warn(str(each))
     words = f"simulate {own.name}"
-    return Simulation(own, run_case(case, backend, mounts, lambda t: tell(progress, Progress(words, t, until))))
+    return Simulation(own, run_case(case, backend, mounts, lambda t: tell(progress, Progress(words, t, end))))
 
 
 def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Regime, State]:

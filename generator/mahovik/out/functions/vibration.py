@@ -12,7 +12,7 @@ import numpy as np
 from mahovik.core.stand.units import SPEED
 from mahovik.out.api.fields import Array
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import Number, StandGiven, by_flywheel, quantity
+from mahovik.out.functions.given import Number, StandGiven, by_flywheel, quantity, time_limit
 from mahovik.out.functions.motor_limits import warn_of_speeds
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
@@ -238,7 +238,7 @@ def quiet(
     orders: Sequence[int] = (1, 2),
     guard: float = 0.02,
     seed: int = 0,
-    seconds: float | None = None,
+    seconds: Number | None = None,
     backend: str | None = "c",
     progress: OnProgress | None = None,
 ) -> Quiet:
@@ -265,6 +265,7 @@ def quiet(
     def speed(name: str, value: Number | None) -> float | None:
         return None if value is None else quantity(name, value, SPEED)
 
+    allowed = time_limit("seconds", seconds)
     given = None if speeds is None else tuple(by_flywheel("speeds", speeds, own, SPEED))
     if given is not None:
         warn_of_speeds(own, given, [""] * len(given))
@@ -275,4 +276,4 @@ def quiet(
         speed("limit", limit), speed("least", least) or 0.0, speed("change", change), reduction,
         tuple((a, b) for a, b in avoid), tuple(orders), modes, margin, guard, seed,
     )  # fmt: skip
-    return Quiet(find(own, options, seconds, backend, lambda words: tell(progress, Progress(words))))
+    return Quiet(find(own, options, allowed, backend, lambda words: tell(progress, Progress(words))))

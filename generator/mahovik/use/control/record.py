@@ -75,7 +75,7 @@ class Record:
     def write_row(
         self, n: int, t: float, own: Plant, q: Array, required: Array, apart: Array, command: Array, corrections: Array
     ) -> None:
-        """Write row n."""
+        """Keep the plant and its firmware at t (s) as row n; the first row tells how many corrections there are."""
         if n == 0 and corrections.shape != self.corrections.shape[1:]:
             self.corrections = np.zeros((len(self.t), *corrections.shape))
         self.t[n] = t

@@ -222,7 +222,7 @@ def search(
 
 
 def _run_start(task: Task, start: Design, budget: Budget, state: Search) -> None:
-    """Run one start."""
+    """Refine one start, and remember what it reaches before the budget is spent."""
     state.starts += 1
     reached = refine(task, start, budget)
     if reached is None:

@@ -128,7 +128,7 @@ class Task:
         return np.concatenate([self.space.least, -rest]) / scale, np.concatenate([self.space.most, rest]) / scale
 
     def rows(self, design: Design, weighing: Weighing) -> Array:
-        """All rows at a design."""
+        """Terms whose squares the search makes least, without units: weighted residuals first; rows of `jacobian`."""
         return self._evaluate(design, weighing, False)[0]
 
     def jacobian(self, design: Design, weighing: Weighing) -> Array:

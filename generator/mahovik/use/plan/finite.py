@@ -219,7 +219,7 @@ class SplineBatch(StartBatch):
         return n - 1
 
     def motion(self, k: int) -> SplineMotion:
-        """Motion k."""
+        """One of the motions, as splines over the duration; winding in turns."""
         return SplineMotion(self.problem.motion.span, self.windings[k], self.waves[k], self.bias)
 
 

@@ -259,5 +259,5 @@ class StartBatch:
         return type(self)(self.problem, self.windings[which], np.array(motions), self.bias)
 
     def motion(self, k: int) -> Periodic:
-        """Motion k."""
+        """One of the motions, as a Fourier series over the period; winding in turns."""
         return Periodic(self.problem.motion.span, self.windings[k], self.waves[k], self.bias)

@@ -67,7 +67,7 @@ class Reach:
 
 
 def reach(stand: Stand) -> Reach:
-    """The reach of a stand."""
+    """What flywheels exert on the carrier, in E1 about O1: by their unbalances, and by torques about their axes."""
     own = Mechanics.of(stand)
     unbalance = np.hypot(
         own.coupling_slope[1, :6, 0], own.coupling_slope[2, :6, 0]

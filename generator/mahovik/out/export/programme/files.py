@@ -147,7 +147,7 @@ def _course(programme: Programme, layout: Layout, prescribed: RequiredCourse | N
 
 
 def _measure_errors(layout: Layout, table: Table, prescribed: RequiredCourse | None) -> tuple[Table, Errors]:
-    """A table with its errors."""
+    """The table as its C plays it, and how far that is from the course: angles, speeds and torques."""
     made = lower_programme(layout, [table.form])
     player = Player(made, {table.form.part: table.value})
     return table, errors(player, made.courses[0], table, layout.precision, prescribed)

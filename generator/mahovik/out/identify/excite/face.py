@@ -13,11 +13,10 @@ from numpy.typing import NDArray
 
 from mahovik.core.motion.programme import Programme as CoreProgramme
 from mahovik.core.stand.state import State
-from mahovik.core.stand.units import TIME
 from mahovik.errors import CheckError, StandError, StateError, UsageError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import Number, StandGiven, quantity
+from mahovik.out.functions.given import Number, StandGiven, time, time_limit
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.programmes import Programme
 from mahovik.out.functions.table import Column, Table
@@ -226,7 +225,7 @@ def excite(
     rate: float = 1000.0,
     criterion: Criterion = "A",
     harmonics: int = 2,
-    seconds: float | None = None,
+    seconds: Number | None = None,
     seed: int = 0,
     progress: OnProgress | None = None,
 ) -> Excitation:
@@ -243,12 +242,13 @@ def excite(
     rate          samples per second
     criterion     "A": least mean variance; "D": least volume of the ellipsoid of confidence
     harmonics     of the speed, whole multiples of 1/duration
-    seconds       limits the search; None: a number of programmes alone
+    seconds       limits the search, also as "1 min"; None: a number of programmes alone
 
     Ctrl-C gives the best so far. Raises StandError, UsageError, CheckError.
     """
     own = Stand.of(stand)
-    span, read = quantity("--duration", duration, TIME), chosen_channels(own, channels)
+    span, read = time("--duration", duration), chosen_channels(own, channels)
+    allowed = time_limit("seconds", seconds)
     _require_experiment(own, read, span, rate, criterion, harmonics)
     bounds = bounds_of(own, speed, speed_min, acceleration, torque, span)
     noises = noise_of_channels(read, noise or {})
@@ -258,7 +258,7 @@ def excite(
     courses = Courses(own, bounds, span, harmonics)
     tell(progress, Progress("compiling"))
     even = _try_numbers(experiment, courses, bounds, courses.even(), 0.0, start)
-    budget = Budget(EVALUATIONS, seconds)
+    budget = Budget(EVALUATIONS, allowed)
 
     def value(numbers: Array) -> float:
         tell(progress, Progress("searching", budget.steps_taken, EVALUATIONS))

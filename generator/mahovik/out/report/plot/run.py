@@ -233,7 +233,7 @@ def follows_programme(columns: Mapping[str, Array]) -> bool:
 
 
 def last_samples(columns: Mapping[str, Array]) -> dict[str, Array]:
-    """The last samples of all columns."""
+    """The columns cut to their end, which is short enough to see the motion itself."""
     return {name: values[-LAST_SAMPLES:] for name, values in columns.items()}
 
 

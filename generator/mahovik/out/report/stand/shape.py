@@ -97,7 +97,7 @@ class Shape:
 
 
 def shape_of(stand: Stand) -> Shape:
-    """The shape of a stand."""
+    """The bodies as solids, with what marks the picture, in E1 about O1, m."""
     solids = [_solid(stand, body) for body in (stand.carrier, *stand.instruments)]
     places = [placement_in_carrier(stand, s) for s in stand.flywheels]
     reach = [float(np.linalg.norm(s.center) + np.abs(s.axes).max()) for s in solids]

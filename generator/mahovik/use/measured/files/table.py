@@ -26,7 +26,7 @@ class Table:
 
 
 def package(name: str, extra: str, source: str) -> ModuleType:
-    """A package of an extra. Raises UsageError."""
+    """A package that only an extra installs. Raises UsageError with the command that installs it."""
     try:
         return import_module(name)
     except ImportError:

@@ -163,7 +163,7 @@ def finite_ocp(
 
 @dataclass(frozen=True, eq=False)
 class _PlanRuns(Generic[Kind]):
-    """All runs of one plan."""
+    """Choices in common of all runs of IPOPT for one plan; they differ in their start."""
 
     problem: Problem
     cost: Cost
