@@ -12,12 +12,9 @@ from campaigns.computing import computation, tables_of
 from cli.test_eval_held import TEXT
 from identify.test_held import table
 from mahovik.core.stand.read import loads
-from mahovik.errors import StandError, UsageError
+from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
 from study.test_response_held import shaker
-
-PEAK = {"peak": "force", "of": "hold", "axis": "x"}
-"""Force of the hold along x, across the axis of the first wheel."""
 
 
 def forces(run: dict[str, Any], statistic: str = "peak") -> Any:
@@ -112,9 +109,3 @@ def test_samples_begin_at_their_own_rest() -> None:
     assert not any(reasons)
     assert found["force"] == pytest.approx(np.full(3, 2.5 * 9.81), rel=1e-9)
     assert np.all(found["rate"] < 1e-9)
-
-
-def test_servos_take_no_held_carrier() -> None:
-    with pytest.raises(StandError, match="over: servo: hold: found a held carrier"):
-        computation(table([], first={"static": "1 g mm"}, second={}),
-                    {"programme": "p.json", "motion": "m.toml", "servo": "s.toml"}, {"x": PEAK})  # fmt: skip

@@ -8,7 +8,6 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from mahovik.core.stand.hold import refuse_hold
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.structure import structure
 from mahovik.errors import UsageError
@@ -82,8 +81,6 @@ def prepare(
     if not wanted:
         raise UsageError("quantity: none, expected at least one")
     own = Stand.of(stand)
-    if over.servo is not None:
-        refuse_hold(own, "over: servo")
     quantities = quantities_of(own, over, wanted, folder, user_functions or {})
     try:
         return Computation(_runner(own, over, quantities, folder), quantities)

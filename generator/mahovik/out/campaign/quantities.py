@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from mahovik.core.motion.servo import COORDINATES
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.names import name_problem
@@ -106,7 +105,7 @@ def _quantity(
         if given not in known:
             raise UsageError(f"{table.statistic}: no {what} `{given}` over {kind}; expected one of {', '.join(known)}")
     if kind == "servo" and table.signal == "error":
-        _check_servo_error(table)
+        _check_servo_error(stand, table)
     if kind == "states" and table.after:
         raise UsageError("after: not over states, which have no time")
     signal = SIGNALS[table.signal]
@@ -144,7 +143,7 @@ def _units_of_coordinates(stand: Stand) -> dict[str, str]:
     return dict(zip(own.names, own.unit_names, strict=True))
 
 
-def _check_servo_error(table: WantedTable) -> None:
+def _check_servo_error(stand: Stand, table: WantedTable) -> None:
     """Raise UsageError for what `follow` does not say of an error."""
     known = ("peak", "rms", "mean", "end")
     if table.statistic not in known:
@@ -152,7 +151,8 @@ def _check_servo_error(table: WantedTable) -> None:
             f"{table.statistic}: error: expected one of {', '.join(known)} with servos, as `follow` gives them"
         )
     if table.statistic == "mean" and table.axis is None:
-        raise UsageError(f"axis: required with the mean of the error; expected one of {', '.join(COORDINATES)}")
+        known_axes = ", ".join(_units_of_coordinates(stand))
+        raise UsageError(f"axis: required with the mean of the error; expected one of {known_axes}")
     for key in ("after", "band"):
         if key in table.model_fields_set:
             raise UsageError(f"{key}: not allowed with `error` and servos: the last periods are measured")

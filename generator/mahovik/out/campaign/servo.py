@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 
-from mahovik.core.motion.servo import COORDINATES
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.state import State
 from mahovik.errors import MahovikError
@@ -37,12 +36,12 @@ class ServoRunner:
     def __init__(self, stand: Stand, over: OverTable, quantities: Sequence[Quantity], folder: Path) -> None:
         """Raises UsageError, CheckError and what the files raise."""
         self.stand, self._quantities = stand, quantities
-        self._made = compile_library(stand, "double", ELEMENT["double"], None, parallel=False)
         assert over.programme is not None and over.motion is not None and over.servo is not None
         self._case = following_case(
             stand, folder / over.motion, folder / over.programme, folder / over.servo, 0.0, 1, over.periods, over.begin,
             over.table or TABLE, "c",
         )  # fmt: skip
+        self._made = compile_library(stand, "double", ELEMENT["double"], None, parallel=False)
 
     def values(self, tables: Tables) -> tuple[dict[str, Array], list[str]]:
         """See `compute.Runner`."""
@@ -92,9 +91,9 @@ def plant_of_sample(block: Block, lane: int, stand: CoreStand, state: State) -> 
 
 
 def error_value(errors: Following | Tracking, statistic: str, axis: str) -> float:
-    """A figure of `follow`: of one coordinate, or the share of all six."""
+    """A figure of `follow`: of one coordinate, or the share of all."""
     if axis:
-        return float(getattr(errors, statistic)[COORDINATES.index(axis)])
+        return float(getattr(errors, statistic)[errors.coordinates.names.index(axis)])
     return float(getattr(errors, {"peak": "share", "rms": "share_rms", "end": "share_end"}[statistic]))
 
 

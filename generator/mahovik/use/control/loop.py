@@ -90,7 +90,7 @@ def close_loop(
     ToolchainError if it cannot begin.
     """
     start = starting_state(case)
-    own = plant(case.real, start, case.backend)
+    own = make(case.real, start, case.backend)
     record = Record.empty(case.reference, case.first, case.last, case.servo.period, start)
     loop, n = _Loop(case, own, record), case.first
     try:
