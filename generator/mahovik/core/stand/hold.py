@@ -13,12 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.fields import ZERO3, Angle3, Direction, Length3, Table, validator
-from mahovik.core.stand.model import TWIST_LETTERS, Freedom, Hold, Stand, Vec3, Vec6
+from mahovik.core.stand.model import TWIST_LETTERS, Freedom, Hold, Vec3, Vec6
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.shapes import vector
 from mahovik.core.stand.toml import line_of, value_of
 from mahovik.core.stand.units import PLAIN, QuantityError, show
-from mahovik.errors import StandError
 from mahovik.nearest import suggestion
 
 Array = NDArray[np.float64]
@@ -360,13 +359,6 @@ def lines(hold: Hold) -> list[str]:
     if kinds and kinds[0] != "twist" and any(hold.pivot):
         own.append(line_of("pivot", hold.pivot))
     return ["", "[hold]", *own, line_of("position", hold.position), line_of("angles", hold.angles)]
-
-
-def refuse_hold(stand: Stand, source: str) -> None:
-    """StandError for a held carrier, where only a free one can be taken."""
-    if stand.hold is not None:
-        expected = "expected a stand without [hold]; take it out to treat the carrier as free"
-        raise StandError([f"{source}: hold: found a held carrier, {expected}"])
 
 
 def twist_of(hold: Hold, u: Sequence[float]) -> Vec6:

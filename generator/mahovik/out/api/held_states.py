@@ -19,7 +19,8 @@ from mahovik.core.stand.hold import (
 )
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.errors import InputError
-from mahovik.use.simulate.held import ALLOWED, home
+from mahovik.proof.verify.held import ALLOWED
+from mahovik.use.simulate.held import home
 
 Array = NDArray[Any]
 

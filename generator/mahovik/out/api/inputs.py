@@ -13,8 +13,8 @@ from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Hold
 from mahovik.core.stand.units import show
 from mahovik.errors import InputError
 from mahovik.nearest import suggestion
+from mahovik.proof.verify.held import blocked_twist
 from mahovik.proof.verify.states import ROUNDING
-from mahovik.use.simulate.held import blocked_twist
 
 Array = NDArray[Any]
 Given = ArrayLike | Mapping[str, ArrayLike]

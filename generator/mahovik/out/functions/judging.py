@@ -7,7 +7,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from mahovik.core.stand.hold import refuse_hold
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
@@ -67,8 +66,6 @@ def judge(
     cannot start.
     """
     own = Stand.of(stand)
-    if log is not None or fmu is not None:
-        refuse_hold(own, Path(stand).name)
     if sum(each is not None for each in (command, log, fmu)) != 1:
         raise UsageError("--with, --log, --fmu: expected one of them")
     if (fmu is None) != (variables is None):
@@ -130,7 +127,7 @@ def _judge_program(
         by_id = {request.id: result for request, result in zip(requests, results, strict=True)}
         return lambda request: by_id[request.id]
 
-    return _explain(stand, found, explain, answers, seed, tolerance, None, progress, actuators)
+    return _explain(stand, found, explain, answers, seed, tolerance, None, progress, actuators, program.on_hold)
 
 
 def _judge_log(
@@ -171,13 +168,14 @@ def _explain(
     states: States | None,
     progress: OnProgress | None,
     actuators: bool = False,
+    on_hold: bool = False,
 ) -> Verification:
     """The verdict with its diagnosis, where one is asked for and possible."""
     if not explain or found.error:
         return Verification(found)
     tell(progress, Progress("distinguish faults"))
     try:
-        return Verification(found, _diagnosis(stand, found, answers, seed, tolerance, states, actuators))
+        return Verification(found, _diagnosis(stand, found, answers, seed, tolerance, states, actuators, on_hold))
     except CheckError as error:
         return Verification(replace(found, error=str(error)))
 
@@ -190,10 +188,12 @@ def _diagnosis(
     tolerance: float,
     states: States | None,
     actuators: bool,
+    on_hold: bool,
 ) -> Diagnosis:
     """Diagnosis of what differs, for the wants that it offers. `states`: the only ones with answers, or None.
 
-    `actuators`: the program takes deflections of fins and speeds of propellers.
+    `actuators`: the program takes deflections of fins and speeds of propellers. `on_hold`: it takes only poses that the
+    hold of a held carrier allows.
 
     Raises CheckError, UsageError.
     """
@@ -209,7 +209,7 @@ def _diagnosis(
     if not offered:
         return Diagnosis("nothing", failed=_failure_words(found))
     rows = None if states is None else telling_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
-    diagnoser = Diagnoser(stand, seed, offered, rows, tolerance, actuators)
+    diagnoser = Diagnoser(stand, seed, offered, rows, tolerance, actuators, on_hold)
     diagnosed = diagnoser.diagnose(answers(diagnoser.requests))
     if diagnosed.outcome in ("equal", "rounding"):
         return replace(diagnosed, failed=_failure_words(found, diagnosed.wrong))
@@ -224,7 +224,7 @@ def _diagnosis(
     rounding = ROUNDING if tolerance <= DOUBLE.default else tolerance
     if states is not None:
         states = spread_rows(states, ROWS_OF_TERMS * count(stand))
-    terms = TermSearch(stand, seed, searched, states, rounding, actuators)
+    terms = TermSearch(stand, seed, searched, states, rounding, actuators, on_hold)
     try:
         return diagnosed.with_terms(terms.find(answers(terms.requests)))
     except CheckError as error:

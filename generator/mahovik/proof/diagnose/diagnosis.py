@@ -129,17 +129,19 @@ class Diagnoser:
         states: Sequence[tuple[str, State]] | None = None,
         tolerance: float = DOUBLE.default,
         actuators: bool = False,
+        on_hold: bool = False,
     ) -> None:
         """`states`: the only ones with answers, by name, as in a log; None: those that tell faults apart best.
 
         `tolerance`: accepted difference, relative to the natural scale; that of float is a rounding in any case.
 
-        `actuators`: the program takes deflections of fins and speeds of propellers.
+        `actuators`: the program takes deflections of fins and speeds of propellers. `on_hold`: it takes only poses that
+        the hold allows.
         """
         self._stand = stand
         self._bounds = [each if each.default >= tolerance else uniform(tolerance) for each in (DOUBLE, FLOAT)]
         if states is None:
-            states = separating_states(stand, seed, actuators)
+            states = separating_states(stand, seed, actuators, on_hold)
         asked = [
             (number, Request(f"{name}, {want}", state, (want,)))
             for number, (name, state) in enumerate(states)

@@ -11,7 +11,7 @@ import subprocess
 import threading
 from collections import deque
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import IO, Any
 
 import numpy as np
@@ -27,6 +27,7 @@ from mahovik.proof.verify.bounds import DOUBLE, uniform
 from mahovik.proof.verify.compare import Judge, Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import applicable, report
+from mahovik.proof.verify.held import onto_hold
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.states import LONGEST, Request, excerpt, state_line
 from mahovik.proof.verify.torque_want import WANT as TORQUE_FOR
@@ -44,6 +45,10 @@ class Program:
     words: tuple[str, ...]
     offers: tuple[str, ...] = ()
     """Wants that it may offer; none given: those that the carrier has."""
+    optional: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: OPTIONAL)
+    """Quantities that it may leave out of a want that it offers."""
+    on_hold: bool = False
+    """Whether it takes only poses of a held carrier that the hold allows."""
 
 
 def program_of(command: str, stand_file: str) -> Program:
@@ -70,6 +75,8 @@ def verify_program(
     Raises UsageError where it cannot be started, or a want is of tasks and the stand has none.
     """
     states = draw(stand, seed, count, wrenches=False)
+    if program.on_hold:
+        states = [(name, onto_hold(stand, state)) for name, state in states]
     if actuators:
         states = _with_actuators(stand, states, seed)
     setting = TaskSetting(stand, uniform(tolerance), seed)
@@ -83,7 +90,7 @@ def verify_program(
         found = answers_of(program, requests, timeout)
     except CheckError as error:
         return report(stand, program.name, seed, len(states), tolerance, (), str(error))
-    rows = _rows(setting, requests, found, tolerance, bool(wants))
+    rows = _rows(setting, requests, found, tolerance, bool(wants), program.optional)
     return report(stand, program.name, seed, len(states), tolerance, rows)
 
 
@@ -183,6 +190,7 @@ def _rows(
     found: Sequence[Mapping[str, Any]],
     tolerance: float,
     required: bool,
+    optional: Mapping[str, tuple[str, ...]],
 ) -> list[Row]:
     """Rows of the wants it offers; one row for each it does not."""
     stand = setting.stand
@@ -194,7 +202,7 @@ def _rows(
         by_want.setdefault(request.want[0], []).append(result)
     # of each want it offers, the optional quantities that are in no result; one that is in some must be in all
     omitted = {
-        want: tuple(name for name in OPTIONAL.get(want, ()) if not any(name in result for result in results))
+        want: tuple(name for name in optional.get(want, ()) if not any(name in result for result in results))
         for want, results in by_want.items()
         if not all("error" in result for result in results)
     }

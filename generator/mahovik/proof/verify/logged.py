@@ -14,6 +14,9 @@ from mahovik.proof.verify.harness import report
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.states import Request
 
+OF_HELD = frozenset(("reaction",))
+"""Quantities of a held carrier that the answer of a want may leave out: they have a want of their own."""
+
 
 def verify_log(
     stand: Stand,
@@ -26,10 +29,12 @@ def verify_log(
 ) -> Report:
     """Judge the rows of a log, `answers` by want and by name of the state. `wants`: those it must answer."""
     judge = Judge(stand, uniform(tolerance), Second(stand), "log")
+    given = {want: set().union(*rows.values()) for want, rows in answers.items()}
     for name, state in states:
         for want in wants or answers:
             if name in answers.get(want, {}):
-                judge.compare(Request(f"{name}, {want}", state, (want,)), want, answers[want][name])
+                left_out = () if stand.hold is None else OF_HELD - given[want]
+                judge.compare(Request(f"{name}, {want}", state, (want,)), want, answers[want][name], left_out)
     rows = judge.rows()
     rows += [
         Row(want, want, verdict="MISSING", reason="no row of the log has it") for want in wants if not answers.get(want)

@@ -30,6 +30,7 @@ from mahovik.nearest import suggestion
 from mahovik.proof.verify.dependence import depends_on
 from mahovik.proof.verify.states import read_request
 from mahovik.use.measured.files.table import Table
+from mahovik.use.measured.held_log import HeldColumns, groups_of
 from mahovik.use.measured.quantities import HeaderError, is_time, split_header, time_scale
 from mahovik.use.measured.rates import rates_of
 from mahovik.use.measured.read import read_tables
@@ -42,13 +43,21 @@ MOST_ROWS = 2000
 
 AXES = "xyz"
 
-ANSWERS = {"forward": "V_dot", "torque": "tau", "mounts": "mount_wrench"}
+ANSWERS = {"forward": "V_dot", "torque": "tau", "mounts": "mount_wrench", "reaction": "reaction"}
 """Wants that a log may answer, and the quantity that answers each."""
 
 SPEEDS = {"V_dot": "V", "phi_ddot": "phi_dot"}
 """Accelerations, and the speeds that they may be derived from."""
 
-NEEDS = {"forward": ("phi_ddot",), "torque": ("V_dot", "phi_ddot"), "mounts": ("V_dot", "phi_ddot")}
+ACCELERATIONS = ("V_dot", "u_dot", "phi_ddot")
+"""Inputs that not every want needs."""
+
+NEEDS = {
+    "forward": ("phi_ddot",),
+    "torque": ("V_dot", "phi_ddot"),
+    "mounts": ("V_dot", "phi_ddot"),
+    "reaction": ("V_dot", "phi_ddot"),
+}
 """Inputs of these wants besides the state."""
 
 
@@ -71,8 +80,6 @@ class StateLog:
 
 def read_state_log(path: Path, stand: Stand) -> StateLog:
     """The rows of a log of a stand. Raises DataError."""
-    if stand.hold is not None:
-        raise DataError([f"{path}: a log of a held carrier is not read; judge its program with --with"])
     if path.suffix.lower() not in SUFFIXES:
         raise DataError([f'{path}: unknown format "{path.suffix}", expected {" or ".join(SUFFIXES)}'])
     (table,) = read_tables(path)
@@ -87,13 +94,18 @@ class _Reader:
         self._groups = dict(_groups(stand))
         self._notes = list(table.notes)
         self._values = self._gather(self._scale_columns(table))
+        self._held = None if stand.hold is None else HeldColumns(stand, stand.hold, path, self._values)
+        if self._held is not None:
+            self._held.add_twists(self._rows)
         self._error = self._derive(table)
+        if self._held is not None:
+            self._held.add_rates()
 
     def log(self) -> StateLog:
         """All rows with the numbers of a state. Raises DataError."""
         wants = [want for want in ANSWERS if self._answers(want)]
         self._require(wants)
-        inputs = [key for key in self._values if key not in ("tau", "mount_wrench", "V_dot", "phi_ddot")]
+        inputs = [key for key in self._values if key not in (*ANSWERS.values(), *ACCELERATIONS)]
         found: list[tuple[str, State]] = []
         answers: dict[str, dict[str, dict[str, Any]]] = {want: {} for want in wants}
         missing = dict.fromkeys(("a state", *wants), 0)
@@ -103,7 +115,7 @@ class _Reader:
             self._notes.append(f"{MOST_ROWS} of {self._rows} rows are compared, spread evenly")
         for k in taken.tolist():
             name = f"row {k + 1}"
-            given = {key: self._values[key][k] for key in (*inputs, "V_dot", "phi_ddot") if key in self._values}
+            given = {key: self._values[key][k] for key in (*inputs, *ACCELERATIONS) if key in self._values}
             whole = {key for key, value in given.items() if np.isfinite(value).all()}
             if not set(inputs) <= whole:
                 missing["a state"] += 1
@@ -113,6 +125,8 @@ class _Reader:
                 value = self._values[ANSWERS[want]][k]
                 if np.isfinite(value).all() and {key for key in NEEDS[want] if key in self._groups} <= whole:
                     answers[want][name] = {ANSWERS[want]: value.tolist()}
+                    if want == "forward" and self._held is not None:
+                        answers[want][name]["u_dot"] = self._values["u_dot"][k].tolist()
                 else:
                     missing[want] += 1
         self._notes += [
@@ -183,21 +197,29 @@ class _Reader:
 
     def _answers(self, want: str) -> bool:
         """Whether there are columns of a want and of what it needs."""
+        if want == "forward" and self._held is not None and self._held.clamped:
+            return False  # there is no motion to find
         keys = (ANSWERS[want], *(key for key in NEEDS[want] if key in self._groups))
         return all(key in self._values for key in keys)
 
     def _require(self, wants: Sequence[str]) -> None:
         """Raises DataError where an input of every answer is missing, or there are no answers."""
         needed = [key for key in ("V", "phi", "phi_dot") if key in self._groups]
-        problems = [self._missing(key, "every state has them") for key in needed if key not in self._values]
+        instead = ", or " + " ".join(name for name, _ in self._groups["u"]) if "u" in self._groups else ""
+        problems = [
+            self._missing(key, f"every state has them{instead if key == 'V' else ''}")
+            for key in needed
+            if key not in self._values
+        ]
         if not problems and not wants:
             need = " and ".join(key for key in ("V_dot", "phi_ddot") if key in self._groups and key not in self._values)
             problems.append(self._missing(need.split(" ")[0], "there is nothing to compare") if need else "")
         if not problems:
             attitude = any(key in self._values for key in ("quaternion", "angles"))
-            if not attitude and depends_on(self._stand, wants, "quaternion"):
+            known = self._held is not None and self._held.has_coordinates
+            if not known and not attitude and depends_on(self._stand, wants, "quaternion"):
                 problems.append(self._missing("quaternion", "this stand depends on its attitude"))
-            if "position" not in self._values and depends_on(self._stand, wants, "position"):
+            if not known and "position" not in self._values and depends_on(self._stand, wants, "position"):
                 problems.append(self._missing("position", "this stand depends on its position"))
         if "quaternion" in self._values and "angles" in self._values:
             problems.append(f"{self._path}: columns of a quaternion and of angles, expected one of them")
@@ -210,6 +232,8 @@ class _Reader:
 
     def _state(self, name: str, given: dict[str, Any]) -> State:
         try:
+            if self._held is not None:
+                return self._held.state(given)
             return read_request(self._stand, {**given, "want": ["forward"]}).state
         except StateError as error:
             raise DataError([f"{self._path}: {name}: {error}"]) from None
@@ -229,6 +253,8 @@ def _groups(stand: Stand) -> Iterator[tuple[str, list[tuple[str, Dimension]]]]:
     yield "angles", [(name, ANGLE) for name in ("psi", "theta", "phi")]
     yield "V", twist("v", "omega", (VELOCITY, SPEED))
     yield "V_dot", twist("v_dot", "omega_dot", (ACCELERATION, ANGULAR_ACCELERATION))
+    if stand.hold is not None:
+        yield from groups_of(stand.hold)
     if not stand.flywheels:
         return
     for key, dimension in (

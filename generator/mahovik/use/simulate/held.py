@@ -10,25 +10,21 @@ from typing import cast
 import numpy as np
 
 from mahovik.core.stand.hold import (
-    TWIST_NAMES,
     freedom_names,
     has_coordinates,
     is_closed,
     numbered_freedoms,
     twist_of,
     twists,
-    words,
 )
 from mahovik.core.stand.model import Hold, Stand, Vec3
-from mahovik.core.stand.state import Quaternion, State, rest_state
+from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import UsageError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.coordinates import coordinates_at, rates_at
-from mahovik.proof.reference.rotation import attitude, carrier_rotation
+from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.reference.screw import cross
-
-ALLOWED = 1e-6
-"""m, rad; m/s, rad/s: a start may be off what the hold allows by as much as figures of six digits are."""
+from mahovik.proof.verify.held import ALLOWED, freedoms, home_attitude, quaternion_of, with_pose, worst
 
 
 def rates(hold: Hold, V: Sequence[float] | Array) -> tuple[float, ...]:
@@ -37,24 +33,12 @@ def rates(hold: Hold, V: Sequence[float] | Array) -> tuple[float, ...]:
     return tuple(np.linalg.lstsq(S, np.array(V), rcond=None)[0].tolist()) if S.shape[1] else ()
 
 
-def blocked_twist(hold: Hold, V: Array) -> str:
-    """Why twists V (6, or n x 6) are not S u, in words; "" where they are, to six digits."""
-    V, S = np.atleast_2d(V), twists(hold)
-    off = V - (S @ np.linalg.lstsq(S, V.T, rcond=None)[0]).T if S.shape[1] else V
-    bad = np.flatnonzero(np.abs(off).max(axis=1) > ALLOWED * np.maximum(1.0, np.abs(V).max(axis=1)))
-    if not len(bad):
-        return ""
-    return f"V: moves along {_worst(off[bad[0]])}, which [hold] blocks; expected S u of {_freedoms(hold)}"
-
-
 def home(stand: Stand) -> State:
     """The state at rest in the home pose: all freedoms are zero. Of a free carrier the origin of E0."""
     state = rest_state(stand)
     if stand.hold is None:
         return replace(state, quaternion=(1.0, 0.0, 0.0, 0.0))
-    return replace(
-        state, position=stand.hold.position, quaternion=_quaternion(attitude(stand.angles, *stand.hold.angles))
-    )
+    return replace(state, position=stand.hold.position, quaternion=home_attitude(stand))
 
 
 def move(state: State, C: Array, step: Array) -> State:
@@ -63,7 +47,7 @@ def move(state: State, C: Array, step: Array) -> State:
 
     turned = C @ Rotation.from_rotvec(step[3:]).as_matrix()
     position = np.array(state.position) + C @ (_left_jacobian(step[3:]) @ step[:3])
-    return replace(state, position=cast(Vec3, tuple(position.tolist())), angles=None, quaternion=_quaternion(turned))
+    return replace(state, position=cast(Vec3, tuple(position.tolist())), angles=None, quaternion=quaternion_of(turned))
 
 
 def displacement(start: State, C: Array, state: State) -> Array:
@@ -82,15 +66,7 @@ def complete_start(stand: Stand, state: State, given: Collection[str]) -> State:
     """The start of a held carrier, whose keys are `given`: a missing attitude is that of the home pose, a missing
     position the one where the hold has the carrier. Raises UsageError where the hold does not allow the rest.
     """
-    hold, at_home = stand.hold, home(stand)
-    assert hold is not None
-    if not {"angles", "quaternion"} & set(given):
-        state = replace(state, angles=None, quaternion=at_home.quaternion)
-    if "position" not in given:
-        pivot = np.array(hold.pivot)
-        place = np.array(hold.position) + (carrier_rotation(stand, at_home) - carrier_rotation(stand, state)) @ pivot
-        state = replace(state, position=cast(Vec3, tuple(place.tolist())))
-    return allowed_start(stand, state)
+    return allowed_start(stand, with_pose(stand, state, given))
 
 
 def allowed_start(stand: Stand, state: State) -> State:
@@ -102,14 +78,14 @@ def allowed_start(stand: Stand, state: State) -> State:
         state = replace(state, u=rates(hold, state.V))
     off = np.array(state.V) - np.array(twist_of(hold, state.u))
     if np.abs(off).max() > ALLOWED * max(1.0, float(np.abs(state.V).max())):
-        raise UsageError(f"start: V moves along {_worst(off)}, which [hold] blocks; expected u of {_freedoms(hold)}")
+        raise UsageError(f"start: V moves along {worst(off)}, which [hold] blocks; expected u of {freedoms(hold)}")
     if not _shows_freedoms(hold):
         return state
     off = _off_freedoms(stand, hold, state)
     if np.abs(off).max() > ALLOWED * max(1.0, float(np.abs(state.position).max())):
         raise UsageError(
-            f"start: the pose is off the home pose by {np.abs(off).max():.3g} {_unit(off)} along {_worst(off)}, which "
-            f"[hold] blocks; expected what {_freedoms(hold)} reach, or no position"
+            f"start: the pose is off the home pose by {np.abs(off).max():.3g} {_unit(off)} along {worst(off)}, which "
+            f"[hold] blocks; expected what {freedoms(hold)} reach, or no position"
         )
     return state
 
@@ -166,21 +142,5 @@ def _left_jacobian(r: Array) -> Array:
     return np.asarray(np.eye(3) + first * cross(r) + second * cross(r) @ cross(r))
 
 
-def _quaternion(C: Array) -> Quaternion:
-    from scipy.spatial.transform import Rotation
-
-    x, y, z, w = Rotation.from_matrix(C).as_quat().tolist()
-    return w, x, y, z
-
-
-def _worst(off: Array) -> str:
-    return TWIST_NAMES[int(np.argmax(np.abs(off)))]
-
-
 def _unit(off: Array) -> str:
     return "m" if int(np.argmax(np.abs(off))) < 3 else "rad"
-
-
-def _freedoms(hold: Hold) -> str:
-    found = words(hold).partition(";")[0].partition(", ")[2]
-    return f"the freedoms ({found})" if hold.freedoms else "no freedom, as it is clamped,"

@@ -33,6 +33,7 @@ from mahovik.proof.diagnose.terms.solvable import has_mass_matrix
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.actuators import stand_at, with_drawn_actuators
+from mahovik.proof.verify.held import onto_hold
 from mahovik.proof.verify.states import Request
 
 WANTS = tuple(ANSWERS)
@@ -133,18 +134,20 @@ class TermSearch:
         states: Sequence[tuple[str, State]] | None = None,
         rounding: float = ROUNDING,
         actuators: bool = False,
+        on_hold: bool = False,
     ) -> None:
         """`states`: the only ones with answers, by name, as in a log; None: those that the search asks for.
 
         `rounding`: error over the size of the terms that a right program may have; `actuators`: it takes deflections
-        of fins and speeds of propellers.
+        of fins and speeds of propellers. `on_hold`: it takes only poses that the hold allows.
         """
         rng = np.random.default_rng(seed)
         self._stand, self._rounding = stand, max(rounding, ROUNDING)
         self._own = [_state(stand, rng) for _ in range(math.ceil(MORE * count(stand)) + SPARE)]
         if actuators:
             self._own = [with_drawn_actuators(stand, state, rng) for state in self._own]
-        named = [(f"term {i}", state) for i, state in enumerate(self._own)] if states is None else states
+        asked = [onto_hold(stand, state) for state in self._own] if on_hold else self._own
+        named = [(f"term {i}", state) for i, state in enumerate(asked)] if states is None else states
         self._states = [state for _, state in named]
         self._equations = Equations(stand, self._own)
         self.wants = tuple(

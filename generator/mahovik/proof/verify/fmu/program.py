@@ -18,13 +18,16 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand import read
+from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import DataError, MahovikError, UsageError
 from mahovik.nearest import suggestion
+from mahovik.proof.reference.coordinates import coordinates_at
 from mahovik.proof.reference.rotation import AXES, carrier_rotation
 from mahovik.proof.verify.fmu.mapping import FmuMap, Place, read_map
-from mahovik.proof.verify.foreign import Program
+from mahovik.proof.verify.foreign import OPTIONAL, Program
+from mahovik.proof.verify.held import freedom_rates
 from mahovik.proof.verify.states import Request, read_line
 
 KINDS = (("ModelExchange", "modelExchange"), ("CoSimulation", "coSimulation"))
@@ -39,7 +42,10 @@ def program(fmu: Path, map_file: Path, stand: Stand, stand_file: str) -> Program
     found = read_map(map_file, stand)
     _check_variables(fmu, _description(fmu), found)
     words = (sys.executable, "-m", __name__, str(fmu), str(map_file), stand_file)
-    return Program(str(fmu), words, tuple(found.answers))
+    if stand.hold is None:
+        return Program(str(fmu), words, tuple(found.answers))
+    lacking = {want: ("reaction",) for want, of in found.answers.items() if "reaction" not in of}
+    return Program(str(fmu), words, tuple(found.answers), {**OPTIONAL, **lacking}, on_hold=True)
 
 
 def _description(fmu: Path) -> Any:
@@ -115,7 +121,16 @@ class FmuProgram:
         self._set(instance, later)
         instance.exitInitializationMode()
         quantities = self._map.answers[want].items()
-        return {name: self._shape(name, self._get(instance, places)) for name, places in quantities}
+        return self._whole({name: self._shape(name, self._get(instance, places)) for name, places in quantities})
+
+    def _whole(self, answer: dict[str, Any]) -> dict[str, Any]:
+        """The answer of a held carrier with u_dot and V_dot, where it has one of them."""
+        hold = self._stand.hold
+        if hold is not None and "u_dot" in answer:
+            answer.setdefault("V_dot", (twists(hold) @ np.array(answer["u_dot"])).tolist())
+        elif hold is not None and "V_dot" in answer:
+            answer["u_dot"] = freedom_rates(hold, np.array([answer["V_dot"]]))[0].tolist()
+        return answer
 
     def _fresh(self) -> Any:
         """An instance that nothing was set in yet."""
@@ -139,6 +154,8 @@ class FmuProgram:
                 given = quaternion_of(self._stand, state)
             elif key == "angles":
                 given = angles_of(self._stand, state)
+            elif key in ("q", "orientation"):
+                given = getattr(coordinates_at(self._stand, state), key).tolist()
             else:
                 given = getattr(state, key)
             found |= {place.variable: float(x) / place.factor for place, x in zip(places, given, strict=True)}

@@ -1,0 +1,104 @@
+"""Poses and twists that a hold allows: of a carrier whose pose is given in part, by coordinates, or off the hold."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import replace
+from typing import cast
+
+import numpy as np
+
+from mahovik.core.stand.hold import TWIST_NAMES, has_coordinates, twists, words
+from mahovik.core.stand.model import Hold, Stand, Vec3
+from mahovik.core.stand.state import Quaternion, State
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.coordinates import coordinates_at, pose_of
+from mahovik.proof.reference.rotation import attitude, carrier_rotation
+
+ALLOWED = 1e-6
+"""m, rad; m/s, rad/s: what is given may be off what the hold allows by as much as figures of six digits are."""
+
+
+def blocked_twist(hold: Hold, V: Array) -> str:
+    """Why twists V (6, or n x 6) are not S u, in words; "" where they are, to six digits."""
+    V, S = np.atleast_2d(V), twists(hold)
+    off = V - freedom_rates(hold, V) @ S.T
+    bad = np.flatnonzero(np.abs(off).max(axis=1) > ALLOWED * np.maximum(1.0, np.abs(V).max(axis=1)))
+    if not len(bad):
+        return ""
+    return f"V: moves along {worst(off[bad[0]])}, which [hold] blocks; expected S u of {freedoms(hold)}"
+
+
+def freedom_rates(hold: Hold, V: Array) -> Array:
+    """u (n, m) of twists V = S u (n, 6); of other twists the nearest."""
+    return np.asarray(V @ np.linalg.pinv(twists(hold)).T)
+
+
+def worst(off: Array) -> str:
+    """The name of the largest component of a twist (6)."""
+    return TWIST_NAMES[int(np.argmax(np.abs(off)))]
+
+
+def freedoms(hold: Hold) -> str:
+    """The freedoms in words, within a sentence."""
+    found = words(hold).partition(";")[0].partition(", ")[2]
+    return f"the freedoms ({found})" if hold.freedoms else "no freedom, as it is clamped,"
+
+
+def home_attitude(stand: Stand) -> Quaternion:
+    """Attitude of the home pose of a held carrier, w first."""
+    hold = stand.hold
+    assert hold is not None
+    return quaternion_of(attitude(stand.angles, *hold.angles))
+
+
+def quaternion_of(C: Array) -> Quaternion:
+    """Unit quaternion, w first, of a rotation C (3x3)."""
+    from scipy.spatial.transform import Rotation
+
+    x, y, z, w = Rotation.from_matrix(C).as_quat().tolist()
+    return w, x, y, z
+
+
+def with_pose(stand: Stand, state: State, given: Collection[str]) -> State:
+    """The state of a held carrier, whose keys are `given`: a missing attitude is that of the home pose, a missing
+    position the one where the hold has the carrier.
+    """
+    hold = stand.hold
+    assert hold is not None
+    at_home = replace(state, angles=None, quaternion=home_attitude(stand))
+    if not {"angles", "quaternion"} & set(given):
+        state = at_home
+    if "position" in given:
+        return state
+    turned = carrier_rotation(stand, at_home) - carrier_rotation(stand, state)
+    place = np.array(hold.position) + turned @ np.array(hold.pivot)
+    return replace(state, position=cast(Vec3, tuple(place.tolist())))
+
+
+def at_coordinates(stand: Stand, state: State, q: Array, orientation: Array | None) -> State:
+    """The state with the pose of coordinates q (m, rad) from the home pose, and the quaternion of three turns.
+
+    Raises StateError: the freedoms have no coordinates.
+    """
+    hold = stand.hold
+    assert hold is not None
+    still = np.zeros(len(hold.freedoms))
+    found = pose_of(hold, stand.angles, q, orientation, still, still)
+    place = cast(Vec3, tuple(found.position.tolist()))
+    return replace(state, position=place, angles=None, quaternion=quaternion_of(found.C))
+
+
+def onto_hold(stand: Stand, state: State) -> State:
+    """The state with the pose that the hold allows and whose coordinates are those of the state; of a clamped carrier
+    the home pose. As it is where the carrier is free, or its freedoms have no coordinates.
+    """
+    hold = stand.hold
+    if hold is None:
+        return state
+    if not hold.freedoms:
+        return with_pose(stand, state, ())
+    if not has_coordinates(hold):
+        return state
+    here = coordinates_at(stand, state)
+    return at_coordinates(stand, state, here.q, here.orientation)
