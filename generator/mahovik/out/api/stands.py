@@ -15,7 +15,7 @@ from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.read import load as load_file
 from mahovik.core.stand.read import read
 from mahovik.core.stand.units import show
-from mahovik.errors import StandError, UsageError
+from mahovik.errors import UsageError
 from mahovik.out.api.editing import exact, put
 
 
@@ -88,13 +88,6 @@ def examples() -> tuple[str, ...]:
 def example(name: str) -> Stand:
     """An example stand by its name. Raises UsageError for an unknown one."""
     return load(stands.path(name))
-
-
-def refuse_hold(stand: CoreStand, source: str) -> None:
-    """StandError for a held carrier, where only a free one can be taken."""
-    if stand.hold is not None:
-        expected = "expected a stand without [hold]; take it out to treat the carrier as free"
-        raise StandError([f"{source}: hold: found a held carrier, {expected}"])
 
 
 def _read(document: dict[str, Any], source: str) -> Stand:

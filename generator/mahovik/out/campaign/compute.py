@@ -11,7 +11,7 @@ import numpy as np
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.structure import structure
 from mahovik.errors import UsageError
-from mahovik.out.api.stands import Stand, refuse_hold
+from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
 from mahovik.out.campaign.over import OverTable
 from mahovik.out.campaign.pose import Array

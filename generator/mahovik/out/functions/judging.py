@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.api.stands import Stand, refuse_hold
+from mahovik.out.api.stands import Stand
 from mahovik.out.functions.evidence import Verification
 from mahovik.out.functions.given import Number, time
 from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
