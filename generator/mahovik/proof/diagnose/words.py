@@ -71,6 +71,10 @@ def _sentences(diagnosis: Diagnosis) -> list[str]:
             besides = diagnosis.terms.besides
             more = [f"the error of {want} is not a few terms: nothing of it is named" for want in besides]
             return _term_lines(diagnosis.terms) + more
+        case "factors":
+            them = "this" if len(diagnosis.factors) == 1 else "these"
+            lines = [each.sentence() for each in diagnosis.factors]
+            return [*lines, f"with {them} put right nothing is left of the error beyond rounding"]
         case "unknown" if diagnosis.terms is not None and diagnosis.terms.doubtful:
             return _doubtful_lines(diagnosis.terms.doubtful)
         case "unknown":
@@ -129,7 +133,12 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
 
 
 def _parts_of_error(diagnosis: Diagnosis) -> list[dict[str, Any]]:
-    """Parts of the error by name: wrong terms, or faults of the dictionary; none where it has no name."""
+    """Parts of the error by name: factors, wrong terms, or faults of the dictionary; none where it has no name."""
+    if diagnosis.outcome == "factors":
+        return [
+            {"quantities": list(each.quantities), "wants": list(each.wants), "factor": each.factor}
+            for each in diagnosis.factors
+        ]
     if diagnosis.wrong_terms:
         return [
             {
