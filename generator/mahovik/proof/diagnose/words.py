@@ -122,6 +122,7 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
                 "missing": gap.missing,
                 "states": gap.states,
                 "components": {name: list(each) for name, each in gap.components.items()},
+                **({"shapes": {name: [*map(list, pair)] for name, pair in gap.shapes.items()}} if gap.shapes else {}),
             }
             for gap in diagnosis.gaps
         ],
