@@ -73,6 +73,28 @@ def test_nothing_but_gaps(number: float | None) -> None:
     ]
 
 
+def test_another_shape_is_said_with_the_expected_one() -> None:
+    def change(_: Request, found: dict[str, Any]) -> None:
+        found["V_dot"] = found["V_dot"][:3]
+
+    found = diagnosed(change, "forward", "coupled")
+    first, second, *_ = sentences(found)
+    assert first.startswith("forward answers another shape at ") and first.endswith("(shape [3], expected [6])")
+    assert second.startswith("coupled answers another shape at ") and second.endswith(
+        "(V_dot, shape [3], expected [6])"
+    )
+    assert as_object(found)["gaps"][0]["shapes"] == {"V_dot": [[3], [6]]}
+
+    def missing_too(request: Request, found: dict[str, Any]) -> None:
+        change(request, found)
+        if "phi_ddot" in found:
+            found["phi_ddot"] = None
+
+    (gap,) = diagnosed(missing_too, "coupled").gaps
+    assert "answers no number" in gap.sentence()
+    assert gap.sentence().endswith("(V_dot, shape [3], expected [6]; phi_ddot, all components)")
+
+
 def test_two_quantities_of_one_want() -> None:
     def change(_: Request, found: dict[str, Any]) -> None:
         found["V_dot"][0] = found["V_dot"][5] = None

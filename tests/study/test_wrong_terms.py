@@ -230,6 +230,8 @@ def test_a_momentum_without_a_name_hinders_no_other() -> None:
 def test_coupled_is_asked_for_only_where_it_says_more() -> None:
     assert TermSearch(stand_of("shaker2"), wants=("forward", "coupled")).wants == ("forward", "coupled")
     assert TermSearch(stand_of("shaker2"), wants=("forward", "torque", "coupled")).wants == ("forward", "torque")
+    alone = TermSearch(stand_of("shaker2"), wants=("forward", "torque", "coupled"), wrong=("coupled",))
+    assert alone.wants == ("forward", "torque", "coupled")
 
 
 @pytest.mark.slow

@@ -257,3 +257,53 @@ def test_a_term_takes_the_place_of_parts_of_faults_but_not_of_a_whole_one() -> N
     assert one.with_terms(found("pendulum", arm_and_damping)) == one  # two terms say no more than one part of a fault
     rough = Diagnosis("named", (Cause(faults[0], 0.3, 0.05),))
     assert rough.with_terms(found("pendulum", arm_and_damping)).outcome == "terms"
+
+
+def test_an_error_of_coupled_alone_is_looked_for_where_it_alone_differs() -> None:
+    """-0.3 q in u_dot of coupled, not in its accelerations of the wheel: damping of 0.3 of the locked inertia."""
+    stand = stand_of("pendulum")
+    wants = ("forward", "torque", "coupled")
+    assert TermSearch(stand, wants=wants, wrong=("forward", "coupled")).wants == ("forward", "torque")
+    search = TermSearch(stand, wants=wants, wrong=("coupled",))
+    assert search.wants == wants
+
+    def answers(request: Request) -> Mapping[str, Any]:
+        state = held_state(stand, request.state)
+        right = dict(reference.evaluate(stand, state, request.want))
+        if request.want == ("coupled",):
+            right["u_dot"] = right["u_dot"] - 0.3 * state.V[4]
+        return right
+
+    result = search.find(answers)
+    assert result.whole
+    (term,) = result.terms
+    K = reference.pieces(stand, held_state(stand, search.requests[0].state)).K
+    assert (term.want, term.component, term.term) == ("coupled", "M", "q")
+    assert term.error == pytest.approx(-0.3 * K[4, 4])
+
+
+def test_a_constant_has_a_unit_and_that_of_a_reaction_its_own_sign() -> None:
+    def change(_: Any, right: Any, at: Pieces) -> None:
+        right[2] -= 0.5
+
+    lines = sentences(Diagnosis("unknown").with_terms(found("pendulum", change, "reaction")))
+    constant = "a constant of the reaction of 0.5 N (-0.5 on the right-hand side), which should not be there"
+    assert f"  reaction, Z: {constant}; 100% of the error" in lines
+
+    def moment(_: Any, right: Any, at: Pieces) -> None:
+        right[4] += 0.2
+
+    lines = sentences(Diagnosis("unknown").with_terms(found("pendulum", moment)))
+    assert "  forward, M: a constant of 0.2 N m, which should not be there; 100% of the error" in lines
+
+
+def test_the_signs_of_accelerations_are_explained() -> None:
+    def inertia(K: Any, _: Any, at: Pieces) -> None:
+        K[4, 4] *= 0.9
+
+    def arm(_: Any, right: Any, at: Pieces) -> None:
+        right[4] -= 0.2 * whole_moment("pendulum") * at.gravity[0]
+
+    line = "  accelerations stand on the left; the signs of their factors are those on the right, -K"
+    assert line in sentences(Diagnosis("unknown").with_terms(found("pendulum", inertia)))
+    assert line not in sentences(Diagnosis("unknown").with_terms(found("pendulum", arm)))

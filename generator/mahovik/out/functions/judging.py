@@ -177,7 +177,8 @@ def _explain(
         return Verification(found)
     tell(progress, Progress("distinguish faults"))
     try:
-        return Verification(found, _diagnosis(stand, found, answers, seed, tolerance, states, actuators, on_hold))
+        diagnosed = _diagnosis(stand, found, answers, seed, tolerance, states, actuators, on_hold)
+        return Verification(found, diagnosed.by_factors())
     except CheckError as error:
         return Verification(replace(found, error=str(error)))
 
@@ -226,11 +227,12 @@ def _diagnosis(
     rounding = ROUNDING if tolerance <= DOUBLE.default else tolerance
     if states is not None:
         states = spread_rows(states, ROWS_OF_TERMS * count(stand))
-    terms = TermSearch(stand, seed, searched, states, rounding, actuators, on_hold)
+    wrong = [each.partition(":")[0] for each in diagnosed.wrong]
+    terms = TermSearch(stand, seed, searched, states, rounding, actuators, on_hold, wrong)
     try:
         return diagnosed.with_terms(terms.find(answers(terms.requests)))
     except CheckError as error:
-        if not (diagnosed.gaps or known):
+        if not (diagnosed.gaps or diagnosed.factors or known):
             raise
         return diagnosed if known else replace(diagnosed, hindrance=str(error))
 

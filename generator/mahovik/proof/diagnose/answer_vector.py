@@ -122,12 +122,17 @@ def _leaves(
 
 
 def _value_at(values: Any, path: tuple[str, ...], shape: tuple[int, ...]) -> Array | None:
+    numbers = numbers_at(values, path)
+    return numbers if numbers is not None and numbers.shape == shape else None
+
+
+def numbers_at(values: Any, path: tuple[str, ...]) -> Array | None:
+    """Numbers of a quantity in an answer, in whatever shape; None: missing, or no array of numbers."""
     for name in path:
         if not isinstance(values, Mapping) or name not in values:
             return None
         values = values[name]
     try:
-        numbers = np.array(values, dtype=np.float64)
+        return np.array(values, dtype=np.float64)
     except (ValueError, TypeError, OverflowError):
         return None
-    return numbers if numbers.shape == shape else None

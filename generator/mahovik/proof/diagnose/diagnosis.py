@@ -12,6 +12,7 @@ from mahovik.contract.functions import wants_of_carrier
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.diagnose.answer_vector import answer_vector
+from mahovik.proof.diagnose.factors import WholeFactor, whole_factors
 from mahovik.proof.diagnose.gaps import Gap, gaps_of
 from mahovik.proof.diagnose.predict import Part, Predictions
 from mahovik.proof.diagnose.search import EXACT, NAMING_SCORE, Evidence, Finding, Search
@@ -22,7 +23,7 @@ from mahovik.proof.verify.bounds import DOUBLE, FLOAT, Bounds, uniform
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.states import Request
 
-Outcome = Literal["equal", "rounding", "named", "terms", "unknown", "nothing"]
+Outcome = Literal["equal", "rounding", "named", "terms", "factors", "unknown", "nothing"]
 
 Answers = Callable[[Request], Mapping[str, Any]]
 """Answer of a program to a request: empty if it refused."""
@@ -49,7 +50,8 @@ class Diagnosis:
     """Result of the search of a program's error.
 
     outcome     equal: no error beyond double rounding at these states; rounding: none beyond that of float;
-                named: `causes`; terms: `wrong_terms`; unknown: an error that neither explains; nothing: no numbers
+                named: `causes`; terms: `wrong_terms`; factors: `factors`; unknown: an error that none of these
+                explains; nothing: no numbers
     causes      the best first; more than one where answers at these states cannot tell them apart
     confidence  of `named`, 0 to 1: how well the first explains the error, and how much worse the best other does
     others      the next best, for what they are worth
@@ -59,6 +61,7 @@ class Diagnosis:
     gaps        wants with answers that are no numbers, which are left out of all else
     failed      what the table says FAILED where the diagnosis finds no difference: it did not compare this
     hindrance   why wrong terms were not looked for, where gaps leave too few answers
+    factors     of an error that is no whole fault, the constant factors of quantities that explain all of it
     """
 
     outcome: Outcome
@@ -71,6 +74,7 @@ class Diagnosis:
     gaps: tuple[Gap, ...] = ()
     failed: tuple[str, ...] = ()
     hindrance: str = ""
+    factors: tuple[WholeFactor, ...] = ()
 
     @property
     def wrong_terms(self) -> tuple[WrongTerm, ...]:
@@ -82,7 +86,7 @@ class Diagnosis:
         """Whether there is an error, and whether it has a name: that of a fault, or those of wrong terms."""
         if self.outcome in ("equal", "rounding"):
             return "unnamed" if self.gaps or self.failed else "none"
-        return "named" if self.outcome in ("named", "terms") else "unnamed"
+        return "named" if self.outcome in ("named", "terms", "factors") else "unnamed"
 
     @property
     def in_part(self) -> bool:
@@ -103,6 +107,16 @@ class Diagnosis:
             return self
         return replace(after, outcome="terms", causes=(), others=()) if after.wrong_terms else after
 
+    def by_factors(self) -> Diagnosis:
+        """The diagnosis by constant factors of whole quantities, where these are a shorter name than what was found."""
+        if not self.factors or not (self.outcome in ("unknown", "terms") or self.in_part):
+            return self
+        names = len(self.wrong_terms) or min((len(each.parts) for each in self.causes), default=0)
+        count, plain = len(self.factors), all(each.is_plain for each in self.factors)
+        if names and (count > names or (count == names and not plain)):
+            return self
+        return replace(self, outcome="factors", causes=(), others=(), confidence=0.0, terms=None)
+
     def _is_shorter(self, terms: int) -> bool:
         """Whether the causes explain the error to rounding, and are fewer than these wrong terms."""
         names = sum(len(each.parts) for each in self.causes)
@@ -112,6 +126,8 @@ class Diagnosis:
     def unexplained(self) -> float:
         """Part of the error that has no name, 0 to 1."""
         if self.verdict == "none":
+            return 0.0
+        if self.outcome == "factors":
             return 0.0
         if self.terms is not None and self.terms.whole:
             return self.terms.unexplained
@@ -164,7 +180,19 @@ class Diagnoser:
         found = self.whole.fill(answers)
         found[~np.isfinite(found)] = np.nan
         gaps = gaps_of(self._stand, self.whole, found, answers)
-        return replace(self._by_numbers(found), gaps=gaps)
+        diagnosed = replace(self._by_numbers(found), gaps=gaps)
+        if diagnosed.outcome != "unknown" and not diagnosed.in_part:
+            return diagnosed
+        return replace(diagnosed, factors=self._factors(found))
+
+    def _factors(self, found: Array) -> tuple[WholeFactor, ...]:
+        """Constant factors of quantities that are all of the error beyond rounding, in double or else in float."""
+        for bounds in self._bounds:
+            wrong = self._wrong(self._evidence(found, bounds))
+            factors = whole_factors(self.whole, found, wrong, self.whole.noise(bounds))
+            if factors:
+                return factors
+        return ()
 
     def _by_numbers(self, found: Array) -> Diagnosis:
         """The diagnosis by the numbers that there are."""

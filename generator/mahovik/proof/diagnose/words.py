@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from typing import Any
 
+from mahovik.core.stand.model import WRENCH_LETTERS
 from mahovik.proof.diagnose.diagnosis import Cause, Diagnosis
 from mahovik.proof.diagnose.faults import DICTIONARY
 from mahovik.proof.diagnose.predict import Part
@@ -21,6 +23,15 @@ SUREST = 0.999
 
 WRENCH_SIDE = "factors are those on the right-hand side of K V* = ..., of force and moment about {} in E1"
 """The equations that the factors of wrong terms of a wrench belong to, in words."""
+
+WRENCHES = ("forward", "coupled", "reaction")
+"""Wants whose wrong terms are those of a wrench."""
+
+ACCELERATION = re.compile(r"_dot\b|\.acceleration\b")
+"""Factor of a product that is an acceleration."""
+
+CONSTANT = "1"
+"""The product without factors, as it is written."""
 
 MOST_TWINS = 4
 """Number of products that are printed beside one that looks like them."""
@@ -71,6 +82,10 @@ def _sentences(diagnosis: Diagnosis) -> list[str]:
             besides = diagnosis.terms.besides
             more = [f"the error of {want} is not a few terms: nothing of it is named" for want in besides]
             return _term_lines(diagnosis.terms) + more
+        case "factors":
+            them = "this" if len(diagnosis.factors) == 1 else "these"
+            lines = [each.sentence() for each in diagnosis.factors]
+            return [*lines, f"with {them} put right nothing is left of the error beyond rounding"]
         case "unknown" if diagnosis.terms is not None and diagnosis.terms.doubtful:
             return _doubtful_lines(diagnosis.terms.doubtful)
         case "unknown":
@@ -118,6 +133,7 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
                 "missing": gap.missing,
                 "states": gap.states,
                 "components": {name: list(each) for name, each in gap.components.items()},
+                **({"shapes": {name: [*map(list, pair)] for name, pair in gap.shapes.items()}} if gap.shapes else {}),
             }
             for gap in diagnosis.gaps
         ],
@@ -129,7 +145,12 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
 
 
 def _parts_of_error(diagnosis: Diagnosis) -> list[dict[str, Any]]:
-    """Parts of the error by name: wrong terms, or faults of the dictionary; none where it has no name."""
+    """Parts of the error by name: factors, wrong terms, or faults of the dictionary; none where it has no name."""
+    if diagnosis.outcome == "factors":
+        return [
+            {"quantities": list(each.quantities), "wants": list(each.wants), "factor": each.factor}
+            for each in diagnosis.factors
+        ]
     if diagnosis.wrong_terms:
         return [
             {
@@ -154,13 +175,16 @@ def _term_lines(result: TermSearchResult) -> list[str]:
     lines = ["wrong term found:" if count == 1 else f"{count} wrong terms found:"]
     for each in found:
         place = f"{each.want}, {each.component}"
-        lines.append(f"  {place}: {_term_words(each.multiple, each.term)}; {_part(each.share)} of the error")
+        words = _constant_words(each) if each.term == CONSTANT else _term_words(each.multiple, each.term)
+        lines.append(f"  {place}: {words}; {_part(each.share)} of the error")
         if each.twins:
             lines.append(f"    these states do not tell it from {_some(each.twins)}, which the equations do not have")
-    sides = dict.fromkeys(("forward", "coupled", "reaction"), WRENCH_SIDE.format(result.about))
+    sides = dict.fromkeys(WRENCHES, WRENCH_SIDE.format(result.about))
     sides |= {"momentum": f"factors are those in Z about {result.about} in E1"}
     for side in dict.fromkeys(sides[each.want] for each in found if each.want in sides):
         lines.append(f"  {side}; letters of SNAME")
+    if any(each.want in WRENCHES and ACCELERATION.search(each.term) for each in found):
+        lines.append("  accelerations stand on the left; the signs of their factors are those on the right, -K")
     if result.freedoms:
         lines.append(f"  {result.freedoms}")
     lines.append(f"without {'it' if count == 1 else 'them'} nothing is left of the error beyond rounding")
@@ -191,6 +215,24 @@ def _term_words(multiple: Multiple, term: str) -> str:
     if abs(multiple.factor + multiple.expected) <= 1e-6 * abs(multiple.expected):
         return f"{term} has the wrong sign: factor {multiple.factor:.6g}{unit}, expected {multiple.expected:.6g}{unit}"
     return f"{term} has the factor {multiple.factor:.6g}{unit}, expected {multiple.expected:.6g}{unit}"
+
+
+def _constant_words(term: WrongTerm) -> str:
+    """A wrong constant in words; that of a reaction has its own sign, which is not that on the right-hand side."""
+    multiple, of_reaction = term.multiple, term.want == "reaction"
+    units = ("kg m/s", "kg m2/s") if term.want == "momentum" else ("N", "N m")
+    forces = term.component in WRENCH_LETTERS[:3] and term.want in (*WRENCHES, "momentum")
+    moments = term.component in WRENCH_LETTERS[3:] or term.want == "torque"
+    unit = units[0] if forces else units[1] if moments else "in SI"
+    sign = -1.0 if of_reaction else 1.0
+    where = " of the reaction" if of_reaction else ""
+    if multiple.expected is None or multiple.expected == 0.0:
+        tail = f" ({term.error:.6g} on the right-hand side)" if of_reaction else ""
+        error = " is too much" if multiple.expected is None else ", which should not be there"
+        return f"a constant{where} of {sign * term.error:.6g} {unit}{tail}{error}"
+    right = term.error / (multiple.factor - multiple.expected) * multiple.expected
+    given = right + term.error
+    return f"the constant{where} is {sign * given:.6g} {unit}, expected {sign * right:.6g} {unit}"
 
 
 def _part(share: float) -> str:

@@ -10,11 +10,12 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.stand.model import Flywheel, Vec3
-from mahovik.core.stand.state import Quaternion
+from mahovik.core.stand.state import Quaternion, State
 from mahovik.proof.diagnose.edits import attitude, pieces, stand, state, twist, value, values, wheel, wheel_at
 from mahovik.proof.diagnose.fault import Case, Edit, Fault
 from mahovik.proof.reference.array import Array, Values, solve
 from mahovik.proof.reference.bodies import mount_transfer
+from mahovik.proof.reference.hold import twists
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import carrier_rotation, flywheel_mounting
 from mahovik.proof.reference.screw import block_diagonal
@@ -40,6 +41,16 @@ def in_E0(V: Array, case: Case) -> Array:
     """Components in E1 of a twist (6) given in E0."""
     C = carrier_rotation(case.stand, case.state)
     return np.concatenate([C.T @ V[:3], C.T @ V[3:]])
+
+
+def in_degrees(right: State, case: Case) -> State:
+    """The state whose angular velocity, or of a held carrier the speeds of its turning freedoms, were in degrees."""
+    V, hold = np.array(right.V), case.stand.hold
+    if hold is None:
+        return replace(right, V=tuple(np.concatenate([V[:3], np.radians(V[3:])])))
+    S = twists(hold)
+    u = np.where(np.any(S[3:] != 0.0, axis=0), np.radians(right.u), right.u)
+    return replace(right, V=tuple(S @ u), u=tuple(u))
 
 
 def of_mass_center(V: Array, case: Case) -> Array:
@@ -110,7 +121,7 @@ READING_FAULTS = (
     Fault("v taken at the centre of mass", "state", "all", [twist(of_mass_center)],
           "v of V is taken as the velocity of the carrier's centre of mass, not of O1",
           "V and V* are of O1"),
-    Fault("omega in degrees", "state", "all", [twist(lambda V, case: np.concatenate([V[:3], np.radians(V[3:])]))],
+    Fault("omega in degrees", "state", "all", [Edit("state", in_degrees)],
           "omega of V is taken in degrees a second",
           "omega is in rad/s"),
     Fault("V with angular part first", "state", "all", [twist(lambda V, case: np.roll(V, 3))],

@@ -5,7 +5,7 @@ Those of a held carrier are along its freedoms, S^T (K V_r* - ...) = 0, and besi
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -92,9 +92,18 @@ class Equations:
         self._along = along_freedoms(stand)
 
     def errors(
-        self, want: str, states: Sequence[State], at: Sequence[Pieces], answers: Mapping[str, Array]
+        self,
+        want: str,
+        states: Sequence[State],
+        at: Sequence[Pieces],
+        answers: Mapping[str, Array],
+        right: Set[str] = frozenset(),
     ) -> list[EquationErrors]:
-        """Errors of a program by its answers (n, ...) to states, `at` their pieces."""
+        """Errors of a program by its answers (n, ...) to states, `at` their pieces.
+
+        `right`: quantities whose answers are right. Beside a wrong acceleration the equation of a right one, or of a
+        right reaction, has no error of its own.
+        """
         if want == "momentum":
             return [self._momentum(states, at, answers["Z"])]
         if want == "torque":
@@ -102,10 +111,12 @@ class Equations:
         if want == "reaction":
             return [self._reaction(states, at, answers["reaction"], self._all_components)]
         reached = self._states_of_answers(states, answers)
-        found = [self._forward(reached, at)] if self._along.components else []
-        if want == "coupled":
+        wrong = {"V_dot", "u_dot", "phi_ddot"} & answers.keys() - right
+        left_out = right if wrong else frozenset()
+        found = [self._forward(reached, at)] if self._along.components and not left_out & {"V_dot", "u_dot"} else []
+        if want == "coupled" and "phi_ddot" not in left_out:
             found.append(self._torque(reached, at, np.array([s.tau for s in states])))
-        if "reaction" in answers:
+        if "reaction" in answers and "reaction" not in left_out:
             found.append(self._reaction(reached, at, answers["reaction"], self._blocked_components))
         return found
 
@@ -232,12 +243,12 @@ class _PlainFactors:
         """The factor of product k, whose coefficient has this error."""
         if self._right is None:
             return Multiple(error, None, "")
-        expected = float(self._right[k, component])
+        expected = float(self._right[k, component]) if self.occurs(component, k) else 0.0
         if self._names is None:
             return Multiple(expected + error, expected, "")
         first, *wave = self._products[k].factors
         factors = (f"{first.removesuffix('.speed')}.acceleration" if "." in first else f"{first}_dot", *wave)
-        return self._names.multiple_of(expected if self.occurs(component, k) else 0.0, error, component, factors)
+        return self._names.multiple_of(expected, error, component, factors)
 
     def occurs(self, component: int, k: int) -> bool:
         """Whether the right equations have product k in a component."""

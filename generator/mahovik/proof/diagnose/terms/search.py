@@ -40,7 +40,7 @@ WANTS = tuple(ANSWERS)
 """Wants in which wrong terms are looked for."""
 
 IMPLIED = {"coupled": ("forward", "torque")}
-"""Wants that say nothing new where a program offers these."""
+"""Wants that say nothing new where a program offers these, unless they alone differ."""
 
 BESIDES = ("momentum",)
 """Wants whose error hinders no name of other errors where it is no few terms itself."""
@@ -135,11 +135,13 @@ class TermSearch:
         rounding: float = ROUNDING,
         actuators: bool = False,
         on_hold: bool = False,
+        wrong: Sequence[str] = (),
     ) -> None:
         """`states`: the only ones with answers, by name, as in a log; None: those that the search asks for.
 
         `rounding`: error over the size of the terms that a right program may have; `actuators`: it takes deflections
-        of fins and speeds of propellers. `on_hold`: it takes only poses that the hold allows.
+        of fins and speeds of propellers; `on_hold`: it takes only poses that the hold allows; `wrong`: wants that are known
+        to differ.
         """
         rng = np.random.default_rng(seed)
         self._stand, self._rounding = stand, max(rounding, ROUNDING)
@@ -156,7 +158,7 @@ class TermSearch:
             if want in wants
             and (stand.flywheels or want not in OF_FLYWHEELS)
             and (stand.hold is not None or want not in OF_HELD)
-            and not (want in IMPLIED and set(IMPLIED[want]) <= set(wants))
+            and not _is_implied(want, wants, wrong)
         )
         self._requests = {
             want: [Request(f"{name}, {want}", state, (want,)) for name, state in named] for want in self.wants
@@ -220,8 +222,9 @@ class TermSearch:
     def _errors(self, want: str, answers: Answers) -> list[EquationErrors]:
         """Errors of a want at the states with finite answers. Raises CheckError: too few."""
         rows, values = self._collect_answers(want, answers)
-        self._check_order(want, rows, values)
-        found = self._equations.errors(want, [self._states[i] for i in rows], [self._pieces[i] for i in rows], values)
+        right = self._right_quantities(want, rows, values)
+        at = [self._pieces[i] for i in rows]
+        found = self._equations.errors(want, [self._states[i] for i in rows], at, values, right)
         least = max(len(each.products) for each in found)
         if len(rows) < least:
             raise CheckError(
@@ -257,8 +260,8 @@ class TermSearch:
             )
         return rows, {name: np.array(x) for name, x in found.items()}
 
-    def _check_order(self, want: str, rows: Sequence[int], values: Mapping[str, Array]) -> None:
-        """Raises CheckError where wrong answers are the right ones of other states."""
+    def _right_quantities(self, want: str, rows: Sequence[int], values: Mapping[str, Array]) -> frozenset[str]:
+        """Quantities that are answered rightly. Raises CheckError: wrong answers are the right ones of other states."""
         right = [
             reference.evaluate(stand_at(self._stand, self._states[i]), self._states[i], (want,), self._pieces[i])
             for i in rows
@@ -266,7 +269,8 @@ class TermSearch:
         expected = np.array([np.concatenate([each[name] for name in values]) for each in right])
         given = np.hstack(list(values.values()))
         size = np.abs(expected).max(axis=0) + 1e-300
-        wrong = np.flatnonzero(np.abs((given - expected) / size).max(axis=1) > ORDER)
+        off = np.abs((given - expected) / size)
+        wrong = np.flatnonzero(off.max(axis=1) > ORDER)
         swapped: dict[int, int] = {}
         for i in wrong.tolist():
             same = np.flatnonzero(np.abs((given[i] - expected) / size).max(axis=1) <= ORDER)
@@ -276,6 +280,8 @@ class TermSearch:
             i, j = next(iter(swapped.items()))
             names = [self._requests[want][rows[k]].id for k in (i, j)]
             raise CheckError(f"it answers another state's result: that to {names[0]!r} is right for {names[1]!r}")
+        parts = np.split(off, np.cumsum([x.shape[1] for x in values.values()])[:-1], axis=1)
+        return frozenset(name for name, x in zip(values, parts, strict=True) if (x <= self._rounding).all())
 
     def _terms(self, want: str, of: EquationErrors) -> tuple[list[WrongTerm], list[Fit]]:
         """Wrong terms of all components, and the fit of each wrong one."""
@@ -309,6 +315,13 @@ class TermSearch:
             for component, k, term, multiple, c, part in found
         ]  # fmt: skip
         return sorted(terms, key=lambda term: -term.share), fits
+
+
+def _is_implied(want: str, wants: Sequence[str], wrong: Sequence[str]) -> bool:
+    """Whether other wants tell all that a want does: not where it differs and they do not."""
+    others = IMPLIED.get(want, ())
+    alone = want in wrong and not set(others) & set(wrong)
+    return bool(others) and set(others) <= set(wants) and not alone
 
 
 def _fit(of: EquationErrors, component: int, error: Array, rounding: float) -> tuple[Fit, list[LawColumn]]:
