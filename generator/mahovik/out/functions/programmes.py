@@ -16,11 +16,13 @@ from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import Keys, StandGiven, motion_of, programme_of, required_of
-from mahovik.out.functions.notices import OnProgress, Progress, tell
+from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 from mahovik.out.functions.table import Column, Table
 from mahovik.use.plan import Plan as CorePlan
 from mahovik.use.plan import PlanOptions, plan_motion
+from mahovik.use.plan.held import refuse_unplannable
 from mahovik.use.plan.outcome import Method
+from mahovik.use.plan.smoothing import smoothing_warnings
 
 if TYPE_CHECKING:
     from mahovik.out.report.plot.panel import Panel
@@ -192,6 +194,9 @@ def plan(
         return Plan(own, required, plan_slew(own, required, tell=lambda words: tell(progress, Progress(words))))
     six = None if partition is None else tuple(partition)
     options = PlanOptions(seed, seconds, chosen, keep, method=method, partition=six)
+    refuse_unplannable(own, required)
+    for line in smoothing_warnings(own, required):  # before the search, which may be long
+        warn(line)
     return Plan(own, required, plan_motion(own, required, options, lambda state: tell(progress, Progress(state.words))))
 
 
