@@ -31,6 +31,10 @@ ALLOWED = 1e-6
 """m, rad; m/s, rad/s: a start may be off what the hold allows by as much as figures of six digits are."""
 
 
+_STEPS = 50
+"""Most steps to the nearest pose that a hold allows."""
+
+
 def rates(hold: Hold, V: Sequence[float] | Array) -> tuple[float, ...]:
     """u (m) of V = S u (6); of another V the nearest."""
     S = twists(hold)
@@ -107,9 +111,10 @@ def allowed_start(stand: Stand, state: State) -> State:
         return state
     off = _off_freedoms(stand, hold, state)
     if np.abs(off).max() > ALLOWED * max(1.0, float(np.abs(state.position).max())):
+        off = _off_nearest(stand, hold, state)
         raise UsageError(
-            f"start: the pose is off the home pose by {np.abs(off).max():.3g} {_unit(off)} along {_worst(off)}, which "
-            f"[hold] blocks; expected what {_freedoms(hold)} reach, or no position"
+            f"start: the pose is off the nearest allowed one by {_size(off):.3g} {_unit(off)}, most "
+            f"along {_worst(off)}, which [hold] blocks; expected what {_freedoms(hold)} reach, or no position"
         )
     return state
 
@@ -157,6 +162,22 @@ def _off_freedoms(stand: Stand, hold: Hold, state: State) -> Array:
     return np.asarray(twist - S @ np.linalg.lstsq(S, twist, rcond=None)[0]) if S.shape[1] else twist
 
 
+def _off_nearest(stand: Stand, hold: Hold, state: State) -> Array:
+    """The twist (6; m, rad) to the pose of a state from the one nearest to it that the freedoms reach.
+
+    Near: the twist has no part along the freedoms. It is found in steps along them, from the home pose.
+    """
+    S, near, C = twists(hold), home(stand), carrier_rotation(stand, state)
+    off = displacement(near, C, state)
+    for _ in range(_STEPS if S.shape[1] else 0):
+        step = S @ np.linalg.lstsq(S, off, rcond=None)[0]
+        near = move(near, carrier_rotation(stand, near), step)
+        off = displacement(near, C, state)
+        if np.abs(step).max() < ALLOWED:
+            break
+    return off
+
+
 def _left_jacobian(r: Array) -> Array:
     """J (3x3) of a rotation vector r: exp of the twist (v, r) shifts by J v."""
     angle = float(np.linalg.norm(r))
@@ -175,6 +196,11 @@ def _quaternion(C: Array) -> Quaternion:
 
 def _worst(off: Array) -> str:
     return TWIST_NAMES[int(np.argmax(np.abs(off)))]
+
+
+def _size(off: Array) -> float:
+    """Length of its shift, or of its turn, whichever has the largest component (m, rad)."""
+    return float(np.linalg.norm(off.reshape(2, 3)[int(np.argmax(np.abs(off))) // 3]))
 
 
 def _unit(off: Array) -> str:
