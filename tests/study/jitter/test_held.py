@@ -328,6 +328,13 @@ def test_refusals(words: list[str], expected: str, tmp_path: Path, monkeypatch: 
     assert expected in text and len(text.splitlines()) == 1
 
 
+def test_nothing_is_printed_of_rounding() -> None:
+    """A balanced pendulum does not swing: no line is listed, and all sums are zeros."""
+    words = run("jitter", str(HELD / "pendulum.toml"), "--speed", "all=300", "--at", "hold.pitch").output
+    assert "1 x wheel" not in words and "mean" not in words and "more orders: 0 arcsec" in words
+    assert [line.split()[-1] for line in words.splitlines() if "RMS" in line or "worst" in line] == ["0"] * 3
+
+
 @pytest.mark.parametrize("quantity", ["displacement", "velocity"])
 @pytest.mark.parametrize("command", ["jitter", "response"])
 def test_a_freedom_that_turns_has_no_displacement(command: str, quantity: str) -> None:
