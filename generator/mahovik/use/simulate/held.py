@@ -113,8 +113,8 @@ def allowed_start(stand: Stand, state: State) -> State:
     if np.abs(off).max() > ALLOWED * max(1.0, float(np.abs(state.position).max())):
         off = _off_nearest(stand, hold, state)
         raise UsageError(
-            f"start: the pose is off the nearest allowed one by {_size(off):.3g} {_unit(off)}, most "
-            f"along {_worst(off)}, which [hold] blocks; expected what {_freedoms(hold)} reach, or no position"
+            f"start: the pose is off the nearest allowed one by {_size(off):.3g} {_unit(off)}{_way(off)}, "
+            f"which [hold] blocks; expected what {_freedoms(hold)} reach, or no position"
         )
     return state
 
@@ -201,6 +201,12 @@ def _worst(off: Array) -> str:
 def _size(off: Array) -> float:
     """Length of its shift, or of its turn, whichever has the largest component (m, rad)."""
     return float(np.linalg.norm(off.reshape(2, 3)[int(np.argmax(np.abs(off))) // 3]))
+
+
+def _way(off: Array) -> str:
+    """The direction of its largest component, which may be the only one, in words."""
+    alone = float(np.abs(off).max()) > 0.9999 * _size(off)
+    return f"{'' if alone else ', most'} along {_worst(off)}"
 
 
 def _unit(off: Array) -> str:
