@@ -30,6 +30,7 @@ from mahovik.core.stand import identities, loads
 from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Freedom, Hold, Stand
 from mahovik.errors import ServoError, UsageError
+from mahovik.out.export.servo import trim_message
 from mahovik.proof.verify.servo.tables import MATRIX
 from mahovik.proof.verify.servo.trim_matrix import trim_matrix
 from mahovik.use.control.reference_motion import nodes, required_orbit, settled_state
@@ -162,8 +163,39 @@ def test_the_programme_of_the_swinging_pendulum_too() -> None:
 
 
 def test_a_carrier_that_swings_for_ever_does_not_settle() -> None:
-    with pytest.raises(UsageError, match=r"^trim: does not converge, errors grow by .* per window; use a `gain` below"):
+    with pytest.raises(
+        UsageError,
+        match=r"^trim: does not converge, errors grow by .* per window; use a `gain` below .*; nothing damps",
+    ):
         design_trim(pendulum(), motion(), programme(), trim_of(pendulum(), "harmonics = 3"))
+
+
+UNDAMPED = """
+schema = 1
+name = "hinge"
+gravity = [0, 0, -9.81]
+carrier = { mass = 2.0, inertia = [0.02, 0.03, 0.01] }
+hold = { axis = [0, 1, 0], pivot = [0, 0, 0.12] }
+[[flywheel]]
+name = "w"
+axis = [0, 1, 0]
+zero = [0, 0, 1]
+mass = 0.5
+spin_inertia = 0.01
+transverse_inertia = 0.006
+"""
+
+
+@pytest.mark.parametrize("damping", [0.0, 0.2])
+def test_an_undamped_trim_that_converges_is_told(damping: float) -> None:
+    """A small swing much faster than the pendulum's own; its corrections leave less of it in each round."""
+    stand = loads(UNDAMPED + f"[suspension]\nstiffness = [0, 0, 0, 0, 0.5, 0]\ndamping = [0, 0, 0, 0, {damping}, 0]\n")
+    wanted, nothing = required(stand, 0.1, harmonics=[{"k": 1, "cos": [1e-3]}]), np.zeros((1, 1))
+    made = design_trim(stand, wanted, programme_of(stand, wanted, Fourier(np.zeros(1), nothing, nothing), (0,)),
+                       trim_of(stand, 'coordinates = ["pitch"]\nharmonics = 1'))  # fmt: skip
+    assert made.undamped == (damping == 0.0) and made.radius < 1.0
+    words = trim_message(made, stand)
+    assert words.startswith("trim: 1 harmonic of pitch, 2 directions; ") and ("warning" in words) == made.undamped
 
 
 @pytest.mark.parametrize(

@@ -14,12 +14,15 @@ from mahovik.core.motion.programme import programme_text, read_programme
 from mahovik.core.motion.required import RequiredMotion, read_motion
 from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
+from mahovik.out.functions.notices import MahovikWarning
+from mahovik.out.functions.programmes import plan
 from mahovik.proof.verify.programme import held, simulation, verify_programme
 from mahovik.use.control.coordinates import held_coordinates
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.problem import Problem
 from mahovik.use.plan.residual.held_kinematics import held_pose, held_slopes, held_twists
+from mahovik.use.plan.smoothing import smoothing_warnings
 from plan.held_stands import HOLDS, stand, wheel
 
 QUICK = PlanOptions(steps=60, enough=1)
@@ -278,3 +281,32 @@ def test_coordinates_of_poses_are_found_again(hold: str) -> None:
     assert np.abs(V - held_twists(own, Course(x, rates, np.zeros_like(x)))[0]).max() < 1e-13
     far = O1 + np.cross([0.3, 0.1, 0.2], np.arange(1.0, 4.0)) + 0.2
     assert np.isnan(held_coordinates(own, far, C, near)[0]).all()
+
+
+@pytest.mark.parametrize(
+    "keys, warned",
+    [
+        ("coulomb = 0.05", True),  # the default smoothing, 0.01 rad/s, is less than a tenth of the largest speed
+        ("coulomb = 0.05\nsmoothing = 0.018", True),
+        ("coulomb = 0.05\nsmoothing = 0.02", False),
+        ("viscous = 0.5", False),
+        ("breakaway = 0.08\ncoulomb = 0.05\nstribeck_speed = 0.05\nviscous = 0.5", True),
+        ("breakaway = 0.08\ncoulomb = 0.05\nstribeck_speed = 0.05\nsmoothing = 0.04", False),
+    ],
+)
+def test_a_small_smoothing_is_named_before_the_search(keys: str, warned: bool) -> None:
+    hold = 'freedoms = ["pitch"]\npivot = [0, 0, "120 mm"]\n[[hold.friction]]\n' + keys
+    own = stand(hold, wheel(1, [0, 1, 0]), "[suspension]\nstiffness = [0, 0, 0, 0, 9, 0]\ndamping = [0, 0, 0, 0, 3, 0]")
+    found = smoothing_warnings(own, motion(own, {"cos": [0.03]}))
+    assert len(found) == warned
+    assert all(
+        "pitch: its `smoothing`" in each and "0.19 rad/s" in each and "0.04 rad/s or more" in each for each in found
+    )
+    assert smoothing_warnings(own, motion(own, {"cos": [0.001]})) == []
+
+
+def test_the_interface_warns_of_a_small_smoothing_and_then_plans() -> None:
+    keys = 'freedoms = ["pitch"]\npivot = [0, 0, "120 mm"]\n[[hold.friction]]\ncoulomb = 1e-3\nsmoothing = 1e-3'
+    own = stand(keys, wheel(1, [0, 1, 0]))
+    with pytest.warns(MahovikWarning, match="--time"):
+        plan(own, motion(own, {"cos": [0.03]}), seconds=1e-3)

@@ -163,7 +163,7 @@ def file(tmp_path: Path) -> str:
         ({"V": [0, 0, 0, 0, 1, 0]}, "V: the carrier is held, expected u, 1 number"),
         ({"u": [1, 2]}, "u: expected 1 number, found 2"),
         ({"angles": [0, 0.2, 0.1]}, "rad along roll, which [hold] blocks; expected what the freedoms (pitch) reach"),
-        ({"angles": [0, 0.2, 0], "position": [0, 0, 0]}, "m along x, which [hold] blocks"),
+        ({"angles": [0, 0.2, 0], "position": [0, 0, 0]}, "m, most along x, which [hold] blocks"),
         ({"position": [0, 0.01, 0]}, "0.01 m along y, which [hold] blocks"),
         ({"position": [0, 0, 1e-3]}, "along z, which [hold] blocks"),
     ],
@@ -216,8 +216,17 @@ def test_motions_along_the_freedoms_are_allowed_and_others_are_not(name: str) ->
         state = move(state, carrier_rotation(stand, state), step)
         allowed_start(stand, state)
     if len(stand.hold.freedoms) < 6:
-        with pytest.raises(UsageError, match="the pose is off the home pose"):
+        with pytest.raises(UsageError, match="the pose is off the nearest allowed one"):
             allowed_start(stand, replace(state, position=(state.position[0] + 0.01, *state.position[1:])))
+
+
+def test_a_pose_far_along_the_freedoms_is_off_by_its_way_to_the_nearest_allowed_one() -> None:
+    """0.2 rad beside a turn of 3 rad about the hinge, which makes more of it as seen from the home pose."""
+    stand = mahovik.Stand.from_dict({**PENDULUM, "hold": {"freedoms": ["pitch"]}})
+    for roll, pitch in ((0.2, 3.0), (-0.2, -2.0), (0.2, 0.0)):
+        state = replace(home(stand), quaternion=None, angles=(roll, pitch, 0.0))
+        with pytest.raises(UsageError, match=r"off the nearest allowed one by 0\.2 rad(, most)? along (roll|yaw)"):
+            allowed_start(stand, state)
 
 
 def test_a_run_has_the_coordinates_of_the_freedoms_and_counts_whole_turns() -> None:

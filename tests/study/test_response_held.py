@@ -200,6 +200,7 @@ def test_a_freedom_goes_by_its_number_too() -> None:
         (["--at", "hold.reacton"], 'unknown output "hold.reacton", did you mean "hold.reaction"?'),
         (["--at", "hold.pitch"], "expected one of hold.reaction, hold.z"),
         (["--at", "hold.z", "--quantity", "force"], "--quantity force: hold.z has none"),
+        (["--at", "hold.z", "--quantity", "angle"], "hold.z has none; expected one of displacement, velocity"),
         (["--at", "carrier", "--quantity", "moment"], "--quantity moment: carrier has none"),
     ],
 )
@@ -227,3 +228,16 @@ def test_a_balanced_wheel_has_no_orders() -> None:
     heavy = table(static="1e-6 g mm") | {"gravity": [0, 0, -9.81]}
     (line,) = mahovik.response(stand_of(heavy), ["wheel=1000 rpm"], "hold.reaction").sweep.lines()
     assert line.name == "1 x wheel"
+
+
+def test_a_freedom_that_turns_has_an_angle_and_its_derivatives() -> None:
+    hold, springs = {"freedoms": ["pitch"], "pivot": [0, 0, 0.2]}, {"stiffness": [0, 0, 0, 0, 50, 0]}
+    stand = stand_of(table(static="72 g mm") | {"hold": hold, "suspension": springs})
+    angle, rate, acceleration = (
+        mahovik.response(stand, {"wheel": 30.0}, "hold.pitch", quantity=name).sweep
+        for name in ("angle", "rate", "acceleration")
+    )
+    assert [each.unit for each in (angle, rate, acceleration)] == ["rad", "rad/s", "rad/s2"]
+    assert [each.quantity for each in (angle, rate)] == ["angle", "rate"]
+    np.testing.assert_allclose(rate.rms(), 30.0 * angle.rms(), rtol=1e-4)
+    np.testing.assert_allclose(acceleration.rms(), 900.0 * angle.rms(), rtol=1e-4)

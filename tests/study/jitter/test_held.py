@@ -142,12 +142,14 @@ def test_the_shift_of_a_freedom_is_that_of_its_oscillator(last: str, quantity: s
         assert found.study.point == "hold.z"
 
 
-@pytest.mark.parametrize("quantity", ["displacement", "velocity", "acceleration"])
-def test_the_angle_of_a_freedom_is_the_response(quantity: str) -> None:
+@pytest.mark.parametrize(
+    ("quantity", "motion"), [("angle", "displacement"), ("rate", "velocity"), ("acceleration", "acceleration")]
+)
+def test_the_angle_of_a_freedom_is_the_response(quantity: str, motion: str) -> None:
     """A pendulum that swings far, about an axis off O1: the full equations, harmonic by harmonic."""
     stand = stand_of(SWINGING)
     found = mahovik.jitter(stand, {"w1": 20.0, "w2": 30.0}, "hold.pitch", quantity=quantity, order=8)
-    wanted = periodic_response(stand, [20.0, 30.0]).motion_of("hold.pitch").harmonics(quantity)
+    wanted = periodic_response(stand, [20.0, 30.0]).motion_of("hold.pitch").harmonics(motion)
     lines, base = found.study.lines, 10.0 / (2.0 * math.pi)
     total = np.zeros((24, 1), dtype=complex)
     for i, hertz in enumerate(lines.frequency[0]):
@@ -325,6 +327,21 @@ def test_refusals(words: list[str], expected: str, tmp_path: Path, monkeypatch: 
     Path("modes.csv").write_text("frequency [Hz],damping [-],modal mass [kg]\n10,0.01,1\n")
     text = refused("jitter", str(HELD / "linear_shaker.toml"), "--speed", "all=10", *words)
     assert expected in text and len(text.splitlines()) == 1
+
+
+def test_nothing_is_printed_of_rounding() -> None:
+    """A balanced pendulum does not swing: no line is listed, and all sums are zeros."""
+    words = run("jitter", str(HELD / "pendulum.toml"), "--speed", "all=300", "--at", "hold.pitch").output
+    assert "1 x wheel" not in words and "mean" not in words and "more orders: 0 arcsec" in words
+    assert [line.split()[-1] for line in words.splitlines() if "RMS" in line or "worst" in line] == ["0"] * 3
+
+
+@pytest.mark.parametrize("quantity", ["displacement", "velocity"])
+@pytest.mark.parametrize("command", ["jitter", "response"])
+def test_a_freedom_that_turns_has_no_displacement(command: str, quantity: str) -> None:
+    words = [str(HELD / "pendulum.toml"), "--speed", "all=10", "--at", "hold.1", "--quantity", quantity]
+    text = refused(command, *words)
+    assert f"--quantity {quantity}: hold.1 has none; expected one of angle, rate, acceleration" in text
 
 
 def test_a_free_carrier_has_no_reaction() -> None:

@@ -151,7 +151,7 @@ def _print(summary: _Summary) -> None:
     if case.design is not None:
         click.echo(
             f"trim: {record.rounds} rounds; an error falls to {case.design.radius:.3g} per round; the settled trim "
-            f"converges while its model is less than {100 * case.design.margin:.2g} % wrong"
+            f"converges while its model is less than {_percent(case.design.margin)} wrong"
         )
     if summary.limits:
         limits = ((e.cause.name, _percent(e.alone), _percent(e.without), e.cause.words) for e in summary.limits)

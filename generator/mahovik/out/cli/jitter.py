@@ -38,8 +38,14 @@ SUMS = {
 }
 """Rows below the lines, by name."""
 
+POSES = ("rad", "m", "1")
+"""Units of what a pose has."""
+
 SMALL_MEAN = 1e-6
 """Part of the worst case above which a mean is printed."""
+
+NOTHING, NO_MEAN = 1e-20, 1e-13
+"""SI: smaller values are rounding and printed as 0; so are means of an angle or a shift, as a pose of rest is found."""
 
 FAR_OFF = 0.01
 """Difference of the RMS to first order from that of the full equations above which a sweep warns."""
@@ -187,16 +193,21 @@ def _print(found: Jitter) -> None:
     total = np.linalg.norm(lines.sizes, axis=2)
     for i in np.argsort(-np.nanmax(total, axis=0, initial=0.0), kind="stable")[:SHOWN]:
         at = int(np.nanargmax(total[:, i]))
-        if total[at, i] > 0.0:
+        if total[at, i] > NOTHING:
             sizes = [f"{scale * x:.6g}" for x in lines.sizes[at, i, : len(study.axes)]]
             rows.append((f"{lines.names[i].text} {lines.names[i].part}", f"{lines.frequency[at, i]:.6g}", *sizes))
     sums = study.sums()
     for name, values in sums.items():
-        if name != "mean" or np.nanmax(np.abs(values)) > SMALL_MEAN * np.nanmax(sums["worst"]):
+        small = max(NOTHING, NO_MEAN if name == "mean" and found.unit in POSES else 0.0)
+        least = max(small, SMALL_MEAN * np.nanmax(sums["worst"])) if name == "mean" else -1.0
+        if np.nanmax(np.abs(values)) > least:
             at = int(np.nanargmax(np.linalg.norm(values, axis=1)))
             words = SUMS[name]
             speed = f" at {RPM * study.value[at]:.6g} rpm" if study.swept else ""
-            rows.append((f"{words}{speed}", "", *(f"{scale * x:.6g}" for x in values[at, : len(study.axes)])))
+            shown = values[at, : len(study.axes)]
+            rows.append(
+                (f"{words}{speed}", "", *(f"{scale * x:.6g}" for x in np.where(np.abs(shown) > small, shown, 0.0)))
+            )
     print_table(columns, rows, title=f"{study.stand.name}: {study.quantity} of {study.point}, {many}")
     if found.verdicts:
         _print_verdicts(found, scale, unit)
@@ -237,7 +248,8 @@ def _remarks(found: Jitter, scale: float, unit: str) -> None:
             f"of phases: {np.nanmax(study.left_out):.1e} of the largest"
         )
         if np.isfinite(study.remainder).any():
-            most = f"{scale * float(np.nanmax(study.remainder)):.1e} {unit}"
+            left = float(np.nanmax(study.remainder))
+            most = f"{scale * left:.1e} {unit}" if left > NOTHING else f"0 {unit}"
             click.echo(f"{study.quantity} left out at any phases, sum of its lines of two more orders: {most}")
         else:
             click.echo(f"what is left out of the {study.quantity} itself is not known: too many flywheels turn")

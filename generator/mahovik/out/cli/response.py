@@ -41,7 +41,7 @@ def response(
     steps: int = STEPS,
     quantity: str | None = choice(
         "--quantity",
-        ["acceleration", "velocity", "displacement", "force", "moment"],
+        ["acceleration", "velocity", "displacement", "rate", "angle", "force", "moment"],
         "Find this quantity; default acceleration, of the reaction force.",
     ),
     band: tuple[float, float] | None = option(

@@ -116,9 +116,12 @@ def trim_message(made: TrimDesign, stand: Stand) -> str:
     """Message: the trim's corrections, and their speed."""
     trim = made.trim
     names = ", ".join(coordinates_of(stand).in_words[i] for i in trim.coordinates)
+    alone = ""
+    if stand.hold is not None and made.undamped:
+        alone = "; warning: no friction or damping settles the carrier, and the corrections alone take its swing away"
     return (
-        f"trim: {trim.harmonics} harmonics of {names}, {made.rank} directions; a round of "
-        f"{trim.settling + trim.averaging} periods leaves {made.radius:.3f} of an error, by the nominal model"
+        f"trim: {trim.harmonics} harmonic{'s' * (trim.harmonics > 1)} of {names}, {made.rank} directions; a round of "
+        f"{trim.settling + trim.averaging} periods leaves {made.radius:.3f} of an error, by the nominal model{alone}"
     )
 
 

@@ -184,7 +184,7 @@ def jitter(
              its origin, or "hold.reaction", of a held carrier, for that of the hold on the carrier about O1;
              "hold.pitch", or "hold.1" by its place, is a freedom
     quantity "angle", "rate", "displacement", "velocity" or "acceleration", by default the first; of a load "force", or
-             "moment"; of a freedom that slides "displacement" is the first
+             "moment"; a freedom that turns has "angle", "rate", "acceleration", another the last three
     phases   at t = 0, rad or a text, by flywheel
     harmonics, noise, inner_modes   CSV files by flywheel, or by "all": what its maker says
     modes    CSV file of structural modes, one-way

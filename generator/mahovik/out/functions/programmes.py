@@ -24,11 +24,13 @@ from mahovik.out.functions.given import (
     required_of,
     time_limit,
 )
-from mahovik.out.functions.notices import OnProgress, Progress, tell
+from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 from mahovik.out.functions.table import Column, Table
 from mahovik.use.plan import Plan as CorePlan
 from mahovik.use.plan import PlanOptions, plan_motion
+from mahovik.use.plan.held import refuse_unplannable
 from mahovik.use.plan.outcome import Method
+from mahovik.use.plan.smoothing import smoothing_warnings
 
 if TYPE_CHECKING:
     from mahovik.out.report.plot.panel import Panel
@@ -200,6 +202,9 @@ def plan(
         return Plan(own, required, plan_slew(own, required, tell=lambda words: tell(progress, Progress(words))))
     six = None if partition is None else tuple(partition)
     options = PlanOptions(seed, limit, chosen, keep, method=method, partition=six)
+    refuse_unplannable(own, required)
+    for line in smoothing_warnings(own, required):  # before the search, which may be long
+        warn(line)
     return Plan(own, required, plan_motion(own, required, options, lambda state: tell(progress, Progress(state.words))))
 
 

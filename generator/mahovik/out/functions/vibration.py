@@ -85,7 +85,8 @@ def response(
              may be swept; those not named stand still; "all" is every flywheel
     at       a point or instrument, "carrier" for O1; of a held carrier also a freedom, "hold.pitch", or the wrench of
              the hold on the carrier about O1 in E1, "hold.reaction"; steps of the sweep
-    quantity "acceleration" (default), "velocity", "displacement"; of the reaction "force" (default), "moment"
+    quantity "acceleration" (default), "velocity", "displacement"; of a freedom that turns "acceleration" (default),
+             "rate", "angle"; of the reaction "force" (default), "moment"
     band     Hz, of a second RMS
     phases   at t = 0, rad or a text, by flywheel
     go_on    gets the number of speeds done, and ends the sweep with False

@@ -38,6 +38,9 @@ QUICK = 8.0
 BEYOND, SPILL = 2, 30.0
 """Number of harmonics above the corrected ones to protect, and weight of the effect on them in G^+, in G's norm."""
 
+UNDAMPED = 1e-5
+"""Part of a swing that a window takes away at least where friction or damping acts."""
+
 REACH = 1e-3
 """Part of the largest singular value of G, scaled, below which a direction counts as out of reach."""
 
@@ -71,6 +74,12 @@ class TrimDesign:
     def radius(self) -> float:
         """Spectral radius of `window`: decay of a deviation per window, in the long run."""
         return float(np.abs(np.linalg.eigvals(self.window)).max())
+
+    @cached_property
+    def undamped(self) -> bool:
+        """Whether a deviation of the carrier stays as it is, to UNDAMPED in a window, without corrections."""
+        n = len(self.window) - self.rank
+        return bool(np.abs(np.linalg.eigvals(self.window[:n, :n])).max(initial=0.0) > 1.0 - UNDAMPED)
 
     @cached_property
     def margin(self) -> float:
@@ -114,9 +123,12 @@ def design_trim(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     window = _window(orbit, trim, matrix, G, basis)
     found = TrimDesign(trim, orbit.span, G, matrix, unit, mechanics.tables.Theta_ff, window, basis.shape[1])
     if not found.radius < 1.0:
+        more = (
+            "; nothing damps the carrier: add friction or damping" if stand.hold is not None and found.undamped else ""
+        )
         raise UsageError(
             f"trim: does not converge, errors grow by {found.radius:.3g} per window; use a `gain` below {trim.gain:g} "
-            f"or a `settling` above {trim.settling} periods"
+            f"or a `settling` above {trim.settling} periods{more}"
         )
     return found
 

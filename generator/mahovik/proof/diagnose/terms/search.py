@@ -140,8 +140,8 @@ class TermSearch:
         """`states`: the only ones with answers, by name, as in a log; None: those that the search asks for.
 
         `rounding`: error over the size of the terms that a right program may have; `actuators`: it takes deflections
-        of fins and speeds of propellers; `on_hold`: it takes only poses that the hold allows; `wrong`: wants that are known
-        to differ.
+        of fins and speeds of propellers; `on_hold`: it takes only poses that the hold allows; `wrong`: wants that are
+        known to differ.
         """
         rng = np.random.default_rng(seed)
         self._stand, self._rounding = stand, max(rounding, ROUNDING)

@@ -17,13 +17,12 @@ from mahovik.use.study.response.outputs import freedom_of
 
 _UNITS = {"turn": "rad", "slide": "m", "twist": "1"}
 _POWERS = {"displacement": 0, "velocity": 1, "acceleration": 2}
-_OF_TURNS = {"angle": 0, "rate": 1}
-"""Names of a displacement and a velocity that are turnings."""
+_OF_TURNS = {"angle": 0, "rate": 1, "acceleration": 2}
 
 
 def powers_of(kind: str) -> dict[str, int]:
     """Quantities of a kind of freedom, the usual one first, and the derivatives by time that they are."""
-    return _OF_TURNS | _POWERS if kind == "turn" else _POWERS
+    return _OF_TURNS if kind == "turn" else _POWERS
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mahovik.core.stand.hold import freedom_names
 from mahovik.core.stand.model import Hold, Stand
@@ -16,6 +16,8 @@ from mahovik.use.study.response.periodic import QUANTITIES, UNITS
 AXES = ("x", "y", "z")
 
 _REACTION_UNITS = {"force": "N", "moment": "N m"}
+_OF_TURNS = {"angle": "displacement", "rate": "velocity", "acceleration": "acceleration"}
+"""Quantities of a freedom that turns, and the motions of `HeldMotion` that they are."""
 _LENGTHS = {"slide": "m", "turn": "rad", "twist": "1"}
 
 
@@ -27,6 +29,11 @@ class Output:
     quantity: str
     axes: tuple[str, ...]
     unit: str
+
+    @property
+    def motion(self) -> str:
+        """The quantity's name among those of a motion, where an angle is a displacement."""
+        return _OF_TURNS.get(self.quantity, self.quantity)
 
     @property
     def points(self) -> list[str]:
@@ -50,10 +57,11 @@ def output_of(stand: Stand, name: str, quantity: str | None) -> Output:
     if freedom is None:
         chosen = _choose(name, quantity, tuple(_REACTION_UNITS), "force")
         return Output(name, chosen, AXES, _REACTION_UNITS[chosen])
-    chosen = _choose(name, quantity, QUANTITIES, "acceleration")
-    rate = {"displacement": "", "velocity": "/s", "acceleration": "/s2"}[chosen]
     own, kind = freedoms[freedom], stand.hold.freedoms[freedom].kind
-    return Output(f"hold.{own}", chosen, (own,), _LENGTHS[kind] + rate)
+    chosen = _choose(name, quantity, tuple(_OF_TURNS) if kind == "turn" else QUANTITIES, "acceleration")
+    found = Output(f"hold.{own}", chosen, (own,), _LENGTHS[kind])
+    rate = {"displacement": "", "velocity": "/s", "acceleration": "/s2"}[found.motion]
+    return replace(found, unit=found.unit + rate)
 
 
 def freedom_of(hold: Hold, name: str) -> int | None:

@@ -215,7 +215,7 @@ def _steps(
     except CheckError as error:
         none = [np.zeros((0, len(output.axes)), dtype=np.complex128) for output in outputs]
         return [Step(value, turning, np.zeros(0), x, np.zeros(0), np.zeros(6), np.nan, str(error)) for x in none]
-    spectra = [found.motion_of(output.name).harmonics(output.quantity) for output in outputs]
+    spectra = [found.motion_of(output.name).harmonics(output.motion) for output in outputs]
     return [Step(value, turning, found.frequencies, x, found.natural, found.hold, found.multiplier) for x in spectra]
 
 
