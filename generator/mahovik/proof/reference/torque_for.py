@@ -39,7 +39,8 @@ def least_within(W: Array, r: Array, low: Array, high: Array) -> tuple[Array, Fl
     """y (N) inside low..high with the least |r - W y|, of these the least |y|; and which are at no bound (N, bool).
 
     Which flywheels are at a bound follows from bounded least squares (Stark and Parker 1995) with a small part of |y|;
-    the others then solve the problem that is left exactly.
+    the others then solve the problem that is left exactly. Seldom |y| is a little longer than the least: one stays at
+    its bound where rounding hides what its release would gain.
     """
     N = len(low)
     A = np.vstack([W, _SMALL * float(np.linalg.norm(W, 2)) * np.eye(N)])
