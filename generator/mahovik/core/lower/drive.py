@@ -130,7 +130,7 @@ def _balance_blocks(
     """tau of all flywheels, block by block."""
     layout = lib.layout
     accelerations = lanes.roomy(lib, body, phi_ddot, "accelerations")
-    if seen.own is None and int(layout.room) == int(layout.count):
+    if layout.fast and seen.own is None and int(layout.room) == int(layout.count):
         balance_blocks(lib, body, table, seen, alike, V_dot, accelerations, tau)
         return
     total = body.local("total", (layout.room,))
