@@ -67,7 +67,7 @@ def measured(program: Program, source: Path, compiler: str, level: str) -> dict[
 
 
 def check(bounds: Mapping[str, int], found: Mapping[str, int], room: int) -> None:
-    """Assert that every stated bound is at least the measured stack, and at most three times it and `room` bytes."""
+    """Fails where a stated bound is below the measured stack, or above three times that stack and `room` bytes."""
     for name, bound in bounds.items():
         assert found[name] <= bound <= 3 * found[name] + room, (name, found[name], bound)
 

@@ -25,7 +25,7 @@ KINDS = {"everything": EVERYTHING, "bare": BARE, "drawn": Features()}
 
 
 def agrees(stand: Stand, seed: int, count: int) -> set[tuple[str, str]]:
-    """Assert that both derivations agree at `count` states, some of them extreme; return the compared quantities."""
+    """The quantities that were compared at `count` states, some of them extreme. Fails where the derivations differ."""
     second = Second(stand)
     compared = set()
     for name, state in draw(stand, seed, count):
