@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -16,6 +17,8 @@ from mahovik import stands
 from mahovik.core.formula import cache
 from mahovik.core.formula.derived import carrier, leave_cache, use_cache
 from mahovik.core.formula.tree import Matrix
+from mahovik.core.stand import load
+from mahovik.out.api import store
 
 CODE = """
 import atexit, sys
@@ -123,37 +126,58 @@ def test_a_damaged_cache_is_made_anew_with_one_warning(folder: Path, damage: Cal
     assert len(warnings) == 1
 
 
-@pytest.mark.parametrize("changed", ["derive", "formula", "sympy", "python"])
-def test_another_derivation_has_another_file(
-    changed: str, folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.fixture
+def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """A copy of the generator's sources, which the caches take for the installed one."""
+    copied = tmp_path / "package"
+    for part in ("contract", "core", "laws"):
+        shutil.copytree(cache._PACKAGE / part, copied / part, ignore=shutil.ignore_patterns("__pycache__"))
+    monkeypatch.setattr(cache, "_PACKAGE", copied)
+    yield copied
+    forget_sources()
+
+
+def forget_sources() -> None:
+    cache.source_hash.cache_clear()
+    store._generator.cache_clear()
+
+
+PLACES = ("contract", "core/derive", "core/formula", "core/stand", "core/motion", "core/lower", "laws/leg")
+
+
+@pytest.mark.parametrize("changed", [*PLACES, "sympy", "python"])
+def test_another_generator_has_other_files(
+    changed: str, folder: Path, package: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    remembered([])
-    before = cache.file()
-    cache.source_hash.cache_clear()
-    package = tmp_path / "package"
-    for stage in ("derive", "formula"):
-        (package / "core" / stage).mkdir(parents=True)
-        for file in (cache._PACKAGE / "core" / stage).glob("*.py"):
-            (package / "core" / stage / file.name).write_bytes(file.read_bytes())
-    for file in cache._PACKAGE.glob("laws/*/derive.py"):
-        copied = package / file.relative_to(cache._PACKAGE)
-        copied.parent.mkdir(parents=True)
-        copied.write_bytes(file.read_bytes())
-    monkeypatch.setattr(cache, "_PACKAGE", package)
-    assert cache.file() == before
-    cache.source_hash.cache_clear()
+    """Formulas and compiled stands alike: a mended module of the model reaches those who compiled with the old one."""
+
+    def keys() -> tuple[object, object]:
+        forget_sources()
+        return cache.file(), store.numbers_key(load(stands.path("demo3")), "double")
+
+    forget_sources()
+    installed = keys()
+    assert keys() == installed
     if changed == "sympy":
         (tmp_path / "release.py").write_text('__version__ = "0.1"')
         monkeypatch.setattr(cache, "find_spec", lambda _: SimpleNamespace(origin=str(tmp_path / "__init__.py")))
     elif changed == "python":
         monkeypatch.setattr(sys, "version_info", (3, 99, 0))
     else:
-        with (package / "core" / changed / "extra.py").open("w") as extra:
-            extra.write("# another line\n")
-    try:
-        assert cache.file() != before
-    finally:
-        cache.source_hash.cache_clear()
+        with sorted((package / changed).glob("*.py"))[-1].open("a") as module:
+            module.write("# another line\n")
+    assert all(now != before for now, before in zip(keys(), installed, strict=True))
+
+
+def test_files_of_few_sources_stay(folder: Path) -> None:
+    folder.mkdir()
+    for number in range(cache.KEPT + 3):
+        path = folder / f"formulas-{number:016x}.json"
+        path.touch()
+        os.utime(path, (number, number))
+    remembered([])
+    assert len(list(folder.iterdir())) == cache.KEPT
+    assert cache.file() in folder.iterdir()
 
 
 def test_a_folder_that_cannot_be_written_is_no_failure(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,4 +1,4 @@
-"""Formulas on disk: one file of JSON, valid for one text of derive/ and one SymPy only.
+"""Formulas on disk: one file of JSON, valid for one text of the generator and one SymPy only.
 
 The file is data: nothing in it is executed. It is written to a temporary file that then takes its place, so that
 processes side by side see a whole file, the one or the other. Where it cannot be written nothing is kept.
@@ -22,6 +22,9 @@ from mahovik.writing import write
 
 VARIABLE = "MAHOVIK_CACHE"
 """Environment variable with the folder of the cache; empty: no cache."""
+
+KEPT = 16
+"""Files kept, each of another source; the one that was written first goes first."""
 
 _PACKAGE = Path(__file__).resolve().parents[2]
 
@@ -56,6 +59,8 @@ class Cache:
             entries = there | self._added
             content = {"source": source_hash(), "digest": _digest(entries), "entries": entries}
             write(path, json.dumps(content, separators=(",", ":"), sort_keys=True))
+            for old in sorted(path.parent.glob("formulas-*.json"), key=lambda each: each.stat().st_mtime)[:-KEPT]:
+                old.unlink(missing_ok=True)
 
     @cached_property
     def _entries(self) -> dict[str, Any]:
@@ -97,12 +102,11 @@ def file() -> Path | None:
 
 @cache
 def source_hash() -> str:
-    """SHA-256 of all that formulas depend on: texts of derive/, formula/ and derivations of laws, versions."""
+    """SHA-256 of the Python of contract, core and laws, whichever module asks which, and of what versions derive."""
     found = hashlib.sha256()
-    for pattern in ("core/derive/*.py", "core/formula/*.py", "laws/*/derive.py"):
-        for path in sorted(_PACKAGE.glob(pattern)):
-            found.update(f"{path.relative_to(_PACKAGE).as_posix()}\0".encode())
-            found.update(path.read_bytes() + b"\0")
+    for path in sorted(path for part in ("contract", "core", "laws") for path in (_PACKAGE / part).rglob("*.py")):
+        found.update(f"{path.relative_to(_PACKAGE).as_posix()}\0".encode())
+        found.update(path.read_bytes() + b"\0")
     sympy = find_spec("sympy")  # its version without importing it
     if sympy is not None and sympy.origin is not None:
         found.update((Path(sympy.origin).parent / "release.py").read_bytes())

@@ -34,9 +34,6 @@ KEPT = 256
 
 _DIGEST = "digest"
 _NUMBERS = ".numbers"
-_PACKAGE = Path(__file__).resolve().parents[2]
-_DECIDE = ("contract", "laws", *(f"core/{stage}" for stage in ("emit", "lower", "program", "routines", "toolchain")))
-_TEMPLATES = ("arrays.c.j2", "batch.c.j2", "batch.h.j2", "stand.c.j2", "stand.h.j2")
 
 
 def library_key(
@@ -65,10 +62,8 @@ def _key(*parts: str) -> str:
 @cache
 def _generator() -> str:
     """SHA-256 of all that decides the text of the C and how it is compiled."""
-    paths = [path for part in _DECIDE for path in sorted((_PACKAGE / part).rglob("*.py"))]
-    paths += [place / name for place in folders() for name in _TEMPLATES if (place / name).is_file()]
     found = hashlib.sha256(f"{__version__}\0{formulas.source_hash()}".encode())
-    for path in paths:
+    for path in (path for place in folders() for path in sorted(place.rglob("*")) if path.is_file()):
         found.update(path.name.encode() + b"\0" + path.read_bytes())
     return found.hexdigest()
 
