@@ -11,7 +11,9 @@ import numpy as np
 import pytest
 
 from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.lower.program import lower
 from mahovik.core.program.cost import cost
+from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand import Stand, State, load
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand, random_state
 from mahovik.proof.second import Second
@@ -225,3 +227,17 @@ def test_coupled_costs_at_most_twice_forward() -> None:
     program = backend_of("bench8").program
     coupled, forward = (cost(program.function(name), program.functions) for name in ("coupled", "forward"))
     assert coupled.total <= 2 * forward.total
+
+
+def test_coupled_jacobian_costs_no_work_on_zeros() -> None:
+    """What each pair of flywheels adds: two columns by phase and speed and one by torque, of 13 operations a flywheel.
+
+    The right-hand sides of the other flywheels are zero in these columns, and cost at most a comparison.
+    """
+
+    def total(count: int) -> int:
+        program = lower(random_stand(np.random.default_rng(1), count, BARE, name="pairs"), DOUBLE)
+        return cost(program.function("coupled_jacobian"), program.functions).total
+
+    pair = (total(8) - 2 * total(6) + total(4)) / 8  # second difference of a polynomial in N, by steps of 2
+    assert pair <= 3 * (13 + 1)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 from mahovik.core.derive.order import WEIGHTS
 from mahovik.core.formula.derived import accumulate as derived_rows
@@ -18,7 +20,8 @@ from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Place, equal, real
+from mahovik.core.program.expression import Expr, Place, equal, real, select
+from mahovik.core.program.types import NamedCount
 
 
 def own_change(
@@ -104,30 +107,48 @@ def torque_slope(
     return total
 
 
-class Sides(Protocol):
+class Sides(ABC):
     """Right-hand sides of the coupled equations, and their solution into columns of the derivatives.
 
     change     change of the wrench on the carrier (6)
     drive_rhs  right-hand sides of the drives (N)
     """
 
+    body: Body
+    count: NamedCount
     change: Place
     drive_rhs: Place
 
+    def write(self, o: Place, name: str, column: Place) -> None:
+        """Solve with the right-hand sides of all flywheels, and write a column of the derivatives by `name`."""
+        with self.body.loop("t", self.count) as t:
+            self.reduce(t, self.drive_rhs[t])
+        self.solve(o, name, column, lambda t: self.drive_rhs[t])
+
+    def write_alone(self, o: Place, name: str, s: Place, side: Expr | None) -> None:
+        """Likewise column s, where the right-hand side of flywheel s alone is not zero; None: nor is this one."""
+        if side is None:
+            self.solve(o, name, s, lambda t: real(0))
+            return
+        alone = self.body.let("side", side)
+        self.reduce(s, alone)
+        self.solve(o, name, s, lambda t: select(equal(t, s), alone, real(0)))
+
+    @abstractmethod
     def take_change(self) -> None:
         """Make the change of the wrench the right-hand side of the carrier."""
 
-    def clear(self) -> None:
-        """Set the right-hand sides of the drives to zero."""
-
+    @abstractmethod
     def clear_carrier(self) -> None:
         """Set the right-hand side of the carrier to zero."""
 
-    def write(self, o: Place, name: str, column: Place) -> None:
-        """Solve, and write a column of the derivatives by `name`."""
+    @abstractmethod
+    def reduce(self, t: Place, side: Expr) -> None:
+        """Take the share of flywheel t, by its right-hand side, from that of the carrier; of a locked one nothing."""
 
-    def write_torque(self, o: Place, column: Place) -> None:
-        """Likewise, by the torque of a flywheel, whose right-hand side alone is not zero."""
+    @abstractmethod
+    def solve(self, o: Place, name: str, column: Place, side: Callable[[Place], Expr]) -> None:
+        """Write the solution of the reduced right-hand side; `side`: right-hand side of a flywheel."""
 
 
 @dataclass(frozen=True)
@@ -155,14 +176,10 @@ def by_flywheels(lib: Library, body: Body, at: CoupledMotion, o: Place, sides: S
                 change_of_row(lib, body, row, by, weights, changes, seen, at.V_dot, sides.change)
                 about = own_change(lib, body, table, x, seen.V, at.wrench, s, sides.change, turn, speed)
                 sides.take_change()
-                sides.clear()
+                side = None if about is None else about[0]
                 if turn:
                     slope = torque_slope(lib, body, row, weights, seen, at.origin_acceleration, at.V_dot)
-                    body.set(sides.drive_rhs[s], -slope)
-                if about is not None:
-                    body.add(sides.drive_rhs[s], about[0])
-                sides.write(o, name, s)
+                    side = -slope if side is None else -slope + side
+                sides.write_alone(o, name, s, side)
         sides.clear_carrier()
-        sides.clear()
-        body.set(sides.drive_rhs[s], real(1))
-        sides.write_torque(o, s)
+        sides.write_alone(o, "tau", s, real(1))

@@ -6,7 +6,7 @@ by S du. With a stream V_r* = V* + (omega x C^T u_0, 0) changes with omega: K (d
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from mahovik.core.derive.order import WEIGHTS
 from mahovik.core.formula.derived import accumulate as derived_rows
@@ -15,7 +15,14 @@ from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower import hold
 from mahovik.core.lower.coupling import couple_flywheel, declare_common_terms
 from mahovik.core.lower.drive import check_drive
-from mahovik.core.lower.flywheel_slopes import CoupledMotion, by_flywheels, change_of_row, own_change, row_weights
+from mahovik.core.lower.flywheel_slopes import (
+    CoupledMotion,
+    Sides,
+    by_flywheels,
+    change_of_row,
+    own_change,
+    row_weights,
+)
 from mahovik.core.lower.flywheels import columns_of, named_turns, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, scene, sum_up
 from mahovik.core.lower.freedoms import columns, dot, place_of
@@ -167,12 +174,12 @@ def forward_jacobian(lib: Library) -> Function:
     )
 
 
-class _Drives:
-    """The flywheels' equations beside those of the freedoms: right-hand sides (N), and what they take from y."""
+class _Drives(Sides):
+    """The carrier along its freedoms: y (m)."""
 
     def __init__(self, lib: Library, body: Body, table: Place, freedoms: _Freedoms, locked: Place) -> None:
-        count = self._count = lib.layout.count
-        self._body, self._freedoms, self.change = body, freedoms, freedoms.rhs
+        count = self.count = lib.layout.count
+        self.body, self._freedoms, self.change = body, freedoms, freedoms.rhs
         self.columns = body.local("drive", (count,), lib.layout.coupling)
         self.drive_rhs = body.local("drive_rhs", (count,), comment="right-hand sides of the drives")
         self._projected = body.local("projected", (count, freedoms.count), comment="S^T I, flywheel by flywheel")
@@ -183,7 +190,7 @@ class _Drives:
 
     def eliminate(self, s: Place, S: list[list[Expr | int]]) -> None:
         """Take flywheel s from P, by its column of I."""
-        body, freedoms, projected = self._body, self._freedoms, self._projected[s]
+        body, freedoms, projected = self.body, self._freedoms, self._projected[s]
         for k in range(freedoms.count):
             body.set(projected[k], dot(S[k], list(self.columns[s].I)))
         for i in range(freedoms.count):
@@ -191,37 +198,30 @@ class _Drives:
             for j in range(i + 1):
                 body.add(freedoms.P[place_of(i, j)], -(scaled * projected[j]))
 
-    def clear(self) -> None:
-        """Set the right-hand sides to zero."""
-        with self._body.loop("t", self._count) as t:
-            self._body.set(self.drive_rhs[t], real(0))
-
     def take_change(self) -> None:
         """Make the change of the wrench the right-hand side along the freedoms."""
         self._freedoms.project()
 
     def clear_carrier(self) -> None:
         """Set the right-hand side along the freedoms to zero."""
-        with self._body.loop("k", self._freedoms.count) as k:
-            self._body.set(self._freedoms.y[k], real(0))
+        with self.body.loop("k", self._freedoms.count) as k:
+            self.body.set(self._freedoms.y[k], real(0))
 
-    def write_torque(self, o: Place, column: Place) -> None:
-        """A column of the derivatives by the torque of a flywheel."""
-        self.write(o, "tau", column)
+    def reduce(self, t: Place, side: Expr) -> None:
+        """From y."""
+        share = self.body.let("share", side * self._inverse[t])
+        with self.body.loop("k", self._freedoms.count) as k:
+            self.body.add(self._freedoms.y[k], -(self._projected[t][k] * share))
 
-    def write(self, o: Place, name: str, column: Place) -> None:
-        """du* and the change of phi'' of y and the right-hand sides, into a column of the derivatives by `name`."""
-        body, freedoms, m = self._body, self._freedoms, self._freedoms.count
-        with body.loop("t", self._count) as t:
-            share = body.let("share", self.drive_rhs[t] * self._inverse[t])
-            with body.loop("k", m) as k:
-                body.add(freedoms.y[k], -(self._projected[t][k] * share))
+    def solve(self, o: Place, name: str, column: Place, side: Callable[[Place], Expr]) -> None:
+        """du* and the change of phi''."""
+        body, freedoms, m = self.body, self._freedoms, self._freedoms.count
         freedoms.solve()
         with body.loop("i", m) as i:
             body.set(o.member(f"u_dot_{name}")[i][column], freedoms.change[i])
-        with body.loop("t", self._count) as t:
+        with body.loop("t", self.count) as t:
             back = _sum_of(self._projected[t][k] * freedoms.change[k] for k in range(m))
-            body.set(o.member(f"phi_ddot_{name}")[t][column], (self.drive_rhs[t] - back) * self._inverse[t])
+            body.set(o.member(f"phi_ddot_{name}")[t][column], (side(t) - back) * self._inverse[t])
 
 
 def coupled_jacobian(lib: Library) -> Function:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from mahovik.core.derive.order import WEIGHTS
@@ -13,6 +14,7 @@ from mahovik.core.lower.coupling import along, couple_flywheel, declare_common_t
 from mahovik.core.lower.drive import Solved, check_drive, solve_free, without_drives
 from mahovik.core.lower.flywheel_slopes import (
     CoupledMotion,
+    Sides,
     by_flywheels,
     change_of_row,
     own_change,
@@ -146,7 +148,7 @@ def coupled_jacobian(lib: Library) -> Function:
     motion = body.local("V_result", (6,), comment="V*, then V_r*")
     spins = body.local("phi_result", (layout.count,), comment="phi''")
     turns = turns_of(lib, body, x.place)
-    apart = layout.lanes > 1 or layout.stream  # lanes have other columns, and with a stream bits would change
+    apart = layout.lanes > 1  # lanes have other columns
     if apart:
         inputs = [a.place for a in (tau, locked, *wrench)]
         lib.check(body, "solve_coupled", table.place, x.place, *turns, *inputs, motion, spins)
@@ -157,7 +159,7 @@ def coupled_jacobian(lib: Library) -> Function:
     else:
         system = without_drives(lib, body, table.place, x.place, seen, wrench)
         solved = solve_free(lib, body, table.place, seen, (tau.place, locked.place), system, (motion, spins))
-    if seen.stream is not None:
+    if apart and seen.stream is not None:
         drift = drift_of(body, x.place, seen.stream)
         for i in range(3):
             body.add(motion[i], drift[i])
@@ -197,22 +199,17 @@ def _factor(lib: Library, body: Body, table: Place, seen: Scene, locked: Place) 
     return Solved(drives, alike, factor)
 
 
-class _Work:
-    """Right-hand sides of the coupled equations and their solution: rhs (6) of the carrier, drive_rhs (N)."""
+class _Work(Sides):
+    """The whole carrier: rhs (6)."""
 
     def __init__(self, lib: Library, body: Body, table: Place, locked: Place, drives: Place, factor: Place) -> None:
-        self._lib, self.body, self.table, self._locked = lib, body, table, locked
+        self._lib, self.body, self.table, self._locked, self.count = lib, body, table, locked, lib.layout.count
         self.drives, self._factor = drives, factor
         self.rhs = body.local("rhs", (6,), comment="right-hand side of the carrier")
         self.drive_rhs = body.local("drive_rhs", (lib.layout.count,), comment="right-hand sides of the drives")
         self._y = body.local("y", (6,))
         self.change = self.rhs
         self.clear_carrier()
-
-    def clear(self) -> None:
-        """Set the right-hand sides of the drives to zero."""
-        with self.body.loop("t", self._lib.layout.count) as t:
-            self.body.set(self.drive_rhs[t], real(0))
 
     def clear_carrier(self) -> None:
         """Set the right-hand side of the carrier to zero."""
@@ -222,40 +219,25 @@ class _Work:
     def take_change(self) -> None:
         """The change of the wrench is the right-hand side as it stands."""
 
-    def write(self, o: Place, name: str, column: Place) -> None:
-        """Solve, and write a column of the derivatives by `name`."""
-        self.reduce_all()
-        self.solve(o, name, column)
-
-    def write_torque(self, o: Place, column: Place) -> None:
-        """Likewise, by the torque of a flywheel, whose right-hand side alone is not zero."""
-        self.reduce(column)
-        self.solve(o, "tau", column)
-
-    def reduce(self, t: Place) -> None:
-        """Take the share of flywheel t, unless it is locked, from the carrier's right-hand side."""
+    def reduce(self, t: Place, side: Expr) -> None:
+        """From rhs."""
         body = self.body
         with body.when(equal(self._locked[t], integer(0))):
-            share = body.let("share", self.drive_rhs[t] * entry(self._lib, self.table, t, "spin_inv"))
+            share = body.let("share", side * entry(self._lib, self.table, t, "spin_inv"))
             with body.loop("i", 6) as i:
                 body.add(self.rhs[i], -(self.drives[t].I[i] * share))
 
-    def reduce_all(self) -> None:
-        """Take the shares of all flywheels."""
-        with self.body.loop("t", self._lib.layout.count) as t:
-            self.reduce(t)
-
-    def solve(self, o: Place, name: str, column: Place) -> None:
-        """V* and phi'' of the reduced right-hand sides into a column of the derivatives by `name`."""
-        body, count = self.body, self._lib.layout.count
+    def solve(self, o: Place, name: str, column: Place, side: Callable[[Place], Expr]) -> None:
+        """V* and phi''."""
+        body = self.body
         body.call(self._lib["solve_schur"], self._factor, self.rhs, self._y)
         with body.loop("i", 6) as i:
             body.set(o.member(f"V_dot_{name}")[i][column], self._y[i])
-        with body.loop("t", count) as t:
+        with body.loop("t", self.count) as t:
             target = o.member(f"phi_ddot_{name}")[t][column]
             body.set(target, real(0))
             with body.when(equal(self._locked[t], integer(0))):
-                left = self.drive_rhs[t] - along(list(self.drives[t].I), self._y)
+                left = side(t) - along(list(self.drives[t].I), self._y)
                 body.set(target, left * entry(self._lib, self.table, t, "spin_inv"))
 
 
