@@ -77,8 +77,8 @@ PLAN_SAMPLES, PLAN_SAMPLE, PLAN_CORES, PLAN_SHARDS = 10**9, 1e-3, 1000, (10.0, 3
 class Empty:
     """A campaign whose rows cost nothing."""
 
-    def __init__(self, path: Path, shard_size: int | None) -> None:
-        made = Campaign.load(path, shard=1)
+    def __init__(self, path: Path, shard_size: int | None, computing: bool) -> None:
+        made = Campaign.load(path, shard=1, computing=computing)
         self.name, self.identity, self.samples, self.shard_size = "empty", made.identity, EMPTY, 1
         self.parameters, self.quantities = made.parameters, made.quantities
         self.stand, self.goal, self.stand_of, self.sensitivity = made.stand, None, made.stand_of, made.sensitivity
@@ -128,7 +128,7 @@ def scheduler(folder: Path) -> dict[str, float]:
     """Load of a scheduler and of the client by shards that cost nothing: processor time for each shard, ms."""
     file = folder / "sat4.toml"
     out = folder / "empty"
-    begin(out, file, Empty(file, None))
+    begin(out, file, Empty(file, None, True))
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = str(free.getsockname()[1])

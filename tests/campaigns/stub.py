@@ -98,7 +98,7 @@ def write_stub(path: Path, **values: Any) -> Path:
     return path
 
 
-def load_stub(path: Path, shard_size: int | None = None) -> Stub:
+def load_stub(path: Path, shard_size: int | None = None, computing: bool = True) -> Stub:
     """Read it: what processes get instead of the reader of campaign files."""
     known = json.loads(path.read_text())
     within = known.pop("within", None)

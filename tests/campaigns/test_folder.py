@@ -106,6 +106,36 @@ def test_other_folders_are_refused(tmp_path: Path) -> None:
             CampaignFolder(tmp_path / "none")
 
 
+@pytest.mark.parametrize(
+    ("key", "value", "words"),
+    [
+        ("end", '"515"', 'end: expected a valid integer, found "515"'),
+        ("end", "1e3", "end: expected a valid integer, found 1000.0"),
+        ("end", "null", "end: expected a valid integer, found a NoneType"),
+        ("end", "1e12", "end: expected a valid integer, found 1000000000000.0"),
+        ("end", "true", "end: expected a valid integer, found true"),
+        ("end", "41", "end: expected at most `samples`, 40, found 41"),
+        ("end", "0", "end: expected greater than or equal to 1, found 0"),
+        ("samples", str(10**12), "samples: expected less than or equal to 10000000000, found 1000000000000"),
+        ("shard_size", "0", "shard_size: expected greater than or equal to 1, found 0"),
+        ("file", "7", "file: expected a valid string, found 7"),
+        ("file", r'"\u0000"', "file: expected a path, found a NUL"),
+        ("quantities", '{"root": 1}', "quantities.root: expected a valid string, found 1"),
+        ("identity", "[]", "identity: expected a valid dictionary, found a list of 0"),
+        ("stand", "[" * 10_000 + "]" * 10_000, ""),
+    ],
+)
+def test_a_damaged_manifest_is_one_line(key: str, value: str, words: str, tmp_path: Path) -> None:
+    prepare(tmp_path)
+    path = tmp_path / "out" / "manifest.json"
+    text = json.dumps({**json.loads(path.read_text()), key: "HERE"})
+    path.write_text(text.replace('"HERE"', value))
+    said = f"{path}: no manifest of a campaign{': ' if words else ''}{words}; begin again in another folder"
+    with pytest.raises(UsageError) as refused:
+        CampaignFolder(tmp_path / "out")
+    assert str(refused.value) == said
+
+
 @pytest.mark.slow
 def test_where_enough_samples_end_does_not_depend_on_the_workers(tmp_path: Path) -> None:
     """Shards come back in any order, and are looked at in that of the samples."""

@@ -100,7 +100,7 @@ def test_missing_rows_are_said_on_top(tmp_path: Path) -> None:
 
 
 def test_queries_give_the_columns(folder: CampaignFolder) -> None:
-    query, columns = Query(folder.path, folder.manifest), folder.columns()
+    query, columns = Query(folder.path, folder.status()), folder.columns()
     assert query.count() == 300
     assert np.array_equal(query.with_gaps("root"), columns["root"], equal_nan=True)
     good = columns["error"] == ""
@@ -108,6 +108,42 @@ def test_queries_give_the_columns(folder: CampaignFolder) -> None:
     assert query.parameters_of(17) == {"carrier.mass": columns["carrier.mass"][17]}
     thinned = query.columns(["double"], every=7)["double"]
     assert np.array_equal(thinned, columns["double"][good & (columns["sample"] % 7 == 0)])
+
+
+def test_only_the_rows_of_the_folder_are_in_its_report(tmp_path: Path) -> None:
+    """Whatever its name means as a pattern, and whatever else lies among its shards."""
+    for name, seed in (("g1", 1), ("g[1]", 2)):
+        (tmp_path / name).mkdir()
+        file = write_stub(tmp_path / name / "c.json", samples=20, shard_size=10, seed=seed)
+        found = Campaign(file, load=load_stub).prepare(tmp_path / name / "out")
+        for number in range(2):
+            found.shard(number)
+    path = shard_path(found.path, 0)
+    path.with_name("copied.parquet").write_bytes(path.read_bytes())
+    state, columns = found.status(), found.columns()
+    query = Query(found.path, state)
+    assert query.count() == state.rows == 20
+    assert query.with_gaps("root").tobytes() == columns["root"].tobytes()
+    assert "20 samples in 2 shards" in text_of(found.report(tmp_path / "page.html", worst=0).page)
+
+
+OWN = """
+import pathlib
+pathlib.Path(__file__).with_name("imported").touch()
+def most(arrays):
+    return float(abs(arrays["V"]).max())
+"""
+
+
+def test_the_report_of_a_folder_runs_no_code_of_its_campaign(tmp_path: Path) -> None:
+    (tmp_path / "own.py").write_text(OWN)
+    quantities = DEPENDS + '[[quantity]]\nname = "most"\nfunction = "own.py:most"\n'
+    file = write(tmp_path, quantities, stand="shaker2", samples=4)
+    Campaign(file).prepare(tmp_path / "out").shard(0)
+    (tmp_path / "imported").unlink()
+    report = CampaignFolder(tmp_path / "out").report(tmp_path / "page.html", worst=1)
+    assert not (tmp_path / "imported").exists()
+    assert "most" in text_of(report.page)
 
 
 DEPENDS = """
@@ -135,7 +171,7 @@ def test_the_page_has_the_figures_of_the_design(design: str, title: str, tmp_pat
     for number in range(found.manifest.shards):
         found.shard(number)
     text = text_of(found.report(tmp_path / "page.html", worst=0).page)
-    figures = load_campaign(file, None).sensitivity(found.columns()["shake"]).figures
+    figures = load_campaign(file, None, False).sensitivity(found.columns()["shake"]).figures
     first = "ST" if design == "saltelli" else "mu_star"
     assert figures[first][0] > 10 * figures[first][1] > 0.0  # of the unbalance, and of the mass
     table = text[text.index(f"{title}, from 48 samples") :]

@@ -70,11 +70,13 @@ class Campaign:
         *,
         shard: int | None = None,
         user_functions: Mapping[str, Callable[[Mapping[str, Any]], float]] | None = None,
+        computing: bool = True,
     ) -> Campaign:
         """The campaign of a file, compiled.
 
         shard           samples of a shard, whatever the file says
         user_functions  functions of quantities by the text of `function` in the file; else they are imported
+        computing       whether its quantities shall be computed: else no function is imported
 
         Raises CampaignError with every problem of the file, and what the files raise that it names.
         """
@@ -83,6 +85,9 @@ class Campaign:
             raise CampaignError(
                 [f"{file.source}: over: required, but missing; expected over what samples are computed"]
             )
+        if not computing:
+            wanted = (each for each in file.table.quantity.values() if each.statistic == "function")
+            user_functions = {each.signal: _not_computed for each in wanted}
         moved = [each.place.path for each in file.draw.parameters if is_place_of_hold(each.place.path)]
         if moved and file.table.over.kind == "states":
             held = "says where the carrier is held, and the states of a file are of one place"
@@ -184,3 +189,7 @@ class Campaign:
             count = min(4 * count, self.samples, _LONGEST_SHARD)
         most = min(_LONGEST_SHARD, -(-self.samples // _FEWEST_SHARDS))
         return max(1, min(most, round(float(f"{count * SHARD_TIME / taken:.1g}"))))
+
+
+def _not_computed(_: Mapping[str, Any]) -> float:
+    raise RuntimeError("a campaign that is read has no functions")

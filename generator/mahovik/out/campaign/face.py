@@ -34,7 +34,7 @@ class Campaign:
 
     def __init__(self, file: str | Path, *, load: Load = load_campaign) -> None:
         self._file, self._load = Path(file), load
-        self._work: Work = load(Path(file), None)
+        self._work: Work = load(Path(file), None, True)
 
     @staticmethod
     def open(folder: str | Path) -> CampaignFolder:
@@ -114,14 +114,14 @@ class CampaignFolder:
         """Compute the shards that are missing or damaged; arguments as of `Campaign.run`."""
         if scheduler is not None:
             require_scheduler(scheduler)
-        goal = self._work().goal
+        goal = self._work(computing=True).goal
         accuracy = None if goal is None else Accuracy(goal)
         return run_shards(
             self.path, workers=workers, scheduler=scheduler, load=self._load, accuracy=accuracy, progress=progress
         )
 
-    def _work(self) -> Work:
-        return self._read or folder.open_work(self.path, self._load)
+    def _work(self, computing: bool) -> Work:
+        return self._read or folder.open_work(self.path, self._load, computing)
 
     def status(self, progress: OnProgress | None = None) -> dataset.Status:
         """State of the folder: every shard is read and checked."""
@@ -132,10 +132,13 @@ class CampaignFolder:
         return dataset.merge(self.path, Path(path), progress)
 
     def report(self, path: str | Path, *, worst: int = WORST, progress: OnProgress | None = None) -> CampaignReport:
-        """Write a page on the rows, and the stand files of the `worst` samples of each quantity into the folder."""
+        """Write a page on the rows, and the stand files of the `worst` samples of each quantity into the folder.
+
+        Functions of the campaign file are not imported: a folder of somebody else is data.
+        """
         from mahovik.out.campaign.report.page import write_report
 
-        return write_report(self.path, self._work(), Path(path), worst=worst, progress=progress)
+        return write_report(self.path, self._work(computing=False), Path(path), worst=worst, progress=progress)
 
     def columns(self) -> dict[str, NDArray[Any]]:
         """All rows so far: arrays by the names of the columns. Raises DamagedError."""

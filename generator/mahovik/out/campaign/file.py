@@ -29,10 +29,10 @@ from mahovik.out.campaign.draw import Copula, Draw, Parameter, cholesky
 from mahovik.out.campaign.over import OverTable
 from mahovik.out.campaign.places import Places
 from mahovik.out.campaign.quantity_tables import quantities_by_name
+from mahovik.out.campaign.rows import MOST_SAMPLES
 from mahovik.out.campaign.vary import read_vary
 from mahovik.out.campaign.wanted import WantedTable
 
-MOST_SAMPLES = 10**10
 _LONGEST_SEED = 2**63 - 1
 
 

@@ -12,15 +12,18 @@ from mahovik.out.campaign.rows import Work
 from mahovik.out.campaign.shards import DamagedError, Record, packages, read_shard, record_of, write_shard
 from mahovik.writing import probe
 
-Load = Callable[[Path, int | None], Work]
-"""Reads a campaign file, with samples a shard or None; processes of other machines import it by its name."""
+Load = Callable[[Path, int | None, bool], Work]
+"""Reads a campaign file, with samples a shard or None, and whether any are to be computed.
+
+Processes of other machines import it by its name.
+"""
 
 
-def load_campaign(path: Path, shard_size: int | None) -> Work:
+def load_campaign(path: Path, shard_size: int | None, computing: bool) -> Work:
     """The campaign of a file. Raises CampaignError with every problem of the file, StandError."""
     from mahovik.out.campaign.campaign import Campaign
 
-    return Campaign.load(path, shard=shard_size)
+    return Campaign.load(path, shard=shard_size, computing=computing)
 
 
 def begin(folder: Path, file: Path, work: Work) -> Manifest:
@@ -41,20 +44,20 @@ def begin(folder: Path, file: Path, work: Work) -> Manifest:
     return manifest
 
 
-def open_work(folder: Path, load: Load = load_campaign) -> Work:
-    """The campaign of a folder, whose file a process reads once.
+def open_work(folder: Path, load: Load = load_campaign, computing: bool = True) -> Work:
+    """The campaign of a folder, whose file a process reads once; where nothing is computed, no code of the user runs.
 
     Raises UsageError: the file, the stand or the version is not that with which the folder was begun.
     """
     manifest = read_manifest(folder)
     manifest.require_version(str(folder))
-    return _open((folder.resolve() / manifest.file).resolve(), manifest.digest, str(folder), load)
+    return _open((folder.resolve() / manifest.file).resolve(), manifest.digest, str(folder), load, computing)
 
 
 @lru_cache(maxsize=2)
-def _open(path: Path, _digest: str, folder: str, load: Load) -> Work:
+def _open(path: Path, _digest: str, folder: str, load: Load, computing: bool) -> Work:
     manifest = read_manifest(Path(folder))
-    work = load(path, manifest.shard_size)
+    work = load(path, manifest.shard_size, computing)
     require_same(manifest, work, folder)
     return work
 

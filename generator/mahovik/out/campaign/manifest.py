@@ -6,13 +6,17 @@ import hashlib
 import json
 import os
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
+
+from pydantic import ConfigDict, Field, ValidationError
+from pydantic.dataclasses import dataclass
 
 from mahovik import __version__
+from mahovik.core.stand.units import show
 from mahovik.errors import UsageError
-from mahovik.out.campaign.rows import Work
+from mahovik.out.campaign.rows import MOST_SAMPLES, Work
 from mahovik.writing import write
 
 NAME = "manifest.json"
@@ -26,10 +30,15 @@ KEYS = {"campaign": "the text of its file", "seed": "its seed", "campaign and se
 RESERVED = ("sample", "error")
 """Columns of every row besides parameters and quantities."""
 
+AGAIN = "begin again in another folder"
 
-@dataclass(frozen=True)
+
+Count = Annotated[int, Field(ge=1, le=MOST_SAMPLES)]
+
+
+@dataclass(frozen=True, config=ConfigDict(strict=True))
 class Manifest:
-    """Facts that every reader and writer of the folder agrees on.
+    """Facts that every reader and writer of the folder agrees on. Raises ValidationError: a fact of another kind.
 
     name        of the campaign
     identity    hashes of stand and campaign file, version of mahovik, seed
@@ -42,9 +51,9 @@ class Manifest:
 
     name: str
     identity: Mapping[str, str]
-    samples: int
-    end: int
-    shard_size: int
+    samples: Count
+    end: Count
+    shard_size: Count
     parameters: Mapping[str, str]
     quantities: Mapping[str, str]
     file: str
@@ -78,7 +87,7 @@ class Manifest:
         if began != __version__:
             raise UsageError(
                 f"{where}: mahovik {__version__} is installed here, but the campaign was begun with {began}; "
-                f"install that version, or begin again in another folder"
+                f"install that version, or {AGAIN}"
             )
 
 
@@ -120,12 +129,23 @@ def read_manifest(folder: Path) -> Manifest:
     except ValueError as error:
         raise UsageError(f"{path}: cannot be read: {error}") from None
     try:
-        found = json.loads(text)
-        if found.pop("format") != FORMAT:
+        written = json.loads(text)
+        if written.pop("format") != FORMAT:
             raise UsageError(f"{path}: written by another version of mahovik; expected format {FORMAT}")
-        return Manifest(**found)
-    except (ValueError, TypeError, KeyError, AttributeError):
-        raise UsageError(f"{path}: no manifest of a campaign; begin again in another folder") from None
+        found = Manifest(**written)
+    except ValidationError as error:
+        first = error.errors()[0]
+        key, value = ".".join(map(str, first["loc"])), "nothing" if first["type"] == "missing" else show(first["input"])
+        expected = f"{first['msg'].replace('Input should be', 'expected')}, found {value}"
+        raise UsageError(f"{path}: no manifest of a campaign: {key}: {expected}; {AGAIN}") from None
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+        raise UsageError(f"{path}: no manifest of a campaign; {AGAIN}") from None
+    problem = f"end: expected at most `samples`, {found.samples}, found {found.end}" * (found.end > found.samples)
+    if problem or "\0" in found.file:
+        raise UsageError(
+            f"{path}: no manifest of a campaign: {problem or 'file: expected a path, found a NUL'}; {AGAIN}"
+        )
+    return found
 
 
 def require_same(manifest: Manifest, work: Work, where: str) -> None:
@@ -137,8 +157,7 @@ def require_same(manifest: Manifest, work: Work, where: str) -> None:
         what = f": {'; '.join(changes[:SHOWN])}" if changes else ""
         more = f"; and {len(changes) - SHOWN} more" if len(changes) > SHOWN else ""
         raise UsageError(
-            f"{where}: the stand file has changed since the campaign was begun{what}{more}; "
-            f"undo that, or begin again in another folder"
+            f"{where}: the stand file has changed since the campaign was begun{what}{more}; undo that, or {AGAIN}"
         )
     if begun != now or manifest.digest != describe(work, Path(), Path(), manifest.shard_size).digest:
         what = " and ".join(sorted(key for key in begun.keys() | now.keys() if begun.get(key) != now.get(key)))

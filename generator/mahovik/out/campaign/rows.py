@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from mahovik.out.campaign.convergence import Goal
     from mahovik.out.campaign.sensitivity import Sensitivity
 
+MOST_SAMPLES = 10**10
+"""Most samples of a campaign."""
+
 
 @dataclass(frozen=True)
 class Rows:

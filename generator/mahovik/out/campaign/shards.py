@@ -66,11 +66,6 @@ def shard_path(folder: Path, number: int) -> Path:
     return folder / ROWS / f"{number // FOLDER:06d}" / f"{number:09d}.parquet"
 
 
-def pattern(folder: Path) -> str:
-    """Pattern of all places of shards, for DuckDB and other readers; drafts do not match it."""
-    return str(folder / ROWS / "*" / "*.parquet")
-
-
 def schema(manifest: Manifest) -> Any:
     """Columns of a shard."""
     arrow, _ = packages()

@@ -41,7 +41,7 @@ def write_report(
         raise CheckError(f"{folder}: no rows yet; `mahovik campaign resume {folder}`")
     if state.damaged:
         raise CheckError(f"{folder}: {len(state.damaged)} shards are damaged; `mahovik campaign resume {folder}`")
-    query = Query(folder, state.manifest)
+    query = Query(folder, state)
     files = _write_stands(folder, work, query, worst)
     names = list(state.manifest.quantities)
     found = [overview(state, query)]

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.errors import UsageError
-from mahovik.out.campaign.manifest import Manifest
-from mahovik.out.campaign.shards import pattern
+from mahovik.out.campaign.dataset import Status
+from mahovik.out.campaign.shards import packages, schema, shard_path
 
 Array = NDArray[np.float64]
 
@@ -24,17 +24,17 @@ def _name(column: str) -> str:
 class Query:
     """Questions to the rows of the samples that are wanted."""
 
-    def __init__(self, folder: Path, manifest: Manifest) -> None:
-        """Raises UsageError: DuckDB is not installed."""
+    def __init__(self, folder: Path, state: Status) -> None:
+        """Of the shards alone that were whole. Raises UsageError: DuckDB is not installed."""
         try:
             self._connection: Any = import_module("duckdb").connect()
         except ImportError:
             raise UsageError('a report needs DuckDB: pip install "mahovik[campaign]"') from None
-        place = pattern(folder).replace("'", "''")
-        self._connection.execute(
-            f"create view samples as select * from read_parquet('{place}') where sample < {manifest.end}"
-        )
-        self.manifest = manifest
+        self.manifest = state.manifest
+        packages()
+        files = [str(shard_path(folder, number)) for number in state.records]  # to DuckDB their names are patterns
+        dataset = import_module("pyarrow.dataset").dataset(files, schema=schema(self.manifest), format="parquet")
+        self._connection.register("samples", dataset)
 
     def count(self) -> int:
         """Number of rows."""
