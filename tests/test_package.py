@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tomllib
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -106,3 +107,13 @@ def test_the_installed_command_knows_its_version_and_examples(installed: Callabl
 def test_the_command_is_declared(wheel: Path) -> None:
     entries = zipfile.ZipFile(wheel).read(f"mahovik-{__version__}.dist-info/entry_points.txt").decode()
     assert "mahovik = mahovik.__main__:run" in entries
+
+
+def test_an_old_python_is_refused_before_anything_is_tried() -> None:
+    """The backend that pip asks first ends with one line; some pips would try all versions of all packages first."""
+    with open(ROOT / "pyproject.toml", "rb") as file:
+        system = tomllib.load(file)["build-system"]
+    code = f"import sys; sys.version_info = (3, 10, 13); sys.path.insert(0, '{system['backend-path'][0]}')"
+    command = (sys.executable, "-c", f"{code}; import {system['build-backend']}")
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT)
+    assert (done.returncode, done.stderr) == (1, "mahovik needs Python 3.11 or newer, this is Python 3.10\n")
