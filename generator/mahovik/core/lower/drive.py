@@ -31,7 +31,7 @@ from mahovik.core.lower.held_drive import solve_held
 from mahovik.core.lower.lanes import entry
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.schur import start_schur
-from mahovik.core.lower.wrenches import own_wrenches
+from mahovik.core.lower.wrenches import flywheel_wrenches
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Not, Place, equal, integer, real, select
@@ -94,7 +94,7 @@ def _torque_arguments(lib: Library, turns: tuple[Argument, ...]) -> tuple[Argume
         *turns,
         Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V"),
         *lib.phi_ddot_arguments(),
-        *lib.wrench_arguments(),
+        *lib.flywheel_wrench_arguments(),
         Argument("tau", Kind.REAL, (lib.layout.count,), "out", "N m", purpose),
     )
 
@@ -107,11 +107,7 @@ def _balance(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
     wrench = tuple(a for a in arguments if a.name == "wrench")
     seen = scene(lib, body, table, x, turns=tuple(place[n] for n in ("sine", "cosine") if n in place))
     moving = relative_rate(body, x, place["V_dot"], seen.stream)
-    if layout.own_turning:
-        scratch = body.local("scratch", (6,), comment="wrench on the carrier, not used here")
-        for element in scratch:
-            body.set(element, real(0))
-        own_wrenches(lib, body, table, x, seen.turns, seen.V, wrench, scratch, seen.own)
+    flywheel_wrenches(lib, body, table, x, seen, wrench)
     alike = declare_common_terms(lib, body, seen)
     if layout.lanes > 1:
         _balance_blocks(lib, body, table, seen, alike, moving, place["phi_ddot"], place["tau"])

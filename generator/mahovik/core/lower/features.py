@@ -141,6 +141,10 @@ class Features:
         return tuple(self.structure.bodies[i] for i in self.structure.wrench_inputs)
 
     @property
+    def flywheel_input(self) -> bool:
+        return any(o.flywheel >= 0 and o.input >= 0 for o in self.own)
+
+    @property
     def sine_input(self) -> bool:
         """Some functions take sines and cosines of the phases."""
         return self.flywheels and self.structure.phase_input == "sincos"

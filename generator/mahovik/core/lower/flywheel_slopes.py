@@ -176,7 +176,7 @@ def by_flywheels(lib: Library, body: Body, at: CoupledMotion, o: Place, sides: S
                 change_of_row(lib, body, row, by, weights, changes, seen, at.V_dot, sides.change)
                 about = own_change(lib, body, table, x, seen.V, at.wrench, s, sides.change, turn, speed)
                 sides.take_change()
-                side = None if about is None else about[0]
+                side: Expr | None = None if about is None else about[0]
                 if turn:
                     slope = torque_slope(lib, body, row, weights, seen, at.origin_acceleration, at.V_dot)
                     side = -slope if side is None else -slope + side

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
@@ -55,15 +57,13 @@ class Library(FunctionSet):
         if not self.layout.inputs:
             return ()
         names = ", ".join(self.layout.inputs)
-        return (
-            Argument(
-                "wrench",
-                Kind.REAL,
-                (6 * len(self.layout.inputs),),
-                unit="N, N m",
-                purpose=f"run-time wrenches, six numbers a body ({names}), in its own frame about its origin",
-            ),
-        )
+        purpose = f"run-time wrenches, six numbers a body ({names}), in its own frame about its origin"
+        return (Argument("wrench", Kind.REAL, (6 * len(self.layout.inputs),), unit="N, N m", purpose=purpose),)
+
+    def flywheel_wrench_arguments(self) -> tuple[Argument, ...]:
+        """The same, where a flywheel takes one, for functions on whose results other bodies' have no effect."""
+        taken = self.wrench_arguments() if self.layout.flywheel_input else ()
+        return tuple(replace(a, purpose=a.purpose + "; those of flywheels alone act") for a in taken)
 
     def guard(self, body: Body, condition: Expr, status: str) -> None:
         """return status where the condition holds."""

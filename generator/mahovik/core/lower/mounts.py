@@ -17,7 +17,7 @@ from mahovik.core.lower.forward import (
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign
-from mahovik.core.lower.wrenches import own_wrenches
+from mahovik.core.lower.wrenches import flywheel_wrenches
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, integer, real
@@ -110,7 +110,7 @@ def mounts(lib: Library) -> Function:
     table, x = lib.table_argument(), lib.state_argument()
     mounting = Argument("mounting", layout.mount_table, purpose="made once by prepare_mounts")
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V")
-    phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
+    phi_ddot, wrench = lib.phi_ddot_arguments(), lib.flywheel_wrench_arguments()
     purpose = (
         "of the mount on each flywheel, six numbers each, about Os in the axes of Es at phi = 0; the fourth is tau"
     )
@@ -120,11 +120,7 @@ def mounts(lib: Library) -> Function:
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     seen = scene(lib, body, table.place, x.place)
     moving = relative_rate(body, x.place, V_dot.place, seen.stream)
-    if layout.own_turning:
-        scratch = body.local("scratch", (6,), comment="wrench on the carrier, not used here")
-        for element in scratch:
-            body.set(element, real(0))
-        own_wrenches(lib, body, table.place, x.place, seen.turns, seen.V, wrench, scratch, seen.own)
+    flywheel_wrenches(lib, body, table.place, x.place, seen, wrench)
     W = body.local("W", (6,))
     with body.loop("s", layout.count) as s:
         for k in range(6):

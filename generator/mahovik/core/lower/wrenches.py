@@ -7,6 +7,7 @@ from typing import Any
 from mahovik.contract.laws import of_bodies, part
 from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower.flywheels import Turns, let_turn, named_turns, places_of, turn_of
+from mahovik.core.lower.forward import Scene
 from mahovik.core.lower.lanes import row_of
 from mahovik.core.lower.laws import add_force
 from mahovik.core.lower.library import Library
@@ -47,7 +48,9 @@ def external(lib: Library) -> Function:
         for i in range(6):
             body.add(F.place[i], wrench[0].place[i])
     if layout.own:
-        own_wrenches(lib, body, table.place, x.place, turns, V.place, wrench, F.place, own.place)
+        own_wrenches(
+            lib, body, table.place, x.place, turns, V.place, wrench[0].place if wrench else None, F.place, own.place
+        )
     for law in laws:
         law.act(lib, body, table.place, x.place, C.place, F.place)
     if refuses or checked:
@@ -83,7 +86,7 @@ def own_wrenches(
     x: Place,
     turns: Turns,
     V: Place,
-    wrench: tuple[Argument, ...],
+    wrench: Place | None,
     F: Place,
     own: Place | None,
 ) -> None:
@@ -93,9 +96,26 @@ def own_wrenches(
         with body.loop("i", 6 * int(lib.layout.count)) as i:
             body.set(own[i], real(0))
     with body.loop("k", len(lib.layout.own)) as k:
-        everything = {"table": table, "frame": table.frame[k], "x": x, "V": V, "F": F, "own": own}
-        everything |= {w.name: w.place for w in wrench} | named_turns(turns)
+        everything = {"table": table, "frame": table.frame[k], "x": x, "V": V, "F": F, "own": own, "wrench": wrench}
+        everything |= named_turns(turns)
         body.call(lib["own_wrench"], *lib.arguments_of("own_wrench", **everything))
+
+
+def flywheel_wrenches(
+    lib: Library, body: Body, table: Place, x: Place, seen: Scene, wrench: tuple[Argument, ...]
+) -> None:
+    """Set the flywheels' own wrenches in `seen`, where they have such; `wrench`: `flywheel_wrench_arguments`."""
+    if seen.own is None:
+        return
+    scratch = body.local("scratch", (6,), comment="wrench on the carrier, not used here")
+    for element in scratch:
+        body.set(element, real(0))
+    given = wrench[0].place if wrench else None
+    if lib.layout.own_inputs and given is None:
+        given = body.local("none", (6 * len(lib.layout.inputs),), comment="wrenches on bodies that are no flywheels")
+        with body.loop("i", len(given)) as i:
+            body.set(given[i], real(0))
+    own_wrenches(lib, body, table, x, seen.turns, seen.V, given, scratch, seen.own)
 
 
 def _weight(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums: Place, g: Place, F: Place) -> None:

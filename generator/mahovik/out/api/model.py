@@ -138,7 +138,7 @@ class Model(WithReaction, WithRegressor, WithCoordinates):
         tables: Tables | None = None,
         on_error: OnError = "raise",
     ) -> results.Torque:
-        """Drive torques for a given motion: V_dot m/s2, rad/s2; phi_ddot rad/s2.
+        """Drive torques for a given motion: V_dot m/s2, rad/s2; phi_ddot rad/s2. Of wrenches those on flywheels act.
 
         Gives `tau`. Batch C. Raises InputError, RefusedError.
         """
@@ -340,7 +340,10 @@ class Model(WithReaction, WithRegressor, WithCoordinates):
         tables: Tables | None = None,
         on_error: OnError = "raise",
     ) -> results.Mounts:
-        """Wrench of the mount on each flywheel: bearing loads. Batch C. Raises InputError, RefusedError."""
+        """Wrench of the mount on each flywheel: bearing loads. Of wrenches those on flywheels act.
+
+        Batch C. Raises InputError, RefusedError.
+        """
         return self._result(results.Mounts, "mounts", x, on_error, wrench, tables, V_dot=V_dot, phi_ddot=phi_ddot)
 
     def forward_jacobian(
