@@ -92,7 +92,7 @@ def test_the_installed_package_generates_the_same_c(installed: Callable[..., str
     written = {file.name: file.read_text(encoding="ascii") for file in (tmp_path / "out").iterdir()}
     expected = generate(load(examples.path("bench8")))
     assert expected.items() <= written.items()
-    assert {"bench8_selftest.c", "README.md", "manifest.json"} <= written.keys()
+    assert {"verification/bench8_selftest.c", "README.md", "manifest.json"} <= written.keys()
 
 
 def test_the_installed_command_knows_its_version_and_examples(installed: Callable[..., str], tmp_path: Path) -> None:

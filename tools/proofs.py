@@ -22,10 +22,12 @@ from kept import Campaign, Columns, Figures
 from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.emit.eva import Driver, drivers, eva_files
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.identity import identities
 from mahovik.core.toolchain.eva import Proof, prove, version
 from mahovik.stands import names, path
+from mahovik.writing import write_all
 
 KEPT = campaign.ROOT / "build" / "proofs"
 REALS = ("double", "float")
@@ -55,10 +57,8 @@ def write_folder(stand: str, real: str) -> tuple[Path, tuple[Driver, ...]]:
     read = "".join(text for _, text in sorted(files.items()))
     digest = hashlib.sha256(read.encode()).hexdigest()[:16]
     folder = KEPT / f"{stand}-{real}-{digest}"
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, text in files.items():
-        (folder / name).write_text(text, encoding="utf-8")
-    return folder / f"{stand}_eva.sh", drivers(generated.program)
+    write_all(folder, files)
+    return folder / f"{VERIFICATION}{stand}_eva.sh", drivers(generated.program)
 
 
 def given_stand(name: str) -> Stand:

@@ -18,6 +18,7 @@ import campaign
 from kept import Campaign, Columns, Figures, Measured
 
 from mahovik.core.emit.delivery import delivery
+from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.stand import load
 from mahovik.core.toolchain.static_checks import (
     COMPILERS,
@@ -29,6 +30,7 @@ from mahovik.core.toolchain.static_checks import (
     warnings_of,
 )
 from mahovik.stands import names, path
+from mahovik.writing import write_all
 
 REALS = ("double", "float")
 
@@ -36,9 +38,7 @@ REALS = ("double", "float")
 def write_folder(stand: str, real: str) -> tuple[Path, list[str]]:
     """The delivered folder under build/, and its sources for firmware: not the self-test, not the drivers of Eva."""
     folder = campaign.ROOT / "build" / "static-checks" / f"{stand}-{real}"
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, text in delivery(load(path(stand)), real).items():
-        (folder / name).write_text(text, encoding="utf-8")
+    write_all(folder, delivery(load(path(stand)), real))
     return folder, [f"{stand}.c", f"{stand}_recorder.c"]
 
 
@@ -86,7 +86,7 @@ def _stands(counts: dict[tuple[str, str], Counter[str]]) -> list[str]:
 def examine(stand: str, real: str) -> tuple[list[str], Counter[str]]:
     """Complaints of compilers and analyser about a stand's C, and its findings by rule."""
     folder, files = write_folder(stand, real)
-    complaints = warnings_of(folder, [*files, f"{stand}_selftest.c"])
+    complaints = warnings_of(folder, [*files, f"{VERIFICATION}{stand}_selftest.c"])
     return [f"{stand} {real}: {line}" for line in complaints], count_by_rule(findings(folder, files))
 
 

@@ -62,7 +62,7 @@ def probe(path: Path) -> None:
 def write_all(
     folder: Path, files: Mapping[str, str | bytes] | Mapping[str, str], mode: int = 0o666
 ) -> tuple[Path, ...]:
-    """Write several files into a folder, which is made if need be: all of them or none. Raises UsageError.
+    """Write several files, by their paths in a folder, which is made if missing: all or none. Raises UsageError.
 
     Each is written beside its place and moved there when all are complete, so that a build that runs at the same
     time never sees half a file. What has the same content already is not touched: its date stays. What is written
@@ -73,11 +73,12 @@ def write_all(
     places: dict[Path, Path] = {}
     through: dict[Path, bytes] = {}
     replaced: dict[Path, bytes | None] = {}
-    missing = _missing(folder)
+    missing = sorted({each for target in targets.values() for each in _missing(target.parent)}, reverse=True)
     target = folder
     try:
         _make(folder)
         for name, target in targets.items():
+            _make(target.parent)
             given = files[name]
             content = given.encode("utf-8") if isinstance(given, str) else given
             place = _place(target)

@@ -155,10 +155,12 @@ def test_the_same_figures_as_the_commands() -> None:
 def test_a_generated_folder_is_that_of_the_command(tmp_path: Path) -> None:
     made = mahovik.generate(shaker(), tmp_path / "a")
     run("generate", SHAKER2, "-o", str(tmp_path / "b"))
-    assert {path.name: path.read_bytes() for path in (tmp_path / "a").iterdir()} == {
-        path.name: path.read_bytes() for path in (tmp_path / "b").iterdir()
-    }
-    assert set(made.files) == {path.name for path in (tmp_path / "a").iterdir()}
+    here, there = (
+        {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+        for folder in (tmp_path / "a", tmp_path / "b")
+    )
+    assert here == there
+    assert set(made.files) == here.keys()
 
 
 def test_a_plan_without_a_programme_says_why() -> None:

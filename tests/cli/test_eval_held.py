@@ -151,7 +151,7 @@ def test_a_state_that_does_not_fit_is_an_error_line(
 def test_a_project_for_a_board_is_written(file: str, tmp_path: Path) -> None:
     folder = tmp_path / "board"
     assert run("export", "target", file, "--target", "m4", "-o", str(folder)).exit_code == 0
-    assert "reaction" in (folder / "pendulum_selftest.c").read_text()
+    assert "reaction" in (folder / "verification/pendulum_selftest.c").read_text()
     assert "typedef float" in (folder / "pendulum.h").read_text()
 
 

@@ -23,11 +23,11 @@ FILES = {
     "README.md",
     "demo3.c",
     "demo3.h",
-    "demo3_eva.c",
-    "demo3_eva.sh",
+    "verification/demo3_eva.c",
+    "verification/demo3_eva.sh",
     "demo3_recorder.c",
     "demo3_recorder.h",
-    "demo3_selftest.c",
+    "verification/demo3_selftest.c",
     "manifest.json",
 }
 
@@ -69,9 +69,14 @@ def folder(delivered: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(delivered, tmp_path / "out"))
 
 
+def names_in(folder: Path) -> set[str]:
+    """Names of all files in a folder and below it."""
+    return {p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file()}
+
+
 def contents(folder: Path) -> dict[str, bytes]:
     """Everything in a folder by name."""
-    return {p.name: p.read_bytes() for p in folder.iterdir()}
+    return {name: (folder / name).read_bytes() for name in names_in(folder)}
 
 
 def sha256(path: Path) -> str:
@@ -81,7 +86,7 @@ def sha256(path: Path) -> str:
 def test_it_writes_a_folder_and_needs_no_compiler(tmp_path: Path) -> None:
     done = process("generate", DEMO3, cwd=tmp_path, PATH="")
     assert done.returncode == 0
-    assert {p.name for p in (tmp_path / "demo3").iterdir()} == FILES
+    assert names_in(tmp_path / "demo3") == FILES
     for name, text in generate(load(DEMO3)).items():
         assert (tmp_path / "demo3" / name).read_bytes() == text.encode()
         assert f"{name}   {text.count(chr(10))} lines" in done.stdout
@@ -126,10 +131,10 @@ def test_batches_are_of_one_lane(folder: Path) -> None:
 
 
 def test_again_touches_nothing_that_is_the_same(folder: Path) -> None:
-    before = {p.name: p.stat().st_mtime_ns for p in folder.iterdir()}
+    before = {name: (folder / name).stat().st_mtime_ns for name in names_in(folder)}
     (folder / "demo3.h").unlink()
     run("generate", DEMO3, "-o", str(folder))
-    after = {p.name: p.stat().st_mtime_ns for p in folder.iterdir()}
+    after = {name: (folder / name).stat().st_mtime_ns for name in names_in(folder)}
     assert {name for name in FILES if after[name] != before[name]} == {"demo3.h"}
     assert set(after) == FILES
     assert stat.S_IMODE((folder / "demo3.h").stat().st_mode) & stat.S_IRUSR
@@ -138,8 +143,9 @@ def test_again_touches_nothing_that_is_the_same(folder: Path) -> None:
 # ---- what is somebody else's ----
 
 
-@pytest.mark.parametrize("name", ["README.md", "demo3.c", "demo3_selftest.c", "manifest.json"])
+@pytest.mark.parametrize("name", ["README.md", "demo3.c", "verification/demo3_selftest.c", "manifest.json"])
 def test_a_file_of_others_is_not_overwritten(name: str, tmp_path: Path) -> None:
+    (tmp_path / name).parent.mkdir(exist_ok=True)
     (tmp_path / name).write_text("mine\n")
     words = refused("generate", DEMO3, "-o", str(tmp_path))
     assert words.startswith(f"error: {tmp_path / name}: ")
@@ -166,7 +172,7 @@ def test_c_of_a_generator_without_manifests_is_taken_over(folder: Path) -> None:
     (folder / "demo3.c").write_text((folder / "demo3.c").read_text().replace("0.1", "0.2"))
     (folder / "notes.txt").write_text("mine")
     assert run("generate", DEMO3, "-o", str(folder)).exit_code == 0
-    assert {p.name for p in folder.iterdir()} == FILES | {"notes.txt"}
+    assert names_in(folder) == FILES | {"notes.txt"}
     assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 0
 
 
@@ -176,7 +182,7 @@ def test_what_is_no_longer_delivered_is_removed(folder: Path) -> None:
     (folder / "kept.h").write_text("changed by hand\n")
     result = run("generate", DEMO3, "-o", str(folder))
     assert f"{folder / 'old.h'} was removed: it is no longer delivered" in result.output
-    assert {p.name for p in folder.iterdir()} == FILES | {"kept.h"}
+    assert names_in(folder) == FILES | {"kept.h"}
 
 
 # ---- whole or not at all ----
@@ -248,7 +254,7 @@ def test_the_cost_of_other_c_is_removed(listed: bool, folder: Path) -> None:
     assert "COST.md: was measured on other C" in refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
     result = run("generate", DEMO3, "-o", str(folder))
     assert f"{folder / 'COST.md'} was removed: it was measured on other C" in result.output
-    assert {p.name for p in folder.iterdir()} == FILES
+    assert names_in(folder) == FILES
     assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 0
 
 
@@ -325,9 +331,9 @@ def test_a_program_of_the_user_stays_in_a_project(tmp_path: Path) -> None:
         done = run(*export)
         assert done.exit_code == 0 and f"{project / 'main.c'} is yours and stays as it is" in done.output
         assert contents(project) == before | {"main.c": own.encode()}
-    (project / "board.c").write_text(own)
+    (project / "verification/board.c").write_text(own)
     assert "board.c: was changed by hand" in refused(*export)
-    assert contents(project) == before | {"main.c": own.encode(), "board.c": own.encode()}
+    assert contents(project) == before | {"main.c": own.encode(), "verification/board.c": own.encode()}
 
 
 # ---- --check ----

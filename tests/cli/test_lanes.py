@@ -39,7 +39,7 @@ def test_the_manifest_and_the_header_tell_them(folders: dict[str, Path]) -> None
 def test_drivers_of_frama_c_are_of_one_lane(folders: dict[str, Path]) -> None:
     given = stand("demo3")
     for files in (delivery(given), delivery(given, "float", batch=True)):
-        assert {"demo3_eva.c", "demo3_eva.sh"} <= set(files)
+        assert {"verification/demo3_eva.c", "verification/demo3_eva.sh"} <= set(files)
         assert files["README.md"].count("_eva.") == 4
     for folder in folders.values():
         assert list(folder.glob("*_eva.*")) == []
@@ -120,7 +120,9 @@ def test_replay_finds_the_lanes_that_flew(backend: str, tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_judge_log_finds_the_lanes_of_the_board(tmp_path: Path) -> None:
     files = delivery(stand("demo3"), "double", 4)
-    code = {name: text for name, text in files.items() if name in ("demo3.h", "demo3.c", "demo3_selftest.c")}
+    code = {
+        name: text for name, text in files.items() if name in ("demo3.h", "demo3.c", "verification/demo3_selftest.c")
+    }
     status, printed = run_selftest(code, "demo3", tmp_path, "gcc", "-O2", "-DDEMO3_SELFTEST_SWEEP=5")
     assert status == 0
     (tmp_path / "board.log").write_text(printed)

@@ -46,8 +46,16 @@ def log(part: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def self_test(folder: Path, name: str, scratch: Path) -> Path:
     """Builds and runs the self-test of a folder; returns its log."""
-    sources = folder / f"{name}.c", folder / f"{name}_selftest.c"
-    compile_c(require("gcc", "gcc"), *sources, "-O1", "-ffp-contract=off", "-o", scratch / "program")
+    sources = folder / f"{name}.c", folder / f"verification/{name}_selftest.c"
+    compile_c(
+        require("gcc", "gcc"),
+        *sources,
+        "-O1",
+        "-ffp-contract=off",
+        f"-D{name.upper()}_SELFTEST_MAIN",
+        "-o",
+        scratch / "program",
+    )
     printed = subprocess.run([scratch / "program"], capture_output=True, text=True, check=True, timeout=60).stdout
     (scratch / "board.log").write_text(printed)
     return scratch / "board.log"
@@ -65,6 +73,7 @@ def copied(folder: Path, there: Path, *names: str) -> Path:
     """Files of a folder in a new one."""
     there.mkdir()
     for name in names:
+        (there / name).parent.mkdir(exist_ok=True)
         (there / name).write_bytes((folder / name).read_bytes())
     return there
 
@@ -166,7 +175,9 @@ def test_two_names_in_one_folder_are_one_too_many(part: Path, tmp_path: Path) ->
 @pytest.mark.slow
 def test_cost_measures_a_folder_of_another_name(part: Path, tmp_path: Path) -> None:
     require("valgrind", "valgrind")
-    folder = str(copied(part, tmp_path / "c", *(each.name for each in part.iterdir())))
+    folder = str(
+        copied(part, tmp_path / "c", *(each.relative_to(part).as_posix() for each in part.rglob("*") if each.is_file()))
+    )
     given = ("cost", SHAKER2, "-o", folder, "--targets", "host", "--real", "double")
     measured = run(*given, "--accept")
     assert measured.exit_code == 0, measured.output

@@ -27,7 +27,8 @@ def run_selftest(
     """Compile header, source and self-test with the strict warnings; return exit status and output."""
     write(files, folder)
     program = folder / "selftest"
-    sources = (folder / f"{name}_selftest.c", folder / f"{name}.c")
+    sources = (folder / f"verification/{name}_selftest.c", folder / f"{name}.c")
+    flags = (f"-D{name.upper()}_SELFTEST_MAIN", *flags)
     compile_c(compiler, sources[0], optimisation, *flags, sources[1], "-o", program)
     done = subprocess.run([program], capture_output=True, text=True, check=False, timeout=120)
     return done.returncode, done.stdout

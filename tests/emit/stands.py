@@ -89,6 +89,7 @@ def float_texts(given: Stand) -> tuple[Layout, Program, Values, dict[str, str]]:
 def write(files: dict[str, str], folder: Path) -> Path:
     """Writes files by name into a folder; returns the path of the source."""
     for name, text in files.items():
+        (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_text(text, encoding="ascii", newline="\n")
     return folder / next(name for name in files if name.endswith(".c"))
 

@@ -16,7 +16,7 @@ from toolchain.tools import compile_c, require, run
 def test_the_root_of_the_processor_gives_the_same_bits(real: str, root: str, tmp_path: Path) -> None:
     """All golden vectors and sweeps of the self-test; a root that is one unit too large is noticed."""
     source = write(firmware(stand("shaker2"), real), tmp_path)
-    test, program = tmp_path / "shaker2_selftest.c", tmp_path / "program"
+    test, program = tmp_path / "verification/shaker2_selftest.c", tmp_path / "program"
     for macro in (root, f"1.0000001{'F' if real == 'float' else ''} * {root}"):
         compile_c(
             require("gcc", "gcc"),
@@ -24,6 +24,7 @@ def test_the_root_of_the_processor_gives_the_same_bits(real: str, root: str, tmp
             test,
             "-O2",
             "-ffp-contract=off",
+            "-DSHAKER2_SELFTEST_MAIN",
             f"-DSHAKER2_SQRT={macro}",
             "-fno-math-errno",
             "-o",

@@ -119,7 +119,7 @@ def test_header_and_sources_of_other_lanes_are_refused(there: int, here: int, tm
     files = dict(generate_with_selftest("demo3", "double", here)[1])
     files["demo3.h"] = generate_with_selftest("demo3", "double", there)[1]["demo3.h"]
     write(files, tmp_path)
-    for name in ("demo3.c", "demo3_selftest.c"):
+    for name in ("demo3.c", "verification/demo3_selftest.c"):
         with pytest.raises(AssertionError, match="were generated for different numbers of lanes"):
             run("gcc", *FIRMWARE_WARNINGS, "-fsyntax-only", tmp_path / name)
 

@@ -75,9 +75,9 @@ def test_what_clang_does_not_show_fails_in_the_self_test(compiler: str, flag: st
     made = generate_all(stand("bench8"), real)
     write({**made.files, **selftest_files(stand("bench8"), made)}, tmp_path)
     program = tmp_path / "selftest"
-    sources = [str(tmp_path / name) for name in ("bench8.c", "bench8_selftest.c")]
+    sources = [str(tmp_path / name) for name in ("bench8.c", "verification/bench8_selftest.c")]
     leave = [LEAVE] if compiler == "gcc" else []
-    command = [require(compiler, compiler), "-std=c99", "-O2", *BITS, flag, *leave, *sources]
+    command = [require(compiler, compiler), "-std=c99", "-O2", *BITS, flag, *leave, "-DBENCH8_SELFTEST_MAIN", *sources]
     subprocess.run([*command, "-o", str(program)], check=True, capture_output=True)
     done = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 1
@@ -88,7 +88,7 @@ def test_what_clang_does_not_show_fails_in_the_self_test(compiler: str, flag: st
     assert second.startswith("mahovik selftest bench8 ")
     (log,) = read_log(done.stdout, "selftest")
     assert problems(log)[0] == first
-    for name in ("bench8.h", "bench8_selftest.c"):
+    for name in ("bench8.h", "verification/bench8_selftest.c"):
         assert "wrong results with status ok" in (tmp_path / name).read_text().lower()
 
 

@@ -73,8 +73,7 @@ def test_the_sweep_is_that_of_the_interpreter(name: str, real: str, tmp_path: Pa
 
 def test_an_own_main_takes_what_is_printed(tmp_path: Path) -> None:
     _, files = generate_with_selftest("demo3")
-    main = """#define DEMO3_SELFTEST_NO_MAIN
-#include "demo3_selftest.c"
+    main = """#include "verification/demo3_selftest.c"
 #include <stdio.h>
 static int lines;
 static void count(const char *text)
@@ -159,10 +158,14 @@ def test_an_output_written_before_a_refusal_is_found(tmp_path: Path) -> None:
 def test_a_hash_of_numbers_that_are_not_listed_is_named(tmp_path: Path) -> None:
     """Statuses and listed numbers are right, so no distance is printed."""
     _, files = generate_with_selftest("demo3")
-    row = re.search(r"\{ \"generalized\",.*?\{ \{ 0, (0x[0-9a-f]{8})u", files["demo3_selftest.c"], re.DOTALL)
+    row = re.search(
+        r"\{ \"generalized\",.*?\{ \{ 0, (0x[0-9a-f]{8})u", files["verification/demo3_selftest.c"], re.DOTALL
+    )
     assert row is not None
-    tampered = replaced(files["demo3_selftest.c"], row[0], row[0].replace(row[1], f"0x{int(row[1], 16) ^ 1:08x}"))
-    status, printed = run_selftest({**files, "demo3_selftest.c": tampered}, "demo3", tmp_path)
+    tampered = replaced(
+        files["verification/demo3_selftest.c"], row[0], row[0].replace(row[1], f"0x{int(row[1], 16) ^ 1:08x}")
+    )
+    status, printed = run_selftest({**files, "verification/demo3_selftest.c": tampered}, "demo3", tmp_path)
     assert status == 1
     assert "\ngeneralized FAIL cases 4 wrong 1 (other members)\n" in printed
     (log,) = read_log(printed, "demo3")
@@ -173,7 +176,7 @@ def test_a_hash_of_numbers_that_are_not_listed_is_named(tmp_path: Path) -> None:
 @pytest.mark.parametrize("ulp", [1, 3])
 def test_the_distance_is_in_units_in_the_last_place(real: str, precision: Precision, ulp: int, tmp_path: Path) -> None:
     generated, files = generate_with_selftest("demo3", real)
-    text = files["demo3_selftest.c"]
+    text = files["verification/demo3_selftest.c"]
     answer = golden(generated.program, generated.values).answers["forward"][0].listed[0]
     other = answer
     for _ in range(ulp):
@@ -183,7 +186,7 @@ def test_the_distance_is_in_units_in_the_last_place(real: str, precision: Precis
     tampered = replaced(
         text, f"    {hex_literal(float(answer), precision)},", f"    {hex_literal(float(other), precision)},"
     )
-    names, log = failed({**files, "demo3_selftest.c": tampered}, "demo3", tmp_path)
+    names, log = failed({**files, "verification/demo3_selftest.c": tampered}, "demo3", tmp_path)
     assert names == {"forward"}
     assert (log.functions["forward"].worst, log.functions["forward"].faults) == (ulp, "numbers")
 
@@ -231,7 +234,7 @@ def test_its_size_hardly_grows() -> None:
 
 
 def test_it_names_its_cases_and_stand() -> None:
-    text = generate_with_selftest("bench8")[1]["bench8_selftest.c"]
+    text = generate_with_selftest("bench8")[1]["verification/bench8_selftest.c"]
     for case in CASES:
         assert f"/* {case} */" in text
     assert f"at most {LISTED} " in text

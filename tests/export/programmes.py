@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from emit.stands import write
 from mahovik import stands
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.motion.programme import Fourier, Programme, RunUpTable, Samples
@@ -121,16 +122,15 @@ def exported(name: str, kind: str = "quintic", real: str = "double") -> Programm
 
 def written(made: ProgrammeExport, folder: Path, real: str = "double") -> Path:
     """Programme and stand in a folder; returns the programme's source."""
-    for name, text in {**stand_files(real), **made.files}.items():
-        (folder / name).write_text(text, encoding="ascii")
+    write({**stand_files(real), **made.files}, folder)
     return folder / "shaker2_programme.c"
 
 
 def self_tested(source: Path, compiler: str = "gcc", *flags: str) -> list[str]:
     """Lines of the self-test, compiled with the strict warnings."""
     program = source.parent / "programme_test"
-    test = source.parent / "shaker2_programme_test.c"
-    compile_c(compiler, source, *(flags or ("-O1",)), test, "-o", program)
+    test = source.parent / "verification/shaker2_programme_test.c"
+    compile_c(compiler, source, *(flags or ("-O1",)), "-DSHAKER2_PROGRAMME_TEST_MAIN", test, "-o", program)
     done = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == (0 if done.stdout.endswith("failures 0\n") else 1)
     return done.stdout.splitlines()

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from pil import Run, processor_in_the_loop, read_run
 
+from emit.stands import write
 from export.held_servos import exported, hung, motion, pendulum, programme, servo
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.motion.programme import Fourier
@@ -24,21 +25,22 @@ from mahovik.proof.verify.servo import verify_servo
 from targets.boards import target
 from toolchain.tools import compile_c
 
+MAIN = "verification/hinge_servo_main.c"
+
 
 def written(
     made: ExportedServo, stand: Stand, folder: Path, real: str = "double", only: tuple[str, ...] = ("step", "wrap")
 ) -> Path:
     """Servo, programme and stand in a folder, the stand with these functions."""
     own = generate_all(stand, real, only=only).files
-    for name, text in {**own, **made.programme.files, **made.servo}.items():
-        (folder / name).write_text(text, encoding="utf-8")
+    write({**own, **made.programme.files, **made.servo}, folder)
     return folder
 
 
 def microradians(folder: Path) -> int:
     """Largest error of an angle that the example prints; no torque was cut."""
-    sources = [folder / f"hinge{end}.c" for end in ("_servo", "", "_programme", "_servo_main")]
-    compile_c("gcc", sources[0], "-O0", *sources[1:], "-o", folder / "main")
+    sources = [folder / f"hinge{end}.c" for end in ("_servo", "", "_programme")]
+    compile_c("gcc", sources[0], "-O0", "-DHINGE_SERVO_MAIN", *sources[1:], folder / MAIN, "-o", folder / "main")
     done = subprocess.run([folder / "main"], capture_output=True, text=True, check=True, timeout=60)
     found = re.fullmatch(r"largest error of an angle (\d+) urad, torques cut in 0 samples\n", done.stdout)
     assert found is not None, done.stdout
@@ -50,7 +52,7 @@ def test_the_example_follows_from_the_required_pose(real: str, most: int, tmp_pa
     """The torques are those of the held plant: nothing is left for the servo but the delay."""
     folder = written(exported(real), pendulum(), tmp_path, real)
     assert microradians(folder) <= most
-    main = folder / "hinge_servo_main.c"
+    main = folder / MAIN
     begin = re.search(r"attitude\[4\] = \{ (.*) \};", main.read_text())
     assert begin is not None
     main.write_text(main.read_text().replace(begin[1], "1, 0, 0, 0"))
@@ -66,7 +68,7 @@ def test_without_the_motion_the_carrier_begins_at_home(tmp_path: Path) -> None:
     constant = replace(programme(), structure=found.structure, physics=found.physics, winding=(3,), course=course)
     made = export_servo(stand, constant, None, servo("feedforward = false\n", stand))
     folder = written(made, stand, tmp_path)
-    main = (folder / "hinge_servo_main.c").read_text()
+    main = (folder / MAIN).read_text()
     assert "position[3] = { 0.0, 0.2, 0.5 };" in main
     assert microradians(folder) == 0
 
@@ -107,7 +109,7 @@ def test_a_trim_measures_the_coordinates_of_generalized(tmp_path: Path) -> None:
     folder = trimmed(tmp_path)
     assert "trim_coordinates" not in (folder / "hinge_servo.h").read_text()
     assert microradians(folder) <= 1
-    main = folder / "hinge_servo_main.c"
+    main = folder / MAIN
     text, own, size = main.read_text(), "q[i] = found.q[measured[i]];", "me.trim.present[0][1]"
     assert own in text
     shown = text.replace("largest * 1000000", f"({size} < 0 ? -{size} : {size}) * 1000000")  # a correction instead
@@ -137,8 +139,8 @@ def test_judges_pass_a_trim_and_find_a_wrong_number_of_its_matrix(tmp_path: Path
 
 def test_the_self_test_of_a_trim_passes(tmp_path: Path) -> None:
     folder = trimmed(tmp_path)
-    sources = [folder / f"hinge{end}.c" for end in ("_servo_test", "", "_servo")]
-    compile_c("gcc", sources[0], "-O0", *sources[1:], "-o", folder / "test")
+    sources = [folder / f"{name}.c" for name in ("verification/hinge_servo_test", "hinge", "hinge_servo")]
+    compile_c("gcc", sources[0], "-O0", "-DHINGE_SERVO_TEST_MAIN", *sources[1:], "-o", folder / "test")
     done = subprocess.run([folder / "test"], capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 0 and "trim_run PASS" in done.stdout, done.stdout
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from cli.run import refused, run
+from emit.stands import write
 from export.programmes import exported as programme
 from export.programmes import motion, spin, stand, stand_files
 from export.servos import HEAD, TRIM, servo
@@ -30,8 +31,7 @@ CALLERS = {
 def objects(folder: Path, part: str, files: Mapping[str, str], real: str, compiler: str) -> tuple[Path, Path]:
     """Objects of a part's source and of a caller that includes its header."""
     folder.mkdir()
-    for name, text in {**stand_files(real), **files}.items():
-        (folder / name).write_text(text, encoding="ascii")
+    write({**stand_files(real), **files}, folder)
     source, made, caller = folder / f"shaker2_{part}.c", folder / "part.o", folder / "caller.o"
     (folder / "caller.c").write_text(f'#include "shaker2_{part}.h"\nint main(void)\n{{\n    {CALLERS[part]}\n}}\n')
     for each, to in ((source, made), (folder / "caller.c", caller)):
@@ -91,7 +91,7 @@ def test_two_servos_lie_in_one_image(tmp_path: Path) -> None:
         assert result.exit_code == 0, result.output
     folder = tmp_path / "D"
     wanted = [f"{end}" for end in (".c", ".h", ".json", ".md", "_test.c")]
-    assert sorted(path.name for path in folder.iterdir()) == sorted(
+    assert sorted(path.name for path in folder.rglob("*.*")) == sorted(
         f"shaker2_{name}{part}"
         for name in ("lap", "rest")
         for part in (*wanted, *(f"_servo{end}" for end in (*wanted, "_main.c")))
@@ -116,9 +116,18 @@ int main(void)
     parts = [folder / f"shaker2_{name}{part}.c" for name in ("lap", "rest") for part in ("", "_servo")]
     compile_c(require("gcc", "gcc"), folder / "main.c", *parts, "-o", tmp_path / "image")
     run_program(tmp_path / "image")
-    compile_c("gcc", parts[1], folder / "shaker2_lap_servo_test.c", "-o", tmp_path / "test")
+    compile_c(
+        "gcc",
+        parts[1],
+        "-DSHAKER2_LAP_SERVO_TEST_MAIN",
+        folder / "verification/shaker2_lap_servo_test.c",
+        "-o",
+        tmp_path / "test",
+    )
     assert run_program(tmp_path / "test").splitlines()[-1] == "failures 0"
-    compile_c("gcc", folder / "shaker2_rest_servo_main.c", *parts[2:], folder / "shaker2.c", "-o", tmp_path / "example")
+    example = folder / "verification/shaker2_rest_servo_main.c"
+    sources = (example, *parts[2:], folder / "shaker2.c")
+    compile_c("gcc", *sources, "-DSHAKER2_REST_SERVO_MAIN", "-o", tmp_path / "example")
     assert "largest error of an angle" in run_program(tmp_path / "example")
     assert "--name forward: " in refused(*command, "--name", "forward")
 

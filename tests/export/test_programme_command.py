@@ -36,7 +36,7 @@ def test_files_and_what_is_said(saved: str, tmp_path: Path) -> None:
     folder = tmp_path / "made"
     result = run(*EXPORT, STAND, "--programme", saved, "--motion", MOTION, "-o", str(folder))
     assert result.exit_code == 0, result.output
-    assert sorted(path.name for path in folder.iterdir()) == FILES
+    assert sorted(path.name for path in folder.rglob("*.*")) == FILES
     lines = result.stdout.splitlines()
     assert [Path(line).name for line in lines[:5]] == [FILES[i] for i in (1, 0, 4, 3, 2)]
     assert lines[5] == "programme: quintic, 256 intervals, double, 0.05 s"
@@ -53,7 +53,7 @@ def test_two_programmes_lie_in_one_image(saved: str, tmp_path: Path) -> None:
             "export", "programme", STAND, "--programme", saved, "-o", str(tmp_path), "--nodes", "64", "--name", name
         )
         assert result.exit_code == 0, result.output
-    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
+    assert sorted(path.name for path in tmp_path.rglob("*.*")) == sorted(
         [
             "P.json",
             *(f"shaker2_{name}{end}" for name in ("lap", "rest") for end in (".c", ".h", ".json", ".md", "_test.c")),

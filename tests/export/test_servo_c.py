@@ -8,9 +8,13 @@ from pathlib import Path
 
 import pytest
 
+from emit.stands import write
+from export.programmes import stand
 from export.servos import exported, self_tested, written
+from mahovik.core.emit.delivery import delivery
 from toolchain.tools import compile_c, compile_elsewhere, require, run, symbols_of
 
+MAIN = "verification/shaker2_servo_main.c"
 slow = pytest.mark.slow
 CASES = [
     pytest.param(("trimmed", "float"), id="trimmed-float"),
@@ -52,13 +56,27 @@ def test_clang_32_bits_and_bare_objects(source: Path, tmp_path: Path) -> None:
 
 def test_the_example_follows(source: Path) -> None:
     folder = source.parent
-    sources = [folder / f"shaker2{end}.c" for end in ("", "_programme", "_servo_main")]
-    compile_c("gcc", source, "-O0", *sources, "-o", folder / "main")
+    sources = [folder / f"shaker2{end}.c" for end in ("", "_programme")]
+    compile_c("gcc", source, "-O0", "-DSHAKER2_SERVO_MAIN", *sources, folder / MAIN, "-o", folder / "main")
     done = subprocess.run([folder / "main"], capture_output=True, text=True, check=True, timeout=60)
     found = re.fullmatch(r"largest error of an angle (\d+) urad, torques cut in 0 samples\n", done.stdout)
     assert found is not None
-    feedforward = "ahead" in (folder / "shaker2_servo_main.c").read_text()
+    feedforward = "ahead" in (folder / MAIN).read_text()
     assert int(found[1]) < (300 if feedforward else 30_000)  # a turn in 50 ms
+
+
+@pytest.mark.parametrize("pattern", ["*.c", "**/*.c"])
+def test_all_c_of_a_delivered_folder_is_one_program(pattern: str, tmp_path: Path) -> None:
+    """Arduino, PlatformIO and CubeIDE compile all that they find, at the top alone or below it as well."""
+    write(
+        {**delivery(stand(), batch=True), **exported("trimmed").programme.files, **exported("trimmed").servo}, tmp_path
+    )
+    sources = sorted(tmp_path.glob(pattern))
+    assert len(sources) == (5 if pattern == "*.c" else 10)
+    (tmp_path / "main.c").write_text("int main(void) { return 0; }\n")
+    for compiler in ("gcc", "clang"):
+        compile_c(require(compiler, compiler), tmp_path / "main.c", *sources, "-o", tmp_path / "program")
+    run(tmp_path / "program")
 
 
 @pytest.mark.parametrize("macro", ["STRUCTURE", "PHYSICS"])

@@ -36,7 +36,7 @@ def test_files_and_what_is_said(arguments: list[str], tmp_path: Path) -> None:
         (folder / name).write_text(text)
     result = run(*arguments, "--motion", MOTION)
     assert result.exit_code == 0, result.output
-    assert sorted({path.name for path in folder.iterdir()} - {"shaker2.c", "shaker2.h"}) == FILES
+    assert sorted({path.name for path in folder.rglob("*.*")} - {"shaker2.c", "shaker2.h"}) == FILES
     said = result.stdout.splitlines()[len(FILES) :]
     assert "float" in said[0]
     assert "servo: 0.5 ms per sample, 0.7 ms of delay; 100 samples are 1 period" in said

@@ -93,14 +93,14 @@ def sanitizers(made: Emitted) -> str:
 
 @check("memory", "the self-test under valgrind: nothing read that was not written", "`tests/lower/test_undefined.py`")
 def memory(made: Emitted) -> str:
-    program = made.program(f"{made.name}_selftest.c", "-O1", "-g")
+    program = made.program(f"verification/{made.name}_selftest.c", "-O1", "-g")
     command: list[str | Path] = [require("valgrind", "valgrind"), "-q", "--error-exitcode=9", program]
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
     return "" if done.returncode in (0, 1) else done.stderr.strip().splitlines()[0].partition("== ")[2]
 
 
 def ran(made: Emitted, *flags: str) -> subprocess.CompletedProcess[str]:
-    program = made.program(f"{made.name}_selftest.c", *flags)
+    program = made.program(f"verification/{made.name}_selftest.c", *flags)
     return subprocess.run([program], capture_output=True, text=True, check=False, timeout=120)
 
 

@@ -92,7 +92,7 @@ class Emitted:
         Raises ToolchainError where it does not compile.
         """
         target = self.folder / f"{Path(main).stem}{len(list(self.folder.iterdir()))}"
-        command = [compiler, "-std=c99", "-w", *BITS, *flags, *self.flags]
+        command = [compiler, "-std=c99", "-w", f"-D{self.name.upper()}_SELFTEST_MAIN", *BITS, *flags, *self.flags]
         sources = [self.folder / main] + ([] if main.endswith("_within.c") else [self.source])
         done = subprocess.run(
             [*command, *map(str, sources), "-o", str(target), "-lm"], capture_output=True, text=True, check=False

@@ -76,9 +76,9 @@ def test_the_project_has_what_its_page_names(tmp_path: Path) -> None:
         result = run("export", "attitude", EYE4, "--target", "m7", "--momentum", "0.5", "-o", str(folder))
         assert result.exit_code == 0, result.output
     page = (folder / "README.md").read_text()
-    for file in folder.iterdir():
+    for file in folder.rglob("*"):
         if file.suffix in (".c", ".h", ".ld"):
-            assert f"`{file.name}`" in page, file.name
+            assert f"`{file.relative_to(folder).as_posix()}`" in page, file
     assert "mahovik export attitude STAND.toml --task pointing --target m7 --real double --momentum 0.5`" in page
     assert "eye4_inverse(" not in (folder / "eye4.h").read_text()
     assert result.output.splitlines()[-1] == "attitude loop: momentum is dumped by at most 0.05 N m"

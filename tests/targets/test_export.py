@@ -29,7 +29,7 @@ def test_make_builds_and_the_board_finds_no_failure(name: str, real: str, tmp_pa
     assert lines[0].endswith(f"real {real}")
     assert lines[-1] == "failures 0"
     readme = (folder / "README.md").read_text()
-    for file in folder.iterdir():
+    for file in folder.rglob("*"):
         if file.suffix in (".c", ".S", ".ld", ".h") and file.stem not in ("link",):
             assert f"`{file.name}`" in readme, f"{file.name} is not in the README"
     run("export", "target", DEMO3, "--target", name, "-o", str(folder))  # again, over its own files

@@ -22,7 +22,7 @@ def printed(name: str, real: str, programme: str, kind: str, folder: Path) -> li
     made = target(name)
     sources = {n: t for n, t in exported(programme, kind, real).files.items() if n.endswith((".c", ".h"))}
     sources |= {"shaker2.h": stand_files(real)["shaker2.h"], "main.c": MAIN}
-    elf = build(made, sources, folder, extra=("-DSHAKER2_PROGRAMME_TEST_NO_MAIN",))
+    elf = build(made, sources, folder)
     return run(made, elf).splitlines()
 
 

@@ -59,15 +59,15 @@ def test_every_public_function_has_drivers(name: str) -> None:
     }
     files = delivery(stand(name))
     for driver in found:
-        assert f"void {name}_{driver.entry}(void)\n" in files[f"{name}_eva.c"]
-        assert f"{driver.set}_{driver.function}" in files[f"{name}_eva.sh"]
+        assert f"void {name}_{driver.entry}(void)\n" in files[f"verification/{name}_eva.c"]
+        assert f"{driver.set}_{driver.function}" in files[f"verification/{name}_eva.sh"]
 
 
 @pytest.mark.slow
 def test_the_c_of_demo3_holds(tmp_path: Path) -> None:
     require("frama-c", "frama-c-base")
     write(delivery(stand("demo3")), tmp_path)
-    found = prove(tmp_path / "demo3_eva.sh", ["any_forward", "any_torque", "bits_step"])
+    found = prove(tmp_path / "verification/demo3_eva.sh", ["any_forward", "any_torque", "bits_step"])
     assert [proof.holds for proof in found] == [True] * 3
 
 
@@ -80,5 +80,5 @@ def test_a_planted_fault_is_seen(fault: str, tmp_path: Path) -> None:
     assert right in files["demo3.c"]
     write({**files, "demo3.c": files["demo3.c"].replace(right, wrong)}, tmp_path)
     run(require("gcc", "gcc"), "-std=c99", "-fsyntax-only", tmp_path / "demo3.c")  # it is C all the same
-    (proof,) = prove(tmp_path / "demo3_eva.sh", [driver])
+    (proof,) = prove(tmp_path / "verification/demo3_eva.sh", [driver])
     assert not proof.holds

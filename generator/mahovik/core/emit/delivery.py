@@ -5,6 +5,7 @@ from __future__ import annotations
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.eva import eva_files, provable
 from mahovik.core.emit.generate import Generated, generate_all
+from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.readme import readme
 from mahovik.core.emit.recorder import has_recorder, recorder_files
 from mahovik.core.emit.selftest import selftest
@@ -14,10 +15,10 @@ from mahovik.core.stand.model import Stand
 
 
 def selftest_files(stand: Stand, generated: Generated) -> dict[str, str]:
-    """The self-test of generated C: `<stand>_selftest.c`, to be compiled beside its header and source."""
+    """The self-test of generated C: `<stand>_selftest.c` in VERIFICATION, with a `main` by -D<STAND>_SELFTEST_MAIN."""
     vectors = golden(generated.program, generated.values)
     text = selftest(generated.program, vectors, identities(stand), generated.layout.lanes, generated.fast)
-    return {f"{stand.name}_selftest.c": text}
+    return {f"{VERIFICATION}{stand.name}_selftest.c": text}
 
 
 def firmware(stand: Stand, precision_name: str = "double", lanes: int = 1) -> dict[str, str]:

@@ -13,7 +13,7 @@ from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.calls import argument_text, call, declaration, nested_loops
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.generate import Generated
-from mahovik.core.emit.names import member
+from mahovik.core.emit.names import VERIFICATION, member
 from mahovik.core.lower.limits import UNIT_SQUARE_MIN
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Program
@@ -82,7 +82,7 @@ def _angles(program: Program) -> dict[str, Any] | None:
 
 
 def eva_files(program: Program, identities: Identities) -> dict[str, str]:
-    """`<stand>_eva.c` and `<stand>_eva.sh`."""
+    """`<stand>_eva.c`, which is empty for any other reader than Frama-C, and `<stand>_eva.sh`, in VERIFICATION."""
     code = Code(program, identities)
     writer = _Writer(code)
     every = drivers(program)
@@ -110,7 +110,8 @@ def eva_files(program: Program, identities: Identities) -> dict[str, str]:
         max_phase=f"{code.precision.max_phase:.1f}",
     )
     script = code.render("eva.sh.j2", **words, drivers=every)
-    return {f"{program.name}_eva.c": source, f"{program.name}_eva.sh": script}
+    place = f"{VERIFICATION}{program.name}_eva"
+    return {f"{place}.c": source, f"{place}.sh": script}
 
 
 class _Writer:

@@ -8,6 +8,9 @@ from dataclasses import dataclass
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.types import Kind, NamedCount, Shape, Struct
 
+VERIFICATION = "verification/"
+"""Folder, below that of the firmware, of files that test or prove it; what is beside it can all be compiled."""
+
 RESERVED = frozenset(
     (
         *("H", "HPP", "BATCH_H", "SERVO_H", "STRUCTURE", "PHYSICS", "TABLE_HASH", "LANES", "FAST", "REAL_BYTES"),
@@ -17,9 +20,10 @@ RESERVED = frozenset(
             "SQRT",
             "NO_LINK_CHECK",
             "LINK_CHECKED",
-            "SELFTEST_NO_MAIN",
+            "SELFTEST_MAIN",
             "SELFTEST_SWEEP",
-            "SERVO_TEST_NO_MAIN",
+            "SERVO_MAIN",
+            "SERVO_TEST_MAIN",
             "FUZZ_MAIN",
         ),
         *("SERVO_PERIOD", "SERVO_PERIODS", "SERVO_TICKS", "SERVO_NO_LINK_CHECK", "SERVO_LINK_CHECKED"),

@@ -13,6 +13,7 @@ from mahovik.core.emit.declaration import struct_lines
 from mahovik.core.emit.layout import paragraph, wrap_statement
 from mahovik.core.emit.link import Link, part_link
 from mahovik.core.emit.manifest import manifest_with
+from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.lower.programme.clock import CLOCK
 from mahovik.core.lower.programme.play import PERIODS, REFUSED, SWEEP, TICKS, Golden, GoldenCourse
 from mahovik.core.lower.programme.program import Course, ProgrammeProgram
@@ -52,7 +53,7 @@ def programme_files(
     files = {
         f"{name}.h": printer.header(),
         f"{name}.c": printer.source(),
-        f"{name}_test.c": printer.test(),
+        f"{VERIFICATION}{name}_test.c": printer.test(),
         f"{name}.md": printer.page(),
     }
     files = rename_files(files, stand.name, called)

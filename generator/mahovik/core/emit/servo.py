@@ -10,6 +10,7 @@ from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.layout import paragraph, wrap_statement
 from mahovik.core.emit.link import Link, part_link
 from mahovik.core.emit.manifest import manifest_with
+from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.programme import rename_files
 from mahovik.core.lower.servo import golden as expected
 from mahovik.core.lower.servo.form import ServoForm
@@ -64,8 +65,8 @@ def servo_files(
     printer = _Printer(stand, program, form, tables)
     name = f"{stand.name}_servo"
     files = servo_code(stand, program, form, tables) | {
-        f"{name}_main.c": printer.render("servo_main.c.j2"),
-        f"{name}_test.c": printer.test(golden),
+        f"{VERIFICATION}{name}_main.c": printer.render("servo_main.c.j2"),
+        f"{VERIFICATION}{name}_test.c": printer.test(golden),
         f"{name}.md": printer.page(),
     }
     files = rename_files(files, stand.name, called)

@@ -12,6 +12,7 @@ from mahovik.core.toolchain import process
 from mahovik.core.toolchain.compiler import BITS, WARNINGS
 from mahovik.core.toolchain.targets import Target
 from mahovik.errors import ToolchainError
+from mahovik.writing import write_all
 
 _FILES = {
     "cortex-m": ("cortex-m/startup.c", "cortex-m/board.c", "cortex-m/link.ld", "board_stack.c", "board.h"),
@@ -71,8 +72,7 @@ def build(
     own = board_files(target)
     if clash := sorted(own.keys() & sources.keys()):
         raise ValueError(f"{', '.join(clash)}: the board has a file of that name")
-    for name, text in {**own, **sources}.items():
-        (scratch / name).write_text(text, encoding="utf-8")
+    write_all(scratch, {**own, **sources})
     objects = [
         *(compile_one(target, name, scratch, level, extra) for name in sources if name.endswith(".c")),
         *(compile_one(target, name, scratch, "-O2", board=True) for name in own if name.endswith((".c", ".S"))),
@@ -135,11 +135,6 @@ def selftest_main(name: str, sweep: int) -> str:
 def difference_main(name: str) -> str:
     """C of a `main` that includes a stand's self-test and prints the first output of each case that differs."""
     return template("board/difference_main.c.j2").render(name=name)
-
-
-def selftest_flags(name: str) -> tuple[str, ...]:
-    """Flags that leave the `main` of a stand's self-test out, where `selftest_main` takes its place."""
-    return (f"-D{name.upper()}_SELFTEST_NO_MAIN",)
 
 
 def _ending(status: int) -> str:

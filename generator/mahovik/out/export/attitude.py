@@ -6,14 +6,14 @@ from dataclasses import dataclass
 
 from mahovik.core.emit.attitude import AttitudePrinter, AttitudeTables, needed_functions
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.templates import source_text, template
 from mahovik.core.stand.model import Stand
-from mahovik.core.toolchain.board import board_files
 from mahovik.core.toolchain.targets import Target
-from mahovik.out.export.target import makefile
+from mahovik.out.export.target import board_folder, makefile
 from mahovik.use.control.attitude import AttitudeDesign, LoopOptions, design_attitude
 
-HOST = "board_host.c"
+HOST = f"{VERIFICATION}board_host.c"
 """Console of this machine, for the same program without an emulator."""
 
 
@@ -53,7 +53,7 @@ def attitude_project(stand: Stand, target: Target, options: LoopOptions, real: s
     """The whole project. UsageError: as `design_attitude`. Raises StandError."""
     made = attitude_sources(stand, options, real)
     hosted = target.family == "hosted"
-    files = {**made.files, **board_files(target)}
+    files = {**made.files, **board_folder(target)}
     host = "" if hosted else HOST
     name, task = stand.name, made.design.task.name
     page = template("board/attitude.md.j2").render(

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Mapping
-from pathlib import Path
+from pathlib import PurePosixPath
 
 from mahovik.core.emit.delivery import firmware
+from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.board import board_files, link_flags, selftest_main
@@ -32,8 +33,8 @@ def exportable(name: str) -> Target:
 def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
     """The project's files, text by file name. Raises StandError."""
     delivered = firmware(stand, real)
-    known = {"README.md", *(f"{stand.name}{end}" for end in (".h", ".c", "_selftest.c"))}
-    files = {**delivered, **board_files(target), "main.c": selftest_main(stand.name, SWEEP)}
+    known = {"README.md", f"{stand.name}.h", f"{stand.name}.c", f"{VERIFICATION}{stand.name}_selftest.c"}
+    files = {**delivered, **board_folder(target), "main.c": selftest_main(stand.name, SWEEP)}
     words = {
         "name": stand.name,
         "NAME": stand.name.upper(),
@@ -42,13 +43,12 @@ def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
         "compiler": target.compiler[0],
         "hosted": target.family == "hosted",
     }
-    defines = f"-D{stand.name.upper()}_SELFTEST_NO_MAIN"
-    files["Makefile"] = makefile(target, files, f"Self-test of {stand.name} ({real})", defines)
+    files["Makefile"] = makefile(target, files, f"Self-test of {stand.name} ({real})")
     files["README.md"] = template("board/project.md.j2").render(
         **words | {"emulator": " ".join(target.emulator[:3]) or "this machine"},
         command=f"mahovik export target STAND.toml --target {target.name} --real {real}",
         packages=f"; Debian: apt-get install {' '.join(target.packages)}",
-        startup="startup.S" if "startup.S" in files else "startup.c",
+        startup="startup.S" if f"{VERIFICATION}startup.S" in files else "startup.c",
         others=sorted(delivered.keys() - known),
         fpu=bool(target.real),
         vector="-fno-tree-vectorize" in target.compiler[1:] and target.family != "hosted",
@@ -59,6 +59,11 @@ def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
     return files
 
 
+def board_folder(target: Target) -> dict[str, str]:
+    """The board's own files, beside the self-test."""
+    return {f"{VERIFICATION}{name}": text for name, text in board_files(target).items()}
+
+
 def makefile(target: Target, files: Mapping[str, str], subject: str, defines: str = "", host: str = "") -> str:
     """Makefile of a project: it builds and runs all sources of `files` on a target.
 
@@ -66,7 +71,7 @@ def makefile(target: Target, files: Mapping[str, str], subject: str, defines: st
     machine, with which the same sources that are not the board's are built and run here as well.
     """
     sources = sorted(name for name in files if name.endswith((".c", ".S")))
-    own = board_files(target)
+    own = board_folder(target)
     return template("board/Makefile.j2").render(
         subject=subject,
         title=target.title,
@@ -79,9 +84,9 @@ def makefile(target: Target, files: Mapping[str, str], subject: str, defines: st
         defines=f" {defines}" if defines else "",
         mhz=f" -DBOARD_MHZ={target.mhz}u" if target.mhz else "",
         link=shlex.join(link_flags(target)),
-        objects=[f"{Path(name).stem}.o" for name in sources],
+        objects=[str(PurePosixPath(name).with_suffix(".o")) for name in sources],
         headers=sorted(name for name in files if name.endswith(".h")),
-        startup_in_assembler="startup.S" in files,
+        startup_in_assembler=f"{VERIFICATION}startup.S" in files,
         host=host,
         host_sources=[*(name for name in sources if name not in own), host],
     )

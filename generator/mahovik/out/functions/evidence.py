@@ -208,7 +208,7 @@ def generate(
     if not own.tasks and (not chosen or any(name.startswith("inverse") for name in chosen)):
         _warn_of_excess(own)
     done = deliver(Path(folder), own, real, files, lanes=count, fast=fast, only=chosen)
-    written = {path.name: path.read_text(encoding="utf-8") for path in done.paths}
+    written = {path.relative_to(Path(folder)).as_posix(): path.read_text(encoding="utf-8") for path in done.paths}
     return Generated(own, written, count, Path(folder), done.notes)
 
 

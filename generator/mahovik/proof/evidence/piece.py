@@ -9,6 +9,7 @@ from enum import Enum
 from importlib.util import find_spec
 from pathlib import Path
 
+from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.stand.model import Stand
 
 
@@ -66,6 +67,11 @@ class Subject:
     def sources(self) -> list[str]:
         """C for firmware in the delivered folder."""
         return [f"{self.stand.name}.c", f"{self.stand.name}_recorder.c"]
+
+    @property
+    def selftest(self) -> str:
+        """The self-test in the delivered folder."""
+        return f"{VERIFICATION}{self.stand.name}_selftest.c"
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ from typing import Any
 
 from mahovik.core.emit.generate import LANES, PRECISIONS, generate_all
 from mahovik.core.emit.manifest import FORMAT, NAME, as_text, digest, manifest
+from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.reading import read_header
 from mahovik.core.stand.content import content
 from mahovik.core.stand.model import Stand
@@ -280,7 +281,8 @@ def _unchanged_files(folder: Path, old: Mapping[str, Any] | None) -> list[str]:
     """Files that the old manifest lists and that still have their hash: these may be removed."""
     if old is None:
         return []
-    names = [n for n in old["files"] if Path(n).name == n and (folder / n).is_file()]
+    names = [n for n in old["files"] if Path(n.removeprefix(VERIFICATION)).name == n.removeprefix(VERIFICATION)]
+    names = [n for n in names if (folder / n).is_file()]
     return [n for n in names if digest((folder / n).read_bytes()) == old["files"][n]]
 
 

@@ -12,16 +12,18 @@ from pathlib import Path
 
 from mahovik.core.emit.delivery import firmware, selftest_files
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.lower.golden import CASES, FAR
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind, NamedCount, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-from mahovik.core.toolchain.board import build, build_version, difference_main, run, selftest_flags, selftest_main
+from mahovik.core.toolchain.board import build, build_version, difference_main, run, selftest_main
 from mahovik.core.toolchain.process import side_by_side
 from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.nearest import suggestion
+from mahovik.writing import write_all
 
 REALS = ("double", "float")
 
@@ -172,7 +174,7 @@ def _row(
 def run_selftest(target: Target, name: str, files: Mapping[str, str], timeout: float = TIMEOUT) -> str:
     """Output of the self-test of a stand, built for a target. Raises ToolchainError."""
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-        return run(target, build(target, files, Path(scratch), extra=selftest_flags(name)), timeout)
+        return run(target, build(target, files, Path(scratch)), timeout)
 
 
 def _problems(expected: Sequence[str], found: Sequence[str]) -> Iterator[str]:
@@ -234,13 +236,13 @@ def first_difference(target: Target, program: Program, files: Mapping[str, str],
 
     `files` are the delivered C and self-test.
     """
-    test = f"{program.name}_selftest.c"
+    test = f"{VERIFICATION}{program.name}_selftest.c"
     sources = {name: text for name, text in files.items() if name not in ("main.c", test)}
     sources["main.c"] = difference_main(program.name)
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-        (Path(scratch) / test).write_text(files[test], encoding="utf-8")  # main.c includes it
+        write_all(Path(scratch), {test: files[test]})  # main.c includes it
         try:
-            printed = run(target, build(target, sources, Path(scratch), extra=selftest_flags(program.name)), timeout)
+            printed = run(target, build(target, sources, Path(scratch)), timeout)
         except ToolchainError:
             return ""
     for line in printed.splitlines():

@@ -39,16 +39,18 @@ _QUICK_TARGETS = {"double": "host,m7,rv64gc", "float": "host,m4,rv64gc"}
 
 def _selftest_command(subject: Subject) -> str:
     name = subject.stand.name
-    build = f"cc -std=c99 -O2 -ffp-contract=off c/{name}.c c/{name}_selftest.c -o selftest"
+    build = (
+        f"cc -std=c99 -O2 -ffp-contract=off -D{name.upper()}_SELFTEST_MAIN c/{name}.c c/{subject.selftest} -o selftest"
+    )
     return f"{build} && ./selftest > selftest.log; mahovik judge-log {subject.stand_file} --log selftest.log"
 
 
 def _run_selftest(subject: Subject, tell: Tell) -> Outcome:
     tell("compile and run")
     name = subject.stand.name
-    texts = [str(subject.c / f"{name}.c"), str(subject.c / f"{name}_selftest.c")]
+    texts = [f"-D{name.upper()}_SELFTEST_MAIN", str(subject.c / f"{name}.c"), str(subject.c / subject.selftest)]
     made = subject.scratch / "selftest"
-    run_compiler(["-std=c99", "-O2", *BITS, *texts, "-o", str(made)], f"{name}_selftest.c")
+    run_compiler(["-std=c99", "-O2", *BITS, *texts, "-o", str(made)], subject.selftest)
     text = run(TARGETS["host"], made, 300.0)
     found = judge_log(text, "selftest.log", subject.stand)
     rows = tuple(("checked", line) for line in found.checked) + tuple(("not checked", line) for line in found.unchecked)

@@ -16,6 +16,7 @@ from mahovik.contract.functions import ROWS
 from mahovik.core.emit.eva import drivers
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.manifest import digest
+from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.reading import spans
 from mahovik.core.toolchain.eva import prove_each
 from mahovik.core.toolchain.eva import version as eva_version
@@ -51,8 +52,8 @@ def _generate_again(subject: Subject, tell: Tell) -> Outcome:
     done = subprocess.run(
         [sys.executable, "-m", *words], cwd=subject.folder, env=environment, capture_output=True, text=True, check=False
     )
-    files = sorted(subject.c.iterdir())
-    rows = tuple((f"c/{each.name}", digest(each.read_bytes())) for each in files)
+    files = sorted(each for each in subject.c.rglob("*") if each.is_file())
+    rows = tuple((each.relative_to(subject.folder).as_posix(), digest(each.read_bytes())) for each in files)
     good = done.returncode == 0
     figure = f"{len(files)} files, byte for byte" if good else "the C is not what the stand file gives"
     output = done.stdout + done.stderr
@@ -117,7 +118,7 @@ EQUATIONS = Piece(
 
 def _compile_strictly(subject: Subject, tell: Tell) -> Outcome:
     tell("gcc, clang, clang --analyze")
-    files = [*subject.sources, f"{subject.stand.name}_selftest.c"]
+    files = [*subject.sources, subject.selftest]
     found = warnings_of(subject.c, files)
     figure = f"{len(found)} complaints" if found else f"{len(files)} files, no complaint"
     output = {"output.txt": "".join(f"{line}\n" for line in found) or "no complaint\n"}
@@ -180,7 +181,7 @@ def _drivers(subject: Subject) -> list[str]:
 
 def _run_eva(subject: Subject, tell: Tell) -> Outcome:
     """Run the delivered script and its drivers."""
-    script, logs = subject.c / f"{subject.stand.name}_eva.sh", subject.scratch / "eva"
+    script, logs = subject.c / f"{VERIFICATION}{subject.stand.name}_eva.sh", subject.scratch / "eva"
     wanted, proofs = _drivers(subject), []
     tell(wanted[0])
     for proof in prove_each(script, wanted, subject.choose(300, 1800), logs):  # s a driver may take
@@ -201,7 +202,7 @@ def _run_eva(subject: Subject, tell: Tell) -> Outcome:
 
 def _eva_command(subject: Subject) -> str:
     chosen = "" if subject.full else f" {' '.join(_drivers(subject))}"
-    return f"sh c/{subject.stand.name}_eva.sh{chosen}"
+    return f"sh c/{VERIFICATION}{subject.stand.name}_eva.sh{chosen}"
 
 
 _UNCLAIMED = ", ".join(f"`{row.name}`" for row in ROWS.values() if not row.claimed and not row.name.endswith("_at"))
