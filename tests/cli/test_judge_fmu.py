@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import json
+import tempfile
+import time
 from dataclasses import replace
 from pathlib import Path
 from typing import get_args
+from zipfile import ZIP_DEFLATED, ZipFile
 
 import numpy as np
 import pytest
@@ -115,6 +118,58 @@ def test_files_that_are_refused(folder: Path, tmp_path: Path) -> None:
     assert "no such file" in refused(*judged(folder, "brick.fmu", "--map", str(tmp_path / "none.toml")))
     assert "--map" in refused(*judged(folder, "brick.fmu"))
     assert "expected one of them" in refused(*judged(folder, "brick.fmu", "--map", given, "--with", "cat"))
+
+
+def damaged(fmu: Path, made: Path, **more: str) -> Path:
+    """The FMU with other files in it: texts by name."""
+    with ZipFile(fmu) as whole, ZipFile(made, "w", ZIP_DEFLATED) as archive:
+        for each in whole.infolist():
+            archive.writestr(each.filename, whole.read(each))
+        for name, text in more.items():
+            archive.writestr(name, text)
+    return made
+
+
+@pytest.mark.parametrize(
+    ("files", "words"),
+    [
+        ({f"resources/{k}": "" for k in range(10_001)}, "files, expected at most 10000"),
+        ({f"resources/{k}": "0" * (1 << 20) for k in range(9)}, "bytes, expected at most 8388608"),
+        (
+            {"modelDescription.xml": "<!--" + " " * (1 << 26)},
+            "bytes of modelDescription.xml, expected at most 67108864",
+        ),
+        ({"../outside": "x"}, 'a file named "../outside", expected names inside of it'),
+        ({"resources/../../outside": "x"}, 'a file named "resources/../../outside"'),
+        ({"/outside": "x"}, 'a file named "/outside"'),
+        ({"C:outside": "x"}, 'a file named "C:outside"'),
+    ],
+    ids=["files", "bytes", "description", "above", "inside and above", "absolute", "drive"],
+)
+@pytest.mark.filterwarnings("ignore:Duplicate name")
+def test_an_fmu_that_would_fill_the_disk_is_not_unpacked(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, files: dict[str, str], words: str
+) -> None:
+    (tmp_path / "room" / "inner").mkdir(parents=True)
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "room" / "inner"))
+    monkeypatch.setattr("mahovik.proof.verify.fmu.program.MOST_BYTES", 1 << 23)
+    damaged(folder / "brick.fmu", tmp_path / "bad.fmu", **files)
+    said = refused(*judged(folder, str(tmp_path / "bad.fmu"), "--map", str(folder / "map.toml")))
+    assert "bad.fmu: no FMU: " in said and words in said
+    assert [each.name for each in (tmp_path / "room").rglob("*")] == ["inner"]
+
+
+@pytest.mark.parametrize("kill", [False, True])
+def test_nothing_of_an_fmu_stays(folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kill: bool) -> None:
+    """Also where its process is killed."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    if kill:
+        monkeypatch.setattr("mahovik.proof.verify.foreign._read", lambda *_: time.sleep(3))
+    more = ("--map", str(folder / "map.toml"), "--states", "3", "--timeout", "1 s")
+    result = run(*judged(folder, "brick.fmu", *(more if kill else more[:-2])))
+    assert result.exit_code == (1 if kill else 0), result.output
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("sequence", get_args(Sequence))

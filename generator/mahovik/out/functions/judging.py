@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 from mahovik.core.stand.model import Stand as CoreStand
@@ -76,14 +77,15 @@ def judge(
     from mahovik.proof.verify.foreign import program_of
 
     longest = time("--timeout", timeout)
-    if fmu is not None and variables is not None:
-        from mahovik.proof.verify.fmu.program import program
+    with TemporaryDirectory(prefix="mahovik-") as unpacked:
+        if fmu is not None and variables is not None:
+            from mahovik.proof.verify.fmu.program import program
 
-        judged, actuators = program(Path(fmu), Path(variables), own, str(stand)), False
-    else:
-        judged = program_of(str(command), str(stand))
-        actuators = _takes_actuators(own, judged, longest)
-    return _judge_program(own, judged, explain, tuple(want), states, seed, tolerance, longest, actuators, progress)
+            judged, actuators = program(Path(fmu), Path(unpacked), Path(variables), own, str(stand)), False
+        else:
+            judged = program_of(str(command), str(stand))
+            actuators = _takes_actuators(own, judged, longest)
+        return _judge_program(own, judged, explain, tuple(want), states, seed, tolerance, longest, actuators, progress)
 
 
 def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool:

@@ -1,6 +1,6 @@
 """An FMU as a program: lines of states in, lines of results out, each state set before initialization and read after.
 
-Started in a process of its own, which an FMU may end: `python -m mahovik.proof.verify.fmu.program FMU MAP STAND`.
+Started in a process of its own, which an FMU may end: `python -m mahovik.proof.verify.fmu.program FOLDER MAP STAND`.
 """
 
 from __future__ import annotations
@@ -8,11 +8,11 @@ from __future__ import annotations
 import json
 import math
 import os
-import shutil
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
+from zipfile import ZipFile
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -21,6 +21,7 @@ from mahovik.core.stand import read
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
+from mahovik.core.stand.units import show
 from mahovik.errors import DataError, MahovikError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference.coordinates import coordinates_at
@@ -33,22 +34,27 @@ from mahovik.proof.verify.states import Request, read_line
 KINDS = (("ModelExchange", "modelExchange"), ("CoSimulation", "coSimulation"))
 """Kinds of FMU, the preferred one first, with their names in a description."""
 
+MOST_FILES, MOST_BYTES, MOST_DESCRIPTION = 10_000, 1 << 30, 1 << 26
+"""Files of an FMU, their bytes and those of its modelDescription.xml: more is not unpacked."""
 
-def program(fmu: Path, map_file: Path, stand: Stand, stand_file: str) -> Program:
+
+def program(fmu: Path, unpacked: Path, map_file: Path, stand: Stand, stand_file: str) -> Program:
     """A program that answers states by an FMU; `map_file` names its variables.
 
-    Raises DataError where a file cannot be used, UsageError where fmpy is missing.
+    It is unpacked into the folder `unpacked`, which must stay as long as the program runs. Raises DataError where a
+    file cannot be used, UsageError where fmpy is missing.
     """
     found = read_map(map_file, stand)
-    _check_variables(fmu, _description(fmu), found)
-    words = (sys.executable, "-m", __name__, str(fmu), str(map_file), stand_file)
+    _check_variables(fmu, _unpack(fmu, unpacked), found)
+    words = (sys.executable, "-m", __name__, str(unpacked), str(map_file), stand_file)
     if stand.hold is None:
         return Program(str(fmu), words, tuple(found.answers))
     lacking = {want: ("reaction",) for want, of in found.answers.items() if "reaction" not in of}
     return Program(str(fmu), words, tuple(found.answers), {**OPTIONAL, **lacking}, on_hold=True)
 
 
-def _description(fmu: Path) -> Any:
+def _unpack(fmu: Path, folder: Path) -> Any:
+    """Unpack an FMU; return its description. Raises DataError, also where it is too large; UsageError without fmpy."""
     try:
         from fmpy import read_model_description
     except ImportError:
@@ -56,7 +62,10 @@ def _description(fmu: Path) -> Any:
     if not fmu.is_file():
         raise DataError([f"{fmu}: no such file"])
     try:
-        found = read_model_description(str(fmu), validate=False)
+        with ZipFile(fmu) as archive:
+            _require_harmless(archive)
+            archive.extractall(folder)
+        found = read_model_description(str(folder), validate=False)
     except Exception as error:  # fmpy raises what zip, XML and schema raise
         raise DataError(
             [f"{fmu}: no FMU: {str(error).splitlines()[0] if str(error) else type(error).__name__}"]
@@ -64,6 +73,22 @@ def _description(fmu: Path) -> Any:
     if found.fmiVersion not in ("2.0", "3.0"):
         raise DataError([f"{fmu}: FMI {found.fmiVersion}, expected 2.0 or 3.0"])
     return found
+
+
+def _require_harmless(archive: ZipFile) -> None:
+    """Raise ValueError for an archive that would fill the disk, or write outside its folder."""
+    files = archive.infolist()
+    sizes = {each.filename: each.file_size for each in files}
+    for what, count, most in (
+        ("files", len(files), MOST_FILES),
+        ("bytes of modelDescription.xml", sizes.get("modelDescription.xml", 0), MOST_DESCRIPTION),
+        ("bytes", sum(each.file_size for each in files), MOST_BYTES),
+    ):
+        if count > most:
+            raise ValueError(f"{count} {what}, expected at most {most}")
+    for name in sizes:
+        if name.startswith("/") or set("\\:") & set(name) or ".." in name.split("/"):
+            raise ValueError(f"a file named {show(name)}, expected names inside of it")
 
 
 def _check_variables(fmu: Path, description: Any, found: FmuMap) -> None:
@@ -93,12 +118,12 @@ def _settable(variable: Any) -> bool:
 class FmuProgram:
     """An FMU that answers requests."""
 
-    def __init__(self, fmu: Path, found: FmuMap, stand: Stand) -> None:
-        from fmpy import extract
+    def __init__(self, folder: Path, found: FmuMap, stand: Stand) -> None:
+        """`folder`: of the unpacked FMU."""
+        from fmpy import read_model_description
 
-        self._stand, self._map = stand, found
-        self.folder = extract(str(fmu))
-        self._description = _description(fmu)
+        self._stand, self._map, self._folder = stand, found, str(folder)
+        self._description = read_model_description(self._folder, validate=False)
         self._variables = {v.name: v for v in self._description.modelVariables}
         self._kind = next(kind for kind, name in KINDS if getattr(self._description, name) is not None)
         self._instance: Any = None
@@ -142,7 +167,7 @@ class FmuProgram:
                 return self._instance
             except Exception:  # it cannot be reset: take a new one
                 self._instance.freeInstance()
-        self._instance = instantiate_fmu(self.folder, self._description, self._kind)
+        self._instance = instantiate_fmu(self._folder, self._description, self._kind)
         return self._instance
 
     def _values(self, state: State) -> dict[str, float]:
@@ -197,26 +222,23 @@ def angles_of(stand: Stand, state: State) -> Sequence[float]:
     return state.angles or (psi, theta, phi)
 
 
-def main(fmu: str, map_file: str, stand_file: str) -> None:
+def main(folder: str, map_file: str, stand_file: str) -> None:
     """Answer the lines of standard input."""
     output = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)  # what the FMU prints is no answer
     stand = read.load(stand_file)
-    found = FmuProgram(Path(fmu), read_map(Path(map_file), stand), stand)
-    try:
-        for line in sys.stdin:
-            if not line.strip():
-                continue
-            request = read_line(stand, line)
-            try:
-                result = found.answer(request)
-            except Exception as error:  # fmpy raises its own errors of calls, and those of ctypes
-                result = {"error": f"the FMU refused the state: {error}"}
-            if not all(math.isfinite(x) for x in _numbers(result)):
-                result = {"error": "the FMU answers numbers that are not finite"}
-            print(json.dumps({"id": request.id, **result}), file=output, flush=True)
-    finally:
-        shutil.rmtree(found.folder, ignore_errors=True)
+    found = FmuProgram(Path(folder), read_map(Path(map_file), stand), stand)
+    for line in sys.stdin:
+        if not line.strip():
+            continue
+        request = read_line(stand, line)
+        try:
+            result = found.answer(request)
+        except Exception as error:  # fmpy raises its own errors of calls, and those of ctypes
+            result = {"error": f"the FMU refused the state: {error}"}
+        if not all(math.isfinite(x) for x in _numbers(result)):
+            result = {"error": "the FMU answers numbers that are not finite"}
+        print(json.dumps({"id": request.id, **result}), file=output, flush=True)
 
 
 def _numbers(result: Mapping[str, Any]) -> list[float]:
