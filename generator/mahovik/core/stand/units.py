@@ -19,7 +19,7 @@ import numpy as np
 
 from mahovik.core.stand.columns import Column
 from mahovik.core.stand.unit_spellings import GRAMS_OR_GRAINS, NAMES, as_product, hint, readings, respellings
-from mahovik.core.stand.usual_units import usual
+from mahovik.core.stand.usual_units import UNITS
 from mahovik.nearest import nearest_name
 
 
@@ -63,8 +63,12 @@ class QuantityError(ValueError):
 
 
 _QUANTITY = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?![\d.])\s*(.*)", re.DOTALL)
-_UNIT = re.compile(r"[A-Za-zµμΩ°%²³·*/^() \d.-]{1,60}")
-_POWER = re.compile(r"(?<=[A-Za-zµμΩ])\^?(-?\d)")
+_FACTOR = re.compile(
+    r"\s*(?P<sign>[*/]?)\s*"
+    r"(?:1(?!\w)|(?:(?P<name>[A-Za-zµμΩ°%]+)|\((?P<group>[^()]+)\))(?:\^?(?P<power>-?[1-9]))?)(?![\d.^])"
+)
+_LONGEST = 60
+"""Characters of a unit."""
 _MAX_EXPONENT = 400  # beyond the range of a double either way: no need for an integer of a million digits
 
 
@@ -236,31 +240,43 @@ def _without_radian(powers: dict[str, int]) -> dict[str, int]:
 
 @cache
 def _root(unit: str) -> tuple[Fraction, dict[str, int]]:
-    """Exact factor and powers of pint's root units (gram, meter, second, radian, ...) of a unit."""
-    if not unit:
-        return Fraction(1), {}
-    found = usual(unit)
-    if found is not None:
-        return found
-    if not _UNIT.fullmatch(unit):
-        raise QuantityError(f"{show(unit)} is not a unit")
+    """Exact factor and powers of pint's root units (gram, meter, second, radian, ...) of a unit.
+
+    It is read here, not by pint, which evaluates `9^9^9`: names and groups of names in brackets, each with at most one
+    power of one digit; `/` divides by the next of them.
+    """
+    scale, powers, place = Fraction(1), dict[str, int](), 0
+    text = unit.replace("²", "2").replace("³", "3").replace("·", "*").strip()
+    while place < len(text):
+        found = _FACTOR.match(text, place)
+        if found is None or (place == 0 and found["sign"]) or len(text) > _LONGEST:
+            raise QuantityError(f"{show(unit)} is not a unit, expected names with whole powers such as kg m^2/s")
+        place, power = found.end(), int(found["power"] or 1) * (-1 if found["sign"] == "/" else 1)
+        factor, roots = _named(found["name"]) if found["name"] else _root(found["group"] or "")
+        scale *= factor**power
+        for root, times in roots.items():
+            powers[root] = powers.get(root, 0) + times * power
+    return scale, {root: power for root, power in powers.items() if power}
+
+
+@cache
+def _named(name: str) -> tuple[Fraction, dict[str, int]]:
+    """`_root` of one name."""
+    if name in UNITS:
+        return UNITS[name]
     registry = _registry()
     try:
-        parsed = registry.parse_units(_POWER.sub(r"^\1", unit.replace("²", "^2").replace("³", "^3").replace("·", "*")))
-        for name in parsed._units:
-            if not registry._units[registry.get_name(name)].is_multiplicative:
-                raise QuantityError(f"unit {show(unit)} has an offset or is logarithmic")
+        parsed = registry.parse_units(name)
+        plain = all(registry._units[registry.get_name(each)].is_multiplicative for each in parsed._units)
         scale, root = registry.get_root_units(parsed)
-    except QuantityError:
-        raise
     except Exception as error:  # pint raises its own, and whatever its tokenizer and evaluator do
-        raise QuantityError(f"{show(unit)} is not a known unit") from error
+        raise QuantityError(f"{show(name)} is not a known unit") from error
+    if not plain:
+        raise QuantityError(f"unit {show(name)} has an offset or is logarithmic")
     powers = dict(root._units.items())
-    if not all(float(power).is_integer() for power in powers.values()):
-        # pint's gauss has one by definition
-        reason = "has a power that is not whole" if "." in unit else "does not fit"
-        raise QuantityError(f"unit {show(unit)} {reason}")
-    return Fraction(scale), {name: int(power) for name, power in powers.items()}
+    if not all(float(power).is_integer() for power in powers.values()):  # pint's gauss has one by definition
+        raise QuantityError(f"unit {show(name)} does not fit")
+    return Fraction(scale), {each: int(power) for each, power in powers.items()}
 
 
 @cache

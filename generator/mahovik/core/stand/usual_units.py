@@ -1,11 +1,10 @@
 """The units of data sheets of wheels and motors, exactly, without pint: its registry takes half a second to start.
 
-Whatever is not of this table, or not of its simple form, is pint's; a test holds the table against pint.
+Names that are not of this table are pint's; a test holds the table against pint.
 """
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction
 
 PI = Fraction(31415926535897932384626433832795028841971693993751, 10**49)
@@ -32,22 +31,3 @@ UNITS: dict[str, tuple[Fraction, dict[str, int]]] = {
     "ohm": (_KILO, {"gram": 1, "meter": 2, "second": -3, "ampere": -2}),
 }
 """Factor and powers of pint's root units."""
-
-_SIMPLE = re.compile(r"[A-Za-z]+(?:\^?[1-9])?(?: [A-Za-z]+(?:\^?[1-9])?){0,3}(?:/[A-Za-z]+(?:\^?[1-9])?)?")
-_FACTOR = re.compile(r"(/?)([A-Za-z]+)\^?([1-9]?)")
-
-
-def usual(unit: str) -> tuple[Fraction, dict[str, int]] | None:
-    """Exact factor and powers of root units of such as `g cm^2` or `N m/A`; None where it is not for this table."""
-    if not _SIMPLE.fullmatch(unit):
-        return None
-    scale, powers = Fraction(1), dict[str, int]()
-    for slash, name, digit in _FACTOR.findall(unit):
-        if name not in UNITS:
-            return None
-        power = int(digit or 1) * (-1 if slash else 1)
-        factor, roots = UNITS[name]
-        scale *= factor**power
-        for root, times in roots.items():
-            powers[root] = powers.get(root, 0) + times * power
-    return scale, {root: power for root, power in powers.items() if power}
