@@ -60,7 +60,7 @@ def test_command_and_refused_data(bench: Path, tmp_path: Path) -> None:
     done = run("balance", stand, "--data", data, "--plane", "all=-10mm,10mm", "-o", str(tmp_path / "c.json"))
     assert done.exit_code == 0 and "w1" in done.stdout
     figures = json.loads((tmp_path / "c.json").read_text(encoding="utf-8"))["flywheels"][0]
-    assert figures["static"]["before"] == pytest.approx(4842.5, rel=1e-3)
+    assert figures["static"]["before"] == pytest.approx(4842.5e-6, rel=1e-3)
     assert set(figures["planes"][0]) == {"position", "correction", "interval", "residual"}
     assert 'unknown flywheel "w9"' in refused("balance", stand, "--data", data, "--plane", "w9=0")
     assert "different positions" in refused("balance", stand, "--data", data, "--plane", "w1=0,0")

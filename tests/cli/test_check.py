@@ -62,7 +62,7 @@ def test_all_of_it_is_in_json() -> None:
     assert sum(found["principal_inertia"]) == pytest.approx(sum(found["inertia"][i][i] for i in range(3)))
     row = found["unbalance"][1]
     assert (row["static_at"], row["dynamic_at"]) == pytest.approx((math.radians(70), math.radians(-20)))
-    assert row["grade"] == 0.4 and row["eccentric_velocity"] == pytest.approx(0.3927, rel=1e-4)
+    assert row["grade"] == "G 0.4" and row["eccentric_velocity"] == pytest.approx(0.3927e-3, rel=1e-4)
     assert found["torque"]["each"] == [0.2] * 4
     assert found["momentum"]["direction"] == pytest.approx(48 / math.sqrt(6), rel=1e-4)
     first = {"where": "rw1", "key": "unbalance.static", "text": "0.15 g cm", "value": 1.5e-6, "unit": "kg m"}
@@ -157,9 +157,10 @@ def test_the_grade_at_two_planes_is_that_of_static_and_couple_unbalance(
     """Half of 1 g mm at each of two planes 40 mm apart, and 30 g mm2 over 40 mm: 0.75 g mm; on 1 kg at 1000 rad/s."""
     (own_folder / "a.toml").write_text(TWO_PLANES.replace("ANGLE", angle), encoding="utf-8")
     (row,) = json.loads(run("check", "a.toml", "--speed", "1000", "--planes", "40 mm", "--json").stdout)["unbalance"]
-    assert row["eccentric_velocity"] == pytest.approx(1.0)
-    assert row["plane_velocity"] == pytest.approx(2 * residual)
-    assert (row["grade"], row["plane_grade"]) == (1.0, 2.5)
+    assert row["eccentric_velocity"] == pytest.approx(1e-3)
+    assert row["plane_velocity"] == pytest.approx(2e-3 * residual)
+    assert (row["grade"], row["plane_grade"]) == ("G 1", "G 2.5")
+    assert (row["static"], row["dynamic"]) == (pytest.approx(1e-6), pytest.approx(30e-9))
     assert row["couple"] == pytest.approx(30e-9 * 1e6)
     cells = table(run("check", "a.toml", "--speed", "1000", "--planes", "0.04").stdout, "flywheel   at")["w1"]
     assert cells[-1] == "G 2.5" and "G 1" in cells

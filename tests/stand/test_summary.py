@@ -41,11 +41,11 @@ def test_masses_and_centres_in_the_carrier_frame() -> None:
     assert summary.center_of_mass == pytest.approx((1 / 4 + 2 * (-1 - 15e-6) / 4, 0, 0), abs=1e-15)
 
 
-def test_unbalance_in_workshop_units_and_its_force() -> None:
+def test_unbalance_in_si_and_its_force() -> None:
     (row,) = summarize(stand(), speed=1000.0).unbalance
-    assert row.static == pytest.approx(30)
-    assert row.dynamic == pytest.approx(400)
-    assert row.asymmetry == pytest.approx(-1e6)
+    assert row.static == pytest.approx(30e-6)
+    assert row.dynamic == pytest.approx(400e-9)
+    assert row.asymmetry == pytest.approx(-1e-3)
     assert row.spin_inertia == 0.02
     assert row.force == pytest.approx(30e-6 * 1e6)
     assert row.moment == pytest.approx(400e-9 * 1e6)

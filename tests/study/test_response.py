@@ -202,7 +202,7 @@ def test_speeds_as_asked() -> None:
         (["left=right", "right=left"], "follow one another"),
         (["left=1", "all=2"], "has a speed already"),
         (["left=5rpm..5rpm"], "the range is empty"),
-        (["left=2**right"], "is not a known unit"),
+        (["left=2**right"], "is not a unit"),
         (["left=1e400"], "left=1e400"),
         (["left=0..1e6"], "at most 100000 is possible"),
         (["left=1e5", "right=2*left"], "right would turn at"),

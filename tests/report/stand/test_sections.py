@@ -133,8 +133,8 @@ def test_unbalance_is_that_of_check(name: str) -> None:
         assert numbers is not None
         spin, _, static, dynamic = numbers[1].split()
         assert float(spin) == pytest.approx(row.spin_inertia, rel=1e-3)
-        assert float(static) == pytest.approx(row.static, rel=1e-2, abs=1e-6)
-        assert float(dynamic) == pytest.approx(row.dynamic, rel=1e-2, abs=1e-6)
+        assert float(static) == pytest.approx(1e6 * row.static, rel=1e-2, abs=1e-6)
+        assert float(dynamic) == pytest.approx(1e9 * row.dynamic, rel=1e-2, abs=1e-6)
 
 
 def test_the_fluid_is_told() -> None:

@@ -19,12 +19,12 @@ _ROUNDING = 1e-9
 
 
 def eccentric_velocity(flywheel: Flywheel, speed: float) -> float:
-    """Distance of the centre of mass from the axis times the speed (rad/s), mm/s: what the grades bound."""
-    return 1e3 * math.hypot(*flywheel.center_of_mass[1:]) * abs(speed)
+    """Distance of the centre of mass from the axis times the speed (rad/s), m/s: what the grades bound."""
+    return math.hypot(*flywheel.center_of_mass[1:]) * abs(speed)
 
 
 def plane_velocity(flywheel: Flywheel, speed: float, distance: float) -> float | None:
-    """Twice the larger residual at two planes, over the mass, times the speed (rad/s), mm/s: what the grades bound.
+    """Twice the larger residual at two planes, over the mass, times the speed (rad/s), m/s: what the grades bound.
 
     The planes are `distance` (m) apart, the centre of mass in the middle. None for a flywheel without mass.
     """
@@ -34,17 +34,12 @@ def plane_velocity(flywheel: Flywheel, speed: float, distance: float) -> float |
     halves = (0.5 * flywheel.mass * y, 0.5 * flywheel.mass * z)
     pair = (-float(J[0, 1]) / distance, -float(J[0, 2]) / distance)
     larger = max(math.hypot(*(a + sign * b for a, b in zip(halves, pair, strict=True))) for sign in (1.0, -1.0))
-    return 1e3 * 2.0 * larger / flywheel.mass * abs(speed)
+    return 2.0 * larger / flywheel.mass * abs(speed)
 
 
-def grade(velocity: float) -> float | None:
-    """The finest grade that admits this eccentricity times speed, mm/s; None above the coarsest."""
-    return next((each for each in GRADES if velocity <= each * (1.0 + _ROUNDING)), None)
-
-
-def grade_words(velocity: float) -> str:
-    """The grade as it is written, "G 6.3"; "-" for a flywheel without static unbalance."""
+def grade(velocity: float) -> str:
+    """The finest grade that admits this eccentricity times speed, m/s: "G 6.3"; "-" without static unbalance."""
     if velocity == 0.0:
         return "-"
-    found = grade(velocity)
+    found = next((each for each in GRADES if 1e3 * velocity <= each * (1.0 + _ROUNDING)), None)
     return f"above G {GRADES[-1]:g}" if found is None else f"G {found:g}"

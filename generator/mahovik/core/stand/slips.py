@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract.quantities import RPM
-from mahovik.core.stand.balance import eccentric_velocity, grade_words
+from mahovik.core.stand.balance import eccentric_velocity, grade
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
 from mahovik.core.stand.whole import PlacedBody, placed_bodies
@@ -53,7 +53,7 @@ def _unbalances(
 ) -> Iterator[str]:
     """Flywheels an order above G 40, unless all of several are and no speed is known: these are so on purpose."""
     velocities = [eccentric_velocity(s, speed) for s, speed in zip(stand.flywheels, speeds, strict=True)]
-    above = [velocity > ORDER * USUAL_GRADE for velocity in velocities]
+    above = [1e3 * velocity > ORDER * USUAL_GRADE for velocity in velocities]
     on_purpose = len(above) > 1 and all(above)
     found = [k for k, far in enumerate(above) if far and (known[k] or not on_purpose)]
     if not found:
@@ -65,8 +65,8 @@ def _unbalances(
     more = f" (and {len(found) - 1} more)" if len(found) > 1 else ""
     yield (
         f"flywheel {flywheel.name}{more}: a static unbalance of {words} on {flywheel.mass:.4g} kg is "
-        f"{grade_words(velocities[worst])} at {RPM * abs(speeds[worst]):.5g} rpm, "
-        f"{velocities[worst] / USUAL_GRADE:.3g} times G {USUAL_GRADE:g}: on purpose, or a slip in its unit?"
+        f"{grade(velocities[worst])} at {RPM * abs(speeds[worst]):.5g} rpm, "
+        f"{1e3 * velocities[worst] / USUAL_GRADE:.3g} times G {USUAL_GRADE:g}: on purpose, or a slip in its unit?"
     )
 
 

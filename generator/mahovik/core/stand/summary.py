@@ -1,4 +1,4 @@
-"""Figures that `mahovik check` prints: masses, inertia, unbalance in workshop units, capacity, reach, warnings."""
+"""Figures that `mahovik check` prints, in SI: masses, inertia, unbalance, capacity, reach, warnings."""
 
 from __future__ import annotations
 
@@ -40,21 +40,21 @@ class BodyRow:
 class UnbalanceRow:
     """Unbalance and asymmetry of one flywheel, and what they do at a speed.
 
-    static          mass times distance of the centre of mass from the axis, g mm
+    static          mass times distance of the centre of mass from the axis, kg m
     static_at       its angle from axis 2, rad; None without it
-    dynamic         sqrt(J12^2 + J13^2) about the origin, g mm2
+    dynamic         sqrt(J12^2 + J13^2) about the origin, kg m2
     dynamic_at      its angle from axis 2, rad, as in the stand file; None without it
-    dynamic_center  the same about the centre of mass, g mm2
-    asymmetry       J22 - J33 about the origin, g mm2
-    product         J23 about the origin, g mm2
+    dynamic_center  the same about the centre of mass, kg m2
+    asymmetry       J22 - J33 about the origin, kg m2
+    product         J23 about the origin, kg m2
     speed           rad/s: as asked, else the motor's no-load speed, else 3000 rpm
-    eccentric_velocity  distance of the centre of mass from the axis times speed, mm/s
-    grade           the finest grade G of ISO 21940-11 that admits it, mm/s; None above the coarsest
+    eccentric_velocity  distance of the centre of mass from the axis times speed, m/s
+    grade           the finest grade of ISO 21940-11 that admits it, "G 6.3"; "-" without static unbalance
     force           static unbalance times speed^2, N
     moment          dynamic unbalance about the origin times speed^2, N m
     couple          dynamic unbalance about the centre of mass times speed^2, N m: no grade bounds it
-    plane_velocity  twice the larger residual at two planes over the mass, times speed, mm/s; None without planes, mass
-    plane_grade     the finest grade that admits the residuals at both planes, mm/s; None also above the coarsest
+    plane_velocity  twice the larger residual at two planes over the mass, times speed, m/s; None without planes, mass
+    plane_grade     the finest grade that admits the residuals at both planes; None without planes, mass
     """
 
     name: str
@@ -68,12 +68,12 @@ class UnbalanceRow:
     spin_inertia: float
     speed: float
     eccentric_velocity: float
-    grade: float | None
+    grade: str
     force: float
     moment: float
     couple: float
     plane_velocity: float | None
-    plane_grade: float | None
+    plane_grade: str | None
 
 
 @dataclass(frozen=True)
@@ -189,13 +189,13 @@ def _unbalance(flywheel: Flywheel, asked: float | None, planes: float | None) ->
     at_planes = None if planes is None else plane_velocity(flywheel, speed, planes)
     return UnbalanceRow(
         name=flywheel.name,
-        static=static * 1e6,
+        static=static,
         static_at=_angle(flywheel.center_of_mass[1], flywheel.center_of_mass[2]),
-        dynamic=dynamic * 1e9,
+        dynamic=dynamic,
         dynamic_at=_angle(-float(J[0, 1]), -float(J[0, 2])),
-        dynamic_center=couple * 1e9,
-        asymmetry=float(J[1, 1] - J[2, 2]) * 1e9,
-        product=float(J[1, 2]) * 1e9,
+        dynamic_center=couple,
+        asymmetry=float(J[1, 1] - J[2, 2]),
+        product=float(J[1, 2]),
         spin_inertia=float(J[0, 0]),
         speed=speed,
         eccentric_velocity=velocity,

@@ -202,7 +202,11 @@ def bodies(stand: Stand) -> str:
     rows = []
     for row in summary.bodies:
         wheel = unbalance.get(row.name)
-        numbers = [f"{wheel.spin_inertia:.4g}", f"{wheel.static:.4g}", f"{wheel.dynamic:.4g}"] if wheel else [""] * 3
+        numbers = (
+            [f"{wheel.spin_inertia:.4g}", f"{1e6 * wheel.static:.4g}", f"{1e9 * wheel.dynamic:.4g}"]
+            if wheel
+            else [""] * 3
+        )
         at = ", ".join(f"{x * 1e3:.4g}" for x in row.center_of_mass)
         rows.append([row.name, row.kind, row.mount, f"{row.mass:.4g}", at, *numbers])
     head = [

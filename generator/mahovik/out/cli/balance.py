@@ -141,13 +141,13 @@ def _print_stand(found: StandBalance) -> None:
             amount, angle = (
                 f"{each['correction'][key]:.5g} +- {each['interval'][key]:.2g}" for key in ("g mm", "degrees")
             )
-            rows.append((name, place, amount, angle, f"{each['residual']:.3g}"))
+            rows.append((name, place, amount, angle, f"{1e6 * each['residual']:.3g}"))
             for piece in each.get("pieces", ()):
                 numbers = (1e3 * piece["amount"] * piece["count"], 1e3 * piece["radius"], piece["degrees"])
                 kind = "remove" if piece["remove"] else "add"
                 pieces.append((name, place, kind, *(f"{x:.5g}" for x in numbers)))
         static, grade = wheel["static"], wheel["grade"]
-        before, left = f"{static['before']:.5g}", f"{static['residual']:.3g}"
+        before, left = f"{1e6 * static['before']:.5g}", f"{1e6 * static['residual']:.3g}"
         wheels.append((name, speed, before, left, grade["before"], grade["residual"], f"{wheel['fit']:.3g}"))
         for quantity, change in wheel["vibration"].items():
             full = wheel.get("simulated", {}).get(quantity, {})

@@ -154,18 +154,16 @@ def _print(summary: Summary, names: Identities, short: list[str], written: list[
 
 def _print_flywheels(summary: Summary) -> None:
     """Unbalance of the flywheels, what it does at their speeds, and what their motors can do."""
-    from mahovik.core.stand.balance import grade_words
-
     rows, names = summary.unbalance, [row.name for row in summary.unbalance]
     columns = (
         column_that_fits("spin inertia", [row.spin_inertia for row in rows], "kg m2"),
-        column_that_fits("static", [1e-6 * row.static for row in rows], "kg m"),
+        column_that_fits("static", [row.static for row in rows], "kg m"),
         ("at, deg>", [_degrees(row.static_at) for row in rows]),
-        column_that_fits("dynamic", [1e-9 * row.dynamic for row in rows], "dynamic"),
+        column_that_fits("dynamic", [row.dynamic for row in rows], "dynamic"),
         ("at, deg>", [_degrees(row.dynamic_at) for row in rows]),
-        column_that_fits("about its mass centre", [1e-9 * row.dynamic_center for row in rows], "dynamic"),
-        column_that_fits("J22 - J33", [1e-9 * row.asymmetry for row in rows], "dynamic"),
-        column_that_fits("J23", [1e-9 * row.product for row in rows], "dynamic"),
+        column_that_fits("about its mass centre", [row.dynamic_center for row in rows], "dynamic"),
+        column_that_fits("J22 - J33", [row.asymmetry for row in rows], "dynamic"),
+        column_that_fits("J23", [row.product for row in rows], "dynamic"),
     )
     _print_columns(names, columns)
     effects = (
@@ -173,8 +171,8 @@ def _print_flywheels(summary: Summary) -> None:
         column_that_fits("force", [row.force for row in rows], "N"),
         column_that_fits("moment", [row.moment for row in rows], "N m"),
         column_that_fits("couple", [row.couple for row in rows], "N m"),
-        column_that_fits("e omega", [row.eccentric_velocity for row in rows], "mm/s"),
-        ("ISO 21940-11", [grade_words(row.eccentric_velocity) for row in rows]),
+        column_that_fits("e omega", [row.eccentric_velocity for row in rows], "m/s"),
+        ("ISO 21940-11", [row.grade for row in rows]),
         *_at_planes(rows),
         *_capacities(summary, lambda capacity: capacity.each),
     )
@@ -201,13 +199,13 @@ def _weakest(what: str, capacity: Capacity, unit: str) -> str:
 
 def _at_planes(rows: Sequence[UnbalanceRow]) -> tuple[Column, ...]:
     """Columns of the residuals at two planes, where these are given."""
-    from mahovik.core.stand.balance import grade_words
-
     velocities = [row.plane_velocity for row in rows]
     if all(velocity is None for velocity in velocities):
         return ()
-    grades = ["-" if velocity is None else grade_words(velocity) for velocity in velocities]
-    return column_that_fits("at two planes", velocities, "mm/s"), ("grade there", grades)
+    return column_that_fits("at two planes", velocities, "m/s"), (
+        "grade there",
+        [row.plane_grade or "-" for row in rows],
+    )
 
 
 def _capacities(summary: Summary, values: Callable[[Capacity], Sequence[float | None]]) -> tuple[Column, ...]:

@@ -15,7 +15,7 @@ UNITS: dict[str, tuple[tuple[str, float], ...]] = {
     "N": (("N", 1.0), ("mN", 1e-3), ("uN", 1e-6), ("kN", 1e3)),
     "N m": (("N m", 1.0), ("mN m", 1e-3), ("uN m", 1e-6), ("kN m", 1e3)),
     "N m s": (("N m s", 1.0), ("mN m s", 1e-3), ("uN m s", 1e-6), ("kN m s", 1e3)),
-    "mm/s": (("mm/s", 1.0), ("um/s", 1e-3), ("m/s", 1e3)),
+    "m/s": (("mm/s", 1e-3), ("um/s", 1e-6), ("m/s", 1.0)),
 }
 """Units of a quantity and their size, the preferred one first; "dynamic" is a product of inertia or a difference."""
 

@@ -59,7 +59,7 @@ class StandBalance(Table):
         return (*found, Column("residual", "g mm", G_MM * residual))
 
     def to_dict(self) -> dict[str, Any]:
-        """All figures, as `mahovik balance --json` prints them."""
+        """All figures, as `mahovik balance --json` prints them; SI where no key names another unit."""
         return {
             "stand": self.stand.name,
             "flywheels": [_wheel_object(each) for each in self.wheels],
@@ -93,7 +93,7 @@ def _wheel_object(wheel: WheelBalance) -> dict[str, Any]:
             "position": x,
             "correction": _vector(w),
             "interval": {"g mm": G_MM * HALF_WIDTH * error, "degrees": half},
-            "residual": G_MM * residual,
+            "residual": residual,
         }
         if wheel.made is not None:
             plane["made"] = _vector(complex(wheel.made.w[k]))
@@ -114,7 +114,7 @@ def _wheel_object(wheel: WheelBalance) -> dict[str, Any]:
         "name": wheel.name,
         "speed": wheel.speed,
         "planes": planes,
-        "static": {"before": G_MM * abs(wheel.static), "residual": G_MM * left},
+        "static": {"before": abs(wheel.static), "residual": left},
         "grade": {"before": wheel.grade(abs(wheel.static)), "residual": wheel.grade(left)},
         "vibration": _change(wheel.vibration),
         "fit": wheel.fit,

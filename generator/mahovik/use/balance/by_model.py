@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mahovik.core.stand.balance import grade_words
+from mahovik.core.stand.balance import grade
 from mahovik.core.stand.frames import pose
 from mahovik.core.stand.model import Stand
 from mahovik.errors import BalanceError
@@ -132,7 +132,7 @@ class WheelBalance:
 
     def grade(self, unbalance: float) -> str:
         """ISO 21940-11 grade of a static unbalance (kg m) at the flywheel's speed; "-" without mass or unbalance."""
-        return grade_words(1e3 * unbalance / self.mass * abs(self.speed)) if self.mass and unbalance else "-"
+        return grade(unbalance / self.mass * abs(self.speed)) if self.mass and unbalance else "-"
 
 
 def balance_wheels(

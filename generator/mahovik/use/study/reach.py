@@ -51,7 +51,7 @@ class Reach:
         NaN beyond its limit.
         """
         square = np.where(speed[:, None] <= self.limits * (1.0 + 1e-9), speed[:, None] ** 2, np.nan)
-        static, dynamic = np.array([(1e-6 * row.static, 1e-9 * row.dynamic) for row in self.rows]).reshape(-1, 2).T
+        static, dynamic = np.array([(row.static, row.dynamic) for row in self.rows]).reshape(-1, 2).T
         return square * static, square * dynamic
 
     def reaction(self, speed: Array) -> Array:

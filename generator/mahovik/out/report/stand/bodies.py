@@ -86,10 +86,10 @@ def _flywheels(stand: Stand, summary: Summary) -> Markup:
 def _flywheel(row: UnbalanceRow, body: Body) -> tuple[float, ...]:
     J = inertia_about_origin(body)
     transverse = 0.5 * float(J[1, 1] + J[2, 2])
-    grade = 1e-3 * row.static / body.mass * row.speed if body.mass else math.nan  # g mm / kg = um
+    velocity = 1e3 * row.static / body.mass * row.speed if body.mass else math.nan
     return (
-        row.spin_inertia, transverse, row.static, row.dynamic, row.dynamic_center, row.asymmetry, row.product,
-        row.speed * RPM, row.force, row.moment, grade,
+        row.spin_inertia, transverse, 1e6 * row.static, 1e9 * row.dynamic, 1e9 * row.dynamic_center,
+        1e9 * row.asymmetry, 1e9 * row.product, row.speed * RPM, row.force, row.moment, velocity,
     )  # fmt: skip
 
 
