@@ -127,7 +127,7 @@ def test_time_cuts_a_sweep() -> None:
         (("--speed", "w1=0..6rpm", "--at", "foo"), 'unknown point "foo", expected one of carrier'),
         (("--speed", "w1=6rpm", "--at", "carrier", "--steps", "5"), "--steps: no speed is swept"),
         (("--speed", "w1=100", "--speed", "w2=141.42135623", "--at", "carrier"), "no common period within 1000 turns"),
-        (("--speed", "w1=6rpm", "--at", "carrier", "--band", "5..1Hz"), "--band 5..1Hz: expected two frequencies"),
+        (("--speed", "w1=6rpm", "--at", "carrier", "--band", "5..1Hz"), "--band 5..1 Hz: expected two frequencies"),
         (("--speed", "w1=6rpm", "--at", "carrier", "--band", "5..9"), "--band 5..9: expected two frequencies"),
         (("--speed", "w1=6rpm", "--at", "carrier", "--phase", "w1=1kg"), 'unit "kg" does not fit'),
         (

@@ -173,8 +173,8 @@ def test_noise_of_a_free_mass_by_closed_form(tmp_path: Path) -> None:
     assert found is not None
     mass = M_CARRIER + M_WHEEL
     wanted: Array = np.array([1e-6, 1e-6, 4e-6]) * 100.0 / mass**2
-    assert found.mean_square == pytest.approx(wanted, rel=1e-3)
-    assert found.by_wheel[0] == pytest.approx(found.mean_square)
+    assert found.mean_square() == pytest.approx(wanted, rel=1e-3)
+    assert found.by_wheel[0] == pytest.approx(found.mean_square())
 
 
 def test_ratios_of_the_way_back_are_mass_over_modal_mass(tmp_path: Path) -> None:

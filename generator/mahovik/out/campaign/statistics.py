@@ -7,6 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from mahovik.out.campaign.pose import Array, square
+from mahovik.use.study.response.periodic import in_band
 
 
 class Statistic(Protocol):
@@ -155,10 +156,9 @@ class BandRms(_Stored):
         values = np.ascontiguousarray(values[..., :even])  # a last time of output may be nearer
         window = 0.5 - 0.5 * np.cos(2.0 * np.pi * (np.arange(even) + 0.5) / even)
         spectrum = np.fft.rfft((values - values.mean(axis=-1, keepdims=True)) * window)
-        frequency, (low, high) = np.fft.rfftfreq(even, every), self._band
         power = np.abs(spectrum) ** 2
         power[..., 1 : (even + 1) // 2] *= 2.0
-        inside = (frequency >= low * (1 - 1e-9)) & (frequency <= high * (1 + 1e-9))
+        inside = in_band(np.fft.rfftfreq(even, every), self._band)
         each = np.ascontiguousarray(power[..., inside]).sum(axis=-1)
         return np.asarray(np.sqrt(sum(each.T) / even / (window**2).sum()))
 

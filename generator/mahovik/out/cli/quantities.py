@@ -85,22 +85,20 @@ def time_limit(option: str, text: str) -> float:
     return found
 
 
-def interval(option: str, text: str) -> tuple[float, float]:
-    """Two frequencies, Hz, as "20..200Hz". Raises UsageError."""
+def band(option: str, text: str) -> tuple[float, float]:
+    """Two frequencies, Hz, the lower first, as "20..200Hz". Raises UsageError."""
+    from mahovik.use.study.response.periodic import check_band
+
     low, dots, high = text.partition("..")
     if not dots or not low.strip() or not high.strip():
         raise UsageError(f'{option} {text}: expected two frequencies, as "20..200Hz"')
     unit = _NUMBER.sub("", high, count=1).strip()
     first = low if not _NUMBER.fullmatch(low.strip()) else f"{low} {unit}"
-    return frequency(option, first), frequency(option, high)
-
-
-def band(option: str, text: str) -> tuple[float, float]:
-    """Two frequencies, Hz, the lower first, with their unit. Raises UsageError."""
-    low, high = interval(option, text)
-    if not (0.0 <= low < high < math.inf and text.rstrip().endswith("Hz")):
-        raise UsageError(f"{option} {text}: expected two frequencies, the lower first, as 20..200Hz")
-    return low, high
+    found = frequency(option, first), frequency(option, high)
+    if not unit:
+        raise UsageError(f"{option} {text}: expected two frequencies with their unit, as 20..200Hz")
+    check_band(option, found)
+    return found
 
 
 def fraction(option: str, text: str) -> float:

@@ -39,7 +39,7 @@ def quiet(
         'Quiet it within these frequencies, "20..200Hz".',
         metavar="LOW..HIGH",
         required=True,
-        parse=quantities.interval,
+        parse=quantities.band,
     ),
     momentum: tuple[float, float, float] | None = option(
         "--momentum",
@@ -163,7 +163,7 @@ def _intervals(avoid: tuple[str, ...], margin: float) -> tuple[tuple[float, floa
     found = []
     for each in avoid:
         if ".." in each:
-            found.append(quantities.interval("--avoid", each))
+            found.append(quantities.band("--avoid", each))
         elif each != "modes":
             f = quantities.frequency("--avoid", each)
             found.append((f * (1.0 - margin), f * (1.0 + margin)))
@@ -205,7 +205,7 @@ def _print(found: QuietResult) -> None:
 
 def _lines(found: QuietResult, when: str, jitter: Jitter) -> Iterator[tuple[str, ...]]:
     """Rows for order 1 of all flywheels."""
-    from mahovik.use.study.quiet.lines import in_band
+    from mahovik.use.study.response.periodic import in_band
 
     heard = jitter.heard or (None,) * len(jitter.lines)
     for line, simulated in zip(jitter.lines, heard, strict=True):

@@ -13,6 +13,7 @@ import numpy as np
 
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.jitter.torus import Flags
+from mahovik.use.study.response.periodic import in_band
 
 SAME = 1e-9
 """Relative difference of frequencies below which two lines are one: a beat lasts years."""
@@ -85,6 +86,11 @@ class Lines:
         ]
         found = np.sqrt((loose + np.array(tied).reshape(-1, 3)) / 2.0)
         return np.where(self.is_finite[:, None], found, np.nan)
+
+    def within(self, band: tuple[float, float]) -> Lines:
+        """These lines, 0 outside a band (Hz); NaN at speeds without a steady motion."""
+        inside = in_band(self.frequency, band) | ~self.is_finite[:, None]
+        return Lines(self.names, self.frequency, np.where(inside[:, :, None], self.amplitude, 0.0))
 
     def clear(self, which: Sequence[int]) -> Lines:
         """These lines, NaN at some of the speeds."""

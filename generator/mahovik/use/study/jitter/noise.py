@@ -26,10 +26,15 @@ class Broadband:
     density: Array
     by_wheel: Array
 
-    @property
-    def mean_square(self) -> Array:
-        """(3): integral of the density."""
-        return np.asarray(np.trapezoid(self.density, self.frequency, axis=0))
+    def mean_square(self, high: float = np.inf) -> Array:
+        """(3): integral of the density up to a frequency, Hz."""
+        f, d = self.frequency, self.density
+        if high <= f[0]:
+            return np.zeros(3)
+        n = int(np.searchsorted(f, high, side="right"))
+        at = np.array([np.interp(min(high, f[-1]), f, each) for each in d.T])
+        x, y = np.append(f[:n], min(high, f[-1])), np.vstack([d[:n], at])
+        return np.asarray(np.trapezoid(y, x, axis=0))
 
 
 def broadband(chain: Chain, speeds: Array) -> Broadband | None:

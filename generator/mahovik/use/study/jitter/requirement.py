@@ -17,9 +17,7 @@ from mahovik.core.stand.units import Dimension, QuantityError, number
 from mahovik.errors import UsageError
 from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.csv_table import TEXT, read_columns, refuse
-from mahovik.use.study.jitter.lines import TABLE, coherent
 from mahovik.use.study.jitter.quantity import Quantity
-from mahovik.use.study.jitter.spectrum import Spectrum, spectrum
 from mahovik.use.study.jitter.study import Jitter
 
 SUMS = ("rms", "rss", "worst")
@@ -129,37 +127,10 @@ def _read_mask(path: Path, quantity: Quantity) -> list[Requirement]:
 def judge(found: Jitter, requirement: Requirement) -> Verdict:
     """Whether jitter meets a requirement at all its speeds, with the makers' tolerances; not at one with a problem."""
     found = found.toleranced
-    values = _values(found, requirement)
+    values = found.sums((requirement.low, requirement.high))[requirement.sum]
     values += np.nan_to_num(found.remainder)  # what the balance leaves out, with any phases
     values[[i for i, _ in found.problems]] = np.inf
     values = np.where(np.isfinite(values), values, np.inf)
     step, axis = np.unravel_index(int(np.argmax(values)), values.shape)
     share = values.max(axis=1) / requirement.limit
     return Verdict(requirement, float(values.max()), int(step), int(axis), share)
-
-
-def _values(found: Jitter, requirement: Requirement) -> Array:
-    """The sum (S, 3) within the band; NaN where there is no steady motion."""
-    if requirement.low == 0.0 and requirement.high == np.inf:
-        return found.sums()[requirement.sum]
-    lines = found.lines
-    there = (lines.frequency >= requirement.low) & (lines.frequency <= requirement.high)
-    noise = np.zeros(3)
-    if found.noise is not None:
-        empty = spectrum(found, 0)
-        noise = Spectrum(
-            np.zeros(0), np.zeros((0, 3)), empty.noise_frequency, empty.noise_density, empty.edges, empty.density
-        ).mean_square_within(requirement.low, requirement.high)
-    sizes = np.where(there[..., None], lines.sizes, 0.0)
-    sizes[~lines.is_finite] = np.nan
-    if requirement.sum == "worst":
-        return np.asarray(sizes.sum(axis=1) + 3.0 * np.sqrt(noise))
-    if requirement.sum == "rss":
-        return np.asarray(np.sqrt((sizes**2).sum(axis=1) / 2.0 + noise))
-    known = np.array([name.source != TABLE for name in lines.names], dtype=bool)
-    square = (sizes[:, ~known] ** 2).sum(axis=1)
-    a = np.where(there[..., None], lines.amplitude, 0.0)[:, known]
-    for i in range(len(square)):
-        square[i] += (np.abs(coherent(lines.frequency[i, known], a[i])[1]) ** 2).sum(axis=0)
-    square[~lines.is_finite] = np.nan
-    return np.asarray(np.sqrt(square / 2.0 + noise))

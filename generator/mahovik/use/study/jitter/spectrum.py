@@ -8,44 +8,30 @@ import numpy as np
 
 from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.lines import COMBINATION, TABLE, coherent
+from mahovik.use.study.jitter.noise import Broadband
 from mahovik.use.study.jitter.study import Jitter
 
 
 @dataclass(frozen=True, eq=False)
 class Spectrum:
-    """Mean squares of lines at frequency (m, Hz; ascending) by axis (m, 3), and noise between.
+    """Mean squares of lines at frequency (m, Hz; ascending) by axis (m, 3), and noise.
 
     edges (B + 1, Hz), density (B, 3): one-sided, mean of every band, lines included
     """
 
     frequency: Array
     mean_square: Array
-    noise_frequency: Array
-    noise_density: Array
+    noise: Broadband | None
     edges: Array
     density: Array
 
-    def mean_square_within(self, low: float, high: float) -> Array:
-        """Mean square (3) from `low` to `high` (Hz, ends included)."""
-        there = (self.frequency >= low * (1 - 1e-9)) & (self.frequency <= high * (1 + 1e-9))
-        total = self.mean_square[there].sum(axis=0)
-        return np.asarray(total + self._noise_to(high) - self._noise_to(low))
-
     def cumulative(self) -> tuple[Array, Array]:
         """Frequencies (m, Hz) and the RMS (m, 3) of all below and at them."""
-        f = np.unique(np.concatenate([self.frequency, self.noise_frequency]))
+        noise = self.noise
+        f = np.unique(np.concatenate([self.frequency, noise.frequency])) if noise else np.unique(self.frequency)
         lines = np.vstack([np.zeros((1, 3)), np.cumsum(self.mean_square, axis=0)])
         below = lines[np.searchsorted(self.frequency, f, side="right")]
-        return f, np.sqrt(below + np.array([self._noise_to(x) for x in f]).reshape(-1, 3))
-
-    def _noise_to(self, high: float) -> Array:
-        f, d = self.noise_frequency, self.noise_density
-        if len(f) == 0 or high <= f[0]:
-            return np.zeros(3)
-        n = int(np.searchsorted(f, high, side="right"))
-        at = np.array([np.interp(min(high, f[-1]), f, each) for each in d.T])
-        x, y = np.append(f[:n], min(high, f[-1])), np.vstack([d[:n], at])
-        return np.asarray(np.trapezoid(y, x, axis=0))
+        return f, np.sqrt(below + np.array([noise.mean_square(x) for x in f])) if noise else np.sqrt(below)
 
 
 def spectrum(found: Jitter, step: int, width: float = 1.0) -> Spectrum:
@@ -60,14 +46,12 @@ def spectrum(found: Jitter, step: int, width: float = 1.0) -> Spectrum:
     order = order[frequency[order] > 0.0]
     frequency, square = frequency[order], square[order]
     noise = found.noise
-    noise_f = np.zeros(0) if noise is None else noise.frequency
-    noise_d = np.zeros((0, 3)) if noise is None else noise.density
-    top = max(float(frequency[-1]) if len(frequency) else 0.0, float(noise_f[-1]) if len(noise_f) else 0.0)
+    top = max(float(frequency[-1]) if len(frequency) else 0.0, float(noise.frequency[-1]) if noise else 0.0)
     edges = np.asarray(np.arange(int(top / width) + 2) * width, dtype=np.float64)
-    result = Spectrum(frequency, square, noise_f, noise_d, edges, np.zeros((len(edges) - 1, 3)))
+    result = Spectrum(frequency, square, noise, edges, np.zeros((len(edges) - 1, 3)))
     np.add.at(result.density, np.minimum((frequency / width).astype(int), len(edges) - 2), square / width)
     if noise is not None:
-        to = np.array([result._noise_to(edge) for edge in edges])
+        to = np.array([noise.mean_square(edge) for edge in edges])
         result.density[:] += np.diff(to, axis=0) / width
     return result
 

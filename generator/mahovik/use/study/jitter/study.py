@@ -113,13 +113,17 @@ class Jitter:
         constant = self.lines.frequency[:, :, None] == 0.0
         return np.asarray(np.where(constant, self.lines.amplitude.real, 0.0).sum(axis=1))
 
-    def sums(self) -> dict[str, Array]:
-        """rms, rss, worst, mean (S, 3 each), by name; noise is in the first two, three times its RMS in `worst`."""
-        square = 0.0 if self.noise is None else self.noise.mean_square
+    def sums(self, band: tuple[float, float] = (0.0, np.inf)) -> dict[str, Array]:
+        """rms, rss, worst within a band (Hz), mean (S, 3 each), by name; NaN where there is no steady motion.
+
+        Noise is in the first two, three times its RMS in `worst`.
+        """
+        lines, noise = self.lines.within(band), self.noise
+        square = 0.0 if noise is None else noise.mean_square(band[1]) - noise.mean_square(band[0])
         return {
-            "rms": np.sqrt(self.lines.rms() ** 2 + square),
-            "rss": np.sqrt(self.lines.rss() ** 2 + square),
-            "worst": self.lines.worst() + 3.0 * np.sqrt(square),
+            "rms": np.sqrt(lines.rms() ** 2 + square),
+            "rss": np.sqrt(lines.rss() ** 2 + square),
+            "worst": lines.worst() + 3.0 * np.sqrt(square),
             "mean": self.mean,
         }
 

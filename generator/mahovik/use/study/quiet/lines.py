@@ -15,6 +15,7 @@ from mahovik.core.stand.state import State
 from mahovik.proof.reference.points import point_transfers
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.quiet.options import MEASURES, Interval, QuietOptions
+from mahovik.use.study.response.periodic import in_band
 from mahovik.use.study.unbalance import mean_model, unbalance_wrenches
 
 
@@ -182,11 +183,6 @@ def lines(speeds: Array, phases: Array, a: Complex) -> list[Line]:
     return found
 
 
-def in_band(frequency: float, band: Interval) -> bool:
-    """Whether a line is in the band, ends included."""
-    return band[0] <= frequency <= band[1]
-
-
 def mean_square(found: list[Line], band: Interval) -> float:
     """Mean square of all lines in the band."""
     return sum(each.mean_square for each in found if in_band(each.frequency, band))
@@ -194,7 +190,7 @@ def mean_square(found: list[Line], band: Interval) -> float:
 
 def uncontrolled_mean_square(speeds: Array, a: Complex, band: Interval) -> float:
     """Mean square in the band if no phase is held, the mean over all phases; speeds in rad/s."""
-    inside_band = (np.abs(speeds) >= 2 * np.pi * band[0]) & (np.abs(speeds) <= 2 * np.pi * band[1]) & (speeds != 0.0)
+    inside_band = in_band(np.abs(speeds) / (2.0 * np.pi), band) & (speeds != 0.0)
     return float(np.sum(np.abs(a[:, inside_band]) ** 2)) / 2.0
 
 

@@ -18,6 +18,7 @@ from mahovik.proof.reference import pieces
 from mahovik.proof.reference.screw import f
 from mahovik.use.plan.array import Array
 from mahovik.use.study.response.held import REACTION
+from mahovik.use.study.response.periodic import check_band
 
 
 class Measure(NamedTuple):
@@ -84,8 +85,8 @@ class QuietOptions:
 
     def __post_init__(self) -> None:
         low, high = self.band
-        if not (math.isfinite(low) and math.isfinite(high) and 0.0 <= low < high):
-            raise UsageError(f"--band {low:g}..{high:g} Hz: expected two frequencies, the lower first")
+        for name, limits in (("band", self.band), *(("avoid", each) for each in self.avoid)):
+            check_band(name, limits)
         if self.momentum is None and self.speeds is None:
             raise UsageError("neither --momentum nor --speeds: give the momentum to hold, or the present speeds")
         if self.measure not in MEASURES:
@@ -99,10 +100,6 @@ class QuietOptions:
             raise UsageError(f"--least: {self.least:.6g} rad/s, expected a speed of at least 0")
         if self.reduction is not None and not 1.0 < self.reduction < math.inf:
             raise UsageError(f"--reduction {self.reduction:g}: expected a factor above 1")
-        for one, other in self.avoid:
-            if not (math.isfinite(one) and math.isfinite(other) and 0.0 <= one < other):
-                raise UsageError(f"--avoid {one:g}..{other:g} Hz: expected two frequencies, the lower first")
-
         for name, value in (("margin", self.margin), ("guard", self.guard)):
             if not 0.0 <= value < 1.0:
                 raise UsageError(f"--{name} {value:g}: expected a fraction of 1, as 10%")

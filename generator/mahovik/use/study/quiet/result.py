@@ -26,7 +26,6 @@ from mahovik.use.study.quiet.lines import (
     Amplitudes,
     Line,
     best_phases,
-    in_band,
     lines,
     mean_square,
     uncontrolled_mean_square,
@@ -41,6 +40,7 @@ from mahovik.use.study.quiet.simulation import (
     simulate_point,
     steady_start,
 )
+from mahovik.use.study.response.periodic import in_band
 from mahovik.use.study.rest import rest
 
 AGREE = 0.01
@@ -284,7 +284,7 @@ def _jitter_object(found: QuietResult, jitter: Jitter) -> dict[str, Any]:
         {
             "frequency": line.frequency,
             "flywheels": [found.wheels.names[s] for s in line.flywheels],
-            "in_band": in_band(line.frequency, found.options.band),
+            "in_band": bool(in_band(line.frequency, found.options.band)),
             "amplitude": math.sqrt(2.0 * line.mean_square),
             "amplitude_of_phases_not_held": math.sqrt(2.0 * line.apart),
             "simulated": simulated,

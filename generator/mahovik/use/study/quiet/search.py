@@ -18,8 +18,9 @@ from mahovik.use.plan.budget import Budget
 from mahovik.use.study.quiet.held_lines import HeldAmplitudes
 from mahovik.use.study.quiet.lines import Amplitudes, best_phases, groups, uncontrolled_mean_square
 from mahovik.use.study.quiet.options import QuietOptions, Wheels
+from mahovik.use.study.response.periodic import EDGE, in_band
 
-SLACK = 1e-9
+SLACK = EDGE
 """Relative tolerance: a speed at its limit is within it, and an edge is crossed by this much."""
 
 
@@ -106,7 +107,7 @@ def broken_limits(speeds: Array, wheels: Wheels, options: QuietOptions) -> set[s
     for one, other in options.avoid:
         for order in options.orders:
             of = order * size / (2 * math.pi)
-            if np.any((of > one * (1.0 - SLACK)) & (of < other * (1.0 + SLACK))):
+            if np.any(in_band(of, (one, other))):
                 found.add("avoid")
     return found
 

@@ -24,6 +24,7 @@ from mahovik.use.simulate import Case, simulate
 from mahovik.use.study.quiet.lines import Amplitudes
 from mahovik.use.study.quiet.options import MEASURES, Interval, QuietOptions
 from mahovik.use.study.response.held import REACTION
+from mahovik.use.study.response.periodic import EDGE, in_band
 from mahovik.use.study.rest import displaced_state
 
 LOBE = 4.0
@@ -44,7 +45,7 @@ def band_rms(x: Array, every: float, band: Interval, integrals: int) -> float:
     w = window(n)
     X = np.fft.rfft(w[:, None] * _without_trend(x, w), axis=0)
     f = np.fft.rfftfreq(n, every)
-    inside = (f >= band[0]) & (f <= band[1]) & (f > 0.0)
+    inside = in_band(f, band) & (f > 0.0)
     power = np.sum(np.abs(X[inside]) ** 2, axis=1) / (2.0 * np.pi * f[inside]) ** (2 * integrals)
     return float(np.sqrt(2.0 * power.sum() / (n * np.sum(w**2))))
 
@@ -85,7 +86,7 @@ class Sampling:
         f = np.unique(np.round(np.abs(speeds) / (2 * math.pi), 9))
         f = f[f > 0.0]
         beats = min((float(x) for x in np.diff(f) if x > 1e-9), default=math.inf)
-        edges = min((abs(float(x) - edge) for x in f for edge in options.band if x != edge), default=math.inf)
+        edges = min((abs(float(x) - edge) for x in f for edge in options.band if abs(x - edge) > EDGE * edge), default=math.inf)
         rate = max(2.56 * options.band[1], options.band[1] + 3.2 * float(f.max(initial=0.0)))
         until = max(1.5 * LOBE / beats, 20.0 / max(options.band[0], 0.1), SHORTEST)
         until = max(min(until, LONGEST), min(1.5 * LOBE / edges, MOST / rate))

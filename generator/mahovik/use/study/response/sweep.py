@@ -20,7 +20,7 @@ from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.linear.model import encode_lines
 from mahovik.use.study.response.held import HeldScene
 from mahovik.use.study.response.outputs import AXES, Output, output_of
-from mahovik.use.study.response.periodic import UNSTABLE, periodic_response, rms, scene_of
+from mahovik.use.study.response.periodic import UNSTABLE, check_band, periodic_response, rms, scene_of
 from mahovik.use.study.response.scene import Scene
 from mahovik.use.study.response.speeds import SpeedPlan, Turning, common_period
 
@@ -181,6 +181,8 @@ def sweep_outputs(
     go_on: Callable[[int], bool] = lambda done: True,
 ) -> list[Sweep]:
     """A sweep of each output, a name and its quantity, of the same steady states; otherwise as `sweep`."""
+    if band is not None:
+        check_band("band", band)
     outputs = [output_of(stand, point, quantity) for point, quantity in seen]
     values = asked.values(steps)
     turnings = [common_period(asked.speeds(value)) for value in values]
