@@ -13,9 +13,10 @@ from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, UsageError
 from mahovik.stands import path
+from mahovik.use.study.band import rms
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.response import Scene, common_period, periodic_response
-from mahovik.use.study.response.periodic import derivative, odd_length, resample, rms
+from mahovik.use.study.response.periodic import derivative, odd_length, resample
 from mahovik.use.study.response.speeds import read_speeds
 from mahovik.use.study.response.sweep import csv_text, json_text, sweep
 from physics.general import suspension_of

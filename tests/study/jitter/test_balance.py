@@ -10,18 +10,22 @@ import pytest
 
 from mahovik.core.stand import Stand, load
 from mahovik.errors import CheckError
+from mahovik.out.functions.jitter import jitter as run
+from mahovik.out.functions.vibration import response
 from mahovik.stands import path
+from mahovik.use.study.band import in_band, rms
 from mahovik.use.study.jitter import Jitter, View, balance
 from mahovik.use.study.jitter import jitter as find
 from mahovik.use.study.jitter.balance import _Search
 from mahovik.use.study.jitter.left_out import left_out
+from mahovik.use.study.jitter.load_view import LOADS
 from mahovik.use.study.jitter.quantity import QUANTITIES
 from mahovik.use.study.linear.model import places
+from mahovik.use.study.quiet.lines import uncontrolled_mean_square
 from mahovik.use.study.response import periodic_response
-from mahovik.use.study.response.periodic import rms
 from mahovik.use.study.response.scene import Scene
 from mahovik.use.study.response.speeds import SpeedPlan, read_speeds
-from study.jitter.stands import J_SPIN, J_TRANSVERSE, M_CARRIER, M_WHEEL, one_wheel
+from study.jitter.stands import HEAD, J_SPIN, J_TRANSVERSE, M_CARRIER, M_WHEEL, WHEEL, one_wheel
 from toolchain.quick import quick
 
 OMEGA = 240.0
@@ -30,6 +34,12 @@ SUSPENSION = """
 [suspension]
 stiffness = [9e5, 9e5, 9e5, 50, 50, 50]
 damping = [40, 40, 40, 0.1, 0.1, 0.1]
+"""
+LEG = """
+ground = [0.1, 0.2, -1.0]
+carrier = [0.1, 0.2, -0.1]
+length = 0.85
+stiffness = 4e4
 """
 
 
@@ -135,3 +145,45 @@ def test_an_undamped_resonance_is_said(tmp_path: Path) -> None:
     stand = one_wheel(tmp_path, 'static = "5 g cm"', SUSPENSION.replace("damping = [40, 40, 40, 0.1, 0.1, 0.1]", ""))
     with pytest.raises(CheckError, match="no steady motion found"):
         balance(stand, [float(np.sqrt(rate))])
+
+
+def test_a_line_on_the_end_of_a_band_is_within() -> None:
+    """A speed of 1800 rpm is 30.000000000000004 Hz: jitter, response, quiet and campaigns ask one function."""
+    for end in np.arange(1.0, 101.0):
+        rounded = np.nextafter(end, [0.0, np.inf])
+        assert in_band(rounded, (end, 2.0 * end)).all() and in_band(rounded, (0.5 * end, end)).all()
+    assert not in_band(30.0 * (1.0 + 2e-9), (10.0, 30.0)) and not in_band(10.0 * (1.0 - 2e-9), (10.0, 30.0))
+    on = 2.0 * np.pi * np.nextafter(30.0, 31.0)
+    assert uncontrolled_mean_square(np.array([on]), np.array([[2.0 + 0j]]), (10.0, 30.0)) == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize("ends", ["10..30", "30..90"])
+def test_a_requirement_counts_a_line_on_the_end_of_its_band(ends: str, tmp_path: Path) -> None:
+    stand = one_wheel(tmp_path, 'static = "5 g cm"', SUSPENSION)
+    found = run(stand, {"w": "1800rpm"}, "eye", quantity="acceleration", require=[f"rms 1e-9 m/s2 {ends}Hz"])
+    low, high = map(float, ends.split(".."))
+    other = response(stand, {"w": "1800rpm"}, "eye", quantity="acceleration", band=(low, high)).sweep.rms((low, high))
+    assert not found.met
+    assert found.verdicts[0].value == pytest.approx(other.max(), rel=1e-6)
+
+
+@pytest.mark.parametrize("more", ["", SUSPENSION, SUSPENSION + "[[leg]]\n" + LEG])
+@pytest.mark.parametrize("quantity", ["angle", "displacement", "acceleration", "force", "moment"])
+def test_a_balanced_stand_meets_what_is_required(more: str, quantity: str, tmp_path: Path) -> None:
+    """Rounding beside rounding is no inaccuracy; weights that springs carry cancel to rounding as well."""
+    text = HEAD + WHEEL.format(mass=M_WHEEL, spin=J_SPIN, unbalance='static = "0 g cm"') + more
+    text = text.replace("axis = [0, 0, 1]", "position = [0.3, -0.2, 0.1]\naxis = [0.3, 0.2, 0.8]")
+    if more:
+        text = text.replace("[carrier]", "gravity = [0, 0, -9.81]\n[carrier]", 1)
+    (tmp_path / "balanced.toml").write_text(text)
+    at = "w" if quantity in LOADS else "eye"
+    unit = {**QUANTITIES, **LOADS}[quantity].unit
+    found = run(tmp_path / "balanced.toml", {"w": "2777rpm"}, at, quantity=quantity, require=[f"rms 1e-10 {unit}"])
+    assert found.met and not found.problems
+    assert found.study.order == (2,)
+
+
+def test_a_quantity_that_a_symmetry_keeps_at_zero_is_not_inaccurate(tmp_path: Path) -> None:
+    """A static unbalance in the plane of the mass centre shakes, and does not turn."""
+    stand = one_wheel(tmp_path, 'static = "5 g cm"', "")
+    assert run(stand, {"w": "2777rpm"}, "eye", require=["rms 1e-6 arcsec"]).met

@@ -19,13 +19,14 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.proof import reference
 from mahovik.proof.reference.momentum import momentum
 from mahovik.stands import path
+from mahovik.use.study.band import rms
 from mahovik.use.study.quiet import QuietOptions, QuietResult, quiet
 from mahovik.use.study.quiet.lines import Amplitudes, groups
 from mahovik.use.study.quiet.options import Wheels
 from mahovik.use.study.quiet.result import as_object, regime_text
 from mahovik.use.study.quiet.search import Search, SpeedChoice
 from mahovik.use.study.quiet.simulation import Sampling, expected_samples, simulate_point, steady_start
-from mahovik.use.study.response.periodic import periodic_response, rms
+from mahovik.use.study.response.periodic import periodic_response
 from mahovik.use.study.rest import rest
 
 RPM = math.pi / 30.0

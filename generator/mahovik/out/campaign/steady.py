@@ -17,9 +17,10 @@ from mahovik.out.campaign.quantities import OF_POINTS, Quantity
 from mahovik.out.campaign.signals import AXES
 from mahovik.out.functions.given import by_flywheel
 from mahovik.out.functions.vibration import speed_text
+from mahovik.use.study.band import rms
 from mahovik.use.study.linear.model import Place, places
 from mahovik.use.study.response.held import REACTION, HeldMotion
-from mahovik.use.study.response.periodic import Periodic, periodic_response, rms
+from mahovik.use.study.response.periodic import Periodic, periodic_response
 from mahovik.use.study.response.speeds import common_period, read_speeds
 
 

@@ -205,7 +205,7 @@ def _print(found: QuietResult) -> None:
 
 def _lines(found: QuietResult, when: str, jitter: Jitter) -> Iterator[tuple[str, ...]]:
     """Rows for order 1 of all flywheels."""
-    from mahovik.use.study.response.periodic import in_band
+    from mahovik.use.study.band import in_band
 
     heard = jitter.heard or (None,) * len(jitter.lines)
     for line, simulated in zip(jitter.lines, heard, strict=True):

@@ -32,7 +32,7 @@ from mahovik.use.study.jitter.conserved import Conserved, conserves, solve
 from mahovik.use.study.jitter.left_out import left_out
 from mahovik.use.study.jitter.linearised import Linearised
 from mahovik.use.study.jitter.torus import Torus, Whole
-from mahovik.use.study.jitter.torus_motion import ROUNDING, Balance
+from mahovik.use.study.jitter.torus_motion import ROUNDING, Balance, rounding_rates
 from mahovik.use.study.response.held import HeldScene
 from mahovik.use.study.response.periodic import scene_of
 from mahovik.use.study.response.scene import Scene
@@ -108,6 +108,7 @@ class _Search:
         self.fastest = float(np.abs(speeds).max(initial=0.0)) or 1.0
         self.before: tuple[Torus, Complex] | None = None
         self.conserves = isinstance(scene, Scene) and conserves(scene)
+        self.rounding = rounding_rates(scene, speeds)
 
     def at(self, order: int) -> Balance:
         """The motion at an order. Raises CheckError."""
@@ -129,11 +130,15 @@ class _Search:
             if not np.all(np.isfinite(y)) or np.abs(self.scene.whole(y)[:, 3:6]).max() > LARGEST:
                 break
             rate = self.scene.rate(given, y) + (push @ torus.values(h)[:, :, None])[:, :, 0]
+            left = torus.coefficients(rate) - 1j * w[:, None] * c
+            if linear is not None and np.all(np.abs(left[:, m:]) <= self.rounding):
+                self.before = torus, c
+                return self._with_missing(self._result(order, torus, c, h), linear, h)
             if linear is None:
                 J = self.scene.jacobian(given, y, self.scene.twist(rate[:, m:]))
                 linear = Linearised(torus, J, push, self.scene.free_displacement, w, slow, size)
             settled = SETTLED * np.abs(c / size).max() + least
-            step = linear.solve(torus.coefficients(rate) - 1j * w[:, None] * c, c, SMALL * settled)
+            step = linear.solve(left, c, SMALL * settled)
             if step is None:
                 break
             c, h = c + step[0], h + step[1]
@@ -223,11 +228,18 @@ class _Search:
     def _result(self, order: int, torus: Torus, c: Complex, h: Complex) -> Balance:
         hold = self.scene.wrench @ h[0].real
         found = Balance(self.scene, torus, order, self.speeds, self.phases, self.turning, c, h, hold, 0.0)
+        pose, speeds = np.split(c, 2, axis=1)
+        moving = (torus.k != 0).any(axis=1)
+        rates = np.maximum(np.abs(found.frequencies[:, None] * pose), np.abs(speeds))[moving]
+        if np.all(rates <= self.rounding / self.fastest):  # nothing moves the carrier
+            found = replace(found, c=np.where(moving[:, None], 0.0, c))
         return replace(found, left_out=left_out(found))
 
 
 def _with(found: Balance, missing: Complex, w: Array, slow: Whole, order: int) -> Balance:
     m, w = found.scene.count, w.copy()
     w[slow] = 0.0
+    if not found.c[(found.torus.k != 0).any(axis=1)].any():  # the flywheels' wrenches have no orders above those kept
+        missing = np.zeros_like(missing)
     pose = missing[:, :m] @ found.scene.twist(np.eye(m))
     return replace(found, missing=pose, missing_c=missing, missing_w=w, missing_order=order)

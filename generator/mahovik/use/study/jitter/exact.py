@@ -19,6 +19,7 @@ from mahovik.use.study.jitter.lines import COMBINATION, UNBALANCE, LineName, Lin
 from mahovik.use.study.jitter.load_view import LoadView
 from mahovik.use.study.jitter.quantity import FullMotion, Observable, View
 from mahovik.use.study.jitter.torus import Torus
+from mahovik.use.study.jitter.torus_motion import rounding_rates, rounding_wrench
 from mahovik.use.study.response.held import HeldScene
 from mahovik.use.study.response.scene import Scene
 
@@ -47,7 +48,12 @@ def exact_lines(found: Balance, seen: Observable, phases: Array, chain: Chain | 
     sizes = np.abs(a).max(axis=1)
     largest = sizes[(f > 0.0) & np.isfinite(sizes)].max(initial=0.0)
     constant = (torus.k == 0).all(axis=1)
-    rounding = LOAD_ROUNDING * float(sizes[constant].max(initial=0.0)) if isinstance(seen, LoadView) else 0.0
+    rounding = 0.0
+    if isinstance(seen, LoadView):
+        rounding = max(
+            LOAD_ROUNDING * float(sizes[constant].max(initial=0.0)),
+            rounding_wrench(found.scene, found.speeds)[seen.rows].max(),
+        )
     kept = ~(sizes <= max(NEGLIGIBLE * largest, rounding)) | constant
     names = [found.scene.stand.flywheels[s].name for s in found.turning]
     labels = [_name(k.tolist(), names) for k in torus.k[kept]]
@@ -102,6 +108,19 @@ def left_out_of(found: Balance, seen: Observable) -> Array:
     moved = larger.pad(found.c) + found.missing_c
     whole = seen.full(full_motion(found, larger, moved, larger.pad(found.h)))
     return np.asarray(np.abs(larger.coefficients(whole) - near)[moving].sum(axis=0))
+
+
+def rounding_of(found: Balance, seen: Observable) -> float:
+    """What rounding makes of the quantity, root of the sum of squares over its axes: sum of the amplitudes of lines."""
+    if isinstance(seen, LoadView):
+        return float(np.linalg.norm(rounding_wrench(found.scene, found.speeds)[seen.rows]))
+    assert isinstance(seen, View | FreedomView)
+    w = np.abs(found.frequencies)
+    w = w[w > SLOW * w.max(initial=0.0)]
+    moved = found.scene.twist(
+        rounding_rates(found.scene, found.speeds)[None] / max(np.abs(found.speeds).max(initial=0.0), 1e-300)
+    )
+    return float(np.linalg.norm(np.abs(seen.by_pose(moved / w[:, None], w)).sum(axis=0)))
 
 
 def _name(k: list[int], names: list[str]) -> LineName:

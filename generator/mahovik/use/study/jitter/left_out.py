@@ -12,9 +12,15 @@ from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.reaction import reaction
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.jitter.torus import Torus
-from mahovik.use.study.jitter.torus_motion import ROUNDING, Balance, gyration_radius, state_at
+from mahovik.use.study.jitter.torus_motion import (
+    ROUNDING,
+    Balance,
+    gyration_radius,
+    rounding_rates,
+    rounding_wrench,
+    state_at,
+)
 from mahovik.use.study.response.held import HeldScene
-from mahovik.use.study.response.scene import Scene
 
 SAMPLES = 64
 """Random phases at which the literal reference is evaluated."""
@@ -35,7 +41,7 @@ def left_out(found: Balance) -> float:
     exact = np.array([acceleration(each, scene.stand, np.zeros(phi.shape[1])) for each in at])
     left = y_dot[:, 6:] - exact - scene.twist(pushed)
     pose = y_dot[:, :6] - scene.chart.rate(given, y)[:, :6]
-    parts = [_largest(scene, a, b) for a, b in ((left, exact), (pose, y_dot[:, :6]))]
+    parts = [_largest(found, a, b) for a, b in ((left, exact), (pose, y_dot[:, :6]))]
     if isinstance(scene, HeldScene):
         parts.append(_reaction_left_out(scene, found, theta, at, y_dot[:, 6:]))
     return max(parts)
@@ -60,11 +66,13 @@ def _reaction_left_out(scene: HeldScene, found: Balance, theta: Array, at: Seque
         for each in (found.torus.at(lines, theta) - exact, exact, exact - lines[0].real)
     )
     most = max(varying, REACTION_ROUNDING * whole)
-    return left / most if most else 0.0
+    return left / most if most > np.linalg.norm(rounding_wrench(scene, found.speeds) * scale) else 0.0
 
 
-def _largest(scene: Scene | HeldScene, off: Array, whole: Array) -> float:
+def _largest(found: Balance, off: Array, whole: Array) -> float:
     """Largest of off (M, 6) as a part of the largest of `whole`, rotations times the radius of gyration."""
+    scene = found.scene
     scale = np.repeat([1.0, gyration_radius(scene)], 3)
     most = float(np.linalg.norm(whole * scale, axis=1).max())
-    return float(np.linalg.norm(off * scale, axis=1).max()) / most if most > max(ROUNDING, scene.noise) else 0.0
+    least = max(ROUNDING, scene.noise, float(np.linalg.norm(scene.twist(rounding_rates(scene, found.speeds)) * scale)))
+    return float(np.linalg.norm(off * scale, axis=1).max()) / most if most > least else 0.0

@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from mahovik.use.plan.array import Array, Complex
+from mahovik.use.study.band import in_band
 from mahovik.use.study.jitter.torus import Flags
-from mahovik.use.study.response.periodic import in_band
 
 SAME = 1e-9
 """Relative difference of frequencies below which two lines are one: a beat lasts years."""

@@ -54,18 +54,19 @@ class LoadView:
         return LOADS[self.quantity]
 
     @property
-    def _rows(self) -> slice:
+    def rows(self) -> slice:
+        """Of a wrench, those seen."""
         return slice(0, 3) if self.quantity == "force" else slice(3, 6)
 
     def linear(self, motion: LinearMotion) -> Complex:
         """Amplitudes (S, L, 3, P) of the load."""
         found = motion.reaction() if self.wheel is None else motion.mount(self.wheel)
-        return found[:, :, self._rows]
+        return found[:, :, self.rows]
 
     def full(self, motion: FullMotion) -> Array:
         """Values (M, 3) of the load."""
         found = motion.reaction() if self.wheel is None else motion.mount(self.wheel)
-        return found[:, self._rows]
+        return found[:, self.rows]
 
     def derivative(self, omega: Array) -> Complex:
         """1: a load is not differentiated."""

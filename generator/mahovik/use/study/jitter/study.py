@@ -17,7 +17,7 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.balance import Balance, balance
 from mahovik.use.study.jitter.chain import Chain, Makers, undamped_mode
-from mahovik.use.study.jitter.exact import constant_load, exact_lines, left_out_of
+from mahovik.use.study.jitter.exact import constant_load, exact_lines, left_out_of, rounding_of
 from mahovik.use.study.jitter.held_plant import HeldPlant
 from mahovik.use.study.jitter.lines import CONSTANT, UNBALANCE, LineName, Lines
 from mahovik.use.study.jitter.load_view import LoadView
@@ -238,6 +238,8 @@ class _Study:
         """A problem if too much is left out at a speed, or it is not known how much."""
         worst, left = float(np.linalg.norm(lines.worst()[0])), float(np.linalg.norm(remainder))
         known = np.isfinite(remainder).all()
+        if left <= rounding_of(found, self.chain.seen):
+            return []
         share = (left / worst if worst else 0.0) if known else found.left_out
         if share <= TOO_MUCH or not np.isfinite(worst):
             return []

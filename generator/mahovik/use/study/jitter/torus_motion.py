@@ -105,6 +105,24 @@ class Balance:
         return state_at(self.scene, y, self.motions(theta[None])[0][0], self.speeds)
 
 
+def rounding_wrench(scene: Scene | HeldScene, speeds: Array) -> Array:
+    """(6; N, N m): wrench on the carrier in E1 about O1 that is rounding, at speeds (N, rad/s).
+
+    In a balanced stand inertia forces of the flywheels about O1 cancel, and so do weights.
+    """
+    still = np.zeros((1, len(speeds)))
+    Theta = scene.drive(still, still).Theta[0]
+    fastest, g = np.abs(speeds).max(initial=0.0), np.linalg.norm(scene.stand.gravity)
+    size = fastest**2 * np.abs(Theta[:, 3:]).sum(axis=1) + g * np.abs(scene.K[:, :3]).sum(axis=1)
+    return np.asarray(4.0 * np.finfo(float).eps * size)  # of some sums and products
+
+
+def rounding_rates(scene: Scene | HeldScene, speeds: Array) -> Array:
+    """(m; m/s2, rad/s2): rates of the speeds in a state by that wrench."""
+    still = np.zeros((1, len(speeds)))
+    return np.asarray(np.abs(scene.drive(still, still).mobility[0]) @ rounding_wrench(scene, speeds))
+
+
 def gyration_radius(scene: Scene | HeldScene) -> float:
     """Radius of gyration, m."""
     return float(np.sqrt(np.trace(scene.K[3:, 3:]) / np.trace(scene.K[:3, :3])))

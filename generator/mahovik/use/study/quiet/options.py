@@ -17,8 +17,8 @@ from mahovik.nearest import suggestion
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.screw import f
 from mahovik.use.plan.array import Array
+from mahovik.use.study.band import check_band
 from mahovik.use.study.response.held import REACTION
-from mahovik.use.study.response.periodic import check_band
 
 
 class Measure(NamedTuple):
@@ -84,14 +84,13 @@ class QuietOptions:
     seed: int = 0
 
     def __post_init__(self) -> None:
-        low, high = self.band
         for name, limits in (("band", self.band), *(("avoid", each) for each in self.avoid)):
             check_band(name, limits)
         if self.momentum is None and self.speeds is None:
             raise UsageError("neither --momentum nor --speeds: give the momentum to hold, or the present speeds")
         if self.measure not in MEASURES:
             raise UsageError(f"--measure {self.measure}: expected one of {', '.join(MEASURES)}")
-        if low == 0.0 and MEASURES[self.measure].integrals:
+        if self.band[0] == 0.0 and MEASURES[self.measure].integrals:
             raise UsageError(f"--band from 0 Hz: a drift has no {self.measure} in a band; begin above 0")
         for name, value in (("limit", self.limit), ("change", self.change)):
             if value is not None and not (math.isfinite(value) and value > 0.0):

@@ -19,6 +19,7 @@ from mahovik.errors import StateError
 from mahovik.proof.verify.states import state_object
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.stream import uniform_stream
+from mahovik.use.study.band import in_band
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.linear.modes import modes
 from mahovik.use.study.quiet.held_lines import HeldAmplitudes
@@ -40,7 +41,6 @@ from mahovik.use.study.quiet.simulation import (
     simulate_point,
     steady_start,
 )
-from mahovik.use.study.response.periodic import in_band
 from mahovik.use.study.rest import rest
 
 AGREE = 0.01

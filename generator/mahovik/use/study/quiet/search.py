@@ -15,10 +15,10 @@ import numpy as np
 from mahovik.errors import CheckError
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
+from mahovik.use.study.band import EDGE, in_band
 from mahovik.use.study.quiet.held_lines import HeldAmplitudes
 from mahovik.use.study.quiet.lines import Amplitudes, best_phases, groups, uncontrolled_mean_square
 from mahovik.use.study.quiet.options import QuietOptions, Wheels
-from mahovik.use.study.response.periodic import EDGE, in_band
 
 SLACK = EDGE
 """Relative tolerance: a speed at its limit is within it, and an edge is crossed by this much."""

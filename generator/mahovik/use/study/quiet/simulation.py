@@ -21,10 +21,10 @@ from mahovik.proof.reference import pieces
 from mahovik.proof.reference.points import point_transfers
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.simulate import Case, simulate
+from mahovik.use.study.band import EDGE, in_band
 from mahovik.use.study.quiet.lines import Amplitudes
 from mahovik.use.study.quiet.options import MEASURES, Interval, QuietOptions
 from mahovik.use.study.response.held import REACTION
-from mahovik.use.study.response.periodic import EDGE, in_band
 from mahovik.use.study.rest import displaced_state
 
 LOBE = 4.0
@@ -86,7 +86,9 @@ class Sampling:
         f = np.unique(np.round(np.abs(speeds) / (2 * math.pi), 9))
         f = f[f > 0.0]
         beats = min((float(x) for x in np.diff(f) if x > 1e-9), default=math.inf)
-        edges = min((abs(float(x) - edge) for x in f for edge in options.band if abs(x - edge) > EDGE * edge), default=math.inf)
+        edges = min(
+            (abs(float(x) - edge) for x in f for edge in options.band if abs(x - edge) > EDGE * edge), default=math.inf
+        )
         rate = max(2.56 * options.band[1], options.band[1] + 3.2 * float(f.max(initial=0.0)))
         until = max(1.5 * LOBE / beats, 20.0 / max(options.band[0], 0.1), SHORTEST)
         until = max(min(until, LONGEST), min(1.5 * LOBE / edges, MOST / rate))

@@ -17,10 +17,11 @@ from mahovik.contract.quantities import RPM
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
 from mahovik.use.plan.array import Array, Complex
+from mahovik.use.study.band import check_band, rms
 from mahovik.use.study.linear.model import encode_lines
 from mahovik.use.study.response.held import HeldScene
 from mahovik.use.study.response.outputs import AXES, Output, output_of
-from mahovik.use.study.response.periodic import UNSTABLE, check_band, periodic_response, rms, scene_of
+from mahovik.use.study.response.periodic import UNSTABLE, periodic_response, scene_of
 from mahovik.use.study.response.scene import Scene
 from mahovik.use.study.response.speeds import SpeedPlan, Turning, common_period
 
