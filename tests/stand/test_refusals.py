@@ -49,7 +49,8 @@ CASES = {
     ),
     "added mass of a flywheel": (
         BASE + WHEEL + "added_mass = [1, 1, 1, 1, 1, 1]",
-        'flywheel "w1": unknown key "added_mass", did you mean "mass"?',
+        'flywheel "w1": unknown key "added_mass": that of a flywheel would turn with it; give it to the carrier or an '
+        "instrument",
     ),
     "bool is no number": (
         BASE.replace("mass = 3", "mass = true"),

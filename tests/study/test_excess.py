@@ -17,24 +17,23 @@ def example(name: str) -> Stand:
 
 
 @pytest.mark.parametrize("name", sorted(names()))
-def test_of_the_examples_it_is_the_satellites(name: str) -> None:
-    found = excess(example(name))
-    assert (found is not None) == (name in ("eye4", "sat4"))
+def test_of_the_examples_it_is_the_satellites_but_for_their_tasks(name: str) -> None:
+    """A task names the rows that are asked, so that (12) as a whole is not."""
+    stand = example(name)
+    assert excess(stand) is None
+    assert (excess(replace(stand, tasks=())) is not None) == (name in ("eye4", "sat4"))
 
 
 def test_the_words_name_flywheel_and_task() -> None:
-    sat = example("sat4")
-    with_task, without = excess(sat), excess(replace(sat, tasks=()))
-    assert with_task is not None and without is not None
-    assert str(with_task).endswith("(EXCESSIVE); ask its tasks")
-    assert "[task.pointing]" in str(without) and without.flywheel in str(without)
-    assert without.share > 100
+    found = excess(replace(example("sat4"), tasks=()))
+    assert found is not None and found.share > 100
+    assert "[task.pointing]" in str(found) and found.flywheel in str(found)
 
 
 def test_without_motors_a_stated_acceleration_decides() -> None:
     sat = example("sat4")
-    bare = replace(sat, flywheels=tuple(replace(s, motor=None) for s in sat.flywheels))
+    bare = replace(sat, flywheels=tuple(replace(s, motor=None) for s in sat.flywheels), tasks=())
     found = excess(bare)
     assert found is not None and found.share == pytest.approx(found.phi_ddot / bare.inverse_most)
     assert excess(replace(bare, inverse_most=1e9)) is None
-    assert excess(replace(sat, flywheels=(), tasks=())) is None
+    assert excess(replace(bare, flywheels=())) is None

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from mahovik.core.stand.fields import Table
-from mahovik.core.stand.model import Hold, LawData, Stand
+from mahovik.core.stand.model import TWIST_LETTERS, Hold, LawData, Mat6, Stand
 from mahovik.core.stand.units import Dimension
 
 Note = Callable[..., None]
@@ -32,6 +32,17 @@ class HoldNumber:
         """The numbers and their unit as people read them: angles in degrees."""
         values = self.value if isinstance(self.value, tuple) else (self.value,)
         return (tuple(map(math.degrees, values)), "deg") if self.unit == "rad" else (values, self.unit)
+
+
+def negative_diagonal(where: str, matrix: Mat6 | None, does: str) -> list[str]:
+    """A warning, in a list, of what is negative on the diagonal of a damping or a stiffness, and of what it `does`."""
+    diagonal = () if matrix is None else [(letter, matrix[i][i]) for i, letter in enumerate(TWIST_LETTERS)]
+    negative = ", ".join(f"{value:.5g} for {letter}" for letter, value in diagonal if value < 0.0)
+    return [f"{where} has {negative}: {does}"] if negative else []
+
+
+DRIVES = "it drives where it should brake; coefficients that damp are positive"
+PUSHES = "it pushes away where it should pull back; what pulls back is positive"
 
 
 @dataclass(frozen=True)

@@ -105,7 +105,10 @@ def _check_added_mass(added: Array, where: str, problems: Problems) -> None:
     diagonal = np.diag(added)
     if (diagonal < 0).any():
         i = int(np.argmin(diagonal))
-        problems.add(where, "added_mass", f"not positive semidefinite, [{i}][{i}] = {diagonal[i]:.6g}")
+        sign = ""
+        if (diagonal <= 0).all():
+            sign = ": published derivatives (X_udot, ...) are negative, added mass is minus these; expected other signs"
+        problems.add(where, "added_mass", f"not positive semidefinite, [{i}][{i}] = {diagonal[i]:.6g}{sign}")
         return
     for i, j in zip(*np.nonzero(added), strict=True):
         if not diagonal[i] > 0:

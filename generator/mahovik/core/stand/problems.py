@@ -55,15 +55,19 @@ class Problems:
             self.add(where, *_words(path), key, reason)
 
 
-SHAPE = (
-    ": a flywheel has numbers in the place of a shape, spin_inertia and transverse_inertia; "
-    "for a thin disc transverse_inertia = spin_inertia/2"
-)
+OF_FLYWHEELS = {
+    "shape": "a flywheel has numbers in the place of a shape, spin_inertia and transverse_inertia; "
+    "for a thin disc transverse_inertia = spin_inertia/2",
+    "added_mass": "that of a flywheel would turn with it; give it to the carrier or an instrument",
+}
+"""Keys that flywheels do not have, and what there is instead."""
 
 
 def _instead(key: str, known: list[str]) -> str:
     """What to write instead of an unknown key."""
-    return SHAPE if key == "shape" and "transverse_inertia" in known else suggestion(key, known)
+    if key in OF_FLYWHEELS and "transverse_inertia" in known:
+        return f": {OF_FLYWHEELS[key]}"
+    return suggestion(key, known)
 
 
 def _words(location: tuple[int | str, ...]) -> list[str]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from mahovik.contract.quantities import RPM
 from mahovik.core.stand.balance import eccentric_velocity, grade
-from mahovik.core.stand.inertia import inertia_about_center
+from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
 from mahovik.core.stand.whole import PlacedBody, placed_bodies
 
@@ -31,6 +31,12 @@ At most a ninth of the mass is so far from the centre; the origin of a uniform r
 DENSEST = 22.6e3
 """Density of osmium, kg/m3: a body of known mass and inertia is not denser than the densest metal."""
 
+LIGHTEST = 0.09
+"""Density of hydrogen, kg/m3."""
+
+FASTEST_RIM = 300.0
+"""m/s: wheels of steel burst not far above; those of carbon fibre are faster."""
+
 
 def slips(
     stand: Stand, speeds: Sequence[float], known: Sequence[bool], written: Mapping[str, str] | None = None
@@ -40,23 +46,22 @@ def slips(
     `written`: static unbalances with units as written in the file, by the names of the flywheels.
     """
     bodies = placed_bodies(stand)
+    radii = np.array([_gyration(each.body) for each in bodies])
     return [
-        *_unbalances(stand, speeds, known, written or {}),
-        *_places(stand, bodies),
-        *_centers(bodies),
-        *_sizes(bodies),
+        *_unbalances(stand, speeds, written or {}),
+        *_places(stand, bodies, radii),
+        *_centers(bodies, radii),
+        *_sizes(stand, bodies, radii),
+        *_masses(stand),
+        *_rims(stand, speeds, known),
     ]
 
 
-def _unbalances(
-    stand: Stand, speeds: Sequence[float], known: Sequence[bool], written: Mapping[str, str]
-) -> Iterator[str]:
-    """Flywheels an order above G 40, unless all of several are and no speed is known: these are so on purpose."""
+def _unbalances(stand: Stand, speeds: Sequence[float], written: Mapping[str, str]) -> Iterator[str]:
+    """Flywheels an order above G 40, unless all are: those of vibration motors and shakers are so on purpose."""
     velocities = [eccentric_velocity(s, speed) for s, speed in zip(stand.flywheels, speeds, strict=True)]
-    above = [1e3 * velocity > ORDER * USUAL_GRADE for velocity in velocities]
-    on_purpose = len(above) > 1 and all(above)
-    found = [k for k, far in enumerate(above) if far and (known[k] or not on_purpose)]
-    if not found:
+    found = [k for k, velocity in enumerate(velocities) if 1e3 * velocity > ORDER * USUAL_GRADE]
+    if not found or len(found) == len(velocities):
         return
     worst = max(found, key=lambda k: velocities[k])
     flywheel = stand.flywheels[worst]
@@ -66,30 +71,35 @@ def _unbalances(
     yield (
         f"flywheel {flywheel.name}{more}: a static unbalance of {words} on {flywheel.mass:.4g} kg is "
         f"{grade(velocities[worst])} at {RPM * abs(speeds[worst]):.5g} rpm, "
-        f"{1e3 * velocities[worst] / USUAL_GRADE:.3g} times G {USUAL_GRADE:g}: on purpose, or a slip in its unit?"
+        f"{1e3 * velocities[worst] / USUAL_GRADE:.3g} times G {USUAL_GRADE:g}: a slip in its unit?"
     )
 
 
-def _places(stand: Stand, bodies: Sequence[PlacedBody]) -> Iterator[str]:
+def _places(stand: Stand, bodies: Sequence[PlacedBody], radii: Array) -> Iterator[str]:
     """Instruments, flywheels and points far away from all others, by the size of these."""
+    mass = np.array([each.body.mass for each in bodies])
+    centers = np.array([each.center_of_mass for each in bodies])
     for k, placed in enumerate(bodies):
         if not isinstance(placed.body, Carrier):
-            others = [each for j, each in enumerate(bodies) if j != k]
             kind = "instrument" if isinstance(placed.body, Instrument) else "flywheel"
-            yield from _outlier(f"{kind} {placed.body.name}", placed.position, others)
+            others = np.arange(len(bodies)) != k
+            yield from _outlier(
+                f"{kind} {placed.body.name}", placed.position, mass[others], centers[others], radii[others]
+            )
     mounts = {each.body.name: each for each in bodies}
     for point in stand.points:
         mount = mounts[point.mount]
         at = mount.position + mount.axes @ np.array(point.position)
-        yield from _outlier(f"point {point.name}", at, bodies)
+        yield from _outlier(f"point {point.name}", at, mass, centers, radii)
 
 
-def _outlier(name: str, position: Array, others: Sequence[PlacedBody]) -> Iterator[str]:
-    mass = sum(each.body.mass for each in others)
-    if mass == 0.0:
+def _outlier(name: str, position: Array, mass: Array, centers: Array, radii: Array) -> Iterator[str]:
+    """A position (3) far from bodies of these masses (n), centres of mass (n, 3) and radii of gyration (n)."""
+    total = float(mass.sum())
+    if total == 0.0:
         return
-    middle = np.sum([each.body.mass * each.center_of_mass for each in others], axis=0) / mass
-    size = max(float(np.linalg.norm(each.center_of_mass - middle)) + _gyration(each.body) for each in others)
+    middle = mass @ centers / total
+    size = float((np.linalg.norm(centers - middle, axis=1) + radii).max())
     distance = float(np.linalg.norm(position - middle))
     if 0.0 < ORDER * size < distance:
         yield (
@@ -98,10 +108,9 @@ def _outlier(name: str, position: Array, others: Sequence[PlacedBody]) -> Iterat
         )
 
 
-def _centers(bodies: Sequence[PlacedBody]) -> Iterator[str]:
+def _centers(bodies: Sequence[PlacedBody], radii: Array) -> Iterator[str]:
     """Bodies whose centre of mass is far from the origin of their frame, by their radius of gyration."""
-    for placed in bodies:
-        body, radius = placed.body, _gyration(placed.body)
+    for body, radius in zip((placed.body for placed in bodies), radii, strict=True):
         distance = math.hypot(*body.center_of_mass)
         if 0.0 < OUTSIDE * radius < distance:
             yield (
@@ -111,29 +120,71 @@ def _centers(bodies: Sequence[PlacedBody]) -> Iterator[str]:
             )
 
 
-def _sizes(bodies: Sequence[PlacedBody]) -> Iterator[str]:
+def _sizes(stand: Stand, bodies: Sequence[PlacedBody], radii: Array) -> Iterator[str]:
     """Bodies whose inertia is too large for the stand or too small for their mass.
 
-    Too large: the radius of gyration of an instrument or a flywheel is far above those of all other bodies. Too small:
-    the ball with the same mass and radius of gyration k, whose radius is sqrt(5/3) k, is denser than any metal; every
-    other shape is denser still. A body without inertia is a particle, which is written so on purpose.
+    Too large: the radius of gyration of an instrument or a flywheel is far above those of all other bodies; that of the
+    carrier is far beyond all that stands on it, and the ball with the same mass and radius of gyration k, whose radius
+    is sqrt(5/3) k, is lighter than any gas. Too small: that ball is denser than any metal; every other shape is denser
+    still. A body without inertia is a particle, which is written so on purpose.
     """
-    radii = [_gyration(each.body) for each in bodies]
-    for k, placed in enumerate(bodies):
-        body, radius = placed.body, radii[k]
-        others = max((radii[j] for j in range(len(bodies)) if j != k), default=0.0)
-        if not isinstance(body, Carrier) and 0.0 < ORDER * others < radius:
+    for k, (placed, radius) in enumerate(zip(bodies, radii, strict=True)):
+        body = placed.body
+        others = float(max(radii[:k].max(initial=0.0), radii[k + 1 :].max(initial=0.0)))
+        ball = 4.0 / 3.0 * math.pi * (math.sqrt(5.0 / 3.0) * radius) ** 3
+        if isinstance(body, Carrier):
+            reach = _reach(stand, bodies, placed.center_of_mass)
+            if radius > ORDER * reach and 0.0 < body.mass < LIGHTEST * ball:
+                beside = f", {radius / reach:.3g} times the distance of what stands on it" if reach else ""
+                yield (
+                    f"carrier: its radius of gyration is {radius:.3g} m{beside}; it would be lighter than any gas: "
+                    "a slip in the unit of its inertia or mass?"
+                )
+        elif 0.0 < ORDER * others < radius:
             yield (
                 f"{body.name}: its radius of gyration is {radius:.3g} m, {radius / others:.3g} times the largest of "
                 "the other bodies: a slip in the unit of its inertia or mass?"
             )
-        ball = 4.0 / 3.0 * math.pi * (math.sqrt(5.0 / 3.0) * radius) ** 3
         if 0.0 < DENSEST * ball < body.mass:
             yield (
                 f"{body.name}: {body.mass:.4g} kg with a radius of gyration of {radius:.3g} m is "
                 f"{body.mass / ball / DENSEST:.3g} times denser than osmium, whatever its shape: a slip in the unit of "
                 "its inertia or mass?"
             )
+
+
+def _reach(stand: Stand, bodies: Sequence[PlacedBody], center: Array) -> float:
+    """Largest distance (m) of an instrument, a flywheel or a point on the carrier from its centre of mass (3)."""
+    places = [placed.position for placed in bodies if not isinstance(placed.body, Carrier)]
+    places += [np.array(point.position) for point in stand.points if point.mount == stand.carrier.name]
+    return max((float(np.linalg.norm(place - center)) for place in places), default=0.0)
+
+
+def _masses(stand: Stand) -> Iterator[str]:
+    """A free carrier without any mass but that of the flywheels."""
+    fixed = (stand.carrier, *stand.instruments)
+    if stand.flywheels and stand.hold is None and not any(body.mass for body in fixed):
+        yield (
+            "carrier: its mass is 0, so that the flywheels are all that moves with their own unbalance: a mass that "
+            "was left out?"
+        )
+
+
+def _rims(stand: Stand, speeds: Sequence[float], known: Sequence[bool]) -> Iterator[str]:
+    """Flywheels whose rim, that of the disc of their mass and spin inertia, is faster than wheels of metal bear."""
+    found = []
+    for flywheel, speed, is_known in zip(stand.flywheels, speeds, known, strict=True):
+        if is_known and flywheel.mass:
+            radius = math.sqrt(2.0 * float(inertia_about_origin(flywheel)[0, 0]) / flywheel.mass)
+            found.append((radius * abs(speed), radius, abs(speed), flywheel.name))
+    above = [each for each in found if each[0] > FASTEST_RIM]
+    if above:
+        rim, radius, speed, name = max(above)
+        more = f" (and {len(above) - 1} more)" if len(above) > 1 else ""
+        yield (
+            f"flywheel {name}{more}: at {speed:.5g} rad/s, {RPM * speed:.5g} rpm, the rim of a disc of its mass and "
+            f"inertia, of {radius:.3g} m, runs at {rim:.4g} m/s, above {FASTEST_RIM:g}: rpm written as rad/s?"
+        )
 
 
 def _gyration(body: Body) -> float:

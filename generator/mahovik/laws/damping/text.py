@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.core.stand.law import DRIVES, negative_diagonal
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
 from mahovik.laws.damping.data import Damping
 
@@ -31,6 +32,16 @@ def short(stand: Stand) -> str:
 
 
 def warnings(stand: Stand) -> list[str]:
+    """Damping that drives: with a negative coefficient on a diagonal; and products of added mass that count twice."""
+    found = []
+    for body in stand.bodies:
+        if (law := body.law(Damping)) is not None:
+            found += negative_diagonal(f"{body.name}: damping.linear", law.linear, DRIVES)
+            found += negative_diagonal(f"{body.name}: damping.quadratic", law.quadratic, DRIVES)
+    return [*found, *_products(stand)]
+
+
+def _products(stand: Stand) -> list[str]:
     """Derivatives of the carrier that are products of its added mass, which count twice unless the file says so.
 
     And derivatives that the file says to contain these products where none stands at the place of one.

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from mahovik.core.stand.model import TWIST_LETTERS, Stand
+from mahovik.core.stand.law import DRIVES, negative_diagonal
+from mahovik.core.stand.model import Stand
 from mahovik.laws.fading.data import FadingDamping
 
 NAME = "fading damping"
@@ -21,15 +22,6 @@ def short(stand: Stand) -> str:
 
 def warnings(stand: Stand) -> list[str]:
     """Fading damping that drives: with a negative coefficient on the diagonal."""
-    found = []
-    for body in stand.bodies:
-        law = body.law(FadingDamping)
-        if law is None:
-            continue
-        for letter, value in zip(TWIST_LETTERS, (law.linear[i][i] for i in range(6)), strict=True):
-            if value < 0.0:
-                found.append(
-                    f"{body.name}: fading_damping.linear has {value:.5g} for {letter}: it drives where it should "
-                    "brake; coefficients that damp are positive"
-                )
-    return found
+    laws = ((body.name, body.law(FadingDamping)) for body in stand.bodies)
+    found = (negative_diagonal(f"{name}: fading_damping.linear", law.linear, DRIVES) for name, law in laws if law)
+    return [line for lines in found for line in lines]

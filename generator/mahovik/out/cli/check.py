@@ -35,7 +35,7 @@ def check(
     ),
     dt: str | None = option(
         "--dt",
-        'Show what float steps of this length, "0.1 ms" or s, lose of the speeds; default: 0.1 ms, in one line.',
+        'Show what float steps of this length, "0.1 ms" or s, lose of the speeds.',
         metavar="TIME",
     ),
     planes: str | None = option(
@@ -54,9 +54,9 @@ def check(
 
     Shows masses, centres of mass, principal inertia, the unbalance of each flywheel, its force and balance grade of
     ISO 21940-11 at a speed, momentum and torque of the motors, and numbers with units as they are written. The grade
-    is that of the static part; --planes adds the couple, which has no grade alone. Warns of plausible slips, and if
-    float would not resolve an unbalance, or would lose what short steps add; where (12) is singular in practice, so
-    that a task should name the rows that are demanded; and of tasks that the flywheels do not reach.
+    is that of the static part; --planes adds the couple, which has no grade alone. Warns of plausible slips; if float
+    would not resolve an unbalance; where (12) is singular in practice and no task names the rows that are demanded;
+    and of tasks that the flywheels do not reach.
     """
     stand = load_stand(stand_file)
     asked = None if speed is None else abs(_read("--speed", speed, ("an angular speed", "rad/s"), -1e9, 1e9))
@@ -69,7 +69,7 @@ def check(
     from mahovik.core.stand.written import written_numbers
     from mahovik.use.simulate.friction_steps import long_steps
     from mahovik.use.study.excess import excess
-    from mahovik.use.study.increments import USUAL_STEP, lost_increments, lost_increments_line
+    from mahovik.use.study.increments import USUAL_STEP, lost_increments
     from mahovik.use.study.resolution import shortfalls
     from mahovik.use.study.task_reach import task_shortfalls
 
@@ -78,7 +78,7 @@ def check(
     summary, names = summarize(stand, asked, apart, unbalances), identities(stand)
     short = shortfalls(stand, [row.speed for row in summary.unbalance])
     step = USUAL_STEP if dt is None else _read("--dt", dt, ("a time", "s"), 1e-9, 1e3)
-    lost = lost_increments(stand, [row.speed for row in summary.unbalance], step)
+    lost = [] if dt is None else lost_increments(stand, [row.speed for row in summary.unbalance], step)
     over, unreached = excess(stand), task_shortfalls(stand)
     steep = long_steps(stand, step)
     in_fluid = None
@@ -104,9 +104,8 @@ def check(
             found["fluid"] = fluid_object(in_fluid)
         print_json(found)
         return
-    steps = [str(each) for each in lost] if dt is not None else [lost_increments_line(lost)] if lost else []
-    steps += map(str, steep)
-    _print(summary, names, [*map(str, short), *steps, *([str(over)] if over else []), *map(str, unreached)], written)
+    more = [*short, *lost, *steep, *([over] if over else []), *unreached]
+    _print(summary, names, list(map(str, more)), written)
     if in_fluid is not None:
         print_fluid(in_fluid)
 

@@ -48,6 +48,8 @@ def inverse_root(S: Array) -> Array:
 
     Any such factor gives the same singular values, norms and answer; this one loses no digits to mixed units.
     """
+    if np.count_nonzero(S) == len(S):  # Theta_ff, of as many rows as there are flywheels
+        return np.diag(1.0 / np.sqrt(np.diag(S)))
     return np.asarray(np.linalg.inv(np.linalg.cholesky(S)))
 
 

@@ -31,32 +31,29 @@ class Excess:
     flywheel   that needs most
     share      of what it has: 8.1e4 is eighty-one thousand times
     phi_ddot   its acceleration, rad/s2
-    tasks      whether the stand has tasks
     """
 
     component: str
     flywheel: str
     share: float
     phi_ddot: float
-    tasks: bool
 
     def __str__(self) -> str:
         unit = "m/s2" if self.component.startswith("v") else "rad/s2"
-        advice = "ask its tasks"
-        if not self.tasks:
-            advice = 'name the rows that you need, [task.pointing] rows = ["wx", "wy", "wz"], and ask the task'
         return (
             f"(12) is singular in practice: {SMALL:g} {unit} of {self.component} alone, all else at rest, needs "
-            f"{self.phi_ddot:.3g} rad/s2 of {self.flywheel}, {self.share:.3g} times what it has (EXCESSIVE); {advice}"
+            f"{self.phi_ddot:.3g} rad/s2 of {self.flywheel}, {self.share:.3g} times what it has (EXCESSIVE); name the "
+            'rows that you need, [task.pointing] rows = ["wx", "wy", "wz"], and ask the task'
         )
 
 
 def excess(stand: Stand) -> Excess | None:
     """What (12) needs at most for a small demand, if this is more than there is in most positions; else None.
 
-    None of a held carrier, which (12) does not ask for all six components.
+    None of a held carrier, which (12) does not ask for all six components, nor of a stand whose tasks name what is
+    asked.
     """
-    if not stand.flywheels or stand.hold is not None:
+    if not stand.flywheels or stand.hold is not None or stand.tasks:
         return None
     bodies = bodies_of(stand)
     rng = np.random.default_rng(_SEED)
@@ -74,4 +71,4 @@ def excess(stand: Stand) -> Excess | None:
     share, phi_ddot = needed[i, s]
     if not share > 1.0:
         return None
-    return Excess(COMPONENTS[i], stand.flywheels[s].name, float(share), float(phi_ddot), bool(stand.tasks))
+    return Excess(COMPONENTS[i], stand.flywheels[s].name, float(share), float(phi_ddot))
