@@ -1,0 +1,115 @@
+"""The net: is the C of 67 stands still the same text, and does every study still answer the same?
+
+python tests/net/net.py                       compare; exit status 1 where something differs
+python tests/net/net.py --accept "SENTENCE"   keep what differs; the sentence says which judge shows it right
+
+`c.json` has hashes of the C, `answers/` numbers of `eval` and of studies, `accepted.md` why they changed. It takes two
+processes.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import multiprocessing
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import answers
+import emitted
+
+HERE = Path(__file__).parent
+HASHES = HERE / "c.json"
+ANSWERS = HERE / "answers"
+ACCEPTED = HERE / "accepted.md"
+SHOWN = 8
+"""Differences that are shown of a case."""
+
+
+def measure(task: tuple[str, str]) -> tuple[str, str, Any]:
+    """The hashes or answers of a case, or the error that stopped it."""
+    kind, name = task
+    try:
+        if kind == "answer":
+            return kind, name, answers.answer(name)
+        stand, options = next((stand, options) for case, stand, options in emitted.cases() if case == name)
+        return kind, name, emitted.emitted(stand, options)
+    except Exception as error:  # one case that fails does not hide the others
+        return kind, name, {"failed": f"{type(error).__name__}: {error}"}
+
+
+def kept(kind: str, name: str) -> Any:
+    """What is kept of a case; None: nothing."""
+    if kind == "answer":
+        file = ANSWERS / _file(name)
+        return json.loads(file.read_text(encoding="utf-8")) if file.is_file() else None
+    return json.loads(HASHES.read_text(encoding="utf-8")).get(name) if HASHES.is_file() else None
+
+
+def compare(kind: str, name: str, now: Any) -> list[str]:
+    """Lines that say where a case differs from what is kept of it."""
+    before = kept(kind, name)
+    if before is None or "failed" in now:
+        return [f"{name}: {'new' if before is None else now['failed']}"]
+    if kind == "answer":
+        return [f"{name}{line}" for line in answers.differences(before, now, answers.CASES[name][0].relative)]
+    changed = [
+        f"{part[:-1]} {key}"
+        for part in ("files", "functions")
+        for key in sorted(before[part].keys() | now[part].keys())
+        if before[part].get(key) != now[part].get(key)
+    ]
+    return [f"{name}: {line}" for line in changed]
+
+
+def accept(measured: Iterable[tuple[str, str, Any]]) -> None:
+    """Keep the cases as they are now."""
+    ANSWERS.mkdir(exist_ok=True)
+    hashes = {}
+    for kind, name, now in measured:
+        if kind == "answer":
+            (ANSWERS / _file(name)).write_text(_rows(now) + "\n", encoding="utf-8", newline="\n")
+        else:
+            hashes[name] = now
+    HASHES.write_text(_rows(hashes) + "\n", encoding="utf-8", newline="\n")
+
+
+def _file(name: str) -> str:
+    return f"{name.replace(' ', '-')}.json"
+
+
+def _rows(value: dict[str, Any]) -> str:
+    """JSON with a line for each entry, so that a change is a line."""
+    return "{\n" + ",\n".join(f" {json.dumps(key)}: {json.dumps(one)}" for key, one in value.items()) + "\n}"
+
+
+def main() -> int:
+    """Compare or accept. Returns the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--accept", metavar="SENTENCE")
+    parser.add_argument("words", nargs="*", help="cases whose names contain one of these; all by default")
+    options = parser.parse_args()
+    tasks = [("answer", name) for name in answers.CASES] + [("c", name) for name, _, _ in emitted.cases()]
+    tasks = [task for task in tasks if not options.words or any(word in task[1] for word in options.words)]
+    with multiprocessing.get_context("spawn").Pool(2) as pool:
+        measured = sorted(pool.imap_unordered(measure, tasks))
+    differing = {(kind, name): lines for kind, name, now in measured if (lines := compare(kind, name, now))}
+    for lines in differing.values():
+        print(*lines[:SHOWN], *([f"  and {len(lines) - SHOWN} more"] if len(lines) > SHOWN else []), sep="\n")
+    print(f"{len(tasks) - len(differing)} passed, {len(differing)} failed")
+    if not options.accept:
+        return 1 if differing else 0
+    if any("failed" in now for _, _, now in measured) or options.words:
+        print("not accepted: a case failed, or not all of them were measured")
+        return 1
+    accept(measured)
+    with ACCEPTED.open("a", encoding="utf-8") as file:
+        names = ", ".join(name for _, name in differing) if len(differing) < len(tasks) else "all"
+        file.write(f"* {options.accept} ({names})\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
