@@ -23,6 +23,7 @@ help:
 	@echo "make test       the same, then the tests"
 	@echo "make test-slow  the longest of the tests, of their cases a fifth, another with each commit in CI: minutes"
 	@echo "make test-all   every test, of the slow ones every case: an hour"
+	@echo "make net        hashes of the C of 67 stands and answers of every study, compared with those kept in tests/net"
 	@echo "make setup      virtual environment in .venv with mahovik and its pictures (run .venv/bin/mahovik)"
 	@echo "make setup-test the same environment with judges, test tools and the site's builder added"
 	@echo "make generated  write generated/ again from the example stands"
@@ -101,6 +102,9 @@ test-slow: setup-test
 
 test-all: setup-test
 	$(BIN)/python -m pytest -q -n 2 --dist worksteal -m 'not fuzz'
+
+net: setup-test
+	$(BIN)/python tests/net/net.py
 
 # Not compiled at once: less disk and time, and most modules are never imported. Those that commands import are compiled by
 # running some, where the environment lets Python keep none: as pip does there, and every start takes half the time.
