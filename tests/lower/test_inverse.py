@@ -148,6 +148,24 @@ def test_bounded_answers_are_near_the_best_there_is(count: int, seed: int) -> No
     assert bool(status & STATUS_VALUES["UNREACHABLE"]) == (reached > 1e-9 * np.linalg.norm(demand))
 
 
+@pytest.mark.parametrize("count", [7, 12, 24])
+@pytest.mark.parametrize("spread", [1.0, 1e6])
+def test_far_out_of_reach_the_residual_is_the_least(count: int, spread: float) -> None:
+    """Limits of a tenth to a third of what is asked: flywheels are held and freed many times before the end."""
+    c, rng = backend_of(count), np.random.default_rng(count)
+    for seed in range(25):
+        _, _, free = ask(c, seed)
+        limit = rng.uniform(0.1, 0.3) * np.abs(free["phi_ddot"]).max() * np.ones(count)
+        weight = np.exp(rng.uniform(0, np.log(spread), count))
+        given, status, out = ask(c, seed, limit=limit.tolist(), weight=weight.tolist())
+        matrix, demand, theta = scaled(c, given)
+        root = np.sqrt(theta)
+        best = lsq_linear(matrix / root, demand, (-limit * root, limit * root), method="bvls", tol=1e-14)
+        excess = np.linalg.norm(demand - matrix @ out["phi_ddot"]) - np.sqrt(2 * best.cost)
+        assert excess <= 1e-8 * np.linalg.norm(demand), seed
+        assert status & STATUS_VALUES["LIMITED"]
+
+
 def test_damping_lowers_what_is_near_singular() -> None:
     """With `near` above the smallest ratio, the damping is reported and the answer gets smaller."""
     c = backend_of(6)

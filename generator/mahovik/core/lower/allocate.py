@@ -1,4 +1,4 @@
-"""Control allocation: a demand distributed among weighted, limited flywheels, in a fixed number of passes.
+"""Control allocation: a demand distributed among weighted, limited flywheels, in a bounded number of passes.
 
 The rows of W are orthogonal with sizes sigma (core/routines/jacobi.py); wanted is W y = r in the first `rank` rows.
 With the weights Omega, least y^T Omega y is y = Omega^-1 B^T (B Omega^-1 B^T)^-1 g r, where B = g W has scaled rows.
@@ -8,7 +8,9 @@ limit is held there. Then the active set method for bounded least squares (Stark
 least squares"; Harkegard 2002 for control allocation), from that feasible answer: what is left over is shared among the
 free flywheels, by a step as long as all limits allow; the flywheel that stopped it is held, and after a whole step the
 held flywheel that would lower the residual most is freed. Here all rows are scaled alike, so what cannot be met is left
-with the least residual in the norm of K^-1. The last pass leaves the weights out: whom they nearly silenced may give.
+with the least residual in the norm of K^-1. It is settled after a whole step that lowers the residual no more and frees
+nobody. Then, or after half of all passes, the weights are left out, until it is settled again: flywheels that they
+nearly silenced may give.
 """
 
 from __future__ import annotations
@@ -16,18 +18,20 @@ from __future__ import annotations
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Place, and_, equal, integer, magnitude, or_, real, select
+from mahovik.core.program.expression import Not, Place, and_, equal, integer, magnitude, or_, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 from mahovik.core.routines.jacobi import name_for_rows
 
 
-def passes(count: int) -> int:
-    """Number of passes for N flywheels: each may be held once, some are released again. It stops growing at 64.
-
-    Measured against SciPy (tests/lower/test_inverse.py): enough for all of hundreds of random demands within limits.
-    """
+def usual_passes(count: int) -> int:
+    """Number of passes that are always made: each of N flywheels may be held once. It stops growing at 64."""
     return 4 + max(2, min(count, 64))
+
+
+def most_passes(count: int) -> int:
+    """Largest number of passes: each flywheel may be held and freed again, as in `bounded_least_squares`."""
+    return 4 + 6 * count
 
 
 def solve_gram(lib: Library, rows: int = 6) -> Function:
@@ -70,7 +74,7 @@ def allocate(lib: Library, rows: int = 6) -> Function:
     limited = Argument("limited", Kind.INT, (layout.count,), "out", purpose="1 where a flywheel is held at its limit")
     phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
     w, p, y, held = work.place, options.place, phi_ddot.place, limited.place
-    last = passes(int(layout.count)) - 1
+    count = int(layout.count)
     body = Body()
     share = body.local("share", (layout.count,), comment="1/weight")
     give = body.local("give", (layout.count,), comment="1/weight of a free flywheel, 0 for one held at its limit")
@@ -78,17 +82,21 @@ def allocate(lib: Library, rows: int = 6) -> Function:
     row = body.local("row", (rows,), comment="factor of each row; 0: the row is left out")
     gram = body.local("gram", (rows, rows))
     z = body.local("z", (rows,))
+    going, weighted = body.local("going", (), Kind.INT), body.local("weighted", (), Kind.INT)
+    settled = body.local("settled", (), Kind.INT, "1 after a whole step that gains nothing and frees nobody")
+    square_before = body.local("square_before", comment="square of the residual after the last whole step")
+    body.set(going, integer(1))
+    body.set(weighted, integer(1))
+    body.set(square_before, real(lib.layout.precision.largest))
     body.note("until the end phi_ddot holds y = D phi''")
     with body.loop("s", layout.count) as s:
         body.set(y[s], real(0))
         body.set(held[s], integer(0))
         body.set(share[s], 1 / p.weight[s])
-    with body.loop("pass", last + 1) as turn:
+    with body.loop("pass", most_passes(count)) as turn, body.when(going > 0):
         most = body.local("most")
         body.set(most, real(0))
         with body.loop("s", layout.count) as s:
-            with body.when(turn >= last):
-                body.set(share[s], real(1))
             body.set(give[s], select(held[s] > 0, real(0), share[s]))
             body.set(most, select(give[s] > most, give[s], most))
         regular = body.let("regular", real(lib.thresholds.regular) * most)
@@ -105,10 +113,17 @@ def allocate(lib: Library, rows: int = 6) -> Function:
             with body.loop("i", rows) as i:
                 body.add(total, w.W[i][s] * z[i])
             body.set(step[s], give[s] * total)
+        body.set(settled, integer(0))
         with body.when(turn < 1):
             _clip(lib, body, w, p, y, held, step)
         with body.otherwise():
-            _advance(lib, body, w, p, rank.place, y, held, step, rows)
+            _advance(lib, body, w, p, rank.place, y, held, step, rows, settled, square_before)
+        ends = or_(settled > 0, equal(turn, most_passes(count) // 2))
+        with body.when(and_(turn >= usual_passes(count) - 2, ends)):
+            body.set(going, weighted)
+            body.set(weighted, integer(0))
+            with body.loop("s", layout.count) as s:
+                body.set(share[s], real(1))
     body.note("the product may round an answer that just reaches its limit beyond it; what overflows is refused later")
     largest = lib.limits["LARGEST"].expression
     with body.loop("s", layout.count) as s:
@@ -136,8 +151,9 @@ def _clip(lib: Library, body: Body, w: Place, p: Place, y: Place, held: Place, s
 
 
 def _advance(
-    lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place, held: Place, step: Place, rows: int
-) -> None:
+    lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place, held: Place, step: Place, rows: int,
+    settled: Place, square_before: Place
+) -> None:  # fmt: skip
     """A step of the active set method."""
     body.note("go as far as all limits allow; hold the flywheel that reaches its limit")
     length = body.local("length")
@@ -164,12 +180,15 @@ def _advance(
     with body.when(stopped < 0):
         left = body.local("left", (rows,))
         wanted = body.local("wanted")
+        square = body.local("square", comment="of the residual")
         body.set(wanted, real(0))
+        body.set(square, real(0))
         with body.loop("i", rows) as i:
             body.add(wanted, w.r[i] * w.r[i])
             body.set(left[i], select(i < rank, w.r[i], real(0)))
             with body.when(i < rank), body.loop("s", lib.layout.count) as s:
                 body.add(left[i], -(w.W[i][s] * y[s]))
+            body.add(square, left[i] * left[i])
         best = body.local("best")
         tolerance = lib.thresholds.unreachable
         body.set(best, real(tolerance * tolerance) * wanted, "smaller gains are ignored")
@@ -189,6 +208,9 @@ def _advance(
                 body.set(freed, s)
         with body.when(freed >= 0):
             body.set(held[freed], integer(0))
+        with body.otherwise(), body.when(Not(and_(square > best, square < square_before * real(1 - tolerance)))):
+            body.set(settled, integer(1))
+        body.set(square_before, square)
 
 
 def _rows(body: Body, w: Place, rank: Place, turn: Place, row: Place, rows: int) -> None:

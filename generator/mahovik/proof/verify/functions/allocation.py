@@ -47,6 +47,9 @@ FAST_DAMPING = 2.0**-4
 SQUARED_CONDITION = {"double": 1e9, "float": 1e3}
 """Largest condition of the normal equations at which `inverse_fast` is compared."""
 
+LIMIT_SHARES = (0.7, 0.15)
+"""Limits that are tried, over the largest acceleration without any: some flywheels are held, and most of them."""
+
 EXCESS_LIMIT = 1e-6
 """Accepted excess of a bounded answer's residual over the least, relative to the demand (SciPy stops there)."""
 
@@ -185,10 +188,11 @@ def inverse_rows(case: Case) -> Iterator[Row]:
             share = largest_damping(scaled, rank, near, damping)
             damped_by.note(found["damped_by"], share, loss * np.linalg.norm(scaled.W), name)
             beside.note(state, options, status, found, scaled, name)
-            options = options_of(case, number, limits_of(case, expected))
-            status, found = answer_of(case, given, options)
-            note_limits(limited, case, status, found, options, scaled, name)
-            beside.note(state, options, status, found, scaled, name, free=False)
+            for part in LIMIT_SHARES:
+                options = options_of(case, number, limits_of(case, expected, part))
+                status, found = answer_of(case, given, options)
+                note_limits(limited, case, status, found, options, scaled, name)
+                beside.note(state, options, status, found, scaled, name, free=False)
         except StateError as error:
             plain.note_refusal(error, name)
     for row in (plain, damped, damped_by, limited):
@@ -240,9 +244,9 @@ def least_residual(scaled: ScaledDemand, limit: Array) -> float:
     return float(np.sqrt(2 * found.cost))
 
 
-def limits_of(case: Case, phi_ddot: Array) -> Array:
-    """Limits (N, rad/s2) that hold some flywheels back: 0.7 of the largest."""
-    most = 0.7 * float(np.abs(phi_ddot).max(initial=0.0)) or 1.0
+def limits_of(case: Case, phi_ddot: Array, part: float) -> Array:
+    """Limits (N, rad/s2) that hold some flywheels back: this part of the largest."""
+    most = part * float(np.abs(phi_ddot).max(initial=0.0)) or 1.0
     return np.full(case.count, float(np.float32(most)))
 
 

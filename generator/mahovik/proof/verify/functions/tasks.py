@@ -66,10 +66,11 @@ def inverse_rows(case: Case, function: str) -> Iterator[Row]:
             share = largest_damping(scaled, rank, options["near"], options["damping"])
             damped_by.note(found["damped_by"], share, np.linalg.norm(scaled.W), name)
             beside.note(asked, rows, everything, options, status, found, scaled, name)
-            options = allocation.options_of(case, number, allocation.limits_of(case, expected))
-            status, found = allocation.answer_of(case, given, options, function)
-            allocation.note_limits(limited, case, status, found, options, scaled, name)
-            beside.note(asked, rows, everything, options, status, found, scaled, name, free=False)
+            for part in allocation.LIMIT_SHARES:
+                options = allocation.options_of(case, number, allocation.limits_of(case, expected, part))
+                status, found = allocation.answer_of(case, given, options, function)
+                allocation.note_limits(limited, case, status, found, options, scaled, name)
+                beside.note(asked, rows, everything, options, status, found, scaled, name, free=False)
         except StateError as error:
             plain.note_refusal(error, name)
     for row in (plain, freed, damped, damped_by, limited):
