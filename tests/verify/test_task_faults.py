@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,6 +14,7 @@ import mahovik
 from mahovik.core.stand.model import COMPONENTS, Stand, Task, TaskRow
 from mahovik.core.stand.random import EVERYTHING, Features, random_stand
 from mahovik.proof.reference import pieces
+from mahovik.proof.reference.task import TaskRows, task_rows
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
@@ -90,6 +93,28 @@ def test_a_planted_fault_is_noticed(fault: str, tmp_path: Path) -> None:
     case = case_of("sat4", folder, stand=stand())
     rows = [row for name in FUNCTIONS for row in rows_of(case, name)]
     assert any(row.verdict == "FAILED" for row in rows)
+
+
+@pytest.mark.parametrize("function", ["inverse_sight", "torque_for_sight"])
+def test_a_sign_of_s_that_C_and_reference_have_alike_is_noticed(
+    function: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """omega x v of a point with the wrong sign wherever the C and the literal reference have it."""
+    folder = planted("sat4", tmp_path, "project_sight", "velocity_0", "velocity_0", stand())
+    source = folder / "sat4.c"
+    text, changed = re.subn(
+        r"(turned_0\[\d\]) = (velocity_0\S+ \* \S+) - (velocity_0\S+ \* \S+);", r"\1 = \3 - \2;", source.read_text()
+    )
+    assert changed == 9
+    source.write_text(text)
+
+    def wrong(*given: Any) -> TaskRows:
+        rows = task_rows(*given)
+        return TaskRows(rows.S, -rows.s)
+
+    monkeypatch.setattr("mahovik.proof.verify.functions.allocation.task_rows", wrong)
+    rows = rows_of(case_of("sat4", folder, stand=stand()), function)
+    assert {row.quantity for row in rows if row.verdict == "FAILED"} == {"residual, by points of the second"}
 
 
 @pytest.mark.slow

@@ -15,13 +15,14 @@ import mahovik
 from mahovik.errors import UsageError
 from mahovik.proof.reference import evaluate
 from mahovik.proof.reference.torque_for import least_within
+from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import uniform
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.foreign import Program, verify_program
 from mahovik.proof.verify.torque_want import TaskSetting, torque_requests, torque_rows
 
 SAT = mahovik.example("sat4")
-SETTING = TaskSetting(SAT, uniform(1e-12), 1)
+SETTING = TaskSetting(SAT, uniform(1e-12), Second(SAT), 1)
 REQUESTS = torque_requests(SETTING, draw(SAT, 1, 36, wrenches=False))
 
 
@@ -36,7 +37,7 @@ def failed(results: list[dict[str, Any]]) -> set[str]:
 def test_the_reference_passes_and_every_row_has_states() -> None:
     results = answers()
     rows = torque_rows(SETTING, REQUESTS, results)
-    assert [row.verdict for row in rows] == ["ok"] * 4
+    assert [row.verdict for row in rows] == ["ok"] * 5
     assert rows[0].states >= 6
     assert {result["status"] for result in results} >= {"OK", "LIMITED|UNREACHABLE"}
 

@@ -79,7 +79,7 @@ def verify_program(
         states = [(name, onto_hold(stand, state)) for name, state in states]
     if actuators:
         states = _with_actuators(stand, states, seed)
-    setting = TaskSetting(stand, uniform(tolerance), seed)
+    setting = TaskSetting(stand, uniform(tolerance), Second(stand), seed)
     asked = tuple(wants) or _offers(stand, program)
     requests = _requests(states, [want for want in asked if want != TORQUE_FOR])
     if TORQUE_FOR in asked:

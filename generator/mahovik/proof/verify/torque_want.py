@@ -18,6 +18,7 @@ from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.coupled import coupled
 from mahovik.proof.reference.task import task_of, task_rows
+from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import Bounds
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions import allocation, task_torques
@@ -38,6 +39,7 @@ class TaskSetting(Setting):
 
     stand: Stand
     bounds: Bounds
+    second: Second
     seed: int
 
 

@@ -188,8 +188,8 @@ def inverse_rows(case: Case) -> Iterator[Row]:
             share = largest_damping(scaled, rank, near, damping)
             damped_by.note(found["damped_by"], share, loss * np.linalg.norm(scaled.W), name)
             beside.note(state, options, status, found, scaled, name)
-            for part in LIMIT_SHARES:
-                options = options_of(case, number, limits_of(case, expected, part))
+            for fraction in LIMIT_SHARES:
+                options = options_of(case, number, limits_of(case, expected, fraction))
                 status, found = answer_of(case, given, options)
                 note_limits(limited, case, status, found, options, scaled, name)
                 beside.note(state, options, status, found, scaled, name, free=False)
@@ -244,9 +244,9 @@ def least_residual(scaled: ScaledDemand, limit: Array) -> float:
     return float(np.sqrt(2 * found.cost))
 
 
-def limits_of(case: Case, phi_ddot: Array, part: float) -> Array:
-    """Limits (N, rad/s2) that hold some flywheels back: this part of the largest."""
-    most = part * float(np.abs(phi_ddot).max(initial=0.0)) or 1.0
+def limits_of(case: Case, phi_ddot: Array, fraction: float) -> Array:
+    """Limits (N, rad/s2) that hold some flywheels back: this fraction of the largest."""
+    most = fraction * float(np.abs(phi_ddot).max(initial=0.0)) or 1.0
     return np.full(case.count, float(np.float32(most)))
 
 

@@ -22,10 +22,11 @@ from mahovik.proof.verify.compare import Row, difference
 
 
 class Setting:
-    """The stand, accepted differences, numbers of the element type and seed of a judge of a task."""
+    """The stand, accepted differences, second derivation, element type and seed of a judge of a task."""
 
     stand: Stand
     bounds: Bounds
+    second: Second
     seed: int
 
     @property

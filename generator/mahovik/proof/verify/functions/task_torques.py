@@ -22,6 +22,7 @@ from mahovik.proof.reference.task_torque import TorqueDemand, torque_demand
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions import allocation
 from mahovik.proof.verify.functions.case import Case, Comparison, Setting
+from mahovik.proof.verify.functions.tasks import task_residual
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.scales.wants import coupled, flywheel_wrenches
 
@@ -234,11 +235,12 @@ class Results:
     def __init__(self, case: Setting, function: str) -> None:
         self._case = case
         self.motion = Comparison(function, "V_dot, phi_ddot, residual", case.bounds.default)
+        self.points = Comparison(function, "residual, by points of the second", case.bounds.default)
         self.status = Comparison(function, "status, limited", 0.0)
 
     def rows(self) -> list[Row]:
         """The rows with their verdicts."""
-        return [row.with_verdict() for row in (self.motion, self.status)]
+        return [row.with_verdict() for row in (self.motion, self.points, self.status)]
 
     def note(self, asked: TorqueCase, status: int, found: Mapping[str, Any], name: str) -> None:
         """Count one good answer."""
@@ -255,6 +257,8 @@ class Results:
         self.motion.note(
             found["residual"], np.array(asked.state.demand) - asked.rows.acceleration(V_dot), reached, name
         )
+        by_points, gravity = task_residual(case, asked.state, np.array(found["V_dot"], dtype=np.float64))
+        self.points.note(found["residual"], by_points, reached + gravity, name)
         held = np.array(found["limited"], dtype=bool)
         at_bound = (tau == case.nearest_numbers(asked.least)) | (tau == case.nearest_numbers(asked.most))
         expected: dict[str, bool | None] = dict.fromkeys(BITS, False)

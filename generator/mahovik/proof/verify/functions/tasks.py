@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.contract.functions import task_of
+from mahovik.contract.functions import task_of as task_name_of
 from mahovik.contract.status import BITS, status_bits
+from mahovik.core.stand.model import COMPONENTS
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.allocation import ScaledDemand, largest_damping, scaled_task, weighted_solution
@@ -18,11 +20,11 @@ from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.excess import motor_shares
 from mahovik.proof.reference.forward import bias, forward
 from mahovik.proof.reference.inverse import inverse_root
-from mahovik.proof.reference.task import TaskRows
+from mahovik.proof.reference.task import TaskRows, task_of
 from mahovik.proof.verify.compare import EXCESS_MARGIN, Row
 from mahovik.proof.verify.functions import allocation
 from mahovik.proof.verify.functions.abilities import excess_rows
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.functions.case import Case, Comparison, Setting
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 
 Rows = NDArray[np.bool_]
@@ -33,7 +35,7 @@ NEAR_MARGIN = 1e-3
 
 def inverse_rows(case: Case, function: str) -> Iterator[Row]:
     """phi_ddot with weights, with rows freed, with damping; limits with the least residual; what is said beside."""
-    accepted, task = case.bounds.default, task_of(function)
+    accepted, task = case.bounds.default, task_name_of(function)
     plain = Comparison(function, "phi_ddot, with weights", accepted)
     damped = Comparison(function, "phi_ddot, with damping", accepted)
     damped_by = Comparison(function, "damped_by", accepted)
@@ -66,8 +68,8 @@ def inverse_rows(case: Case, function: str) -> Iterator[Row]:
             share = largest_damping(scaled, rank, options["near"], options["damping"])
             damped_by.note(found["damped_by"], share, np.linalg.norm(scaled.W), name)
             beside.note(asked, rows, everything, options, status, found, scaled, name)
-            for part in allocation.LIMIT_SHARES:
-                options = allocation.options_of(case, number, allocation.limits_of(case, expected, part))
+            for fraction in allocation.LIMIT_SHARES:
+                options = allocation.options_of(case, number, allocation.limits_of(case, expected, fraction))
                 status, found = allocation.answer_of(case, given, options, function)
                 allocation.note_limits(limited, case, status, found, options, scaled, name)
                 beside.note(asked, rows, everything, options, status, found, scaled, name, free=False)
@@ -83,7 +85,7 @@ def fast_rows(case: Case, function: str) -> Iterator[Row]:
     """Rows of `inverse_fast`, and one with rows freed."""
     yield from allocation.fast_rows(case, function, partial(_loss, case))
     freed = Comparison(function, "phi_ddot, with rows freed", case.bounds.default)
-    task = task_of(function)
+    task = task_name_of(function)
     for number, (name, state) in enumerate(case.states):
         asked, rows = allocation.with_demand(case, number, state, task)
         use = _some_rows(case, number, len(rows.s))
@@ -133,6 +135,28 @@ def _loss(case: Case, state: State, scaled: ScaledDemand) -> float:
     return condition * float(max(size for size in sizes if np.isfinite(size)))
 
 
+def task_residual(case: Setting, state: State, V_dot: Array) -> tuple[Array, Array]:
+    """Demand of the state's task less what a motion V_dot (6) has of it (m), by the second derivation's points; scale.
+
+    The rows of the literal reference have no part in it: neither their S nor their s.
+    """
+    task, points = task_of(case.stand, state.task), {}
+    if any(row.of for row in task.rows):
+        moving = replace(state, task="", demand=(), V_dot=tuple(V_dot))
+        points = case.second.evaluate(moving, ("points",))["points"]
+    gravity, reached = np.array(case.stand.gravity), []
+    for row in task.rows:
+        k = COMPONENTS.index(row.component)
+        if not row.of:
+            reached.append(V_dot[k])
+        elif k < 3:
+            point = points[row.of]
+            reached.append((point["specific_force"] + point["C"].T @ gravity)[k])
+        else:
+            reached.append(points[row.of]["angular_acceleration"][k - 3])
+    return np.array(state.demand) - reached, np.full(len(reached), np.linalg.norm(gravity))
+
+
 class _Diagnoses:
     """Rows on the motion that results, the error, the singular values, the status, and the direction hardest to reach.
 
@@ -146,10 +170,11 @@ class _Diagnoses:
         self.members = Comparison(function, "residual, sigma, what else it says", accepted)
         self.status = Comparison(function, "status, with options", 0.0)
         self.hardest = Comparison(function, "hardest", accepted)
+        self.points = Comparison(function, "residual, by points of the second", accepted)
 
     def rows(self) -> list[Row]:
         """The rows with their verdicts."""
-        return [row.with_verdict() for row in (self.motion, self.members, self.status, self.hardest)]
+        return [row.with_verdict() for row in (self.motion, self.members, self.points, self.status, self.hardest)]
 
     def note(
         self, state: State, rows: TaskRows, use: Rows, options: Mapping[str, Any], status: int,
@@ -167,6 +192,8 @@ class _Diagnoses:
         reached += np.abs(rows.S) @ (np.sum(np.abs(at.V)) ** 2 * np.ones(6))  # omega x v of a point
         left = np.where(use, np.array(state.demand) - rows.acceleration(V_dot), 0.0)
         self.members.note(found["residual"], left, reached, name)
+        by_points, gravity = task_residual(case, state, np.array(found["V_dot"], dtype=np.float64))
+        self.points.note(found["residual"], np.where(use, by_points, 0.0), reached + gravity, name)
         rank, sigma = int(found["rank"]), np.asarray(np.linalg.svd(scaled.W, compute_uv=False), dtype=np.float64)
         padded = np.zeros(len(found["sigma"]))
         padded[: len(sigma)] = sigma
