@@ -47,7 +47,6 @@ help:
 	@echo "make attitude-loop  attitude loop with its plant on emulated M7 and M4, into docs/results/attitude-loop.md"
 	@echo "make held-cost    what forward of held carriers costs beside the free one: docs/results/held.md"
 	@echo "make short-steps  what rounding takes from a million short steps in float: docs/results/short-steps.md"
-	@echo "make lanes-table  what lanes and --fast are worth, by N, into docs/results/lanes.md"
 	@echo "make campaign-speed  time of a sample of a campaign beside the batch C alone, into docs/results/campaign-speed.md"
 	@echo "make tables-speed  nanoseconds a stand of tables that differ, beside the batch C, into docs/results/tables.md"
 	@echo "make campaign-scale  speed, memory and load of campaigns, a million samples: docs/results/campaigns.md; minutes"
@@ -224,9 +223,6 @@ campaign-scale: setup-test
 
 campaign-faults: setup-test
 	$(BIN)/python tools/campaign_faults.py
-
-lanes-table: setup-test
-	$(BIN)/python tools/lanes_table.py
 
 verify-time: setup-test
 	$(BIN)/python tools/verify_time.py

@@ -40,7 +40,6 @@ TOOLS = (
     "campaign_speed",
     "campaign_scale",
     "campaign_faults",
-    "lanes_table",
     "held_cost",
     "generation_time",
     "install_size",

@@ -1,4 +1,4 @@
-"""Writes mahovik's C of a case: python -m mahovik_bench.write_own FOLDER N LANES [batch]."""
+"""Writes mahovik's C of a case: python -m mahovik_bench.write_own FOLDER N [batch]."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from mahovik_bench.cases import case
 
 def main() -> None:
     """The files of `generate`, with `batch` those of batches too, nothing else."""
-    folder, N, lanes = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
+    folder, N = Path(sys.argv[1]), int(sys.argv[2])
     stand = case(N).stand
-    generated = generate_all(stand, lanes=lanes)
-    batch = batch_files(stand, generated) if "batch" in sys.argv[4:] else {}
+    generated = generate_all(stand)
+    batch = batch_files(stand, generated) if "batch" in sys.argv[3:] else {}
     for name, text in {**generated.files, **batch}.items():
         (folder / name).write_text(text, encoding="ascii")
 

@@ -35,7 +35,6 @@ def functions(monkeypatch: pytest.MonkeyPatch) -> list[FunctionCost]:
         stand: Stand,
         pairs: Sequence[tuple[Target, str]],
         progress: Callable[[int, int], None],
-        lanes: int = 1,
         only: tuple[str, ...] = (),
     ) -> Costs:
         targets = [
@@ -45,7 +44,7 @@ def functions(monkeypatch: pytest.MonkeyPatch) -> list[FunctionCost]:
             )
             for target, real in pairs
         ]
-        return Costs(stand.name, "0", "1", 3, lanes, tuple(targets))
+        return Costs(stand.name, "0", "1", 3, tuple(targets))
 
     monkeypatch.setattr(measuring, "measure", measure)
     monkeypatch.setattr(measuring, "require", lambda target: None)
@@ -62,7 +61,7 @@ def generated_files(name: str, real: str) -> dict[str, str]:
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The C of demo3 with its manifest."""
 
-    def made(stand: Stand, real: str, lanes: int = 1, only: tuple[str, ...] = ()) -> SimpleNamespace:
+    def made(stand: Stand, real: str, only: tuple[str, ...] = ()) -> SimpleNamespace:
         return SimpleNamespace(files=generated_files(stand.name, real))
 
     monkeypatch.setattr(delivery, "generate_all", made)

@@ -41,13 +41,11 @@ def generated_once() -> Iterator[None]:
     def once(
         stand: Stand,
         real: str = "double",
-        lanes: int = 1,
-        fast: bool = False,
         batch: bool = False,
         only: tuple[str, ...] = (),
     ) -> dict[str, str]:
-        key = (stand.name, real, lanes, fast, batch, only)
-        known[key] = known.get(key) or original(stand, real, lanes, fast, batch, only)
+        key = (stand.name, real, batch, only)
+        known[key] = known.get(key) or original(stand, real, batch, only)
         return dict(known[key])
 
     with pytest.MonkeyPatch.context() as patch:
@@ -98,8 +96,7 @@ def test_the_manifest_has_the_hash_of_every_file(delivered: Path) -> None:
     found = identities(load(DEMO3))
     assert (manifest["stand"], manifest["real"]) == ("demo3", "double")
     assert (manifest["structure"], manifest["physics"]) == (found.structure, found.physics)
-    assert manifest["lanes"] == 1
-    keys = {"format", "generator", "stand", "structure", "physics", "real", "lanes", "files"}
+    keys = {"format", "generator", "stand", "structure", "physics", "real", "files"}
     assert set(manifest) == keys  # no date
 
 
@@ -125,9 +122,10 @@ def test_batches_are_added_where_they_are_asked_for_and_taken_away_again(folder:
     assert contents(folder) == before
 
 
-def test_batches_are_of_one_lane(folder: Path) -> None:
-    for options in (("--lanes", "4"), ("--fast",)):
-        assert "--batch: not with --lanes" in refused("generate", DEMO3, "-o", str(folder), "--batch", *options)
+def test_flywheels_side_by_side_and_bits_that_differ_are_no_options() -> None:
+    for command in ("generate", "verify"):
+        for option in ("--lanes", "--fast"):
+            assert f"No such option '{option}'" in refused(command, DEMO3, option)
 
 
 def test_again_touches_nothing_that_is_the_same(folder: Path) -> None:

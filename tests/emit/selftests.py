@@ -13,11 +13,9 @@ from toolchain.tools import compile_c
 
 
 @cache
-def generate_with_selftest(
-    name: str, real: str = "double", lanes: int = 1, fast: bool = False
-) -> tuple[Generated, dict[str, str]]:
+def generate_with_selftest(name: str, real: str = "double") -> tuple[Generated, dict[str, str]]:
     """Program and numbers of a stand, and its files with the self-test."""
-    generated = generate_all(stand(name), real, lanes, fast)
+    generated = generate_all(stand(name), real)
     return generated, {**generated.files, **selftest_files(stand(name), generated)}
 
 

@@ -28,15 +28,13 @@ STATES = 3
 
 @dataclass(frozen=True)
 class Host:
-    """Place of a planted fault: an example stand, the element type, flywheels side by side."""
+    """Place of a planted fault: an example stand, the element type."""
 
     name: str
     real: str = "double"
-    lanes: int = 1
 
     def __str__(self) -> str:
-        words = [self.name] + ([self.real] if self.real != "double" else [])
-        return ", ".join(words + ([f"{self.lanes} lanes"] if self.lanes > 1 else []))
+        return self.name if self.real == "double" else f"{self.name}, {self.real}"
 
 
 @cache
@@ -48,7 +46,7 @@ def stand_of(host: Host) -> Stand:
 @cache
 def generated_of(host: Host) -> Generated:
     """Program, numbers and C of a host."""
-    return generate_all(stand_of(host), host.real, host.lanes)
+    return generate_all(stand_of(host), host.real)
 
 
 @cache
@@ -109,9 +107,6 @@ class Emitted:
 
 class Planted(ProgramBackend):
     """The C of `Emitted`, loaded, beside the interpreter of the program without the fault."""
-
-    fast = False
-    """No C of `--fast`: its bits are the interpreter's."""
 
     def __init__(self, made: Emitted) -> None:
         self.generated = generated_of(made.host)

@@ -11,7 +11,6 @@ from faults.emitted import Emitted, Host, files_of
 BENCH = Host("bench8")
 FLUID = Host("auv6")
 SINGLE = Host("bench8", "float")
-LANES = Host("auv6", lanes=4)
 
 
 @dataclass(frozen=True)

@@ -28,13 +28,9 @@ N = 3
 
 
 @cache
-def backend(real: str, lanes: int = 1, fast: bool = False) -> CBackend:
+def backend(real: str) -> CBackend:
     """The C of demo3."""
-    return CBackend(load(path("demo3")), real, lanes=lanes, fast=fast)
-
-
-BUILDS = [(1, False), (2, False), (2, True), (4, True)]
-"""Lanes, and whether for speed; three flywheels fill no blocks."""
+    return CBackend(load(path("demo3")), real)
 
 
 def limit(name: str, real: str) -> float:
@@ -116,12 +112,12 @@ def cases(draw: st.DrawFn) -> tuple[str, dict[str, list[float]], list[float], st
 
 @pytest.mark.slow
 @settings(max_examples=500, deadline=None)
-@given(cases(), st.sampled_from(BUILDS))
+@given(cases())
 def test_the_status_is_that_of_the_first_bad_number(
-    case: tuple[str, dict[str, list[float]], list[float], str], build: tuple[int, bool]
+    case: tuple[str, dict[str, list[float]], list[float], str],
 ) -> None:
     real, x, values, of = case
-    c = backend(real, *build)
+    c = backend(real)
     found: dict[str, Any] = {"table": c.table(), "x": x}
     found |= {"phi_ddot": values} if of == "MAX_ACCELERATION" else {"tau": values, "locked": [0] * N}
     status, _ = c.call("forward" if of == "MAX_ACCELERATION" else "coupled", found)
@@ -134,10 +130,10 @@ def test_the_status_is_that_of_the_first_bad_number(
 
 
 @settings(max_examples=200, deadline=None)
-@given(st.data(), st.sampled_from(sorted(PRECISIONS)), st.sampled_from(BUILDS))
-def test_six_numbers_are_looked_at_after_the_others(data: st.DataObject, real: str, build: tuple[int, bool]) -> None:
+@given(st.data(), st.sampled_from(sorted(PRECISIONS)))
+def test_six_numbers_are_looked_at_after_the_others(data: st.DataObject, real: str) -> None:
     """Acceleration of the carrier, for torque: its status counts where state and flywheels are in order."""
-    c, bound = backend(real, *build), limit("MAX_ACCELERATION", real)
+    c, bound = backend(real), limit("MAX_ACCELERATION", real)
     pool = st.sampled_from([float(PRECISIONS[real].scalar(e)) for e in (0.5, *edges(bound, PRECISIONS[real]))])
     V_dot = data.draw(st.lists(pool, min_size=6, max_size=6))
     phi_ddot = [0.25, data.draw(pool), 0.25]

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from mahovik.core.lower.harmonics import add_up, by_harmonic, terms
 
 from mahovik.core.formula.tree import names_of
-from mahovik.core.lower.harmonics import add_up, by_harmonic, terms
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program

@@ -34,6 +34,7 @@ def shim(name: str, header: str) -> str:
     wrapped = [_without(name, f, bits, header) for f, bits in NEW_STATUSES.items() if f" {name}_{f}(" in header]
     macros = [f"#define {name}_{old} {name}_{new}" for old, new in STRUCTS.items()]
     macros += [f"#define {old} {new}" for old, new in MEMBERS.items()]
+    macros += [f"#define {name.upper()}_LANES 1"]  # which headers had then
     return "\n".join([f'#include "{name}.h"', *pointers, *wrapped, *macros, ""])
 
 

@@ -20,9 +20,9 @@ class Recorder:
     `full`: every write fails, and nothing is kept.
     """
 
-    def __init__(self, name: str, real: str, folder: Path, edit: tuple[str, str] | None = None, lanes: int = 1) -> None:
+    def __init__(self, name: str, real: str, folder: Path, edit: tuple[str, str] | None = None) -> None:
         self.name, self.real, self.stand = name, real, known_stand(name)
-        self.generated = generate_all(self.stand, real, lanes)
+        self.generated = generate_all(self.stand, real)
         texts = self.generated.files | recorder_files(self.stand, self.generated)
         if edit is not None:
             assert edit[0] in texts[f"{name}.c"]

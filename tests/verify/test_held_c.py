@@ -139,13 +139,6 @@ def test_one_freedom_takes_no_solve_of_six() -> None:
     assert names.isdisjoint({"factor3", "solve3", "factor_carrier", "solve_carrier", "factor_schur", "solve_schur"})
 
 
-def test_flywheels_side_by_side_give_the_same_motion() -> None:
-    stand = stand_of("ball joint", 5, WET, flywheels=5)
-    own = InterpreterBackend(generate_all(stand, lanes=4))
-    for want in ("forward", "coupled"):
-        agree(stand, state_of(stand, 1), own, NumpyBackend(stand), want, 1e-11)
-
-
 @pytest.mark.parametrize("name", ["clamped", "knife edge"])
 def test_a_lock_leaves_a_flywheel_as_part_of_the_carrier(name: str) -> None:
     """phi'' of a locked flywheel is zero, and the others and the carrier move as for this given acceleration."""

@@ -58,10 +58,7 @@ def parameters(generated: Generated) -> tuple[Member, ...]:
 
 
 def array_files(stand: Stand, generated: Generated, kind: LibraryKind) -> dict[str, str]:
-    """C by file name, with the batches that it calls; it lies beside the files of the stand.
-
-    Raises UsageError where the C of the stand has lanes, or is fast.
-    """
+    """C by file name, with the batches that it calls; it lies beside the files of the stand."""
     batch = {} if kind == "states" else batch_files(stand, generated, (kind == "tables",))
     return {**batch, **_array_source(stand, generated, kind)}
 

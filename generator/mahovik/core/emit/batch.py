@@ -8,7 +8,7 @@ from mahovik.contract.functions import BATCH_FUNCTIONS
 from mahovik.core.emit.calls import call, nested_loops, over_members, over_rows
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import given_zeros, pointer_arguments, zeros
-from mahovik.core.emit.generate import Generated, internal
+from mahovik.core.emit.generate import INTERNAL, Generated
 from mahovik.core.emit.layout import paragraph
 from mahovik.core.emit.preparing import Preparing, reals
 from mahovik.core.lower.batch import BOTH, PREPARED, Batch, Batches, batches
@@ -25,12 +25,10 @@ from mahovik.errors import UsageError
 
 
 def batch_files(stand: Stand, generated: Generated, each: tuple[bool, ...] = BOTH) -> dict[str, str]:
-    """Header and source of the batches of generated C. Raises UsageError where it is not of one lane, or fast.
+    """Header and source of the batches of generated C; `each`: of one stand, of n stands, or BOTH, as delivered.
 
-    `each`: of one stand, of n stands, or BOTH, as delivered.
+    Raises UsageError where no function has a batch.
     """
-    if generated.layout.lanes > 1 or generated.fast:
-        raise UsageError("--batch: not with --lanes, --fast: it has lanes of its own, and the bits of single calls")
     made = batches(generated.program, each)
     if not made.batches:
         names = ", ".join(name for name in BATCH_FUNCTIONS)
@@ -82,7 +80,7 @@ class _Printer:
     def source(self) -> str:
         """The source: functions in lanes, then the loops over blocks."""
         generated, table = self._generated, self._generated.layout.table
-        known = {s.name for s in generated.program.structs if not internal(generated.layout, s)}
+        known = {s.name for s in generated.program.structs if s.name not in INTERNAL}
         known |= {s.name for s in (self._wide.real, self._wide.word, *self._public_structs)}
         return self._code.render(
             "batch.c.j2",

@@ -25,14 +25,10 @@ INDENT = "    "
 
 
 class Code:
-    """A program with the names and literals that it has in C.
+    """A program with the names and literals that it has in C; `word`: the name of its type of bits."""
 
-    `word`: the name of its type of bits; `inline`: ask compilers to copy internal functions into those that call them.
-    """
-
-    def __init__(self, program: Program, identities: Identities, word: str = "word", inline: bool = False) -> None:
+    def __init__(self, program: Program, identities: Identities, word: str = "word") -> None:
         self.program, self.precision, self.names = program, program.precision, Names(program.name, word)
-        self._inline = inline
         self.public = [f for f in program.functions if f.public]
         self._statements = Statements(self.names, Expressions(self.names, self.precision))
         self._facts = {
@@ -84,7 +80,7 @@ class Code:
         body = [*null_check(f, self.names), *self._statements.block(f.body, INDENT)]
         return {
             "comment": summary(f),
-            "prototype": prototype(f, self.names, self._restrictable, self._inline),
+            "prototype": prototype(f, self.names, self._restrictable),
             "body": body,
             "apart": f.apart,
             "copied": f.copied,

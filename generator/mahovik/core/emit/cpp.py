@@ -8,7 +8,7 @@ from mahovik.contract.status import BITS, REFUSALS
 from mahovik.core.emit.calls import argument_text, call
 from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.declaration import contract
-from mahovik.core.emit.generate import Generated, internal
+from mahovik.core.emit.generate import INTERNAL, Generated
 from mahovik.core.emit.layout import hanging, wrap_statement
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.status import statuses
@@ -47,7 +47,7 @@ def cpp_header(stand: Stand, generated: Generated) -> dict[str, str]:
         structs=[
             (_struct(s), names.type(s), s.purpose)
             for s in program.structs
-            if not internal(generated.layout, s) and s.name != "state"
+            if s.name not in INTERNAL and s.name != "state"
         ],
         tables=[(name, of, names.function(c)) for name, (c, of) in _TABLES.items() if name != absent],
         functions=[_function(f, names, program) for f in code.public],

@@ -30,16 +30,13 @@ def struct_lines(struct: Struct, names: Names) -> list[str]:
     return [*head, *lines, f"}} {names.type(struct)};"]
 
 
-def prototype(
-    function: Function, names: Names, restrictable: frozenset[tuple[str, str]] = frozenset(), inline: bool = False
-) -> str:
+def prototype(function: Function, names: Names, restrictable: frozenset[tuple[str, str]] = frozenset()) -> str:
     """Storage, return type, name and arguments, wrapped under the opening parenthesis.
 
     `restrictable`: (function, argument) of results that overlap no other argument; C calls them `restrict`.
-    `inline`: all internal functions are, but for those that are apart: a compiler is asked to copy them nowhere.
     """
     storage = "" if function.public else "static "
-    if not function.public and (function.short or (inline and not function.apart)):
+    if not function.public and function.short:
         storage += "inline "
     elif function.copied:
         storage += f"{names.constant('COPIED')} "

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mahovik.core.emit.batch import batch_files
-from mahovik.core.emit.eva import eva_files, provable
+from mahovik.core.emit.eva import eva_files
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.readme import readme
@@ -17,32 +17,28 @@ from mahovik.core.stand.model import Stand
 def selftest_files(stand: Stand, generated: Generated) -> dict[str, str]:
     """The self-test of generated C: `<stand>_selftest.c` in VERIFICATION, with a `main` by -D<STAND>_SELFTEST_MAIN."""
     vectors = golden(generated.program, generated.values)
-    text = selftest(generated.program, vectors, identities(stand), generated.layout.lanes, generated.fast)
+    text = selftest(generated.program, vectors, identities(stand))
     return {f"{VERIFICATION}{stand.name}_selftest.c": text}
 
 
-def firmware(stand: Stand, precision_name: str = "double", lanes: int = 1) -> dict[str, str]:
+def firmware(stand: Stand, precision_name: str = "double") -> dict[str, str]:
     """Return the files that are compiled for a board, and the README. Raises UsageError, StandError."""
-    return _firmware(stand, generate_all(stand, precision_name, lanes))
+    return _firmware(stand, generate_all(stand, precision_name))
 
 
 def delivery(
     stand: Stand,
     precision_name: str = "double",
-    lanes: int = 1,
-    fast: bool = False,
     batch: bool = False,
     only: tuple[str, ...] = (),
 ) -> dict[str, str]:
     """All files of the folder except its manifest; `batch`: with the functions for many states.
 
-    `fast`: without the recorder, whose logs need equal bits. `only`: with these public functions alone; no recorder
-    without a step. Drivers of Frama-C are there where `provable` says so.
+    `only`: with these public functions alone; no recorder without a step.
     Raises UsageError, StandError.
     """
-    generated = generate_all(stand, precision_name, lanes, fast, only)
-    proofs = eva_files(generated.program, identities(stand)) if provable(generated) else {}
-    return {**_firmware(stand, generated, batch), **proofs}
+    generated = generate_all(stand, precision_name, only)
+    return {**_firmware(stand, generated, batch), **eva_files(generated.program, identities(stand))}
 
 
 def _firmware(stand: Stand, generated: Generated, batch: bool = False) -> dict[str, str]:

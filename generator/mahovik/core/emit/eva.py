@@ -12,7 +12,6 @@ from mahovik.contract.quantities import ORDINARY_STEP, TABLES, ordinary, ordinar
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.calls import argument_text, call, declaration, nested_loops
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.names import VERIFICATION, member
 from mahovik.core.lower.limits import UNIT_SQUARE_MIN
 from mahovik.core.program.call import Argument
@@ -55,14 +54,6 @@ class Driver:
         return self.set in (NORMAL, ANY)
 
 
-def provable(generated: Generated) -> bool:
-    """Whether C gets drivers: that of one lane, not fast, with all functions.
-
-    With more lanes Eva raises alarms; in fast C contraction is another arithmetic than the one that it follows.
-    """
-    return generated.layout.lanes == 1 and not generated.fast
-
-
 def drivers(program: Program) -> tuple[Driver, ...]:
     """All drivers of a stand: of each public function on each set, then of the routines."""
     public = [f.name for f in program.functions if f.public]
@@ -72,13 +63,12 @@ def drivers(program: Program) -> tuple[Driver, ...]:
 
 
 def _angles(program: Program) -> dict[str, Any] | None:
-    """Places of `sincos_each`: of its angles, and those beyond, which it sets to zero; None where there is none."""
+    """Places of the angles of `sincos_each`; None where there is none."""
     found = next((f for f in program.functions if f.name == "sincos_each"), None)
     if found is None:
         return None
-    x, sine, _ = found.arguments
-    count, room = int(x.shape[0]), int(sine.shape[0])
-    return {"given": range(count), "beyond": range(count, room), "last": count - 1, "last_place": room - 1}
+    count = int(found.arguments[0].shape[0])
+    return {"given": range(count), "last": count - 1}
 
 
 def eva_files(program: Program, identities: Identities) -> dict[str, str]:

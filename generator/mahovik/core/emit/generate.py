@@ -31,50 +31,29 @@ from mahovik.nearest import suggestion
 PRECISIONS = {"double": DOUBLE, "float": FLOAT}
 """Element types that `generate` offers."""
 
-_INTERNAL = frozenset(("sums", "coupling", "schur", "inverse_work", "lane_sums", "lane_coupling", "lane_schur"))
+INTERNAL = frozenset(("sums", "coupling", "schur", "inverse_work"))
 """Structs that only the source declares."""
-
-LANES = (1, 2, 4, 8)
-"""Flywheels side by side that `generate` offers."""
-
-
-def host_lanes(flywheels: int) -> int:
-    """The number of lanes that suits a desk's processor: docs/results/lanes.md measures it. Firmware has 1.
-
-    Eight only from four blocks of eight on, and where they have no more empty places than blocks of four: with fewer,
-    the vectors of eight wait longer for a state that was just written than they save.
-    """
-    if flywheels <= 4:
-        return 1 if flywheels < 2 else 2
-    return 8 if flywheels > 24 and -flywheels % 8 < 4 else 4
 
 
 @dataclass(frozen=True)
 class Generated:
-    """A stand's program with its numbers and C text by file name.
-
-    fast   its bits need not be the same everywhere
-    only   public functions that were asked for; empty: all
-    """
+    """A stand's program with its numbers and C text by file name; `only`: functions that were asked for, else all."""
 
     layout: Layout
     program: Program
     values: Values
     files: dict[str, str]
-    fast: bool = False
     only: tuple[str, ...] = ()
 
 
-def generate(stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False) -> dict[str, str]:
+def generate(stand: Stand, precision_name: str = "double") -> dict[str, str]:
     """C of a stand: file name to text, header first. Raises UsageError, StandError."""
-    return generate_all(stand, precision_name, lanes, fast).files
+    return generate_all(stand, precision_name).files
 
 
 def generate_all(
     stand: Stand,
     precision_name: str = "double",
-    lanes: int = 1,
-    fast: bool = False,
     only: tuple[str, ...] = (),
     chosen: tuple[str, ...] = (),
 ) -> Generated:
@@ -84,17 +63,14 @@ def generate_all(
     """
     if precision_name not in PRECISIONS:
         raise UsageError(f"--real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
-    if lanes not in LANES:
-        raise UsageError(f"--lanes {lanes}: only {', '.join(map(str, LANES))} can be generated")
-    layout = Layout(structure(stand), PRECISIONS[precision_name], lanes if stand.flywheels else 1, fast)
+    layout = Layout(structure(stand), PRECISIONS[precision_name])
     program = lower_layout(layout, tuple(name for name in CHOSEN if name in (*only, *chosen)))
     values = Values(stand, layout, program)
     if only:
         program = restrict_program(program, _public_names(program, only, stand.name), ("state", "parameters", "table"))
-    code = Code(program, identities(stand), inline=layout.lanes > 1)
-    printer = _Printer(stand, layout, values, code, fast)
+    printer = _Printer(stand, layout, values, Code(program, identities(stand)))
     files = {f"{stand.name}.h": printer.header(), f"{stand.name}.c": printer.source()}
-    return Generated(layout, program, values, files, fast, only)
+    return Generated(layout, program, values, files, only)
 
 
 def _public_names(program: Program, only: tuple[str, ...], name: str) -> tuple[str, ...]:
@@ -107,19 +83,16 @@ def _public_names(program: Program, only: tuple[str, ...], name: str) -> tuple[s
     return (*only, *(("prepare_mounts",) if mounted else ()))  # which makes the table of mounts
 
 
-def internal(layout: Layout, struct: Struct) -> bool:
-    """Whether only the source declares a struct; with blocks, the row of one flywheel is such a struct."""
-    return struct.name in _INTERNAL or (layout.lanes > 1 and struct is layout.row)
-
-
 class _Printer:
     """Collects the parts that the templates put in order."""
 
-    def __init__(self, stand: Stand, layout: Layout, values: Values, code: Code, fast: bool) -> None:
+    def __init__(self, stand: Stand, layout: Layout, values: Values, code: Code) -> None:
         self._stand, self._layout, self._values, self._code = stand, layout, values, code
         self._names, self._program = code.names, code.program
-        self._known = {"bodies": describe_bodies(stand), "lanes": layout.lanes, "wide": layout.lanes > 1, "fast": fast}
-        self._known["link"] = link(stand.name, identities(stand), layout.precision.name, layout.lanes)
+        self._known = {
+            "bodies": describe_bodies(stand),
+            "link": link(stand.name, identities(stand), layout.precision.name),
+        }
 
     def header(self) -> str:
         """The header: the manual of the generated code."""
@@ -130,7 +103,7 @@ class _Printer:
             limits=self._limits(),
             statuses=statuses(self._names, self._layout),
             enums=self._enums(),
-            structs=self._code.structs(s for s in self._program.structs if not internal(self._layout, s)),
+            structs=self._code.structs(s for s in self._program.structs if s.name not in INTERNAL),
             externs=[
                 (f"extern const {self._names.type(struct)} {self._names.function(name)};", meaning)
                 for name, struct, _, meaning in self._constants()
@@ -147,12 +120,9 @@ class _Printer:
             bits_of=Kind.WORD in self._code.casts,
             real_of=Kind.REAL in self._code.casts,
             word=self._code.words,
-            internal=self._code.structs(s for s in self._program.structs if internal(self._layout, s)),
+            internal=self._code.structs(s for s in self._program.structs if s.name in INTERNAL),
             functions=[self._function(f) for f in self._program.functions],
-            tables=[
-                self._code.table(name, struct, value, labels) | {"blocks": struct is self._layout.table}
-                for name, struct, value, _ in self._constants()
-            ],
+            tables=[self._code.table(name, struct, value, labels) for name, struct, value, _ in self._constants()],
         )
 
     def _limits(self) -> list[tuple[str, str, str]]:
@@ -176,9 +146,6 @@ class _Printer:
             entries = self._names.enumerators(names, taken)
             taken |= {entry.removeprefix(self._names.constant("")) for entry in entries}
             found.append(self._enum(entries, layout.count.name, len(names), layout.count.comment))
-        for count in layout.lane_counts[1:]:  # their own number is a macro, so that the source can refuse another
-            text = f"enum {{ {self._names.constant(count.name)} = {int(count)} }};  /* {count.comment} */"
-            found.append([text])
         if layout.inputs:
             names = list(layout.inputs)
             entries = self._names.enumerators(names, taken, "WRENCH_")

@@ -45,21 +45,21 @@ class Link:
         return _asm(opened, f"{directive} {self.symbol}", ".popsection")
 
 
-def link(name: str, found: Identities, real: str, lanes: int) -> Link:
-    """The symbol of C: its name says element type, lanes, version and stand, so that an error message tells both."""
-    return _link(name, found, real, f"lanes{lanes}", "number of lanes")
+def link(name: str, found: Identities, real: str) -> Link:
+    """The symbol of C: its name says element type, version and stand, so that an error message tells both."""
+    return _link(name, found, real, "element type, version or stand")
 
 
 def part_link(name: str, part: str, found: Identities, real: str, declared: Iterable[object]) -> Link:
-    """The symbol of a file beside the C, as `servo`; a hash of its declarations stands in place of the lanes."""
+    """The symbol of a file beside the C, as `servo`; it has a hash of its declarations besides."""
     shape = fnv1a("\n".join(map(str, declared)).encode("utf-8"))
-    return _link(f"{name}_{part}", found, real, f"{shape:08x}", "declarations")
+    return _link(f"{name}_{part}", found, f"{real}_{shape:08x}", "element type, declarations, version or stand")
 
 
-def _link(name: str, found: Identities, real: str, shape: str, words: str) -> Link:
+def _link(name: str, found: Identities, shape: str, noticed: str) -> Link:
     version = "_".join(__version__.split("."))
-    symbol = f"{name}_link_{real}_{shape}_v{version}_{found.physics}"
-    return Link(symbol, name.upper(), f"element type, {words}, version or stand")
+    symbol = f"{name}_link_{shape}_v{version}_{found.physics}"
+    return Link(symbol, name.upper(), noticed)
 
 
 def _asm(*lines: str) -> str:

@@ -28,17 +28,13 @@ def manifest(
     real: str,
     files: Mapping[str, str],
     project: str = "",
-    lanes: int = 1,
-    fast: bool = False,
     only: Sequence[str] = (),
 ) -> str:
     """Text of the manifest of files, name to content.
 
     `project`: the target whose exported project they are; `only`: public functions that were asked for, else all.
     """
-    more: dict[str, Any] = {"lanes": lanes}
-    more |= {"fast": True} if fast else {}
-    more |= {"only": list(only)} if only else {}
+    more: dict[str, Any] = {"only": list(only)} if only else {}
     more |= {"project": project} if project else {}
     return manifest_with(stand, real, files, more)
 

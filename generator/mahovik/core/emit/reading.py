@@ -9,15 +9,9 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Header:
-    """Facts of a stand's header.
-
-    `real`, `structure`, `physics`: None where the header does not name them; `lanes`: 1 in a header older than lanes;
-    `fast`: its bits are not reproducible.
-    """
+    """Facts of a stand's header; None where it does not name them."""
 
     real: str | None
-    lanes: int
-    fast: bool
     structure: str | None
     physics: str | None
 
@@ -36,8 +30,6 @@ def read_header(folder: Path, stand_name: str) -> Header | None:
     macro = f"^#define {stand_name.upper()}_"
     return Header(
         real=first_match(rf"^typedef (\w+) {stand_name}_real;"),
-        lanes=int(first_match(rf"{macro}LANES +(\d+)\b") or 1),
-        fast=first_match(rf"{macro}FAST +(1)\b") is not None,
         structure=first_match(rf"{macro}STRUCTURE +0x([0-9a-f]+)u"),
         physics=first_match(rf"{macro}PHYSICS +0x([0-9a-f]+)u"),
     )

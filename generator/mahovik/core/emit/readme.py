@@ -5,7 +5,6 @@ from __future__ import annotations
 from mahovik.core.emit.calls import call
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import purpose_with_number
-from mahovik.core.emit.eva import provable
 from mahovik.core.emit.generate import Generated, describe_bodies
 from mahovik.core.emit.recorder import has_recorder
 from mahovik.core.emit.status import statuses
@@ -18,7 +17,7 @@ from mahovik.core.stand.model import Stand
 def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
     """Text of README.md; `batch`: of a folder with the functions for many states."""
     code = Code(generated.program, identities(stand))
-    names, lanes, real = code.names, generated.layout.lanes, code.precision.name
+    names, real = code.names, code.precision.name
     called = [f for f in code.public if f.name == "forward"]
     arguments = called[0].arguments if called else ()
     given = {a.name: a.name for a in arguments} | {"table": f"&{names.function('default')}", "x": "&x"}
@@ -29,14 +28,7 @@ def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
         part=part,
         bodies=describe_bodies(stand),
         option="" if real == "double" else f" --real {real}",
-        made_by=(f" --lanes {lanes}" if lanes > 1 or generated.fast else "")
-        + (" --fast" if generated.fast else "")
-        + part,
-        lanes=lanes,
-        wide=lanes > 1,
-        fast=generated.fast,
         batch=batch,
-        proofs=provable(generated),
         flywheel=stand.flywheels[0].name if stand.flywheels else "",
         declarations=[(names.declaration(a.name, a.type, a.shape), a.unit) for a in zeroed],
         others=[

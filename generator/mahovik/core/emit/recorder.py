@@ -31,7 +31,7 @@ def source_hash(files: dict[str, str], name: str) -> int:
 
 def has_recorder(generated: Generated) -> bool:
     """Whether there are steps whose logs can be repeated."""
-    return not generated.fast and bool(logging(generated.program))
+    return bool(logging(generated.program))
 
 
 RECORDED = ("step", "step_driven", "step_carried", "step_driven_carried")
@@ -64,7 +64,6 @@ def _values(generated: Generated, code: Code) -> dict[str, Any]:
     kept = (each for each in CHANGING.items() if carries or each[0] not in ("CARRIED", "CARRY"))
     flags += [(flag, bit, meaning) for flag, (bit, meaning) in kept]
     return {
-        "lanes": layout.lanes,
         "source": f"{source_hash(generated.files, name):08x}",
         "table_bytes": len(table),
         "longest": longest,

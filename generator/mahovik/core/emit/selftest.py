@@ -20,7 +20,7 @@ from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.draws import Draws
 from mahovik.core.emit.layout import wrap_statement
 from mahovik.core.lower import test_inputs
-from mahovik.core.lower.golden import ACCEPTED, CASES, FAR, LISTED, SWEPT, Golden, tested_functions
+from mahovik.core.lower.golden import CASES, FAR, LISTED, SWEPT, Golden, tested_functions
 from mahovik.core.lower.test_inputs import Input
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
@@ -28,9 +28,9 @@ from mahovik.core.program.types import Field, Kind, Shape, Struct
 from mahovik.core.stand.identity import Identities
 
 
-def selftest(program: Program, golden: Golden, identities: Identities, lanes: int = 1, fast: bool = False) -> str:
-    """Text of `<stand>_selftest.c`; `fast`: for C whose bits may differ, compared within ACCEPTED units."""
-    return _SelfTest(Code(program, identities), golden).text(lanes, fast)
+def selftest(program: Program, golden: Golden, identities: Identities) -> str:
+    """Text of `<stand>_selftest.c`."""
+    return _SelfTest(Code(program, identities), golden).text()
 
 
 class _SelfTest:
@@ -41,7 +41,7 @@ class _SelfTest:
         self._tested = tested_functions(code.program)
         self._structs = {s.name: s for s in code.program.structs}
 
-    def text(self, lanes: int, fast: bool) -> str:
+    def text(self) -> str:
         """The whole file."""
         code, drawn = self._code, test_inputs.inputs(self._code.program)
         parameters = self._structs["parameters"]
@@ -58,15 +58,7 @@ class _SelfTest:
             scales=over_members(self._names, parameters, self._scaling_lines, "parameters"),
             inputs=[self._case_initialiser(case, drawn) for case in self._golden.inputs],
             left_out=[self._names.function(f.name) for f in code.public if f not in self._tested],
-            lanes=lanes,
-            wide=lanes > 1,
-            fast=fast,
-            kind=f"{f' lanes {lanes}' if lanes > 1 else ''}{' fast' if fast else ''}",
-            unit="units" if fast else "ulp",
-            judged=len(CASES) + (0 if fast else 1),
-            accepted=ACCEPTED,
-            greatest=code.real(code.precision.largest),
-            epsilon=code.real(code.precision.epsilon / 2),
+            judged=len(CASES) + 1,
             to_integer=code.real(1.5 * 2.0 ** (code.precision.significand - 1)),
             cases=CASES,
             sign_bit=code.precision.width - 1,

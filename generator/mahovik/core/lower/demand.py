@@ -21,7 +21,6 @@ from mahovik.core.lower.forward import (
     scene,
     sum_up,
 )
-from mahovik.core.lower.lanes import entry, row_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.matrices import fill
 from mahovik.core.lower.solve import carrier_binding
@@ -110,8 +109,8 @@ def demand(lib: Library) -> Function:
     if layout.flywheels:
         with body.loop("s", layout.count) as s:
             turn = let_turn(body, seen.turns, s)
-            row = row_of(lib, body, table, s)
-            scale = body.let("scale", entry(lib, table, s, "spin_root_inv"))
+            row = table.flywheel[s]
+            scale = body.let("scale", table.flywheel[s].spin_root_inv)
             body.set(w.scale[s], scale)
             assign(body, [w.I[i][s] for i in range(6)], derived_rows.columns().I, turn | columns_of(row))
             with body.loop("i", 6) as i:

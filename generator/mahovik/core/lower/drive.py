@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mahovik.core.lower import hold, lanes
-from mahovik.core.lower.checks import all_small, check_within
+from mahovik.core.lower import hold
 from mahovik.core.lower.coupling import (
     Carried,
     along,
-    balance_blocks,
-    couple_blocks,
     couple_flywheel,
     declare_common_terms,
 )
@@ -28,13 +25,12 @@ from mahovik.core.lower.forward import (
     sum_up,
 )
 from mahovik.core.lower.held_drive import solve_held
-from mahovik.core.lower.lanes import entry
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.schur import start_schur
 from mahovik.core.lower.wrenches import flywheel_wrenches
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Not, Place, equal, integer, real, select
+from mahovik.core.program.expression import Place, equal, integer, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -48,19 +44,8 @@ def torque(lib: Library, at: bool = False) -> Function:
     table, x, *turns, V_dot, phi_ddot = [a for a in arguments if a.name not in ("wrench", "tau")]
     wrench = tuple(a for a in arguments if a.name == "wrench")
     body = Body()
-    limit = {name: found.expression for name, found in lib.limits.items()}
-
-    def check_each() -> None:
-        check_inputs(lib, body, table, x, (phi_ddot,), wrench, tuple(turns))
-        check_within(lib, body, V_dot.place, 6, limit["MAX_ACCELERATION"])
-
-    if layout.lanes in (2, 4) and not turns and not layout.stream:
-        six = [(V_dot.place, limit["MAX_ACCELERATION"]), *((a.place, limit["MAX_WRENCH"]) for a in wrench)]
-        fine = all_small(lib, body, x.place, [(phi_ddot.place, limit["MAX_ACCELERATION"])], six)
-        with body.when(Not(fine), "which one, and why"):
-            check_each()
-    else:
-        check_each()
+    check_inputs(lib, body, table, x, (phi_ddot,), wrench, tuple(turns))
+    lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     if layout.sine_input:
         sine, cosine = all_turns(lib, body, x.place, tuple(turns))
         given = {a.name: a.place for a in arguments} | {"sine": sine, "cosine": cosine}
@@ -109,30 +94,12 @@ def _balance(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
     moving = relative_rate(body, x, place["V_dot"], seen.stream)
     flywheel_wrenches(lib, body, table, x, seen, wrench)
     alike = declare_common_terms(lib, body, seen)
-    if layout.lanes > 1:
-        _balance_blocks(lib, body, table, seen, alike, moving, place["phi_ddot"], place["tau"])
-        return
     coupling = body.local("drive", (), layout.coupling)
     with body.loop("s", layout.count) as s:
         couple_flywheel(lib, body, table, s, seen, alike, coupling)
         spin = table.flywheel[s].spin * place["phi_ddot"][s]
         total = along(list(coupling.I), moving) + spin + coupling.bias
         body.set(place["tau"][s], total if seen.own is None else total - seen.own[s * integer(6) + 3])
-
-
-def _balance_blocks(
-    lib: Library, body: Body, table: Place, seen: Scene, alike: Carried, V_dot: Place, phi_ddot: Place, tau: Place
-) -> None:
-    """tau of all flywheels, block by block."""
-    layout = lib.layout
-    accelerations = lanes.roomy(lib, body, phi_ddot, "accelerations")
-    if layout.fast and seen.own is None and int(layout.room) == int(layout.count):
-        balance_blocks(lib, body, table, seen, alike, V_dot, accelerations, tau)
-        return
-    total = body.local("total", (layout.room,))
-    balance_blocks(lib, body, table, seen, alike, V_dot, accelerations, total)
-    with body.loop("s", layout.count) as s:
-        body.set(tau[s], total[s] if seen.own is None else total[s] - seen.own[s * integer(6) + 3])
 
 
 def _coupled_arguments(lib: Library, turns: tuple[Argument, ...]) -> tuple[Argument, ...]:
@@ -168,8 +135,7 @@ def solve_coupled(lib: Library) -> Function:
         solve_held(lib, body, table.place, seen, (tau.place, locked.place), freedoms, drift, results)
     else:
         system = without_drives(lib, body, table.place, x.place, seen, tuple(wrench))
-        solve = solve_free if layout.lanes == 1 else _solve_blocks
-        solve(lib, body, table.place, seen, (tau.place, locked.place), system, (results[0], results[1]))
+        solve_free(lib, body, table.place, seen, (tau.place, locked.place), system, (results[0], results[1]))
         from_stream(body, x.place, seen, results[0])
     return body.checked_function(
         "solve_coupled",
@@ -232,42 +198,6 @@ def solve_free(lib: Library, body: Body, table: Place, seen: Scene, given: Pair,
             back = along(list(drives[s].I), V_dot) * table.flywheel[s].spin_inv
             body.set(phi_ddot[s], rate[s] - back)
     return Solved(drives, alike, factor)
-
-
-def _solve_blocks(
-    lib: Library, body: Body, table: Place, seen: Scene, given: Pair, system: Pair, results: Pair
-) -> None:
-    """Solution by blocks: a lock makes 1 / Theta_ff of its flywheel 0, which leaves nothing of it in any sum."""
-    layout = lib.layout
-    (tau, locked), (K, F), (V_dot, phi_ddot) = given, system, results
-    drives = body.local("drive", (layout.blocks,), layout.lane_coupling)
-    alike = declare_common_terms(lib, body, seen)
-    load = body.local("load", (layout.room,), comment="torques on the flywheels: of drives and of the fluid")
-    inverse = body.local("inverse", (layout.room,), comment="1 / Theta_ff; 0 where a lock holds")
-    with body.loop("s", layout.count) as s:
-        body.set(load[s], tau[s] if seen.own is None else tau[s] + seen.own[s * integer(6) + 3])
-        body.set(inverse[s], select(equal(locked[s], integer(0)), entry(lib, table, s, "spin_inv"), real(0)))
-    if int(layout.room) > int(layout.count):
-        with body.loop("s", layout.room, start=layout.count) as s:
-            body.set(load[s], real(0))
-            body.set(inverse[s], real(0))
-    rate = body.local("rate", (layout.room,), comment="accelerations at V* = 0")
-    parts = body.local("taken", (), layout.lane_schur, "terms taken away by the flywheels, lane by lane")
-    body.call(lib["clear_taken"], parts)
-    with lanes.blocks(lib, body) as (b, first):
-        couple_blocks(lib, body, table, b, first, seen, alike, drives[b])
-        with body.loop("k", layout.lane_count) as k:
-            body.set(rate[first + k], (load[first + k] - drives[b].bias[k]) * inverse[first + k])
-        body.call(lib["eliminate_block"], drives[b], first, inverse, rate, parts)
-    body.call(lib["take_lanes"], parts, K, F)
-    factor = body.local("factor", (), layout.schur_factor)
-    lib.check(body, "factor_schur", K, factor)
-    body.call(lib["solve_schur"], factor, F, V_dot)
-    with lanes.blocks(lib, body) as (b, first), body.loop("k", layout.lane_count) as k:
-        back = along(lanes.lane(drives[b].I, k), V_dot) * inverse[first + k]
-        body.set(rate[first + k], rate[first + k] - back)
-    with body.loop("s", layout.count) as s:
-        body.set(phi_ddot[s], rate[s])
 
 
 def check_drive(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:

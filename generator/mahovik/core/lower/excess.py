@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.lower.lanes import entry
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
@@ -101,7 +100,7 @@ def spin_up_excess(lib: Library, body: Body, places: tuple[Place, Place, Place],
     flags = body.local("flags", (), Kind.INT)
     body.set(flags, integer(0))
     with body.loop("s", lib.layout.count) as s, body.when(and_(equal(flags, integer(0)), p.motor_speed[s] > 0)):
-        v, spin = body.let("v", x.phi_dot[s]), body.let("spin", entry(lib, table, s, "spin"))
+        v, spin = body.let("v", x.phi_dot[s]), body.let("spin", table.flywheel[s].spin)
         size = body.let("size", magnitude(phi_ddot[s]))
         needed = body.let("needed", spin * size + p.motor_viscous[s] * magnitude(v) + p.motor_coulomb[s], "at most")
         has = body.let("has", p.motor_torque[s] * (1 - magnitude(v) / p.motor_speed[s]), "at least: when driving")

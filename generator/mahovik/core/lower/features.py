@@ -33,38 +33,10 @@ class Features:
 
     structure: Structure
     precision: Precision
-    lanes: int = 1
-    """Flywheels side by side in the loops that add them up; 1: one after the other."""
-    fast: bool = False
-    """C for speed on a desk: members in another order, sums by harmonics, with bits that need not be reproducible."""
-
-    @property
-    def blocks(self) -> NamedCount:
-        return NamedCount("BLOCKS", -(-int(self.count) // self.lanes), "blocks of flywheels")
-
-    @property
-    def lane_count(self) -> NamedCount:
-        return NamedCount("LANES", self.lanes, "flywheels side by side in a block")
-
-    @property
-    def room(self) -> NamedCount:
-        """Places for flywheels in whole blocks."""
-        room = int(self.blocks) * self.lanes
-        if room == int(self.count):
-            return self.count
-        return NamedCount("ROOM", room, "places for flywheels: whole blocks")
 
     @cached_property
     def count(self) -> NamedCount:
         return NamedCount("N", len(self.structure.flywheels), "flywheels, in the order of the stand file")
-
-    @property
-    def lane_counts(self) -> tuple[NamedCount, ...]:
-        """Lanes, blocks, and places in them, where flywheels are side by side."""
-        if self.lanes == 1:
-            return ()
-        padded = (self.room,) if int(self.room) > int(self.count) else ()
-        return (self.lane_count, self.blocks, *padded)
 
     @property
     def flywheels(self) -> bool:
@@ -92,7 +64,7 @@ class Features:
         Of more than three freedoms the projected sums are more numbers than those of six rows.
         """
         few = 0 < self.freedoms <= 3 and bool(self.flywheels)
-        return few and self.lanes == 1 and not self.stream and are_closed(self.ways)
+        return few and not self.stream and are_closed(self.ways)
 
     @property
     def coordinates(self) -> bool:

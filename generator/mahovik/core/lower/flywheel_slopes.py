@@ -13,7 +13,6 @@ from mahovik.core.formula.derived import sensitivity as derived
 from mahovik.core.lower.coupling import along
 from mahovik.core.lower.flywheels import Turns, columns_of, let_turn, let_weights
 from mahovik.core.lower.forward import Scene
-from mahovik.core.lower.lanes import row_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.sensitivity import set_weights
 from mahovik.core.lower.solve import parts_of_twist
@@ -169,7 +168,7 @@ def by_flywheels(lib: Library, body: Body, at: CoupledMotion, o: Place, sides: S
     table, x, seen = at.table, at.x, at.seen
     changes = body.local("change", (len(WEIGHTS),), comment="changes of the harmonic weights of a flywheel")
     with body.loop("s", lib.layout.count) as s:
-        row = row_of(lib, body, table, s)
+        row = table.flywheel[s]
         weights = row_weights(body, x, seen.turns, s, at.phi_ddot[s])
         for name, by, turn, speed in (("phi", derived.by_phase(), 1, 0), ("phi_dot", derived.by_speed(), 0, 1)):
             with body.block():

@@ -8,7 +8,6 @@ from typing import Any
 
 from mahovik.core.formula.derived import accumulate as derived
 from mahovik.core.formula.tree import omitting
-from mahovik.core.lower import lanes
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import add_each, assign, translate
 from mahovik.core.program.build import Body
@@ -63,8 +62,8 @@ def turns_of(lib: Library, body: Body, x: Place) -> Turns:
     """Sines and cosines of the phases of a state as locals: all of them first, as none waits for another."""
     if not lib.layout.flywheels:
         return ()
-    sine = body.local("sine", (lib.layout.room,))
-    cosine = body.local("cosine", (lib.layout.room,))
+    sine = body.local("sine", (lib.layout.count,))
+    cosine = body.local("cosine", (lib.layout.count,))
     body.call(lib["sincos_each"], x.phi, sine, cosine)
     return sine, cosine
 
@@ -243,32 +242,6 @@ def sum_spin(lib: Library, steady: bool = False, apart: bool = False) -> Functio
     return replace(function, copied=not apart)
 
 
-def add_block(lib: Library) -> Function:
-    """The rows of a block, one a lane."""
-    block = Argument("block", lib.layout.block)
-    first = lanes.first_argument()
-    inputs = [
-        lanes.room_argument(lib, "sine", "of the phases"),
-        lanes.room_argument(lib, "cosine"),
-        lanes.room_argument(lib, "phi_dot", unit="rad/s"),
-        lanes.room_argument(lib, "phi_ddot", unit="rad/s2"),
-    ]
-    sums = Argument("lane", lib.layout.lane_sums, (), "inout")
-    body = Body()
-    with body.loop("k", lib.layout.lane_count) as k:
-        names = ("s", "c", "w", "a")
-        s, c, w, a = (body.let(n, x.place[first.place + k]) for n, x in zip(names, inputs, strict=True))
-        targets = {f.name: lanes.lane(sums.place.member(f.name), k) for f in lib.layout.sums.fields}
-        given: dict[str, Expr] = {"s": s, "c": c, "phi_dot": w, "phi_ddot": a}
-        _add_row(body, given, lanes.lane_columns(block.place, k, COLUMNS), targets, _ALL, tuple(_COMMENTS))
-    return body.function(
-        "add_block",
-        "Adds the terms of a block of flywheels, each to the sums of its lane; w = phi', a = phi''.",
-        (block, first, *inputs, sums),
-        equation="(2), (5), (6)",
-    )
-
-
 def sum_up(
     lib: Library,
     body: Body,
@@ -284,24 +257,10 @@ def sum_up(
     if not layout.flywheels:
         body.call(lib["start_sums"], table, sums)
         return
-    if layout.lanes == 1:
-        body.call(lib["sum_mass"], table, *turns, x.phi_dot, sums)
-        if mass_alone:
-            return
-        if phi_ddot is None:
-            body.call(lib["sum_steady_spin"], table, *turns, x.phi_dot, sums)
-        else:
-            body.call(lib["sum_spin"], table, *turns, x.phi_dot, phi_ddot, sums)
+    body.call(lib["sum_mass"], table, *turns, x.phi_dot, sums)
+    if mass_alone:
         return
-    speeds = lanes.roomy(lib, body, x.phi_dot, "speeds")
     if phi_ddot is None:
-        accelerations = body.local("accelerations", (layout.room,), comment="none")
-        with body.loop("s", layout.room) as s:
-            body.set(accelerations[s], real(0))
+        body.call(lib["sum_steady_spin"], table, *turns, x.phi_dot, sums)
     else:
-        accelerations = lanes.roomy(lib, body, phi_ddot, "accelerations")
-    parts = body.local("lane", (), layout.lane_sums, "sums over the flywheels, lane by lane")
-    body.call(lib["clear_lanes"], parts)
-    with lanes.blocks(lib, body) as (b, first):
-        body.call(lib["add_block"], table.block[b], first, *turns, speeds, accelerations, parts)
-    body.call(lib["add_lanes"], table, parts, sums)
+        body.call(lib["sum_spin"], table, *turns, x.phi_dot, phi_ddot, sums)

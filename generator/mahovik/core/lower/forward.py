@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from mahovik.core.formula.derived import wrench as derived
-from mahovik.core.lower import along, flywheels, hold, lanes
-from mahovik.core.lower.checks import check_within
+from mahovik.core.lower import along, flywheels, hold
 from mahovik.core.lower.flywheels import AT_NOTES, Turns, named_turns, places_of, turns_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
@@ -67,7 +66,7 @@ def check_inputs(
     if lib.layout.structure.stream_stations:
         lib.check(body, "check_depth", table.place, x.place)
     for values, count, most in rest:
-        check_within(lib, body, values, count, most)
+        lib.check(body, "within", values, count, most)
 
 
 def scene(lib: Library, body: Body, table: Place, x: Place, attitude: bool = False, turns: Turns = ()) -> Scene:
@@ -149,10 +148,7 @@ def relative_rate(body: Body, x: Place, V_dot: Place, stream: Place | None) -> P
 
 def all_turns(lib: Library, body: Body, x: Place, given: tuple[Argument, ...]) -> Turns:
     """Sines and cosines as internal functions take them: those given, or of the phases of x."""
-    if not given:
-        return turns_of(lib, body, x)
-    sine, cosine = places_of(given)
-    return lanes.roomy(lib, body, sine, "sines"), lanes.roomy(lib, body, cosine, "cosines")
+    return places_of(given) if given else turns_of(lib, body, x)
 
 
 def accelerate(lib: Library) -> Function:

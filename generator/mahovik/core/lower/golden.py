@@ -32,10 +32,6 @@ SWEPT = 1
 FAR = 1_000_000
 """ulp; a larger distance is only printed as `more than` this, since such numbers are not neighbours."""
 
-ACCEPTED = 65536
-"""Units of a fast self-test: half the last place of the largest number of an answer. Solving for flywheels of bad
-condition (`inverse_fast`) makes a thousand of them out of rounding; what is wrong is farther off."""
-
 CASES = ("ordinary", "fast flywheels, large phases", "out of range")
 """Kinds of the golden inputs."""
 

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from mahovik.core.lower import lanes
-from mahovik.core.lower.coupling import along, couple_blocks, couple_flywheel, declare_common_terms
+from mahovik.core.lower.coupling import along, couple_flywheel, declare_common_terms
 from mahovik.core.lower.forward import Scene
 from mahovik.core.lower.hold import Freedoms, of_flywheel, room_for_projected
-from mahovik.core.lower.lanes import entry
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body
 from mahovik.core.program.expression import Expr, Place, equal, integer, real, select
@@ -37,7 +35,7 @@ def solve_held(
     projected = room_for_projected(lib, body)
     _couple(lib, body, table, seen, columns, bias)
     with body.loop("s", layout.count) as s:
-        body.set(inverse[s], select(equal(locked[s], integer(0)), entry(lib, table, s, "spin_inv"), real(0)))
+        body.set(inverse[s], select(equal(locked[s], integer(0)), table.flywheel[s].spin_inv, real(0)))
         demand: Expr = tau[s] - bias[s] if seen.own is None else tau[s] - bias[s] + seen.own[s * integer(6) + 3]
         if drift is not None:
             demand = demand - _linear(columns[s], drift)
@@ -56,21 +54,11 @@ def _linear(coupling: Place, drift: Place) -> Expr:
 
 
 def _couple(lib: Library, body: Body, table: Place, seen: Scene, columns: Place, bias: Place) -> None:
-    """Columns of I and bias torques of all flywheels, one by one or by blocks."""
+    """Columns of I and bias torques of all flywheels."""
     layout = lib.layout
     alike = declare_common_terms(lib, body, seen)
-    if layout.lanes == 1:
-        drive = body.local("drive", (), layout.coupling)
-        with body.loop("s", layout.count) as s:
-            couple_flywheel(lib, body, table, s, seen, alike, drive)
-            body.copy_array(columns[s], drive.I)
-            body.set(bias[s], drive.bias)
-        return
-    drives = body.local("drives", (layout.blocks,), layout.lane_coupling)
-    with lanes.blocks(lib, body) as (b, first):
-        couple_blocks(lib, body, table, b, first, seen, alike, drives[b])
-    count = integer(layout.lane_count)
+    drive = body.local("drive", (), layout.coupling)
     with body.loop("s", layout.count) as s:
-        for target, value in zip(columns[s], lanes.lane(drives[s / count].I, s % count), strict=True):
-            body.set(target, value)
-        body.set(bias[s], drives[s / count].bias[s % count])
+        couple_flywheel(lib, body, table, s, seen, alike, drive)
+        body.copy_array(columns[s], drive.I)
+        body.set(bias[s], drive.bias)

@@ -16,7 +16,6 @@ from mahovik.core.lower.freedoms import columns, dot, place_of
 from mahovik.core.lower.hold import write_twist
 from mahovik.core.lower.inverse import POSITIVE, check_flywheels, choose_rank, flag, hardest, sort
 from mahovik.core.lower.inverse_fast import inverse_fast
-from mahovik.core.lower.lanes import entry, row_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
@@ -58,8 +57,8 @@ def _demand(lib: Library) -> Function:
     _factor(lib, body, P, w)
     with body.loop("s", layout.count) as s:
         turn = let_turn(body, seen.turns, s)
-        row = row_of(lib, body, table, s)
-        scale = body.let("scale", entry(lib, table, s, "spin_root_inv"))
+        row = table.flywheel[s]
+        scale = body.let("scale", table.flywheel[s].spin_root_inv)
         body.set(w.scale[s], scale)
         coupling = body.local("coupling", (6,), comment="column of I")
         assign(body, list(coupling), derived_rows.columns().I, turn | columns_of(row))

@@ -27,7 +27,6 @@ from mahovik.core.lower.flywheels import columns_of, named_turns, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, scene, sum_up
 from mahovik.core.lower.freedoms import columns, dot, place_of
 from mahovik.core.lower.jacobian import bias_slopes, twist_slopes
-from mahovik.core.lower.lanes import entry, row_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
@@ -151,7 +150,7 @@ def forward_jacobian(lib: Library) -> Function:
     if layout.flywheels:
         changes = body.local("change", (len(WEIGHTS),), comment="changes of the harmonic weights of a flywheel")
         with body.loop("s", layout.count) as s:
-            row = row_of(lib, body, table.place, s)
+            row = table.place.flywheel[s]
             weights = row_weights(body, x.place, seen.turns, s, given[0][s])
             for target, by, turn, speed in (
                 (o.u_dot_phi, derived.by_phase(), 1, 0),
@@ -185,7 +184,7 @@ class _Drives(Sides):
         self._projected = body.local("projected", (count, freedoms.count), comment="S^T I, flywheel by flywheel")
         self._inverse = body.local("spin_inverse", (count,), comment="1 / Theta_ff; 0 where a lock holds")
         with body.loop("s", count) as s:
-            spin = entry(lib, table, s, "spin_inv")
+            spin = table.flywheel[s].spin_inv
             body.set(self._inverse[s], select(equal(locked[s], integer(0)), spin, real(0)))
 
     def eliminate(self, s: Place, S: list[list[Expr | int]]) -> None:

@@ -10,7 +10,6 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik.core.formula.derived import regressor as derived
-from mahovik.core.lower.checks import check_within
 from mahovik.core.lower.flywheels import turn_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, external_wrench, from_stream, scene, sum_up
 from mahovik.core.lower.library import Library
@@ -132,8 +131,8 @@ def identify_step(lib: Library) -> Function:
     estimate = Argument("estimate", layout.estimate, (), "inout", purpose="start with variance = largest, the rest 0")
     body = Body()
     check_inputs(lib, body, table, x, phi_ddot, wrench)
-    check_within(lib, body, V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
-    check_within(lib, body, noise.place, 6, lib.limits["MAX_ACCELERATION"].expression)
+    lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
+    lib.check(body, "within", noise.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     lib.guard(body, Not(and_(forget.place >= 0, forget.place <= 1)), "BAD_ARGUMENT")
     at, limit = estimate.place, lib.limits["MAX_PARAMETER"].expression
     lib.check_number(body, at.largest, limit)

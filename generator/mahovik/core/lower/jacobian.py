@@ -10,8 +10,8 @@ from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import carrier as derived_carrier
 from mahovik.core.formula.derived import drive as derived_drive
 from mahovik.core.formula.derived import sensitivity as derived
-from mahovik.core.lower.coupling import along, couple_flywheel, declare_common_terms
-from mahovik.core.lower.drive import Solved, check_drive, solve_free, without_drives
+from mahovik.core.lower.coupling import along
+from mahovik.core.lower.drive import check_drive, solve_free, without_drives
 from mahovik.core.lower.flywheel_slopes import (
     CoupledMotion,
     Sides,
@@ -25,15 +25,12 @@ from mahovik.core.lower.forward import (
     STATE_STATUSES,
     Scene,
     check_inputs,
-    drift_of,
     external_wrench,
     scene,
     sum_up,
 )
-from mahovik.core.lower.lanes import entry, row_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.matrices import fill
-from mahovik.core.lower.schur import start_schur
 from mahovik.core.lower.solve import carrier_binding, parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
@@ -98,7 +95,7 @@ def forward_jacobian(lib: Library) -> Function:
     if layout.flywheels:
         changes = body.local("change", (len(WEIGHTS),), comment="changes of the harmonic weights of a flywheel")
         with body.loop("s", layout.count) as s:
-            row = row_of(lib, body, table.place, s)
+            row = table.place.flywheel[s]
             weights = row_weights(body, x.place, seen.turns, s, phi_ddot[0].place[s])
             for target, by, turn, speed in (
                 (o.V_dot_phi, derived.by_phase(), 1, 0),
@@ -148,21 +145,9 @@ def coupled_jacobian(lib: Library) -> Function:
     motion = body.local("V_result", (6,), comment="V*, then V_r*")
     spins = body.local("phi_result", (layout.count,), comment="phi''")
     turns = turns_of(lib, body, x.place)
-    apart = layout.lanes > 1  # lanes have other columns
-    if apart:
-        inputs = [a.place for a in (tau, locked, *wrench)]
-        lib.check(body, "solve_coupled", table.place, x.place, *turns, *inputs, motion, spins)
     seen = scene(lib, body, table.place, x.place, turns=turns)
-    if apart:
-        sum_up(lib, body, table.place, x.place, seen, None)
-        solved = _factor(lib, body, table.place, seen, locked.place)
-    else:
-        system = without_drives(lib, body, table.place, x.place, seen, wrench)
-        solved = solve_free(lib, body, table.place, seen, (tau.place, locked.place), system, (motion, spins))
-    if apart and seen.stream is not None:
-        drift = drift_of(body, x.place, seen.stream)
-        for i in range(3):
-            body.add(motion[i], drift[i])
+    system = without_drives(lib, body, table.place, x.place, seen, wrench)
+    solved = solve_free(lib, body, table.place, seen, (tau.place, locked.place), system, (motion, spins))
     Z = body.local("Z", (6,), comment="momentum screw (2)")
     body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
     slope, axial = twist_slopes(lib, body, table.place, x.place, seen, wrench, Z)
@@ -179,24 +164,6 @@ def coupled_jacobian(lib: Library) -> Function:
         notes=("At a kink of a damping law with magnitudes, the derivative from one side is returned.",),
         public=True,
     )
-
-
-def _factor(lib: Library, body: Body, table: Place, seen: Scene, locked: Place) -> Solved:
-    """Drives and factors of K by the flywheels one after another, where `solve_coupled` has solved."""
-    drives = body.local("drive", (lib.layout.count,), lib.layout.coupling)
-    alike = declare_common_terms(lib, body, seen)
-    K = body.local("K", (), lib.layout.schur, "mass matrix with free flywheels eliminated")
-    start_schur(lib, body, table, seen.sums, K)
-    none = body.local("none", (6,), comment="right-hand side")
-    for element in none:
-        body.set(element, real(0))
-    with body.loop("s", lib.layout.count) as s:
-        couple_flywheel(lib, body, table, s, seen, alike, drives[s])
-        with body.when(equal(locked[s], integer(0))):
-            body.call(lib["eliminate"], drives[s].I, entry(lib, table, s, "spin_inv"), real(0), K, none)
-    factor = body.local("factor", (), lib.layout.schur_factor)
-    lib.check(body, "factor_schur", K, factor)
-    return Solved(drives, alike, factor)
 
 
 class _Work(Sides):
@@ -223,7 +190,7 @@ class _Work(Sides):
         """From rhs."""
         body = self.body
         with body.when(equal(self._locked[t], integer(0))):
-            share = body.let("share", side * entry(self._lib, self.table, t, "spin_inv"))
+            share = body.let("share", side * self.table.flywheel[t].spin_inv)
             with body.loop("i", 6) as i:
                 body.add(self.rhs[i], -(self.drives[t].I[i] * share))
 
@@ -238,7 +205,7 @@ class _Work(Sides):
             body.set(target, real(0))
             with body.when(equal(self._locked[t], integer(0))):
                 left = side(t) - along(list(self.drives[t].I), self._y)
-                body.set(target, left * entry(self._lib, self.table, t, "spin_inv"))
+                body.set(target, left * self.table.flywheel[t].spin_inv)
 
 
 def bias_slopes(lib: Library, body: Body, table: Place, seen: Scene, drives: Place) -> Place:
@@ -252,7 +219,7 @@ def bias_slopes(lib: Library, body: Body, table: Place, seen: Scene, drives: Pla
         for name in ("two_c2", "two_s2"):
             binding[name] = body.let(name, translate(derived_rows.weights()[name], binding))
         _, J_p = derived_drive.phase_derivatives()
-        assign(body, list(slopes), J_p, binding | columns_of(row_of(lib, body, table, s)))
+        assign(body, list(slopes), J_p, binding | columns_of(table.flywheel[s]))
         bound = parts_of_twist(seen.V) | {"J_p": slopes, "turned": turned, "mu_p": list(drives[s].I)[:3]}
         assign(body, list(turned), derived_drive.turned_spin(), bound)
         by = derived.bias_torque_by_twist()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cached_property
 
 from mahovik.contract.quantities import BOUNDS, short
@@ -55,26 +54,6 @@ class Layout(Tables):
         )
         return Struct(
             "coupling", "How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias.", fields
-        )
-
-    def _lanes_of(self, struct: Struct, name: str, purpose: str) -> Struct:
-        """The same members for each lane."""
-        fields = tuple(replace(f, shape=(*f.shape, self.lane_count)) for f in struct.fields)
-        return Struct(name, purpose, fields)
-
-    @cached_property
-    def lane_sums(self) -> Struct:
-        return self._lanes_of(self.sums, "lane_sums", "Terms of the sums that the flywheels of each lane add.")
-
-    @cached_property
-    def lane_coupling(self) -> Struct:
-        return self._lanes_of(self.coupling, "lane_coupling", "The couplings of a block of flywheels.")
-
-    @cached_property
-    def lane_schur(self) -> Struct:
-        elimination = Struct("", "", (*self.schur.fields, Field("F", REAL, (6,), "N, N m", "of I rate")))
-        return self._lanes_of(
-            elimination, "lane_schur", "Terms of K and F that eliminating the flywheels of each lane takes away."
         )
 
     @cached_property

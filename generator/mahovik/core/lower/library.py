@@ -35,8 +35,8 @@ class Library(FunctionSet):
         if not self.layout.flywheels:
             return ()
         return (
-            Argument("sine", Kind.REAL, (self.layout.room,), purpose="sines of the phases"),
-            Argument("cosine", Kind.REAL, (self.layout.room,), purpose="cosines"),
+            Argument("sine", Kind.REAL, (self.layout.count,), purpose="sines of the phases"),
+            Argument("cosine", Kind.REAL, (self.layout.count,), purpose="cosines"),
         )
 
     def given_turns(self) -> tuple[Argument, ...]:

@@ -8,7 +8,6 @@ from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import carrier as derived
 from mahovik.core.lower.flywheels import Turns, columns_of, let_turn
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, external_wrench, scene, sum_up
-from mahovik.core.lower.lanes import row_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import carrier_binding, parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
@@ -75,7 +74,7 @@ def _columns(lib: Library, body: Body, table: Place, x: Place, turns: Turns, V: 
     rate = body.local("rate", (6,), comment="dI_s / dphi")
     with body.loop("s", lib.layout.count) as s:
         turn = let_turn(body, turns, s)
-        binding = turn | columns_of(row_of(lib, body, table, s))
+        binding = turn | columns_of(table.flywheel[s])
         derived_columns = derived_rows.columns()
         assign(body, list(column), derived_columns.I, binding)
         assign(body, list(rate), derived_columns.I_prime, binding)
@@ -131,7 +130,7 @@ def momentum(lib: Library) -> Function:
 def _spin(lib: Library, body: Body, table: Place, x: Place, turns: Turns, V: Place, spin: Place) -> None:
     """Kinetic energy that goes with phi': V . I_s phi' + Theta_ff phi'^2, twice the energy's second half."""
     with body.loop("s", lib.layout.count) as s:
-        row = row_of(lib, body, table, s)
+        row = table.flywheel[s]
         turn = let_turn(body, turns, s)
         column = derived_rows.columns().I
         binding = turn | columns_of(row)

@@ -238,7 +238,7 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
     body.note("flywheels: constant part to the totals, harmonics to the row")
     with body.loop("s", lib.layout.count) as s:
         w = p.flywheel[s]
-        row = out.flywheel[s] if lib.layout.lanes == 1 else body.local("row", (), lib.layout.row)
+        row = out.flywheel[s]
         _place(lib, body, p, w, work)
         work.first_moment(w.body)
         parts = derived.harmonics()
@@ -267,8 +267,6 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
         work.fill_displaced_mass(w.body, row)
         if lib.layout.along:
             along.prepare_row(lib, body, out, row)
-        if lib.layout.lanes > 1:
-            body.call(lib["put_row"], out, s, row)
 
 
 def _place(lib: Library, body: Body, p: Place, w: Place, work: _Work, function: str = "place_flywheel") -> None:

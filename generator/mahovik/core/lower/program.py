@@ -30,7 +30,6 @@ from mahovik.core.lower import (
     inverse,
     inverse_fast,
     jacobian,
-    lanes,
     matrices,
     mounts,
     parameters,
@@ -76,12 +75,8 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
     lib.add(routines.atan2(precision))
     lib.add(routines.unwind(precision))
     lib.add(routines.wrap(precision, lib["unwound"]))
-    if layout.lanes > 1:
-        lib.add(checks.excess(lib))
     lib.add(checks.within(lib))
     lib.add(checks.check_state(lib))
-    if layout.lanes > 1:
-        lib.add(checks.check_six(lib))
     if layout.flywheels:
         lib.add(checks.check_motion(lib))
     if layout.sine_input:
@@ -92,10 +87,11 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         lib.add(rotation.turn_back())
     lib.add(flywheels.start_sums(lib))
     if layout.flywheels:
-        each = routines.sincos_each(precision, layout.count, layout.room)
-        # beside few freedoms a call of it counts, and for speed
-        lib.add(replace(each, short=layout.held, copied=layout.fast))
-        _add_rows(lib)
+        # beside few freedoms a call of it counts
+        lib.add(replace(routines.sincos_each(precision, layout.count), short=layout.held))
+        lib.add(flywheels.sum_mass(lib))
+        lib.add(flywheels.sum_spin(lib, steady=True))
+        lib.add(flywheels.sum_spin(lib))
     _add_wrenches(lib)
     lib.add(solve.momentum_screw(lib))
     lib.add(solve.subtract_rates(lib))
@@ -119,11 +115,6 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
     if layout.flywheels:
         lib.add(coupling.couple(lib))
         lib.add(schur.eliminate(lib))
-        if layout.lanes > 1:
-            lib.add(coupling.couple_block(lib))
-            lib.add(coupling.balance_block(lib))
-            lib.add(schur.eliminate_block(lib))
-            lib.add(schur.take_lanes(lib))
         lib.add(drive.balance(lib))
         if layout.sine_input:
             lib.add(drive.torque(lib, at=True))
@@ -199,9 +190,6 @@ def lower_numbers(layout: Layout) -> Program:
     lib = Library(layout)
     lib.add(routines.sincos(layout.precision))
     lib.add(routines.square_root(layout.precision))
-    if layout.lanes > 1:
-        lib.add(checks.excess(lib))
-        lib.add(lanes.put_row(lib))
     lib.add(checks.within(lib))
     lib.add(generalized.quaternion(lib))
     _add_prepare(lib)
@@ -215,9 +203,9 @@ def lower_numbers(layout: Layout) -> Program:
 
 def _program(lib: Library) -> Program:
     layout = lib.layout
-    counts = tuple(c for c in (layout.count, layout.input_count, layout.sensor_count, *layout.lane_counts) if c.value)
+    counts = tuple(c for c in (layout.count, layout.input_count, layout.sensor_count) if c.value)
     spare: tuple[Function, ...] = ()
-    if layout.flywheels and layout.lanes == 1:
+    if layout.flywheels:
         turning = (flywheels.sum_spin(lib, steady, apart=True) for steady in (True, False))
         spare = (flywheels.sum_mass(lib, apart=True), *turning)
     functions = reachable(lib.functions)
@@ -262,23 +250,6 @@ def _add_others(lib: Library) -> None:
         here &= not (lib.layout.held and name in hold.OF_FREEDOMS | hold.OF_COORDINATES)
         if name not in lib and here and find_spec(f"mahovik.core.lower.{name}"):
             lib.add(getattr(import_module(f"mahovik.core.lower.{name}"), name)(lib))
-
-
-def _add_rows(lib: Library) -> None:
-    """Add the loops over flywheels: one by one, or by blocks."""
-    if lib.layout.lanes == 1:
-        lib.add(flywheels.sum_mass(lib))
-        lib.add(flywheels.sum_spin(lib, steady=True))
-        lib.add(flywheels.sum_spin(lib))
-        return
-    lib.add(lanes.take_row(lib))
-    lib.add(lanes.put_row(lib))
-    if int(lib.layout.room) > int(lib.layout.count):
-        lib.add(lanes.spread(lib))
-    lib.add(lanes.clear(lib, "clear_lanes", lib.layout.lane_sums))
-    lib.add(lanes.clear(lib, "clear_taken", lib.layout.lane_schur))
-    lib.add(flywheels.add_block(lib))
-    lib.add(lanes.add_lanes(lib))
 
 
 def _add_wrenches(lib: Library) -> None:
@@ -341,7 +312,6 @@ def _structs(lib: Library) -> tuple[Struct, ...]:
         *((layout.mount_table,) if layout.flywheels else ()),
         *((layout.points_result,) if layout.sensors else ()),
         *((layout.encoder,) if layout.flywheels else ()),
-        *((layout.row, layout.lane_sums, layout.lane_coupling, layout.lane_schur) if layout.lanes > 1 else ()),
         layout.sums,
         *((layout.along_sums,) if layout.along else ()),
         layout.carrier_factor,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from mahovik.core.lower.checks import check_within
 from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, external_wrench, relative_rate, scene, sum_up
 from mahovik.core.lower.library import Library
@@ -22,7 +21,7 @@ def reaction(lib: Library) -> Function:
     found = Argument("reaction", Kind.REAL, (6,), "out", "N, N m", purpose)
     body = Body()
     check_inputs(lib, body, table, x, phi_ddot, wrench)
-    check_within(lib, body, V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
+    lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     seen = scene(lib, body, table.place, x.place, turns=turns_of(lib, body, x.place))
     sum_up(lib, body, table.place, x.place, seen, phi_ddot[0].place if phi_ddot else None)
     F = body.local("F", (6,), comment="wrench (7); then the right-hand side of (8)")

@@ -7,7 +7,6 @@ from typing import Any
 from mahovik.core.formula.derived import point as derived_point
 from mahovik.core.formula.derived import regressor as derived
 from mahovik.core.formula.derived import wrench as derived_wrench
-from mahovik.core.lower.checks import check_within
 from mahovik.core.lower.flywheels import turn_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, relative_rate, scene
 from mahovik.core.lower.library import Library
@@ -149,7 +148,7 @@ def regressor(lib: Library) -> Function:
     out = Argument("out", layout.regressor_result, (), "out", purpose="columns")
     body = Body()
     check_inputs(lib, body, table, x, phi_ddot)
-    check_within(lib, body, V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
+    lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     seen = scene(lib, body, table.place, x.place)
     result = out.place
     _carrier(lib, body, x.place.V, V_dot.place, seen.g, result)

@@ -1,12 +1,11 @@
-"""The coupled equations with free flywheels eliminated: K - sum I I^T / Theta_ff, and its solution by blocks."""
+"""The coupled equations with free flywheels eliminated: K - sum I I^T / Theta_ff, and its solution by blocks of 3x3."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from itertools import product
 
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.formula.derived import carrier as derived_carrier
-from mahovik.core.lower import lanes
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
@@ -14,16 +13,6 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, and_, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
-
-
-def _products(column: Sequence[Expr], scaled: Sequence[Expr], rate: Expr) -> dict[str, list[Expr]]:
-    """I I^T / Theta_ff by blocks, and I rate."""
-    return {
-        "A": [column[a] * scaled[b] for a, b in SYMMETRIC],
-        "B": [column[3 + a] * scaled[b] for a in range(3) for b in range(3)],
-        "D": [column[3 + a] * scaled[3 + b] for a, b in SYMMETRIC],
-        "F": [element * rate for element in column],
-    }
 
 
 def eliminate(lib: Library) -> Function:
@@ -37,53 +26,20 @@ def eliminate(lib: Library) -> Function:
     scaled = body.local("scaled", (6,), comment="I / Theta_ff")
     for k in range(6):
         body.set(scaled[k], column.place[k] * inverse.place)
-    for name, values in _products(list(column.place), list(scaled), rate.place).items():
-        for target, value in zip(F.place if name == "F" else schur.place.member(name), values, strict=True):
-            body.add(target, -value)
+    I, K = column.place, schur.place
+    for target, (a, b) in zip(K.A, SYMMETRIC, strict=True):
+        body.add(target, -(I[a] * scaled[b]))
+    for target, (a, b) in zip(K.B, product(range(3), repeat=2), strict=True):
+        body.add(target, -(I[3 + a] * scaled[b]))
+    for target, (a, b) in zip(K.D, SYMMETRIC, strict=True):
+        body.add(target, -(I[3 + a] * scaled[3 + b]))
+    for target, element in zip(F.place, I, strict=True):
+        body.add(target, -(element * rate.place))
     return body.function(
         "eliminate",
         "Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate.",
         (column, inverse, rate, schur, F),
     )
-
-
-def eliminate_block(lib: Library) -> Function:
-    """Terms that eliminating a block of flywheels takes from K and F, lane by lane."""
-    drive, first = Argument("drive", lib.layout.lane_coupling), lanes.first_argument()
-    inverse = lanes.room_argument(lib, "inverse", "1 / Theta_ff; 0 where a lock holds", unit="1/(kg m2)")
-    rate = lanes.room_argument(lib, "rate", "accelerations at V* = 0", unit="rad/s2")
-    parts = Argument("lane", lib.layout.lane_schur, (), "inout")
-    body = Body()
-    with body.loop("k", lib.layout.lane_count) as k:
-        column = lanes.lane(drive.place.I, k)
-        w = body.let("w", inverse.place[first.place + k])
-        a = body.let("a", rate.place[first.place + k])
-        body.note("I / Theta_ff")
-        scaled = [body.let(f"n{i + 1}", column[i] * w) for i in range(6)]
-        for name, values in _products(column, scaled, a).items():
-            for target, value in zip(lanes.lane(parts.place.member(name), k), values, strict=True):
-                body.add(target, value)
-    return body.function(
-        "eliminate_block",
-        "Adds up what eliminating a block of flywheels takes away: I I^T / Theta_ff, I rate, lane by lane.",
-        (drive, first, inverse, rate, parts),
-    )
-
-
-def take_lanes(lib: Library) -> Function:
-    """K and F less the sums of the lanes."""
-    parts = Argument("lane", lib.layout.lane_schur)
-    schur = Argument("K", lib.layout.schur, (), "inout")
-    F = Argument("F", Kind.REAL, (6,), "inout")
-    body = Body()
-    fields = lib.layout.lane_schur.fields
-    totals = {f.name: lanes.halves(body, f"half_{f.name}", parts.place.member(f.name)) for f in fields}
-    for name, total in totals.items():
-        target = F.place if name == "F" else schur.place.member(name)
-        with body.loop("i", len(total)) as i:
-            body.add(target[i], -lanes.tree(list(total[i])))
-    purpose = "Takes the sums of the lanes, added in a fixed tree, from K and F."
-    return body.function("take_lanes", purpose, (parts, schur, F))
 
 
 def invert_block(lib: Library, body: Body, K: Place, inverse: Place) -> None:

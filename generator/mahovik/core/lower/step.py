@@ -127,7 +127,7 @@ def _finish(lib: Library) -> Function:
 
 def check_again(lib: Library, body: Body, x: Place) -> None:
     """Check of a state in a step, by a function that the step needs anyway: speeds are looked at twice."""
-    if "check_motion" in lib and lib.layout.lanes == 1 and not lib.layout.stream and not lib.layout.inputs:
+    if "check_motion" in lib and not lib.layout.stream and not lib.layout.inputs:
         lib.check(body, "check_motion", x, x.phi_dot, lib.limits["MAX_SPEED"].expression)
     else:
         lib.check(body, "check_state", x)

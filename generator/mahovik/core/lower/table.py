@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cached_property
 
 from mahovik.contract.laws import of_bodies
@@ -22,7 +21,6 @@ class Tables(Features):
 
     @cached_property
     def state(self) -> Struct:
-        """Flywheels last; first where speed is all: then their vectors begin where a state that is aligned does."""
         fields = [
             Field("position", REAL, (3,), "m", "position of O1, in E0"),
             Field("attitude", REAL, (4,), "", "unit quaternion, w first: x0 = C x1"),
@@ -35,11 +33,10 @@ class Tables(Features):
             ),
         ]
         if self.flywheels:
-            wheels = [
+            fields += [
                 Field("phi", REAL, (self.count,), "rad", "phases"),
                 Field("phi_dot", REAL, (self.count,), "rad/s", "speeds relative to the mount"),
             ]
-            fields = wheels + fields if self.fast else fields + wheels
         return Struct("state", "State of the whole system.", tuple(fields))
 
     @cached_property
@@ -182,13 +179,6 @@ class Tables(Features):
         return Struct("row", "Table of one flywheel: harmonics of its terms in (8), in E1 about O1.", tuple(fields))
 
     @cached_property
-    def block(self) -> Struct:
-        """Rows of flywheels side by side; places beyond the last flywheel hold zeros."""
-        fields = tuple(replace(f, shape=(*f.shape, self.lane_count)) for f in self.row.fields)
-        purpose = "Table of flywheels side by side: harmonics of their terms in (8), in E1 about O1."
-        return Struct("block", purpose, fields)
-
-    @cached_property
     def damper(self) -> Struct:
         """Data of one body for the laws of its own twist."""
         fields = [field for own in of_bodies("lower", "damper_fields") for field in own(self.structure)]
@@ -212,12 +202,8 @@ class Tables(Features):
 
     @cached_property
     def table(self) -> Struct:
-        """The prepared stand: constants of the equations, then the laws of the wrenches.
-
-        Blocks come first: where the table is aligned, so are their vectors.
-        """
-        fields = [] if self.lanes == 1 else [Field("block", self.block, (self.blocks,))]
-        fields += [
+        """The prepared stand: constants of the equations, then the laws of the wrenches."""
+        fields = [
             Field("mass", REAL, (), "kg", "mass of all bodies"),
             Field("mass_inverse", REAL, (), "1/kg", ""),
             Field("first_moment", REAL, (3,), "kg m", "mu about O1, constant part"),
@@ -244,7 +230,7 @@ class Tables(Features):
                 Field("weight_mass", REAL, (), "kg", "mass minus displaced mass"),
                 Field("displaced_moment", REAL, (3,), "kg m", "first moment of displaced fluid, constant part"),
             ]
-        if self.flywheels and self.lanes == 1:
+        if self.flywheels:
             fields.append(Field("flywheel", self.row, (self.count,)))
         if self.own:
             fields.append(Field("frame", self.frame, (len(self.own),)))

@@ -8,7 +8,6 @@ from mahovik.contract.laws import of_bodies, part
 from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower.flywheels import Turns, let_turn, named_turns, places_of, turn_of
 from mahovik.core.lower.forward import Scene
-from mahovik.core.lower.lanes import row_of
 from mahovik.core.lower.laws import add_force
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
@@ -129,7 +128,7 @@ def _weight(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums
         moment = body.local("displaced", (3,), comment="first moment of displaced fluid at the phases")
         body.copy_array(moment, table.displaced_moment)
         with body.loop("s", layout.count) as s:
-            row = row_of(lib, body, table, s)
+            row = table.flywheel[s]
             turn = turn_of(turns, s)
             for i in range(3):
                 body.add(moment[i], row.displaced_c[i] * turn["c"] + row.displaced_s[i] * turn["s"])

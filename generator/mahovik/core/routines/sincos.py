@@ -27,7 +27,7 @@ from fractions import Fraction
 
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Place, bits_of, real, real_of_bits, word
+from mahovik.core.program.expression import Place, bits_of, real_of_bits, word
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, NamedCount, Precision
 from mahovik.core.routines.real_constants import PI, nearest, polynomial, sign_bit, split
@@ -98,22 +98,18 @@ def sincos(precision: Precision) -> Function:
     )
 
 
-def sincos_each(precision: Precision, count: NamedCount, room: int | NamedCount) -> Function:
-    """`sincos_each(x, sine, cosine)`: of `count` angles, in a loop that compilers can vectorise; zeros up to `room`.
+def sincos_each(precision: Precision, count: NamedCount) -> Function:
+    """`sincos_each(x, sine, cosine)`: of `count` angles, in a loop that compilers can vectorise.
 
     The same operations as `sincos`, so the same bits. One angle does not wait for another: twice as fast as
     angle by angle among other work.
     """
     x = Argument("x", Kind.REAL, (count,), unit="rad", purpose="angles")
-    sine = Argument("sine", Kind.REAL, (room,), direction="out")
-    cosine = Argument("cosine", Kind.REAL, (room,), direction="out")
+    sine = Argument("sine", Kind.REAL, (count,), direction="out")
+    cosine = Argument("cosine", Kind.REAL, (count,), direction="out")
     body = Body()
     with body.loop("s", count) as s:
         _compute(body, x.place[s], sine.place[s], cosine.place[s], precision)
-    if int(room) > int(count):
-        with body.loop("s", room, start=count) as s:
-            body.set(sine.place[s], real(0))
-            body.set(cosine.place[s], real(0))
     return body.function(
         name="sincos_each",
         purpose="sines and cosines of all phases",

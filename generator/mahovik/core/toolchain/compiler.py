@@ -16,9 +16,6 @@ WARNINGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werr
 BITS = ("-ffp-contract=off",)
 """No fused multiply-add: the same bits on every processor."""
 
-FAST = ("-O3", "-march=native", "-ffp-contract=fast")
-"""C of --fast: all that this processor has. Not -ffast-math: the checks of inputs that are no numbers must hold."""
-
 CANDIDATES = ("cc", "gcc", "clang")
 
 
@@ -62,11 +59,6 @@ def run_compiler(arguments: Sequence[str], what: str, compiler: Sequence[str] = 
 def build_shared(source: Path, library: Path, optimisation: str = "-O2") -> None:
     """Compiles one C file to a shared library. Raises ToolchainError."""
     _build(source, library, (*BITS, optimisation))
-
-
-def build_fast(source: Path, library: Path) -> None:
-    """Compile a library for speed on this machine: its bits are not reproducible. Raises ToolchainError."""
-    _build(source, library, FAST)
 
 
 def _build(source: Path, library: Path, how: Sequence[str]) -> None:

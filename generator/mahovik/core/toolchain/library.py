@@ -14,7 +14,7 @@ from mahovik.core.emit.names import member
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
-from mahovik.core.toolchain.compiler import build_fast, build_shared, preprocess
+from mahovik.core.toolchain.compiler import build_shared, preprocess
 from mahovik.errors import ToolchainError
 
 _SIZE_CHECK = re.compile(r"typedef char \w+\[\(sizeof[^;]*;")
@@ -25,14 +25,14 @@ _PATTERN = b"\xa5"
 
 
 class Library:
-    """One stand's C, built into `scratch` from a header and a source that lie side by side; `fast`: for speed.
+    """One stand's C, built into `scratch` from a header and a source that lie side by side.
 
     The declarations come from the header itself, through the compiler's preprocessor.
     """
 
-    def __init__(self, header: Path, source: Path, scratch: Path, prefix: str, fast: bool = False) -> None:
+    def __init__(self, header: Path, source: Path, scratch: Path, prefix: str) -> None:
         target = scratch / f"{source.stem}.so"
-        (build_fast if fast else build_shared)(source, target)
+        build_shared(source, target)
         self._prefix = prefix
         self._ffi = cffi.FFI()
         try:

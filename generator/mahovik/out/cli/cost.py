@@ -33,7 +33,7 @@ def cost(
     accept: bool = flag("--accept", "Accept the figures for later comparison."),
     as_json: bool = json_option("Print the figures as JSON."),
 ) -> None:
-    """Measure the C of a stand on processors, with the name, lanes and functions that the C in the folder has.
+    """Measure the C of a stand on processors, with the name and functions that the C in the folder has.
 
     Instructions of every public function (by an emulator that counts; not cycles), stack, code and constants, into
     COST.md beside the C; accepted figures into cost.json. Exit status 1 without writing if a figure is more than 2 %
@@ -51,7 +51,6 @@ def cost(
         FIGURES,
         accepted_figures,
         add_to_delivery,
-        delivered_lanes,
         delivered_only,
         require_place_for_cost,
     )
@@ -72,9 +71,8 @@ def cost(
     text = accepted_figures(folder, stand)
     if check and text is None:
         raise UsageError(f"{folder / FIGURES}: no such file: accept figures first, `mahovik cost` without --check")
-    lanes = delivered_lanes(folder)
-    before = read_accepted_costs(text, str(folder / FIGURES), lanes) if text is not None else None
-    found = _measure(stand, pairs, lanes, delivered_only(folder))
+    before = read_accepted_costs(text, str(folder / FIGURES)) if text is not None else None
+    found = _measure(stand, pairs, delivered_only(folder))
     if as_json:
         print_json_text(json_text(found))
     elif not usual and not check:
@@ -106,8 +104,8 @@ def _compare(
     click.echo(f"{found.stand}: no rise on {'; '.join(result.compared) or 'any target'}", err=quiet)
 
 
-def _measure(stand: Stand, pairs: Sequence[tuple[Target, str]], lanes: int, only: tuple[str, ...]) -> Costs:
+def _measure(stand: Stand, pairs: Sequence[tuple[Target, str]], only: tuple[str, ...]) -> Costs:
     from mahovik.proof.cost.measure import measure
 
     with progress(f"cost of {stand.name}", len(pairs)) as stage:
-        return measure(stand, pairs, stage.at, lanes, only)
+        return measure(stand, pairs, stage.at, only)

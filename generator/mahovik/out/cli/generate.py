@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
 from mahovik.out.cli.options import (
-    FAST,
-    LANES,
     REAL,
     STAND_FILE,
     comma_list,
@@ -21,9 +18,6 @@ from mahovik.out.cli.options import (
 )
 from mahovik.out.cli.output import print_paths
 from mahovik.out.cli.progress import progress
-
-if TYPE_CHECKING:
-    pass
 
 
 @command()
@@ -42,8 +36,6 @@ def generate(
         metavar="NAME",
     ),
     real: str = REAL,
-    lanes: int | None = LANES,
-    fast: bool = FAST,
 ) -> None:
     """Write the C of a stand.
 
@@ -66,11 +58,11 @@ def generate(
     folder, chosen = Path(output or prefix or stand.name), only or ()
     with progress(f"generate {stand.name}") as stage:
         made = make(
-            stand, None if check else folder, real=real, lanes=lanes, fast=fast, batch=batch, only=chosen,
-            prefix=prefix, progress=stage.show,
+            stand, None if check else folder, real=real, batch=batch, only=chosen, prefix=prefix,
+            progress=stage.show,
         )  # fmt: skip
     if check:
-        found = differences(folder, made.stand, real, made.files, made.lanes, fast, chosen)
+        found = differences(folder, made.stand, real, made.files, chosen)
         if found:
             raise CheckError("\n".join(found))
         click.echo(f"{click.format_filename(folder)}   as the stand file gives it")

@@ -146,13 +146,6 @@ def comma_list(_name: str, text: str) -> tuple[str, ...]:
 STAND_FILE = argument("STAND.toml")
 STAND_FILE_OR_NONE = argument("[STAND.toml]", required=False)
 REAL = choice("--real", ["double", "float"], "Choose the element type of the C.", default="double")
-LANES = choice(
-    "--lanes",
-    ["1", "2", "4", "8"],
-    "Compute this number of flywheels per vector; default 1, with --fast chosen by their number.",
-    callback=whole_number,
-)
-FAST = flag("--fast", "Optimise for a desktop processor, with bits that are not reproducible.")
 MOTION = file_option("--motion", "M.json", "Read the required motion from this file.", required=True)
 SEED_OF_STARTS = option("--seed", "Draw the starts from this seed.", metavar="N", type=click.IntRange(min=0), default=0)
 SEED_OF_STATES = option("--seed", "Draw the random states from this seed.", type=click.IntRange(0), default=1)

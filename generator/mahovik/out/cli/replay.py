@@ -70,8 +70,7 @@ def replay(
         if start.real != starts[0].real:
             raise UsageError(f"{log}: begins with {starts[0].real}, at byte {start.offset} it has {start.real}")
     folder = Path(against) if against is not None else None
-    lanes = 1 if folder is not None else replays.logged_lanes(stand, starts[0])
-    machine = replays.machine(stand, starts[0].real, backend, folder, lanes)
+    machine = replays.machine(stand, starts[0].real, backend, folder)
     session = _Session(stand, machine, starts[0], wanted, tested, Path(output) if output is not None else None)
     with progress(f"replay {Path(log).name}, records", len(records)) as stage:
         for done, found in enumerate(replays.replay(machine, records), start=1):

@@ -11,9 +11,7 @@ import click
 from mahovik.errors import UsageError
 from mahovik.out.cli import quantities
 from mahovik.out.cli.options import (
-    FAST,
     JUNIT,
-    LANES,
     REAL,
     SEED_OF_STATES,
     STAND_FILE,
@@ -79,8 +77,6 @@ def verify(
         metavar="NAME,...",
     ),
     real: str = REAL,
-    lanes: int | None = LANES,
-    fast: bool = FAST,
 ) -> None:
     """Judge C or any program by the reference.
 
@@ -100,10 +96,6 @@ def verify(
             raise UsageError(f"--{given}: no servos are judged; give them, as --servo S.toml --against DIR")
     if real == "float" and (judges or command is not None):
         raise UsageError("--real float: only for the generated C, not with --judges, --with")
-    if (lanes is not None or fast) and (judges or command is not None):
-        raise UsageError("--lanes, --fast: only for the generated C, not with --judges, --with")
-    if fast and targets is not None:
-        raise UsageError("--fast: its bits are not reproducible, so not with --targets, which compares them")
     if command is not None and against is not None:
         raise UsageError("--with, --against: give only one of them")
     if judges and (command is not None or against is not None):
@@ -119,7 +111,7 @@ def verify(
             raise UsageError("--targets runs the self-test of a fresh copy: not with --judges, --with, --against, -o")
         reals = (real,) if is_given("real") else None
         sweep = states if is_given("states") else None
-        _verify_on_targets(load_stand(stand_file), targets, reals, sweep, as_json, junit, lanes or 1)
+        _verify_on_targets(load_stand(stand_file), targets, reals, sweep, as_json, junit)
         return
     from mahovik.out.functions import evidence
 
@@ -140,8 +132,8 @@ def verify(
             )
         else:
             found = evidence.verify(
-                stand, states=states, seed=seed, against=folder, real=real, lanes=lanes, fast=fast, judges=judges,
-                bare=bare, progress=stage.show,
+                stand, states=states, seed=seed, against=folder, real=real, judges=judges, bare=bare,
+                progress=stage.show,
             )  # fmt: skip
     finish(found.result, as_json, junit, worst)
 
@@ -156,8 +148,6 @@ WITHOUT_SERVO = (
     "bare",
     "targets",
     "real",
-    "lanes",
-    "fast",
 )
 """Options of `verify` that say nothing about servos."""
 
@@ -211,7 +201,6 @@ def _verify_on_targets(
     states: int | None,
     as_json: bool,
     junit: str | None,
-    lanes: int,
 ) -> None:
     """Run the self-test on targets, print the table, and exit with the verdict as status.
 
@@ -224,7 +213,7 @@ def _verify_on_targets(
 
     pairs = parse_targets(names, reals)
     with progress(f"verify {stand.name} on targets", len(pairs)) as stage:
-        found = verify_targets(stand, pairs, states or SWEEP, stage.at, lanes)
+        found = verify_targets(stand, pairs, states or SWEEP, stage.at)
     print_json_text(json_text(found)) if as_json else print_targets(found)
     if junit is not None:
         write(Path(junit), as_junit(found))

@@ -108,8 +108,6 @@ def verify(
     seed: int = 1,
     against: str | Path | None = None,
     real: str = "double",
-    lanes: int | None = None,
-    fast: bool = False,
     judges: bool = False,
     bare: bool = False,
     progress: OnProgress | None = None,
@@ -117,7 +115,7 @@ def verify(
     """Judge the generated C by the literal reference and the second derivation, at random and extreme states.
 
     against      folder of the C to judge; None: a fresh copy
-    real         "double" or "float"; lanes, fast: as of `generate`
+    real         "double" or "float"
     judges       judge by Pinocchio, MuJoCo and, if possible, Basilisk instead; bare: without the laws that they do
                  not have
 
@@ -142,7 +140,7 @@ def verify(
         from mahovik.proof.verify.judges.compare import verify_judges
 
         return Verification(verify_judges(own, seed=seed, count=states, bare=bare, progress=on_state))
-    found = verify_c(own, seed=seed, count=states, against=folder, real=real, lanes=lanes, fast=fast, progress=on_state)
+    found = verify_c(own, seed=seed, count=states, against=folder, real=real, progress=on_state)
     return Verification(found)
 
 
@@ -151,10 +149,8 @@ class Generated(Table):
 
     index = "file"
 
-    def __init__(
-        self, stand: CoreStand, files: Mapping[str, str], lanes: int, folder: Path | None, notes: Sequence[str]
-    ) -> None:
-        self.stand, self.files, self.lanes, self.folder, self.notes = stand, dict(files), lanes, folder, tuple(notes)
+    def __init__(self, stand: CoreStand, files: Mapping[str, str], folder: Path | None, notes: Sequence[str]) -> None:
+        self.stand, self.files, self.folder, self.notes = stand, dict(files), folder, tuple(notes)
 
     @property
     def columns(self) -> tuple[Column, ...]:
@@ -174,8 +170,6 @@ def generate(
     folder: str | Path | None = None,
     *,
     real: str = "double",
-    lanes: int | None = None,
-    fast: bool = False,
     batch: bool = False,
     only: Sequence[str] = (),
     prefix: str | None = None,
@@ -183,8 +177,7 @@ def generate(
 ) -> Generated:
     """Derive and write the C of a stand, a complete folder; `folder` None: nothing is written.
 
-    real    "double" or "float"; lanes: flywheels per vector, None: 1, with `fast` chosen by their number
-    fast    optimised for a desktop processor; batch: also functions for many states
+    real    "double" or "float"; batch: also functions for many states
     only    these public functions alone, and what they need
     prefix  the first word of every name in C, in place of the stand's name
 
@@ -196,31 +189,19 @@ def generate(
     own = load_file(stand) if isinstance(stand, str | Path) else stand  # of a held carrier too
     if prefix is not None:
         own = _rename_stand(own, prefix)
-    count = lanes_of(own, lanes, fast)
     tell(progress, Progress(f"generate {own.name}"))
     chosen = tuple(dict.fromkeys(only))
-    files = delivery(own, real, count, fast, batch, chosen)
+    files = delivery(own, real, batch, chosen)
     if folder is None:
-        return Generated(own, files, count, None, ())
+        return Generated(own, files, None, ())
     if real == "float":
         _warn_of_float(own)
     _warn_of_tasks(own)
     if not own.tasks and (not chosen or any(name.startswith("inverse") for name in chosen)):
         _warn_of_excess(own)
-    done = deliver(Path(folder), own, real, files, lanes=count, fast=fast, only=chosen)
+    done = deliver(Path(folder), own, real, files, only=chosen)
     written = {path.relative_to(Path(folder)).as_posix(): path.read_text(encoding="utf-8") for path in done.paths}
-    return Generated(own, written, count, Path(folder), done.notes)
-
-
-def lanes_of(stand: CoreStand, lanes: int | None, fast: bool) -> int:
-    """Flywheels per vector of a stand's C. Raises UsageError."""
-    from mahovik.core.emit.generate import host_lanes
-
-    if lanes is None:
-        return host_lanes(len(stand.flywheels)) if fast else 1
-    if lanes > 1 and not stand.flywheels:
-        raise UsageError(f"--lanes {lanes}: {stand.name} has no flywheels: remove it")
-    return lanes
+    return Generated(own, written, Path(folder), done.notes)
 
 
 def _rename_stand(stand: CoreStand, prefix: str) -> CoreStand:

@@ -96,7 +96,6 @@ class Costs:
     structure: str
     physics: str
     flywheels: int
-    lanes: int
     targets: tuple[TargetCost, ...]
 
 
@@ -137,7 +136,6 @@ def measure(
     stand: Stand,
     pairs: Sequence[tuple[Target, str]],
     progress: Callable[[int, int], None] | None = None,
-    lanes: int = 1,
     only: tuple[str, ...] = (),
 ) -> Costs:
     """Builds and runs the measuring program on each target; `only`: of C that has these public functions alone.
@@ -146,7 +144,7 @@ def measure(
     """
     for target, _ in pairs:
         require(target)
-    made = {real: generate_all(stand, real, lanes, only=only) for real in dict.fromkeys(real for _, real in pairs)}
+    made = {real: generate_all(stand, real, only=only) for real in dict.fromkeys(real for _, real in pairs)}
     names = identities(stand)
     found = []
     with side_by_side() as pool:
@@ -155,7 +153,7 @@ def measure(
             found.append(task.result())
             if progress is not None:
                 progress(done + 1, len(pairs))
-    return Costs(stand.name, names.structure, names.physics, len(stand.flywheels), lanes, tuple(found))
+    return Costs(stand.name, names.structure, names.physics, len(stand.flywheels), tuple(found))
 
 
 def _measure_target(stand: Stand, made: Generated, target: Target, real: str) -> TargetCost:
@@ -215,13 +213,8 @@ def _flywheel(made: Generated, width: int) -> dict[str, int]:
     found = {}
     for struct in made.program.structs:
         if struct.name in tables and made.layout.flywheels:
-            count = 0
-            for f in struct.fields:
-                if f.shape and f.shape[0] is made.layout.count:
-                    count += _numbers(f.type, f.shape[1:])
-                elif f.name == "block":  # of several flywheels
-                    count += _numbers(f.type, f.shape[1:]) // made.layout.lanes
-            found[tables[struct.name]] = count * width
+            rows = (f for f in struct.fields if f.shape and f.shape[0] is made.layout.count)
+            found[tables[struct.name]] = width * sum(_numbers(f.type, f.shape[1:]) for f in rows)
     return dict(sorted(found.items()))
 
 

@@ -19,8 +19,7 @@ def page(costs: Costs) -> str:
     sources = "".join(f"\n{real}: {source}" for real, source in sorted({(t.real, t.source) for t in costs.targets}))
     text = (
         f"# Cost of {costs.stand}\n\n"
-        f"Written by `mahovik cost`, version {__version__}; structure {costs.structure}, physics {costs.physics}"
-        f"{f'; lanes {costs.lanes}' if costs.lanes > 1 else ''}.\n"
+        f"Written by `mahovik cost`, version {__version__}; structure {costs.structure}, physics {costs.physics}.\n"
         f"Figures of one call with its arguments, at the most expensive of {STATES} ordinary states. "
         "**Instructions, not\n"
         "cycles**: they show what grows; time on silicon depends on memory and pipeline as well.\n\n"
@@ -98,11 +97,10 @@ def as_json(costs: Costs, before: Sequence[Mapping[str, Any]] = ()) -> str:
     return json.dumps({**asdict(costs), "targets": list((kept | new).values())}, indent=1) + "\n"
 
 
-def read_accepted_costs(text: str, where: str, lanes: int = 1) -> list[dict[str, Any]]:
-    """The targets of a JSON of `as_json`; none where they are of C with other lanes. Raises UsageError."""
+def read_accepted_costs(text: str, where: str) -> list[dict[str, Any]]:
+    """The targets of a JSON of `as_json`. Raises UsageError."""
     try:
-        whole = json.loads(text)
-        found = whole["targets"] if whole.get("lanes", 1) == lanes else []
+        found = json.loads(text)["targets"]
         good = all(_is_target(target) for target in found)
     except (ValueError, RecursionError, KeyError, TypeError, AttributeError):
         good = False

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.contract.functions import CHOSEN
-from mahovik.core.emit.generate import PRECISIONS, Generated, generate_all, host_lanes
+from mahovik.core.emit.generate import PRECISIONS, Generated, generate_all
 from mahovik.core.emit.manifest import NAME as MANIFEST
-from mahovik.core.emit.reading import Header, read_header
+from mahovik.core.emit.reading import read_header
 from mahovik.core.lower.actuators import run_time_inputs
 from mahovik.core.lower.layout import Layout
 from mahovik.core.program.function import Program
@@ -45,10 +45,8 @@ def prepare_records(interpreter: Interpreter, layout: Layout, table: Any, mounti
 class CBackend(ProgramBackend):
     """Compiled C of a stand: freshly generated, or <name>.h and <name>.c of `folder`.
 
-    `lanes`: None means those of the C in the folder; without a folder 1, or what suits the host if it is `fast`. C of a
-    folder is compiled for speed if its header asks for it. `generated`: the result of `generate_all` with these
-    options, if the caller has it. `pool`: threads in which `full` is generated and compiled at once, for a caller who
-    will want it.
+    `generated`: the result of `generate_all` with these options, if the caller has it. `pool`: threads in which `full`
+    is generated and compiled at once, for a caller who will want it.
     A state with a run-time wrench that the C does not take is evaluated by the C of the same stand with an input
     on every body; with `folder` it is an error of that state.
     C of `generate --only` in `folder` answers the wants of its functions. Functions that it lacks and that a judge
@@ -61,32 +59,23 @@ class CBackend(ProgramBackend):
         stand: Stand,
         precision_name: str = "double",
         folder: Path | None = None,
-        lanes: int | None = None,
-        fast: bool = False,
         generated: Generated | None = None,
         pool: ThreadPoolExecutor | None = None,
     ) -> None:
         self._stand, self._precision_name, self._folder = stand, precision_name, folder
-        says_fast = fast
         chosen: tuple[str, ...] = ()
         if folder is not None:
-            header = _check_folder(folder, stand, precision_name, lanes)
+            _check_folder(folder, stand, precision_name)
             chosen = tuple(name for name in CHOSEN if name in declared_functions(folder, stand.name))
-            lanes, says_fast = header.lanes, header.fast
-        elif lanes is None:
-            lanes = host_lanes(len(stand.flywheels)) if fast else 1
-        self.fast = fast or says_fast
-        self.complete = self.generated = generated or generate_all(
-            stand, precision_name, lanes, says_fast, chosen=chosen
-        )
+        self.complete = self.generated = generated or generate_all(stand, precision_name, chosen=chosen)
         if folder is not None and (only := _part(folder, stand, self.complete.program)):
-            self.generated = generate_all(stand, precision_name, lanes, says_fast, only)
+            self.generated = generate_all(stand, precision_name, only)
         self._full: Future[CBackend] | None = None if pool is None else pool.submit(self._made_full)
         # once loaded, the library needs its file no more
         with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
             place = folder if folder is not None else _write_files(self.generated.files, Path(scratch))
             paths = place / f"{stand.name}.h", place / f"{stand.name}.c"
-            self.library = Library(*paths, Path(scratch), stand.name, self.fast)
+            self.library = Library(*paths, Path(scratch), stand.name)
         program = self.generated.program
         if folder is not None:
             public = [program.function(name) for name in public_names(program)]
@@ -138,7 +127,7 @@ class CBackend(ProgramBackend):
         stand = with_all_inputs(self._stand)
         if stand == self._stand:
             return self
-        return CBackend(stand, self._precision_name, lanes=self.generated.layout.lanes, fast=self.fast)
+        return CBackend(stand, self._precision_name)
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
         """Results by the names of contract/quantities.py. Raises StateError."""
@@ -194,8 +183,8 @@ def _part(folder: Path, stand: Stand, program: Program) -> tuple[str, ...]:
     return only
 
 
-def _check_folder(folder: Path, stand: Stand, real: str, lanes: int | None) -> Header:
-    """The header of the C in the folder. Raises UsageError; CheckError: other C."""
+def _check_folder(folder: Path, stand: Stand, real: str) -> None:
+    """Raises UsageError where the folder has no C of this element type, CheckError where it is of another stand."""
     path = folder / f"{stand.name}.h"
     header = read_header(folder, stand.name)
     if header is None or not path.with_suffix(".c").is_file():
@@ -211,6 +200,3 @@ def _check_folder(folder: Path, stand: Stand, real: str, lanes: int | None) -> H
     if header.real != real:
         remedy = f"give --real {header.real}" if header.real in PRECISIONS else "generate it again"
         raise UsageError(f"{path}: its C is {header.real or 'of no known element type'}, expected {real}: {remedy}")
-    if lanes is not None and header.lanes != lanes:
-        raise UsageError(f"{path}: its C has lanes {header.lanes}, expected {lanes}: leave --lanes out")
-    return header

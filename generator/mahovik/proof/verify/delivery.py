@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from mahovik.core.emit.generate import LANES, PRECISIONS, generate_all
+from mahovik.core.emit.generate import PRECISIONS, generate_all
 from mahovik.core.emit.manifest import FORMAT, NAME, as_text, digest, manifest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.reading import read_header
@@ -65,8 +65,6 @@ def deliver(
     real: str,
     files: Mapping[str, str],
     project: str = "",
-    lanes: int = 1,
-    fast: bool = False,
     only: Sequence[str] = (),
     replaceable: Sequence[str] = (),
 ) -> Delivery:
@@ -91,7 +89,7 @@ def deliver(
     stale = [n for n in _unchanged_files(folder, old) if n not in files and n not in kept]
     if cost is not None and not kept and COST_PAGE not in stale and re.search(r"\b[0-9a-f]{64}\b", cost):
         stale.append(COST_PAGE)
-    paths = write_all(folder, {**written, NAME: manifest(stand, real, {**files, **kept}, project, lanes, fast, only)})
+    paths = write_all(folder, {**written, NAME: manifest(stand, real, {**files, **kept}, project, only)})
     notes = [f"{folder / name} is yours and stays as it is" for name in replaced]
     for name in stale:
         (folder / name).unlink(missing_ok=True)
@@ -109,26 +107,16 @@ def differences(
     stand: Stand,
     real: str,
     files: Mapping[str, str],
-    lanes: int = 1,
-    fast: bool = False,
     only: Sequence[str] = (),
 ) -> list[str]:
     """Differences of the folder from what `deliver` would leave, a line each; none if it is as the stand file gives it.
 
-    A folder of the other element type, of another number of lanes, or fast where that was not asked for, differs in
-    every file: one line reports that.
+    A folder of the other element type differs in every file: one line reports that.
     """
     header = read_header(folder, stand.name)
     if header is not None and header.real is not None and header.real != real:
         there = header.real
         return [f"{folder}: its C is {there}, expected {real}: give --real {there}, or generate it again"]
-    if header is not None and header.fast != fast:
-        words = ("fast", "not fast") if header.fast else ("not fast", "fast")
-        remedy = "give --fast" if header.fast else "leave --fast out"
-        return [f"{folder}: its C is {words[0]}, expected {words[1]}: {remedy}, or generate it again"]
-    if header is not None and header.lanes != lanes:
-        remedy = f"give --lanes {header.lanes}, or generate it again"
-        return [f"{folder}: its C has lanes {header.lanes}, expected {lanes}: {remedy}"]
     found = []
     for name, text in files.items():
         path = folder / name
@@ -144,7 +132,7 @@ def differences(
     if not path.is_file():
         found.append(f"{path}: is missing")
     elif (listed := path.read_text(encoding="utf-8", errors="replace")) != manifest(
-        stand, real, {**files, **kept}, lanes=lanes, fast=fast, only=only
+        stand, real, {**files, **kept}, only=only
     ):
         unlisted = [name for name, text in kept.items() if f'"{name}": "{digest(text)}"' not in listed]
         found += [f"{folder / name}: is not what {NAME} lists" for name in unlisted]
@@ -170,12 +158,7 @@ def require_place_for_cost(folder: Path, stand: Stand) -> None:
     old = _manifest(folder)
     if old is not None:
         _refuse_stand(folder, stand, old)
-        if old.get("fast"):
-            raise UsageError(
-                f"{folder}: holds C of --fast, for the host alone: `mahovik generate` without it first, "
-                "nothing was written"
-            )
-        made = generate_all(stand, old["real"], manifest_lanes(old), only=_manifest_only(old)).files
+        made = generate_all(stand, old["real"], only=_manifest_only(old)).files
         if _text(folder, f"{stand.name}.c") != made[f"{stand.name}.c"]:
             raise UsageError(
                 f"{folder}: holds other C than the stand file gives: `mahovik generate` first, nothing was written"
@@ -206,12 +189,6 @@ def accepted_figures(folder: Path, stand: Stand) -> str | None:
     return text
 
 
-def delivered_lanes(folder: Path) -> int:
-    """The lanes of the C in a folder, by its manifest; 1 where there is none. Raises UsageError."""
-    found = _manifest(folder)
-    return 1 if found is None else manifest_lanes(found)
-
-
 def delivered_only(folder: Path) -> tuple[str, ...]:
     """The public functions that the C in a folder was made for, by its manifest; empty: all. Raises UsageError."""
     found = _manifest(folder)
@@ -220,11 +197,6 @@ def delivered_only(folder: Path) -> tuple[str, ...]:
 
 def _manifest_only(found: Mapping[str, Any]) -> tuple[str, ...]:
     return tuple(found.get("only", ()))
-
-
-def manifest_lanes(found: Mapping[str, Any]) -> int:
-    """Lanes in a manifest; 1 in one that was written before there were any."""
-    return int(found.get("lanes", 1))
 
 
 def _manifest(folder: Path) -> dict[str, Any] | None:
@@ -236,7 +208,6 @@ def _manifest(folder: Path) -> dict[str, Any] | None:
         found = json.loads(content(path).decode("utf-8"))
         known = str(found["generator"]).startswith("mahovik ") and found["format"] == FORMAT
         known = known and isinstance(found["stand"], str) and found["real"] in PRECISIONS
-        known = known and found.get("lanes", 1) in LANES
         only = found.get("only", [])
         known = known and isinstance(only, list) and all(isinstance(name, str) for name in only)
         if known and isinstance(found["files"], dict):

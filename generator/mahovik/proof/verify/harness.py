@@ -15,7 +15,7 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.toolchain.process import side_by_side
-from mahovik.errors import StateError, UsageError
+from mahovik.errors import StateError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import Backend
 from mahovik.proof.verify.bounds import BOUNDS, DOUBLE, Bounds
@@ -86,15 +86,12 @@ def verify_c(
     count: int = 200,
     against: Path | None = None,
     real: str = "double",
-    lanes: int | None = None,
-    fast: bool = False,
     progress: Progress | None = None,
     wrenches: bool = True,
     backend: CBackend | None = None,
 ) -> Report:
     """Compile the generated C, fresh or of the folder `against`, without a warning, and compare it three ways.
 
-    `lanes`, `fast`: as CBackend has them. C for speed is held to the same tolerances, not to the interpreter's bits.
     `wrenches`: run-time wrenches on every body, for which fresh C is compiled once more, with all its inputs.
     `backend`: of these options, where the caller has it.
     Batch C in `against` must be what this version generates.
@@ -104,7 +101,7 @@ def verify_c(
     with_inputs = wrenches and against is None
     with side_by_side() as pool:
         if backend is None:
-            built = pool.submit(CBackend, stand, real, against, lanes, fast, pool=pool if with_inputs else None)
+            built = pool.submit(CBackend, stand, real, against, pool=pool if with_inputs else None)
         from mahovik.proof.verify.functions.registry import function_rows  # SciPy: loaded while the compiler runs
 
         second = Second(stand)
@@ -120,8 +117,6 @@ def verify_c(
     if against is not None and (batch := check_batch(stand, backend.generated, against)) is not None:
         rows.append(batch)
     judged = "generated C" if against is None else f"C in {against}"
-    judged += f", lanes {backend.layout.lanes}" if backend.layout.lanes > 1 else ""
-    judged += ", fast" if backend.fast else ""
     judged += f", only {', '.join(public_names(backend.program))}" if backend.left_out else ""
     return report(stand, judged, seed, len(states), BOUNDS[real].default, rows)
 
@@ -160,9 +155,6 @@ def check_bits(backend: CBackend, states: Sequence[tuple[str, State]], against: 
     C that another version generated may round otherwise: it is held to the tolerance only.
     """
     row = Row("", "interpreter = C, bit for bit", verdict="ok")
-    if backend.fast:
-        row.verdict, row.reason = "not compared", "fast: its bits are not reproducible"
-        return row
     if not backend.wants:
         row.verdict, row.reason = "not compared", "none of the functions answers a want; the self-test compares bits"
         return row
@@ -203,18 +195,13 @@ BATCH = "batch C = as generated, byte for byte"
 def check_batch(stand: Stand, generated: Generated, folder: Path) -> Row | None:
     """Row on the bytes of `<stand>_batch.h` and `<stand>_batch.c` in a folder; None if neither exists.
 
-    `generated`: C with the element type and lanes of the folder. Batches have one lane and are not fast: beside other
-    C they fail.
+    `generated`: C with the element type of the folder.
     """
     paths = [folder / f"{stand.name}_batch.{kind}" for kind in ("h", "c")]
     if not any(path.is_file() for path in paths):
         return None
     row = Row("", BATCH, verdict="ok")
-    try:
-        expected = batch_files(stand, generated)
-    except UsageError:
-        row.verdict, row.reason = "FAILED", f"{paths[0].stem}: there is none of C with lanes, or fast: remove it"
-        return row
+    expected = batch_files(stand, generated)
     for path in paths:
         if not path.is_file():
             row.verdict, row.reason = "FAILED", f"{path.name} is missing: generate it again with --batch"

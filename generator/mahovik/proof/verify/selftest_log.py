@@ -27,10 +27,7 @@ _Value = TypeVar("_Value")
 LONGEST_SWEEP = 1_000_000
 """Most states of a sweep that is judged, which take minutes. More come from a damaged line or another test."""
 
-_HEAD = re.compile(
-    r"mahovik selftest (\w+) structure ([0-9a-f]{8}) physics ([0-9a-f]{8}) real (double|float)"
-    r"(?: lanes ([1-9]))?( fast)?\s*$",
-)
+_HEAD = re.compile(r"mahovik selftest (\w+) structure ([0-9a-f]{8}) physics ([0-9a-f]{8}) real (double|float)\s*$")
 _GENERATOR = re.compile(r"generator mahovik (\S+)\s*$")
 _FAST_MATH = re.compile(r"\bwrong results: (compiled with [\w, -]{1,100})\s*$")
 _FUNCTION = re.compile(
@@ -74,7 +71,6 @@ class SelfTestLog:
     physics: str
     real: str
     generator: str | None = None
-    lanes: int = 1
     functions: dict[str, FunctionLine] = field(default_factory=dict)
     sweep: int | None = None
     hashes: dict[str, str] = field(default_factory=dict)
@@ -90,12 +86,7 @@ def read_log(text: str, where: str) -> tuple[SelfTestLog, ...]:
     fast_math = ""
     for line in re.split(r"\r\n|\r|\n", text):
         if head := _HEAD.search(line):
-            if head[6]:
-                raise UsageError(
-                    f"{where}: of C for speed (--fast): its bits are not reproducible, its own verdict counts"
-                )
-            lanes = int(head[5] or 1)
-            runs.append(SelfTestLog(head[1], head[2], head[3], head[4], lanes=lanes, fast_math=fast_math))
+            runs.append(SelfTestLog(head[1], head[2], head[3], head[4], fast_math=fast_math))
             fast_math = ""
         elif found := _FAST_MATH.search(line):
             fast_math = found[1]
@@ -242,19 +233,19 @@ def judge_log(text: str, where: str, stand: Stand | None = None, only: tuple[str
             found += _with_run_numbers(problems(one), number, runs)
         unchecked.append("identities, the list of functions, and the sweep: give the stand file")
         return LogVerdict(runs, tuple(found), tuple(checked), tuple(unchecked))
-    here: dict[tuple[str, str, int, int], Mapping[str, str]] = {}  # hashes, empty where there are none
+    here: dict[tuple[str, str, int], Mapping[str, str]] = {}  # hashes, empty where there are none
     for number, one in enumerate(runs):
         named = under_name(stand, one.stand, one.physics) or stand
         lines = identity_problems(one, named)
         if not lines:
-            made = generate_all(named, one.real, one.lanes, only=only)
+            made = generate_all(named, one.real, only=only)
             wanted = [f.name for f in tested_functions(made.program)]
             if lines := part_problems(one, wanted, only):
                 found += _with_run_numbers([*problems(one), *lines], number, runs)
                 continue
             lines = problems(one, wanted)
             if one.sweep is not None and one.sweep <= LONGEST_SWEEP:
-                key = (one.stand, one.real, one.lanes, one.sweep)
+                key = (one.stand, one.real, one.sweep)
                 if key not in here:
                     here[key], maker = _hashes(named, made, one.sweep)
                     what = f"sweep of {one.sweep} states, {one.real}"
@@ -277,7 +268,7 @@ def _hashes(stand: Stand, made: Generated, sweep: int) -> tuple[Mapping[str, str
     real = made.program.precision.name
     target = next((TARGETS[name] for name in HOSTS if not TARGETS[name].missing_commands()), None)
     if target is not None:
-        sources = selftest_sources(stand, real, sweep, made.layout.lanes, made.only)
+        sources = selftest_sources(stand, real, sweep, made.only)
         printed = run_selftest(target, stand.name, sources, TIMEOUT)
         return read_log(printed, target.name)[-1].hashes, f"{target.compiler[0]} on this machine"
     if sweep <= INTERPRETED_STATES:

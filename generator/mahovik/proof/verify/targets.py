@@ -116,7 +116,6 @@ def verify_targets(
     pairs: Sequence[tuple[Target, str]],
     sweep: int = SWEEP,
     progress: Callable[[int, int], None] | None = None,
-    lanes: int = 1,
 ) -> TargetsReport:
     """Builds and runs the self-test for each target and element type; compares the text with the host's.
 
@@ -124,8 +123,8 @@ def verify_targets(
     Raises ToolchainError where the host itself has no gcc or cannot run the test.
     """
     names = identities(stand)
-    sources = {real: selftest_sources(stand, real, sweep, lanes) for real in dict.fromkeys(real for _, real in pairs)}
-    programs = {real: generate_all(stand, real, lanes).program for real in sources}
+    sources = {real: selftest_sources(stand, real, sweep) for real in dict.fromkeys(real for _, real in pairs)}
+    programs = {real: generate_all(stand, real).program for real in sources}
     expected = {real: run_selftest(TARGETS["host"], stand.name, files).splitlines() for real, files in sources.items()}
     rows = []
     with side_by_side() as pool:
@@ -137,13 +136,13 @@ def verify_targets(
     return TargetsReport(stand.name, names.structure, names.physics, sweep, tuple(rows))
 
 
-def selftest_sources(stand: Stand, real: str, sweep: int, lanes: int = 1, only: tuple[str, ...] = ()) -> dict[str, str]:
+def selftest_sources(stand: Stand, real: str, sweep: int, only: tuple[str, ...] = ()) -> dict[str, str]:
     """A stand's C with its self-test and a `main` for boards, by file name; `only`: with these functions alone."""
     main = {"main.c": selftest_main(stand.name, sweep)}
     if only:
-        made = generate_all(stand, real, lanes, only=only)
+        made = generate_all(stand, real, only=only)
         return {**made.files, **selftest_files(stand, made), **main}
-    files = firmware(stand, real, lanes)
+    files = firmware(stand, real)
     files.pop("README.md")
     return {**files, **main}
 

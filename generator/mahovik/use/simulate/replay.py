@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.status import status_words
-from mahovik.core.emit.generate import LANES, Generated, generate_all
+from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.log_format import state_hash, table_bytes, table_from_bytes
 from mahovik.core.emit.reading import read_header
 from mahovik.core.emit.recorder import source_hash
@@ -60,8 +60,8 @@ class CMachine:
     source   hash of the C source
     """
 
-    def __init__(self, stand: Stand, real: str, folder: Path | None = None, lanes: int = 1) -> None:
-        self._c = _compiled_backend(stand, real, lanes) if folder is None else CBackend(stand, real, folder)
+    def __init__(self, stand: Stand, real: str, folder: Path | None = None) -> None:
+        self._c = _compiled_backend(stand, real) if folder is None else CBackend(stand, real, folder)
         self.generated = self._c.generated
         self.source = source_hash(self.generated.files if folder is None else _texts(folder, stand.name), stand.name)
         self._ffi = self._c.library.ffi
@@ -122,16 +122,16 @@ class CMachine:
 
 
 @lru_cache(maxsize=4)
-def _compiled_backend(stand: Stand, real: str, lanes: int) -> CBackend:
+def _compiled_backend(stand: Stand, real: str) -> CBackend:
     """The compiled C of a stand; the last few are cached, so that many logs of one stand compile once."""
-    return CBackend(stand, real, lanes=lanes)
+    return CBackend(stand, real)
 
 
 class InterpreterMachine:
     """Runs the steps by the interpreter of the program: needs no compiler, and is a thousand times slower."""
 
-    def __init__(self, stand: Stand, real: str, lanes: int = 1) -> None:
-        self.generated = generate_all(stand, real, lanes)
+    def __init__(self, stand: Stand, real: str) -> None:
+        self.generated = generate_all(stand, real)
         self.source = source_hash(self.generated.files, stand.name)
         self._interpreter = Interpreter(self.generated.program)
         self._x: Any = None
@@ -265,26 +265,16 @@ def _texts(folder: Path, name: str) -> dict[str, str]:
     return {f"{name}.{kind}": (folder / f"{name}.{kind}").read_text(encoding="utf-8") for kind in ("h", "c")}
 
 
-def logged_lanes(stand: Stand, start: Start) -> int:
-    """Number of lanes of the C with the source hash of a log; 1 if another text flew."""
-    for lanes in LANES if stand.flywheels else ():
-        if source_hash(generate_all(stand, start.real, lanes).files, stand.name) == start.source:
-            return lanes
-    return 1
-
-
-def machine(stand: Stand, real: str, backend: str, folder: Path | None, lanes: int = 1) -> Machine:
-    """The machine that replays: "c" or "interpreter"; `lanes`: of fresh C. UsageError, ToolchainError, CheckError."""
+def machine(stand: Stand, real: str, backend: str, folder: Path | None) -> Machine:
+    """The machine that replays: "c" or "interpreter". UsageError, ToolchainError, CheckError."""
     if backend == "c":
         there = None if folder is None else read_header(folder, stand.name)
         if there is not None and there.real is not None and there.real != real:
             raise UsageError(f"--against {folder}: its C is {there.real}, the log {real}: give the folder that flew")
-        if there is not None and there.fast:
-            raise UsageError(f"--against {folder}: its C is for speed (--fast), its bits are not reproducible")
-        return CMachine(stand, real, folder, lanes)
+        return CMachine(stand, real, folder)
     if folder is not None:
         raise UsageError("--against DIR: the interpreter runs no C; leave it out, or use --backend c")
-    return InterpreterMachine(stand, real, lanes)
+    return InterpreterMachine(stand, real)
 
 
 FORMATS = (".csv", ".jsonl")

@@ -14,7 +14,6 @@ from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import carrier as derived
 from mahovik.core.lower.flywheels import columns_of, let_turn, places_of
 from mahovik.core.lower.forward import STATE_STATUSES, external_wrench, scene, sum_up
-from mahovik.core.lower.lanes import entry, row_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import carrier_binding
 from mahovik.core.lower.symbolic import assign
@@ -52,7 +51,7 @@ def demand_turning(lib: Library) -> Function:
     substitute3(body, w.G, list(moment), list(w.r)[:3], "r")
     column = body.local("column", (6,), comment="I_s")
     with body.loop("s", layout.count) as s:
-        row = row_of(lib, body, table.place, s)
+        row = table.place.flywheel[s]
         assign(body, list(column), derived_rows.columns().I, let_turn(body, seen.turns, s) | columns_of(row))
         six = list(column)
         assign(body, list(moment), derived.reduced_moment(layout.added_mass), binding | {"f": six[:3], "n": six[3:]})
@@ -113,7 +112,7 @@ def scale_turning(lib: Library) -> Function:
     w = work.place
     body = Body()
     with body.loop("s", layout.count) as s:
-        body.set(w.scale[s], entry(lib, table.place, s, "spin_root_inv"))
+        body.set(w.scale[s], table.place.flywheel[s].spin_root_inv)
     with body.loop("i", 3) as i:
         root = body.let("root", call(lib["sqrt"], w.G[i][i]))
         body.set(w.G[i][i], root)

@@ -10,7 +10,6 @@ from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
 from mahovik.core.lower.excess import SPIN_UP_NOTE, spin_up_excess
 from mahovik.core.lower.flywheels import AT_NOTES
 from mahovik.core.lower.forward import STATE_STATUSES, all_turns
-from mahovik.core.lower.lanes import entry
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.normal_equations import Scaling, tall_answer, wide_answer
 from mahovik.core.lower.task.demand import base_demand, demanded_rows
@@ -58,7 +57,7 @@ def inverse_fast_task(lib: Library, rows: Rows, at: bool = False) -> Function:
     if direct:
         with body.when(demanded > 2):
             _turn(body, rows, place, work)
-            own = Scaling(lambda s: entry(lib, table.place, s, "spin_inv") / p.weight[s], None, work.G, work.sigma)
+            own = Scaling(lambda s: table.place.flywheel[s].spin_inv / p.weight[s], None, work.G, work.sigma)
             wide_answer(lib, body, work, p, 3, answer, own)
         with body.otherwise():
             choose()

@@ -16,7 +16,6 @@ from mahovik.core.lower.coupling import couple_flywheel, declare_common_terms
 from mahovik.core.lower.demand import substitute
 from mahovik.core.lower.flywheels import places_of
 from mahovik.core.lower.forward import STATE_STATUSES, external_wrench, relative_rate, scene, sum_up
-from mahovik.core.lower.lanes import entry
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.schur import invert_block, start_schur
 from mahovik.core.lower.symbolic import assign
@@ -54,15 +53,15 @@ def torque_demand(lib: Library, turning: bool) -> Function:
     coupling = body.local("drive", (), layout.coupling)
     with body.loop("s", layout.count) as s:
         couple_flywheel(lib, body, table.place, s, seen, alike, coupling)
-        spin = body.let("spin", entry(lib, table.place, s, "spin"))
+        spin = body.let("spin", table.place.flywheel[s].spin)
         bias: Expr = coupling.bias
         if seen.own is not None:
             bias = bias - seen.own[s * integer(6) + 3]
         body.set(tau_0.place[s], spin * preferred.place[s] + bias)
-        body.set(w.scale[s], entry(lib, table.place, s, "spin_root_inv"))
+        body.set(w.scale[s], table.place.flywheel[s].spin_root_inv)
         free = equal(locked.place[s], integer(0))
         with body.when(free):
-            body.call(lib["eliminate"], coupling.I, entry(lib, table.place, s, "spin_inv"), preferred.place[s], K, F)
+            body.call(lib["eliminate"], coupling.I, table.place.flywheel[s].spin_inv, preferred.place[s], K, F)
         body.note("a locked flywheel takes no part")
         with body.loop("i", 6) as i:
             body.set(w.I[i][s], select(free, coupling.I[i], real(0)))

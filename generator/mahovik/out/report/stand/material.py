@@ -216,7 +216,7 @@ def _costs(folder: Path, stand: Stand) -> tuple[Mapping[str, Any], ...]:
             raise UsageError(
                 f"--cost {folder}: figures of another stand: {key} is {whole.get(key)}, of the stand {ours}"
             )
-    return tuple(read_accepted_costs(text, str(folder / FIGURES), whole.get("lanes", 1)))
+    return tuple(read_accepted_costs(text, str(folder / FIGURES)))
 
 
 def _refuse_foreign_programme(source: str, stand: Stand, programme: Programme, motion: RequiredMotion | None) -> None:
