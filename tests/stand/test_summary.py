@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import json
 import math
+import time
+from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from mahovik.core.stand import load, loads
+from mahovik.core.stand.envelope import envelope
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.summary import summarize
 from mahovik.stands import path
+from mahovik.use.study.excess import excess
 
 BASE = 'schema = 1\nname = "a"\nangles = "{angles}"\ngravity = {gravity}\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n'
 
@@ -93,3 +98,22 @@ def test_as_dict_is_json() -> None:
     again = json.loads(json.dumps(summary.as_dict(), allow_nan=False))
     assert again["mass"] == summary.mass
     assert again["unbalance"][0]["name"] == "w1"
+
+
+def test_a_thousand_flywheels_cost_no_more_each_than_ten() -> None:
+    """Processor time of the figures and of the search for what (12) needs: both were quadratic, half a minute."""
+    wheel = load(path("bench8")).flywheels[0]
+    many = tuple(replace(wheel, name=f"w{k}", position=(0.01 * k, 0.0, 0.0)) for k in range(1000))
+    of_many = replace(load(path("bench8")), flywheels=many)
+    begin = time.process_time()
+    assert len(summarize(of_many).unbalance) == 1000
+    excess(of_many)
+    assert time.process_time() - begin < 8.0
+
+
+def test_wheels_about_one_axis_make_one_direction_of_the_envelope() -> None:
+    vectors = np.concatenate([np.eye(3)] * 100 + [-np.eye(3)] * 100)
+    begin = time.process_time()
+    found = envelope(vectors)
+    assert time.process_time() - begin < 0.2
+    assert len(found.facets) == 3 and found.radius == 200.0

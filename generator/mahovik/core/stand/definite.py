@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.frames import cross, mount_of, placement, transfer, turn
+from mahovik.core.stand.frames import cross, mount_of, placement, transfer
 from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.model import Carrier, Flywheel, Instrument, Stand
 
@@ -71,13 +71,13 @@ def _alternate(constant: Array, harmonics: Array) -> Array:
     rng = np.random.default_rng(_SEED)
     x = rng.normal(size=(_STARTS, 6))
     grid: Array = np.arange(_GRID, dtype=np.float64) * (2 * np.pi / _GRID)
-    table = _basis(grid)
+    table, flat = _basis(grid), harmonics.reshape(-1, 36)
     for _ in range(_ROUNDS):
-        quadratic = np.einsum("bi,nkij,bj->bnk", x, harmonics, x, optimize=True)
+        quadratic = ((x[:, :, None] * x[:, None, :]).reshape(-1, 36) @ flat.T).reshape(len(x), -1, 5)
         phases = grid[np.argmin(quadratic @ table.T, axis=-1)]
         for _ in range(3):
             phases = phases - _newton_step(quadratic, phases)
-        terms = np.einsum("bnk,nkij->bij", _basis(phases), harmonics, optimize=True)
+        terms = (_basis(phases).reshape(len(x), -1) @ flat).reshape(-1, 6, 6)
         values, vectors = np.linalg.eigh(constant + terms)
         x = vectors[:, :, 0]
     order = np.argsort(values[:, 0])
@@ -113,15 +113,20 @@ def _polish(constant: Array, rotors: list[_Rotor], scale: Array, phases: Array) 
 
 def _residual(W: Array, down: Array, phases: Array, derivative: int) -> Array:
     """W_s R^T(phi_s) L^T (starts, N, 6, 6), or its derivative by the phase."""
+    return np.asarray(W @ np.swapaxes(_turns(phases, derivative), -1, -2) @ down, dtype=np.float64)
+
+
+def _turns(phases: Array, derivative: int = 0) -> Array:
+    """diag(C1, C1) of each phase (..., 6, 6), or its derivative by the phase."""
     c, s = np.cos(phases), np.sin(phases)
-    turn = np.zeros((*phases.shape, 6, 6))
+    found = np.zeros((*phases.shape, 6, 6))
     if derivative:
         c, s = -s, c
     for block in (0, 3):
-        turn[..., block, block] = 0.0 if derivative else 1.0
-        turn[..., block + 1, block + 1] = turn[..., block + 2, block + 2] = c
-        turn[..., block + 1, block + 2], turn[..., block + 2, block + 1] = s, -s
-    return np.asarray(W @ turn @ down, dtype=np.float64)
+        found[..., block, block] = 0.0 if derivative else 1.0
+        found[..., block + 1, block + 1] = found[..., block + 2, block + 2] = c
+        found[..., block + 1, block + 2], found[..., block + 2, block + 1] = -s, s
+    return found
 
 
 def _lowest(constant: Array, rows: Array) -> tuple[Array, Array]:
@@ -136,22 +141,25 @@ def _basis(phases: Array) -> Array:
 
 def _newton_step(q: Array, phases: Array) -> Array:
     """Newton step to the minimum of a trigonometric polynomial, at most a grid cell; zero where it is flat."""
-    c, s, c2, s2 = np.cos(phases), np.sin(phases), np.cos(2 * phases), np.sin(2 * phases)
+    c, s = np.cos(phases), np.sin(phases)
+    c2, s2 = (c - s) * (c + s), 2 * s * c
     slope = -q[..., 1] * s + q[..., 2] * c - 2 * q[..., 3] * s2 + 2 * q[..., 4] * c2
     bend = -q[..., 1] * c - q[..., 2] * s - 4 * q[..., 3] * c2 - 4 * q[..., 4] * s2
     step = np.divide(slope, bend, out=np.zeros_like(slope), where=bend > 1e-300)
-    return np.clip(step, -2 * np.pi / _GRID, 2 * np.pi / _GRID)
+    return np.asarray(np.clip(step, -2 * np.pi / _GRID, 2 * np.pi / _GRID))
 
 
 def _eigenvalue(constant: Array, rotors: list[_Rotor], phases: Array, mean_scale: Array) -> float:
     """Least eigenvalue of the full matrix at these phases, at unit diagonal and at unit mean diagonal."""
     full = np.zeros((6 + len(rotors), 6 + len(rotors)))
     full[:6, :6] = constant
-    for s, (rotor, phi) in enumerate(zip(rotors, phases, strict=True)):
-        L = rotor.L(float(phi))
-        full[:6, :6] += L @ rotor.Theta @ L.T
-        full[:6, 6 + s] = full[6 + s, :6] = L @ rotor.Theta[:, 3]
-        full[6 + s, 6 + s] = rotor.Theta[3, 3]
+    if rotors:
+        L = np.array([rotor.mount for rotor in rotors]) @ _turns(phases)
+        Theta = np.array([rotor.Theta for rotor in rotors])
+        full[:6, :6] += (L @ Theta @ np.swapaxes(L, -1, -2)).sum(axis=0)
+        full[:6, 6:] = (L @ Theta[:, :, 3:4])[:, :, 0].T
+        full[6:, :6] = full[:6, 6:].T
+        full[range(6, len(full)), range(6, len(full))] = Theta[:, 3, 3]
     diagonal = np.diag(full)
     if not (diagonal > 0).all() or not np.isfinite(full).all():
         return -np.inf
@@ -182,16 +190,15 @@ class _Rotor:
         size = np.sqrt(np.where(np.diag(self.Theta) > 0, np.diag(self.Theta), 1.0))
         values, vectors = np.linalg.eigh(free / size[:, None] / size[None, :])
         self.root = np.sqrt(np.maximum(values, 0.0))[:, None] * vectors.T * size[None, :]  # root^T root = free
-        phases: Array = np.arange(5, dtype=np.float64) * (2 * np.pi / 5)
-        L = [self.L(float(phi)) for phi in phases]
-        self.mean = sum((transfer @ self.Theta @ transfer.T for transfer in L), np.zeros((6, 6))) / 5
-        samples: Array = np.array([transfer @ free @ transfer.T for transfer in L])
+        L = self.mount @ _SAMPLES
+        down = np.swapaxes(L, -1, -2)
+        self.mean = np.asarray((L @ self.Theta @ down).mean(axis=0))
         # five equidistant samples determine harmonics 0, 1, 2 exactly
-        self.schur = np.linalg.solve(_basis(phases), samples.reshape(5, 36)).reshape(5, 6, 6)
+        self.schur = np.linalg.solve(_basis(_FIFTHS), (L @ free @ down).reshape(5, 36)).reshape(5, 6, 6)
 
-    def L(self, phi: float) -> Array:
-        """Transfer of wrenches from Es at phase `phi` to E1."""
-        return self.mount @ np.kron(np.eye(2), turn(0, phi))
+
+_FIFTHS: Array = np.arange(5, dtype=np.float64) * (2 * np.pi / 5)
+_SAMPLES = _turns(_FIFTHS)
 
 
 def _fixed_inertia(stand: Stand) -> Array:

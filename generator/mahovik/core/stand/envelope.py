@@ -111,19 +111,26 @@ def envelope(vectors: Array) -> Envelope:
 def _facets(columns: Array, units: dict[int, Array]) -> tuple[Facet, ...]:
     """Facets of vectors that span space; `units`: the directions of those that are not zero."""
     found: dict[tuple[int, ...], Facet] = {}
-    for i, j in combinations(units, 2):
+    directions = np.array(list(units.values()))
+    for i, j in combinations(_different(units), 2):
         normal = np.cross(units[i], units[j])
         size = float(np.linalg.norm(normal))
         if size <= _PARALLEL:
             continue
         normal = _forward(normal / size)
-        inside = tuple(k for k, unit in units.items() if abs(float(unit @ normal)) <= _PARALLEL)
-        inside = tuple(sorted({*inside, i, j}))
+        flat = np.abs(directions @ normal) <= _PARALLEL
+        inside = tuple(sorted({*(k for k, is_inside in zip(units, flat, strict=True) if is_inside), i, j}))
         if inside not in found:
             outside = [k for k in units if k not in inside]
             distance = float(np.abs(columns[outside] @ normal).sum())
             found[inside] = Facet(_vec3(normal), distance, inside)
     return tuple(found.values())
+
+
+def _different(units: dict[int, Array]) -> list[int]:
+    """Numbers of directions of which none is another one, or its opposite: the first of each."""
+    seen = {tuple(_forward(unit)): k for k, unit in reversed(units.items())}
+    return sorted(seen.values())
 
 
 def _zonogon(columns: Array, normal: Array) -> Array:

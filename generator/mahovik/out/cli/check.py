@@ -12,6 +12,7 @@ from mahovik.out.cli.check_fluid import fluid_object, print_fluid
 from mahovik.out.cli.fitting import column_that_fits, fitting_unit
 from mahovik.out.cli.options import STAND_FILE, command, json_option, load_stand, option
 from mahovik.out.cli.output import console, print_json, print_line, print_table
+from mahovik.out.cli.progress import progress
 from mahovik.out.functions.motor_limits import warn_of_speeds
 
 if TYPE_CHECKING:
@@ -73,19 +74,20 @@ def check(
     from mahovik.use.study.resolution import shortfalls
     from mahovik.use.study.task_reach import task_shortfalls
 
-    written = written_numbers(stand_file)
-    unbalances = {each.where: each.text for each in written if each.key == "unbalance.static"}
-    summary, names = summarize(stand, asked, apart, unbalances), identities(stand)
-    short = shortfalls(stand, [row.speed for row in summary.unbalance])
     step = USUAL_STEP if dt is None else _read("--dt", dt, ("a time", "s"), 1e-9, 1e3)
-    lost = [] if dt is None else lost_increments(stand, [row.speed for row in summary.unbalance], step)
-    over, unreached = excess(stand), task_shortfalls(stand)
-    steep = long_steps(stand, step)
-    in_fluid = None
-    if ahead is not None:
-        from mahovik.use.study.fluid import fluid as fluid_of
+    with progress(f"check {stand.name}"):
+        written = written_numbers(stand_file)
+        unbalances = {each.where: each.text for each in written if each.key == "unbalance.static"}
+        summary, names = summarize(stand, asked, apart, unbalances), identities(stand)
+        speeds = [row.speed for row in summary.unbalance]
+        short, lost = shortfalls(stand, speeds), [] if dt is None else lost_increments(stand, speeds, step)
+        over, unreached = excess(stand), task_shortfalls(stand)
+        steep = long_steps(stand, step)
+        in_fluid = None
+        if ahead is not None:
+            from mahovik.use.study.fluid import fluid as fluid_of
 
-        in_fluid = fluid_of(stand, ahead)
+            in_fluid = fluid_of(stand, ahead)
     if as_json:
         from dataclasses import asdict
 

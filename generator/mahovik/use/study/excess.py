@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -9,10 +10,13 @@ import numpy as np
 from mahovik.core.stand.model import COMPONENTS, Stand
 from mahovik.core.stand.state import rest_state
 from mahovik.proof.reference import pieces
+from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import bodies_of
-from mahovik.proof.reference.excess import motor_shares
+from mahovik.proof.reference.excess import shares_of
 from mahovik.proof.reference.forward import forward
-from mahovik.proof.reference.inverse import inverse
+from mahovik.proof.reference.inverse import CUTS, inverse_root
+from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.torque import torque
 
 SMALL = 1e-3
 """m/s2, rad/s2: what is demanded of one component, of the others zero."""
@@ -61,10 +65,11 @@ def excess(stand: Stand) -> Excess | None:
     found = np.zeros((POSITIONS, 6, len(stand.flywheels), 2))
     for k in range(POSITIONS):
         at = pieces(stand, replace(still, phi=tuple(rng.uniform(-np.pi, np.pi, len(stand.flywheels)))), bodies)
-        held = inverse(at, np.zeros(6)).phi_ddot  # what gravity alone asks is no part of the demand
+        shares, by_demand = shares_by(stand, at), _inverse_matrix(at)
         for i in range(6):
-            phi_ddot = inverse(at, SMALL * np.eye(6)[i]).phi_ddot - held
-            found[k, i, :, 0] = motor_shares(stand, at, forward(at, phi_ddot), phi_ddot)
+            # what gravity alone asks is no part of the demand
+            phi_ddot = -SMALL * by_demand @ at.K[:, i]
+            found[k, i, :, 0] = shares(phi_ddot)
             found[k, i, :, 1] = np.abs(phi_ddot)
     needed = np.median(found, axis=0)
     i, s = divmod(int(np.argmax(needed[:, :, 0])), len(stand.flywheels))
@@ -72,3 +77,23 @@ def excess(stand: Stand) -> Excess | None:
     if not share > 1.0:
         return None
     return Excess(COMPONENTS[i], stand.flywheels[s].name, float(share), float(phi_ddot))
+
+
+def _inverse_matrix(at: Pieces) -> Array:
+    """phi'' of (12) by its right-hand side (N, 6): least residual, then least phi'', as `inverse` has them."""
+    K_root, root = inverse_root(at.K), 1.0 / np.sqrt(np.diag(at.Theta_ff))
+    return np.asarray(root[:, None] * np.linalg.pinv(K_root @ at.I * root, rcond=CUTS.rank) @ K_root)
+
+
+def shares_by(stand: Stand, at: Pieces) -> Callable[[Array], Array]:
+    """Need of each flywheel over what it has (N), as `motor_shares`, by phi'' (N) with the motion that it makes.
+
+    The drive torques are linear in both: tau = tau_0 + I^T V* + Theta_ff phi''.
+    """
+    still = torque(at, np.zeros(6), np.zeros(len(stand.flywheels)))
+
+    def shares(phi_ddot: Array) -> Array:
+        tau = still + at.I.T @ forward(at, phi_ddot) + np.diag(at.Theta_ff) * phi_ddot
+        return shares_of(stand, at, tau, phi_ddot)
+
+    return shares

@@ -12,12 +12,10 @@ from mahovik.core.stand.task import row_name
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Bodies, bodies_of
-from mahovik.proof.reference.excess import motor_shares
-from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.inverse import CUTS, inverse_root
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.task import TaskRows, task_demand, task_inverse, task_rows
-from mahovik.use.study.excess import POSITIONS, SMALL
+from mahovik.use.study.excess import POSITIONS, SMALL, shares_by
 
 _SEED = 20
 _NEGLIGIBLE = 1e-3
@@ -102,4 +100,5 @@ def _needed_share(stand: Stand, at: Pieces, rows: TaskRows) -> Array:
     m = len(rows.S)
     held = task_inverse(at, rows, rows.s).phi_ddot
     found = [task_inverse(at, rows, rows.s + SMALL * unit).phi_ddot - held for unit in np.eye(m)]
-    return np.array([motor_shares(stand, at, forward(at, phi_ddot), phi_ddot) for phi_ddot in found])
+    shares = shares_by(stand, at)
+    return np.array([shares(phi_ddot) for phi_ddot in found])
