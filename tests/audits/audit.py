@@ -37,7 +37,6 @@ class Audit:
     answer    the model
     wrong     every term that differs by hand calculation; None: it differs in no sum of a few products
     finding   what the difference means, a sentence
-    fault     name of the known fault that is the difference
     states    states at which a held model is compared; a free one is asked at those of the search for terms
     """
 
@@ -50,7 +49,6 @@ class Audit:
     answer: Answer
     wrong: frozenset[Term] | None
     finding: str
-    fault: str = ""
     states: tuple[State, ...] = ()
 
     @cached_property

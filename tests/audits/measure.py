@@ -127,8 +127,8 @@ def _measure_free(audit: Audit, faults: bool) -> Outcome:
         differing,
         tuple(_words(term) for term in found),
         known,
-        (*(fault for fault in known if fault != audit.fault), *map(_term, sorted(told - expected))),
-        () if audit.fault in known else tuple(map(_term, sorted(expected - told))),
+        (*known, *map(_term, sorted(told - expected))),
+        tuple(map(_term, sorted(expected - told))),
     )
 
 

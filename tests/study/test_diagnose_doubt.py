@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
+import numpy as np
 import pytest
 
 from mahovik.core.stand import load
@@ -12,10 +15,10 @@ from mahovik.proof.diagnose import search
 from mahovik.proof.diagnose.diagnosis import Diagnoser
 from mahovik.proof.diagnose.faults import DICTIONARY
 from mahovik.proof.diagnose.predict import FaultyProgram, Part
-from mahovik.proof.diagnose.search import Finding, Match
 from mahovik.proof.diagnose.states import separating_states
 from mahovik.proof.diagnose.words import sentences
 from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.states import Request
 from mahovik.stands import path
 from study.test_diagnose import BY_NAME, as_float, diagnoser, names, planted, stand
 from toolchain.quick import quick
@@ -30,7 +33,7 @@ HALF_EXPLAINED = [
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", quick(1, HALF_EXPLAINED))
-def test_what_explains_less_than_nine_tenths_is_no_fault_found(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_explains_a_part_of_the_error_is_no_fault_found(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(search, "DICTIONARY", tuple(fault for fault in DICTIONARY if fault.name != name))
     own = Diagnoser(stand(), wants=("forward", "torque"))
     found = own.diagnose(FaultyProgram(stand(), (Part(BY_NAME[name]),)).answer)
@@ -38,14 +41,23 @@ def test_what_explains_less_than_nine_tenths_is_no_fault_found(name: str, monkey
     first = sentences(found)[0]
     said = re.fullmatch(r"no fault of the \d+ in the dictionary explains it; nearest: .* \((\d+) %\)", first)
     assert said is not None
-    assert 50 < int(said[1]) < 90
+    assert 40 < int(said[1]) < 90
 
 
-def test_nine_tenths_are_asked_of_one_fault_of_a_part_and_of_two() -> None:
-    one, other = Part(DICTIONARY[0]), Part(DICTIONARY[1])
-    for suspect, share in (((one,), 1.0), ((one,), 0.5), ((one, other), 1.0)):
-        assert Finding(suspect, share, Match(0.099, 0.099, ())).can_be_named
-        assert not Finding(suspect, share, Match(0.101, 0.101, ())).can_be_named
+def test_a_fault_beside_a_small_error_is_not_named() -> None:
+    """It would leave more than rounding in double, however small: in one quantity, and in one number of it."""
+    wrong = FaultyProgram(stand(), (Part(BY_NAME["gravity, sign"]),)).answer
+    assert names(diagnoser().diagnose(wrong)) == [{("gravity, sign", None)}]
+    for quantity in ("V_dot", "tau"):
+
+        def beside(request: Request, quantity: str = quantity) -> Mapping[str, Any]:
+            answer = dict(wrong(request))
+            if quantity in answer and request.state.V[0]:
+                answer[quantity] = np.asarray(answer[quantity]) * (1.0 + 1e-5)
+            return answer
+
+        found = diagnoser().diagnose(beside)
+        assert (found.outcome, found.causes) == ("unknown", ())
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.read import load
+from mahovik.core.stand.read import load, loads
 from mahovik.errors import CheckError
 from mahovik.laws.damping.faults import coefficients
 from mahovik.proof import reference
@@ -25,13 +25,29 @@ from mahovik.proof.reference.torque import torque
 from mahovik.proof.verify.states import Request
 from mahovik.stands import path
 
+BODY = """
+schema = 1
+name = "body"
+gravity = [0, 0, -9.81]
+[carrier]
+mass = 2.0
+inertia = [0.02, 0.03, 0.04]
+[suspension]
+"""
+SPRUNG = {
+    "damped": "damping = [1.0, 1.5, 2.0, 0.1, 0.1, 0.1]\n",
+    "sprung": "damping = [1.0, 1.5, 2.0, 0.1, 0.1, 0.1]\nstiffness = [9, 9, 9, 3, 3, 3]\n",
+}
+
 Change = Callable[[Any, Any, Pieces], None]
 """Spoils K (6x6) and the right-hand side (6) of K V_r* = ... in place."""
 
 
 @cache
 def stand_of(name: str) -> Stand:
-    """An example stand; `hull`: remus6 without its flywheels, which has far fewer products."""
+    """An example stand; `hull`: remus6 without its flywheels, which has far fewer products; or a sprung body."""
+    if name in SPRUNG:
+        return loads(BODY + SPRUNG[name])
     return replace(load(path("remus6")), flywheels=()) if name == "hull" else load(path(name))
 
 
@@ -111,6 +127,46 @@ def test_damping_and_weight_have_their_own_names() -> None:
         ("forward", "Y", "|v| v", -1.0, 1.0, "Y_v|v|"),
         ("forward", "Z", "g_z", 0.0, 1.0, "W"),
     }
+
+
+@pytest.mark.parametrize(("name", "factor", "expected"), [("damped", -1.65, -1.5), ("sprung", -0.15, None)])
+def test_a_term_of_a_suspension_is_not_one_that_should_not_be_there(
+    name: str, factor: float, expected: float | None
+) -> None:
+    """Where the rest of a suspension is no sum of products, only the error of a factor is known."""
+
+    def change(_: Any, right: Any, at: Pieces) -> None:
+        right[1] -= 0.15 * at.V_r[1]
+
+    result = found(name, change)
+    (term,) = result.terms
+    assert (term.component, term.term, term.multiple.coefficient) == ("Y", "v", "")
+    assert (term.multiple.factor, term.multiple.expected) == pytest.approx((factor, expected), abs=1e-9)
+    text = " ".join(sentences(Diagnosis("unknown").with_terms(result)))
+    assert "should not be there" not in text
+
+
+def test_a_small_term_beside_a_large_error_is_there() -> None:
+    """A mass of 1e-7 of the error: the right equation has it."""
+
+    def change(_: Any, right: Any, at: Pieces) -> None:
+        right[2] += 1e7 * mass("damped") * at.V_r[0] * at.V_r[4]
+
+    assert named(found("damped", change)) == {("forward", "Z", "u q", 1e7 + 1.0, 1.0, "m")}
+
+
+def test_terms_are_said_to_be_all_only_where_every_wrong_quantity_was_looked_at() -> None:
+    def change(_: Any, right: Any, at: Pieces) -> None:
+        right[1] -= 0.15 * at.V_r[1]
+
+    result = found("damped", change)
+    alone = sentences(Diagnosis("unknown", wrong=("forward: V_dot",)).with_terms(result))
+    assert alone[-1] == "without it nothing is left of the error beyond rounding"
+    more = sentences(Diagnosis("unknown", wrong=("forward: V_dot", "points: points.twist")).with_terms(result))
+    assert more[-2:] == [
+        "without it the equations of forward are right",
+        "not known: whether it explains all of points: points.twist",
+    ]
 
 
 def test_terms_of_phases_and_of_torques() -> None:

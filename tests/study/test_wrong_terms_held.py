@@ -237,26 +237,22 @@ def test_words_and_data() -> None:
     assert (row["want"], row["component"], row["term"], row["coefficient"]) == ("forward", "M", "g_x", "W z_G")
 
 
-def test_a_term_takes_the_place_of_parts_of_faults_but_not_of_a_whole_one() -> None:
+def test_a_term_takes_the_place_of_two_faults_but_not_of_one() -> None:
     def arm(_: Any, right: Any, at: Pieces) -> None:
         right[4] -= 0.2 * whole_moment("pendulum") * at.gravity[0]
 
     result = found("pendulum", arm)
-    faults = [(Part(fault),) for fault in DICTIONARY[:2]]
-    part = Diagnosis("named", tuple(Cause(each, 0.3, 0.0) for each in faults))
-    assert part.in_part
-    assert (part.with_terms(result).outcome, part.with_terms(result).causes) == ("terms", ())
-    assert part.with_terms(found("pendulum", lambda *_: None)) == part
-    assert not Diagnosis("named", (Cause(faults[0], 1.0, 0.0),)).in_part
+    one, other = (Part(fault) for fault in DICTIONARY[:2])
+    two = Diagnosis("named", (Cause((one, other), 0.0),))
+    assert two.of_two and not Diagnosis("named", (Cause((one,), 0.0),)).of_two
+    assert (two.with_terms(result).outcome, two.with_terms(result).causes) == ("terms", ())
+    assert two.with_terms(found("pendulum", lambda *_: None)) == two
 
-    def arm_and_damping(_: Any, right: Any, at: Pieces) -> None:
+    def three_terms(_: Any, right: Any, at: Pieces) -> None:
         arm(_, right, at)
-        right[4] -= 0.02 * at.V[4]
+        right[4] -= 0.02 * at.V[4] + 0.01 * at.V[4] ** 2
 
-    one = Diagnosis("named", (Cause(faults[0], 0.3, 0.0),))
-    assert one.with_terms(found("pendulum", arm_and_damping)) == one  # two terms say no more than one part of a fault
-    rough = Diagnosis("named", (Cause(faults[0], 0.3, 0.05),))
-    assert rough.with_terms(found("pendulum", arm_and_damping)).outcome == "terms"
+    assert two.with_terms(found("pendulum", three_terms)) == two  # no shorter than two faults
 
 
 def test_an_error_of_coupled_alone_is_looked_for_where_it_alone_differs() -> None:

@@ -8,7 +8,19 @@ from mahovik.core.stand.model import Body
 from mahovik.laws.buoyancy.data import Buoyancy
 from mahovik.proof.diagnose.edits import minus, without_moment, wrench, zero
 from mahovik.proof.diagnose.fault import Fault
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.bodies import PlacedBody
+from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import force_at
+
+
+def not_turned(P: Array, k: PlacedBody, at: Pieces) -> Array:
+    """Buoyancy (6) with its force in E0 taken as one of the body's frame, at the centre of buoyancy."""
+    found = k.body.law(Buoyancy)
+    if found is None:
+        return P
+    return force_at(-found.displaced_mass * (at.C @ at.gravity), np.array(found.center))
+
 
 # fmt: off
 FAULTS = (
@@ -19,6 +31,9 @@ FAULTS = (
           [wrench(lambda P, k, at: force_at(P[:3], np.array(k.body.center_of_mass)), "buoyancy")],
           "Buoyancy acts at the centre of mass, not at the centre of buoyancy",
           "`center` of `buoyancy`: the righting moment comes from the two centres being apart"),
+    Fault("buoyancy not turned", "(7)", "all", [wrench(not_turned, "buoyancy")],
+          "Buoyancy is not turned into the axes of the body: its vector in E0 is applied as one of the body",
+          "C^T before the force; its moment is of the turned force"),
     Fault("buoyancy, sign", "(7)", "all", [wrench(minus, "buoyancy")],
           "Buoyancy pulls down",
           "-displaced_mass g"),

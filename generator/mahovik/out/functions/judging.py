@@ -216,11 +216,12 @@ def _diagnosis(
     rows = None if states is None else telling_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
     diagnoser = Diagnoser(stand, seed, offered, rows, tolerance, actuators, on_hold)
     diagnosed = diagnoser.diagnose(answers(diagnoser.requests))
+    diagnosed = replace(diagnosed, failed=_failure_words(found, diagnosed.wrong))
     if diagnosed.outcome in ("equal", "rounding"):
-        return replace(diagnosed, failed=_failure_words(found, diagnosed.wrong))
+        return diagnosed
     silent = {gap.want for gap in diagnosed.gaps if gap.everywhere}
     searched = tuple(want for want in offered if want not in silent)
-    if diagnosed.outcome != "unknown" and not (diagnosed.in_part and stand.hold is not None):
+    if diagnosed.outcome != "unknown" and not (diagnosed.of_two and stand.hold is not None):
         return diagnosed
     known = diagnosed.outcome == "named"
     if not set(searched) & set(WANTS):
@@ -250,5 +251,5 @@ def _failure_words(found: Report, compared: Sequence[str] = ()) -> tuple[str, ..
     return tuple(
         f"{row.want} {row.quantity}".strip() + (f" ({row.reason})" if row.reason else "")
         for row in found.failures
-        if f"{row.want}: {row.quantity}" not in compared
+        if not any(f"{each}.".startswith(f"{row.want}: {row.quantity}.") for each in compared)
     )

@@ -15,7 +15,7 @@ from mahovik.proof.diagnose.answer_vector import answer_vector
 from mahovik.proof.diagnose.factors import WholeFactor, whole_factors
 from mahovik.proof.diagnose.gaps import Gap, gaps_of
 from mahovik.proof.diagnose.predict import Part, Predictions
-from mahovik.proof.diagnose.search import EXACT, NAMING_SCORE, Evidence, Finding, Search
+from mahovik.proof.diagnose.search import Evidence, Finding, Search
 from mahovik.proof.diagnose.states import FIRST, separating_states
 from mahovik.proof.diagnose.terms.search import TermSearchResult, WrongTerm
 from mahovik.proof.reference.array import Array
@@ -24,6 +24,9 @@ from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.states import Request
 
 Outcome = Literal["equal", "rounding", "named", "terms", "factors", "unknown", "nothing"]
+
+NINE_DIGITS = 5e-9
+"""Relative rounding of a number written with nine digits; one of double lies up to 6e-8 from the next of float."""
 
 Answers = Callable[[Request], Mapping[str, Any]]
 """Answer of a program to a request: empty if it refused."""
@@ -34,13 +37,11 @@ class Cause:
     """A cause of the error of a program: one fault, or two at once.
 
     parts    faults, each with the flywheel it is in alone, or None
-    share    part of the fault's error that was found, 1.0 for a whole fault
     score    0: it explains the error to rounding; 1: it explains nothing
     only_in  quantities in which the error is, where the fault would spoil others as well; else empty
     """
 
     parts: tuple[Part, ...]
-    share: float
     score: float
     only_in: tuple[str, ...] = ()
 
@@ -49,9 +50,9 @@ class Cause:
 class Diagnosis:
     """Result of the search of a program's error.
 
-    outcome     equal: no error beyond double rounding at these states; rounding: none beyond that of float;
-                named: `causes`; terms: `wrong_terms`; factors: `factors`; unknown: an error that none of these
-                explains; nothing: no numbers
+    outcome     equal: no error beyond double rounding at these states; rounding: none beyond that of float, and the
+                answers are in float; named: `causes`; terms: `wrong_terms`; factors: `factors`; unknown: an error that
+                none of these explains; nothing: no numbers
     causes      the best first; more than one where answers at these states cannot tell them apart
     confidence  of `named`, 0 to 1: how well the first explains the error, and how much worse the best other does
     others      the next best, for what they are worth
@@ -59,7 +60,7 @@ class Diagnosis:
     wrong       quantities with an error, as want: quantity
     terms       of an unknown error, the wrong terms that a sparse fit finds, see `terms`; None: not looked for
     gaps        wants with answers that are no numbers, which are left out of all else
-    failed      what the table says FAILED where the diagnosis finds no difference: it did not compare this
+    failed      what the table says FAILED and the diagnosis finds no difference in: it did not compare this
     hindrance   why wrong terms were not looked for, where gaps leave too few answers
     factors     of an error that is no whole fault, the constant factors of quantities that explain all of it
     """
@@ -89,38 +90,29 @@ class Diagnosis:
         return "named" if self.outcome in ("named", "terms", "factors") else "unnamed"
 
     @property
-    def in_part(self) -> bool:
-        """Whether what is named is no single whole fault that explains the error to rounding.
-
-        Along few freedoms a wrong factor looks like a part of many faults.
-        """
-        best = self.causes[:1]
-        return self.outcome == "named" and any(c.share != 1.0 or len(c.parts) > 1 or c.score > EXACT for c in best)
+    def of_two(self) -> bool:
+        """Whether two faults at once are named: along few freedoms a wrong factor looks like two of many faults."""
+        return self.outcome == "named" and len(self.causes[0].parts) > 1
 
     def with_terms(self, found: TermSearchResult) -> Diagnosis:
-        """The diagnosis of an error after the search for wrong terms: of one that is unknown, or named in part.
+        """The diagnosis of an error after the search for wrong terms: of one that is unknown, or named as two faults.
 
-        In place of parts of faults terms are named only where they are no more than these.
+        In place of two faults terms are named only where they are no more than these.
         """
         after = replace(self, terms=found)
-        if self.in_part and (not after.wrong_terms or self._is_shorter(len(after.wrong_terms))):
+        if self.of_two and not 0 < len(after.wrong_terms) <= len(self.causes[0].parts):
             return self
         return replace(after, outcome="terms", causes=(), others=()) if after.wrong_terms else after
 
     def by_factors(self) -> Diagnosis:
         """The diagnosis by constant factors of whole quantities, where these are a shorter name than what was found."""
-        if not self.factors or not (self.outcome in ("unknown", "terms") or self.in_part):
+        if not self.factors or not (self.outcome in ("unknown", "terms") or self.of_two):
             return self
         names = len(self.wrong_terms) or min((len(each.parts) for each in self.causes), default=0)
         count, plain = len(self.factors), all(each.is_plain for each in self.factors)
         if names and (count > names or (count == names and not plain)):
             return self
         return replace(self, outcome="factors", causes=(), others=(), confidence=0.0, terms=None)
-
-    def _is_shorter(self, terms: int) -> bool:
-        """Whether the causes explain the error to rounding, and are fewer than these wrong terms."""
-        names = sum(len(each.parts) for each in self.causes)
-        return self.causes[0].score <= EXACT and names < terms
 
     @property
     def unexplained(self) -> float:
@@ -155,7 +147,9 @@ class Diagnoser:
         the hold allows.
         """
         self._stand = stand
-        self._bounds = [each if each.default >= tolerance else uniform(tolerance) for each in (DOUBLE, FLOAT)]
+        self._double, self._float = (
+            each if each.default >= tolerance else uniform(tolerance) for each in (DOUBLE, FLOAT)
+        )
         if states is None:
             states = separating_states(stand, seed, actuators, on_hold)
         asked = [
@@ -181,35 +175,24 @@ class Diagnoser:
         found[~np.isfinite(found)] = np.nan
         gaps = gaps_of(self._stand, self.whole, found, answers)
         diagnosed = replace(self._by_numbers(found), gaps=gaps)
-        if diagnosed.outcome != "unknown" and not diagnosed.in_part:
+        if diagnosed.outcome != "unknown" and not diagnosed.of_two:
             return diagnosed
-        return replace(diagnosed, factors=self._factors(found))
+        noise = self.whole.noise(self._precision(found))
+        return replace(diagnosed, factors=whole_factors(self.whole, found, diagnosed.wrong, noise))
 
-    def _factors(self, found: Array) -> tuple[WholeFactor, ...]:
-        """Constant factors of quantities that are all of the error beyond rounding, in double or else in float."""
-        for bounds in self._bounds:
-            wrong = self._wrong(self._evidence(found, bounds))
-            factors = whole_factors(self.whole, found, wrong, self.whole.noise(bounds))
-            if factors:
-                return factors
-        return ()
+    def _precision(self, found: Array) -> Bounds:
+        """The bounds of the program's own element type."""
+        return self._float if is_float(found) else self._double
 
     def _by_numbers(self, found: Array) -> Diagnosis:
         """The diagnosis by the numbers that there are."""
         if not np.isfinite(found).any():
             return Diagnosis("nothing")
-        fine, coarse = (self._evidence(found, bounds) for bounds in self._bounds)
+        fine = self._evidence(found, self._double)
         if not self._wrong(fine):
             return Diagnosis("equal")
-        if not self._wrong(coarse):  # no larger than rounding of float: only a perfect likeness is a fault
-            strict = self._search(fine, freely=False)
-            exact = strict.outcome == "named" and strict.causes[0].score <= EXACT
-            return strict if exact else replace(strict, outcome="rounding", causes=(), others=(), confidence=0.0)
-        double = self._search(fine)
-        if double.outcome == "named" and double.causes[0].score <= EXACT:
-            return double
-        single = self._search(coarse)
-        return max((double, single), key=lambda each: (each.outcome == "named", -_score(each)))
+        own = self._evidence(found, self._precision(found))
+        return self._search(own) if self._wrong(own) else Diagnosis("rounding", wrong=self._wrong(fine))
 
     def _evidence(self, found: Array, bounds: Bounds) -> Evidence:
         e = self.whole.over_scale(found - self.whole.expected)
@@ -221,13 +204,13 @@ class Diagnoser:
         blocks = sorted({int(i) for i in evidence.block[there]})
         return tuple(f"{want}: {quantity}" for want, quantity in (self.whole.quantities[i] for i in blocks))
 
-    def _search(self, evidence: Evidence, freely: bool = True) -> Diagnosis:
+    def _search(self, evidence: Evidence) -> Diagnosis:
         wrong = self._wrong(evidence)
         search = Search(self._stand, evidence, self.predictions)
-        ranked = search.rank_suspects(freely)
+        ranked = search.rank_suspects()
         unseen = tuple(part.fault.name for (part,) in search.invisible_faults())
-        if not ranked or not ranked[0].can_be_named:
-            nearest = sorted(filter(_is_near, ranked), key=lambda each: each.match.score)[:3]
+        if not ranked or not ranked[0].match.exact:
+            nearest = sorted(ranked, key=lambda each: each.match.score)[:3]
             return Diagnosis("unknown", (), 0.0, tuple(_cause(each, wrong) for each in nearest), unseen, wrong)
         best = ranked[0]
         twins = search.equal_findings(best, ranked)
@@ -236,25 +219,23 @@ class Diagnoser:
             "named",
             tuple(_cause(each, wrong) for each in (best, *twins)),
             _confidence(best, others),
-            tuple(_cause(each, wrong) for each in others if each.can_be_mentioned)[:3],
+            tuple(_cause(each, wrong) for each in others)[:3],
             unseen,
             wrong,
         )
 
 
+def is_float(numbers: Array) -> bool:
+    """Whether all numbers that there are may be of float, written with nine digits or more."""
+    there = numbers[np.isfinite(numbers)]
+    with np.errstate(over="ignore"):
+        rounded = there.astype(np.float32).astype(np.float64)
+    return bool((np.abs(there - rounded) <= NINE_DIGITS * np.abs(there)).all())
+
+
 def _cause(finding: Finding, wrong: Sequence[str]) -> Cause:
-    only = tuple(wrong) if finding.match.absent and finding.can_be_named else ()
-    return Cause(finding.suspect, finding.share, finding.match.score, only)
-
-
-def _is_near(finding: Finding) -> bool:
-    """Whether a finding that cannot be named is worth mentioning; one that its likeness hides from naming is not."""
-    return finding.can_be_mentioned and finding.match.score > NAMING_SCORE
-
-
-def _score(diagnosis: Diagnosis) -> float:
-    """Score of the best of its causes, or of what is nearest."""
-    return next((each.score for each in (*diagnosis.causes, *diagnosis.others)), 1.0)
+    only = tuple(wrong) if finding.match.absent and finding.match.exact else ()
+    return Cause(finding.suspect, finding.match.score, only)
 
 
 def _confidence(best: Finding, others: Sequence[Finding]) -> float:

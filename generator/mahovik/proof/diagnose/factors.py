@@ -49,7 +49,7 @@ class WholeFactor:
         else:
             unit = next((f" ({words})" for each, words in UNITS.items() if _is(abs(self.factor), each)), "")
             what = f"{'are' if many else 'is'} {self.factor:.6g} times the right value throughout{unit}"
-        return f"{_join(self.quantities)} {what}, in {_join(self.wants)}"
+        return f"{join(self.quantities)} {what}, in {join(self.wants)}"
 
 
 def whole_factors(vector: AnswerVector, found: Array, wrong: Sequence[str], noise: Array) -> tuple[WholeFactor, ...]:
@@ -102,5 +102,6 @@ def _is(factor: float, other: float) -> bool:
     return abs(factor - other) <= SAME * abs(other)
 
 
-def _join(names: Sequence[str]) -> str:
+def join(names: Sequence[str]) -> str:
+    """`a, b and c`."""
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"

@@ -1,4 +1,4 @@
-"""The search: which fault, or part of one, or two, predict the error that was found."""
+"""The search: which fault, or two at once, predict the error that was found."""
 
 from __future__ import annotations
 
@@ -28,11 +28,13 @@ class Match:
     score   0: p is e to rounding; 1: it explains nothing of it
     rest    the same over the quantities that are wrong, without what is right and should not be
     absent  indices of the quantities that p would spoil and that are right
+    exact   whether p leaves no more than rounding in every number of the quantities that are wrong
     """
 
     score: float
     rest: float
     absent: tuple[int, ...]
+    exact: bool = False
 
 
 def match(e: Array, p: Array, noise: Array, block: NDArray[np.int64]) -> Match:
@@ -54,47 +56,18 @@ def match(e: Array, p: Array, noise: Array, block: NDArray[np.int64]) -> Match:
         return Match(1.0, 1.0, tuple(np.flatnonzero(absent)))
     rest = float(mean[spoiled].mean())
     missing = float(absent.sum() / (absent.sum() + spoiled.sum()))
-    return Match(rest + ABSENT * missing, rest, tuple(int(i) for i in np.flatnonzero(absent)))
+    exact = bool((off[spoiled[block]] <= EXACT).all())
+    return Match(rest + ABSENT * missing, rest, tuple(int(i) for i in np.flatnonzero(absent)), exact)
 
 
-def share(e: Array, p: Array, noise: Array) -> float:
-    """a of e = a p: least squares of each number over its size, without what is far from the middle; 0 where p is."""
-    seen = np.isfinite(p) & (np.abs(p) > 10 * noise)
-    if not seen.any():
-        return 0.0
-    ratios = e[seen] / p[seen]
-    a = float(np.median(ratios))
-    near = np.abs(ratios - a) <= 0.5 * abs(a)
-    if not near.any():
-        return a
-    weight = 1.0 / np.maximum(np.abs(e[seen][near]), np.abs(p[seen][near])) ** 2
-    product = float(np.sum(weight * e[seen][near] * p[seen][near]))
-    return product / float(np.sum(weight * p[seen][near] ** 2))
-
-
-EXACT = 1e-3
-"""Scores below this are the fault itself: the search ends."""
-
-NAMING_SCORE = 0.1
-"""Largest score of what is named, a fault, a part of one, or two: it explains nine tenths of the error."""
+EXACT = 1e-6
+"""Part of a number of the error that a fault may leave, besides rounding, and be the fault itself."""
 
 PENALTY = 0.05
-"""Added to the score of a part of a fault, or of two: a whole single one that is as good comes first."""
-
-LEAST_SHARE, LARGEST_SHARE = 0.02, 50.0
-"""Range of the parts of a fault in the search; smaller ones look like rounding."""
-
-WHOLE = 1e-3
-"""Largest distance from 1 of a share that counts as the whole."""
+"""Added to the score of two faults: a whole single one that is as good comes first."""
 
 ALIKE = 0.5
 """Part of the wrong quantities that a fault must spoil in all flywheels, to be tried in one flywheel."""
-
-BY_PLACE = ("position ignored", "stream ignored", "stream, sign", "stream not turned into E1")
-"""Faults that some wrong profile of the stream resembles: with a profile they are named only if they are exact."""
-
-LARGEST_PRINTED = 3.0
-"""Largest multiple of a fault that is mentioned beside the cause or as the nearest: a larger one says nothing."""
 
 SHORT_LIST = 5
 """Number of suspects that are examined at all states."""
@@ -108,37 +81,19 @@ TWIN = 1e-3
 
 @dataclass(frozen=True)
 class Finding:
-    """A suspect, the share of its error that was found, and how well it explains what was found.
-
-    by_profile  whether the stream of the stand depends on depth
-    """
+    """A suspect, and how well it explains what was found."""
 
     suspect: Suspect
-    share: float
     match: Match
-    by_profile: bool = False
 
     @property
     def cost(self) -> float:
-        """Score plus penalties: for a second fault, for a share that is not 1, for a fault of a single flywheel.
+        """Score plus penalties: for a second fault, for a fault of a single flywheel.
 
         So a whole fault of all flywheels comes first among explanations that fit alike.
         """
         alone = 0.01 * PENALTY * sum(part.wheel is not None for part in self.suspect)
-        a_part = PENALTY * (1.0 + 0.1 * min(abs(self.share - 1.0), 1.0)) if self.share != 1.0 else 0.0
-        return self.match.score + PENALTY * (len(self.suspect) - 1) + a_part + alone
-
-    @property
-    def can_be_named(self) -> bool:
-        """Whether its score is low enough to name it; a likeness of a wrong profile of the stream must be exact."""
-        if self.by_profile and any(fault.name in BY_PLACE for fault in self.faults):
-            return self.share == 1.0 and self.match.score <= EXACT
-        return self.match.score <= NAMING_SCORE
-
-    @property
-    def can_be_mentioned(self) -> bool:
-        """Whether a reader can make something of its share."""
-        return abs(self.share) <= LARGEST_PRINTED
+        return self.match.score + PENALTY * (len(self.suspect) - 1) + alone
 
     @property
     def faults(self) -> set[Fault]:
@@ -146,7 +101,7 @@ class Finding:
         return {part.fault for part in self.suspect}
 
     def repeats(self, other: Finding) -> bool:
-        """Whether it has the faults of the other: in other flywheels, in another share, or with one more."""
+        """Whether it has the faults of the other: in other flywheels, or with one more."""
         return other.faults <= self.faults
 
 
@@ -174,12 +129,12 @@ class Search:
         self._blocks = tuple(evidence.block[: asked.size][asked] for asked in self._asked)
         self._early = bool(np.any(np.abs(self._e_first) > self._noise_first))
 
-    def rank_suspects(self, freely: bool = True) -> list[Finding]:
-        """Suspects, the best first: wider and wider, until one is exact. `freely`: parts and pairs as well."""
+    def rank_suspects(self) -> list[Finding]:
+        """Suspects, those that are exact first: wider and wider, until one is."""
         found: list[Finding] = []
-        for stage in (self._of_all, self._of_one, *((self._parts, self._pairs) if freely else ())):
+        for stage in (self._of_all, self._of_one, self._pairs):
             found = self._confirm([*found, *stage(found)])
-            if found and found[0].match.score <= EXACT:
+            if found and found[0].match.exact:
                 break
         return found
 
@@ -190,11 +145,10 @@ class Search:
     def equal_findings(self, finding: Finding, ranked: Sequence[Finding]) -> list[Finding]:
         """Findings as good as this one: each predicts the same at all states, or explains as much of what was found.
 
-        Of a whole fault: all that were tried, whole, and the same in one flywheel; of a part of one, or of two: those
-        of `ranked`.
+        Of one fault: all that were tried, and the same in one flywheel; of two: those of `ranked`.
         """
-        found = {each.suspect: each for each in ranked if each.share == 1.0 or finding.share != 1.0}
-        if len(finding.suspect) == 1 and finding.share == 1.0:
+        found = {each.suspect: each for each in ranked}
+        if len(finding.suspect) == 1:
             found |= {each: self._examine(each, True) for each in self._tried if self._alike(finding, each)}
             found |= {each: self._examine(each, True) for each in self._in_one(finding.suspect[0].fault)}
         return [
@@ -202,6 +156,7 @@ class Search:
             for each in found.values()
             if each.suspect != finding.suspect
             and len(each.suspect) == len(finding.suspect)
+            and each.match.exact
             and (each.match.score <= finding.match.score + TWIN or self._same(finding, each, True))
         ]
 
@@ -212,7 +167,7 @@ class Search:
     def _same(self, finding: Finding, other: Finding, whole: bool) -> bool:
         """Whether both predict the same."""
         noise, block = self._rounding(whole)
-        own, others = (each.share * self._prediction(each.suspect, whole) for each in (finding, other))
+        own, others = (self._prediction(each.suspect, whole) for each in (finding, other))
         return match(own, others, noise, block).score <= TWIN
 
     def _of_all(self, found: Sequence[Finding]) -> Iterator[Finding]:
@@ -240,15 +195,6 @@ class Search:
         wheels = self._stand.flywheels if fault.of_flywheels else ()
         return [(Part(fault, wheel.name),) for wheel in wheels] if len(wheels) > 1 else []
 
-    def _parts(self, found: Sequence[Finding]) -> Iterator[Finding]:
-        """Shares of the faults tried so far."""
-        e = self._e(False)
-        noise, _ = self._rounding(False)
-        for each in list(self._tried):
-            a = share(e, self._prediction(each, False), noise)
-            if LEAST_SHARE <= abs(a) <= LARGEST_SHARE and abs(a - 1.0) > WHOLE:
-                yield self._examine(each, False, a)
-
     def _pairs(self, found: Sequence[Finding]) -> Iterator[Finding]:
         """Two at once: those whose errors add up to what was found, then as one program that has both."""
         e = self._e(False)
@@ -267,15 +213,13 @@ class Search:
     def _confirm(self, found: Sequence[Finding]) -> list[Finding]:
         """The best of them at all states, then the best first; those that are as good as the last of the list too."""
         costs = [math.inf, *sorted(each.cost for each in found)[:SHORT_LIST]]
-        best = {(each.suspect, each.share): each for each in found if each.cost <= costs[-1] + TWIN}
-        return sorted(
-            (self._examine(each.suspect, True, each.share) for each in best.values()), key=lambda each: each.cost
-        )
+        best = {each.suspect: each for each in found if each.cost <= costs[-1] + TWIN}
+        confirmed = (self._examine(suspect, True) for suspect in best)
+        return sorted(confirmed, key=lambda each: (not each.match.exact, each.cost))
 
-    def _examine(self, suspect: Suspect, whole: bool, a: float = 1.0) -> Finding:
+    def _examine(self, suspect: Suspect, whole: bool) -> Finding:
         noise, block = self._rounding(whole)
-        found = match(self._e(whole), a * self._prediction(suspect, whole), noise, block)
-        return Finding(suspect, a, found, self._stand.profile is not None)
+        return Finding(suspect, match(self._e(whole), self._prediction(suspect, whole), noise, block))
 
     def _all_states(self, whole: bool) -> bool:
         """Whether all states are looked at: where the first ones show no error they are no use."""

@@ -9,9 +9,9 @@ from typing import Any
 
 from mahovik.core.stand.model import WRENCH_LETTERS
 from mahovik.proof.diagnose.diagnosis import Cause, Diagnosis
+from mahovik.proof.diagnose.factors import join
 from mahovik.proof.diagnose.faults import DICTIONARY
 from mahovik.proof.diagnose.predict import Part
-from mahovik.proof.diagnose.search import EXACT
 from mahovik.proof.diagnose.terms.coefficients import Multiple
 from mahovik.proof.diagnose.terms.search import TermSearchResult, WrongTerm
 
@@ -44,8 +44,7 @@ def name_of(part: Part) -> str:
 
 def short_text(cause: Cause) -> str:
     """A cause in a few words."""
-    words = " and ".join(name_of(part) for part in cause.parts)
-    return words if cause.share == 1.0 else f"{_share(cause.share)} of: {words}"
+    return " and ".join(name_of(part) for part in cause.parts)
 
 
 def sentences(diagnosis: Diagnosis) -> list[str]:
@@ -53,7 +52,7 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
     gaps = [gap.sentence() for gap in diagnosis.gaps]
     if diagnosis.outcome in ("equal", "rounding", "nothing") and (gaps or diagnosis.failed):
         return gaps + _no_difference(diagnosis)
-    return gaps + _sentences(diagnosis)
+    return [*gaps, *_sentences(diagnosis), *_not_compared(diagnosis)]
 
 
 def _no_difference(diagnosis: Diagnosis) -> list[str]:
@@ -63,10 +62,13 @@ def _no_difference(diagnosis: Diagnosis) -> list[str]:
     kind = "rounding in float" if diagnosis.outcome == "rounding" else "rounding"
     if diagnosis.gaps:
         return [f"the numbers that it does answer differ by no more than {kind}"]
-    return [
-        f"nothing is named: at the states of the diagnosis nothing differs by more than {kind}; "
-        f"not compared there, but FAILED above: {'; '.join(diagnosis.failed)}"
-    ]
+    (more,) = _not_compared(diagnosis)
+    return [f"nothing is named: at the states of the diagnosis nothing differs by more than {kind}; {more}"]
+
+
+def _not_compared(diagnosis: Diagnosis) -> list[str]:
+    """A line on what the diagnosis did not compare."""
+    return [f"not compared there, but FAILED above: {'; '.join(diagnosis.failed)}"] if diagnosis.failed else []
 
 
 def _sentences(diagnosis: Diagnosis) -> list[str]:
@@ -74,17 +76,19 @@ def _sentences(diagnosis: Diagnosis) -> list[str]:
         case "equal":
             return ["no fault: nothing differs beyond rounding at the states of the diagnosis"]
         case "rounding":
-            return ["no fault found: the differences are not larger than rounding in float, and look like no fault"]
+            return ["no fault found: its answers are numbers of float, and differ by no more than rounding in float"]
         case "nothing":
             return ["no diagnosis: the program answered nothing that can be compared"]
         case "terms":
             assert diagnosis.terms is not None
             besides = diagnosis.terms.besides
             more = [f"the error of {want} is not a few terms: nothing of it is named" for want in besides]
-            return _term_lines(diagnosis.terms) + more
+            return _term_lines(diagnosis.terms, diagnosis.wrong) + more
         case "factors":
             them = "this" if len(diagnosis.factors) == 1 else "these"
             lines = [each.sentence() for each in diagnosis.factors]
+            if diagnosis.gaps or diagnosis.failed:
+                return lines
             return [*lines, f"with {them} put right nothing is left of the error beyond rounding"]
         case "unknown" if diagnosis.terms is not None and diagnosis.terms.doubtful:
             return _doubtful_lines(diagnosis.terms.doubtful)
@@ -108,12 +112,10 @@ def _sentences(diagnosis: Diagnosis) -> list[str]:
     lines = [what + (" found:" if diagnosis.confidence >= SURE else ", perhaps:")]
     for part in best.parts:
         lines += _part_lines(part)
-    if best.share != 1.0:
-        lines.append(f"  not as a whole: the error is {_share(best.share)} of what that would give")
     if best.only_in:
         lines.append(f"  only in {', '.join(best.only_in)}: what else it would spoil is right")
     lines += [f"  or, with the same effect on this stand: {_sentence(each)}" for each in twins]
-    lines.append(f"confidence {min(diagnosis.confidence, SUREST):.1%}: {_reason(best, diagnosis)}")
+    lines.append(f"confidence {min(diagnosis.confidence, SUREST):.1%}: {_reason(diagnosis)}")
     return lines + _unseen(diagnosis)
 
 
@@ -168,8 +170,8 @@ def _parts_of_error(diagnosis: Diagnosis) -> list[dict[str, Any]]:
     return [{"fault": name_of(part), "share": 1.0 - each.score} for each in diagnosis.causes[:1] for part in each.parts]
 
 
-def _term_lines(result: TermSearchResult) -> list[str]:
-    """A line for each wrong term, and what their names stand for."""
+def _term_lines(result: TermSearchResult, wrong: Sequence[str]) -> list[str]:
+    """A line for each wrong term, what their names stand for, and whether they are all of the `wrong` quantities."""
     found = result.terms
     count = len(found)
     lines = ["wrong term found:" if count == 1 else f"{count} wrong terms found:"]
@@ -187,8 +189,12 @@ def _term_lines(result: TermSearchResult) -> list[str]:
         lines.append("  accelerations stand on the left; the signs of their factors are those on the right, -K")
     if result.freedoms:
         lines.append(f"  {result.freedoms}")
-    lines.append(f"without {'it' if count == 1 else 'them'} nothing is left of the error beyond rounding")
-    return lines
+    them, they_explain = ("it", "it explains") if count == 1 else ("them", "they explain")
+    unknown = [each for each in wrong if each not in result.looked_at]
+    if not unknown and not result.besides:
+        return [*lines, f"without {them} nothing is left of the error beyond rounding"]
+    lines.append(f"without {them} the equations of {join(list(dict.fromkeys(each.want for each in found)))} are right")
+    return [*lines, f"not known: whether {they_explain} all of {'; '.join(unknown)}"] if unknown else lines
 
 
 def _doubtful_lines(found: Sequence[WrongTerm]) -> list[str]:
@@ -250,7 +256,7 @@ def _cause(cause: Cause) -> dict[str, Any]:
         }
         for part in cause.parts
     ]
-    return {"faults": faults, "share": cause.share, "unexplained": cause.score, "only_in": list(cause.only_in)}
+    return {"faults": faults, "unexplained": cause.score, "only_in": list(cause.only_in)}
 
 
 def _part_lines(part: Part) -> list[str]:
@@ -259,21 +265,16 @@ def _part_lines(part: Part) -> list[str]:
 
 
 def _sentence(cause: Cause) -> str:
-    words = "; and ".join((f"in {p.wheel} alone: " if p.wheel else "") + p.fault.words for p in cause.parts)
-    return words if cause.share == 1.0 else f"{_share(cause.share)} of: {words}"
+    return "; and ".join((f"in {p.wheel} alone: " if p.wheel else "") + p.fault.words for p in cause.parts)
 
 
 def _explained_part(cause: Cause) -> str:
-    """Part of the error that a cause explains, rounded down: 90 % would be named."""
+    """Part of the error that a cause explains, rounded down: all of it would be named."""
     return f"{math.floor(100 * max(1.0 - cause.score, 0.0))} %"
 
 
-def _share(share: float) -> str:
-    return f"{share:.3g} times" if abs(share) > 2 or share < 0 else f"{share:.0%}"
-
-
-def _reason(best: Cause, diagnosis: Diagnosis) -> str:
-    left = "it explains the error to rounding" if best.score <= EXACT else f"it leaves {best.score:.0%} of the error"
+def _reason(diagnosis: Diagnosis) -> str:
+    left = "it explains the error to rounding"
     for each in diagnosis.others[:1]:
         return f"{left}; the next best, {short_text(each)}, leaves {each.score:.0%}"
     return left

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -63,7 +64,7 @@ class Coefficients:
         stand: Stand,
         along: Directions = FREE,
     ) -> None:
-        """`right` (m, c): of products without accelerations, or None: unknown. `along`: rows of the equations."""
+        """`right` (m, c): of products without accelerations, NaN or None: unknown. `along`: rows of the equations."""
         self._products, self._along = products, along
         waves = list(harmonics([each.name for each in stand.flywheels], motion.phi))
         self._waves = {wave: i for i, (wave, _) in enumerate(waves)}
@@ -80,6 +81,8 @@ class Coefficients:
         expected = self._expected_coefficient(component, k)
         if expected is None:
             return Multiple(error, None, "")
+        if not self.occurs(component, k):
+            expected = 0.0
         return self.multiple_of(expected, error, component, self._products[k].factors)
 
     def multiple_of(self, expected: float, error: float, row: int, factors: tuple[str, ...]) -> Multiple:
@@ -92,7 +95,7 @@ class Coefficients:
         place = -1 if component is None else component, factors
         if any(each.startswith(("cos ", "sin ")) for each in factors):
             own: list[Quantity] = self._quantities
-        elif abs(expected) <= SAME * abs(error):
+        elif not expected:
             own = [each for each in self._quantities if any(other[0] == component for other in each.places)]
         else:
             own = [each for each in self._quantities if place in each.places]
@@ -104,15 +107,19 @@ class Coefficients:
     def occurs(self, component: int, k: int) -> bool:
         """Whether the right equations have product k in a component."""
         expected = self._expected_coefficient(component, k)
-        beside = self._K if self._products[k].accelerates or self._right is None else self._right[:, component]
-        return expected is not None and is_there(expected, beside)
+        if expected is None:
+            return False
+        if self._products[k].accelerates or self._right is None:
+            return is_there(expected, self._K)
+        return is_there(expected, np.nan_to_num(self._right[:, component]))
 
     def _expected_coefficient(self, component: int, k: int) -> float | None:
         of = self._products[k]
         if of.accelerates:
             wave = self._waves[of.factors[1:]]
             return -float(self._K[wave, component, self._along.rates.index(of.factors[0])])
-        return None if self._right is None else float(self._right[k, component])
+        expected = math.nan if self._right is None else float(self._right[k, component])
+        return None if math.isnan(expected) else expected
 
 
 def is_there(coefficient: float, beside: Array) -> bool:
@@ -126,8 +133,6 @@ def _name_multiple(expected: float, error: float, own: Sequence[Quantity], other
     `own`: quantities that occur in this place of the equations; `others` name only what should not be there. Of
     quantities with the same value all are named.
     """
-    if abs(expected) <= SAME * abs(error):
-        expected = 0.0
     if not expected:
         return _name_intruder(error, own) or _name_intruder(error, others) or Multiple(error, 0.0, "")
     for multiple in SIMPLE:

@@ -14,7 +14,7 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof import reference
-from mahovik.proof.diagnose.terms.coefficients import Coefficients, Multiple, is_there
+from mahovik.proof.diagnose.terms.coefficients import THERE, Coefficients, Multiple, is_there
 from mahovik.proof.diagnose.terms.directions import (
     Directions,
     along_freedoms,
@@ -192,13 +192,18 @@ class Equations:
         return _Rows(along, self._coefficients(along))
 
     def _coefficients(self, along: Directions) -> Coefficients:
-        right = _right_hand_sides(self._own, self._own_pieces) - np.array(
-            [_other_wrenches(p, self._stand) for p in self._own_pieces]
-        )
+        others = np.array([_other_wrenches(p, self._stand) for p in self._own_pieces]) @ along.rows
+        right = _right_hand_sides(self._own, self._own_pieces) @ along.rows
         motion = Motion.of(self._own, self._own_pieces, np.array([s.V_dot for s in self._own]), self._along)
         products = monomials(self._stand, motion)
         of_laws = LawColumns(self._own_pieces, along.rows)
-        factors = _factors_beside_laws(columns_of(products), right @ along.rows, of_laws)
+        columns = columns_of(products)
+        factors = _factors_beside_laws(columns, right, of_laws)
+        if factors is None and others.any():
+            factors = _factors_beside_laws(columns, right - others, of_laws)
+            if factors is not None:  # of a product that others may hold it is not known whether it should be there
+                there = np.abs(factors) > THERE * np.abs(factors).max(axis=0)
+                factors[~there & others.any(axis=0)] = np.nan
         return Coefficients(products, factors, motion, self._own_pieces, self._stand, along)
 
     @cached_property

@@ -21,8 +21,11 @@ MOST = 24
 PICKS = 12
 """Terms that are looked for one after another, where least squares over all has no single answer."""
 
-EXACT = 1e-7
+EXACT = 1e-11
 """A fit that leaves less of an error than this part, or than its rounding, is the error itself."""
+
+KNOWN = 1e-7
+"""Part of the values of right equations that their products may leave, for the factors to be known."""
 
 PART = 0.01
 """An exact fit leaves at most this part of an error, however large rounding may be."""
@@ -154,7 +157,7 @@ class Columns:
         """Coefficients (m, k) of values (n, k); None where the columns, with the later ones or not, leave something."""
         of = self._sets[int(with_later)]
         c = of.solve(values)
-        if c is None or np.linalg.norm(values - of.columns @ c) > EXACT * np.linalg.norm(values):
+        if c is None or np.linalg.norm(values - of.columns @ c) > KNOWN * np.linalg.norm(values):
             return None
         found = np.zeros((self._size.size, values.shape[1]))
         found[of.places] = c / self._size[of.places, None]

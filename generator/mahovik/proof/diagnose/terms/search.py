@@ -96,6 +96,7 @@ class TermSearchResult:
     wants        those that were looked at
     exact        whether they leave nothing beyond rounding
     besides      wants whose error is no few terms, beside others whose error is
+    looked_at    quantities whose errors were looked at, as want: quantity
     about        the point that moments are about, in words
     freedoms     what the names of equations and speeds of a held carrier stand for
     """
@@ -107,6 +108,7 @@ class TermSearchResult:
     besides: tuple[str, ...] = ()
     about: str = "O1"
     freedoms: str = ""
+    looked_at: tuple[str, ...] = ()
 
     @property
     def whole(self) -> bool:
@@ -203,6 +205,12 @@ class TermSearch:
             tuple(besides),
             point_in_words(self._stand),
             freedoms_in_words(self._stand),
+            tuple(
+                f"{want}: {name}"
+                for want in self.wants
+                if want not in besides
+                for name in sorted({*self._names(want, answers), *ANSWERS[want]})  # V_dot of a hold is S u_dot
+            ),
         )
 
     def _check_repeats(self, answers: Answers) -> None:
@@ -233,14 +241,19 @@ class TermSearch:
             )
         return found
 
+    def _names(self, want: str, answers: Answers) -> tuple[str, ...]:
+        """Quantities that the error of a want is taken from."""
+        names = quantities_of(self._stand, want)
+        of_hold = "u_dot" in names and not set(OF_HELD) & set(self.wants)
+        if of_hold and any("reaction" in answers(request) for request in self._requests[want]):
+            return (*names, "reaction")  # no want of its own tells it; a program may leave it out here too
+        return names
+
     def _collect_answers(self, want: str, answers: Answers) -> tuple[list[int], dict[str, Array]]:
         """Rows of the states that have finite answers, and these by quantity. Raises CheckError: none."""
         rows: list[int] = []
         N, hold = len(self._stand.flywheels), self._stand.hold
-        names = quantities_of(self._stand, want)
-        of_hold = "u_dot" in names and not set(OF_HELD) & set(self.wants)
-        if of_hold and any("reaction" in answers(request) for request in self._requests[want]):
-            names = (*names, "reaction")  # no want of its own tells it; a program may leave it out here too
+        names = self._names(want, answers)
         lengths = {"u_dot": len(hold.freedoms) if hold else 0, "tau": N, "phi_ddot": N}
         found: dict[str, list[Array]] = {name: [] for name in names}
         sizes = [(lengths.get(name, 6),) for name in names]
