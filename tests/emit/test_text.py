@@ -8,10 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from emit.stands import NAMES, float_texts, generated, other_numbers, stand
+from emit.stands import AIR, HELD, NAMES, float_texts, generated, other_numbers, stand
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate, generate_all
 from mahovik.core.emit.layout import WIDTH
+from mahovik.core.program.short_loops import loops_of_no_turn
 from mahovik.core.program.walk import reachable
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, Features, random_stand
@@ -201,3 +202,15 @@ def test_everything_is_in_the_everything_stand() -> None:
     assert layout.stream
     assert layout.flywheel_displaces
     assert EVERYTHING.instruments == layout.instruments
+
+
+@pytest.mark.parametrize("held", [False, True])
+@pytest.mark.parametrize("flywheels", [0, 1, 2])
+def test_few_flywheels_leave_no_idle_loop_or_operation(flywheels: int, held: bool) -> None:
+    """MISRA C:2012, rule 2.2, with tasks of one row; one flywheel leaves nothing between two of them."""
+    given = random_stand(np.random.default_rng(3), flywheels, AIR if held else replace(AIR, tasks=2), "few")
+    one = HELD["hinge5"][2]
+    made = generate_all(replace(given, hold=one) if held else given)
+    assert [f.name for f in made.program.functions if any(loops_of_no_turn(f.body))] == []
+    idle = re.compile(r"(?<![\w.])[01] \* | [+-] 0(?![.\w])| \* [01](?![.\w])")
+    assert [line for line in code_of(made.files["few.c"]).splitlines() if idle.search(line)] == []

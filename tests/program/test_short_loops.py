@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -12,7 +13,7 @@ from mahovik.core.program.idle_calls import without_idle_calls
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.short_loops import without_short_loops
 from mahovik.core.program.statement import Declare, Let, Loop, Note
-from mahovik.core.program.types import Kind
+from mahovik.core.program.types import Kind, NamedCount
 from mahovik.core.program.validate import validate
 from mahovik.core.program.walk import called_names, statements
 from program.small import argument, function, program
@@ -52,9 +53,7 @@ def solver(rows: int) -> Function:
 
 def outputs(f: Function, x: list[float]) -> list[float]:
     """`out` of the function."""
-    checked = program(f)
-    validate(checked)
-    return [float(value) for value in Interpreter(checked).run("f", {"x": x})[1]["out"]]
+    return [float(value) for value in Interpreter(program(f)).run("f", {"x": x})[1]["out"]]
 
 
 NUMBERS = st.lists(st.floats(-1e3, 1e3), min_size=ROWS, max_size=ROWS)
@@ -63,6 +62,7 @@ NUMBERS = st.lists(st.floats(-1e3, 1e3), min_size=ROWS, max_size=ROWS)
 @given(st.integers(1, ROWS), NUMBERS)
 def test_results_keep_their_bits(rows: int, x: list[float]) -> None:
     given_function = solver(rows)
+    validate(program(without_short_loops(given_function)))
     assert list(map(repr, outputs(without_short_loops(given_function), x))) == list(
         map(repr, outputs(given_function, x))
     )
@@ -73,6 +73,21 @@ def test_one_row_has_no_loops() -> None:
     assert not any(isinstance(s, Loop | Note) for s in body)
     names = [s.variable.name for s in body if isinstance(s, Let | Declare)]
     assert len(names) == len(set(names)) == 2
+
+
+def test_a_loop_of_no_turn_is_no_program() -> None:
+    """Also where only the index of the loop around it shows that, over flywheels of which there is one."""
+    count = NamedCount("N", 1)
+
+    def write(body: Body, x: Place, out: Place) -> None:
+        with body.loop("i", count) as i, body.loop("k", i) as k:
+            body.set(out[i], x[k])
+
+    arguments = [argument("x", Kind.REAL, (ROWS,)), argument("out", Kind.REAL, (ROWS,), "out")]
+    f = function("f", arguments, write)
+    with pytest.raises(ValueError, match="f: the loop over k has no turn"):
+        validate(program(f))
+    assert not list(statements(without_short_loops(f).body))
 
 
 def test_a_function_with_longer_loops_alone_stays_the_same() -> None:

@@ -19,7 +19,7 @@ from mahovik.core.stand import load
 from mahovik.core.stand.identity import identities
 from mahovik.errors import CheckError, ToolchainError, UsageError
 from mahovik.out.cli import main
-from mahovik.proof.evidence.collect import select_pieces
+from mahovik.proof.evidence.collect import collect, select_pieces
 from mahovik.proof.evidence.folder import check
 from mahovik.proof.evidence.page import GENERAL, conclusion, failures
 from mahovik.proof.evidence.piece import Outcome, Subject, Tell, Verdict
@@ -272,3 +272,28 @@ def test_demo3_passes(tmp_path: Path, real: str, more: list[str]) -> None:
             text = each.read_text(encoding="utf-8", errors="replace")
             assert str(tmp_path) not in text, each
             assert "mahovik-" not in text or "mahovik-dev" in text, each
+
+
+WHEEL = """
+[[flywheel]]
+name = "wheel{0}"
+position = ["{0}50 mm", 0, "-80 mm"]
+mass = "2.4 kg"
+spin_inertia = "191 kg cm^2"
+transverse_inertia = ["105 kg cm^2", "115 kg cm^2"]
+unbalance = {{ static = "15 g mm", dynamic = "220 g mm^2" }}
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("hold", ["", 'hold = { freedoms = ["yaw"] }\n'])
+@pytest.mark.parametrize("flywheels", [0, 1, 2])
+def test_stands_of_few_flywheels_pass(tmp_path: Path, flywheels: int, hold: str) -> None:
+    """README's telescope, with its wheel, with none and with two, free and on a bearing."""
+    head = 'schema = 1\nname = "telescope"\ncarrier = { mass = "60 kg", inertia = [4.1, 3.6, 2.9] }\n'
+    text = head + hold + "".join(WHEEL.format(number + 1) for number in range(flywheels))
+    (tmp_path / "telescope.toml").write_text(text)
+    wanted = {"delivery", "equations", "selftest", "comparison", "warnings", "misra"}
+    given = load(tmp_path / "telescope.toml")
+    found = collect(given, text.encode(), tmp_path / "out", all_pieces.PIECES, wanted=wanted)
+    assert [(each.piece.name, each.outcome.figure) for each in found if each.outcome.verdict is Verdict.FAILED] == []

@@ -53,7 +53,7 @@ from mahovik.core.lower.task.functions import add_tasks
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.idle_calls import without_idle_calls
 from mahovik.core.program.restrict import restrict_program
-from mahovik.core.program.short_loops import without_short_loops
+from mahovik.core.program.short_loops import loops_of_no_turn, without_short_loops
 from mahovik.core.program.types import Precision, Struct
 from mahovik.core.program.validate import validate
 from mahovik.core.program.walk import reachable
@@ -208,9 +208,11 @@ def _program(lib: Library) -> Program:
     if layout.flywheels:
         turning = (flywheels.sum_spin(lib, steady, apart=True) for steady in (True, False))
         spare = (flywheels.sum_mass(lib, apart=True), *turning)
-    functions = reachable(lib.functions)
-    if layout.held:  # matrices of one freedom have one row, and clamped carriers no equations
-        functions = without_idle_calls(tuple(map(without_short_loops, functions)))
+    functions = tuple(  # matrices of one freedom have one row
+        without_short_loops(f) if layout.held or any(loops_of_no_turn(f.body)) else f for f in reachable(lib.functions)
+    )
+    if layout.held:  # clamped carriers have no equations
+        functions = without_idle_calls(functions)
     program = Program(layout.structure.name, layout.precision, counts, _structs(lib), functions, spare)
     if layout.held:  # without the structs of what only a free carrier has
         public = [f.name for f in functions if f.public]

@@ -248,6 +248,9 @@ class Binary(Pair):
         super().__init__(operator, left, right)
         self.kind = left.kind
 
+    def with_operands(self, part: Callable[[Expr], Expr]) -> Expr:
+        return binary(self.operator, part(self.left), part(self.right))
+
 
 class Compare(Pair):
     """a < b and the like; `==` and `!=` for integers only."""
@@ -307,8 +310,24 @@ def _pair(left: Operand, right: Operand) -> tuple[Expr, Expr]:
 
 
 def binary(operator: str, left: Operand, right: Operand) -> Expr:
-    """left op right; the shift count of << and >> is a word."""
-    return Binary(operator, *_pair(left, right))
+    """left op right; the shift count of << and >> is a word. Integers plus 0 or times 1 are what they are."""
+    a, b = _pair(left, right)
+    if a.kind is not Kind.INT or operator not in "+-*":
+        return Binary(operator, a, b)
+    m, n = literal(a), literal(b)
+    if m is not None and n is not None:
+        return integer(m + n if operator == "+" else m - n if operator == "-" else m * n)
+    neutral = 1 if operator == "*" else 0
+    if n == neutral or (operator == "*" and m == 0):
+        return a
+    if (m == neutral and operator != "-") or (operator == "*" and n == 0):
+        return b
+    return Binary(operator, a, b)
+
+
+def literal(e: Expr) -> int | None:
+    """Value of a literal integer, or None. A named constant is none: it stands for what has that name."""
+    return int(e.value) if isinstance(e, Const) and e.kind is Kind.INT and not e.name else None
 
 
 def compare(operator: str, left: Operand, right: Operand) -> Expr:

@@ -1,47 +1,73 @@
 """Removes loops of no turn, and prints those of one turn as what they do: matrices of one row need none.
 
-Lowering code loops over the rows of a matrix. Of a carrier with one freedom these loops would count from 0 to 0 or run
-once, which a reader has to work out and MISRA C rejects as dead code (rule 2.2). Operations and their order stay.
+Lowering code loops over the rows of a matrix. Of one freedom, flywheel or row of a task these loops would count from 0
+to 0 or run once, which a reader has to work out and MISRA C rejects as dead code (rule 2.2). Operations and their order
+stay.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from mahovik.core.program.call import Call
-from mahovik.core.program.expression import Binary, Const, Expr, Place, Select, Variable
+from mahovik.core.program.expression import Binary, Const, Expr, Place, Select, Variable, literal
 from mahovik.core.program.function import Function
 from mahovik.core.program.rewrite import FreshNames, rebuilt, substitution
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, Statements, When
 from mahovik.core.program.types import Kind
-from mahovik.core.program.walk import statements, with_blocks
+from mahovik.core.program.walk import blocks, statements, with_blocks
 
 Meanings = dict[int, Expr]
 
 
 def without_short_loops(function: Function) -> Function:
-    """The function without loops whose literal bounds leave none or one turn; itself if it has none."""
+    """The function without loops of no turn, nor of one turn between literal bounds; itself if it has none."""
     loops = [s for s in statements(function.body) if isinstance(s, Loop)]
-    if not any(_turns(loop.start, loop.stop) in (0, 1) for loop in loops):
+    if not any(loops_of_no_turn(function.body)) and all(_turns(loop.start, loop.stop) != 1 for loop in loops):
         return function
     return replace(function, body=_Rewriter(function).block(function.body, {}))
 
 
+def loops_of_no_turn(body: Statements) -> Iterator[Loop]:
+    """Outermost loops whose bounds leave no turn, whatever the indices of the loops around them are."""
+    return _loops_of_no_turn(body, {})
+
+
+def _loops_of_no_turn(body: Statements, ranges: dict[int, tuple[int, int]]) -> Iterator[Loop]:
+    """`ranges`: least and largest value of variables, by their `id`."""
+    for s in body:
+        if isinstance(s, Let) and (among := _range(s.value, ranges)):
+            ranges[id(s.variable)] = among
+        if isinstance(s, Loop):
+            first, last = _range(s.start, ranges), _range(s.stop, ranges)
+            if first and last and last[1] <= first[0]:
+                yield s
+                continue
+            if first and last:
+                ranges[id(s.index)] = first[0], last[1] - 1
+        for inner in blocks(s):
+            yield from _loops_of_no_turn(inner, ranges)
+
+
+def _range(e: Expr, ranges: dict[int, tuple[int, int]]) -> tuple[int, int] | None:
+    """Least and largest value of an integer expression, or None where that is not known."""
+    if isinstance(e, Const) and e.kind is Kind.INT:
+        return int(e.value), int(e.value)
+    if isinstance(e, Place) and not e.path:
+        return ranges.get(id(e.root))
+    if isinstance(e, Binary) and e.kind is Kind.INT and e.operator in "+-":
+        left, right = _range(e.left, ranges), _range(e.right, ranges)
+        if left and right:
+            low, high = right if e.operator == "+" else (-right[1], -right[0])
+            return left[0] + low, left[1] + high
+    return None
+
+
 def _turns(start: Expr, stop: Expr) -> int | None:
     """Number of turns between literal bounds, or None."""
-    first, last = _literal(start), _literal(stop)
+    first, last = literal(start), literal(stop)
     return None if first is None or last is None else max(last - first, 0)
-
-
-def _literal(e: Expr) -> int | None:
-    """Value of an integer expression of literals. A named constant is none: its loop is over what has that name."""
-    if isinstance(e, Const) and e.kind is Kind.INT and not e.name:
-        return int(e.value)
-    if isinstance(e, Binary) and e.kind is Kind.INT and e.operator in "+-":
-        left, right = _literal(e.left), _literal(e.right)
-        if left is not None and right is not None:
-            return left + right if e.operator == "+" else left - right
-    return None
 
 
 class _Rewriter:
@@ -55,6 +81,7 @@ class _Rewriter:
                     names.append(variable.name)
         self._shared = {name for name in names if names.count(name) > 1}
         self._fresh = FreshNames(names)
+        self._idle = {id(loop) for loop in loops_of_no_turn(function.body)}
 
     def block(self, body: Statements, meanings: Meanings, moved: bool = False) -> Statements:
         """The statements without short loops; a note before a loop that is gone goes with it.
@@ -76,7 +103,7 @@ class _Rewriter:
         match s:
             case Let(variable, value):
                 new = _expr(value, meanings)
-                number = _literal(new)
+                number = literal(new)
                 if number is not None:
                     meanings[id(variable)] = Const(number, Kind.INT)
                     return ()
@@ -103,8 +130,8 @@ class _Rewriter:
 
     def _loop(self, s: Loop, meanings: Meanings) -> Statements:
         start, stop = _expr(s.start, meanings), _expr(s.stop, meanings)
-        turns, first = _turns(start, stop), _literal(start)
-        if turns == 0:
+        turns, first = _turns(start, stop), literal(start)
+        if id(s) in self._idle:
             return ()
         if turns == 1 and first is not None:
             meanings[id(s.index)] = Const(first, Kind.INT)
@@ -123,14 +150,8 @@ class _Rewriter:
 
 
 def _expr(e: Expr, meanings: Meanings) -> Expr:
-    """The expression with the meanings of its variables, and with indices of literals as one literal."""
-    substituted = substitution(meanings)
-
-    def leaf(place: Place) -> Expr:
-        path = tuple(_fold(step) if isinstance(step, Expr) else step for step in place.path)
-        return substituted(Place(place.root, path, place.type, place.shape))
-
-    return _without_idle_choices(rebuilt(e, leaf))
+    """The expression with the meanings of its variables."""
+    return _without_idle_choices(rebuilt(e, substitution(meanings)))
 
 
 def _without_idle_choices(e: Expr) -> Expr:
@@ -147,11 +168,6 @@ def _place(place: Place, meanings: Meanings) -> Place:
     return found
 
 
-def _fold(e: Expr) -> Expr:
-    number = _literal(e)
-    return e if number is None else Const(number, Kind.INT)
-
-
 def _is_overwritten(s: Statement, later: Statement) -> bool:
     """Does the next statement give another value to what this one sets to a literal?"""
     if not (isinstance(s, Set) and isinstance(later, Set)) or s.add or later.add:
@@ -166,6 +182,6 @@ def _are_same(a: Place, b: Place) -> bool:
         if isinstance(one, str) or isinstance(two, str):
             if one != two:
                 return False
-        elif (number := _literal(one)) is None or number != _literal(two):
+        elif (number := literal(one)) is None or number != literal(two):
             return False
     return True

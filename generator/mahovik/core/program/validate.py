@@ -1,9 +1,10 @@
-"""Checks of a program that C would only warn of: no name hides another, nothing is used before it is declared."""
+"""Checks of a program that C would only warn of: no name hides another, no use before a declaration, no idle loop."""
 
 from __future__ import annotations
 
 from mahovik.core.program.expression import Expr, Place, Variable
 from mahovik.core.program.function import Function, Program
+from mahovik.core.program.short_loops import loops_of_no_turn
 from mahovik.core.program.statement import Declare, Let, Loop, Statements
 from mahovik.core.program.types import Kind
 from mahovik.core.program.walk import blocks, called_names, inside, own, statements, used_variables
@@ -24,6 +25,8 @@ def validate(program: Program) -> None:
         scope = {a.name: id(a.variable) for a in function.arguments}
         _check_block(function, function.body, scope)
         used = used_variables(function.body)
+        for loop in loops_of_no_turn(function.body):
+            raise ValueError(f"{function.name}: the loop over {loop.index.name} has no turn")
         for s in statements(function.body):
             if isinstance(s, Let | Declare) and id(s.variable) not in used:
                 raise ValueError(f"{function.name}: {s.variable.name} is never used")
