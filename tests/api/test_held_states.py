@@ -99,3 +99,9 @@ def test_coordinates_that_a_hold_does_not_have_are_refused_in_a_line() -> None:
     with pytest.raises(InputError, match=r"u: the stand has no \[hold\], expected V"):
         free.state(u=[1.0])
     assert math.isclose(free.state().attitude[0], 1.0)
+
+
+def test_inverse_of_a_clamped_carrier_is_refused_in_a_line() -> None:
+    model = model_of("freedoms = []", TEXT.replace("pivot = [0, 0, -0.2]\n", ""))
+    with pytest.raises(InputError, match=r'^inverse: no "inverse" of a hold that clamps the carrier, ask for forward$'):
+        model.inverse(model.states(2), np.zeros((2, 0)))

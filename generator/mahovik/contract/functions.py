@@ -354,8 +354,8 @@ def hold_fault(want: Sequence[str], held: bool) -> str:
 def inverse_fault(freedoms: int, flywheels: int) -> str:
     """Why a held carrier with these numbers of freedoms and flywheels has no `inverse`; "" where it has one."""
     if not freedoms:
-        return 'want: no "inverse" of a hold that clamps the carrier, ask for forward'
-    return "" if flywheels else 'want: no "inverse" of a held carrier without flywheels, ask for forward'
+        return 'no "inverse" of a hold that clamps the carrier, ask for forward'
+    return "" if flywheels else 'no "inverse" of a held carrier without flywheels, ask for forward'
 
 
 def task_of(function: str) -> str:

@@ -10,7 +10,7 @@ from typing import Any, Literal, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mahovik.contract.functions import row_of, task_of
+from mahovik.contract.functions import inverse_fault, row_of, task_of
 from mahovik.contract.quantities import BOUNDS
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, record
@@ -186,10 +186,7 @@ class Built(MakesStates):
         given: Mapping[str, Any],
     ) -> tuple[dict[str, Array], NDArray[np.int32], bool]:
         """Outputs, statuses, and whether they are of a single state."""
-        f = self._made.functions.get(function)
-        if f is None:
-            what = {"sensors": "instruments or points", "held": "[hold]"}.get(needs := row_of(function).needs, needs)
-            raise InputError(f"{function}: the stand has no {what}")
+        f = self._function(function)
         parts: dict[str, Array] = {}
         alike: dict[str, Array] = {}
         given = dict(given)
@@ -218,6 +215,16 @@ class Built(MakesStates):
             alike["carry"] = self._carry_records(f, carry, n)
         found, status = self._call.run(function, parts | alike, 1 if n is None else n, on_error, tables)
         return found, status, n is None
+
+    def _function(self, name: str) -> ArrayFunction:
+        """A function of the C. Raises InputError: this stand's has none of that name."""
+        found = self._made.functions.get(name)
+        if found is None:
+            hold, needs = self._stand.hold, row_of(name).needs
+            what = {"sensors": "instruments or points", "held": "[hold]"}.get(needs, needs)
+            fault = inverse_fault(len(hold.freedoms), len(self._flywheels)) if hold and name == "inverse" else ""
+            raise InputError(f"{name}: {fault or f'the stand has no {what}'}")
+        return found
 
     def _check_tables(self, tables: Any, n: int | None) -> int:
         """The number of states with these tables; one state stands for all. Raises InputError."""
@@ -286,7 +293,7 @@ class Built(MakesStates):
                 if given is not None:
                     inputs.read(given, name, 0, (), "flywheel")
             return []
-        a = next(a for a in self._made.functions["inverse"].arguments if a.name == "options")
+        a = next(a for a in self._function("inverse").arguments if a.name == "options")
         found = np.zeros(1, dtype=record(a.members, self._element))
         for name, value in self._made.options.items():
             found[name] = value

@@ -18,7 +18,7 @@ from mahovik.core.stand.schema import FlywheelTable, UnbalanceTable
 from mahovik.core.stand.units import show
 from mahovik.errors import StandError, UsageError
 from mahovik.nearest import suggestion
-from mahovik.out.api.paths import plain_paths
+from mahovik.out.api.paths import plain_paths, shown_path
 
 
 def exact(value: Any) -> Any:
@@ -50,7 +50,7 @@ def put(document: dict[str, Any], changes: Mapping[str, Any]) -> None:
         else:
             _put_one(document, path, value)
     for table, keys in unbalances.items():
-        place = _holder(document, table, f"{table}.{next(iter(keys))}")
+        place = _holder(document, table, shown_path(f"{table}.{next(iter(keys))}"))
         if isinstance(place, dict) and ("inertia" in place or "center_of_mass" in place):
             place.update(_unbalance_keys(document, place, keys))
         else:
@@ -66,8 +66,9 @@ def _holder(document: dict[str, Any], key: str, path: str) -> Any:
     return place
 
 
-def _put_one(document: dict[str, Any], path: str, value: Any) -> None:
-    place, last = _holder(document, path, path), path.rpartition(".")[2]
+def _put_one(document: dict[str, Any], plain: str, value: Any) -> None:
+    path = shown_path(plain)
+    place, last = _holder(document, plain, path), plain.rpartition(".")[2]
     if isinstance(place, list):
         number = _number(place, last, path)
         if value is None:

@@ -52,6 +52,13 @@ def plain_paths(document: dict[str, Any], path: str) -> list[str]:
     return [".".join(each) for each in found]
 
 
+def shown_path(plain: str) -> str:
+    """A path of keys and numbers joined by dots as campaigns name it: `leg[1].stiffness`, `w1.inertia.J12`."""
+    element = re.compile(r"(?<=\binertia)\.([0-2])\.([0-2])$")
+    plain = element.sub(lambda found: f".J{int(found[1]) + 1}{int(found[2]) + 1}", plain)
+    return re.sub(r"\.(\d+)(?=\.|$)", r"[\1]", plain)
+
+
 def _bodies_by_name(document: dict[str, Any]) -> dict[str, dict[str, Any]]:
     lists = [items for items in document.values() if isinstance(items, list)]
     return {item["name"]: item for items in lists for item in items if isinstance(item, dict) and "name" in item}

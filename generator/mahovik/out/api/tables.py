@@ -15,6 +15,7 @@ from mahovik.core.stand.read import read
 from mahovik.core.stand.structure import structure
 from mahovik.errors import InputError, StandError, UsageError
 from mahovik.out.api.compiled import CompiledLibrary, lower_structure
+from mahovik.out.api.paths import shown_path
 from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.variants import Variants, change_values, variants
@@ -75,7 +76,7 @@ class Tables:
         return self.base.replace(self.samples.values(int(number) % n))
 
     def __repr__(self) -> str:
-        names = list(self.samples.given)
+        names = list(map(shown_path, self.samples.given))
         paths = ", ".join(names if len(names) <= 4 else [*names[:3], f"{len(names) - 3} more"]) or "nothing"
         return f"<Tables of {len(self)} stands {self.base.name}: {paths}; {self.real}>"
 
@@ -88,7 +89,7 @@ def _refuse_numbers_of_holds(stand: Stand, samples: Samples) -> None:
         keys = path.split(".")
         if keys[0] == "hold" and not {*keys[1:2]} & {*PLACE_OF_HOLD, "friction", "stop"}:
             raise UsageError(
-                f"{path}: decides how the carrier can move, the same for all samples; make a model of each"
+                f"{shown_path(path)}: decides how the carrier can move, the same for all samples; make a model of each"
             )
 
 

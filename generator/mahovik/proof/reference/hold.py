@@ -188,7 +188,7 @@ def answer_inverse(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) ->
     """phi_ddot (N), status, residual (m), sigma (min(m, N)), rank. StateError: no freedoms, or no flywheels."""
     hold = _hold(stand)
     if fault := inverse_fault(len(hold.freedoms), len(at.flywheels)):
-        raise StateError(fault)
+        raise StateError(f"want: {fault}")
     found = held_inverse(at, hold, vector(state.V_dot), cuts)
     needed = motor_shares(stand, at, held_forward(at, hold, found.phi_ddot).V_dot, found.phi_ddot)
     return dict(vars(found)) | {"status": with_excess(found.status, needed)}

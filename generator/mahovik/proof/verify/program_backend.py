@@ -73,7 +73,7 @@ class FunctionBackend(ABC):
                 raise StateError(f'want: no "{name}" of a hold {lacks}, ask for forward')
             own = self.layout.held and name == "inverse"
             if own and (fault := inverse_fault(self.layout.freedoms, self.layout.flywheels)):
-                raise StateError(fault)
+                raise StateError(f"want: {fault}")
         missing = [body for body in state.wrench if body not in self.inputs]
         if missing:
             raise StateError(f'wrench: the C takes none on "{missing[0]}": set `wrench_input = true` in the stand file')

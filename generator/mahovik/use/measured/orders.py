@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.errors import InputError
+from mahovik.use.measured.quantities import si_unit
 from mahovik.use.measured.recording import Array, Channel, Recording
 
 TURNS = 16
@@ -89,8 +90,9 @@ def order_map(
     if not rows:
         raise InputError(f"{recording.source}: {flywheel}: fewer than {FEWEST} samples in {TURNS} turns")
     sequence = np.argsort(speeds, kind="stable")
-    unit = "m/s2" if channel.quantity == "acceleration" else "rad/s" if channel.quantity == "rate" else ""
-    return OrderMap(flywheel, channel.label, unit, np.array(speeds)[sequence], orders, np.array(rows)[sequence])
+    return OrderMap(
+        flywheel, channel.label, si_unit(channel), np.array(speeds)[sequence], orders, np.array(rows)[sequence]
+    )
 
 
 def merge_maps(maps: Sequence[OrderMap], rows: int = 24) -> OrderMap:

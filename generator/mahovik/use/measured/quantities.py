@@ -25,7 +25,7 @@ from mahovik.core.stand.units import (
     factor,
 )
 from mahovik.nearest import suggestion
-from mahovik.use.measured.recording import Kind
+from mahovik.use.measured.recording import Channel, Kind
 
 AXES = ("x", "y", "z")
 WRENCH = {**dict.fromkeys(AXES, FORCE), **dict.fromkeys(("k", "m", "n"), TORQUE)}
@@ -57,6 +57,12 @@ GRAVITIES = {"g": Fraction("9.80665"), "mg": Fraction("0.00980665"), "m/s/s": Fr
 
 _HEADER = re.compile(r"\s*([^\[\]]*?)\s*(?:\[\s*([^\[\]]*?)\s*\])?\s*")
 _PART_OF_TURN = re.compile(r"1\s*/\s*(\d{1,9})\s*(?:turn|rev|revolution)s?")
+
+
+def si_unit(channel: Channel) -> str:
+    """The SI unit of a channel's values, as pages write it: "m/s2"; "" of a count."""
+    of_kind = QUANTITIES["flywheel" if channel.kind == "mount" else channel.kind]
+    return of_kind[channel.quantity][channel.component].si.replace("^", "")
 
 
 class HeaderError(ValueError):
