@@ -21,7 +21,7 @@ BENCH_READY := $(BENCH)/.ready
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
 	@echo "make test       the same, then the tests"
-	@echo "make test-slow  the longest of the tests, of their cases a fifth, another with each commit in CI: minutes"
+	@echo "make test-slow  the longest of the tests, of their cases a fifth: minutes"
 	@echo "make test-all   every test, of the slow ones every case: an hour"
 	@echo "make net        hashes of the C of 67 stands and answers of every study, compared with those kept in tests/net"
 	@echo "make setup      virtual environment in .venv with mahovik and its pictures (run .venv/bin/mahovik)"
@@ -95,7 +95,7 @@ test test-slow test-all: export PYTHONDONTWRITEBYTECODE :=
 test: demo setup-test
 	$(BIN)/python -m pytest -q -n 2 --dist worksteal
 
-# One case in five of each slow test; MAHOVIK_SAMPLE_SEED chooses which (tests/toolchain/sampled.py).
+# One case in five of each slow test, always the same ones (tests/toolchain/sampled.py).
 test-slow: setup-test
 	MAHOVIK_SAMPLE_SHARE=5 $(BIN)/python -m pytest -q -n 2 --dist worksteal -m slow
 

@@ -88,7 +88,6 @@ CAMPAIGN = Campaign(
     "python",
     campaign.Block("docs/results/python.md", "speed"),
     page,
-    ("out/api", "api_speed.py"),
 )
 
 

@@ -10,12 +10,11 @@ from __future__ import annotations
 
 import re
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from random import Random
 
 import campaign
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 
 from mahovik.core.stand import load
 from mahovik.core.toolchain.board import build, run, version
@@ -110,21 +109,10 @@ def page(found: Figures) -> str:
     )
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """A run again: every figure, and the bits by their hash."""
-    board, real, failure = rng.choice(RUNS)
-    now = row(board, real, failure)
-    (kept,) = (r for r in found["rows"] if all(r[key] == now[key] for key in ("board", "real", "flywheel")))
-    for key, value in now.items():
-        yield Measured(f"{board}, {real}, {failure}: {key}", kept[key], value)
-
-
 CAMPAIGN = Campaign(
     "attitude-loop",
     campaign.Block("docs/results/attitude-loop.md", "figures: tools/attitude_loop.py"),
     page,
-    ("attitude_loop.py", "use/control", "out/export"),
-    sample,
 )
 
 

@@ -9,12 +9,10 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Iterator
-from random import Random
 from typing import Any
 
 import campaign
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 
 sys.path.insert(0, str(campaign.ROOT / "tests"))
 
@@ -88,22 +86,10 @@ def _small(words: str) -> str:
     return words[:1].lower() + words[1:]
 
 
-def sample(kept: Figures, random: Random) -> Iterator[Measured]:
-    """Two audits again."""
-    for row in random.sample(kept["rows"], 2):
-        again = row_of(row["name"])
-        kept_names, names = (sorted(each["named"]) for each in (row, again))
-        yield Measured(row["name"], [row["differing"], kept_names], [again["differing"], names])
-        if row["worst"] > LARGE:
-            yield Measured(f"{row['name']}, largest difference", row["worst"], again["worst"], 1.01)
-
-
 CAMPAIGN = Campaign(
     "audits",
     campaign.Block("docs/results/audits.md", "audits"),
     page,
-    ("proof", "audits_campaign.py", "tests/audits"),
-    sample,
 )
 
 

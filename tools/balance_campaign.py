@@ -5,14 +5,12 @@ python tools/balance_campaign.py
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
-from random import Random
 from typing import Any
 
 import campaign
 import numpy as np
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 
 import mahovik
 from mahovik.use.balance.polar import read_polar, write_polar
@@ -124,20 +122,10 @@ def page(figures: Figures) -> str:
     return f"{TABLE.text(figures['rows'])}\n\n{words}"
 
 
-def sample(figures: Figures, rng: Random) -> Iterator[Measured]:
-    """All cases again: they take a second."""
-    for kept, now in zip(figures["rows"], TABLE.rows(case.line() for case in CASES), strict=True):
-        name = f"{kept['source']}, {kept['case']}"
-        yield Measured(f"{name}, found", kept["found"], now["found"])
-        yield Measured(f"{name}, left", kept["left by printed"], now["left by printed"], 1.0 + 1e-9)
-
-
 CAMPAIGN = Campaign(
     "balancing",
     campaign.Block("docs/results/balancing.md", "published: tools/balance_campaign.py"),
     page,
-    ("use/balance", "out/functions/balancing.py", "balance_campaign.py"),
-    sample,
 )
 
 

@@ -21,5 +21,4 @@ CAMPAIGN = Campaign(
     "benchmarks",
     campaign.Block("docs/results/benchmarks.md", "figures: bench/mahovik_bench"),
     page,
-    ("proof", "bench/mahovik_bench", "bench_campaign.py"),
 )

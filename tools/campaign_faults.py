@@ -207,7 +207,6 @@ CAMPAIGN = Kept(
     "campaign-faults",
     campaign.Block("docs/results/campaign-faults.md", "faults"),
     page,
-    ("out/campaign", "campaign_faults.py"),
 )
 
 

@@ -289,7 +289,6 @@ CAMPAIGN = Kept(
     "campaigns",
     campaign.Block("docs/results/campaigns.md", "scale"),
     page,
-    ("out/campaign", "out/api", "campaign_scale.py"),
 )
 
 

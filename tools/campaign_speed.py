@@ -189,7 +189,6 @@ CAMPAIGN = Campaign(
     "campaign-speed",
     campaign.Block("docs/results/campaign-speed.md", "speed"),
     page,
-    ("out/api", "out/campaign", "campaign_speed.py", "tables_speed.py"),
 )
 
 

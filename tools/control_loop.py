@@ -7,13 +7,12 @@ from __future__ import annotations
 
 import math
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from random import Random
 
 import campaign
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.literal import real_literal
@@ -154,10 +153,6 @@ def counts_of(board: Silicon, ticks: int) -> Counts:
     return found[0]
 
 
-SHORT = 4000
-"""Ticks of a run of the sample."""
-
-
 def _title(board: Silicon) -> str:
     return f"{board.name}: {TARGETS[board.target].title.split(',')[0]}, {board.real}"
 
@@ -217,27 +212,10 @@ def page(found: Figures) -> str:
     return text
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """A shorter run of a board: its most costly tick and stages are nearly those of the long one."""
-    board = rng.choice(BOARDS)
-    title = _title(board)
-    now = counts_of(board, SHORT)
-    for key, counts in (("stages", now.stages), ("whole ticks", now.ticks)):
-        for row in found[key]:
-            name = row.get("stage", row.get("tick"))
-            yield Measured(f"{title}, {name}", row[title], counts[name], 1.05)
-    (kept,) = (each for each in found["runs"] if each["board"] == title)
-    yield Measured(
-        f"{title}, followed at most", kept["followed, um"], max(kept["followed, um"], now.followed * 1e6), 1.1
-    )
-
-
 CAMPAIGN = Campaign(
     "control-loop",
     campaign.Block("docs/results/control-loop.md", "figures: tools/control_loop.py"),
     page,
-    ("control_loop.py",),
-    sample,
 )
 
 

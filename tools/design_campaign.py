@@ -10,13 +10,12 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from random import Random
 
 import campaign
 import numpy as np
-from kept import Campaign, Columns, Figures, Measured, plain
+from kept import Campaign, Columns, Figures
 from plan_stands import PERIOD, campaign_motion, campaign_stand
 
 from mahovik.core.motion.required import RequiredMotion
@@ -112,24 +111,10 @@ def page(found: Figures) -> str:
     )
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """A row of two flywheels again; its residuals are rounding."""
-    k = rng.randrange(2)
-    kept, seeds = found["rows"][k], campaign.seeds(found["first"], found["stands"])
-    (now,) = TABLE.rows([line(ROWS[k], [outcome(ROWS[k], seed) for seed in seeds])])
-    now = plain(now)
-    for key in ("motion", "flywheels", "relative residual asked", "found", "verified as exact"):
-        yield Measured(f"{ROWS[k].name}, {key}", kept[key], now[key])
-    for key in ("median residual", "worst"):
-        yield Measured(f"{ROWS[k].name}, {key}", kept[key], now[key], 10.0)
-
-
 CAMPAIGN = Campaign(
     "design",
     campaign.Block("docs/results/design.md", "campaign: tools/design_campaign.py --write"),
     page,
-    ("proof", "use/design", "use/plan", "design_campaign.py", "plan_stands.py"),
-    sample,
 )
 
 

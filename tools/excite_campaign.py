@@ -8,13 +8,11 @@ bench8 on its suspension with one IMU. Exit status 1 where the mean variance is 
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
 from dataclasses import dataclass
-from random import Random
 from typing import Any
 
 import campaign
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 
 import mahovik
 from mahovik.out.identify.excite.face import Excitation
@@ -76,20 +74,10 @@ def page(found: Figures) -> str:
     return COLUMNS.text(found["rows"])
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """The short experiment again, its constant speeds alone: these need no search."""
-    kept = next(row for row in found["rows"] if row["s"] == 1.0)
-    excited = mahovik.excite(bench8(), duration=1.0, seconds=1e-3, **SPEEDS)
-    yield Measured("mean variance at constant speeds", kept["at constant speeds"], excited.even.quality.mean_variance,
-                   1.001)  # fmt: skip
-
-
 CAMPAIGN = Campaign(
     "excite",
     campaign.Block("docs/results/excite.md", "campaign: tools/excite_campaign.py --write"),
     page,
-    ("out/identify", "out/campaign", "out/api", "use/simulate", "use/study/rest.py", "excite_campaign.py"),
-    sample,
 )
 
 

@@ -11,7 +11,6 @@ import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
-from random import Random
 from typing import Any
 
 import campaign
@@ -26,7 +25,7 @@ from explain_planting import (
     plant_in_numbers,
 )
 from explain_rewriting import SECOND, rewritten
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 
 from mahovik.contract.laws import part
 from mahovik.core.stand.model import Stand
@@ -326,27 +325,10 @@ def page(found: Figures) -> str:
     )
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """Some faults of which every planting was named first, in the smallest stand; and a correct program."""
-    number = min(range(found["stands"]), key=lambda k: COUNTS[k % len(COUNTS)])
-    *_, stand = campaign_stands(number + 1)
-    named = {row["fault"] for row in found["faults"] if row["planted"] == row["named first"] > 0}
-    faults = [fault for fault in DICTIONARY if fault.name in named and visible(stand, fault)]
-    for fault in rng.sample(faults, 6):
-        found_first = diagnoser_of(stand).diagnose(FaultyProgram(stand, (Part(fault),)).answer)
-        yield Measured(f"{fault.name}, named", True, verdict(found_first, [fault.name]) in ("alone", "equals"))
-    for row in found["correct"]:
-        if row["correct program"] == "literal reference":
-            false = diagnoser_of(stand).diagnose(literal(stand)).outcome not in ("equal", "rounding")
-            yield Measured("literal reference, given a fault", row["given a fault"] > 0, false)
-
-
 CAMPAIGN = Campaign(
     "diagnosis",
     campaign.Block("docs/results/diagnosis.md", "campaign: tools/explain_campaign.py --write"),
     page,
-    ("proof", "explain_campaign.py", "explain_deriving.py", "explain_planting.py", "explain_rewriting.py"),
-    sample,
 )
 
 

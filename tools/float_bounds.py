@@ -7,11 +7,10 @@ python tools/float_bounds.py [--stands 48] [--states 40] [--jobs 2]
 from __future__ import annotations
 
 from collections.abc import Iterator
-from random import Random
 
 import campaign
 import numpy as np
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 from random_stands import random_stands, verify_random
 
 from mahovik.core.stand.model import Stand
@@ -87,27 +86,10 @@ def page(found: Figures) -> str:
     )
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """The bounds as they are now; a stand: no difference of it is above the largest that was found."""
-    for row in found["rows"]:
-        yield Measured(f"bound of {row['quantity']}", row["bound"], FLOAT.of(row["want"], row["quantity"]))
-    yield Measured("units assumed", found["units_assumed"], FACTOR)
-    number = rng.randrange(len(names()))
-    _, worst = measure_stand(number, found["states"])
-    kept = {(row["want"], row["quantity"]): row["worst measured"] for row in found["rows"]} | {
-        (UNITS, ""): found["units"]
-    }
-    for (want, quantity), most in kept.items():
-        now = worst.get((want, quantity), 0.0)
-        yield Measured(f"{names()[number]}, {want} {quantity} at most", most, max(most, now), 1.5)
-
-
 CAMPAIGN = Campaign(
     "verification-float",
     campaign.Block("docs/results/verification.md", "float: tools/float_bounds.py"),
     page,
-    ("proof", "use/study", "float_bounds.py", "random_stands.py"),
-    sample,
 )
 
 

@@ -7,12 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from random import Random
 from typing import Any
 
 import campaign
 import numpy as np
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion, load_motion
@@ -135,34 +134,10 @@ def programme_of(stand: Stand, motion: RequiredMotion, winding: Winding) -> Prog
     return plan_motion(stand, motion, PlanOptions(0, None, winding, 1), None).programmes[0]
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """The causes of a programme again, and its winding and trim."""
-    name = rng.choice(list(WINDINGS))
-    stand = load(path("bench8"))
-    motion = load_motion(path("bench8").with_suffix(".motion.json"), stand)
-    programme = programme_of(stand, motion, WINDINGS[name])
-    winding = ", ".join(map(str, programme.winding))
-    yield Measured("winding", True, f"{name}, winding {winding}" in [row["programme"] for row in found["rows"]])
-    wanted = ReferenceMotion.of(stand, motion, programme, found["nodes"])
-    servo = load_servo(servos("bench8")[0], stand)
-    assert servo.trim is not None
-    design = design_trim(stand, motion, wanted.programme, servo.trim)
-    (kept,) = (each for each in found["designs"] if each["programme"] == name)
-    yield Measured(f"{name}, left by a round", kept["left"], design.radius, 1.05)
-    yield Measured(f"{name}, wrong", kept["wrong, per cent"], 100 * design.margin, 1.05)
-    now = CAUSES.rows(cause_lines(name, wanted, servo, found["mismatch, per cent"] / 100))
-    for before, after in zip([row for row in found["causes"] if row["programme"] == name], now, strict=True):
-        yield Measured(f"{name}, cause", before["cause"], after["cause"])
-        for key in ("alone", "without it"):
-            yield Measured(f"{name}, {after['cause']}, {key}", before[key], after[key], 1.1)
-
-
 CAMPAIGN = Campaign(
     "following",
     campaign.Block("docs/results/following.md", "campaign: tools/following_campaign.py --write"),
     page,
-    ("use/plan", "use/control", "proof", "following_campaign.py"),
-    sample,
 )
 
 

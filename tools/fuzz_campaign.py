@@ -149,7 +149,6 @@ CAMPAIGN = Campaign(
     "fuzzing",
     campaign.Block("docs/results/fuzzing.md", "figures: tools/fuzz_campaign.py"),
     page,
-    ("fuzz_campaign.py",),
 )
 
 

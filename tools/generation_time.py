@@ -305,7 +305,7 @@ def profile_page(found: Figures) -> str:
 
 def _campaign(name: str, part: str, page: Callable[[Figures], str]) -> Campaign:
     block = campaign.Block("docs/results/generation.md", f"figures: tools/generation_time.py {part}")
-    return Campaign(name, block, page, ("out", "use", "proof", "generation_time.py", "start_profile.py"))
+    return Campaign(name, block, page)
 
 
 GENERATION_CAMPAIGN = _campaign("generation", "generation", generation_page)

@@ -8,14 +8,12 @@ from __future__ import annotations
 import re
 import subprocess
 import tempfile
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from random import Random
 from typing import Any
 
 import campaign
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 
 import mahovik
 from mahovik.core.emit.generate import generate_all
@@ -103,14 +101,7 @@ def page(found: Figures) -> str:
     )
 
 
-def sample(found: Figures, random: Random) -> Iterator[Measured]:
-    """`forward` of one of them: another compiler may need some more or fewer instructions."""
-    row = random.choice(found["rows"])
-    now = instructions(row["carrier"])["forward"]
-    yield Measured(f"forward, {row['carrier']}", row["`forward`"], now, 1.05)
-
-
-CAMPAIGN = Campaign("held", campaign.Block("docs/results/held.md", "held"), page, ("core", "held_cost.py"), sample)
+CAMPAIGN = Campaign("held", campaign.Block("docs/results/held.md", "held"), page)
 
 
 def main() -> None:

@@ -82,7 +82,6 @@ CAMPAIGN = Campaign(
     "install",
     campaign.Block("docs/results/install.md", "install"),
     page,
-    ("pyproject.toml", "install_size.py"),
     also=((campaign.Block("README.md", "install: tools/install_size.py"), sentence),),
 )
 

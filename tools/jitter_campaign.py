@@ -11,15 +11,13 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from random import Random
 from typing import Any
 
 import campaign
 import numpy as np
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
@@ -159,16 +157,6 @@ def agreement_page(found: Figures) -> str:
     )
 
 
-def agreement_sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """The second course again; differences hold errors of the steps."""
-    del rng
-    now = AGREEMENT.rows(agreement_rows(COURSES[1]))
-    kept = [row for row in found["rows"] if row["stand"] == COURSES[1].stand]
-    for old, new in zip(kept, now, strict=True):
-        yield Measured(f"{old['quantity']}, lines", old["lines"], new["lines"])
-        yield Measured(f"{old['quantity']}, orders", old["orders"], new["orders"], 3.0)
-
-
 def sweep_row(speeds: int, harmonics: int = 20, modes: int = 50) -> tuple[Any, ...]:
     """A sweep of sat4's four wheels with tables of harmonics and structural modes: wall-clock time."""
     stand, rng = load(path("sat4")), np.random.default_rng(1)
@@ -203,12 +191,9 @@ def sweep_page(found: Figures) -> str:
     )
 
 
-CODE = ("use/study", "use/simulate", "jitter_campaign.py")
 HEAD = "campaign: tools/jitter_campaign.py --write"
-AGREEMENT_CAMPAIGN = Campaign(
-    "jitter", campaign.Block("docs/results/jitter.md", HEAD), agreement_page, CODE, agreement_sample
-)
-SWEEP_CAMPAIGN = Campaign("jitter-sweep", campaign.Block("docs/results/jitter-sweep.md", HEAD), sweep_page, CODE)
+AGREEMENT_CAMPAIGN = Campaign("jitter", campaign.Block("docs/results/jitter.md", HEAD), agreement_page)
+SWEEP_CAMPAIGN = Campaign("jitter-sweep", campaign.Block("docs/results/jitter-sweep.md", HEAD), sweep_page)
 
 
 def main() -> int:

@@ -5,12 +5,11 @@ python tools/judges_table.py [--states 200]
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from random import Random
+from collections.abc import Sequence
 from typing import Any
 
 import campaign
-from kept import Campaign, Columns, Figures, Measured, Rows
+from kept import Campaign, Columns, Figures, Rows
 
 from mahovik.core.stand import Stand, load
 from mahovik.proof.verify.judges.basilisk_judge import BasiliskJudge, Model
@@ -118,24 +117,10 @@ def _list(stands: Sequence[str]) -> str:
     return ", ".join(f"`{name}`" for name in stands)
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """A stand before the judges that are installed everywhere; rounding differs with their releases."""
-    name = rng.choice(names())
-    stand = bare_stand(load(path(name)))
-    yield Measured("stands without their wrenches", found["dry"], [n for n in names() if missing(load(path(n)))])
-    report = verify_judges(stand, count=found["states"], names=tuple(JUDGES))
-    for judge, rows in zip(JUDGES, found["judges"], strict=True):
-        for row, now in zip(rows, by_stand([report], judge, WORDS), strict=True):
-            factor = 30.0 if row["quantity"] == MOTION else 5.0
-            yield Measured(f"{judge}, {name}, {row['quantity']}", row[name], now[report.stand], factor)
-
-
 CAMPAIGN = Campaign(
     "judges",
     campaign.Block("docs/results/judges.md", "figures: tools/judges_table.py"),
     page,
-    ("proof", "judges_table.py"),
-    sample,
     also=((campaign.Block("README.md", "judges: tools/judges_table.py"), short),),
 )
 

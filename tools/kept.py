@@ -1,47 +1,26 @@
 """Results of campaigns as they are kept, `docs/results/NAME.json`, and the pages that are rendered from them.
 
 A campaign measures and keeps its figures here; its part of a page is rendered from the kept figures alone, under a
-line that says how they were measured, and whether by the code as it is now. `python tools/results.py` renders all.
+line that says by which command, of which commit, when and on which processor they were measured.
+`python tools/results.py` renders all.
 """
 
 from __future__ import annotations
 
 import json
 import math
+import subprocess
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from pathlib import Path
-from random import Random
 from typing import Any
 
 import campaign
-from code_hash import code_hash
 
 Figures = dict[str, Any]
 Rows = Sequence[Mapping[str, Any]]
-
-UNKNOWN = "unknown"
-"""Instead of a hash: measured before hashes were kept."""
-
-NOT_SAMPLED = {
-    "python": "wall-clock times of one machine",
-    "tables": "wall-clock times of one machine",
-    "measured-speed": "wall-clock times of one machine",
-    "campaign-speed": "times of one machine",
-    "campaigns": "wall-clock times of one machine",
-    "campaign-faults": "some minutes of faults at moments that no seed repeats; tests have faults of every kind",
-    "generation": "wall-clock times of one machine",
-    "start": "wall-clock times of one machine",
-    "profile": "wall-clock times of one machine",
-    "install": "times of one machine and its network",
-    "jitter-sweep": "wall-clock times of one machine",
-    "identification": "minutes of the literal reference; tests identify two flywheels from its data",
-    "fuzzing": "its inputs grow from campaign to campaign; `make fuzz-quick` runs the same harnesses",
-    "benchmarks": "times of one machine beside those of peers; `make bench-gate` counts our instructions again",
-    "proofs": "a quarter of an hour of Frama-C; `make proofs-quick` repeats some",
-}
-"""Results that no test measures again, and why."""
 
 
 @dataclass(frozen=True)
@@ -78,37 +57,21 @@ def cell_text(value: Any, form: str | Callable[[Any], str]) -> str:
 
 
 @dataclass(frozen=True)
-class Measured:
-    """A figure that was measured again. `factor`: how many times larger or smaller than the kept one it may be."""
-
-    name: str
-    kept: Any
-    now: Any
-    factor: float = 1.0
-
-    @property
-    def good(self) -> bool:
-        """Whether it is inside its spread."""
-        if self.kept == self.now:
-            return True
-        numbers = all(isinstance(x, int | float) and not isinstance(x, bool) for x in (self.kept, self.now))
-        if not numbers or min(self.kept, self.now) <= 0.0 or not math.isfinite(self.now):
-            return False
-        return bool(max(self.kept, self.now) <= self.factor * min(self.kept, self.now))
-
-
-@dataclass(frozen=True)
 class Result:
     """The figures to keep: figures, and how they were measured.
 
-    command   the command line
-    seed      first seed of what was drawn; None: nothing is drawn, or always the same
-    code      hash of the code that it depends on, or UNKNOWN
+    command    the command line
+    seed       first seed of what was drawn; None: nothing is drawn, or always the same
+    commit     short hash of the commit that was measured
+    date       day of the measurement, YYYY-MM-DD
+    processor  name of the processor; empty: not kept
     """
 
     command: str
     seed: int | None
-    code: str
+    commit: str
+    date: str
+    processor: str
     figures: Figures
 
     def text(self) -> str:
@@ -139,19 +102,15 @@ def _has_rows(value: Any) -> bool:
 
 @dataclass(frozen=True)
 class Campaign:
-    """A campaign: the name of its file, its part of a page, and the code that its figures depend on.
+    """A campaign: the name of its file and its part of a page.
 
     page     the text of the block from the figures
-    code     parts of the package or of tools/ besides those that all depend on, see `code_hash`
-    sample   measures some of the kept figures again; None where NOT_SAMPLED says why
     also     other blocks that are rendered from the same figures, without the line on top
     """
 
     name: str
     block: campaign.Block
     page: Callable[[Figures], str]
-    code: tuple[str, ...]
-    sample: Callable[[Figures, Random], Iterator[Measured]] | None = None
     also: tuple[tuple[campaign.Block, Callable[[Figures], str]], ...] = ()
 
     @property
@@ -169,15 +128,14 @@ class Campaign:
         """The kept figures."""
         return self.result().figures
 
-    def keep(
-        self, figures: Figures, seed: int | None = None, *, code: str | None = None, command: str | None = None
-    ) -> None:
+    def keep(self, figures: Figures, seed: int | None = None, *, command: str | None = None) -> None:
         """Keep figures that were measured just now by the command that runs, and render them.
 
-        `code`: the hash of older code that a part of them is of. `command`: where it is no file of tools/.
+        `command`: where it is no file of tools/.
         """
         words = command or " ".join(["python", f"tools/{Path(sys.argv[0]).name}", *sys.argv[1:]])
-        result = Result(words, seed, code or code_hash(self.code), plain(figures))
+        today = datetime.now(UTC).date().isoformat()
+        result = Result(words, seed, _commit(), today, campaign.processor(), plain(figures))
         self.path.write_text(result.text(), encoding="utf-8", newline="\n")
         self.render()
 
@@ -193,25 +151,15 @@ class Campaign:
             block.write(page(self.figures()))
 
     def provenance(self, result: Result) -> str:
-        """Command, seed, code, and whether tests measure it again."""
+        """Command, seed, commit, date and processor, as sentences."""
         seed = "" if result.seed is None else f" Seeds from {result.seed}."
-        again = (
-            "A sample is measured again by the tests."
-            if self.sample
-            else f"No test measures it again: {NOT_SAMPLED.get(self.name, 'no reason is given')}."
-        )
-        return f"Command: `{result.command}`.{seed} {self.age(result)} {again}"
+        processor = f", {result.processor}" if result.processor else ""
+        return f"Command: `{result.command}`.{seed} Measured {result.date}, commit {result.commit}{processor}."
 
-    def is_current(self, result: Result) -> bool:
-        """Whether the code that it depends on is the same as when it was measured."""
-        return result.code == code_hash(self.code)
 
-    def age(self, result: Result) -> str:
-        """Whether the result is current, as a sentence."""
-        if self.is_current(result):
-            return "Measured with the code as it is now."
-        which = "" if result.code == UNKNOWN else f" ({result.code[:8]})"
-        return f"**Measured with older code{which}**."
+def _commit() -> str:
+    words = ["git", "rev-parse", "--short=8", "HEAD"]
+    return subprocess.run(words, cwd=campaign.ROOT, capture_output=True, text=True, check=True).stdout.strip()
 
 
 def plain(value: Any) -> Any:

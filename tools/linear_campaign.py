@@ -10,15 +10,12 @@ Exit status 1 where a figure is not what the pages promise.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from random import Random
 from typing import Any
 
 import campaign
 import numpy as np
-from kept import Campaign, Columns, Figures, Measured
-from numpy.typing import NDArray
+from kept import Campaign, Columns, Figures
 from scipy.spatial.transform import Rotation
 
 from mahovik.core import motion
@@ -31,8 +28,6 @@ from mahovik.use.simulate import Case, simulate
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.response import Periodic, periodic_response
 from mahovik.use.study.rest import rest
-
-Array = NDArray[np.float64]
 
 AGREEMENT, EQUAL = 1e-10, 1e-6
 FLYWHEELS = (0, 1, 2, 4, 8)
@@ -74,14 +69,6 @@ def linear_page(found: Figures) -> str:
         f"Random stands, each at a random state; accepted is {found['accepted']:g} of the largest number of a row.\n\n"
         + LINEAR.text(found["rows"])
     )
-
-
-def linear_sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """A row again."""
-    row = rng.choice(found["rows"])
-    now = LINEAR.rows([linear_row(row["flywheels"], row["stands"], found["first"])])[0]
-    for name in "ABCD":
-        yield Measured(f"{row['flywheels']} flywheels, {name}", row[name], now[name], 3.0)
 
 
 @dataclass(frozen=True)
@@ -127,15 +114,6 @@ def response_page(found: Figures) -> str:
     )
 
 
-def response_sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """A row again; the distance holds errors of integration and rounding, and the decay of what was at first."""
-    k = rng.choice([k for k, course in enumerate(COURSES) if course.until is not None])
-    row, now = found["rows"][k], RESPONSE.rows([response_row(COURSES[k])])[0]
-    for key in ("stand", "speeds, rpm", "nodes", "simulated"):
-        yield Measured(f"row {k}, {key}", row[key], now[key])
-    yield Measured(f"row {k}, apart", row["apart"], now["apart"], 2.0)
-
-
 def distance_from_course(stand: Stand, found: Periodic, until: float | None) -> float:
     """Distance of a run of the C from the course, at eight moments of its last period."""
     period, chart = found.turning.period, found.scene.chart
@@ -165,9 +143,8 @@ def _block(name: str) -> campaign.Block:
     return campaign.Block(f"docs/results/{name}.md", "campaign: tools/linear_campaign.py --write")
 
 
-CODE = ("proof/second", "use/study", "use/simulate", "linear_campaign.py")
-LINEAR_CAMPAIGN = Campaign("linear", _block("linear"), linear_page, CODE, linear_sample)
-RESPONSE_CAMPAIGN = Campaign("response", _block("response"), response_page, CODE, response_sample)
+LINEAR_CAMPAIGN = Campaign("linear", _block("linear"), linear_page)
+RESPONSE_CAMPAIGN = Campaign("response", _block("response"), response_page)
 
 
 def main() -> int:

@@ -88,7 +88,6 @@ CAMPAIGN = Campaign(
     "measured-speed",
     campaign.Block("docs/results/balancing.md", "speed: tools/measured_speed.py"),
     page,
-    ("use/measured", "use/balance", "use/study", "measured_speed.py"),
 )
 
 

@@ -13,11 +13,10 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from random import Random
 from typing import Any
 
 import campaign
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 from plan_stands import campaign_motion, campaign_stand
 
 import mahovik.stands
@@ -85,28 +84,10 @@ def page(found: Figures) -> str:
     )
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """A programme of the partition again."""
-    rows = [row for row in found["rows"] if row["method"] == METHODS[0] and row["status"].startswith("OK")]
-    kept = rng.choice(rows)
-    (case,) = (case for case in cases(found["first"], found["stands"]) if case.name == kept["stand"])
-    planned = plan_motion(case.stand, case.motion, PlanOptions(seconds=found["seconds"], method=METHODS[0]))
-    (now,) = TABLE.rows([line(case, METHODS[0], planned, 0.0)])
-    for key in ("status", "partition", "iterations"):
-        yield Measured(f"{case.name}, {key}", kept[key], now[key])
-    yield Measured(f"{case.name}, raw residual", kept["raw residual"], now["raw residual"], 2.0)
-    yield Measured(f"{case.name}, residual", kept["residual"], now["residual"], 30.0)
-    for name, before, after in zip(("J", "J of the start"), kept["J / J of `fourier`"], now["J / J of `fourier`"],
-                                   strict=True):  # fmt: skip
-        yield Measured(f"{case.name}, {name}", before, after, 1.01)
-
-
 CAMPAIGN = Campaign(
     "optimal-control",
     campaign.Block("docs/results/optimal-control.md", "campaign: tools/ocp_campaign.py --write"),
     page,
-    ("proof", "use/plan", "ocp_campaign.py", "plan_stands.py"),
-    sample,
 )
 
 

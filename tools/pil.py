@@ -13,15 +13,14 @@ import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from random import Random
 
 import campaign
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 
 from mahovik.core.emit.constant import initialiser
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.servo import servo_program_text
-from mahovik.core.motion.programme import load_programme, save_programme
+from mahovik.core.motion.programme import load_programme
 from mahovik.core.motion.required import load_motion
 from mahovik.core.motion.servo import load_servo
 from mahovik.core.stand import load
@@ -34,7 +33,6 @@ from mahovik.errors import UsageError
 from mahovik.out.export.servo import ExportedServo, export_servo
 from mahovik.stands import motions, path, servos
 from mahovik.use.control.mismatch import with_mismatch
-from mahovik.use.plan import PlanOptions, plan_motion
 
 _COUNT = re.compile(r"(# )?(.+?) (\d+)")
 
@@ -188,38 +186,10 @@ def page(found: Figures) -> str:
     return text
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """A board again, with a programme that is planned again."""
-    board, real = rng.choice(BOARDS)
-    stand = load(path(STAND))
-    motion = load_motion(motions(STAND)[0], stand)
-    programme = plan_motion(stand, motion, PlanOptions()).programmes[0]
-    with tempfile.TemporaryDirectory() as scratch:
-        file = Path(scratch) / "programme.json"
-        save_programme(programme, file)
-        asked = argparse.Namespace(
-            programme=file, samples=found["samples"], mismatch=found["mismatch"], seed=found["seed"]
-        )
-        now = run_board(board, real, asked)
-    rows = TABLE.rows(lines(now))
-    kept = [row for row in found["rows"] if row["processor"] == rows[0]["processor"]]
-    for before, after in zip(kept, rows, strict=True):
-        name = f"{before['processor']}, {before['function']}"
-        yield Measured(f"{name}, instructions", before["instructions"], after["instructions"], 1.05)
-        for key in ("stack, B", "code, B"):
-            yield Measured(f"{name}, {key}", before[key], after[key])
-    (kept_run,) = (each for each in found["runs"] if each["board"] == board)
-    yield Measured(f"{board}, equal", kept_run["equal"], now.equal)
-    yield Measured(f"{board}, error", kept_run["error, mrad"], now.run.followed * 1e3, 1.05)
-    yield Measured(f"{board}, gains and trim", kept_run["gains and trim, B"], run_of(now)["gains and trim, B"])
-
-
 CAMPAIGN = Campaign(
     "servo",
     campaign.Block("docs/results/servo.md", "figures: tools/pil.py --write"),
     page,
-    ("use/plan", "use/control", "out/export", "pil.py"),
-    sample,
 )
 
 

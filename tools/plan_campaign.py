@@ -10,14 +10,13 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from random import Random
 from typing import Any
 
 import campaign
 import numpy as np
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 from plan_stands import NO_BOUNDS, PERIOD, campaign_motion, campaign_move, campaign_stand
 
 from mahovik.core.motion.required import RequiredMotion
@@ -135,29 +134,10 @@ def page(found: Figures) -> str:
     )
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """Three stands of rows in which all were found and that are quick, and all peaks where these are kept."""
-    peaks = found.get("peaks", [])
-    for k, of_row in enumerate(peaks):
-        row, good = found["rows"][k], [peak for peak in of_row if peak is not None]
-        yield Measured(f"row {k}, found", row["found"], [len(good), len(of_row)])
-        yield Measured(f"row {k}, peak", row["median peak acceleration, rad/s2"], float(np.median(good)), 1.001)
-    quick = [k for k, row in enumerate(found["rows"]) if row["found"][0] == row["found"][1] and row["longest, s"] < 2.0]
-    for k in rng.sample(quick, 3):
-        number = rng.randrange(found["stands"])
-        now = outcome(ROWS[k], found["first"] + number, 4.0 * found["seconds"], verify=True)
-        name = f"{ROWS[k].N} {ROWS[k].name}, seed {found['first'] + number}"
-        yield Measured(f"{name}, status and objections", ["OK", ""], [now.status, now.wrong])
-        if peaks:
-            yield Measured(f"{name}, peak", peaks[k][number], now.peak, 1.05)
-
-
 CAMPAIGN = Campaign(
     "planning",
     campaign.Block("docs/results/planning.md", "campaign: tools/plan_campaign.py --write"),
     page,
-    ("proof", "use/plan", "plan_campaign.py", "plan_stands.py"),
-    sample,
 )
 
 

@@ -10,12 +10,10 @@ from __future__ import annotations
 import os
 import sys
 import tempfile
-from collections.abc import Iterator
 from pathlib import Path
-from random import Random
 
 import campaign
-from kept import Campaign, Figures, Measured
+from kept import Campaign, Figures
 
 sys.path.insert(0, str(campaign.ROOT / "tests"))
 
@@ -27,25 +25,10 @@ def page(found: Figures) -> str:
     return tables.text(found["shown"])
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """Two faults again: what each check says."""
-    from faults.catalogue import FAULTS
-    from faults.checks import outcome
-    from faults.fault import planted
-
-    for fault in rng.sample([fault for fault in FAULTS if fault.name in found["shown"]], 2):
-        with tempfile.TemporaryDirectory() as folder:
-            made = planted(fault, Path(folder))
-            for check, kept in zip(fault.caught_by, found["shown"][fault.name], strict=True):
-                yield Measured(f"{fault.name}, {check}", kept, outcome(check, made))
-
-
 CAMPAIGN = Campaign(
     "planted-faults",
     campaign.Block("docs/results/planted-faults.md", "faults: tools/planted_faults.py"),
     page,
-    ("proof", "planted_faults.py", "tests/faults"),
-    sample,
 )
 
 

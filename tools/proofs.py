@@ -137,7 +137,7 @@ def page(found: Figures) -> str:
     ) + (f"Neither claimed nor tried: {none}.\n" if none else "")
 
 
-CAMPAIGN = Campaign("proofs", campaign.Block("docs/results/proofs.md", "proofs: tools/proofs.py"), page, ("proofs.py",))
+CAMPAIGN = Campaign("proofs", campaign.Block("docs/results/proofs.md", "proofs: tools/proofs.py"), page)
 
 
 def main() -> int:

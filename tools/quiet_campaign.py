@@ -11,14 +11,13 @@ from __future__ import annotations
 import math
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from random import Random
 from typing import Any
 
 import campaign
 import numpy as np
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 from quiet_stands import satellite, speeds_before
 
 from mahovik.core.stand import load
@@ -187,38 +186,10 @@ def page(found: Figures) -> str:
     )
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """A row of sat4, and the first of random satellites. Where orders cancel, rounding and integration are left."""
-    for k in [rng.randrange(len(SAT4))]:
-        kept, (now,) = found["sat4"][k], SAT4_TABLE.rows([sat4_line(SAT4[k], of_sat4(SAT4[k]))])
-        name = f"sat4, {SAT4[k].momentum}, {SAT4[k].name}"
-        yield Measured(f"{name}, momentum", kept["momentum, N m s"], list(now["momentum, N m s"]))
-        yield Measured(f"{name}, axes", kept["axes"], now["axes"])
-        yield from _compare(name, kept, now, ("change of speeds, rpm", "RMS before, m/s2"), 1.05)
-        yield from _compare(name, kept, now, ("simulated after", "times lower"), _factor(kept["times lower"]))
-    k = 0
-    seeds = campaign.seeds(found["first"], found["stands"])
-    kept, (now,) = found["random"][k], RANDOM_TABLE.rows([random_line(ROWS[k], [of_random(ROWS[k], s) for s in seeds])])
-    yield Measured(f"{ROWS[k].name}, found", kept["found"], list(now["found"]))
-    for key in ("times lower: least", "median", "most"):
-        yield from _compare(f"{ROWS[k].N} {ROWS[k].name}", kept, now, (key,), _factor(kept[key]))
-
-
-def _factor(reduction: float) -> float:
-    return 3.0 if reduction > 1000.0 else 1.1
-
-
-def _compare(name: str, kept: Figures, now: Figures, keys: Sequence[str], factor: float) -> Iterator[Measured]:
-    for key in keys:
-        yield Measured(f"{name}, {key}", kept[key], now[key], factor)
-
-
 CAMPAIGN = Campaign(
     "quiet",
     campaign.Block("docs/results/quiet.md", "campaign: tools/quiet_campaign.py --write"),
     page,
-    ("use/study", "use/simulate", "quiet_campaign.py", "quiet_stands.py"),
-    sample,
 )
 
 

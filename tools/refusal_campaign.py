@@ -9,14 +9,13 @@ search finds a programme that preflight refuses.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from random import Random
 
 import campaign
 import numpy as np
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 from plan_stands import PERIOD, campaign_motion, campaign_stand
 
 from mahovik.core.motion.required import Bounds
@@ -100,27 +99,10 @@ def page(found: Figures) -> str:
     )
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """A stand of each kind again: refused, not found, not nearer than the nearest."""
-    for row in found["rows"]:
-        refused, of = row["refused"]
-        seed = found["first"] + rng.randrange(of)
-        now = outcome(found["seconds"], row["refusal"], seed)
-        name = f"{row['refusal']}, seed {seed}"
-        if refused == of:
-            yield Measured(f"{name}, refused", True, now[0])
-        if row["found by a search"] == 0:
-            yield Measured(f"{name}, found", False, now[1])
-        least = row["least residual of a search, bounds aside"]
-        yield Measured(f"{name}, residual at least", least, min(least, now[2]), 1.1)
-
-
 CAMPAIGN = Campaign(
     "refusals",
     campaign.Block("docs/results/planning.md", "refusals: tools/refusal_campaign.py --write"),
     page,
-    ("use/plan", "refusal_campaign.py", "plan_stands.py"),
-    sample,
 )
 
 

@@ -1,10 +1,8 @@
 """Render every page of docs/results from the figures that are kept beside it, `docs/results/*.json`.
 
-python tools/results.py [--check | --list]
+python tools/results.py [--check]
 
-A second or two; to be run after each change of code, since a page says whether its figures are of the code as it is
-now. `--check`: writes nothing, exit status 1 where a page is not what its figures say. `--list`: which
-results are of older code, and the commands that measure them again.
+A second or two. `--check`: writes nothing, exit status 1 where a page is not what its figures say.
 """
 
 from __future__ import annotations
@@ -79,13 +77,8 @@ def outdated_pages() -> list[str]:
 
 
 def main() -> None:
-    """Render, check or list."""
-    asked = campaign.parser(__doc__, check=False, list=False).parse_args()
-    if asked.list:
-        for each in campaigns():
-            result = each.result()
-            print(f"{'now' if each.is_current(result) else 'older':5}  {each.name:20}  {result.command}")
-        return
+    """Render or check."""
+    asked = campaign.parser(__doc__, check=False).parse_args()
     if asked.check:
         print(*outdated_pages(), sep="\n")
         sys.exit(1 if outdated_pages() else 0)

@@ -5,14 +5,13 @@ python tools/rounding_campaign.py [--states 200] [--random 12] [--random-states 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from random import Random
 from statistics import median
 from typing import Any
 
 import campaign
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 from random_stands import random_stands
 
 from mahovik.contract.functions import wants_of
@@ -153,26 +152,10 @@ def page(found: Figures) -> str:
     return text + FOLLOWS.format(margin=MARGIN, **words)
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """An example stand again; all accepted tolerances."""
-    for real in BOUNDS:
-        for row in (*found[real]["examples"], *found[real]["random"]):
-            bound = BOUNDS[real].of(row["want"], row["quantity"])
-            yield Measured(f"{real}, {row['want']} {row['quantity']}, accepted", row["accepted"], bound)
-    real, name = rng.choice(list(BOUNDS)), rng.choice(("demo3", "shaker2"))
-    _, worst = measure_stand(name, 0, found["states"], real)
-    for row in found[real]["stands"]:
-        key = row["want"], row["quantity"]
-        if row[name] is not None:
-            yield Measured(f"{name}, {real}, {key}, ulp", row[name], worst[key].ulps, 1.05)
-
-
 CAMPAIGN = Campaign(
     "rounding",
     campaign.Block("docs/results/rounding.md", "figures: tools/rounding_campaign.py"),
     page,
-    ("proof", "rounding_campaign.py", "random_stands.py"),
-    sample,
 )
 
 

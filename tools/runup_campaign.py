@@ -10,13 +10,12 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from random import Random
 
 import campaign
 import numpy as np
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 from plan_stands import campaign_motion, campaign_stand
 
 from mahovik.core.motion.programme import Programme
@@ -124,26 +123,10 @@ def page(found: Figures) -> str:
     )
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """A row that is quick again."""
-    k = rng.choice([k for k, row in enumerate(found["rows"]) if row["longest, s"] < 1.6])
-    kept = found["rows"][k]
-    outcomes = [outcome(ROWS[k], seed, False) for seed in campaign.seeds(found["first"], found["stands"])]
-    (now,) = TABLE.rows([line(ROWS[k], [each for each in outcomes if each is not None])])
-    for key in ("flywheels", "windings, duration", "found"):
-        yield Measured(f"row {k}, {key}", kept[key], now[key])
-    for key in ("O1 strays, mm: median, most", "E1 turns, mrad: median, most"):
-        for name, before, after in zip(("median", "most"), kept[key], now[key], strict=True):
-            yield Measured(f"row {k}, {key}: {name}", before, after, 1.2)
-    yield Measured(f"row {k}, error", kept["largest terminal error"], now["largest terminal error"], 10.0)
-
-
 CAMPAIGN = Campaign(
     "run-up",
     campaign.Block("docs/results/run-up.md", "campaign: tools/runup_campaign.py --write"),
     page,
-    ("proof", "use/plan", "runup_campaign.py", "plan_stands.py"),
-    sample,
 )
 
 

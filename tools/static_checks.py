@@ -10,12 +10,11 @@ from __future__ import annotations
 
 import sys
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from random import Random
 
 import campaign
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.names import VERIFICATION
@@ -59,23 +58,10 @@ def page(found: Figures) -> str:
     return f"{found['tools']}. Counts: double / float.\n\n{table.text(found['rows'])}"
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """A stand again, and the reasons."""
-    listed = {**DEVIATIONS, **STANDING_FINDINGS}
-    yield Measured("rules and reasons", {row["rule"]: row["reason"] for row in found["rows"]}, listed)
-    stand, number = rng.choice(found["stands"]), rng.randrange(len(REALS))
-    folder, files = write_folder(stand, REALS[number])
-    now = count_by_rule(findings(folder, files))
-    for row in found["rows"]:
-        yield Measured(f"{stand} {REALS[number]}, {row['rule']}", row[stand][number], now[row["rule"]])
-
-
 CAMPAIGN = Campaign(
     "static-checks",
     campaign.Block("docs/results/static-checks.md", "misra: tools/static_checks.py"),
     page,
-    ("static_checks.py",),
-    sample,
 )
 
 

@@ -132,7 +132,6 @@ CAMPAIGN = Campaign(
     "tables",
     campaign.Block("docs/results/tables.md", "speed"),
     page,
-    ("out/api", "tables_speed.py"),
 )
 
 

@@ -5,11 +5,10 @@ python tools/targets_table.py [--states 20]
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from random import Random
+from collections.abc import Sequence
 
 import campaign
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 
 from mahovik.core.stand import load
 from mahovik.proof.verify.targets import REALS, SWEEP, TargetRow, TargetsReport, parse_targets, verify_targets
@@ -41,24 +40,10 @@ def page(found: Figures) -> str:
     return TABLE.text(found["rows"])
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """A target again: the same bits; the compiler may be another release."""
-    for row in rng.sample(found["rows"], 1):
-        report = verify_targets(load(path(STAND)), parse_targets(row["target"]), found["states"])
-        (now,) = figures(report)["rows"]
-        for key in ("processor", *REALS):
-            yield Measured(f"{row['target']}, {key}", row[key], now[key])
-        for number in (0, -1):
-            kept, word = row["compiler"].split()[number], now["compiler"].split()[number]
-            yield Measured(f"{row['target']}, compiler", kept, word)
-
-
 CAMPAIGN = Campaign(
     "targets",
     campaign.Block("docs/results/targets.md", "targets: tools/targets_table.py"),
     page,
-    ("proof/verify", "targets_table.py"),
-    sample,
 )
 
 

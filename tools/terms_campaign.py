@@ -14,7 +14,7 @@ from typing import Any
 
 import campaign
 import numpy as np
-from kept import Campaign, Columns, Figures, Measured
+from kept import Campaign, Columns, Figures
 
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.core.stand.random import EVERYTHING, SEQUENCES, random_stand
@@ -177,20 +177,10 @@ def page(found: Figures) -> str:
     )
 
 
-def sample(kept: Figures, random: Any) -> Any:
-    """One set again."""
-    number = random.randrange(len(kept["rows"]))
-    row = kept["rows"][number]
-    again = examine(int(row["stand"].removeprefix("random")))
-    yield Measured(row["stand"], [row["named"], row["found"]], [again["named"], again["found"]])
-
-
 CAMPAIGN = Campaign(
     "terms",
     campaign.Block("docs/results/terms.md", "terms"),
     page,
-    ("proof", "terms_campaign.py"),
-    sample,
 )
 
 

@@ -10,11 +10,9 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator
-from random import Random
 
 import campaign
-from kept import Campaign, Figures, Measured
+from kept import Campaign, Figures
 
 sys.path.insert(0, str(campaign.ROOT / "tests"))
 
@@ -26,27 +24,10 @@ def page(found: Figures) -> str:
     return tables.text(found["functions"])
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """Mutants of a small function again: how many there are, and how many the comparison notices."""
-    from traceability import campaign as mutants
-    from traceability.mutants import MUTANTS, chosen, sites
-
-    programs = mutants.judged_by()
-    small = [name for name, f in found["functions"].items() if 0 < f["mutants"] <= 6 and name in programs]
-    name = rng.choice(small)
-    mutants.without_mutant_all_agree(name)
-    count = sites(programs[name][1].program.function(name))
-    yield Measured(f"{name}, places", found["functions"][name]["sites"], count)
-    noticed = mutants.compared(name, chosen(count, MUTANTS))
-    yield Measured(f"{name}, comparison", found["functions"][name]["comparison"], sum(map(bool, noticed)))
-
-
 CAMPAIGN = Campaign(
     "traceability",
     campaign.Block("docs/results/traceability.md", "mutants: tools/traceability_campaign.py"),
     page,
-    ("proof", "traceability_campaign.py", "tests/traceability"),
-    sample,
 )
 
 
@@ -73,9 +54,7 @@ def main() -> None:
     old = CAMPAIGN.result()
     found = old.figures["functions"] | {each["function"]: each for each in mutants.campaign(wanted, given.jobs, say)}
     kept = {name: {**found[name], "subjects": subjects(known[name])} for name in known if name in found}
-    # functions that were not examined now are of the code of then, and so is the whole
-    whole = set(wanted) >= set(kept)
-    CAMPAIGN.keep({"functions": kept}, code=None if whole else old.code, command=None if whole else old.command)
+    CAMPAIGN.keep({"functions": kept})
 
 
 if __name__ == "__main__":

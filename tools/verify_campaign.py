@@ -8,13 +8,12 @@ With --write the summary goes into docs/results/verification.md as well.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from random import Random
 
 import campaign
-from kept import Campaign, Columns, Figures, Measured
-from random_stands import COUNTS, random_stands, verify_random
+from kept import Campaign, Columns, Figures
+from random_stands import random_stands, verify_random
 
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.report import conclusion, worst_lines
@@ -66,25 +65,10 @@ def page(found: Figures) -> str:
     )
 
 
-def sample(found: Figures, rng: Random) -> Iterator[Measured]:
-    """The stands of one number of flywheels again. Sums of another order round otherwise: a factor."""
-    stands = sum(row["stands"] for row in found["rows"])
-    row = rng.choice([row for row in found["rows"] if row["flywheels"] <= 5])
-    numbers = [k for k in range(stands) if COUNTS[k % len(COUNTS)] == row["flywheels"]]
-    verdicts = [verdict_on(k, found["states"]) for k in numbers]
-    (now,) = figures(verdicts, found["states"])["rows"]
-    for key in ("stands", "passed"):
-        yield Measured(f"{row['flywheels']} flywheels, {key}", row[key], now[key])
-    for key in PAIRS:
-        yield Measured(f"{row['flywheels']} flywheels, {key}", row[key], now[key], 3.0)
-
-
 CAMPAIGN = Campaign(
     "verification",
     campaign.Block("docs/results/verification.md", "campaign: tools/verify_campaign.py --write"),
     page,
-    ("proof", "verify_campaign.py", "random_stands.py"),
-    sample,
 )
 
 

@@ -1,7 +1,6 @@
 """A share of the cases of every slow test, chosen by a seed: `make test-slow` runs it, `make test-all` runs all cases.
 
-`.ci/run` takes the hash of the commit as seed, so that each commit runs other cases, and the same ones when it is run
-again. A slow test without parameters always runs, and of one with parameters at least one case. Tests of one file that
+A slow test without parameters always runs, and of one with parameters at least one case. Tests of one file that
 have equal cases get the same ones, so that what they share, such as a compiled library, is made once.
 """
 
