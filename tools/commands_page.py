@@ -30,6 +30,7 @@ mahovik new --list --json
 | 1 | a check failed, or some states were refused |
 | 2 | bad input or usage; nothing was computed |
 | 130 | Ctrl-C |
+| 141 | whoever reads standard output has closed it, as `head` does |
 
 **Messages** are on standard error, one line for each problem: where, what was found, what was expected. A misspelt
 name of a command, option, key, unit, body, point or target gives a suggestion, or the list of all known names.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -115,3 +116,15 @@ def test_a_reader_that_leaves_ends_it_quietly() -> None:
     )
     assert len(done.stdout.splitlines()) == 1
     assert done.stderr == ""
+
+
+@pytest.mark.parametrize("command", [("check", BENCH8), ("rest", BENCH8, "--json"), ("eval", "--help"), ("--help",)])
+def test_a_closed_reader_is_no_failed_check(command: tuple[str, ...]) -> None:
+    """141, as of a program that SIGPIPE ends; 1 would say that a check failed."""
+    reader, writer = os.pipe()
+    os.close(reader)
+    done = subprocess.run(
+        [sys.executable, "-m", "mahovik", *command], stdout=writer, stderr=subprocess.PIPE, check=False, timeout=60
+    )
+    os.close(writer)
+    assert (done.returncode, done.stderr) == (141, b"")

@@ -13,7 +13,7 @@ import click
 
 from mahovik.errors import MahovikError
 from mahovik.nearest import suggestion
-from mahovik.out.cli.output import INTERRUPTED, print_failure
+from mahovik.out.cli.output import CLOSED, INTERRUPTED, print_failure
 from mahovik.out.functions.notices import MahovikWarning
 
 INTERRUPTION = "error: interrupted; no file is half written"
@@ -26,6 +26,17 @@ def _formulas() -> Iterator[None]:
 
     with formula_cache(lambda line: click.echo(f"warning: {line}", err=True)):
         yield
+
+
+@contextlib.contextmanager
+def _closed_by_reader() -> Iterator[None]:
+    """The end of a command whose reader has closed (`| head`): nothing more is printed, nor flushed at exit."""
+    try:
+        yield
+    except BrokenPipeError:
+        with contextlib.suppress(OSError, ValueError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        raise SystemExit(CLOSED) from None
 
 
 @contextlib.contextmanager
@@ -96,7 +107,7 @@ class Commands(click.Group):
     def make_context(self, *given: Any, **more: Any) -> click.Context:
         """Overrides click: Ctrl-C exits with 130."""
         try:
-            with _usage_in_a_line():
+            with _closed_by_reader(), _usage_in_a_line():
                 return super().make_context(*given, **more)
         except KeyboardInterrupt:
             click.echo(INTERRUPTION, err=True)
@@ -104,7 +115,7 @@ class Commands(click.Group):
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
-            with _formulas(), _warnings_as_lines(), _usage_in_a_line():
+            with _closed_by_reader(), _formulas(), _warnings_as_lines(), _usage_in_a_line():
                 return super().invoke(ctx)
         except MahovikError as error:
             lines = str(error).splitlines() or [type(error).__name__]
@@ -117,11 +128,6 @@ class Commands(click.Group):
             # a command that keeps its results so far prints its own message
             click.echo(INTERRUPTION, err=True)
             ctx.exit(INTERRUPTED)
-        except BrokenPipeError:
-            # the reader has closed (`| head`): nothing more can be printed, and nothing may be flushed at exit
-            with contextlib.suppress(OSError, ValueError):
-                os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-            ctx.exit(1)
         except OSError as error:
             where = f"{error.filename}: " if error.filename else ""
             click.echo(f"error: {where}{error.strerror or error}", err=True)

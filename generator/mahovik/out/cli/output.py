@@ -26,6 +26,9 @@ Cell = str | tuple[str, str]
 INTERRUPTED = 130
 """Exit status after Ctrl-C: 128 plus the number of the signal, as in shells."""
 
+CLOSED = 141
+"""Exit status where the reader of standard output has closed it (`| head`), as in shells of a program that SIGPIPE ends."""
+
 _ASKED, _PRINTED = "mahovik.json", "mahovik.json.printed"
 
 
@@ -36,7 +39,11 @@ def console(piped: int = 4000) -> Console:
     """
     from rich.console import Console
 
-    return Console(highlight=False, width=None if sys.stdout.isatty() else piped)
+    class Piped(Console):
+        def on_broken_pipe(self) -> None:  # Rich would end with status 1, that of a failed check
+            raise BrokenPipeError
+
+    return Piped(highlight=False, width=None if sys.stdout.isatty() else piped)
 
 
 def print_line(words: str, style: str = "") -> None:
