@@ -5,6 +5,7 @@ The command line prints `str(error)` and exits with `error.exit_status`; it neve
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -113,6 +114,19 @@ class CheckError(MahovikError):
 def count_numbers(count: int) -> str:
     """How many numbers, in words: "1 number", "2 numbers"."""
     return f"{count} number{'' if count == 1 else 's'}"
+
+
+def whole_number(name: str, value: Any, least: int = 1, most: int | None = None) -> None:
+    """Raise UsageError unless an argument is a whole number of at least `least` and at most `most`."""
+    if not (hasattr(value, "__index__") and least <= value <= (value if most is None else most)):
+        expected = f"of at least {least}" if most is None else f"from {least} to {most}"
+        raise UsageError(f"{name} {value}: expected a whole number {expected}")
+
+
+def above_zero(name: str, value: float) -> None:
+    """Raise UsageError unless an argument is a finite number above 0."""
+    if not 0.0 < value < math.inf:
+        raise UsageError(f"{name} {value:g}: expected a number above 0")
 
 
 def printable(text: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from functools import cache
 from html import unescape
 from pathlib import Path
@@ -247,3 +248,56 @@ def test_a_point_becomes_quiet() -> None:
 def test_stands_of_other_code_are_taken() -> None:
     plain: Stand = random_stand(np.random.default_rng(2), 1, BARE, "plain")
     assert mahovik.modes(plain, {"quaternion": [1, 0, 0, 0]}).stand == mahovik.Stand.of(plain)
+
+
+REFUSED: list[tuple[str, str, dict[str, Any], str]] = [
+    ("response", "sat4", {"steps": 0}, "steps 0: expected a whole number from 2 to 100000"),
+    ("response", "sat4", {"steps": 2.5}, "steps 2.5: expected a whole number"),
+    ("response", "sat4", {"band": (30.0, 10.0)}, "band 30..10 Hz: expected two frequencies, the lower first"),
+    ("response", "sat4", {"band": (math.nan, 10.0)}, "band nan..10 Hz: expected two frequencies"),
+    ("response", "sat4", {"band": (10.0,)}, "band 10 Hz: expected two frequencies"),
+    ("response", "sat4", {"speeds": [1, 2]}, "speeds: 1 in a list, expected texts"),
+    ("response", "sat4", {"go_on": lambda done: False}, "response of sat4: go_on ended it before the first speed"),
+    ("jitter", "sat4", {"steps": -3}, "steps -3: expected a whole number from 2 to 100000"),
+    ("jitter", "sat4", {"speeds": {"all": 100.0}, "order": 0}, "order 0: expected a whole number from 1 to 20"),
+    ("jitter", "sat4", {"exact": True, "go_on": lambda done: False}, "jitter of sat4: go_on ended it before"),
+    ("quiet", "sat4", {"band": (200.0, 20.0)}, "band 200..20 Hz: expected two frequencies, the lower first"),
+    ("quiet", "sat4", {"avoid": [(3.0, 1.0)]}, "avoid 3..1 Hz: expected two frequencies, the lower first"),
+    ("quiet", "sat4", {"seed": -1}, "seed -1: expected a whole number of at least 0"),
+    ("quiet", "sat4", {"momentum": (0, 0)}, "momentum: 2 numbers, expected 3"),
+    ("quiet", "sat4", {"axes": ((1, 2, 3),)}, "axes: [1, 2, 3], expected directions of three numbers and length 1"),
+    ("verify", "demo3", {"states": 0}, "states 0: expected a whole number of at least 1"),
+    ("verify", "demo3", {"real": "half"}, "real: unknown 'half', expected one of double, float"),
+    ("verify", "demo3", {"seed": -1}, "seed -1: expected a whole number of at least 0"),
+    ("verify", "demo3", {"judges": True, "states": 0}, "states 0: expected a whole number of at least 1"),
+    ("plan", "demo3", {"keep": 0}, "keep 0: expected a whole number from 1 to 99"),
+    ("plan", "demo3", {"method": "x"}, 'method: unknown "x", expected one of fourier, ocp-partition, ocp'),
+    ("plan", "demo3", {"winding": (1.5, 0, 0)}, "expected any, spin, rock or 3 whole numbers"),
+    ("judge", "demo3", {"states": 0}, "states 0: expected a whole number of at least 1"),
+    ("judge", "demo3", {"tolerance": math.nan}, "tolerance nan: expected a number above 0"),
+    ("judge", "demo3", {"timeout": 0}, "timeout 0: expected a number above 0"),
+    ("judge", "demo3", {"want": ["forwards"]}, 'want: unknown "forwards", did you mean "forward"?'),
+    ("excite", "sat4", {"harmonics": 1.5}, "harmonics 1.5: expected a whole number from 0 to 20"),
+    ("excite", "sat4", {"seed": -1}, "seed -1: expected a whole number of at least 0"),
+]
+USUAL: dict[str, dict[str, Any]] = {
+    "response": {"speeds": {"all": "100..3000rpm"}, "at": "acc1"},
+    "jitter": {"speeds": {"all": "100..3000rpm"}, "at": "acc1"},
+    "quiet": {"point": "acc1", "band": (20.0, 200.0), "momentum": (0.0, 0.0, 1.0), "backend": None},
+    "plan": {"motion": stands.path("demo3").with_suffix(".motion.json")},
+    "judge": {"command": "false"},
+}
+
+
+@pytest.mark.parametrize(("function", "stand", "given", "words"), REFUSED)
+def test_values_without_meaning_are_refused_by_the_name_of_the_argument(
+    function: str, stand: str, given: dict[str, Any], words: str
+) -> None:
+    with pytest.raises(mahovik.MahovikError) as caught:
+        getattr(mahovik, function)(stands.path(stand), **USUAL.get(function, {}) | given)
+    assert words in str(caught.value)
+
+
+def test_modes_that_are_all_free_have_no_frequencies_in_a_line() -> None:
+    assert repr(mahovik.modes(stands.path("sat4"))) == "<Modes of sat4: 6 free>"
+    assert repr(mahovik.modes(stands.path("shaker2"))).endswith("3.129, 3.524, 3.613 Hz>")

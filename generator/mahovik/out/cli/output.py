@@ -27,7 +27,7 @@ INTERRUPTED = 130
 """Exit status after Ctrl-C: 128 plus the number of the signal, as in shells."""
 
 CLOSED = 141
-"""Exit status where the reader of standard output has closed it (`| head`), as in shells of a program that SIGPIPE ends."""
+"""Exit status where the reader of standard output has closed it, as `head` does: as in shells after SIGPIPE."""
 
 _ASKED, _PRINTED = "mahovik.json", "mahovik.json.printed"
 

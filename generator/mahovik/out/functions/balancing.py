@@ -105,6 +105,6 @@ def balance(influence: str | Path | Mapping[str, Any], *, method: str = "least-s
     Raises BalanceError, CheckError, UsageError.
     """
     if method not in METHODS:
-        raise UsageError(f'method: unknown "{method}"{suggestion(method, METHODS)}, expected {" or ".join(METHODS)}')
+        raise UsageError(f'method: unknown "{method}"{suggestion(method, METHODS)}')
     problem = read_influence(influence)
     return Balance(problem, solve(problem, method), choose_pieces(problem) if problem.choices else None)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from mahovik.core.stand.hold import freedom_names
-from mahovik.errors import UsageError
+from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.fields import Array
 from mahovik.out.api.stands import Stand
@@ -222,7 +222,7 @@ def jitter(
         own, asked, steps, seen, phases=phi, makers=makers, order=order, exact=exact, go_on=shall_go_on
     )  # fmt: skip
     if not len(found.value):
-        raise KeyboardInterrupt
+        raise CheckError(f"jitter of {own.name}: go_on ended it before the first speed")
     return Jitter(found, limits)
 
 

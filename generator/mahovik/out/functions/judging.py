@@ -8,9 +8,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
+from mahovik.contract.functions import ALL_WANTS
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.state import State
-from mahovik.errors import CheckError, UsageError
+from mahovik.errors import CheckError, UsageError, above_zero
+from mahovik.nearest import suggestion
 from mahovik.out.api.stands import Stand
 from mahovik.out.functions.evidence import Verification
 from mahovik.out.functions.given import Number, time
@@ -67,7 +69,11 @@ def judge(
     A program that dies or hangs gives a result with an `error`. Raises StandError, DataError, UsageError where it
     cannot start.
     """
-    own = Stand.of(stand)
+    own, longest = Stand.of(stand), time("timeout", timeout)
+    for name, value in (("tolerance", tolerance), ("timeout", longest)):
+        above_zero(name, value)
+    if unknown := [each for each in want if each not in ALL_WANTS]:
+        raise UsageError(f'want: unknown "{unknown[0]}"{suggestion(unknown[0], ALL_WANTS)}')
     if sum(each is not None for each in (command, log, fmu)) != 1:
         raise UsageError("--with, --log, --fmu: expected one of them")
     if (fmu is None) != (variables is None):
@@ -76,7 +82,6 @@ def judge(
         return _judge_log(own, Path(log), explain, tuple(want), seed, tolerance, progress)
     from mahovik.proof.verify.foreign import program_of
 
-    longest = time("--timeout", timeout)
     with TemporaryDirectory(prefix="mahovik-") as unpacked:
         if fmu is not None and variables is not None:
             from mahovik.proof.verify.fmu.program import program

@@ -90,8 +90,12 @@ class Modes(Table):
 
     def __repr__(self) -> str:
         free = sum(mode.kind == "free" for mode in self.result.modes)
-        found = [f"{f:.4g}" for f in self.frequency if f > 0.0]
-        return f"<Modes of {self.stand.name}: {free} free, {', '.join(found) or 'no others'} Hz>"
+        swinging = [f"{f:.4g}" for f in self.frequency if f > 0.0]
+        creeping = len(self.result.modes) - free - len(swinging)
+        words = [f"{free} free"]
+        words += [f"{creeping} that do not swing"] if creeping else []
+        words += [", ".join(swinging) + " Hz"] if swinging else []
+        return f"<Modes of {self.stand.name}: {', '.join(words)}>"
 
 
 def modes(stand: StandGiven, at: At = None, *, locked: bool = True) -> Modes:

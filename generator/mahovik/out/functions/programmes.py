@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from operator import index
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -222,8 +223,8 @@ def read_winding(given: str | Sequence[int] | None, N: int, periodic: bool) -> W
     if isinstance(given, str) and given in {"any", "spin", "rock"}:
         return cast("Winding", given)
     try:
-        turns = tuple(int(each) for each in (given.split(",") if isinstance(given, str) else given))
-    except ValueError:
+        turns = tuple(int(each) for each in given.split(",")) if isinstance(given, str) else tuple(map(index, given))
+    except (TypeError, ValueError):
         raise UsageError(f"--winding {given}: expected any, spin, rock or {N} whole numbers, as 1,-1,0") from None
     if len(turns) != N:
         raise UsageError(f"--winding {given}: {len(turns)} numbers, but the stand has {N} flywheels")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from mahovik.core.stand.units import SPEED
+from mahovik.errors import CheckError, UsageError
 from mahovik.out.api.fields import Array
 from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import Number, StandGiven, by_flywheel, quantity, time_limit
@@ -105,7 +106,7 @@ def response(
     phi = by_flywheel("phases", phases, own)
     found = sweep_speeds(own, asked, steps, at, quantity=quantity, band=band, phases=phi, go_on=shall_go_on)
     if not found.steps:
-        raise KeyboardInterrupt
+        raise CheckError(f"response of {own.name}: go_on ended it before the first speed")
     return Response(found)
 
 
@@ -122,6 +123,8 @@ def planned_speeds(stand: Stand, speeds: Mapping[str, Number] | Sequence[str]) -
     given = [speeds] if isinstance(speeds, str) else list(speeds)
     if isinstance(speeds, Mapping):
         given = [speed_text(*each) for each in speeds.items()]
+    if wrong := [each for each in given if not isinstance(each, str)]:
+        raise UsageError(f'speeds: {wrong[0]!r} in a list, expected texts, as "w1=300rpm", or speeds by flywheel')
     asked = read_speeds(stand, given)
     _warn_of_planned_speeds(stand, asked, given)
     return asked
@@ -271,9 +274,8 @@ def quiet(
     if given is not None:
         warn_of_speeds(own, given, [""] * len(given))
     kind = measure or ("force" if point == REACTION else "acceleration")
-    x, y, z = momentum if momentum is not None else (0.0, 0.0, 0.0)
     options = QuietOptions(
-        point, band, None if momentum is None else (x, y, z), given, tuple((a, b, c) for a, b, c in axes), kind,
+        point, band, None if momentum is None else tuple(momentum), given, tuple(map(tuple, axes)), kind,
         speed("limit", limit), speed("least", least) or 0.0, speed("change", change), reduction,
         tuple((a, b) for a, b in avoid), tuple(orders), modes, margin, guard, seed,
     )  # fmt: skip

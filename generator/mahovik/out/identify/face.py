@@ -167,7 +167,7 @@ def identify(
     from mahovik.use.measured import read_recordings
 
     if loss not in LOSSES:
-        raise UsageError(f'loss: unknown "{loss}"{suggestion(loss, LOSSES)}, expected {", ".join(LOSSES)}')
+        raise UsageError(f'loss: unknown "{loss}"{suggestion(loss, LOSSES)}')
     own = Stand.of(stand)
     wanted = wanted_of(free) if isinstance(free, str) else Wanted(tuple(free))
     delays = wanted.delays | {name: quantity(f"delay of {name}", each, TIME) for name, each in (delay or {}).items()}

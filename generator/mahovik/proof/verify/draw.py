@@ -15,6 +15,7 @@ from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state, random_wrenches
 from mahovik.core.stand.state import State
+from mahovik.errors import UsageError, whole_number
 
 HALF_TURN_DISTANCE = {"double": 1e-6, "float": 1e-5}
 """Least distance from a half turn, rad: nearer, rounding decides in which sense a law turns back."""
@@ -29,6 +30,10 @@ def draw(stand: Stand, seed: int, count: int, real: str = "double", wrenches: bo
     Every fourth ordinary one has a run-time wrench on every body; without `wrenches` on those that take one only. For
     float every number is one of float, but for the quaternion: it has unit length in double.
     """
+    whole_number("states", count)
+    whole_number("seed", seed, 0)
+    if real not in HALF_TURN_DISTANCE:
+        raise UsageError(f"real: unknown {real!r}, expected one of {', '.join(HALF_TURN_DISTANCE)}")
     found = []
     rng = np.random.default_rng(seed)
     for number, kind in zip(range(count), _state_kinds(), strict=False):

@@ -99,13 +99,13 @@ def verify_c(
     Raises ToolchainError where it does not compile, CheckError where it is of another stand.
     """
     with_inputs = wrenches and against is None
+    states = draw(stand, seed, count, real, wrenches=with_inputs)
     with side_by_side() as pool:
         if backend is None:
             built = pool.submit(CBackend, stand, real, against, pool=pool if with_inputs else None)
         from mahovik.proof.verify.functions.registry import function_rows  # SciPy: loaded while the compiler runs
 
         second = Second(stand)
-        states = draw(stand, seed, count, real, wrenches=with_inputs)
         backend = backend or built.result()
         rows = judge(stand, backend, states, backend.wants, BOUNDS[real], progress, second)
         some = ordinary(states, backend.inputs, FUNCTION_STATES)

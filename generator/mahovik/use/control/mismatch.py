@@ -22,7 +22,7 @@ from mahovik.core.stand.model import (
 )
 from mahovik.core.stand.physical import check_body, check_stand
 from mahovik.core.stand.problems import Problems
-from mahovik.errors import UsageError
+from mahovik.errors import UsageError, whole_number
 from mahovik.use.control.measurement import Errors
 from mahovik.use.plan.residual.spatial import mount_axes
 
@@ -52,6 +52,7 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
         raise UsageError(f"--mismatch {100 * share:g}%: expected 0% to {100 * MOST:g}%")
     if share == 0.0:
         return stand
+    whole_number("seed", seed, 0)
     draw = _Bodies(np.random.default_rng(seed), share)
     carrier = draw.body(stand.carrier)
     found = replace(

@@ -15,7 +15,7 @@ import numpy as np
 from mahovik.core.motion.programme import Fourier, Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import MountingAngles, Stand
-from mahovik.errors import DesignError, StateError
+from mahovik.errors import DesignError, StateError, whole_number
 from mahovik.use.design.freedom import Freedom
 from mahovik.use.design.outcome import Outcome, Status, changes
 from mahovik.use.design.refusal import binding_words, refuse, relax_each
@@ -136,7 +136,7 @@ NO_STEP_LIMIT = 10**9
 
 @dataclass(frozen=True)
 class DesignOptions:
-    """Options of a design.
+    """Options of a design. Raises UsageError for those without meaning.
 
     seed      of all random numbers
     seconds   time limit of the search; None: unlimited
@@ -148,6 +148,10 @@ class DesignOptions:
     seconds: float | None = None
     starts: int = STARTS
     pareto: int = 0
+
+    def __post_init__(self) -> None:
+        whole_number("seed", self.seed, 0)
+        whole_number("pareto", self.pareto, 0, 50)
 
 
 def design_stand(

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Generic, Literal, Protocol, TypeVar
+from typing import Any, Generic, Literal, Protocol, TypeVar, get_args
 
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import Winding
+from mahovik.errors import UsageError, whole_number
+from mahovik.nearest import suggestion
 
 Method = Literal["fourier", "ocp-partition", "ocp"]
 
 
 @dataclass(frozen=True)
 class PlanOptions:
-    """Options of a plan.
+    """Options of a plan. Raises UsageError for those without meaning.
 
     seed     of all random numbers; the same file and seed give the same programme
     seconds  time limit; None: only the budget of starts and steps ends the search
@@ -36,6 +38,12 @@ class PlanOptions:
     steps: int = 20_000
     method: Method = "fourier"
     partition: tuple[str, ...] | None = None
+
+    def __post_init__(self) -> None:
+        whole_number("seed", self.seed, 0)
+        whole_number("keep", self.keep, 1, 99)
+        if self.method not in get_args(Method):
+            raise UsageError(f'method: unknown "{self.method}"{suggestion(self.method, get_args(Method))}')
 
     @property
     def seconds_of_search(self) -> float | None:

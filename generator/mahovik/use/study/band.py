@@ -23,9 +23,8 @@ def in_band(frequency: NDArray[np.floating[Any]] | float, band: tuple[float, flo
 
 def check_band(name: str, band: tuple[float, float]) -> None:
     """Raise UsageError unless an argument is two frequencies (Hz) of at least 0, the lower first."""
-    low, high = band
-    if not 0.0 <= low < high < math.inf:
-        raise UsageError(f"{name} {low:g}..{high:g} Hz: expected two frequencies, the lower first")
+    if not (len(band) == 2 and 0.0 <= band[0] < band[1] < math.inf):
+        raise UsageError(f"{name} {'..'.join(f'{f:g}' for f in band)} Hz: expected two frequencies, the lower first")
 
 
 def rms(amplitudes: Complex, frequencies: Array, band: tuple[float, float] | None = None) -> Array:

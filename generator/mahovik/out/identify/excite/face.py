@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from mahovik.core.motion.programme import Programme as CoreProgramme
 from mahovik.core.stand.state import State
-from mahovik.errors import CheckError, StandError, StateError, UsageError
+from mahovik.errors import CheckError, StandError, StateError, UsageError, whole_number
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import Number, StandGiven, time, time_limit
@@ -249,7 +249,7 @@ def excite(
     own = Stand.of(stand)
     span, read = time("--duration", duration), chosen_channels(own, channels)
     allowed = time_limit("seconds", seconds)
-    _require_experiment(own, read, span, rate, criterion, harmonics)
+    _require_experiment(own, read, span, rate, criterion, harmonics, seed)
     bounds = bounds_of(own, speed, speed_min, acceleration, torque, span)
     noises = noise_of_channels(read, noise or {})
     unknown = Free(build(own), wanted_of(str(free)).paths if isinstance(free, str | Path) else tuple(free))
@@ -301,7 +301,7 @@ def _start(stand: Stand) -> State | None:
 
 
 def _require_experiment(
-    stand: Stand, read: Sequence[Channel], span: float, rate: float, criterion: str, harmonics: int
+    stand: Stand, read: Sequence[Channel], span: float, rate: float, criterion: str, harmonics: int, seed: int
 ) -> None:
     """Raise UsageError where no experiment is possible."""
     if stand.hold is not None and not stand.hold.freedoms and all(each.kind != REACTION for each in read):
@@ -322,5 +322,5 @@ def _require_experiment(
         raise UsageError(f"--duration {span:g}, --rate {rate:g}: {span * rate:.6g} samples, expected 10 to 200000")
     if criterion not in ("A", "D"):
         raise UsageError(f'--criterion "{criterion}": expected A or D')
-    if not 0 <= harmonics <= 20:
-        raise UsageError(f"--harmonics {harmonics}: expected 0 to 20")
+    whole_number("harmonics", harmonics, 0, 20)
+    whole_number("seed", seed, 0)

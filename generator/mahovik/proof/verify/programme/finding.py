@@ -14,6 +14,7 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.coordinates import FREE, coordinates_of
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.errors import above_zero
 from mahovik.proof.reference.array import Array
 
 
@@ -96,6 +97,8 @@ DRIFT = 20
 
 def tolerance_for(stand: Stand, given: float | None) -> Tolerance:
     """Limits for a stand; `given` replaces that of the residual, and the others follow from it."""
+    if given is not None:
+        above_zero("tolerance", given)
     nonlinear = any(law.nonlinear for body in stand.bodies for law in body.laws)
     if given is None and not nonlinear:
         return Tolerance(SMOOTH, SMOOTH, RUNUP)

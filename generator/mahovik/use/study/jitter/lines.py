@@ -87,7 +87,7 @@ class Lines:
         found = np.sqrt((loose + np.array(tied).reshape(-1, 3)) / 2.0)
         return np.where(self.is_finite[:, None], found, np.nan)
 
-    def within(self, band: tuple[float, float]) -> Lines:
+    def of_band(self, band: tuple[float, float]) -> Lines:
         """These lines, 0 outside a band (Hz); NaN at speeds without a steady motion."""
         inside = in_band(self.frequency, band) | ~self.is_finite[:, None]
         return Lines(self.names, self.frequency, np.where(inside[:, :, None], self.amplitude, 0.0))

@@ -55,7 +55,7 @@ class LoadView:
 
     @property
     def rows(self) -> slice:
-        """Of a wrench, those seen."""
+        """Rows of a wrench that are seen."""
         return slice(0, 3) if self.quantity == "force" else slice(3, 6)
 
     def linear(self, motion: LinearMotion) -> Complex:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from mahovik.core.stand.model import Stand
-from mahovik.errors import CheckError, UsageError
+from mahovik.errors import CheckError, whole_number
 from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.balance import Balance, balance
 from mahovik.use.study.jitter.chain import Chain, Makers, undamped_mode
@@ -118,7 +118,7 @@ class Jitter:
 
         Noise is in the first two, three times its RMS in `worst`.
         """
-        lines, noise = self.lines.within(band), self.noise
+        lines, noise = self.lines.of_band(band), self.noise
         square = 0.0 if noise is None else noise.mean_square(band[1]) - noise.mean_square(band[0])
         return {
             "rms": np.sqrt(lines.rms() ** 2 + square),
@@ -164,8 +164,8 @@ def jitter(
     Raises UsageError, JitterFileError: a mode shape is missing. CheckError: no equilibrium, or no speed has a steady
     state.
     """
-    if order is not None and order < 1:
-        raise UsageError(f"order {order}: expected a whole number of at least 1")
+    if order is not None:
+        whole_number("order", order, 1, 20)
     value = np.array(asked.values(steps))
     speeds = np.array([asked.speeds(x) for x in value])
     start = np.zeros(speeds.shape[1]) if phases is None else np.array(phases, dtype=np.float64)
@@ -219,7 +219,8 @@ class _Study:
                     problems.append((i, str(error)))
                     found.append(None)
         except KeyboardInterrupt:
-            pass
+            if not found:
+                raise
         good = [each for each in found if each is not None]
         if found and not good:
             raise CheckError(problems[0][1])

@@ -12,7 +12,7 @@ from scipy.optimize import linprog
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import rest_state
-from mahovik.errors import CheckError, UsageError
+from mahovik.errors import CheckError, UsageError, whole_number
 from mahovik.nearest import suggestion
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.screw import f
@@ -68,9 +68,9 @@ class QuietOptions:
 
     point: str
     band: Interval
-    momentum: tuple[float, float, float] | None = None
+    momentum: tuple[float, ...] | None = None
     speeds: tuple[float, ...] | None = None
-    axes: tuple[tuple[float, float, float], ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    axes: tuple[tuple[float, ...], ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     measure: str = "acceleration"
     limit: float | None = None
     least: float = 0.0
@@ -86,6 +86,12 @@ class QuietOptions:
     def __post_init__(self) -> None:
         for name, limits in (("band", self.band), *(("avoid", each) for each in self.avoid)):
             check_band(name, limits)
+        whole_number("seed", self.seed, 0)
+        for axis in self.axes:
+            if not (len(axis) == 3 and math.isclose(math.hypot(*axis), 1.0, rel_tol=1e-6)):
+                raise UsageError(f"axes: {list(axis)}, expected directions of three numbers and length 1")
+        if self.momentum is not None and len(self.momentum) != 3:
+            raise UsageError(f"momentum: {len(self.momentum)} numbers, expected 3")
         if self.momentum is None and self.speeds is None:
             raise UsageError("neither --momentum nor --speeds: give the momentum to hold, or the present speeds")
         if self.measure not in MEASURES:

@@ -14,7 +14,7 @@ import numpy as np
 from mahovik.core.motion.ranges import MAX_SPEED
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import SPEED, QuantityError, number
-from mahovik.errors import UsageError
+from mahovik.errors import UsageError, whole_number
 from mahovik.nearest import suggestion
 
 MOST_TURNS = 1000
@@ -89,9 +89,10 @@ class SpeedPlan:
         return tuple(c + k * value for c, k in zip(self.constant, self.factor, strict=True))
 
     def values(self, steps: int) -> tuple[float, ...]:
-        """Values of the swept speed, evenly spaced; without a sweep only the speed of `swept`."""
+        """Values of the swept speed, evenly spaced; without a sweep only that of `swept`. Raises UsageError."""
         if self.sweep is None:
             return (0.0 if self.swept is None else self.constant[self.swept],)
+        whole_number("steps", steps, 2, 100_000)
         return tuple(float(x) for x in np.linspace(*self.sweep, steps))
 
 

@@ -195,7 +195,8 @@ def sweep_outputs(
                 break
             found.append(_steps(scene, value, turning, outputs, phases))
     except KeyboardInterrupt:
-        pass
+        if not found:
+            raise
     if found and all(each[0].problem is not None for each in found):
         raise CheckError(str(found[0][0].problem))
     missing = len(found) < len(values)
