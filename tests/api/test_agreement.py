@@ -172,7 +172,7 @@ def test_options_of_inverse_reach_the_c() -> None:
     heavy = m.inverse(x, inputs["V_dot"], weight={"w1": 1e3})
     free = m.inverse(x, inputs["V_dot"])
     assert (np.abs(heavy["phi_ddot", "w1"]) < np.abs(free["phi_ddot", "w1"])).all()
-    assert m.inverse(x, inputs["V_dot"], near=1.0).has_status("NEAR_SINGULAR").all()
+    assert m.inverse(x, inputs["V_dot"], near_singular=1.0).has_status("NEAR_SINGULAR").all()
     only = m.inverse(x, inputs["V_dot"], limit={"w3": 1.0})
     assert np.abs(only["phi_ddot", "w3"]).max() <= 1.0 and np.abs(only.phi_ddot).max() > 1.0
 

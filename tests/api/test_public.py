@@ -93,7 +93,7 @@ def test_the_page_lists_the_functions() -> None:
     assert all(hasattr(mahovik.Model, name) for name in OF_TASKS)
     for name, f in there.items():
         assert ("batch C" in listed[name][3]) == f.wide
-        takes = {"options": ("weight", "limit", "most", "motor_torque", "motor_speed", "near", "damping")}
+        takes = {"options": ("weight", "limit", "most", "motor_torque", "motor_speed", "near_singular", "damping")}
         wanted = [w for t in f.takes if t not in ("x", "wrench") for w in takes.get(t, (t,))]
         written = [word.strip("` ") for word in listed[name][1].split(",") if word.strip()]
         assert sorted(written) == sorted(wanted), name

@@ -95,7 +95,7 @@ CALLS: dict[str, Callable[[Any], Any]] = {
         m.state(), 0.0, limit={"w2": -1.0}
     ),
     "inverse: RANGE: weight w1 is 0, expected at least 1e-06": lambda m: m.inverse(m.state(), 0.0, weight={"w1": 0}),
-    "inverse: BAD_ARGUMENT: near is 2, expected 0 to 1": lambda m: m.inverse(m.state(), 0.0, near=2),
+    "inverse: BAD_ARGUMENT: near_singular is 2, expected 0 to 1": lambda m: m.inverse(m.state(), 0.0, near_singular=2),
     'status: no "SINGULAR", did you mean "NEAR_SINGULAR"?': lambda m: m.forward(m.state()).has_status("SINGULAR"),
     "points: the stand has no instruments or points": lambda m: m.points(m.state()),
     "limit: expected shape (8,), the same for all states": lambda m: m.inverse(m.state(), 0.0, limit=np.ones((2, 8))),

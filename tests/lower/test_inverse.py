@@ -33,7 +33,7 @@ def ask(c: CBackend, seed: int = 1, **options: Any) -> tuple[dict[str, Any], int
     x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": list(rng.normal(size=6))}
     x |= {"phi": list(rng.uniform(-3, 3, count)), "phi_dot": list(rng.normal(size=count) * 20)}
     given = {"table": c.library.default("default"), "x": x, "V_dot": list(rng.normal(size=6))}
-    defaults = {"weight": [1.0] * count, "limit": [1e300] * count, "near": 1e-6, "damping": 0.0}
+    defaults = {"weight": [1.0] * count, "limit": [1e300] * count, "near_singular": 1e-6, "damping": 0.0}
     defaults |= dict.fromkeys(ABILITIES, [1e300] * count)
     defaults |= {"motor_viscous": [0.0] * count, "motor_coulomb": [0.0] * count, "motor_coulomb_speed": [1.0] * count}
     given["options"] = defaults | options
@@ -167,14 +167,14 @@ def test_far_out_of_reach_the_residual_is_the_least(count: int, spread: float) -
 
 
 def test_damping_lowers_what_is_near_singular() -> None:
-    """With `near` above the smallest ratio, the damping is reported and the answer gets smaller."""
+    """With `near_singular` above the smallest ratio, the damping is reported and the answer gets smaller."""
     c = backend_of(6)
     _, status, plain = ask(c)
     assert status == 0
-    _, flagged, same = ask(c, near=0.9)
+    _, flagged, same = ask(c, near_singular=0.9)
     assert flagged == STATUS_VALUES["NEAR_SINGULAR"]
     assert same["phi_ddot"] == plain["phi_ddot"]
-    _, status, out = ask(c, near=0.9, damping=0.5)
+    _, status, out = ask(c, near_singular=0.9, damping=0.5)
     assert status & STATUS_VALUES["DAMPED"]
     assert 0 < out["damped_by"] <= 0.5 * out["sigma"][0]
     assert np.linalg.norm(out["phi_ddot"]) < np.linalg.norm(plain["phi_ddot"])
@@ -219,7 +219,7 @@ def test_the_hardest_direction_is_out_of_reach(count: int) -> None:
     "options",
     [
         {"limit": [0.0] * 6},
-        {"near": 1.5},
+        {"near_singular": 1.5},
         {"damping": -0.1},
         {"motor_viscous": [0.0] * 5 + [-1e-3]},
         {"motor_coulomb": [-1e-3] + [0.0] * 5},
@@ -233,7 +233,7 @@ def test_bad_options_are_refused(options: dict[str, Any]) -> None:
 def test_not_a_number_among_options_is_refused() -> None:
     assert ask(backend_of(6), weight=[float("nan")] + [1.0] * 5)[1] == STATUS_VALUES["NOT_FINITE"]
     assert ask(backend_of(6), limit=[float("nan")] * 6)[1] == STATUS_VALUES["NOT_FINITE"]
-    assert ask(backend_of(6), near=float("nan"))[1] == STATUS_VALUES["NOT_FINITE"]
+    assert ask(backend_of(6), near_singular=float("nan"))[1] == STATUS_VALUES["NOT_FINITE"]
 
 
 def test_the_fast_variant_reads_weights_and_damping_only() -> None:
@@ -241,7 +241,7 @@ def test_the_fast_variant_reads_weights_and_damping_only() -> None:
     c = backend_of(12)
     weight = [1.0 + s for s in range(12)]
     given, _, out = ask(c, weight=weight)
-    given["options"] |= {"limit": [float("nan")] * 12, "near": 7.0}
+    given["options"] |= {"limit": [float("nan")] * 12, "near_singular": 7.0}
     status, fast = c.call("inverse_fast", given)
     assert status == 0
     assert fast["phi_ddot"] == pytest.approx(out["phi_ddot"], rel=1e-7)
@@ -262,7 +262,7 @@ def test_an_answer_beyond_the_largest_float_is_refused(function: str, limit: flo
     for row in table["flywheel"]:
         row["t_0"] = [1e-10 * each for each in row["t_0"]]
     x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.0] * 6, "phi": [0.0] * 3, "phi_dot": [0.0] * 3}
-    options = {"weight": [1.0] * 3, "limit": [limit] * 3, "near": 1e-3, "damping": 0.0}
+    options = {"weight": [1.0] * 3, "limit": [limit] * 3, "near_singular": 1e-3, "damping": 0.0}
     options |= dict.fromkeys(ABILITIES, [3e38] * 3)
     options |= {"motor_viscous": [0.0] * 3, "motor_coulomb": [0.0] * 3, "motor_coulomb_speed": [1.0] * 3}
     V_dot = [0.0, 0.0, 0.0, 9e8, 9e8, 9e8]

@@ -250,7 +250,7 @@ def test_inverse_in_float_never_exceeds_a_limit_by_a_rounding() -> None:
     rng = np.random.default_rng(1)
     for state in [state for name, state in drawn if name.startswith("random")]:
         given = backend.arguments(state)
-        options: dict[str, object] = {**given["options"], "limit": [largest] * N, "near": 0.0}
+        options: dict[str, object] = {**given["options"], "limit": [largest] * N, "near_singular": 0.0}
         _, free = backend.call("inverse", given | {"options": options})
         most = float(np.abs(free["out"]["phi_ddot"]).max())
         for part in rng.uniform(0.2, 0.95, 12):

@@ -145,8 +145,8 @@ _ROWS = (
         tasks=True,
         sines=True,
         python=False,
-        unread="near and limits",
-        ignores=("near", "limit", "most", "motor_torque", "motor_speed", *_FRICTION, *_FOR_TORQUES),
+        unread="near_singular and limits",
+        ignores=("near_singular", "limit", "most", "motor_torque", "motor_speed", *_FRICTION, *_FOR_TORQUES),
     ),
     PublicFunction(
         "torque_for",
@@ -158,7 +158,7 @@ _ROWS = (
         needs="tasks",
         tasks=True,
         unread="infinity, which is no limit at all",
-        ignores=("near", "limit", "most", "damping", *_FRICTION),
+        ignores=("near_singular", "limit", "most", "damping", *_FRICTION),
     ),
     PublicFunction(
         "forward_jacobian",

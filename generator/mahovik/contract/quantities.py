@@ -198,7 +198,7 @@ QUANTITIES = {
         Quantity("target_speed", "rad/s", "flywheels", "N", ("MAX_SPEED",)),
         Quantity("target_rate", "1/s", "", "", invalid=_bad_arguments(-1.0)),
         Quantity("avoid_speed", "rad/s", "", "", invalid=_bad_arguments(-1.0)),
-        Quantity("near", "", "part of the largest singular value", "", invalid=_bad_arguments(-0.1, 1.5)),
+        Quantity("near_singular", "", "part of the largest singular value", "", invalid=_bad_arguments(-0.1, 1.5)),
         Quantity("damping", "", "part of the largest singular value", "", invalid=_bad_arguments(-0.1, 1.5)),
         Quantity("mass", "kg", "a body", "", invalid=((-1.0, "RANGE"),)),
         # what step_carried keeps from one step to the next

@@ -111,7 +111,7 @@ def _inverse(lib: Library) -> Function:
     out = Argument("out", layout.inverse_result, (), "out", purpose="phi_ddot and its quality")
     o, p = out.place, options.place
     body = Body()
-    check_demand(lib, body, table, x, V_dot, p, ("near", "damping"), wrench)
+    check_demand(lib, body, table, x, V_dot, p, ("near_singular", "damping"), wrench)
     check_flywheels(lib, body, p)
     work = body.local("work", (), layout.inverse_work)
     answer = body.local("answer", (layout.count,), comment="phi''")

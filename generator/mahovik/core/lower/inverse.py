@@ -56,7 +56,7 @@ def inverse(lib: Library) -> Function:
     out = Argument("out", layout.inverse_result, (), "out", purpose="phi_ddot and its quality")
     o, p = out.place, options.place
     body = Body()
-    check_demand(lib, body, table, x, V_dot, p, ("near", "damping"), wrench)
+    check_demand(lib, body, table, x, V_dot, p, ("near_singular", "damping"), wrench)
     check_flywheels(lib, body, p)
     work = body.local("work", (), layout.inverse_work)
     answer = body.local("answer", (layout.count,), comment="phi''")
@@ -187,7 +187,7 @@ def choose_rank(
 ) -> None:
     """Choose the rows used, and damp near-singular ones: r sigma^2 / (sigma^2 + lambda^2).
 
-    The only row of a held carrier has the largest singular value: never near-singular, for `near` is at most 1.
+    The only row of a held carrier has the largest singular value, and `near_singular` is at most 1: never damped.
     """
     first = work.sigma[0]
     body.set(rank, integer(0))
@@ -199,11 +199,11 @@ def choose_rank(
     with body.loop("i", rows) as i, body.when(work.sigma[i] > lib.thresholds.rank * first):
         body.set(rank, rank + 1)
         ratio = body.let("ratio", work.sigma[i] / first)
-        with body.when(ratio < p.near):
+        with body.when(ratio < p.near_singular):
             body.set(flags, flag(flags, "NEAR_SINGULAR"))
             with body.when(p.damping > 0):
                 body.set(flags, flag(flags, "DAMPED"))
-                share = body.let("lambda", p.damping * first * (1 - ratio / p.near))
+                share = body.let("lambda", p.damping * first * (1 - ratio / p.near_singular))
                 square = body.let("square", work.sigma[i] * work.sigma[i])
                 body.set(work.r[i], work.r[i] * (square / (square + share * share)))
                 body.set(damped, select(share > damped, share, damped))

@@ -29,7 +29,9 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     table, x = lib.table_argument(), lib.state_argument()
     wanted = "wanted, S u_dot" if layout.held else "wanted derivative of the components of V"
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose=wanted)
-    options = Argument("options", layout.inverse_options, purpose="weights and damping; `near` and `limit` are ignored")
+    options = Argument(
+        "options", layout.inverse_options, purpose="weights and damping; `near_singular` and `limit` are ignored"
+    )
     given, wrench = lib.given_turns() if at else (), lib.wrench_arguments()
     phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
     p = options.place

@@ -181,7 +181,13 @@ class Layout(Tables):
                 "rad/s",
                 "speed at which three quarters of the dry friction act; greater than 0",
             ),
-            Field("near", REAL, (), "", "status NEAR_SINGULAR below this fraction of the largest singular value, 0..1"),
+            Field(
+                "near_singular",
+                REAL,
+                (),
+                "",
+                "status NEAR_SINGULAR below this fraction of the largest singular value, 0..1",
+            ),
             Field(
                 "damping", REAL, (), "", "damping of small singular values, as a fraction of the largest, 0..1; 0: none"
             ),

@@ -17,7 +17,7 @@ class Thresholds:
 
     rank           inverse: singular value over the largest, below which it counts as zero
     unreachable    inverse: scaled residual over scaled demand, above which the target is out of reach
-    near_singular  inverse: default of the option `near`; above `rank`, or no kept value could ever be below it
+    near_singular  inverse: default of the option `near_singular`; above `rank`, or no kept value could ever be below it
     weight         inverse: smallest weight of a flywheel; MAX_WEIGHT is its inverse
     regular        inverse: put on the diagonal of normal equations that limits may have left singular; some thousand
                    times what rounding leaves of a zero there

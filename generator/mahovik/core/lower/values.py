@@ -249,7 +249,7 @@ class Values:
             "weight": [s.inverse_weight for s in flywheels],
             "limit": [largest] * len(flywheels),
             **_abilities(self._stand, largest),
-            "near": thresholds(self._layout.precision).near_singular,
+            "near_singular": thresholds(self._layout.precision).near_singular,
             "damping": 0.0,
             **{f"use_{task.name}": [1] * len(task.rows) for task in self._stand.tasks},
             **(_torque_options(len(flywheels), largest) if self._stand.tasks else {}),

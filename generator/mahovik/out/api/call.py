@@ -229,7 +229,7 @@ def _option(argument: ArgumentLayout, memory: Array, stand: Stand) -> Iterator[s
                 yield f"{what} is {x:.9g} {member.unit}, expected at least 0"
             elif member.name in ("limit", "most", "motor_speed", "motor_coulomb_speed") and not x > 0:
                 yield f"{what} is {x:.9g} {member.unit}, expected above 0"
-            elif member.name in ("near", "damping") and not 0 <= x <= 1:
+            elif member.name in ("near_singular", "damping") and not 0 <= x <= 1:
                 yield f"{what} is {x:.9g}, expected 0 to 1"
 
 

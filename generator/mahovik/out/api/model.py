@@ -201,7 +201,7 @@ class Model(WithReaction, WithRegressor, WithCoordinates):
         most: Given | None = None,
         motor_torque: Given | None = None,
         motor_speed: Given | None = None,
-        near: float | None = None,
+        near_singular: float | None = None,
         damping: float | None = None,
         wrench: Wrenches = None,
         tables: Tables | None = None,
@@ -216,7 +216,7 @@ class Model(WithReaction, WithRegressor, WithCoordinates):
         most          rad/s2; EXCESSIVE above this |phi''|; by default `inverse_most` of flywheels without a motor
         motor_torque  N m; EXCESSIVE if the drive torque is above it; by default that of the motor
         motor_speed   rad/s; no-load speed, where the torque that drives has fallen to 0; by default that of the motor
-        near          NEAR_SINGULAR below this part of the largest singular value
+        near_singular  status NEAR_SINGULAR below this part of the largest singular value
         damping       of small singular values, a part of the largest; else none
 
         Gives `phi_ddot`, `residual`, `sigma`, `rank`, `damped_by`, `limited`, `hardest`, of a task `V_dot` as well, the
@@ -224,7 +224,7 @@ class Model(WithReaction, WithRegressor, WithCoordinates):
         """
         each = {"weight": weight, "limit": limit, "most": most}
         each |= {"motor_torque": motor_torque, "motor_speed": motor_speed}
-        shares = {"near": near, "damping": damping}
+        shares = {"near_singular": near_singular, "damping": damping}
         if task is None:
             if demand is not None or rows is not None:
                 raise InputError(f"{'rows' if demand is None else 'demand'}: needs a task, task=NAME")

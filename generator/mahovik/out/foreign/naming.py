@@ -28,6 +28,8 @@ class Names:
 def stand_name(given: str) -> str:
     """The name of a model as the name of a stand."""
     plain = _identifier(given, "stand")
+    if plain.startswith("_"):
+        return f"stand{plain}"
     return f"{plain}_" if stand_name_problem(plain) is not None else plain
 
 

@@ -39,30 +39,32 @@ def scaled_demand(at: Pieces, stand: Stand, V_dot: Array) -> ScaledDemand:
     return ScaledDemand(K_root @ free.I @ Theta_root.T, K_root @ free.demand(at, V_dot), Theta_root.T, K_root)
 
 
-def weighted_solution(scaled: ScaledDemand, weight: Array, rank: int, near: float = 0.0, damping: float = 0.0) -> Array:
+def weighted_solution(
+    scaled: ScaledDemand, weight: Array, rank: int, near_singular: float = 0.0, damping: float = 0.0
+) -> Array:
     """phi'' (N): least |r - W y| in the first `rank` singular directions, then least sum weight_s y_s^2.
 
-    Damping: where sigma_i < near sigma_1, the demand in that direction is multiplied by
-    sigma_i^2/(sigma_i^2 + lambda_i^2), lambda_i = damping sigma_1 (1 - sigma_i/(near sigma_1)).
+    Damping: where sigma_i < near_singular sigma_1, the demand in that direction is multiplied by
+    sigma_i^2/(sigma_i^2 + lambda_i^2), lambda_i = damping sigma_1 (1 - sigma_i/(near_singular sigma_1)).
     """
     U, sigma, Vt = np.linalg.svd(scaled.W, full_matrices=False)
     wanted = (U.T @ scaled.r)[:rank]
     for i in range(rank):
-        if sigma[i] < near * sigma[0]:
-            share = damping * sigma[0] * (1 - sigma[i] / (near * sigma[0]))
+        if sigma[i] < near_singular * sigma[0]:
+            share = damping * sigma[0] * (1 - sigma[i] / (near_singular * sigma[0]))
             wanted[i] *= sigma[i] ** 2 / (sigma[i] ** 2 + share**2)
     root = 1 / np.sqrt(weight)
     rows = (sigma[:rank, None] * Vt[:rank]) * root
     return scaled.phi_ddot(np.asarray(root * (np.linalg.pinv(rows, rcond=0.0) @ wanted), dtype=np.float64))
 
 
-def largest_damping(scaled: ScaledDemand, rank: int, near: float, damping: float) -> float:
+def largest_damping(scaled: ScaledDemand, rank: int, near_singular: float, damping: float) -> float:
     """The largest lambda_i that `weighted` applies; 0 where it applies none."""
     if rank == 0:
         return 0.0
     sigma = np.linalg.svd(scaled.W, compute_uv=False)[:rank]
     ratios = sigma / sigma[0]
-    return float(max((damping * sigma[0] * (1 - x / near) for x in ratios if x < near), default=0.0))
+    return float(max((damping * sigma[0] * (1 - x / near_singular) for x in ratios if x < near_singular), default=0.0))
 
 
 def normal_matrix(scaled: ScaledDemand, weight: Array, damping: float) -> Array:

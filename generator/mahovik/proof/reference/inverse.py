@@ -18,13 +18,13 @@ from mahovik.proof.reference.pieces import Pieces
 class Cuts:
     """Thresholds of rank and status, for double.
 
-    rank     of the first singular value: those below are taken as zero
-    near     of the first singular value: a smallest kept one below this is NEAR_SINGULAR
-    reached  scaled residual over scaled demand above this is UNREACHABLE
+    rank           of the first singular value: those below are taken as zero
+    near_singular  of the first singular value: a smallest kept one below this is NEAR_SINGULAR
+    reached        scaled residual over scaled demand above this is UNREACHABLE
     """
 
     rank: float = 1e-9
-    near: float = 1e-6
+    near_singular: float = 1e-6
     reached: float = 1e-9
 
 
@@ -80,7 +80,7 @@ def inverse(at: Pieces, V_dot: Array, cuts: Cuts = CUTS, rank: int | None = None
 def status_names(scaled_demand: Array, scaled_residual: Array, sigma: Array, rank: int, least: int, cuts: Cuts) -> str:
     """Names of contract/status.py joined by |, in the order of their bits; a rank below `least` is RANK_DEFICIENT."""
     names = []
-    if rank and sigma[rank - 1] < cuts.near * sigma[0]:
+    if rank and sigma[rank - 1] < cuts.near_singular * sigma[0]:
         names.append("NEAR_SINGULAR")
     if np.linalg.norm(scaled_residual) > cuts.reached * np.linalg.norm(scaled_demand):
         names.append("UNREACHABLE")

@@ -234,7 +234,7 @@ class Judge:
         bounds, natural, at = self._bounds, self._scales(state, "inverse"), self._at(state)
         ratios = sigma / sigma[0] if sigma.size else sigma
         apart = bounds.of("inverse", "sigma") * natural["sigma"] / sigma[0] if sigma.size else sigma
-        for cut in (bounds.cuts.rank, bounds.cuts.near):
+        for cut in (bounds.cuts.rank, bounds.cuts.near_singular):
             near = (ratios > cut / 10) & (ratios < cut * 10) | (np.abs(ratios - cut) < apart)
             if np.any(near):
                 return True

@@ -152,7 +152,7 @@ class FunctionBackend(ABC):
                 **self._options,
                 "weight": [1.0] * len(state.phi),
                 "limit": [self.layout.precision.largest] * len(state.phi),
-                "near": NEAR_SINGULAR_BELOW,
+                "near_singular": NEAR_SINGULAR_BELOW,
                 "damping": 0.0,
             },
         }

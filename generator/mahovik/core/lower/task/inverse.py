@@ -49,7 +49,7 @@ def inverse_task(lib: Library, rows: Rows) -> Function:
     use = p.member(f"use_{name}")
     place = {a.name: a.place for a in arguments}
     body = Body()
-    check_demand(lib, body, table, x, demand, p, ("near", "damping"), tuple(wrench))
+    check_demand(lib, body, table, x, demand, p, ("near_singular", "damping"), tuple(wrench))
     with body.loop("s", layout.count) as s:
         lib.guard(body, Not(or_(p.limit[s] > 0, p.limit[s] <= 0)), "NOT_FINITE")
         lib.guard(body, p.limit[s] <= 0, "BAD_ARGUMENT")

@@ -75,15 +75,15 @@ def damped_scale(case: Case, scaled: ScaledDemand, options: Mapping[str, Any], r
     """Scale (N, rad/s2) of a damped answer, likewise: by the condition of the damped problem.
 
     V g(sigma) U^T r with g = sigma/(sigma^2 + lambda^2) moves by |r| times the largest slope of g, which is at most
-    (1 + damping/near)/(sigma^2 + lambda^2); weights stretch this by the root of their ratio. Only what weights put
-    outside of the kept directions, where there are more flywheels than those, turns with them: the full condition.
+    (1 + damping/near_singular)/(sigma^2 + lambda^2); weights stretch this by the root of their ratio. Only what weights
+    put outside of the kept directions, where there are more flywheels than those, turns with them: the full condition.
     Along weak directions (`_weak_demand`) the C leaves `regular` of the answer, stretched by the ratio of the weights.
     """
     _, sigma, Vt = np.linalg.svd(scaled.W, full_matrices=False)
     sigma, Vt = sigma[:rank], Vt[:rank]
     if not rank:
         return np.zeros(len(answer))
-    near, damping, weight = options["near"], options["damping"], np.array(options["weight"])
+    near, damping, weight = options["near_singular"], options["damping"], np.array(options["weight"])
     shares = damping * sigma[0] * np.maximum(1 - sigma / (near * sigma[0]), 0.0)
     slope = (1 + damping / near) * float(np.max(1 / (sigma**2 + shares**2)))
     y = np.linalg.solve(scaled.to_phi_ddot, answer)
@@ -120,7 +120,7 @@ def options_of(case: Case, number: int, limit: Array | None = None, **more: floa
     none = np.full(case.count, case.backend.layout.precision.largest)
     given: dict[str, Any] = dict(case.backend.generated.values.options or {})  # what the motors have
     given |= {"weight": list(weight), "limit": list(none if limit is None else limit)}
-    return {**given, "near": 1e-6, "damping": 0.0, **more}
+    return {**given, "near_singular": 1e-6, "damping": 0.0, **more}
 
 
 def _demands(case: Case, task: str = "") -> Iterator[tuple[int, str, State, ScaledDemand]]:
@@ -178,9 +178,9 @@ def inverse_rows(case: Case) -> Iterator[Row]:
             loss = _loss_along_freedoms(case, state, scaled)
             plain.note(found["phi_ddot"], expected, loss * scale_of(scaled, weight, rank, expected), name)
             beside.note(state, options, status, found, scaled, name)
-            options = options_of(case, number, near=NEAR, damping=DAMPING)
-            options |= {key: float(np.float32(options[key])) for key in ("near", "damping")}
-            near, damping = options["near"], options["damping"]
+            options = options_of(case, number, near_singular=NEAR, damping=DAMPING)
+            options |= {key: float(np.float32(options[key])) for key in ("near_singular", "damping")}
+            near, damping = options["near_singular"], options["damping"]
             status, found = answer_of(case, given, options)
             answer = weighted_solution(scaled, weight, rank, near, damping)
             scale = loss * damped_scale(case, scaled, options, rank, answer)

@@ -20,7 +20,7 @@ from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.scales.wants import inverse as inverse_scales
 
 NEAR_MARGIN = 1e-3
-"""Relative distance of a singular value from `near` below which rounding may decide the status."""
+"""Relative distance of a singular value from `near_singular` below which rounding may decide the status."""
 
 CLEAR = 0.1
 """Accepted error of the direction of the unreachable wrench above which this direction is not compared."""
@@ -88,7 +88,7 @@ class Diagnoses:
         expected["LIMITED"] = any(found.get("limited", ()))
         sigma = np.linalg.svd(asked.W, compute_uv=False)[:rank]
         if rank:
-            ratios, near = sigma / sigma[0], options["near"]
+            ratios, near = sigma / sigma[0], options["near_singular"]
             apart = bounds.of("inverse", "sigma") * natural["sigma"][0] / sigma[0] + NEAR_MARGIN * near
             below: bool | None = bool(np.any(ratios < near))
             if not np.any(ratios < near - apart) and np.any(np.abs(ratios - near) <= apart):

@@ -30,7 +30,7 @@ from mahovik.proof.verify.scales.magnitudes import Magnitudes
 Rows = NDArray[np.bool_]
 
 NEAR_MARGIN = 1e-3
-"""Relative distance of a singular value from `near` below which rounding may decide the status."""
+"""Relative distance of a singular value from `near_singular` below which rounding may decide the status."""
 
 
 def inverse_rows(case: Case, function: str) -> Iterator[Row]:
@@ -58,14 +58,16 @@ def inverse_rows(case: Case, function: str) -> Iterator[Row]:
             status, found = allocation.answer_of(case, given, with_free, function)
             _note_plain(freed, case, asked, part, options, found, name)
             beside.note(asked, rows, use, options, status, found, part, name)
-            options = allocation.options_of(case, number, near=allocation.NEAR, damping=allocation.DAMPING)
-            options |= {key: float(np.float32(options[key])) for key in ("near", "damping")}
+            options = allocation.options_of(case, number, near_singular=allocation.NEAR, damping=allocation.DAMPING)
+            options |= {key: float(np.float32(options[key])) for key in ("near_singular", "damping")}
             status, found = allocation.answer_of(case, given, options, function)
             rank = int(found["rank"])
-            answer = weighted_solution(scaled, np.array(options["weight"]), rank, options["near"], options["damping"])
+            answer = weighted_solution(
+                scaled, np.array(options["weight"]), rank, options["near_singular"], options["damping"]
+            )
             scale = allocation.damped_scale(case, scaled, options, rank, answer)
             damped.note(found["phi_ddot"], answer, scale, name)
-            share = largest_damping(scaled, rank, options["near"], options["damping"])
+            share = largest_damping(scaled, rank, options["near_singular"], options["damping"])
             damped_by.note(found["damped_by"], share, np.linalg.norm(scaled.W), name)
             beside.note(asked, rows, everything, options, status, found, scaled, name)
             for fraction in allocation.LIMIT_SHARES:
@@ -217,7 +219,7 @@ class _Diagnoses:
         expected["RANK_DEFICIENT"] = rank < min(len(scaled.r), case.count)
         expected["LIMITED"] = any(found["limited"])
         if rank:
-            ratios, near = sigma[:rank] / sigma[0], options["near"]
+            ratios, near = sigma[:rank] / sigma[0], options["near_singular"]
             below: bool | None = bool(np.any(ratios < near))
             if np.any(np.abs(ratios - near) <= NEAR_MARGIN * near + 1e3 * case.unit):
                 below = None
