@@ -62,7 +62,8 @@ def instructions(name: str) -> dict[str, int]:
                 Path(folder, file).write_text(text, encoding="utf-8")
         program = PROGRAM.replace("RATES", "" if stand.hold is None else ", u_dot").replace("NAME", stand.name)
         Path(folder, "main.c").write_text(program, encoding="utf-8")
-        subprocess.run([*COMPILER, "main.c", f"{stand.name}.c", "-o", "main"], cwd=folder, check=True)
+        plain = f"-D{stand.name.upper()}_PLAIN_NAMES"
+        subprocess.run([*COMPILER, plain, "main.c", f"{stand.name}.c", "-o", "main"], cwd=folder, check=True)
         return {function: _count(folder, f"{stand.name}_{function}") for function in FUNCTIONS}
 
 

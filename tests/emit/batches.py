@@ -48,6 +48,7 @@ class Batched:
         with TemporaryDirectory() as folder:
             write(files, Path(folder))
             command = [compiler, *FIRMWARE_WARNINGS, "-Wno-missing-prototypes", "-ffp-contract=off", "-fPIC"]
+            command.append(f"-D{name.upper()}_PLAIN_NAMES")
             base = [f for f in flags if "native" not in f]  # gcc 12 fuses in the functions for one state
             objects = []
             for source in files:

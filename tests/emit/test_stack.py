@@ -62,7 +62,7 @@ def chains(program: Program, taken: Mapping[str, int]) -> dict[str, int]:
 def measured(program: Program, source: Path, compiler: str, level: str) -> dict[str, int]:
     """Stack of all functions of a source, by the compiler's frames."""
     made = source.parent / f"{source.stem}.o"
-    compile_c(compiler, source, level, "-fstack-usage", "-c", "-o", made)
+    compile_c(compiler, source, level, f"-D{program.name.upper()}_PLAIN_NAMES", "-fstack-usage", "-c", "-o", made)
     return chains(program, frames(made.with_suffix(".su"), program.name))
 
 

@@ -92,7 +92,8 @@ class Attitude:
 
     def __init__(self, folder: Path) -> None:
         name = folder / "loop.so"
-        compile_c("gcc", folder / "eye4_attitude.c", "-O1", "-fPIC", "-shared", folder / "eye4.c", "-o", name)
+        flags = ("-O1", "-DEYE4_PLAIN_NAMES", "-fPIC", "-shared")
+        compile_c("gcc", folder / "eye4_attitude.c", *flags, folder / "eye4.c", "-o", name)
         self._library = ct.CDLL(str(name))
         self.table = ct.addressof(ct.c_double.in_dll(self._library, "eye4_default"))
         self._mean = (ct.c_double * 2000)()

@@ -28,9 +28,9 @@ def run_old_selftest(name: str, source: Path, folder: Path) -> set[str]:
     """Names of the functions whose golden vectors fail: the old self-test with this C and the header beside it."""
     header = source.parent / f"{name}.h"
     (folder / "shim.h").write_text(shim(name, header.read_text(encoding="utf-8")), encoding="utf-8")
-    program, new = folder / "selftest", folder / "new.o"
-    compile_c("gcc", source, f"-I{header.parent}", "-O1", "-c", "-o", new)
-    shimmed = (f"-I{header.parent}", "-include", folder / "shim.h")
+    program, new, plain = folder / "selftest", folder / "new.o", f"-D{name.upper()}_PLAIN_NAMES"
+    compile_c("gcc", source, f"-I{header.parent}", plain, "-O1", "-c", "-o", new)
+    shimmed = (f"-I{header.parent}", plain, "-include", folder / "shim.h")
     compile_c("gcc", FOLDER / f"{name}_selftest.c", *shimmed, new, "-o", program)
     done = subprocess.run([program], capture_output=True, text=True, check=False, timeout=120)
     (run,) = read_log(done.stdout, "selftest")

@@ -30,10 +30,10 @@ class Recorder:
         for file, text in texts.items():
             (folder / file).write_text(text, encoding="ascii")
         sources = [str(folder / f"{name}.c"), str(folder / f"{name}_recorder.c")]
-        library = str(folder / "recorder.so")
-        run_compiler([*WARNINGS, *BITS, "-O1", "-shared", "-fPIC", *sources, "-o", library], name)
+        library, plain = str(folder / "recorder.so"), f"-D{name.upper()}_PLAIN_NAMES"
+        run_compiler([*WARNINGS, *BITS, "-O1", plain, "-shared", "-fPIC", *sources, "-o", library], name)
         self.ffi = cffi.FFI()
-        declarations = preprocess(folder / f"{name}_recorder.h").replace("extern const ", "extern ")
+        declarations = preprocess(folder / f"{name}_recorder.h", plain).replace("extern const ", "extern ")
         own = declarations[declarations.index(f"typedef {real} {name}_real;") :]  # the system's headers left out
         self.ffi.cdef(own)
         self.library: Any = self.ffi.dlopen(library)

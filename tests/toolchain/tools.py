@@ -1,6 +1,7 @@
 """Tools that a test may need: absent, the test is skipped with the Debian package that has it; in CI it fails."""
 
 import os
+import re
 import shutil
 import subprocess
 from functools import cache
@@ -55,11 +56,11 @@ def compile_elsewhere(source: Path) -> None:
 
 
 def symbols_of(source: Path, folder: Path) -> list[tuple[str, str]]:
-    """Kind, as `nm` has it, and name of each symbol of the object that gcc makes of a file at -O2."""
+    """Kind, as `nm` has it, and name in C of each symbol of the object that gcc makes of a file at -O2."""
     thing = folder / f"{source.stem}.o"
     compile_c(require("gcc", "gcc"), source, "-O2", "-c", "-o", thing)
-    listed = run(require("nm", "binutils"), thing).splitlines()
-    return [(kind, symbol) for kind, symbol in (line.split()[-2:] for line in listed)]
+    listed = re.sub(r"_f(32|64)_[0-9a-f]{8}$", "", run(require("nm", "binutils"), thing), flags=re.MULTILINE)
+    return [(kind, symbol) for kind, symbol in (line.split()[-2:] for line in listed.splitlines())]
 
 
 def run(*command: str | Path) -> str:

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.link import part_link
 from mahovik.core.lower.attitude import attitude_routines
 from mahovik.core.lower.layout import Layout
 from mahovik.core.program.types import Kind
@@ -51,12 +50,9 @@ class AttitudePrinter:
 
     def files(self) -> dict[str, str]:
         """Header and source by file name."""
-        declared = (self._tables.dumps, self._tables.task.name, *self._tables.settings)
-        link = part_link(self._stand.name, "attitude", identities(self._stand), self._code.precision.name, declared)
         name = f"{self._stand.name}_attitude"
         source = self.render(
             "attitude.c.j2",
-            link=link,
             word=self._code.names.type(Kind.WORD),
             uses_word=self._code.words,
             uses_bits_of=Kind.WORD in self._code.casts,
@@ -64,7 +60,7 @@ class AttitudePrinter:
             functions=self._code.functions,
             settings={member: self.numbers(value) for member, value in self._tables.settings.items()},
         )
-        return {f"{name}.h": self.render("attitude.h.j2", link=link), f"{name}.c": source}
+        return {f"{name}.h": self.render("attitude.h.j2"), f"{name}.c": source}
 
     def numbers(self, value: float | tuple[float, ...]) -> str:
         """Literals of one or several numbers, as an initialiser of C."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from functools import cached_property
 from typing import Any
@@ -9,16 +10,25 @@ from typing import Any
 from mahovik.core.emit.constant import initialiser
 from mahovik.core.emit.declaration import contract, null_check, prototype, struct_lines, summary, zeros
 from mahovik.core.emit.expression import Expressions
+from mahovik.core.emit.layout import comment_lines
 from mahovik.core.emit.literal import hex_literal, real_literal
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import Statements
 from mahovik.core.emit.templates import template
+from mahovik.core.lower.golden import fnv1a
 from mahovik.core.program.expression import BitCast, Choice
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.types import Kind, Struct
 from mahovik.core.program.walk import expressions
 from mahovik.core.stand.identity import Identities
+
+_IDENTITY = (
+    "The linker sees names that end in the kind of the reals and a hash of this header: a caller with the header of "
+    "another stand, element type, choice of functions or version does not link. Define {} for all files, "
+    "and it sees the names as they are, as dlsym, --wrap and other languages need them."
+)
+"""Comment above the names of the linker."""
 
 INDENT = "    "
 """One indent."""
@@ -46,7 +56,19 @@ class Code:
 
     def render(self, name: str, **more: Any) -> str:
         """The text of a template, which knows the facts of the program and what else is given."""
-        return template(name).render(**self._facts | more)
+        text = template(name).render(**self._facts | more)
+        return self._with_identity(text) if name.endswith(".h.j2") else text
+
+    def _with_identity(self, header: str) -> str:
+        """A header with macros that give its functions and constants names for the linker, which end in its hash."""
+        name, suffix = self.program.name, f"f{self.precision.width}_{fnv1a(header.encode('ascii')):08x}"
+        public = re.findall(rf"^(?:extern const )?\w+ ({name}_\w+)[(;]", header, re.MULTILINE)
+        width = max(map(len, public), default=0)
+        plain = f"{name.upper()}_PLAIN_NAMES"
+        lines = [*comment_lines(_IDENTITY.format(plain)), f"#ifndef {plain}"]
+        lines += [f"#define {each:<{width}} {each}_{suffix}" for each in public]
+        begin = '#ifdef __cplusplus\nextern "C" {\n'
+        return header.replace(begin, "\n".join([*lines, "#endif", "", begin]), 1)
 
     # -- literals ------------------------------------------------------------------------------------------------------
 

@@ -8,7 +8,6 @@ from typing import Any
 from mahovik.contract.functions import CHOSEN, row_of
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.layout import comment_lines, wrap_statement
-from mahovik.core.emit.link import link
 from mahovik.core.emit.log_format import RESERVED, table_bytes
 from mahovik.core.emit.names import RESERVED as OF_STANDS
 from mahovik.core.emit.status import statuses
@@ -89,10 +88,7 @@ class _Printer:
     def __init__(self, stand: Stand, layout: Layout, values: Values, code: Code) -> None:
         self._stand, self._layout, self._values, self._code = stand, layout, values, code
         self._names, self._program = code.names, code.program
-        self._known = {
-            "bodies": describe_bodies(stand),
-            "link": link(stand.name, identities(stand), layout.precision.name),
-        }
+        self._known = {"bodies": describe_bodies(stand)}
 
     def header(self) -> str:
         """The header: the manual of the generated code."""

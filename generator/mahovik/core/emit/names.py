@@ -18,15 +18,14 @@ RESERVED = frozenset(
         *(
             "ALLOW_FAST_MATH",
             "SQRT",
-            "NO_LINK_CHECK",
-            "LINK_CHECKED",
+            "PLAIN_NAMES",
             "SELFTEST_MAIN",
             "SELFTEST_SWEEP",
             "SERVO_MAIN",
             "SERVO_TEST_MAIN",
             "FUZZ_MAIN",
         ),
-        *("SERVO_PERIOD", "SERVO_PERIODS", "SERVO_TICKS", "SERVO_NO_LINK_CHECK", "SERVO_LINK_CHECKED"),
+        *("SERVO_PERIOD", "SERVO_PERIODS", "SERVO_TICKS"),
     )
 )
 """Names of the files beside a recorder's and a programme's, that no flywheel may have."""

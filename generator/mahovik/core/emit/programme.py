@@ -11,7 +11,6 @@ from mahovik.core.emit.calls import call
 from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.declaration import struct_lines
 from mahovik.core.emit.layout import paragraph, wrap_statement
-from mahovik.core.emit.link import Link, part_link
 from mahovik.core.emit.manifest import manifest_with
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.lower.programme.clock import CLOCK
@@ -100,22 +99,15 @@ class _Printer:
 
     def header(self) -> str:
         """The header: the manual."""
-        return self._code.render("programme.h.j2", **self._known, **self._header_declarations(), link=self._link())
-
-    def _header_declarations(self) -> dict[str, list[Any]]:
-        """Declarations of the header."""
         sizes = [c.form.size for c in self._made.courses]
-        return {
-            "spans": self._spans(),
-            "counts": [(self._names.constant(size.name), int(size), size.comment) for size in sizes],
-            "clock": struct_lines(CLOCK, self._names),
-            "functions": self._code.public_declarations(self._made.public),
-        }
-
-    def _link(self) -> Link:
-        """The symbol that header and source share."""
-        declared = self._header_declarations().values()
-        return part_link(self._stand.name, "programme", identities(self._stand), self._code.precision.name, declared)
+        return self._code.render(
+            "programme.h.j2",
+            **self._known,
+            spans=self._spans(),
+            counts=[(self._names.constant(size.name), int(size), size.comment) for size in sizes],
+            clock=struct_lines(CLOCK, self._names),
+            functions=self._code.public_declarations(self._made.public),
+        )
 
     def source(self) -> str:
         """The source: tables, then functions."""
@@ -124,7 +116,6 @@ class _Printer:
         return self._code.render(
             "programme.c.j2",
             **self._known,
-            link=self._link(),
             facts=[text for line in self._facts.lines for text in paragraph(line, " *   ", " *     ")],
             structs=self._code.structs(s for s in self._made.program.structs if s is not CLOCK),
             tables=[self._code.table(f"{table.name}_values", table, value) for table, value in tables],

@@ -8,7 +8,6 @@ from typing import Any
 
 from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.layout import paragraph, wrap_statement
-from mahovik.core.emit.link import Link, part_link
 from mahovik.core.emit.manifest import manifest_with
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.programme import rename_files
@@ -90,22 +89,13 @@ class _Printer:
 
     def header(self) -> str:
         """The header: the manual."""
-        return self.render("servo.h.j2", **self._header_declarations(), link=self._link())
-
-    def _header_declarations(self) -> dict[str, list[Any]]:
-        """Declarations of the header."""
         program, names = self._code.program, self._code.names
-        return {
-            "counts": [(names.constant(c.name), int(c), c.comment) for c in program.counts[1:]],
-            "structs": self._code.structs(program.structs),
-            "functions": self._code.public_declarations(self._code.public),
-        }
-
-    def _link(self) -> Link:
-        """The symbol that header and source share."""
-        tables = self._tables
-        declared = (*self._header_declarations().values(), tables.period, tables.ticks, tables.periods)
-        return part_link(self._stand.name, "servo", identities(self._stand), self._code.precision.name, declared)
+        return self.render(
+            "servo.h.j2",
+            counts=[(names.constant(c.name), int(c), c.comment) for c in program.counts[1:]],
+            structs=self._code.structs(program.structs),
+            functions=self._code.public_declarations(self._code.public),
+        )
 
     def source(self) -> str:
         """The source: tables, then functions."""
@@ -116,7 +106,6 @@ class _Printer:
             constants.append(self._code.table("trim_default", form.design, tables.design))
         return self.render(
             "servo.c.j2",
-            link=self._link(),
             uses_word=bool(self._code.casts) or any(getattr(e, "kind", None) is Kind.WORD for e in every),
             uses_bits_of=Kind.WORD in self._code.casts,
             uses_real_of=Kind.REAL in self._code.casts,

@@ -56,9 +56,9 @@ def run_compiler(arguments: Sequence[str], what: str, compiler: Sequence[str] = 
     return done.stdout
 
 
-def build_shared(source: Path, library: Path, optimisation: str = "-O2") -> None:
-    """Compiles one C file to a shared library. Raises ToolchainError."""
-    _build(source, library, (*BITS, optimisation))
+def build_shared(source: Path, library: Path, *more: str) -> None:
+    """Compiles one C file to a shared library, with `more` flags. Raises ToolchainError."""
+    _build(source, library, (*BITS, "-O2", *more))
 
 
 def _build(source: Path, library: Path, how: Sequence[str]) -> None:
@@ -66,6 +66,6 @@ def _build(source: Path, library: Path, how: Sequence[str]) -> None:
     run_compiler([*flags, f"-I{source.parent}", str(source), "-o", str(library)], source.name)
 
 
-def preprocess(header: Path) -> str:
-    """A header as the compiler sees it: declarations without directives and assembly. Raises ToolchainError."""
-    return run_compiler(["-std=c99", "-U__ELF__", "-E", "-P", "-x", "c", str(header)], header.name)
+def preprocess(header: Path, *more: str) -> str:
+    """A header as the compiler sees it with `more` flags: declarations without directives. Raises ToolchainError."""
+    return run_compiler(["-std=c99", *more, "-E", "-P", "-x", "c", str(header)], header.name)

@@ -107,7 +107,7 @@ def _symbols(listing: str) -> Iterator[tuple[int, str, str]]:
     for line in listing.splitlines():
         words = line.split()
         if len(words) == 4:
-            yield int(words[1], 16), words[2], words[3]
+            yield int(words[1], 16), words[2], _plain(words[3])
 
 
 def _sections(listing: str) -> tuple[int, int]:
@@ -137,7 +137,8 @@ def _graph(text: str) -> tuple[dict[str, int], dict[str, frozenset[str]]]:
 
 
 def _plain(title: str) -> str:
-    return title.rpartition(":")[2]
+    """A symbol as C has it: without the file's name, and the end by which the linker tells headers apart."""
+    return re.sub(r"_f(32|64)_[0-9a-f]{8}(?=\.|$)", "", title.rpartition(":")[2])
 
 
 def _output(*command: str, folder: Path) -> str:

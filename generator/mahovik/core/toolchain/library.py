@@ -32,12 +32,13 @@ class Library:
 
     def __init__(self, header: Path, source: Path, scratch: Path, prefix: str) -> None:
         target = scratch / f"{source.stem}.so"
-        build_shared(source, target)
+        plain = f"-D{prefix.upper()}_PLAIN_NAMES"
+        build_shared(source, target, plain)
         self._prefix = prefix
         self._ffi = cffi.FFI()
         try:
             # cffi reaches variables only: it takes a `const` object for a constant of the compiler.
-            text = _SIZE_CHECK.sub("", preprocess(header))
+            text = _SIZE_CHECK.sub("", preprocess(header, plain))
             self._ffi.cdef(text.replace("extern const ", "extern "))
             self._library = self._ffi.dlopen(str(target))
         except (cffi.CDefError, OSError) as error:

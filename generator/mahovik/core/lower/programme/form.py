@@ -12,7 +12,7 @@ SECTORS = 64
 
 RESERVED = frozenset(
     (
-        *("PROGRAMME_H", "PROGRAMME_TEST_MAIN", "PROGRAMME_NO_LINK_CHECK", "PROGRAMME_LINK_CHECKED"),
+        *("PROGRAMME_H", "PROGRAMME_TEST_MAIN"),
         *(
             f"PROGRAMME_{part}{name}"
             for part in ("", "RUNUP_", "RUNDOWN_")
