@@ -13,7 +13,7 @@ from mahovik.core.program.expression import Place
 from mahovik.core.program.walk import expressions
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
 from toolchain.quick import quick
-from toolchain.tools import compile_c, require, require_32_bit, run
+from toolchain.tools import SSE, compile_c, require, require_32_bit, run
 
 FLOAT_NAMES = ("bench8", "everything6", "bare0", "hung5")
 FIRST = ("everything6", "hung5")
@@ -70,7 +70,7 @@ def test_clang_with_float(float_source: Path) -> None:
 
 
 def test_32_bits(source: Path) -> None:
-    compile_c(require_32_bit(), source, "-m32", "-fsyntax-only")
+    compile_c(require_32_bit(), source, *SSE, "-fsyntax-only")
 
 
 def test_header_alone_and_twice_in_c_and_cpp(source: Path, tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -13,9 +14,13 @@ from emit.stands import generated, stand, write
 from export import programmes, servos
 from mahovik import stands as examples
 from mahovik.core.emit.batch import batch_files
-from mahovik.core.emit.templates import folders
+from mahovik.core.emit.delivery import selftest_files
+from mahovik.core.emit.recorder import recorder_files
+from mahovik.core.emit.templates import folders, source_text
+from mahovik.out.export.fmu import export_fmu
+from mahovik.proof.verify.selftest_log import problems, read_log
 from toolchain.quick import quick
-from toolchain.tools import require, run
+from toolchain.tools import SSE, compile_c, require, require_32_bit, run
 
 MACROS = frozenset((Path(__file__).parent / "macros.txt").read_text().split("\n", 1)[1].split())
 """Macros of the C library and of <windows.h> with a small letter, or of at most three: by the command on line 1."""
@@ -60,3 +65,56 @@ def test_a_prefix_that_c_reserves_is_refused() -> None:
     for prefix in ("_X", "_x", "__x"):
         said = refused("generate", str(examples.path("demo3")), "--prefix", prefix)
         assert f'--prefix {prefix}: "{prefix}" begins with _' in said
+
+
+@pytest.fixture(scope="module")
+def sources(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Every kind of source that computes, beside its headers."""
+    folder = tmp_path_factory.mktemp("sources")
+    made = generated("shaker2")
+    write(made.files | batch_files(stand("shaker2"), made) | recorder_files(stand("shaker2"), made), folder)
+    write(servos.exported("trimmed").servo | programmes.exported("spin").files, folder)
+    fmu = export_fmu(stand("shaker2"), "3.0", "cs", "torque", binary=False, generated=made).files
+    write({Path(name).name: text for name, text in fmu.items() if name.endswith((".c", ".h"))}, folder)
+    return sorted(path for path in folder.glob("*.c") if not path.stem.endswith(("_test", "_main", "_fmi3")))
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        (("-m32", "-std=gnu11", "-O2"), "wrong results: the compiler keeps more digits than a double has, as x87 does"),
+        (("-U__DBL_MANT_DIG__", "-D__DBL_MANT_DIG__=24"), "wrong results: shaker2 needs a double of 64 bits"),
+        (("-U__FLT_RADIX__", "-D__FLT_RADIX__=16"), "wrong results: shaker2 needs a double of 64 bits"),
+        (("-U__INT_MAX__", "-D__INT_MAX__=32767"), "wrong counts: shaker2 needs an int of 32 bits"),
+    ],
+)
+def test_other_numbers_are_refused(flags: tuple[str, ...], words: str, sources: list[Path]) -> None:
+    names = {path.stem.removeprefix("shaker2") for path in sources}
+    assert names >= {"", "_batch", "_recorder", "_servo", "_programme", "_model", "_pose"}
+    for source in sources:
+        done = subprocess.run(
+            [require_32_bit(), *flags, "-fsyntax-only", source], capture_output=True, text=True, check=False
+        )
+        assert f'#error "{words}' in done.stderr, source.name
+
+
+def test_an_attitude_loop_refuses_them_too() -> None:
+    assert '[% include "exact.c.j2" %]' in source_text("attitude.c.j2")
+
+
+def test_sse_is_taken(sources: list[Path]) -> None:
+    for source in sources:
+        compile_c(require_32_bit(), source, *SSE, "-Wno-float-equal", "-fsyntax-only")
+
+
+@pytest.mark.slow
+def test_the_first_line_of_the_self_test_tells_x87(tmp_path: Path) -> None:
+    made = generated("demo3")
+    write(made.files | selftest_files(stand("demo3"), made), tmp_path)
+    files, program = (tmp_path / "demo3.c", tmp_path / "demo3_selftest.c"), tmp_path / "selftest"
+    leave = "-DDEMO3_ALLOW_FAST_MATH"
+    run(require_32_bit(), "-m32", "-mno-sse", "-std=gnu11", "-O2", "-w", leave, *files, "-o", program)
+    printed = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60).stdout
+    first = "wrong results: compiled with x87 arithmetic, without -msse2 -mfpmath=sse"
+    assert printed.splitlines()[0] == first
+    assert problems(read_log(printed, "selftest")[0])[0] == first

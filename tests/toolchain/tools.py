@@ -27,6 +27,9 @@ FIRMWARE_WARNINGS = (
 )
 """What strict firmware projects compile with."""
 
+SSE = ("-m32", "-msse2", "-mfpmath=sse")
+"""Flags of gcc and clang for 32-bit x86 with numbers as IEEE 754 has them: x87 is refused."""
+
 
 def require(tool: str, package: str) -> str:
     """Path of a tool; without it the test is skipped, in CI it fails: there nothing is left out."""
@@ -52,7 +55,7 @@ def compile_c(compiler: str, source: Path, *flags: str | Path) -> None:
 def compile_elsewhere(source: Path) -> None:
     """Compiles a file by clang and for 32 bits; asserts that neither complains. Writes nothing."""
     compile_c(require("clang", "clang"), source, "-fsyntax-only")
-    compile_c(require_32_bit(), source, "-m32", "-fsyntax-only")
+    compile_c(require_32_bit(), source, *SSE, "-fsyntax-only")
 
 
 def symbols_of(source: Path, folder: Path) -> list[tuple[str, str]]:

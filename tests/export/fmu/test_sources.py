@@ -18,7 +18,7 @@ from mahovik.core.stand.state import rest_state
 from mahovik.core.toolchain.compiler import WARNINGS
 from mahovik.core.toolchain.module import STRICT
 from mahovik.out.export.fmu import export_fmu
-from toolchain.tools import require
+from toolchain.tools import SSE, require
 
 
 def unpacked(name: str, version: str, kind: Kind, inputs: Inputs, folder: Path) -> list[Path]:
@@ -45,7 +45,7 @@ def test_no_warning(version: str, kind: Kind, inputs: Inputs, compiler: str, tmp
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("compiler", ["gcc", "gcc -m32", "clang", "clang -m32"])
+@pytest.mark.parametrize("compiler", ["gcc", f"gcc {' '.join(SSE)}", "clang", f"clang {' '.join(SSE)}"])
 @pytest.mark.parametrize("name", STANDS)
 def test_no_warning_in_any(name: str, compiler: str, tmp_path: Path) -> None:
     for k, (version, kind, inputs) in enumerate(COMBINATIONS):

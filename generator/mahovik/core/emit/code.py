@@ -30,6 +30,12 @@ _IDENTITY = (
 )
 """Comment above the names of the linker."""
 
+_EXCESS = {
+    32: "FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16",
+    64: "FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16",
+}
+"""Condition of C, by bits of a real, that results keep more digits than the type; 16 is about _Float16 alone."""
+
 INDENT = "    "
 """One indent."""
 
@@ -49,6 +55,9 @@ class Code:
             "real": self.precision.name,
             "width": self.precision.width,
             "real_bytes": self.precision.width // 8,
+            "real_prefix": "DBL" if self.precision.width == 64 else "FLT",
+            "real_digits": self.precision.significand,
+            "excess": _EXCESS[self.precision.width],
             "literal": self.real,
             "hexadecimal": self.hex,
             "zeros": zeros(self.public, self.names),

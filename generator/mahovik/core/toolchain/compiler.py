@@ -56,9 +56,9 @@ def run_compiler(arguments: Sequence[str], what: str, compiler: Sequence[str] = 
     return done.stdout
 
 
-def build_shared(source: Path, library: Path, *more: str) -> None:
+def build_shared(source: Path, library: Path, *more: str, optimisation: str = "-O2") -> None:
     """Compiles one C file to a shared library, with `more` flags. Raises ToolchainError."""
-    _build(source, library, (*BITS, "-O2", *more))
+    _build(source, library, (*BITS, optimisation, *more))
 
 
 def _build(source: Path, library: Path, how: Sequence[str]) -> None:

@@ -29,7 +29,7 @@ LONGEST_SWEEP = 1_000_000
 
 _HEAD = re.compile(r"mahovik selftest (\w+) structure ([0-9a-f]{8}) physics ([0-9a-f]{8}) real (double|float)\s*$")
 _GENERATOR = re.compile(r"generator mahovik (\S+)\s*$")
-_FAST_MATH = re.compile(r"\bwrong results: (compiled with [\w, -]{1,100})\s*$")
+_FAST_MATH = re.compile(r"\bwrong results: (compiled with [\w, =-]{1,100})\s*$")
 _FUNCTION = re.compile(
     r"\b(\w+) (PASS|FAIL) cases ([0-9]{1,9})(?: wrong ([0-9]{1,9}))?(?: \(([a-z, ]{1,80})\))?"
     r"(?: worst (more than )?([0-9]{1,20}) ulp|(?<=\)))\s*$"
