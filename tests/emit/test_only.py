@@ -12,6 +12,7 @@ from cli.run import refused
 from cli.run import run as cli
 from emit.stands import generated, stand, write
 from mahovik.core.emit.delivery import delivery
+from mahovik.core.emit.generate import generate_all
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.proof.cost.measure import measure
 from mahovik.proof.verify.delivery import delivered_only, require_place_for_cost
@@ -61,6 +62,23 @@ def test_its_page_names_no_command_that_refuses_it() -> None:
     assert "judge-log STAND.toml --log LOG --only forward`" in part
     assert "generate STAND.toml --only forward -o . --check" in part
     assert "replay STAND.toml" in delivery(stand("sat4"), only=("step",))["README.md"]  # the recorder is there
+
+
+@pytest.mark.parametrize("only", ["forward", "wrap", "inverse", "step"])
+def test_a_part_declares_only_what_it_needs(only: str, tmp_path: Path) -> None:
+    """No macro that nothing uses, no status that cannot occur, no word about functions that are not there."""
+    files = generate_all(stand("sat4"), only=(only,)).files
+    source, header = write(files, tmp_path), files["sat4.h"]
+    compile_c(require("gcc", "gcc"), source, "-Wunused-macros", "-fsyntax-only")
+    code = re.sub(r"/\*.*?\*/", "", files["sat4.c"], flags=re.DOTALL)
+    bounds = re.findall(r"#define (SAT4_(?:MAX_\w+|LARGEST)) ", header)
+    assert [macro for macro in bounds if macro not in code] == []
+    named = re.search(r"Returns ([^.]*)\.", re.sub(r"\n \*", "", header))
+    returned = {"OK"} if named is None else {status.strip() for status in named[1].split(",")}
+    listed = re.findall(r"^    SAT4_(\w+) = -?\d+,?  ", re.sub(r" +/\*", "  /*", header), re.MULTILINE)
+    assert set(listed) == returned | {"OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT"}
+    missing = {f.name for f in generated("sat4").program.functions if f.public} - {only}
+    assert not missing & {"prepare", "mounts"} & set(re.findall(r"\b[a-z]\w+", header))
 
 
 def test_an_unknown_function_is_refused() -> None:

@@ -17,6 +17,8 @@ from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.emit.templates import folders, source_text
+from mahovik.core.stand.read import loads
+from mahovik.errors import StandError
 from mahovik.out.export.fmu import export_fmu
 from mahovik.proof.verify.selftest_log import problems, read_log
 from toolchain.quick import quick
@@ -65,6 +67,9 @@ def test_a_prefix_that_c_reserves_is_refused() -> None:
     for prefix in ("_X", "_x", "__x"):
         said = refused("generate", str(examples.path("demo3")), "--prefix", prefix)
         assert f'--prefix {prefix}: "{prefix}" begins with _' in said
+    text = examples.path("demo3").read_text().replace('name = "demo3"', 'name = "_demo3"')
+    with pytest.raises(StandError, match='name: "_demo3" begins with _'):
+        loads(text)
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +87,7 @@ def sources(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 @pytest.mark.parametrize(
     ("flags", "words"),
     [
-        (("-m32", "-std=gnu11", "-O2"), "wrong results: the compiler keeps more digits than a double has, as x87 does"),
+        (("-m32", "-std=gnu11", "-O2"), "wrong results: x87 keeps more digits"),
         (("-U__DBL_MANT_DIG__", "-D__DBL_MANT_DIG__=24"), "wrong results: shaker2 needs a double of 64 bits"),
         (("-U__FLT_RADIX__", "-D__FLT_RADIX__=16"), "wrong results: shaker2 needs a double of 64 bits"),
         (("-U__INT_MAX__", "-D__INT_MAX__=32767"), "wrong counts: shaker2 needs an int of 32 bits"),
@@ -111,9 +116,9 @@ def test_sse_is_taken(sources: list[Path]) -> None:
 def test_the_first_line_of_the_self_test_tells_x87(tmp_path: Path) -> None:
     made = generated("demo3")
     write(made.files | selftest_files(stand("demo3"), made), tmp_path)
-    files, program = (tmp_path / "demo3.c", tmp_path / "demo3_selftest.c"), tmp_path / "selftest"
-    leave = "-DDEMO3_ALLOW_FAST_MATH"
-    run(require_32_bit(), "-m32", "-mno-sse", "-std=gnu11", "-O2", "-w", leave, *files, "-o", program)
+    files, program = (tmp_path / "demo3.c", tmp_path / "verification/demo3_selftest.c"), tmp_path / "selftest"
+    defined = ("-DDEMO3_ALLOW_FAST_MATH", "-DDEMO3_SELFTEST_MAIN")
+    run(require_32_bit(), "-m32", "-mno-sse", "-std=gnu11", "-O2", "-w", *defined, *files, "-o", program)
     printed = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60).stdout
     first = "wrong results: compiled with x87 arithmetic, without -msse2 -mfpmath=sse"
     assert printed.splitlines()[0] == first

@@ -124,7 +124,7 @@ FAULTS = (
     Fault("one digit of a row of the table", TABLES, ("self-test", "prepare", "manifest"),
           "", r"847\.952026266162,", "847.952026266163,"),
     Fault("two rows of the table exchanged", TABLES, ("comparison", "self-test", "prepare"),
-          "", r"(        \{ \{ [^\n]{900,})/\* w5 \*/\n([^\n]{900,})/\* w6 \*/\n", r"\2/* w5 */\n\1/* w6 */\n"),
+          "", r"( {8}\{  /\* w5 \*/\n +\.mu_c[\s\S]*?\n {8}\},\n)( {8}\{  /\* w6 \*/\n[\s\S]*?\n {8}\},\n)", r"\2\1"),
     Fault("gravity of another place", TABLES, ("self-test", "comparison"),
           "", r"\.gravity = \{ 0\.0, 0\.0, -9\.81 \}", ".gravity = { 0.0, 0.0, -9.82 }"),
     Fault("mass of a parameter in another unit", TABLES, ("prepare", "manifest"),

@@ -314,10 +314,6 @@ CASES = {
     "not ASCII": (BASE.replace('"s"', '"ш"'), 'name: "ш" is not a C identifier (letters, digits, _; no digit first)'),
     "C keyword": (BASE + WHEEL.replace("w1", "double"), 'flywheel "double", name: "double" is a C keyword'),
     "C++ keyword": (BASE.replace('"s"', '"class"'), 'name: "class" is a C++ keyword'),
-    "reserved by C": (
-        BASE.replace('"s"', '"_s"'),
-        'name: "_s" begins with _: all names of the C would, and C reserves such names; begin with a letter',
-    ),
     "same name twice": (BASE + WHEEL + WHEEL, 'flywheel "w1", name: taken by a flywheel'),
     "point named as a body": (
         BASE + WHEEL + '[[point]]\nname = "w1"',

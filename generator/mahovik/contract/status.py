@@ -22,7 +22,7 @@ class Status:
 
 STATUSES = (
     Status("OK", 0, "success"),
-    Status("NEAR_SINGULAR", 1, "least singular value less than `near_singular` times the largest"),
+    Status("NEAR_SINGULAR", 1, "least singular value below `near_singular` times the largest"),
     Status("DAMPED", 2, "damping was applied"),
     Status("LIMITED", 4, "a limit was reached; `limited` says by which flywheels"),
     Status("UNREACHABLE", 8, "wanted motion not reached: residual above {unreachable} of the demand"),

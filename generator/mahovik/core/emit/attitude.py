@@ -53,6 +53,7 @@ class AttitudePrinter:
         name = f"{self._stand.name}_attitude"
         source = self.render(
             "attitude.c.j2",
+            limits=self._code.limits(("MAX_STEP", "MAX_WRENCH", "LARGEST")),
             word=self._code.names.type(Kind.WORD),
             uses_word=self._code.words,
             uses_bits_of=Kind.WORD in self._code.casts,

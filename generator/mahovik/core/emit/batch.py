@@ -8,7 +8,7 @@ from mahovik.contract.functions import BATCH_FUNCTIONS
 from mahovik.core.emit.calls import call, nested_loops, over_members, over_rows
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import given_zeros, pointer_arguments, zeros
-from mahovik.core.emit.generate import INTERNAL, Generated
+from mahovik.core.emit.generate import Generated, header_structs
 from mahovik.core.emit.layout import paragraph
 from mahovik.core.emit.preparing import Preparing, reals
 from mahovik.core.lower.batch import BOTH, PREPARED, Batch, Batches, batches
@@ -80,7 +80,7 @@ class _Printer:
     def source(self) -> str:
         """The source: functions in lanes, then the loops over blocks."""
         generated, table = self._generated, self._generated.layout.table
-        known = {s.name for s in generated.program.structs if s.name not in INTERNAL}
+        known = {s.name for s in header_structs(generated.program)}
         known |= {s.name for s in (self._wide.real, self._wide.word, *self._public_structs)}
         return self._code.render(
             "batch.c.j2",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from functools import cached_property
 from typing import Any
 
@@ -16,7 +16,8 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import Statements
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.golden import fnv1a
-from mahovik.core.program.expression import BitCast, Choice
+from mahovik.core.lower.limits import limits
+from mahovik.core.program.expression import BitCast, Choice, Const
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.types import Kind, Struct
@@ -88,6 +89,15 @@ class Code:
     def hex(self, value: Any) -> str:
         """A hexadecimal literal."""
         return hex_literal(float(value), self.precision)
+
+    def limits(self, more: Collection[str] = ()) -> list[tuple[str, str, str]]:
+        """Macro, value and meaning of the bounds that the program uses, and of `more`."""
+        used = {e.name for f in self.program.functions for e in expressions(f.body) if isinstance(e, Const)}
+        return [
+            (self.names.constant(x.name), self.real(x.value), f"{x.unit}; {x.comment}" if x.unit else x.comment)
+            for x in limits(self.precision).values()
+            if x.name in used or x.name in more
+        ]
 
     # -- what a program consists of ------------------------------------------------------------------------------------
 

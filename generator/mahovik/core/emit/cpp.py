@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from mahovik.contract.status import BITS, REFUSALS
 from mahovik.core.emit.calls import argument_text, call
 from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.declaration import contract
-from mahovik.core.emit.generate import INTERNAL, Generated
+from mahovik.core.emit.generate import Generated, header_structs
 from mahovik.core.emit.layout import hanging, wrap_statement
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.status import statuses
@@ -19,8 +18,10 @@ from mahovik.core.stand.hold import freedom_labels, twists
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
-_NO_NAMESPACE = frozenset(("std", "linux", "unix", "i386"))
-"""Names of stands that cannot be namespaces inside `mahovik`: they would hide std, or are macros of compilers."""
+_NO_NAMESPACE = frozenset(
+    ("std", "linux", "unix", "i386", "I", "near", "far", "interface", "cdecl", "pascal", "hyper", "environ")
+)
+"""Names of stands that cannot be namespaces inside `mahovik`: they would hide std, or are macros."""
 
 _TABLES = {
     "default_table": ("default", "Table"),
@@ -35,20 +36,20 @@ def cpp_header(stand: Stand, generated: Generated) -> dict[str, str]:
     code = Code(generated.program, identities(stand))
     program, names = code.program, code.names
     absent = "" if any(each.name == "inverse_options" for each in program.structs) else "default_options"
+    listed = [
+        (name.removeprefix(names.constant("")), value, meaning)
+        for name, value, meaning in statuses(names, generated.layout, generated.part)
+    ]
     text = code.render(
         "stand.hpp.j2",
         namespace=namespace(stand),
         flywheels=bool(generated.layout.flywheels),
         ints=any(a.shape and _kind(a, names) == "int" for f in code.public for a in f.arguments),
-        statuses=[(c.removeprefix(names.constant("")), *more) for c, *more in statuses(names, generated.layout)],
-        refusals=REFUSALS,
-        bits=BITS,
+        statuses=listed,
+        refusals=[name for name, value, _ in listed if value < 0],
+        bits=[name for name, value, _ in listed if value > 0],
         counts=[(c.name, names.constant(c.name), c.comment) for c in program.counts],
-        structs=[
-            (_struct(s), names.type(s), s.purpose)
-            for s in program.structs
-            if s.name not in INTERNAL and s.name != "state"
-        ],
+        structs=[(_struct(s), names.type(s), s.purpose) for s in header_structs(program) if s.name != "state"],
         tables=[(name, of, names.function(c)) for name, (c, of) in _TABLES.items() if name != absent],
         functions=[_function(f, names, program) for f in code.public],
         held=stand.hold is not None,

@@ -48,10 +48,12 @@ def prototype(function: Function, names: Names, restrictable: frozenset[tuple[st
 
 def _argument(a: Argument, names: Names, restrictable: bool) -> str:
     const = "const " if a.direction == "in" and (a.shape or isinstance(a.type, Struct)) else ""
-    star = ("*restrict " if restrictable else "*") if a.variable.pointer else ""
     sizes = names.lengths(a.shape)
     if restrictable and sizes:
-        sizes = f"[restrict {sizes.removeprefix('[')}"
+        rest = names.lengths(a.shape[1:])
+        name = f"(*restrict {a.name}){rest}" if rest else f"*restrict {a.name}"
+        return f"{names.type(a.type)} {name} /* {sizes} */"
+    star = ("*restrict " if restrictable else "*") if a.variable.pointer else ""
     return f"{const}{names.type(a.type)} {star}{a.name}{sizes}"
 
 

@@ -26,7 +26,6 @@ from mahovik.core.emit.declaration import pointer_arguments
 from mahovik.core.emit.draws import Draws
 from mahovik.core.emit.recorder import RECORDED
 from mahovik.core.lower import test_inputs
-from mahovik.core.lower.limits import limits
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Field, Kind, Struct
@@ -46,7 +45,6 @@ class _Harness:
         self._structs = {s.name: s for s in code.program.structs}
         self._inputs = test_inputs.inputs(code.program)
         self._plan = test_inputs.plan(code.program)
-        self._limits = limits(code.precision)
         self._drawing = Draws(
             self._names, "from", lambda path: _argument_name(".".join(path)), lambda given: self._largest(given.name)
         )
@@ -74,7 +72,7 @@ class _Harness:
             epsilon=code.real(precision.epsilon),
             smallest=code.real(precision.smallest),
             subnormal=code.real(precision.smallest * precision.epsilon),
-            bounds=[self._names.constant(n) for n in self._limits if n != "LARGEST"],
+            bounds=[macro for macro, _, _ in code.limits() if macro != self._names.constant("LARGEST")],
             largest=self._names.constant("LARGEST"),
             stream=self._largest("stream") if self._structs["table"].field("stream") else "",
             options=self._options() if "inverse_options" in self._structs else [],

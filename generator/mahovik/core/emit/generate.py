@@ -30,8 +30,8 @@ from mahovik.nearest import suggestion
 PRECISIONS = {"double": DOUBLE, "float": FLOAT}
 """Element types that `generate` offers."""
 
-INTERNAL = frozenset(("sums", "coupling", "schur", "inverse_work"))
-"""Structs that only the source declares."""
+_CONSTANTS = ("state", "parameters", "table")
+"""Structs of every header; those of its constants are among them."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +43,11 @@ class Generated:
     values: Values
     files: dict[str, str]
     only: tuple[str, ...] = ()
+
+    @property
+    def part(self) -> Program | None:
+        """The program where it has some of the public functions only."""
+        return self.program if self.only else None
 
 
 def generate(stand: Stand, precision_name: str = "double") -> dict[str, str]:
@@ -66,8 +71,8 @@ def generate_all(
     program = lower_layout(layout, tuple(name for name in CHOSEN if name in (*only, *chosen)))
     values = Values(stand, layout, program)
     if only:
-        program = restrict_program(program, _public_names(program, only, stand.name), ("state", "parameters", "table"))
-    printer = _Printer(stand, layout, values, Code(program, identities(stand)))
+        program = restrict_program(program, _public_names(program, only, stand.name), _CONSTANTS)
+    printer = _Printer(stand, layout, values, Code(program, identities(stand)), bool(only))
     files = {f"{stand.name}.h": printer.header(), f"{stand.name}.c": printer.source()}
     return Generated(layout, program, values, files, only)
 
@@ -82,12 +87,20 @@ def _public_names(program: Program, only: tuple[str, ...], name: str) -> tuple[s
     return (*only, *(("prepare_mounts",) if mounted else ()))  # which makes the table of mounts
 
 
+def header_structs(program: Program) -> tuple[Struct, ...]:
+    """The structs of a program that public functions and constants need; only the source declares the others."""
+    types = [a.type for f in program.functions if f.public for a in f.arguments if isinstance(a.type, Struct)]
+    types += [s for s in program.structs if s.name in _CONSTANTS]
+    names = {held.name for struct in types for held in struct.inner_structs()}
+    return tuple(s for s in program.structs if s.name in names)
+
+
 class _Printer:
     """Collects the parts that the templates put in order."""
 
-    def __init__(self, stand: Stand, layout: Layout, values: Values, code: Code) -> None:
+    def __init__(self, stand: Stand, layout: Layout, values: Values, code: Code, part: bool) -> None:
         self._stand, self._layout, self._values, self._code = stand, layout, values, code
-        self._names, self._program = code.names, code.program
+        self._names, self._program, self._part = code.names, code.program, part
         self._known = {"bodies": describe_bodies(stand)}
 
     def header(self) -> str:
@@ -96,10 +109,12 @@ class _Printer:
             "stand.h.j2",
             **self._known,
             table_hash=f"{fnv1a(table_bytes(self._layout, self._values.table)):08x}",
-            limits=self._limits(),
-            statuses=statuses(self._names, self._layout),
+            limits=self._code.limits(() if self._part else limits(self._code.precision)),
+            statuses=statuses(self._names, self._layout, self._program if self._part else None),
+            prepares=any(f.name == "prepare" for f in self._code.public),
+            takes_root=any(f.name == "sqrt" for f in self._program.functions),
             enums=self._enums(),
-            structs=self._code.structs(s for s in self._program.structs if s.name not in INTERNAL),
+            structs=self._code.structs(header_structs(self._program)),
             externs=[
                 (f"extern const {self._names.type(struct)} {self._names.function(name)};", meaning)
                 for name, struct, _, meaning in self._constants()
@@ -116,20 +131,10 @@ class _Printer:
             bits_of=Kind.WORD in self._code.casts,
             real_of=Kind.REAL in self._code.casts,
             word=self._code.words,
-            internal=self._code.structs(s for s in self._program.structs if s.name in INTERNAL),
+            internal=self._code.structs(s for s in self._program.structs if s not in header_structs(self._program)),
             functions=[self._function(f) for f in self._program.functions],
             tables=[self._code.table(name, struct, value, labels) for name, struct, value, _ in self._constants()],
         )
-
-    def _limits(self) -> list[tuple[str, str, str]]:
-        return [
-            (
-                self._names.constant(x.name),
-                self._code.real(x.value),
-                f"{x.unit}; {x.comment}" if x.unit else x.comment,
-            )
-            for x in limits(self._code.precision).values()
-        ]
 
     def _enums(self) -> list[list[str]]:
         """Enumerators of flywheels, of run-time wrenches and other inputs, and of sensors."""
@@ -170,7 +175,7 @@ class _Printer:
         layout, values = self._layout, self._values
         found = [
             ("default_parameters", layout.parameters, values.parameters, "of the stand file"),
-            ("default", layout.table, values.table, "what prepare makes of them"),
+            ("default", layout.table, values.table, "made of them"),
         ]
         if values.options is not None and layout.inverse_options in self._program.structs:
             found.append(("default_options", layout.inverse_options, values.options, "of inverse, by the stand file"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 WIDTH = 110
-"""Columns of a line of code or comment; rows of tables are longer."""
+"""Columns of a line."""
 
 _OUTER = (" + ", " - ", " && ", " || ", " ? ", " : ")
 _INNER = (" * ", " / ", " & ", " | ", " ^ ", " << ", " >> ", " < ", " <= ", " > ", " >= ", " == ", " != ")

@@ -25,7 +25,7 @@ RESERVED = frozenset(
             "SERVO_TEST_MAIN",
             "FUZZ_MAIN",
         ),
-        *("SERVO_PERIOD", "SERVO_PERIODS", "SERVO_TICKS"),
+        *("SERVO_PERIOD", "SERVO_PERIODS", "SERVO_TICKS", "SERVO_LIMITED"),
     )
 )
 """Names of the files beside a recorder's and a programme's, that no flywheel may have."""

@@ -45,5 +45,5 @@ def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
             (f.name, purpose_with_number(f).replace("|", "\\|"), cost(f, code.program.functions).total)
             for f in code.public
         ],
-        statuses=statuses(names, generated.layout),
+        statuses=statuses(names, generated.layout, generated.part),
     )

@@ -106,6 +106,7 @@ class _Printer:
             constants.append(self._code.table("trim_default", form.design, tables.design))
         return self.render(
             "servo.c.j2",
+            limits=self._code.limits(),
             uses_word=bool(self._code.casts) or any(getattr(e, "kind", None) is Kind.WORD for e in every),
             uses_bits_of=Kind.WORD in self._code.casts,
             uses_real_of=Kind.REAL in self._code.casts,
@@ -145,9 +146,9 @@ class _Printer:
         return manifest_with(self._stand, self._code.precision.name, files, {"servo": what})
 
     def render(self, name: str, **more: Any) -> str:
-        """A template rendered with the values that all of them use."""
-        tables = self._tables
-        return self._code.render(
+        """A template rendered with the values that all of them use. The status that it adds has a name of its own."""
+        tables, limited = self._tables, self._code.names.constant("LIMITED")
+        text = self._code.render(
             name,
             word=self._code.names.type(Kind.WORD),
             trim=self._form.trim is not None,
@@ -159,3 +160,4 @@ class _Printer:
             **tables.loop,
             **more,
         )
+        return text.replace(limited, self._code.names.constant("SERVO_LIMITED"))

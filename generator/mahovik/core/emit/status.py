@@ -4,21 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from mahovik.contract.status import STATUSES
+from mahovik.contract.status import STATUS_VALUES, STATUSES
 from mahovik.core.emit.names import Names
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.thresholds import thresholds
+from mahovik.core.program.function import Program
+
+_ALWAYS = ("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT")
+"""Statuses of the header of a part as well: what is exported to stand beside it returns them too."""
 
 
-def statuses(names: Names, layout: Layout) -> list[tuple[str, int, str]]:
-    """Name in C, number and meaning of each for this stand."""
+def statuses(names: Names, layout: Layout, part: Program | None) -> list[tuple[str, int, str]]:
+    """Name in C, number and meaning of each for this stand; of a part of its functions, of those that may occur."""
+    functions = part.functions if part else ()
+    occurring = {*_ALWAYS, *(status for f in functions if f.public for status in f.statuses)} if part else STATUS_VALUES
     decided = thresholds(layout.precision)
     words = {
         "unreachable": _power(decided.unreachable),
         "rank": _power(decided.rank),
         "lengths": ", ".join(_lengths(layout)),
     }
-    return [(names.constant(each.name), each.value, each.meaning.format(**words)) for each in STATUSES]
+    found = [each for each in STATUSES if each.name in occurring]
+    return [(names.constant(each.name), each.value, each.meaning.format(**words)) for each in found]
 
 
 def _lengths(layout: Layout) -> Iterator[str]:

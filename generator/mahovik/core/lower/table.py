@@ -142,7 +142,7 @@ class Tables(Features):
             fields.append(Field("flywheel", self.flywheel_parameters, (self.count,)))
         if self.structure.points:
             fields.append(Field("point", self.point_parameters, (len(self.structure.points),)))
-        return Struct("parameters", "Input of prepare: masses, inertias and mountings.", tuple(fields))
+        return Struct("parameters", "Masses, inertias and mountings, of which the table is made.", tuple(fields))
 
     @cached_property
     def row(self) -> Struct:
@@ -239,7 +239,7 @@ class Tables(Features):
         fields += self.laws
         return Struct(
             "table",
-            "The constants of the equations. Made by prepare, except the laws at the end (gravity, ...).",
+            "The constants of the equations, made of the parameters; the laws at the end (gravity, ...) are as given.",
             tuple(fields),
         )
 
