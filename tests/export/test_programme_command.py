@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from cli.run import refused, run
-from export.programmes import spin, stand_files, started, swaying
+from export.programmes import motion, spin, stand, stand_files, started, swaying
 from mahovik import stands
 from mahovik.core.motion.programme import Programme, save_programme
+from mahovik.errors import CheckError
+from mahovik.out.export.programme import export_programme
 from toolchain.tools import compile_c
 from toolchain.tools import run as run_program
 
@@ -165,3 +168,26 @@ def test_bad_files_are_one_line(tmp_path: Path) -> None:
     said = refused("export", "programme", STAND, str(tmp_path / "P.json"))
     assert "error: P.json: stand: required, but missing" in said.splitlines()
     assert "--nodes" in refused("export", "programme", STAND, str(tmp_path / "P.json"), "--nodes", "100")
+
+
+@pytest.mark.parametrize("part", ["", "runup"])
+def test_a_programme_that_exceeds_its_bounds_is_refused(part: str, tmp_path: Path) -> None:
+    """Those that its planner reports, of a run-up as well."""
+    over = {"exceeded": ["speed of upper 131 rad/s exceeds its bound, 100 rad/s"]}
+    saved = save(replace(spin(), report={part: over} if part else over), tmp_path)
+    folder = tmp_path / "made"
+    result = run(*EXPORT, STAND, "--programme", saved, "-o", str(folder))
+    assert result.exit_code == 1
+    assert result.stderr.splitlines()[-1].endswith(
+        "P.json: exceeds its bounds: speed of upper 131 rad/s exceeds its bound, 100 rad/s: plan again, or --force; "
+        "nothing was written"
+    )
+    assert not folder.exists()
+    assert run(*EXPORT, STAND, "--programme", saved, "-o", str(folder), "--force").exit_code == 0
+
+
+def test_bounds_of_the_motion_are_measured() -> None:
+    """Whatever the programme reports: its speeds of 126 rad/s above a bound of 100."""
+    bounded = replace(motion(), bounds=replace(motion().bounds, speed=(100.0, 100.0)))
+    with pytest.raises(CheckError, match=r"exceeds its bounds: bound speed \w+: 125\.\d+ of 100 rad/s"):
+        export_programme(stand(), spin(), bounded)

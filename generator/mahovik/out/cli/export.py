@@ -29,6 +29,7 @@ from mahovik.out.cli.stand_first import FURTHER, STAND, needed_option, stand_fir
 FOLDER = file_option("-o", "DIR", "Write into this folder; default ./NAME of the stand.")
 TABLE = choice("--table", ["quintic", "fourier"], "Choose the kind of table.", default="quintic")
 NAME = option("--name", "Use this name in C, so that several lie in one image.", metavar="NAME", default="programme")
+FORCE = flag("--force", "Write also a programme that exceeds its own bounds.")
 REAL_OF_FOLDER = choice("--real", ["double", "float"], "Choose the element type; default: that of the C in the folder.")
 
 
@@ -148,6 +149,7 @@ def servo(
     kind: str = TABLE,
     real: str | None = REAL_OF_FOLDER,
     name: str = NAME,
+    force: bool = FORCE,
 ) -> None:
     """Write a programme and the servos that follow it as C.
 
@@ -169,7 +171,7 @@ def servo(
     chosen = element_type(folder, stand, real)
     names = Path(programme_file).name, Path(servo_file).name
     with progress(f"servos of {stand.name}"):
-        made = export_servo(stand, found, motion, wanted, chosen, kind, names, name)
+        made = export_servo(stand, found, motion, wanted, chosen, kind, names, name, force)
     paths = write_servo(folder, stand, made.programme.files, made.servo, name)
     print_paths(paths, (*made.programme.lines, *made.lines))
 
@@ -195,12 +197,14 @@ def programme(
         "--limit", "Accept this relative residual of a table; default 1e-6, float 1e-3.", type=float
     ),
     name: str = NAME,
+    force: bool = FORCE,
 ) -> None:
     """Write a flywheel programme as const tables in C.
 
     NAME_programme.h and .c beside the C of the stand, with a clock that never drifts, a self-test, a page. With the
     motion file, the tables include drive torques, and the residual that they add is measured. Exit status 1 if that
-    is above the limit, or if programme, stand and motion do not belong together.
+    is above the limit, if the programme exceeds its own bounds, or if programme, stand and motion do not belong
+    together.
     """
     from mahovik.core.motion.programme import load_programme
     from mahovik.core.motion.required import load_motion
@@ -215,7 +219,7 @@ def programme(
     folder = Path(output if output is not None else stand.name)
     chosen = element_type(folder, stand, real)
     with progress(f"tables of {Path(source).name}"):
-        made = export_programme(stand, found, motion, kind, nodes, chosen, limit, Path(source).name, name)
+        made = export_programme(stand, found, motion, kind, nodes, chosen, limit, Path(source).name, name, force)
     print_paths(write_programme(folder, stand, made.files, name), made.lines)
 
 

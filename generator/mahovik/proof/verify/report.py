@@ -39,8 +39,17 @@ class Report:
         return tuple(row for row in self.rows if row.failed)
 
 
+OTHER_TEXT = "its text is not what this version generates"
+"""Reason of a row that C of a folder is not compared in, because another version or a hand has written it."""
+
+
 def conclusion(report: Report) -> str:
-    """The verdict in one line."""
+    """The verdict in one line; of C with another text than this version's, it says so."""
+    differs = any(row.reason == OTHER_TEXT for row in report.rows)
+    return _verdict(report) + ("; text differs from this version's" if differs else "")
+
+
+def _verdict(report: Report) -> str:
     if report.error:
         return f"FAILED: {report.error}"
     if report.failures:

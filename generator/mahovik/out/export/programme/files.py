@@ -12,6 +12,8 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from mahovik.core.emit.generate import PRECISIONS
 from mahovik.core.emit.manifest import digest
 from mahovik.core.emit.programme import Facts, programme_files
@@ -20,7 +22,7 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.programme.form import Form
 from mahovik.core.lower.programme.play import Player
 from mahovik.core.lower.programme.program import ProgrammeProgram, lower_programme
-from mahovik.core.motion.programme import Programme, RunUpTable
+from mahovik.core.motion.programme import Angles, Programme, RunUpTable
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -30,6 +32,7 @@ from mahovik.out.export.programme.accuracy import Errors, RequiredCourse, errors
 from mahovik.out.export.programme.naming import check_name
 from mahovik.out.export.programme.tables import Array, Table, Torques, fourier_table, quintic_table
 from mahovik.proof.verify.programme.finding import motion_finding, stand_finding, tolerance_for
+from mahovik.proof.verify.programme.table import bound_findings, rocking_of, slowest_finding
 from mahovik.writing import write_all
 
 LIMITS = {"double": 1e-6, "float": 1e-3}
@@ -43,6 +46,9 @@ ANGLE_LIMIT = 0.1
 
 WRONG = 10.0
 """Factor on the residual accepted by `verify-programme`, or on the limit if larger, above which a file is refused."""
+
+TIMES = 1024
+"""Intervals at whose ends the bounds of a motion are looked at."""
 
 LEAST, MOST_NODES = 32, 1 << 14
 """Least nodes per period, and most nodes in all, of a run-up."""
@@ -69,14 +75,21 @@ def export_programme(
     limit: float | None = None,
     source: str = "programme",
     called: str = "programme",
+    force: bool = False,
 ) -> ProgrammeExport:
     """C of a programme. With its motion, the tables include drive torques, and the residual that the tables add is
     measured; without it, the error of the accelerations. Without `nodes` a finite programme has as many as the limit
-    needs. `source` names the programme in messages, `called` in the names of the C.
+    needs. `source` names the programme in messages, `called` in the names of the C. `force`: also of one that exceeds
+    its bounds.
 
-    CheckError: programme, stand and motion do not belong together, or the error is above the limit. UsageError.
+    CheckError: programme, stand and motion do not belong together, the programme exceeds its bounds, or the error is
+    above the limit. UsageError.
     """
     check_belongs(stand, programme, motion, source)
+    if not force and (over := _exceeded_bounds(stand, programme, motion)):
+        raise CheckError(
+            f"{source}: exceeds its bounds: {'; '.join(over)}: plan again, or --force; nothing was written"
+        )
     if kind == "fourier" and not programme.periodic:
         raise UsageError(f"{source}: a finite programme: a Fourier table needs a periodic one; use --table quintic")
     if kind == "fourier" and nodes is not None:
@@ -135,6 +148,23 @@ def check_belongs(stand: Stand, programme: Programme, motion: RequiredMotion | N
     wanted = motion_finding(motion, programme)
     if not wanted.passed:
         raise CheckError(f"{source}: {wanted.words}: give the motion that it was planned for; nothing was written")
+
+
+def _exceeded_bounds(stand: Stand, programme: Programme, motion: RequiredMotion | None) -> list[str]:
+    """Bounds that a programme exceeds: those that its planner reports, and with its motion as they are measured."""
+    reports = [programme.report, *(programme.report.get(key) for key in ("runup", "rundown"))]
+    found = [str(words) for each in reports if isinstance(each, Mapping) for words in each.get("exceeded", ())]
+    if found or motion is None:
+        return found
+    t = np.arange(TIMES + (not programme.periodic)) * (programme.span / TIMES)
+    angles = Angles(*programme.at(t))
+    tau = np.zeros_like(angles.phi)
+    if motion.bounds.torque is not None:
+        tau = RequiredCourse(programme.planned_for(stand), motion, programme).torques(t)
+    names, rocking = programme.flywheels, rocking_of(programme, t, angles.phi)
+    findings = bound_findings(motion.bounds, names, angles, tau, rocking)
+    findings += slowest_finding(motion.bounds, names, angles.phi_dot)
+    return [f"{each.name} {each.words}" for each in findings if not each.passed]
 
 
 def _course(programme: Programme, layout: Layout, prescribed: RequiredCourse | None, kind: str, count: int) -> Table:
