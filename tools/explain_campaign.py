@@ -37,14 +37,13 @@ from mahovik.proof.diagnose.predict import FaultyProgram, Part
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.program_backend import with_all_inputs
-from mahovik.proof.verify.states import Request
 
 COUNTS = (2, 1, 1, 3, 4, 2, 3, 5, 2, 8)
 """Flywheels of the stands, in turn."""
 
 WHOLE, ALONE, ROUNDED = "in every body it concerns", "in one flywheel alone", "with answers rounded to float"
 FORWARD = "in a program that offers `forward` only"
-PART, TWO = "a part of it, 20 to 80 %", "two at once, both named"
+TWO = "two at once, both named"
 SINGLE = (
     WHOLE, ALONE, ROUNDED, FORWARD, "stand edited", "states edited", "answers edited", "second derivation rewritten",
     "derivation rewritten", "numbers of the program",
@@ -170,12 +169,8 @@ def of_dictionary(stand: Stand, rng: np.random.Generator, some: int) -> Iterator
         yield Plant(seen[k].name, ROUNDED, round_answers(FaultyProgram(stand, (Part(seen[k]),)).answer))
 
 
-def freer(stand: Stand, rng: np.random.Generator, some: int) -> Iterator[tuple[list[str], str, Answers]]:
-    """Parts of faults, mixed into the answers; and two faults in one program."""
-    right = FaultyProgram(stand).answer
-    for k in rng.choice(len(DICTIONARY), some, replace=False):
-        wrong = FaultyProgram(stand, (Part(DICTIONARY[k]),)).answer
-        yield [DICTIONARY[k].name], PART, mix_answers(right, wrong, float(rng.uniform(0.2, 0.8)))
+def pairs(stand: Stand, rng: np.random.Generator, some: int) -> Iterator[tuple[list[str], str, Answers]]:
+    """Two faults in one program."""
     for _ in range(some):
         a, b = (DICTIONARY[int(k)] for k in rng.choice(len(DICTIONARY), 2, replace=False))
         if all(visible(stand, fault) for fault in (a, b)):
@@ -211,21 +206,6 @@ def round_answers(answers: Answers) -> Answers:
     return lambda request: to_float(answers(request))
 
 
-def mix_answers(right: Answers, wrong: Answers, share: float) -> Answers:
-    """right + share (wrong - right), number by number."""
-
-    def mix(a: Any, b: Any) -> Any:
-        if isinstance(a, Mapping):
-            return {name: mix(a[name], b[name]) for name in a if name in b}
-        return np.asarray(a) + share * (np.asarray(b) - np.asarray(a))
-
-    def answer(request: Request) -> Mapping[str, Any]:
-        found: Mapping[str, Any] = mix(right(request), wrong(request))
-        return found
-
-    return answer
-
-
 def correct(stand: Stand) -> Iterator[tuple[str, Answers]]:
     """Programs without a fault."""
     yield "literal reference", literal(stand)
@@ -250,7 +230,7 @@ def examine(number: int, some: int = 8) -> tuple[str, list[Outcome], list[Outcom
     }  # they take long to make: of some stands only
     for others in costly.get(number, ()):
         found += [Outcome(p.fault, p.kind, verdict(clinic.diagnose(p.answers), [p.fault])) for p in others(stand)]
-    for names, kind, answers in freer(stand, rng, some):
+    for names, kind, answers in pairs(stand, rng, some):
         found.append(Outcome(" + ".join(names), kind, verdict(clinic.diagnose(answers), names)))
     forward = Diagnoser(stand, wants=("forward",))
     for k in rng.choice(len(DICTIONARY), 2 * some, replace=False):
@@ -284,7 +264,7 @@ DICTIONARY_HEAD = ("fault", "equation", "what the program does", "planted", "nam
 
 def figures(stands: int, found: Sequence[Outcome], right: Sequence[Outcome]) -> Figures:
     """The figures to keep: by kind of planting, of correct programs, fault by fault."""
-    kinds = {kind: [each for each in found if each.kind == kind] for kind in (*SINGLE, PART, TWO)}
+    kinds = {kind: [each for each in found if each.kind == kind] for kind in (*SINGLE, TWO)}
     programs = {name: [each for each in right if each.fault == name] for name in dict.fromkeys(o.fault for o in right)}
     faults = []
     for fault in DICTIONARY:

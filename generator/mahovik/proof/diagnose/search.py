@@ -56,7 +56,7 @@ def match(e: Array, p: Array, noise: Array, block: NDArray[np.int64]) -> Match:
         return Match(1.0, 1.0, tuple(np.flatnonzero(absent)))
     rest = float(mean[spoiled].mean())
     missing = float(absent.sum() / (absent.sum() + spoiled.sum()))
-    exact = bool((off[spoiled[block]] <= EXACT).all())
+    exact = bool((off[active & spoiled[block]] <= EXACT).all())
     return Match(rest + ABSENT * missing, rest, tuple(int(i) for i in np.flatnonzero(absent)), exact)
 
 
