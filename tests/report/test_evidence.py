@@ -15,6 +15,7 @@ from click.testing import CliRunner, Result
 
 import mahovik.proof.evidence.pieces as all_pieces
 from mahovik import __version__
+from mahovik.contract.functions import row_of
 from mahovik.core.stand import load
 from mahovik.core.stand.identity import identities
 from mahovik.errors import CheckError, ToolchainError, UsageError
@@ -23,6 +24,7 @@ from mahovik.proof.evidence.collect import collect, select_pieces
 from mahovik.proof.evidence.folder import check
 from mahovik.proof.evidence.page import GENERAL, conclusion, failures
 from mahovik.proof.evidence.piece import Outcome, Subject, Tell, Verdict
+from mahovik.proof.evidence.pieces import source
 from mahovik.proof.evidence.pieces.source import EQUATIONS
 from mahovik.stands import path
 from report.evidence import ABLE, BAD, DEMO3, GOOD, collected, passed_outcome, piece, refusing
@@ -272,6 +274,18 @@ def test_demo3_passes(tmp_path: Path, real: str, more: list[str]) -> None:
             text = each.read_text(encoding="utf-8", errors="replace")
             assert str(tmp_path) not in text, each
             assert "mahovik-" not in text or "mahovik-dev" in text, each
+
+
+def test_a_public_function_without_an_equation_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each has numbers of the paper or a section; what does not is named."""
+    (found,) = collected(tmp_path / "out", [EQUATIONS])
+    assert found.outcome.verdict is Verdict.PASSED
+    assert found.outcome.table is not None
+    assert ("Drive torque", "demo3_torque") in [row[:2] for row in found.outcome.table.rows]
+    monkeypatch.setattr(source, "row_of", lambda name: replace(row_of(name), equation=""))
+    (found,) = collected(tmp_path / "out", [EQUATIONS])
+    assert found.outcome.verdict is Verdict.FAILED
+    assert "demo3_torque, " in found.outcome.figure
 
 
 WHEEL = """

@@ -148,6 +148,7 @@ def test_c_that_lies_in_a_folder_passes_also_with_foreign_line_ends(tmp_path: Pa
     found = verify_c(DEMO, count=10, against=crlf)
     assert found.passed
     assert {row.verdict for row in found.rows} == {"ok"}
+    assert "text differs" not in conclusion(found)
 
 
 EMITTED = {
@@ -172,6 +173,7 @@ def test_a_term_broken_in_the_emitted_c_is_caught(name: str, tmp_path: Path) -> 
     assert not found.passed
     assert expected <= {row.quantity for row in found.failures}
     assert any(row.verdict == "not compared" for row in found.rows)
+    assert conclusion(found).endswith("; text differs from this version's")
     lines = worst_lines(found).splitlines()
     assert lines
     assert {read_line(stand, line).want[0] for line in lines} <= set(WANTS)

@@ -54,7 +54,7 @@ _ROWS = (
     ),
     PublicFunction(
         "torque",
-        "",
+        "Drive torque",
         (*_STATE, "V_dot", "phi_ddot", "wrench"),
         ("tau",),
         _ALL_JUDGES,
@@ -66,7 +66,7 @@ _ROWS = (
     ),
     PublicFunction(
         "mounts",
-        "",
+        "Drive torque",
         ("table", "mounting", "x", "V_dot", "phi_ddot", "wrench"),
         ("mount_wrench",),
         ("reference", "rigorous"),
@@ -76,7 +76,7 @@ _ROWS = (
     ),
     PublicFunction(
         "coupled",
-        "",
+        "The whole system",
         (*_STATE, "tau", "locked", "wrench"),
         ("V_dot", "phi_ddot"),
         _ALL_JUDGES,
@@ -108,9 +108,18 @@ _ROWS = (
         ignores=("attitude",),
     ),
     PublicFunction(
-        "points", "", (*_STATE, "V_dot"), ("points",), ("reference", "second"), want=True, needs="sensors", batch=True
+        "points",
+        "Points",
+        (*_STATE, "V_dot"),
+        ("points",),
+        ("reference", "second"),
+        want=True,
+        needs="sensors",
+        batch=True,
     ),
-    PublicFunction("center_of_mass_velocity", "", _STATE, ("center_of_mass_velocity",), ("reference",), want=True),
+    PublicFunction(
+        "center_of_mass_velocity", "Momentum, (1)-(2)", _STATE, ("center_of_mass_velocity",), ("reference",), want=True
+    ),
     PublicFunction(
         "reaction",
         "(8)",
@@ -124,7 +133,7 @@ _ROWS = (
     PublicFunction("wrench", "(7)", (*_STATE, "wrench"), ("F",), ("reference",), needs="wrenches"),
     PublicFunction(
         "step",
-        "",
+        "Steps in time",
         (*_STATE, "tau", "locked", "wrench", "dt", "order"),
         ("next",),
         ("trajectory",),
@@ -133,7 +142,12 @@ _ROWS = (
         claimed=(BITS,),
     ),
     PublicFunction(
-        "step_driven", "", (*_STATE, "phi_ddot", "wrench", "dt", "order"), ("next",), ("trajectory",), batch=True
+        "step_driven",
+        "Steps in time",
+        (*_STATE, "phi_ddot", "wrench", "dt", "order"),
+        ("next",),
+        ("trajectory",),
+        batch=True,
     ),
     PublicFunction(
         "inverse_fast",
@@ -150,7 +164,7 @@ _ROWS = (
     ),
     PublicFunction(
         "torque_for",
-        "",
+        "Torques for a task",
         (*_STATE, "demand", "options", "locked", "wrench"),
         ("tau", "phi_ddot", "V_dot", "residual", "share", "limited"),
         ("reference", "allocation"),
@@ -169,7 +183,7 @@ _ROWS = (
     ),
     PublicFunction(
         "coupled_jacobian",
-        "",
+        "The whole system",
         (*_STATE, "tau", "locked", "wrench"),
         (
             "V_dot_V",
@@ -184,7 +198,7 @@ _ROWS = (
         ("derivatives",),
         needs="flywheels",
     ),
-    PublicFunction("quaternion", "", ("angles",), ("attitude",), ("reference",)),
+    PublicFunction("quaternion", "Generalized coordinates, (10)-(11)", ("angles",), ("attitude",), ("reference",)),
     PublicFunction(
         "state_from_coordinates",
         "(10)",
@@ -197,7 +211,7 @@ _ROWS = (
     ),
     PublicFunction(
         "wrap",
-        "",
+        "Phases from encoders",
         ("phi",),
         ("wrapped",),
         ("exact",),
@@ -206,14 +220,26 @@ _ROWS = (
         claimed=(NORMAL, ANY, BITS),
     ),
     PublicFunction(
-        "phase_of_counts", "", ("count", "per_turn", "zero"), ("phi",), ("exact",), needs="flywheels", python=False
+        "phase_of_counts",
+        "Phases from encoders",
+        ("count", "per_turn", "zero"),
+        ("phi",),
+        ("exact",),
+        needs="flywheels",
+        python=False,
     ),
     PublicFunction(
-        "speed_of_counts", "", ("moved", "per_turn", "dt"), ("phi_dot",), ("exact",), needs="flywheels", python=False
+        "speed_of_counts",
+        "Phases from encoders",
+        ("moved", "per_turn", "dt"),
+        ("phi_dot",),
+        ("exact",),
+        needs="flywheels",
+        python=False,
     ),
     PublicFunction(
         "accumulate",
-        "",
+        "Phases from encoders",
         ("encoder", "counter", "bits", "per_turn"),
         ("encoder",),
         ("exact",),
@@ -230,11 +256,17 @@ _ROWS = (
         claimed=(NORMAL, BITS),
     ),
     PublicFunction(
-        "prepare_mounts", "", ("parameters",), ("mounting",), ("parameters",), needs="flywheels", python=False
+        "prepare_mounts",
+        "Drive torque",
+        ("parameters",),
+        ("mounting",),
+        ("parameters",),
+        needs="flywheels",
+        python=False,
     ),
     PublicFunction(
         "step_carried",
-        "",
+        "Steps in time",
         (*_STATE, "tau", "locked", "wrench", "dt", "order", "carry"),
         ("carry", "next"),
         ("trajectory",),
@@ -244,7 +276,7 @@ _ROWS = (
     ),
     PublicFunction(
         "step_driven_carried",
-        "",
+        "Steps in time",
         (*_STATE, "phi_ddot", "wrench", "dt", "order", "carry"),
         ("carry", "next"),
         ("trajectory",),
@@ -389,7 +421,7 @@ def row_of(function: str) -> PublicFunction:
     return replace(
         row,
         name=function,
-        equation="",
+        equation="Tasks: chosen components" if name.startswith("inverse") else row.equation,
         takes=tuple("demand" if name == "V_dot" else name for name in row.takes),
         gives=gives,
         judges=("reference",) if inverts else row.judges,

@@ -27,7 +27,7 @@ REFEREES = ("reference", "second", "rigorous")
 class PublicFunction:
     """A row of the contract: one public function.
 
-    equation  numbers of the paper
+    equation  numbers of the paper, else the heading of docs/model.md or docs/c-interface.md under which it stands
     takes     arguments in order; those that a stand does not need are left out
     gives     results, by name
     want      whether `eval` answers it, by the name of the function

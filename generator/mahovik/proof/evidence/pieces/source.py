@@ -12,12 +12,13 @@ from pathlib import Path
 from typing import Any
 
 import mahovik
-from mahovik.contract.functions import ROWS
+from mahovik.contract.functions import ROWS, row_of
 from mahovik.core.emit.eva import drivers
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.manifest import digest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.reading import spans
+from mahovik.core.program.function import Function
 from mahovik.core.toolchain.eva import prove_each
 from mahovik.core.toolchain.eva import version as eva_version
 from mahovik.core.toolchain.static_checks import (
@@ -75,6 +76,13 @@ DELIVERY = Piece(
 )
 
 
+def _equations(function: Function) -> list[str]:
+    """Numbers of the paper, or the section of a public function that has none."""
+    numbers = re.findall(r"\(\d+\)", function.equation)
+    section = row_of(function.name).equation if function.public and not numbers else ""
+    return numbers or ([section] if section else [])
+
+
 def _list_equations(subject: Subject, tell: Tell) -> Outcome:
     tell("read the C")
     name = subject.stand.name
@@ -84,7 +92,7 @@ def _list_equations(subject: Subject, tell: Tell) -> Outcome:
     found: list[dict[str, Any]] = [
         {
             "function": f"{name}_{f.name}",
-            "equations": re.findall(r"\(\d+\)", f.equation),
+            "equations": _equations(f),
             "purpose": f.purpose,
             "public": f.public,
             "lines": list(where[f.name]),
@@ -92,21 +100,30 @@ def _list_equations(subject: Subject, tell: Tell) -> Outcome:
         for f in functions
         if f.name in where
     ]
-    # by equation; what has none, own mathematics and checks, comes last in the order of the C
-    order = sorted(found, key=lambda each: [int(n[1:-1]) for n in each["equations"]] or [99])
+    untraced = [each["function"] for each in found if each["public"] and not each["equations"]]
+    # by number; what has none comes last in the order of the C: sections, then own mathematics and checks
+    order = sorted(found, key=lambda each: [int(n[1:-1]) for n in each["equations"] if n[0] == "("] or [99])
     rows = tuple((", ".join(f["equations"]), f["function"], f["purpose"], "{}-{}".format(*f["lines"])) for f in order)
     numbers = {n for each in found for n in each["equations"]}
-    figure = f"{len(numbers)} equations in {sum(bool(f['equations']) for f in found)} of {len(found)} functions"
+    public = sum(each["public"] for each in found)
+    inner, others = sum(bool(each["equations"]) for each in found if not each["public"]), len(found) - public
+    figure = f"{len(numbers)} equations: each of {public} public functions has one, and {inner} of {others} others"
+    if untraced:
+        figure = f"public functions without an equation: {', '.join(untraced)}"
     notes = (f"Not found in the source: {', '.join(lost)}.",) if lost else ()
     table = Table(("equations", "function", "what it computes", f"lines of {name}.c>"), rows)
     files = {"functions.json": json.dumps(found, indent=1) + "\n"}
-    return Outcome(verdict_of(not lost), figure, (), table, notes, files)
+    return Outcome(verdict_of(not lost and not untraced), figure, (), table, notes, files)
 
 
 EQUATIONS = Piece(
     name="equations",
     title="From equation to lines of C",
-    shows="Which function computes which equation of the paper, and where it stands: what to read beside the paper.",
+    shows=(
+        "Which function computes which equation of the paper, or of which section of `docs/model.md` or "
+        "`docs/c-interface.md` of the project, and where it stands: what to read beside them. Every public function "
+        "has one."
+    ),
     limits=(
         "That the lines are right: other pieces judge that. Which tests notice a change in each function was found by "
         "mutation, for the example stands: `docs/results/traceability.md` of the project."
