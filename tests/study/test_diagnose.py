@@ -203,7 +203,7 @@ def test_what_explains_only_in_proportion_is_not_named(factor: float) -> None:
 
 
 def test_a_small_error_in_double_is_no_rounding_of_float() -> None:
-    """As of gravity 9.80665 in place of 9.81, where weight is a small part of the forces."""
+    """Such is gravity 9.80665 in place of 9.81, where weight is a small part of the forces."""
     other = replace(stand(), gravity=vec((1.0 + 1e-7) * x for x in stand().gravity))
     found = diagnoser().diagnose(answers(NumpyBackend(other).evaluate))
     assert found.outcome == "unknown" and found.verdict == "unnamed"

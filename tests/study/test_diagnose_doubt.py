@@ -50,13 +50,13 @@ def test_a_fault_beside_a_small_error_is_not_named() -> None:
     assert names(diagnoser().diagnose(wrong)) == [{("gravity, sign", None)}]
     for quantity in ("V_dot", "tau"):
 
-        def beside(request: Request, quantity: str = quantity) -> Mapping[str, Any]:
+        def spoiled(request: Request, quantity: str = quantity) -> Mapping[str, Any]:
             answer = dict(wrong(request))
             if quantity in answer and request.state.V[0]:
                 answer[quantity] = np.asarray(answer[quantity]) * (1.0 + 1e-5)
             return answer
 
-        found = diagnoser().diagnose(beside)
+        found = diagnoser().diagnose(spoiled)
         assert (found.outcome, found.causes) == ("unknown", ())
 
 

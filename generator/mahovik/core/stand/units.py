@@ -252,7 +252,7 @@ def _root(unit: str) -> tuple[Fraction, dict[str, int]]:
         if found is None or (place == 0 and found["sign"]) or len(text) > _LONGEST:
             raise QuantityError(f"{show(unit)} is not a unit, expected names with whole powers such as kg m^2/s")
         place, power = found.end(), int(found["power"] or 1) * (-1 if found["sign"] == "/" else 1)
-        factor, roots = _named(found["name"]) if found["name"] else _root(found["group"] or "")
+        factor, roots = _root_of_name(found["name"]) if found["name"] else _root(found["group"] or "")
         scale *= factor**power
         for root, times in roots.items():
             powers[root] = powers.get(root, 0) + times * power
@@ -260,7 +260,7 @@ def _root(unit: str) -> tuple[Fraction, dict[str, int]]:
 
 
 @cache
-def _named(name: str) -> tuple[Fraction, dict[str, int]]:
+def _root_of_name(name: str) -> tuple[Fraction, dict[str, int]]:
     """`_root` of one name."""
     if name in UNITS:
         return UNITS[name]

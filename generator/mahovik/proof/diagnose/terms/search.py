@@ -196,22 +196,14 @@ class TermSearch:
         in_forces = [(x.component, x.term, x.error) for x in found if x.want in ("forward", "coupled", "momentum")]
         if not has_mass_matrix(self._stand, in_forces):
             return TermSearchResult((), 1.0, self.wants, False, tuple(besides))
-        left = max((each.left for each in fits), default=0.0)
-        return TermSearchResult(
-            tuple(found),
-            left,
-            self.wants,
-            all(each.exact for each in fits),
-            tuple(besides),
-            point_in_words(self._stand),
-            freedoms_in_words(self._stand),
-            tuple(
-                f"{want}: {name}"
-                for want in self.wants
-                if want not in besides
-                for name in sorted({*self._names(want, answers), *ANSWERS[want]})  # V_dot of a hold is S u_dot
-            ),
+        left, exact = max((each.left for each in fits), default=0.0), all(each.exact for each in fits)
+        words = point_in_words(self._stand), freedoms_in_words(self._stand)
+        looked_at = tuple(
+            f"{want}: {name}"
+            for want in sorted(set(self.wants) - set(besides))
+            for name in sorted({*self._names(want, answers), *ANSWERS[want]})  # V_dot of a hold is S u_dot
         )
+        return TermSearchResult(tuple(found), left, self.wants, exact, tuple(besides), *words, looked_at)
 
     def _check_repeats(self, answers: Answers) -> None:
         for want, again in self._again.items():
