@@ -34,7 +34,7 @@ REALS = ("double", "float")
 QUICK = {
     "demo3": (
         *("any_forward", "any_torque", "any_wrap", "bits_step", "normal_prepare"),
-        *("routine_sincos", "routine_sqrt"),
+        *("routine_sincos", "routine_sqrt", "routine_check_state", "routine_check_motion"),
     )
 }
 """Proofs that every change must pass: a stand, in both precisions."""

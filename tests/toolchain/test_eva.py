@@ -29,6 +29,11 @@ FAULTS = {
         "phi_ddot == NULL || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }\n    V_dot[0] = 0.0;\n",
     ),
     "a state not checked": ("any_forward", "demo3_check_motion(x, phi_ddot, DEMO3_MAX_ACCELERATION)", "DEMO3_OK"),
+    "a sum of squares with too large a limit": (
+        "routine_check_state",
+        "&& phase2 < DEMO3_MAX_PHASE * DEMO3_MAX_PHASE) { return DEMO3_OK; }",
+        "&& phase2 < 1.01 * DEMO3_MAX_PHASE * DEMO3_MAX_PHASE) { return DEMO3_OK; }",
+    ),
     "a divisor that is zero": (
         "any_forward",
         "const demo3_real r1 = 1.0 / S[0]",
@@ -63,12 +68,23 @@ def test_every_public_function_has_drivers(name: str) -> None:
         assert f"{driver.set}_{driver.function}" in files[f"verification/{name}_eva.sh"]
 
 
+@pytest.mark.parametrize("real", ["double", "float"])
+def test_what_is_proved_is_what_flies(real: str) -> None:
+    """Frama-C reads the functions as compilers do; only symbols for the linker are not for it."""
+    source = generate_all(stand("demo3"), real).files["demo3.c"]
+    assert [line for line in source.splitlines() if "__FRAMAC__" in line and "__ELF__" not in line] == []
+    drivers_of_checks = [d for d in drivers(generate_all(stand("demo3"), real).program) if "check_" in d.function]
+    assert {(d.function, d.claimed) for d in drivers_of_checks} == {("check_state", True), ("check_motion", True)}
+
+
 @pytest.mark.slow
 def test_the_c_of_demo3_holds(tmp_path: Path) -> None:
     require("frama-c", "frama-c-base")
     write(delivery(stand("demo3")), tmp_path)
-    found = prove(tmp_path / "verification/demo3_eva.sh", ["any_forward", "any_torque", "bits_step"])
-    assert [proof.holds for proof in found] == [True] * 3
+    found = prove(
+        tmp_path / "verification/demo3_eva.sh", ["any_forward", "any_momentum", "bits_step", "routine_check_state"]
+    )
+    assert [proof.holds for proof in found] == [True] * 4
 
 
 @pytest.mark.slow

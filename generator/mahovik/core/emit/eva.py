@@ -7,22 +7,36 @@ from dataclasses import dataclass
 from math import prod, sqrt
 from typing import Any
 
+import numpy as np
+
 from mahovik.contract.functions import ANY, BITS, NORMAL, row_of
 from mahovik.contract.quantities import ORDINARY_STEP, TABLES, ordinary, ordinary_integers
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.calls import argument_text, call, declaration, nested_loops
 from mahovik.core.emit.code import Code
+from mahovik.core.emit.declaration import prototype
 from mahovik.core.emit.names import VERIFICATION, member
+from mahovik.core.lower.checks import state_limits
 from mahovik.core.lower.limits import UNIT_SQUARE_MIN
-from mahovik.core.program.call import Argument
-from mahovik.core.program.function import Program
+from mahovik.core.program.call import Argument, Call
+from mahovik.core.program.expression import Const
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.program.walk import expressions
 from mahovik.core.stand.identity import Identities
 
 ROUTINE = "routine"
-"""Set of the drivers of the routines that work on bits; the other sets are those of the contract."""
+"""Set of the drivers of the routines that work on bits and of CHECKS; the other sets are those of the contract."""
 
 ROUTINES = ("sincos", "sqrt", "atan2", "exp")
+
+CHECKS = ("check_state", "check_motion")
+"""Checks with sums of squares, whose limits intervals do not see: the sets normal and any take them by a contract."""
+
+LEAST = round(sqrt(UNIT_SQUARE_MIN) / 2 - 5e-4, 3)
+"""A component of each quaternion that is accepted is as large, by more than CLEARLY."""
+CLEARLY = 2e-4
+"""So much larger it is said to be, so that rounding of LEAST leaves no number between the cases of a driver."""
 
 _UNROLLED = 6
 """Iterations that Eva follows one by one, even if it cannot determine their number: at least an array's length."""
@@ -55,11 +69,11 @@ class Driver:
 
 
 def drivers(program: Program) -> tuple[Driver, ...]:
-    """All drivers of a stand: of each public function on each set, then of the routines."""
+    """All drivers of a stand: of each public function on each set, then of the routines and CHECKS."""
     public = [f.name for f in program.functions if f.public]
     known = {f.name for f in program.functions}
     found = [Driver(name, kind) for name in public for kind in (NORMAL, ANY, BITS)]
-    return (*found, *(Driver(name, ROUTINE) for name in ROUTINES if name in known))
+    return (*found, *(Driver(name, ROUTINE) for name in (*ROUTINES, *CHECKS) if name in known))
 
 
 def _angles(program: Program) -> dict[str, Any] | None:
@@ -77,6 +91,7 @@ def eva_files(program: Program, identities: Identities) -> dict[str, str]:
     writer = _Writer(code)
     every = drivers(program)
     printed = [writer.driver(each) for each in every]
+    contracts = [writer.contract(program.function(name)) for name in CHECKS if name in writer.known]
     words: dict[str, Any] = {
         "suffix": "" if code.precision.name == "double" else "f",
         "atan2": any(f.name == "atan2" for f in program.functions),
@@ -85,6 +100,7 @@ def eva_files(program: Program, identities: Identities) -> dict[str, str]:
         "unroll": max([_UNROLLED, *(int(n) for c in program.structs for f in c.fields for n in f.shape)]),
         "public": [f.name for f in code.public],
         "coarse": STATUS_VALUES["COARSE"],
+        "trusted": [each["name"] for each in contracts],
         "checks": [f.name for f in program.functions if f.returns is Kind.STATUS and not f.public],
         "fills": list(writer.fills),
         "merged": [f.name for f in program.functions if f.returns is not Kind.STATUS or f.name in _MERGED],
@@ -93,10 +109,11 @@ def eva_files(program: Program, identities: Identities) -> dict[str, str]:
         "eva.c.j2",
         **words,
         drivers=printed,
+        contracts=contracts,
         shared=[*writer.fills.values(), *writer.asserts.values()],
         square_min=UNIT_SQUARE_MIN,
         large_elements=[(i, 2 * i, 2 * i + 1) for i in range(4)],
-        least=round(sqrt(UNIT_SQUARE_MIN) / 2 - 5e-4, 3),
+        least=LEAST,
         max_phase=f"{code.precision.max_phase:.1f}",
     )
     script = code.render("eva.sh.j2", **words, drivers=every)
@@ -109,17 +126,21 @@ class _Writer:
 
     def __init__(self, code: Code) -> None:
         self._code, self._names = code, code.names
+        self.known = {f.name for f in code.program.functions}
         self.fills: dict[str, dict[str, Any]] = {}
         self.asserts: dict[str, dict[str, Any]] = {}
 
     def driver(self, driver: Driver) -> dict[str, Any]:
         """Values of the template for one driver."""
         function = self._code.program.function(driver.function)
+        if function.name in CHECKS:
+            return self._refusals(function, driver.entry)
         kind = BITS if driver.set == ROUTINE else driver.set
         results = [a for a in function.arguments if a.direction != "in"]
         status = function.returns is Kind.STATUS
         return {
             "entry": driver.entry,
+            "refused": False,
             "given": [line for a in function.arguments for line in self._argument_setup(a, kind)],
             "call": call(self._names, function, lambda a: argument_text(a, self._default(a) or a.name)),
             "status": status,
@@ -134,6 +155,77 @@ class _Writer:
                 for line in self._assertions("initialised" if kind == BITS else "written", a)
             ],
         }
+
+    # ---- checks ----
+
+    def contract(self, f: Function) -> dict[str, Any]:
+        """What a check says of finite arguments: they are within their limits, or it refuses them."""
+        within = [
+            f"-{limit} <= {place}[{i}] <= {limit}"
+            for place, count, limit, _ in self._limits(f, "x->")
+            for i in range(count)
+        ]
+        large = f"{LEAST + CLEARLY:.4f}"
+        components = (f"x->attitude[{i}] >= {large} || x->attitude[{i}] <= -{large}" for i in range(4))
+        return {
+            "name": f.name,
+            "reads": ", ".join(["*x", *(f"values[0 .. {int(a.shape[0]) - 1}], limit" for a in f.arguments if a.shape)]),
+            "within": [*within, f"({' || '.join(components)})"],
+            "prototype": prototype(f, self._names),
+        }
+
+    def _limits(self, f: Function, prefix: str) -> list[tuple[str, int, str, str]]:
+        """Arrays that a check looks at, how many of their numbers, their limit, and the next number after it."""
+        state = f.arguments[0].type
+        assert isinstance(state, Struct)
+        found = [
+            (f"{prefix}{name}", int(count), self._number(limit), self._above(limit))
+            for name, count, limit in state_limits(state, self._code.precision)
+        ]
+        return found + [("values", int(a.shape[0]), "limit", "above") for a in f.arguments if a.shape]
+
+    def _number(self, limit: Const) -> str:
+        return self._names.constant(limit.name) if limit.name else self._code.real(float(limit.value))
+
+    def _above(self, limit: Const) -> str:
+        """The next number."""
+        scalar = self._code.precision.scalar
+        return self._code.hex(np.nextafter(scalar(limit.value), scalar(np.inf)))
+
+    def _refusals(self, f: Function, entry: str) -> dict[str, Any]:
+        """Values of the template for a check: a number beyond its limit, or a quaternion without a large component."""
+        state, largest = f.arguments[0].type, self._names.constant("LARGEST")
+        assert isinstance(state, Struct)
+        given = [f"{self._names.type(state)} x;"]
+        given += [f"reals(x.{field.name}, {int(field.shape[0])}, {largest});" for field in state.fields]
+        for a in f.arguments:
+            if a.shape:
+                limits = self._limits_given(f)
+                real = self._names.type(Kind.REAL)
+                given += [f"{declaration(self._names, a)}", f"{real} limit, above;"]
+                given += [f"reals({a.name}, {int(a.shape[0])}, {largest});"]
+                given += [f"switch (Frama_C_interval(0, {len(limits) - 1})) {{"]
+                for i, limit in enumerate(limits):
+                    case = f"case {i}:" if i < len(limits) - 1 else "default:"
+                    given.append(f"{case} limit = {self._number(limit)}; above = {self._above(limit)}; break;")
+                given.append("}")
+        given.append("int beyond = 0;")
+        for place, count, _, above in self._limits(f, "x."):
+            given.append(f"if (beyond == 0) {{ beyond = one_beyond({place}, {count}, {above}); }}")
+        given.append(f"if (beyond == 0) {{ reals(x.attitude, 4, {self._code.real(LEAST + 1.5 * CLEARLY)}); }}")
+        text = call(self._names, f, lambda a: "&x" if a.name == "x" else a.name)
+        return {"entry": entry, "given": given, "call": text, "refused": True}
+
+    def _limits_given(self, f: Function) -> list[Const]:
+        """Limits that callers give to a check, each once."""
+        found: dict[str, Const] = {}
+        for caller in self._code.program.functions:
+            for e in expressions(caller.body):
+                if isinstance(e, Call) and e.signature.name == f.name:
+                    limit = e.arguments[-1]
+                    assert isinstance(limit, Const)
+                    found[limit.name] = limit
+        return list(found.values())
 
     # ---- inputs ----
 

@@ -16,7 +16,6 @@ from mahovik.core.program.statement import (
     Note,
     Return,
     Set,
-    Shortcut,
     Statement,
     When,
 )
@@ -140,12 +139,6 @@ class Statements:
                 return self._line(f"{ignored}{self._expressions.call(call)};", indent, comment)
             case Return(value):
                 return self._line(f"return {text(value)};", indent, "")
-            case Shortcut(body):
-                return [
-                    "#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */",
-                    *[f"{indent}{{", *self.block(body, indent + _STEP), f"{indent}}}"],
-                    "#endif",
-                ]
             case Block(body):
                 return [f"{indent}{{", *self.block(body, indent + _STEP), f"{indent}}}"]
             case Loop():

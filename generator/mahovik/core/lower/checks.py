@@ -12,12 +12,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from mahovik.core.lower.library import Library, unit_square
+from mahovik.core.lower.limits import limits
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import (
+    Const,
     Expr,
     Not,
-    Operand,
     Place,
     Status,
     and_,
@@ -25,7 +26,7 @@ from mahovik.core.program.expression import (
     real,
 )
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind
+from mahovik.core.program.types import Kind, NamedCount, Precision, Struct
 
 
 def _arguments() -> tuple[Argument, Argument, Argument]:
@@ -116,20 +117,25 @@ def _look_at_sums(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place
             body.ret(Status("OK"))
 
 
+def state_limits(state: Struct, precision: Precision) -> list[tuple[str, int | NamedCount, Const]]:
+    """What is looked at in a state, in this order: a member, how many of its first numbers, their limit."""
+    limit = {name: found.expression for name, found in limits(precision).items()}
+    size = {f.name: f.shape[0] for f in state.fields}
+    found: list[tuple[str, int | NamedCount, Const]] = [
+        ("position", 3, limit["MAX_POSITION"]),
+        ("attitude", 4, Const(2, Kind.REAL)),
+        ("V", 6, limit["MAX_SPEED"]),
+        ("V", 3, limit["MAX_VELOCITY"]),
+    ]
+    if "phi" in size:
+        found += [("phi", size["phi"], limit["MAX_PHASE"]), ("phi_dot", size["phi_dot"], limit["MAX_SPEED"])]
+    return found
+
+
 def _look_at_each(lib: Library, body: Body, state: Place) -> None:
     """The state number by number."""
-    limit = {name: found.expression for name, found in lib.limits.items()}
-    parts: list[tuple[Place, Operand, Expr]] = [
-        (state.position, 3, limit["MAX_POSITION"]),
-        (state.attitude, 4, real(2)),
-        (state.V, 6, limit["MAX_SPEED"]),
-        (state.V, 3, limit["MAX_VELOCITY"]),
-    ]
-    if lib.layout.flywheels:
-        parts.append((state.phi, lib.layout.count, limit["MAX_PHASE"]))
-        parts.append((state.phi_dot, lib.layout.count, limit["MAX_SPEED"]))
-    for part in parts:
-        lib.check(body, "within", *part)
+    for name, count, limit in state_limits(lib.layout.state, lib.layout.precision):
+        lib.check(body, "within", state.member(name), count, limit)
     lib.check_unit(body, body.let("norm2", _squares(list(state.attitude))))
 
 

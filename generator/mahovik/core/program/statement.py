@@ -99,7 +99,7 @@ class Block:
 class Shortcut(Block):
     """A quick way to return what the statements after it would return as well.
 
-    Proofs by intervals cannot follow it, and states side by side do not need it: both leave it out.
+    States side by side do not need it: they leave it out.
     """
 
 
