@@ -245,7 +245,7 @@ CASES = {
     ),
     "added mass not symmetric": (
         BASE + f"added_mass = {[[2.0 if i == j else float(i == 0 and j == 5) for j in range(6)] for i in range(6)]}",
-        "carrier, added_mass: not symmetric, [0][5] = 1 kg m but [5][0] = 0 kg m",
+        "carrier, added_mass: not symmetric, [0][5] = 1.0 kg m but [5][0] = 0.0 kg m",
     ),
     "added mass negative": (
         BASE + "added_mass = [1, 1, 1, 1, -0.5, 1]",

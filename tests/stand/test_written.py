@@ -6,9 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from cli.run import run
 from mahovik import stands
 from mahovik.core.stand import load, loads
-from mahovik.core.stand.written import Written, written_numbers
+from mahovik.core.stand.written import Written, doubts, written_numbers
 from mahovik.errors import StandError
 
 TEXT = """schema = 1
@@ -115,9 +116,9 @@ def test_numbers_with_units_inside_lists_are_listed_as_they_are_written(tmp_path
         ('"11 kg cm^2", 0.0012', '0.0012, "-11 kg cm^2"', "inertia[1]: -11 kg cm^2 (-0.0011 kg m^2) is negative"),
         (
             "[0, 0.5, 11]",
-            "[0, 0.4, 11]",
+            "[0, 0.3, 11]",
             'flywheel "w1", inertia: not symmetric, [1][2] = 0.5 kg cm^2 (5e-05 kg m^2) but '
-            "[2][1] = 0.4 kg cm^2 (4e-05 kg m^2)",
+            "[2][1] = 0.3 kg cm^2 (3e-05 kg m^2)",
         ),
         (
             '[0, 0, "0.0011',
@@ -160,3 +161,55 @@ def test_a_refused_number_is_shown_as_it_is_written(old: str, new: str, words: s
     with pytest.raises(StandError) as found:
         loads(TEXT.replace(old, new))
     assert words in str(found.value)
+
+
+FIN = """schema = 1
+name = "rov"
+[carrier]
+mass = 20
+inertia = [[1, 0.{0}, 0], [0.{1}, 1, 0], [0, 0, 1]]
+added_mass = [[9, 0, 0, 0, 0, 0], [0, 40, 0, 0, 0, {2}], [0, 0, 40, 0, 0, 0],
+              [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 4, 0], [0, {3}, 0, 0, 0, 10]]
+[[point]]
+name = "tip"
+angles = [0, {4}, 0]
+"""
+
+
+@pytest.mark.parametrize(
+    ("numbers", "lines"),
+    [
+        (("124", "124", "1.5", "1.5", "1.5"), []),
+        (("124", "125", "1.5", "1.5", "1.5"), ["carrier.inertia: [0][1] = 0.124 kg m^2 but [1][0] = 0.125 kg m^2"]),
+        (("12", "121", "1.5", "1.5", "1.5"), ["carrier.inertia: [0][1] = 0.12 kg m^2 but [1][0] = 0.121 kg m^2"]),
+        (("124", "124", "1.51", "1.5", "1.5"), ["carrier.added_mass: [1][5] = 1.51 kg m but [5][1] = 1.5 kg m"]),
+        (("124", "124", "0", '"19 kg mm"', "1.5"), ["carrier.added_mass: [1][5] = 0 kg m but [5][1] = 19 kg mm (0.019 kg m)"]),
+        (("124", "124", "1.5", "1.5", "90"), ["tip.angles: [0, 90, 0] rad is beyond a whole turn"]),
+        (("124", "124", "1.5", "1.5", '"450 deg"'), []),
+    ],
+)
+def test_check_names_elements_of_which_the_mean_counts_and_angles_in_degrees(
+    numbers: tuple[str, ...], lines: list[str], tmp_path: Path
+) -> None:
+    file = tmp_path / "rov.toml"
+    file.write_text(FIN.format(*numbers))
+    assert [line.partition(": not")[0].partition(": degrees")[0] for line in doubts(file)] == lines
+    shown = run("check", str(file)).stdout
+    assert all(f"warning: {line}" in shown for line in lines)
+    J = load(file).carrier.inertia
+    assert J[0][1] == J[1][0] == pytest.approx(0.5 * (float(f"0.{numbers[0]}") + float(f"0.{numbers[1]}")), rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("numbers", "message"),
+    [
+        (("124", "126", "1.5", "1.5"), "inertia: not symmetric, [0][1] = 0.124 kg m^2 but [1][0] = 0.126 kg m^2"),
+        (("0", "001", "1.5", "1.5"), "inertia: not symmetric, [0][1] = 0.0 kg m^2 but [1][0] = 0.001 kg m^2"),
+        (("124", "124", "1.53", "1.5"), "added_mass: not symmetric, [1][5] = 1.53 kg m but [5][1] = 1.5 kg m"),
+    ],
+)
+def test_elements_that_differ_by_more_are_refused_as_they_are_written(numbers: tuple[str, ...], message: str) -> None:
+    """The added mass may differ by 1e-3 sqrt(40 10) = 0.02 kg m."""
+    with pytest.raises(StandError) as caught:
+        loads(FIN.format(*numbers, 0))
+    assert message in str(caught.value)

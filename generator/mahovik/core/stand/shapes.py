@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, cast
 
-from mahovik.core.stand.echoes import echo, list_item
+from mahovik.core.stand.echoes import as_written, echo, list_item
 from mahovik.core.stand.model import Mat3, Mat6, Vec3
-from mahovik.core.stand.units import PLAIN, Dimension, QuantityError, number, show, split_value_unit
+from mahovik.core.stand.units import PLAIN, Dimension, QuantityError, last_digit, number, show, split_value_unit
 
 Blocks = tuple[tuple[Dimension, Dimension], tuple[Dimension, Dimension]]
 """Dimensions of a 6x6 by its four 3x3 blocks: (force, moment) rows by (linear, angular) columns."""
@@ -49,8 +50,8 @@ def symmetric3(raw: Any, dimension: Dimension, unit: str | None = None) -> Mat3:
     if not any(isinstance(item, list) for item in raw):
         return cast(Mat3, _diagonal(vector(raw, (3,), dimension, unit)))
     rows = tuple(_row(row, 3, (dimension,) * 3, unit, i) for i, row in enumerate(raw))
-    _check_symmetric(rows, raw if unit is None else {"value": raw, "unit": unit}, ((dimension,) * 2,) * 2)
-    return cast(Mat3, rows)
+    given = raw if unit is None else {"value": raw, "unit": unit}
+    return cast(Mat3, _symmetric(rows, given, ((dimension,) * 2,) * 2))
 
 
 def matrix6(raw: Any, blocks: Blocks, *, symmetric: bool = False) -> Mat6 | None:
@@ -67,11 +68,9 @@ def matrix6(raw: Any, blocks: Blocks, *, symmetric: bool = False) -> Mat6 | None
         numbers = tuple(_element(raw[i], blocks[i // 3][i // 3], None, f"[{i}]") for i in range(6))
         rows = _diagonal(numbers)
     else:
-        rows = tuple(
-            _row(row, 6, tuple(blocks[i // 3][j // 3] for j in range(6)), None, i) for i, row in enumerate(raw)
-        )
-    if symmetric:
-        _check_symmetric(rows, raw, blocks)
+        rows = _rows_of(raw, blocks)
+        if symmetric:
+            rows = _symmetric(rows, raw, blocks, SHARE)
     return cast(Mat6, rows) if any(any(row) for row in rows) else None
 
 
@@ -98,14 +97,47 @@ def _diagonal(numbers: tuple[float, ...]) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(x if i == j else 0.0 for j in range(len(numbers))) for i, x in enumerate(numbers))
 
 
-def _check_symmetric(rows: tuple[tuple[float, ...], ...], raw: Any, blocks: Blocks) -> None:
-    """Refuse the first pair of elements that differ, each shown as it is written in `raw`."""
+SHARE = 1e-3
+"""Part of sqrt(M_ii M_jj) by which two elements of an added mass may differ: panel codes do not make them equal."""
+
+
+def asymmetries(raw: Any, blocks: Blocks, share: float = 0.0) -> list[tuple[str, str, bool]]:
+    """Pairs of elements of a matrix that differ, as the file has them: "[2][5] = 10.774 kg m"; and whether as rounded.
+
+    As rounded they differ by at most one unit of the last printed digit, or by `share` of the diagonal.
+    """
+    rows = _rows_of(raw, blocks)
+    items = [[list_item(list_item(raw, i), j) for j in range(len(rows))] for i in range(len(rows))]
 
     def show(i: int, j: int) -> str:
         si = blocks[i // 3][j // 3].si
-        return f"[{i}][{j}] = " + (echo(list_item(list_item(raw, i), j), rows[i][j], si) or f"{rows[i][j]:.17g} {si}")
+        return f"[{i}][{j}] = {echo(items[i][j], rows[i][j], si) or as_written(items[i][j], si)}"
 
-    for i, row in enumerate(rows):
-        for j in range(i):
-            if rows[j][i] != row[j]:
-                raise QuantityError(f"not symmetric, {show(j, i)} but {show(i, j)}")
+    def is_rounded(i: int, j: int) -> bool:
+        apart, dimension = abs(rows[i][j] - rows[j][i]), blocks[i // 3][j // 3]
+        digit = min(last_digit(items[i][j], dimension), last_digit(items[j][i], dimension))
+        if rows[i][j] and rows[j][i] and apart <= digit * (1.0 + 1e-6):
+            return True
+        return apart <= share * math.sqrt(max(rows[i][i], 0.0) * max(rows[j][j], 0.0))
+
+    pairs = [(j, i) for i in range(len(rows)) for j in range(i) if rows[j][i] != rows[i][j]]
+    return [(show(j, i), show(i, j), is_rounded(j, i)) for j, i in pairs]
+
+
+def _rows_of(raw: Any, blocks: Blocks) -> tuple[tuple[float, ...], ...]:
+    """The numbers of a valid matrix that is given by its rows, in SI."""
+    value, unit = split_value_unit(raw, None) if isinstance(raw, dict) else (raw, None)
+    dimensions = [tuple(blocks[i // 3][j // 3] for j in range(len(value))) for i in range(len(value))]
+    return tuple(_row(row, len(value), dimensions[i], unit, i) for i, row in enumerate(value))
+
+
+def _symmetric(
+    rows: tuple[tuple[float, ...], ...], raw: Any, blocks: Blocks, share: float = 0.0
+) -> tuple[tuple[float, ...], ...]:
+    """The rows, with the mean of two elements that differ as rounded. Raises QuantityError of others."""
+    if all(rows[j][i] == row[j] for i, row in enumerate(rows) for j in range(i)):
+        return rows
+    for above, below, is_rounded in asymmetries(raw, blocks, share):
+        if not is_rounded:
+            raise QuantityError(f"not symmetric, {above} but {below}")
+    return tuple(tuple(0.5 * (x + rows[j][i]) for j, x in enumerate(row)) for i, row in enumerate(rows))

@@ -31,8 +31,8 @@ At most a ninth of the mass is so far from the centre; the origin of a uniform r
 DENSEST = 22.6e3
 """Density of osmium, kg/m3: a body of known mass and inertia is not denser than the densest metal."""
 
-LIGHTEST = 0.09
-"""Density of hydrogen, kg/m3."""
+LIGHTEST = 0.01
+"""kg/m3, a ninth of the density of hydrogen."""
 
 FASTEST_RIM = 300.0
 """m/s: wheels of steel burst not far above; those of carbon fibre are faster."""

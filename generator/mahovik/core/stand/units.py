@@ -134,6 +134,20 @@ def unit_of(raw: Any) -> str | None:
     return None if found is None else found[2]
 
 
+def last_digit(raw: Any, dimension: Dimension) -> float:
+    """One unit of the last printed digit of a valid number of the file, in SI; 0 of a column of samples."""
+    if isinstance(raw, dict):
+        return number({"value": _last_digit(raw["value"]), "unit": raw["unit"]}, dimension)
+    if isinstance(raw, str) and (found := _QUANTITY.fullmatch(raw.strip())) is not None:
+        return number(f"{_last_digit(Decimal(found[1]))} {found[2]}", dimension)
+    return number(_last_digit(raw), dimension) if isinstance(raw, int | Decimal) else 0.0
+
+
+def _last_digit(written: int | Decimal) -> Decimal:
+    exponent = Decimal(written).as_tuple().exponent
+    return Decimal(1).scaleb(int(exponent))
+
+
 @cache
 def factor(unit: str, dimension: Dimension) -> Fraction:
     """How many SI units of `dimension` one `unit` is, exactly (pi to 50 digits). Raises QuantityError."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import typing
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -11,15 +12,21 @@ from typing import Any
 from pydantic import BaseModel
 
 from mahovik.contract.laws import parts
-from mahovik.core.stand.echoes import list_item, text_with_unit
-from mahovik.core.stand.fields import QuantityValidator, Table
+from mahovik.core.stand.echoes import as_written, list_item, text_with_unit
+from mahovik.core.stand.fields import ADDED_MASS, QuantityValidator, Table
 from mahovik.core.stand.hold import HoldTable, hold_of
 from mahovik.core.stand.law_schemas import held_schemas, mounted_schemas, with_laws
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.schema import CarrierTable, FlywheelTable, Header, InstrumentTable, PointTable
-from mahovik.core.stand.shapes import Blocks, vector
+from mahovik.core.stand.shapes import SHARE, Blocks, asymmetries, vector
 from mahovik.core.stand.toml import parse
-from mahovik.core.stand.units import Dimension, number
+from mahovik.core.stand.units import ANGLE, INERTIA, Dimension, number
+
+Quantity = tuple[Any, Any, str, str]
+"""Dimension, or those of the blocks of a 6x6; value in the file; name of the body or the table, and key in it."""
+
+WHOLE_TURN = 2.0 * math.pi * (1.0 + 1e-6)
+"""rad, with room for rounding."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +56,32 @@ def written_numbers(path: str | Path) -> list[Written]:
     A list of which some numbers have units is one item, a matrix an item for each row. In the 6x6 matrices, whose
     numbers differ in dimension, each number with a unit is an item.
     """
+    found = (_of_matrix6(*each) if isinstance(each[0], tuple) else _of_value(*each) for each in _numbers(path))
+    return [written for items in found for written in items]
+
+
+def doubts(path: str | Path) -> list[str]:
+    """Warnings, a line each, on numbers of a valid stand file: angles without unit, in rad, beyond a whole turn, and
+    symmetric matrices with elements that differ, of which the mean counts.
+    """
+    found = []
+    for dimension, raw, where, key in _numbers(path):
+        name = f"{where}.{key}".removeprefix("stand.")
+        if dimension == ANGLE and text_with_unit(raw) is None:
+            values = raw if isinstance(raw, list) else [raw]
+            largest = max((abs(x) for x in values), default=0)
+            if largest > WHOLE_TURN:
+                found.append(f"{name}: {as_written(raw, 'rad')} is beyond a whole turn: degrees without their unit?")
+        blocks = dimension if isinstance(dimension, tuple) else ((dimension,) * 2,) * 2
+        rows = raw["value"] if isinstance(raw, dict) else raw
+        if (blocks == ADDED_MASS or dimension == INERTIA) and isinstance(rows, list) and any(map(_is_row, rows)):
+            pairs = asymmetries(raw, blocks, SHARE if blocks == ADDED_MASS else 0.0)
+            found += [f"{name}: {above} but {below}: not symmetric, their mean counts" for above, below, _ in pairs]
+    return found
+
+
+def _numbers(path: str | Path) -> Iterator[Quantity]:
+    """All numbers of a valid stand file, in its order."""
     document = parse(Path(path).read_text(encoding="utf-8-sig"))
     laws = [part.SCHEMA for part in parts("schema")]
     tables: dict[str, type[Table]] = {
@@ -60,20 +93,19 @@ def written_numbers(path: str | Path) -> list[Written]:
     for law in laws:
         tables |= {**law.tables, **law.arrays}
     tables |= {law.key: law.table for law in mounted_schemas()}
-    found: list[Written] = []
-    hold = document.get("hold")
     for header in (Header, *(law.header for law in laws)):
         if header is not None:
-            found += _of_table(document, header, "stand")
+            yield from _of_table(document, header, "stand")
     for key, table in tables.items():
         items = document.get(key, [])
         for k, item in enumerate(items if isinstance(items, list) else [items]):
             where = item.get("name", f"{key}[{k}]" if isinstance(items, list) else key)
-            found += _of_table(item, table, where)
-    return found if hold is None else [*found, *_of_hold(hold)]
+            yield from _of_table(item, table, where)
+    if "hold" in document:
+        yield from _of_hold(document["hold"])
 
 
-def _of_hold(raw: dict[str, Any]) -> Iterator[Written]:
+def _of_hold(raw: dict[str, Any]) -> Iterator[Quantity]:
     """The numbers of `[hold]`, and of friction and stops, whose units are those of their freedoms."""
     yield from _of_table(raw, HoldTable, "hold")
     own = HoldTable.model_validate({key: value for key, value in raw.items() if key in HoldTable.model_fields})
@@ -87,34 +119,32 @@ def _of_hold(raw: dict[str, Any]) -> Iterator[Written]:
                 for name, value in item.items():
                     dimension = law.dimension_of(name, read, hold)
                     if dimension is not None:
-                        yield from _of_value(value, dimension, f"hold.{key}[{k}]", name)
+                        yield dimension, value, f"hold.{key}[{k}]", name
 
 
-def _of_table(raw: dict[str, Any], table: type[BaseModel], where: str, path: str = "") -> Iterator[Written]:
+def _of_table(raw: dict[str, Any], table: type[BaseModel], where: str, path: str = "") -> Iterator[Quantity]:
     for key, value in raw.items():
         field = table.model_fields.get(key)
         if field is None:
             continue
         dimension, inner = dimension_and_table((field.annotation, *field.metadata))
-        if isinstance(dimension, tuple):
-            yield from _of_matrix6(value, dimension, where, path + key)
-        elif dimension is not None:
-            yield from _of_value(value, dimension, where, path + key)
+        if dimension is not None:
+            yield dimension, value, where, path + key
         elif inner is not None and isinstance(value, dict):
             yield from _of_table(value, inner, where, f"{path}{key}.")
 
 
-def _of_matrix6(raw: list[Any], blocks: Blocks, where: str, key: str) -> Iterator[Written]:
+def _of_matrix6(blocks: Blocks, raw: list[Any], where: str, key: str) -> Iterator[Written]:
     """The numbers with units of a 6x6, or of its diagonal."""
     for i, row in enumerate(raw):
         if isinstance(row, list):
             for j, item in enumerate(row):
-                yield from _of_value(item, blocks[i // 3][j // 3], where, f"{key}[{i}][{j}]")
+                yield from _of_value(blocks[i // 3][j // 3], item, where, f"{key}[{i}][{j}]")
         else:
-            yield from _of_value(row, blocks[i // 3][i // 3], where, f"{key}[{i}]")
+            yield from _of_value(blocks[i // 3][i // 3], row, where, f"{key}[{i}]")
 
 
-def _of_value(raw: Any, dimension: Dimension, where: str, key: str) -> Iterator[Written]:
+def _of_value(dimension: Dimension, raw: Any, where: str, key: str) -> Iterator[Written]:
     """A number, a list, or the rows of a matrix, as far as they have units."""
     items = raw["value"] if isinstance(raw, dict) else raw
     text = text_with_unit(raw)
@@ -122,7 +152,7 @@ def _of_value(raw: Any, dimension: Dimension, where: str, key: str) -> Iterator[
         return
     if isinstance(items, list) and any(_is_row(item) for item in items):
         for i in range(len(items)):
-            yield from _of_value(list_item(raw, i), dimension, where, f"{key}[{i}]")
+            yield from _of_value(dimension, list_item(raw, i), where, f"{key}[{i}]")
     elif isinstance(items, list):
         yield Written(where, key, text, vector(raw, (len(items),), dimension), dimension.si)
     else:

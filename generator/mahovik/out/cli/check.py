@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from mahovik.contract.quantities import RPM
@@ -67,7 +68,7 @@ def check(
         warn_of_speeds(stand, [asked] * len(stand.flywheels), [str(speed)] * len(stand.flywheels))
     from mahovik.core.stand import identities
     from mahovik.core.stand.summary import summarize
-    from mahovik.core.stand.written import written_numbers
+    from mahovik.core.stand.written import doubts, written_numbers
     from mahovik.use.simulate.friction_steps import long_steps
     from mahovik.use.study.excess import excess
     from mahovik.use.study.increments import USUAL_STEP, lost_increments
@@ -79,6 +80,7 @@ def check(
         written = written_numbers(stand_file)
         unbalances = {each.where: each.text for each in written if each.key == "unbalance.static"}
         summary, names = summarize(stand, asked, apart, unbalances), identities(stand)
+        summary = replace(summary, warnings=(*summary.warnings, *doubts(stand_file)))
         speeds = [row.speed for row in summary.unbalance]
         short, lost = shortfalls(stand, speeds), [] if dt is None else lost_increments(stand, speeds, step)
         over, unreached = excess(stand), task_shortfalls(stand)
