@@ -88,3 +88,9 @@ def test_a_line_of_sight_leaves_the_turn_about_it_free(goal: dict[str, float]) -
     assert found.programmes[0].carrier is not None
     roll = found.programmes[0].carrier.q[-1, 5]
     assert abs(roll) > 1e-3  # nobody held it
+
+
+@pytest.mark.parametrize(("end", "warned"), [([40, 0, 0], True), (["40 deg", 0, 0], False), ([0.7, 0, 0], False)])
+def test_an_attitude_beyond_a_turn_is_asked_about(end: list[Any], warned: bool) -> None:
+    found = planned(satellite(PYRAMID), end={"angles": end}, duration=20)
+    assert found.warnings == (f"end.angles: {end} rad is beyond a whole turn: degrees without their unit?",) * warned

@@ -67,17 +67,22 @@ def doubts(path: str | Path) -> list[str]:
     found = []
     for dimension, raw, where, key in _numbers(path):
         name = f"{where}.{key}".removeprefix("stand.")
-        if dimension == ANGLE and text_with_unit(raw) is None:
-            values = raw if isinstance(raw, list) else [raw]
-            largest = max((abs(x) for x in values), default=0)
-            if largest > WHOLE_TURN:
-                found.append(f"{name}: {as_written(raw, 'rad')} is beyond a whole turn: degrees without their unit?")
+        if dimension == ANGLE:
+            found += beyond_a_turn(name, raw)
         blocks = dimension if isinstance(dimension, tuple) else ((dimension,) * 2,) * 2
         rows = raw["value"] if isinstance(raw, dict) else raw
         if (blocks == ADDED_MASS or dimension == INERTIA) and isinstance(rows, list) and any(map(_is_row, rows)):
             pairs = asymmetries(raw, blocks, SHARE if blocks == ADDED_MASS else 0.0)
             found += [f"{name}: {above} but {below}: not symmetric, their mean counts" for above, below, _ in pairs]
     return found
+
+
+def beyond_a_turn(name: str, raw: Any) -> list[str]:
+    """A warning, in a list, of an angle or a list of them without unit, in rad, that is beyond a whole turn."""
+    values = raw if isinstance(raw, list) else [raw]
+    if text_with_unit(raw) is not None or not any(abs(x) > WHOLE_TURN for x in values):
+        return []
+    return [f"{name}: {as_written(raw, 'rad')} is beyond a whole turn: degrees without their unit?"]
 
 
 def _numbers(path: str | Path) -> Iterator[Quantity]:

@@ -32,6 +32,7 @@ class Slew:
     phi, phi_dot   N: angles and speeds of the flywheels at t = 0, rad, rad/s
     bounds    speed, acceleration, torque of the flywheels; the motors' limits hold besides
     unbalance averaged: planned on the mean stand; resisted: the flywheels move so that unbalance does not move the rows
+    doubts    warnings on numbers of the file, a line each
     """
 
     name: str
@@ -48,6 +49,7 @@ class Slew:
     phi_dot: tuple[float, ...]
     bounds: Bounds
     unbalance: Unbalance = "averaged"
+    doubts: tuple[str, ...] = ()
 
     @property
     def periodic(self) -> bool:

@@ -20,6 +20,7 @@ from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.shapes import direction, vec3, vector
 from mahovik.core.stand.task import TaskTable, check_tasks
 from mahovik.core.stand.units import ANGLE, PLAIN, SPEED, TIME, TORQUE, Dimension, QuantityError, show
+from mahovik.core.stand.written import beyond_a_turn
 from mahovik.errors import MotionError
 from mahovik.nearest import suggestion
 
@@ -120,11 +121,13 @@ def read_slew(document: dict[str, Any], stand: Stand, name: str, problems: Probl
         raise MotionError(problems.lines)
     N = len(stand.flywheels)
     bounds = table.bounds
+    ends = ((key, (document.get(key) or {}).get("angles", 0)) for key in ("start", "end"))
+    doubts = (line for key, raw in ends for line in beyond_a_turn(f"{key}.angles", raw))
     return Slew(
         name, task, kind, start, table.start.position, axis, normal, angle, goal, table.duration,
         table.start.phi or (0.0,) * N, table.start.phi_dot or (0.0,) * N,
         Bounds(speed=bounds.speed, acceleration=bounds.acceleration, torque=bounds.torque),
-        table.unbalance,
+        table.unbalance, tuple(doubts),
     )  # fmt: skip
 
 

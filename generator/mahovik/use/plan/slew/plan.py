@@ -72,9 +72,9 @@ def plan_slew(stand: Stand, slew: Slew, verify: bool = True, tell: Callable[[str
         made, sharp = _search(planned, slew)
     except NoSlewError as error:
         status: Status = "NO_PROGRAM" if error.reason else "SINGULAR_ATTITUDE"
-        return Plan(status, error.reason, (error.words,), (), ())
+        return Plan(status, error.reason, (error.words,), slew.doubts, ())
     except StateError as error:
-        return Plan("NO_PROGRAM", "SEARCH", (str(error),), (), ())
+        return Plan("NO_PROGRAM", "SEARCH", (str(error),), slew.doubts, ())
     programme = _programme(stand, slew, made, sharp)
     if slew.unbalance == "averaged":
         tell("simulating with unbalance")
@@ -84,8 +84,8 @@ def plan_slew(stand: Stand, slew: Slew, verify: bool = True, tell: Callable[[str
         programme = certify(stand, motion_of_slew(slew, programme), programme)
         if wrong := failed_items(programme):
             words = f"a programme was found and refused by the verification: {wrong}"
-            return Plan("NO_PROGRAM", "SEARCH", (words,), (), ())
-    return Plan("OK", None, (), tuple(programme.report.get("warnings", ())), (programme,))
+            return Plan("NO_PROGRAM", "SEARCH", (words,), slew.doubts, ())
+    return Plan("OK", None, (), (*slew.doubts, *programme.report.get("warnings", ())), (programme,))
 
 
 def _search(stand: Stand, slew: Slew) -> tuple[Table, Sharp | None]:
