@@ -42,6 +42,7 @@ class Stub:
     once: bool = True
     stand_file: str = ""
     goal: Goal | None = None
+    has_quantiles: bool = True
 
     @property
     def name(self) -> str:

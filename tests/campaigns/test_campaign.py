@@ -206,6 +206,7 @@ KEYS = {
     "seed = -1": "seed: -1: expected 0 to",
     'quantile = { of = "shake", at = 95 }': "quantile, at: 95: expected above 0 and below 1",
     'until = 0.1\ndesign = "morris"\nquantile = { of = "shake" }': 'until: not allowed with design "morris"',
+    'design = "saltelli"\nquantile = { of = "shake" }': 'quantile: not allowed with design "saltelli"',
 }
 
 

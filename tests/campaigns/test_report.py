@@ -74,6 +74,13 @@ def test_the_page_is_well_formed(folder: CampaignFolder, tmp_path: Path) -> None
     assert stack == []
 
 
+def test_a_page_has_one_quantile_of_95_percent(folder: CampaignFolder, tmp_path: Path) -> None:
+    """The order statistic of the table, in the head as well; not one between two samples."""
+    text = text_of(folder.report(tmp_path / "page.html", worst=0).page)
+    of_table = quantile_interval(folder.columns()["double"], 0.95).value
+    assert f"95 % below {of_table:.4g}" in text and f"95 % below {of_table:.5g}" in text
+
+
 def test_the_worst_samples_are_stand_files(folder: CampaignFolder, tmp_path: Path) -> None:
     written = folder.report(tmp_path / "page.html", worst=3)
     columns = folder.columns()
@@ -176,6 +183,9 @@ def test_the_page_has_the_figures_of_the_design(design: str, title: str, tmp_pat
     assert figures[first][0] > 10 * figures[first][1] > 0.0  # of the unbalance, and of the mass
     table = text[text.index(f"{title}, from 48 samples") :]
     assert f"left.unbalance.static {figures['S1' if design == 'saltelli' else first][0]:.3g}" in table
+    shake = found.columns()["shake"]
+    assert f"between {shake.min():.4g} m/s2 and {shake.max():.4g} m/s2" in text
+    assert "% below" not in text and "confidence intervals" not in text.replace(table, "")
 
 
 def test_shares_of_the_variance_are_those_of_ishigami() -> None:

@@ -102,6 +102,15 @@ def test_the_same_inputs_give_the_same_bytes(whole: str) -> None:
     assert report_page() == whole
 
 
+def test_the_head_says_what_outside_judges_do_not_know(monkeypatch: pytest.MonkeyPatch) -> None:
+    only(monkeypatch, "verification")
+    assert run("report", str(path("auv6")), "-o", "r.html").exit_code == 0
+    head = words(Path("r.html").read_text(encoding="utf-8")).partition("Not run here")[0]
+    judges, _, left = head.partition("they know the stand without ")
+    assert "Pinocchio agrees; MuJoCo agrees" in judges
+    assert left.startswith("added mass (carrier), buoyancy (carrier, sonar), damping (carrier), stream")
+
+
 def test_a_comparison_that_fails_is_shown_as_failing(monkeypatch: pytest.MonkeyPatch) -> None:
     """Nothing is as near as 1e-30: the page is written, red at its top, and the status is 1."""
     only(monkeypatch, "verification")

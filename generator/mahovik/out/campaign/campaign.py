@@ -23,7 +23,7 @@ from mahovik.out.api.possible import PossibleTables, possible_tables
 from mahovik.out.api.stands import Stand
 from mahovik.out.campaign.bounds import check_bounds
 from mahovik.out.campaign.compute import Computation, prepare
-from mahovik.out.campaign.designs import DESIGNS, Design
+from mahovik.out.campaign.designs import DESIGNS, Design, InBlocks
 from mahovik.out.campaign.file import CampaignFile, files_in, load_campaign
 from mahovik.out.campaign.holds import is_place_of_hold
 from mahovik.out.campaign.rows import Rows
@@ -172,6 +172,11 @@ class Campaign:
         """The stand of one sample, to look at or to save. Raises StandError if it cannot be."""
         values = self.file.draw.changes(self.parameter_values(number, 1))
         return self.stand.replace({key: column[0].tolist() for key, column in values.items()})
+
+    @property
+    def has_quantiles(self) -> bool:
+        """See Work."""
+        return not isinstance(self.design, InBlocks)
 
     def sensitivity(self, values: Array) -> Sensitivity:
         """Factors that a quantity depends on; `values` of the first samples in order. Raises UsageError."""

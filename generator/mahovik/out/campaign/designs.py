@@ -31,10 +31,6 @@ class Design(Protocol):
     def samples(self) -> int:
         """How many there are."""
 
-    @property
-    def independent(self) -> bool:
-        """Whether samples say nothing of each other, as statistics of quantiles expect."""
-
     def unit(self, first: int, count: int) -> Array:
         """Samples from `first` on, (count, factors), in 0..1. They depend on nothing but their numbers."""
 
@@ -46,7 +42,6 @@ class Random:
     factors: tuple[str, ...]
     samples: int
     seed: int
-    independent: bool = True
 
     def unit(self, first: int, count: int) -> Array:
         columns = [uniform(self.seed, name, first, count) for name in self.factors]
@@ -60,7 +55,6 @@ class Latin:
     factors: tuple[str, ...]
     samples: int
     seed: int
-    independent: bool = False
     _kept: dict[str, Array] = field(default_factory=dict, compare=False, repr=False)
 
     def unit(self, first: int, count: int) -> Array:
@@ -86,7 +80,6 @@ class Sobol:
     factors: tuple[str, ...]
     samples: int
     seed: int
-    independent: bool = False
 
     def unit(self, first: int, count: int) -> Array:
         return sequence(len(self.factors), self.seed, first, count)
@@ -99,7 +92,6 @@ class InBlocks(ABC):
     factors: tuple[str, ...]
     wanted: int
     seed: int
-    independent: bool = False
 
     @property
     @abstractmethod

@@ -175,8 +175,9 @@ def _goal(table: CampaignTable, problems: Problems) -> Goal | None:
         if table.until is not None:
             problems.add("until", "of which quantile? expected a table [quantile] with of and at")
         return None
-    if table.until is not None and table.design in ("morris", "saltelli"):
-        problems.add("until", f'not allowed with design "{table.design}", which has no quantiles')
+    if table.design in ("morris", "saltelli"):
+        key = "quantile" if table.until is None else "until"
+        problems.add(key, f'not allowed with design "{table.design}", which has no quantiles')
     return Goal(table.quantile.of, table.quantile.at, table.quantile.confidence, table.until)
 
 

@@ -70,6 +70,10 @@ class Work(Protocol):
     def goal(self) -> Goal | None:
         """Quantile that is to be known well; None: there is none."""
 
+    @property
+    def has_quantiles(self) -> bool:
+        """Whether the samples are drawn from the distributions, and not placed in blocks that have none."""
+
     def stand_of(self, number: int) -> Stand:
         """Stand of one sample. Raises StandError: it cannot be."""
 

@@ -7,6 +7,7 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 
 from mahovik.errors import UsageError
+from mahovik.out.campaign.convergence import quantile_interval
 from mahovik.out.campaign.dataset import Status, count_of
 from mahovik.out.campaign.reached import words
 from mahovik.out.campaign.report.influence import Influence, bin_means, influences
@@ -82,7 +83,7 @@ def quantity(work: Work, query: Query, name: str, worst: int) -> Section | None:
     parameters = {path: columns[path][kept] for path in manifest.parameters}
     found, explained = influences(parameters, columns[name][kept])
     panels = [histogram(name, unit, values)]
-    if len(values) > FEW:
+    if work.has_quantiles and len(values) > FEW:
         panels.append(settling(name, unit, values, goal))
     if found:
         path = found[0].parameter
@@ -93,14 +94,18 @@ def quantity(work: Work, query: Query, name: str, worst: int) -> Section | None:
         against = (path, manifest.parameters[path], parameters[path])
         means = bin_means(parameters[path], columns[name][kept])
         panels.append(scatter(name, unit, columns[name][kept], against, means, marks))
-    html = charts(panels) + quantile_table(name, unit, values)
+    html = charts(panels) + (quantile_table(name, unit, values) if work.has_quantiles else Markup(""))
     if goal is not None:
         html = paragraph(f"{words(goal, goal.interval(values))}.") + html
     if found:
         html += tornado(found, explained)
     html += _by_design(work, query, name)
-    middle, high = (float(np.quantile(values, p)) for p in (0.5, 0.95))
-    summary = f"half of the samples below {middle:.4g}{unit_text(unit)[1:]}, 95 % below {high:.4g}{unit_text(unit)[1:]}"
+    of = unit_text(unit)[1:]
+    if work.has_quantiles:
+        middle, high = (quantile_interval(values, p).value for p in (0.5, 0.95))
+        summary = f"half of the samples below {middle:.4g}{of}, 95 % below {high:.4g}{of}"
+    else:
+        summary = f"between {values.min():.4g}{of} and {values.max():.4g}{of}"
     return Section(f"quantity-{list(manifest.quantities).index(name)}", name, html, summary=summary)
 
 

@@ -51,7 +51,8 @@ def section(material: Material) -> Section | None:
     if targets is None:
         command = f"mahovik verify {file} --targets {material.targets or 'quick'}"
         open_.append((f"processors: the same bits as on the host{reason}", command))
-    failures, summary = _summary(three, outside, targets)
+    without = _group_by_feature(missing(stand))
+    failures, summary = _summary(three, outside, targets, without)
     tools = [f"NumPy {version('numpy')}", f"CasADi {version('casadi')}"]
     if three.judged == "generated C":
         tools.insert(0, program_version(find_compiler()[0]))
@@ -63,7 +64,7 @@ def section(material: Material) -> Section | None:
         tools=tools,
         three_verdict=_verdict_line(three),
         three_table=derivations_table(three),
-        without=_group_by_feature(missing(stand)),
+        without=without,
         judges_verdicts=[_verdict_line(found, f"{TITLES[name]}: ") for name, found in outside.items()],
         judges_table=judges_table(outside) if outside else "",
         targets=targets,
@@ -75,15 +76,17 @@ def section(material: Material) -> Section | None:
 
 
 def _summary(
-    three: Report, outside: Mapping[str, Report], targets: TargetsReport | None
+    three: Report, outside: Mapping[str, Report], targets: TargetsReport | None, without: str
 ) -> tuple[list[str], list[str]]:
-    """What failed, a line each, and what the head of the page says."""
+    """What failed, a line each, and what the head of the page says; `without`: what no outside judge has."""
     failures = failures_of(three, "three derivations")
     summary = ["three derivations disagree" if failures else f"three derivations agree at {three.states} states"]
     for name, against in outside.items():
         bad = failures_of(against, TITLES[name])
         failures += bad
         summary.append(f"{TITLES[name]} {'disagrees' if bad else 'agrees'}")
+    if outside and without:
+        summary.append(f"they know the stand without {without}")
     if targets is not None:
         failures += [f"{row.target}, {row.real}: {row.reason}" for row in targets.rows if row.failed]
         equal = sum(row.verdict == "ok" for row in targets.rows)
