@@ -92,7 +92,7 @@ def reach_without_one(given: Stand) -> tuple[float, float]:
 
 
 def wrong_numbers(module: ModuleType, even: bool) -> list[str]:
-    """What is wrong with the design of a module."""
+    """Names of the numbers that are wrong in the design of a module."""
     given, momentum = stand(even), 1.0
     design = module.design_attitude(given, module.LoopOptions(momentum=momentum))
     made, speeds, no_load = design.settings, np.array(design.speeds), limits(given, "speed")

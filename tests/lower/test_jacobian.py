@@ -230,7 +230,7 @@ def test_coupled_costs_at_most_twice_forward() -> None:
 
 
 def test_coupled_jacobian_costs_no_work_on_zeros() -> None:
-    """What each pair of flywheels adds: two columns by phase and speed and one by torque, of 13 operations a flywheel.
+    """A pair of flywheels adds little: two columns by phase and speed and one by torque, of 13 operations a flywheel.
 
     The right-hand sides of the other flywheels are zero in these columns, and cost at most a comparison.
     """

@@ -29,14 +29,25 @@ def planned(stand: Stand, verify: bool = False, **keys: Any) -> Programme:
     return found.programmes[0]
 
 
-def test_one_wheel_on_its_axis_turns_bang_bang() -> None:
+@pytest.mark.parametrize(
+    ("motor", "bounds", "driving", "braking"),
+    [
+        ("{ torque = 0.2 }", {}, 0.2, 0.2),
+        ("{ torque = 0.2 }", {"torque": 0.1}, 0.1, 0.1),
+        ("{ torque = 0.2, coulomb = 0.06, coulomb_speed = 0.01 }", {}, 0.14, 0.26),
+    ],
+)
+def test_one_wheel_on_its_axis_turns_bang_bang(
+    motor: str, bounds: dict[str, float], driving: float, braking: float
+) -> None:
+    """The motor's torque or the bound; friction takes from what drives and adds to what brakes."""
     stand = satellite([(0.0, 0.0, 1.0)])
     principal = np.linalg.eigh(np.array(stand.carrier.inertia))[1]  # only about a principal axis does one wheel do
-    stand = satellite([principal[:, 0].tolist()])
+    stand = satellite([principal[:, 0].tolist()], motor)
     J = float(principal[:, 0] @ inertia(stand) @ principal[:, 0])
     angle = np.radians(40.0)
-    limit = 2.0 * np.sqrt(angle * J / 0.2)
-    found = planned(stand, end=about(principal[:, 0], angle))
+    limit = np.sqrt(2.0 * angle * J * (1.0 / driving + 1.0 / braking))
+    found = planned(stand, end=about(principal[:, 0], angle), bounds=bounds)
     assert limit < found.span < NEAR * limit
 
 
@@ -103,6 +114,10 @@ def test_torque_that_falls_with_speed_is_followed_to_its_curve() -> None:
     limit = switch + driven(switch)[1] / a
     found = planned(stand, end=about(axis, angle))
     assert limit * (1 - 1e-3) < found.span < NEAR * limit
+    _, speed, acceleration = found.at(np.linspace(0, found.span, 2001))
+    torque = acceleration * 0.02 * J / (J + 0.02)  # between wheel and carrier, both free
+    falling = np.where(torque * speed > 0, 1 - np.abs(speed) / (400 * np.pi / 30), 1.0)
+    assert np.all(np.abs(torque) <= 0.2 * falling * (1 + 1e-6))
 
 
 @pytest.mark.slow

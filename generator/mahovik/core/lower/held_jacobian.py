@@ -207,7 +207,7 @@ class _Drives(Sides):
             self.body.set(self._freedoms.y[k], real(0))
 
     def reduce(self, t: Place, side: Expr) -> None:
-        """From y."""
+        """Take the share of flywheel t from y."""
         share = self.body.let("share", side * self._inverse[t])
         with self.body.loop("k", self._freedoms.count) as k:
             self.body.add(self._freedoms.y[k], -(self._projected[t][k] * share))

@@ -187,7 +187,7 @@ class _Work(Sides):
         """The change of the wrench is the right-hand side as it stands."""
 
     def reduce(self, t: Place, side: Expr) -> None:
-        """From rhs."""
+        """Take the share of flywheel t from rhs, unless it is locked."""
         body = self.body
         with body.when(equal(self._locked[t], integer(0))):
             share = body.let("share", side * self.table.flywheel[t].spin_inv)

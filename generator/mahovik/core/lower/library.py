@@ -61,7 +61,7 @@ class Library(FunctionSet):
         return (Argument("wrench", Kind.REAL, (6 * len(self.layout.inputs),), unit="N, N m", purpose=purpose),)
 
     def flywheel_wrench_arguments(self) -> tuple[Argument, ...]:
-        """The same, where a flywheel takes one, for functions on whose results other bodies' have no effect."""
+        """Run-time wrenches where a flywheel takes one, for functions on which no other body's has an effect."""
         taken = self.wrench_arguments() if self.layout.flywheel_input else ()
         return tuple(replace(a, purpose=a.purpose + "; those of flywheels alone act") for a in taken)
 
