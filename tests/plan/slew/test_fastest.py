@@ -49,6 +49,8 @@ def test_one_wheel_on_its_axis_turns_bang_bang(
     limit = np.sqrt(2.0 * angle * J * (1.0 / driving + 1.0 / braking))
     found = planned(stand, end=about(principal[:, 0], angle), bounds=bounds)
     assert limit < found.span < NEAR * limit
+    speed = np.abs(found.at(np.linspace(0.0, found.span, 1001)).phi_dot[:, 0])
+    assert np.argmax(speed) / 1000 == pytest.approx(braking / (driving + braking), abs=0.01)
 
 
 @pytest.mark.parametrize(
