@@ -392,12 +392,3 @@ def real_of_bits(value: Expr) -> Expr:
 def magnitude(value: Expr) -> Expr:
     """|a| of a real, without libm."""
     return Select(Compare("<", value, Const(0, Kind.REAL)), Negate(value), value)
-
-
-def excess_bits(value: Expr, limit: Expr, width: int) -> Expr:
-    """A word of `width` bits whose top bit is set where a real is above a limit in magnitude, infinite or NaN.
-
-    Without their signs, bits of reals are in the order of the reals, infinity and NaN last; so the difference of two
-    is negative where the first is smaller. No branch and no comparison: loops over it vectorise.
-    """
-    return bits_of(limit) - (bits_of(value) & word((1 << (width - 1)) - 1))

@@ -26,8 +26,8 @@ from mahovik.core.program.expression import (
     Place,
     Status,
     Variable,
+    bits_of,
     equal,
-    excess_bits,
     select,
     unequal,
     word,
@@ -290,11 +290,16 @@ class _Probing:
         return Do(Call(self._done[_probe_name(call.signature)].signature, (*call.arguments, self._suspect.place)))
 
     def _doubt(self, condition: Expr) -> Expr:
-        """A word whose top bit is set where a condition holds; of limits without a comparison."""
+        """A word whose top bit is set where a condition holds; of limits without a comparison: loops over it vectorise.
+
+        Without their signs, bits of reals are in the order of the reals, infinity and NaN last; so the difference of
+        two is negative where the first is smaller.
+        """
         outside = _outside(condition)
         if outside is None:
             return select(condition, word(1 << (self._width - 1)), word(0))
-        return excess_bits(*outside, self._width)
+        value, limit = outside
+        return bits_of(limit) - (bits_of(value) & word((1 << (self._width - 1)) - 1))
 
 
 def _returns(body: Statements) -> bool:
