@@ -83,10 +83,15 @@ class Diagnosis:
         return self.terms.terms if self.terms is not None and self.terms.whole else ()
 
     @property
-    def verdict(self) -> Literal["none", "named", "unnamed"]:
-        """Whether there is an error, and whether it has a name: that of a fault, or those of wrong terms."""
+    def verdict(self) -> Literal["none", "named", "approximate", "unnamed"]:
+        """Whether there is an error, and whether it has a name: that of a fault, or those of wrong terms.
+
+        Approximate: a want beside those of the wrong terms has an error without a name.
+        """
         if self.outcome in ("equal", "rounding"):
             return "unnamed" if self.gaps or self.failed else "none"
+        if self.outcome == "terms" and self.terms is not None and self.terms.besides:
+            return "approximate"
         return "named" if self.outcome in ("named", "terms", "factors") else "unnamed"
 
     @property
