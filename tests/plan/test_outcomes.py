@@ -29,6 +29,7 @@ def test_the_best_few_are_kept_and_ordered() -> None:
     assert isinstance(first.course, Fourier) and isinstance(second.course, Fourier)
     assert not np.array_equal(first.course.mean, second.course.mean)
     assert first.report["residual"] < 1e-6
+    assert not any("of the unbalance" in line for line in found.warnings)
     assert len(first.report["peak_torque"]) == 8
     assert found.effort["windings_tried"] == {"rock": 256}
 
@@ -42,6 +43,7 @@ def test_what_no_search_finds_is_said_to_be_no_proof() -> None:
     assert "does not prove" in words
     assert "cut by time" in words
     assert found.effort["cut_by_time"]
+    assert any("of the unbalance is needed along z" in line for line in found.warnings)
 
 
 def test_an_interrupted_search_gives_what_it_has(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -72,6 +72,12 @@ def test_unbalance_bounds_the_amplitude() -> None:
     assert "possible with 95 %" in words
 
 
+def test_the_used_share_of_the_unbalance_is_no_warning_before_the_search() -> None:
+    first = preflight(problem("shaker2", "shaker2_spin"))
+    assert first.reach > 0.9 and not any("unbalance" in line for line in first.warnings)
+    assert first.hint[0].startswith("100 % of the unbalance is needed along z; ")
+
+
 def test_bounds_bound_the_wrench() -> None:
     """BOUND_REACH with need and have; bounds in which a programme is known are not refused."""
     slow = Bounds(speed=(5.0,) * 8, acceleration=(100.0,) * 8)

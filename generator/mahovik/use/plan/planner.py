@@ -184,7 +184,7 @@ def _verified_plan(
 ) -> Plan:
     """The plan of the first `keep` programmes without objections of the verification; Ctrl-C: those so far."""
     if not candidates.motions:
-        words, warnings = tuple(candidates.words), tuple(first.warnings)
+        words, warnings = tuple(candidates.words), (*first.warnings, *first.hint)
         return Plan("NO_PROGRAM", candidates.reason, words, warnings, (), effort, found.interrupted)
     good: list[Programme] = []
     refused = []
@@ -198,7 +198,7 @@ def _verified_plan(
             break
     interrupted = found.interrupted or budget.interrupted
     if not good:
-        return Plan("NO_PROGRAM", "SEARCH", tuple(refused), tuple(first.warnings), (), effort, interrupted)
+        return Plan("NO_PROGRAM", "SEARCH", tuple(refused), (*first.warnings, *first.hint), (), effort, interrupted)
     limits = motor_warnings(stand, good[0].report)
     warnings = (*first.warnings, *limits, *good[0].report.get("warnings", ()))
     over = (*good[0].report["exceeded"], *shortcomings(good[0]))

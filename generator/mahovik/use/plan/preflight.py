@@ -37,12 +37,14 @@ class Preflight:
 
     bias   (6; m, rad): where the surroundings carry the mean wrench
     reach  used share of the first-moment limit
+    hint   why a search may find nothing, in a list: worth a line only if it does
     """
 
     bias: Array
     refusal: Refusal | None = None
     warnings: list[str] = field(default_factory=list)
     reach: float = 0.0
+    hint: tuple[str, ...] = ()
 
 
 AXES = ("x", "y", "z")
@@ -274,9 +276,8 @@ def check_first_moment(problem: Problem, force: Array, C: Array, found: Prefligh
             f"possible with {100 / found.reach:.2g} % of this amplitude, or with {found.reach:.3g} times the unbalance",
         )
     elif found.reach > near:
-        found.warnings.append(
-            f"near the limit of the unbalance: {100 * found.reach:.0f} % of it is needed along {direction(way)}"
-        )
+        needed = f"{100 * found.reach:.0f} % of the unbalance is needed along {direction(way)}"
+        found.hint = (f"{needed}; a search often fails above {100 * near:.0f} % with {problem.N} flywheels",)
 
 
 def second_integral(force: Array, period: float) -> Array:
