@@ -11,6 +11,7 @@ import pytest
 from cli.run import refused
 from cli.run import run as cli
 from emit.stands import generated, stand, write
+from mahovik.core.emit.cpp import cpp_header
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.toolchain.targets import TARGETS
@@ -77,8 +78,11 @@ def test_a_part_declares_only_what_it_needs(only: str, tmp_path: Path) -> None:
     returned = {"OK"} if named is None else {status.strip() for status in named[1].split(",")}
     listed = re.findall(r"^    SAT4_(\w+) = -?\d+,?  ", re.sub(r" +/\*", "  /*", header), re.MULTILINE)
     assert set(listed) == returned | {"OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT"}
-    missing = {f.name for f in generated("sat4").program.functions if f.public} - {only}
-    assert not missing & {"prepare", "mounts"} & set(re.findall(r"\b[a-z]\w+", header))
+    page = delivery(stand("sat4"), only=(only,))["verification/sat4_selftest.c"]
+    text = header + page + cpp_header(stand("sat4"), generate_all(stand("sat4"), only=(only,)))["sat4.hpp"]
+    others = {f.name for f in generated("sat4").program.functions if f.public and f.name != only}
+    assert others & set(re.findall(r"(?:sat4_|stand::|^ \*     )(\w+)(?=\(| PASS| 0123)", text, re.MULTILINE)) == set()
+    assert not re.search(r"\bprepare\b", text)
 
 
 def test_an_unknown_function_is_refused() -> None:

@@ -85,7 +85,7 @@ def test_the_self_test_finds_one_wrong_digit(tmp_path: Path) -> None:
     """The wrong digit is in a node next to golden phases, since the loop goes over all nodes."""
     source = written(exported("swaying", real="float"), tmp_path, "float")
     text = source.read_text()
-    at = list(re.finditer(r"^        \{ \{ +(-?\d+\.\d+)", text, re.MULTILINE))[20]
+    at = list(re.finditer(r"^        \{\n +\.phi = \{ +(-?\d+\.\d+)", text, re.MULTILINE))[20]
     number = at[1]
     source.write_text(text[: at.start(1)] + number[:-1] + ("1" if number[-1] != "1" else "2") + text[at.end(1) :])
     lines = self_tested(source)

@@ -53,6 +53,7 @@ def cpp_header(stand: Stand, generated: Generated) -> dict[str, str]:
         tables=[(name, of, names.function(c)) for name, (c, of) in _TABLES.items() if name != absent],
         functions=[_function(f, names, program) for f in code.public],
         held=stand.hold is not None,
+        sums=any(f.name == "momentum" for f in code.public),
         twist=_first_twist(stand, code)[0],
         members=[(f.name, "; ".join(p for p in (f.unit, f.comment) if p)) for f in generated.layout.state.fields],
     )
@@ -128,6 +129,7 @@ def cpp_example(stand: Stand, generated: Generated) -> dict[str, str]:
         flywheel=stand.flywheels[0].name if stand.flywheels else "",
         home=_home_pose(stand, generated, code),
         held=stand.hold is not None,
+        sums=any(f.name == "momentum" for f in code.public),
         twist=twist,
         freedom=freedom,
         declarations=[(f"{_variable_type(a, code.names, 'stand::')} {a.name}", a.unit) for a in zeroed],
