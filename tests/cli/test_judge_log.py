@@ -127,21 +127,21 @@ def test_what_a_terminal_does_is_no_fault(spoil: Callable[[str], str], printed: 
         pytest.param(
             r"real double", "real float", "other bits in the sweep of 20 states: forward", marks=pytest.mark.slow
         ),
-        (r"coupled PASS cases 4 worst 0", "coupled FAIL cases 4 wrong 1 worst 9", "FAIL: coupled (worst 9 ulp)"),
+        (r"coupled PASS cases 5 worst 0", "coupled FAIL cases 5 wrong 1 worst 9", "FAIL: coupled (worst 9 ulp)"),
         (r"torque PASS.*\n", "", "no line PASS or FAIL of: torque"),
         (r"torque PASS", "torqqe PASS", "no line PASS or FAIL of: torque"),
-        (r"torque PASS cases 4 worst 0", "torque PASS cases 4 worst 3", "PASS with wrong bits, which the self-test"),
-        (r"torque PASS cases 4 worst 0", "torque PASS cases 4 worst more than 1000000", "PASS with wrong bits"),
-        (r"torque PASS cases 4", "torque PASS cases 4 wrong 1", "PASS with wrong bits"),
+        (r"torque PASS cases 5 worst 0", "torque PASS cases 5 worst 3", "PASS with wrong bits, which the self-test"),
+        (r"torque PASS cases 5 worst 0", "torque PASS cases 5 worst more than 1000000", "PASS with wrong bits"),
+        (r"torque PASS cases 5", "torque PASS cases 5 wrong 1", "PASS with wrong bits"),
         (
-            r"torque PASS cases 4 worst 0",
-            "torque FAIL cases 4 wrong 1 worst more than 1000000",
+            r"torque PASS cases 5 worst 0",
+            "torque FAIL cases 5 wrong 1 worst more than 1000000",
             "(worst more than 1000000 ulp)",
         ),
         (r"sweep 20\n", "sweep 99999999999\n", "sweep of 99999999999 states: at most 1000000 are judged"),
         (r"sweep 20\n", f"sweep {'9' * 5000}\n", 'no line "sweep"'),
-        (r"torque PASS cases 4", "torque PASS cases 3", "not 4 cases, as this version has: torque"),
-        (r"(torque PASS.*\n)", r"\1torque PASS cases 4 worst 1 ulp\n", "two lines that differ: torque"),
+        (r"torque PASS cases 5", "torque PASS cases 4", "not 5 cases, as this version has: torque"),
+        (r"(torque PASS.*\n)", r"\1torque PASS cases 5 worst 1 ulp\n", "two lines that differ: torque"),
         (r"sweep 20\n", "", 'no line "sweep"'),
         pytest.param(
             r"sweep 20\n", "sweep 21\n", "other bits in the sweep of 21 states: forward", marks=pytest.mark.slow
@@ -167,7 +167,7 @@ def test_every_truncated_end_is_found(printed: str, log: Path) -> None:
 
 
 def test_each_run_of_a_board_that_was_reset_counts(printed: str, log: Path) -> None:
-    bad = printed.replace("forward PASS cases 4", "forward FAIL cases 4 wrong 4")
+    bad = printed.replace("forward PASS cases 5", "forward FAIL cases 5 wrong 4")
     assert "run 1 of 2: FAIL: forward" in refused("judge-log", DEMO3, "--log", rewritten(log, bad + printed), status=1)
     words = refused("judge-log", DEMO3, "--log", rewritten(log, printed + printed[:300]), status=1)
     assert "run 2 of 2: " in words

@@ -56,6 +56,8 @@ class Draw(Enum):
     ORDER = "2 or 4"
     STEP = "a constant"
     FACTOR = "1 + a real in +-largest"
+    POWER = "largest times a power of two, up to 2^31"
+    SHARE = "a real from 0 to 1"
     NEVER = "not drawn by itself"
 
 
@@ -110,6 +112,26 @@ _ANGULAR = ("MAX_ACCELERATION",)
 def _bad_arguments(*values: float) -> tuple[tuple[float, str], ...]:
     """Values that are refused as BAD_ARGUMENT."""
     return tuple((value, "BAD_ARGUMENT") for value in values)
+
+
+def _option(symbol: str, unit: str, least: float, *bad: float) -> Quantity:
+    """A number of each flywheel that may be infinite, and that tests draw from `least` upwards."""
+    return Quantity(
+        symbol,
+        unit,
+        "flywheels",
+        "N",
+        largest_drawn=least,
+        draw=Draw.POWER,
+        invalid=_bad_arguments(*bad),
+        infinite=True,
+    )
+
+
+def _share(symbol: str) -> Quantity:
+    """A part of the largest singular value."""
+    bad = _bad_arguments(-0.1, 1.5)
+    return Quantity(symbol, "", "part of the largest singular value", "", draw=Draw.SHARE, invalid=bad)
 
 
 QUANTITIES = {
@@ -185,21 +207,28 @@ QUANTITIES = {
         # members of tables and options
         Quantity("stream", "m/s", "E0", "3", ("MAX_VELOCITY",), 10.0),
         Quantity(
-            "weight", "", "flywheels", "N", ("MAX_WEIGHT",), invalid=tuple((bad, "RANGE") for bad in (0.0, -1.0, 1e-7))
+            "weight",
+            "",
+            "flywheels",
+            "N",
+            ("MAX_WEIGHT",),
+            largest_drawn=2.0**-10,
+            draw=Draw.POWER,
+            invalid=tuple((bad, "RANGE") for bad in (0.0, -1.0, 1e-7)),
         ),
-        Quantity("limit", "rad/s2", "flywheels", "N", invalid=_bad_arguments(0.0, -1.0), infinite=True),
-        Quantity("most", "rad/s2", "flywheels", "N", invalid=_bad_arguments(0.0, -1.0), infinite=True),
-        Quantity("motor_torque", "N m", "flywheels", "N", invalid=_bad_arguments(-1.0), infinite=True),
-        Quantity("motor_speed", "rad/s", "flywheels", "N", invalid=_bad_arguments(0.0, -1.0), infinite=True),
-        Quantity("motor_viscous", "N m s", "flywheels", "N", invalid=_bad_arguments(-1.0), infinite=True),
-        Quantity("motor_coulomb", "N m", "flywheels", "N", invalid=_bad_arguments(-1.0), infinite=True),
-        Quantity("motor_coulomb_speed", "rad/s", "flywheels", "N", invalid=_bad_arguments(0.0, -1.0), infinite=True),
-        Quantity("motor_power", "W", "flywheels", "N", invalid=_bad_arguments(-1.0), infinite=True),
-        Quantity("target_speed", "rad/s", "flywheels", "N", ("MAX_SPEED",)),
-        Quantity("target_rate", "1/s", "", "", invalid=_bad_arguments(-1.0)),
-        Quantity("avoid_speed", "rad/s", "", "", invalid=_bad_arguments(-1.0)),
-        Quantity("near_singular", "", "part of the largest singular value", "", invalid=_bad_arguments(-0.1, 1.5)),
-        Quantity("damping", "", "part of the largest singular value", "", invalid=_bad_arguments(-0.1, 1.5)),
+        _option("limit", "rad/s2", 1.0, 0.0, -1.0),
+        _option("most", "rad/s2", 1.0, 0.0, -1.0),
+        _option("motor_torque", "N m", 2.0**-16, -1.0),
+        _option("motor_speed", "rad/s", 2.0**-8, 0.0, -1.0),
+        _option("motor_viscous", "N m s", 2.0**-30, -1.0),
+        _option("motor_coulomb", "N m", 2.0**-20, -1.0),
+        _option("motor_coulomb_speed", "rad/s", 2.0**-8, 0.0, -1.0),
+        _option("motor_power", "W", 2.0**-16, -1.0),
+        Quantity("target_speed", "rad/s", "flywheels", "N", ("MAX_SPEED",), largest_drawn=256.0),
+        Quantity("target_rate", "1/s", "", "", draw=Draw.SHARE, invalid=_bad_arguments(-1.0)),
+        Quantity("avoid_speed", "rad/s", "", "", draw=Draw.SHARE, invalid=_bad_arguments(-1.0)),
+        _share("near_singular"),
+        _share("damping"),
         Quantity("mass", "kg", "a body", "", invalid=((-1.0, "RANGE"),)),
         # what step_carried keeps from one step to the next
         Quantity("rounding", "SI", "numbers of the state", "", ("MAX_ROUNDING",), 1e-6, 2.0**-24),

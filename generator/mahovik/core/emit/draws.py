@@ -39,13 +39,15 @@ class Draws:
         if rule is Draw.TURNS:
             cosine = self._place((*each.path[:-1], test_inputs.COSINE))
             return [f"draw_turns({source}, {place}, {cosine}, {row_length(self._names, each.shape)});"]
-        if rule in (Draw.REALS, Draw.FLAGS):
-            what, more = ("flags", "") if rule is Draw.FLAGS else ("reals", f", {self._largest(each)}")
+        if rule in (Draw.REALS, Draw.POWER, Draw.FLAGS):
+            what = {Draw.REALS: "reals", Draw.POWER: "powers", Draw.FLAGS: "flags"}[rule]
+            more = "" if rule is Draw.FLAGS else f", {self._largest(each)}"
             return over_rows(self._names, place, each.shape, lambda row, n: f"draw_{what}({source}, {row}, {n}{more});")
         given = {
             Draw.INTEGER: f"draw_int({source}, {each.lowest}, {each.span}u)",
             Draw.ORDER: f"draw_order({source})",
             Draw.STEP: f"draw_step({source})",
+            Draw.SHARE: f"draw_share({source})",
             Draw.FACTOR: f"draw_factor({source}, {self._largest(each)})",
         }
         return [f"{place} = {given[rule]};"]

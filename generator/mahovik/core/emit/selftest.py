@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
+
+import numpy as np
 
 from mahovik.contract.quantities import DRAWN_STEP, TABLES
 from mahovik.core.emit.calls import (
@@ -19,9 +22,11 @@ from mahovik.core.emit.calls import (
 from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.draws import Draws
 from mahovik.core.emit.layout import wrap_statement
+from mahovik.core.emit.names import member
 from mahovik.core.lower import test_inputs
-from mahovik.core.lower.golden import CASES, FAR, LISTED, SWEPT, Golden, tested_functions
+from mahovik.core.lower.golden import CASES, FAR, LISTED, SWEPT, Golden, is_prepared, tested_functions
 from mahovik.core.lower.test_inputs import Input
+from mahovik.core.lower.trials import ALL, CHANGED, Path
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Field, Kind, Shape, Struct
@@ -31,6 +36,11 @@ from mahovik.core.stand.identity import Identities
 def selftest(program: Program, golden: Golden, identities: Identities) -> str:
     """Text of `<stand>_selftest.c`."""
     return _SelfTest(Code(program, identities), golden).text()
+
+
+def is_pointer(a: Argument) -> bool:
+    """Whether an argument is an address that must not be null."""
+    return (bool(a.shape) or a.variable.pointer) and not a.optional
 
 
 class _SelfTest:
@@ -58,7 +68,7 @@ class _SelfTest:
             scales=over_members(self._names, parameters, self._scaling_lines, "parameters"),
             inputs=[self._case_initialiser(case, drawn) for case in self._golden.inputs],
             left_out=[self._names.function(f.name) for f in code.public if f not in self._tested],
-            judged=len(CASES) + 1,
+            judged=len(CASES) + 2,
             to_integer=code.real(1.5 * 2.0 ** (code.precision.significand - 1)),
             cases=CASES,
             sign_bit=code.precision.width - 1,
@@ -72,10 +82,19 @@ class _SelfTest:
             refused_every=test_inputs.REFUSED_EVERY,
             refused_last=test_inputs.REFUSED_EVERY - 1,
             takes_ints=any("take_ints(" in line for each in (*takes, *functions) for line in each["lines"]),
-            drawn={each.rule.name.lower() for each in self._golden.plan},
+            drawn={each.rule.name.lower() for each in (*self._golden.plan, *self._golden.options_plan)},
             step=DRAWN_STEP,
             draws_fast=any("* fast)" in line for line in draws),
             mounting="mount_table" in self._structs,
+            options="inverse_options" in self._structs and bool(self._golden.options_plan),
+            options_draws=self._options_draws(),
+            infinite=self._bits(math.inf),
+            not_a_number=self._bits(math.nan),
+            options_every=test_inputs.OPTIONS_EVERY,
+            options_last=test_inputs.OPTIONS_EVERY - 1,
+            omitted_every=test_inputs.OMITTED_EVERY,
+            omitted_last=test_inputs.OMITTED_EVERY - 1,
+            **self._trials(),
         )
 
     # ---- calls ----
@@ -94,6 +113,7 @@ class _SelfTest:
             "name": f.name,
             "results": [declaration(self._names, a) for a in results]
             + ([f"{self._names.declaration('value', Kind.REAL)};"] if number else []),
+            "pointers": sum(is_pointer(a) for a in f.arguments) if status else 0,
             "begins": [line for a in results if a.direction == "inout" for line in self._begin(f, a)],
             "call": wrap_statement(f"{returned}{text};", INDENT),
             "status": status,
@@ -122,13 +142,71 @@ class _SelfTest:
         table = TABLES.get(kind)
         if table is None:
             return f"in.{a.name}"
-        varied = table.symbol in ("mounting", "parameters")  # masses are multiplied in each state
+        varied = table.symbol in ("mounting", *CHANGED)
         return table.symbol if varied else self._names.function(table.default)
 
     def _argument_text(self, f: Function, a: Argument) -> str:
-        return argument_text(a, self._source(a) if a.direction == "in" else f"results.{f.name}.{a.name}")
+        text = argument_text(a, self._source(a) if a.direction == "in" else f"results.{f.name}.{a.name}")
+        if isinstance(a.type, Struct) and a.type.name == "table" and a.direction == "in":
+            text = "table"
+        if a.optional:
+            return f"(omitted < 0) ? NULL : {text}"
+        number = [each.name for each in f.arguments if is_pointer(each)].index(a.name) + 1 if is_pointer(a) else 0
+        return f"(omitted == {number}) ? NULL : {text}" if number and f.returns is Kind.STATUS else text
+
+    # ---- trials ----
+
+    def _bits(self, value: float) -> str:
+        """Bits of a number as a literal."""
+        size = self._code.precision.width // 8
+        return f"0x{int.from_bytes(np.array(value, f'<f{size}').tobytes(), 'little'):x}u"
+
+    def _trials(self) -> dict[str, Any]:
+        """Values of the template for the trials: statements of each change, and a row for each answer."""
+        numbers = {f.name: k for k, f in enumerate(self._tested)}
+        changes = list(dict.fromkeys(tuple(each.changes.items()) for each in self._golden.trials))
+        rows = []
+        for each in self._golden.trials:
+            words = [0] * (len(numbers) // 32 + 1)
+            for name in each.functions:
+                words[numbers[name] // 32] |= 1 << numbers[name] % 32
+            called = ", ".join(f"0x{word:x}u" for word in words)
+            made = int(any(is_prepared(f, each.changes) for f in self._tested if f.name in each.functions))
+            at = changes.index(tuple(each.changes.items()))
+            rows.append(f"{{ {at}, {each.status}, {made}, 0x{each.hash:08x}u, {{ {called} }} }},")
+        return {
+            "changes": [[line for path, value in each for line in self._change(path, value)] for each in changes],
+            "trials": rows,
+            "words": len(numbers) // 32 + 1,
+            "prepares": any(f.name == "prepare" for f in self._tested),
+        }
+
+    def _change(self, path: Path, value: float) -> list[str]:
+        """Statements that put a value into a place."""
+        root = str(path[0])
+        arguments = (a for f in self._tested for a in f.arguments if a.name == root)
+        type_ = next(arguments).type
+        place = root if root in CHANGED else f"in.{root}"
+        loop = ""
+        for part in path[1:]:
+            if part == ALL:
+                place, loop = f"{place}[s]", f"for (int s = 0; s < {self._names.constant('N')}; ++s) "
+            elif isinstance(part, int):
+                place = f"{place}[{part}]"
+            else:
+                assert isinstance(type_, Struct)
+                type_ = next(f.type for f in type_.fields if f.name == part)
+                place = f"{place}.{member(part)}"
+        special = {"nan": "not_a_number.real", "inf": "infinite.real"}
+        text = special.get(str(value)) or (str(int(value)) if type_ is Kind.INT else self._code.hex(value))
+        return [f"{loop}{{ {place} = {text}; }}" if loop else f"{place} = {text};"]
 
     # ---- drawing inputs ----
+
+    def _options_draws(self) -> list[str]:
+        """Lines that draw the options of `inverse`."""
+        draws = Draws(self._names, "seed", ".".join, lambda each: self._code.real(each.largest))
+        return [line for each in self._golden.options_plan for line in draws.lines(each)]
 
     def _draws(self) -> list[str]:
         """Lines that draw all inputs in the order of the plan."""

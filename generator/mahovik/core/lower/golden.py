@@ -12,7 +12,20 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.lower.test_inputs import MASS_FACTOR, SCALED, Generator, Input, draw, first_of, plan, sweep_factors
+from mahovik.core.lower.test_inputs import (
+    MASS_FACTOR,
+    OMITTED_EVERY,
+    OPTIONS_EVERY,
+    SCALED,
+    Generator,
+    Input,
+    draw,
+    first_of,
+    options_plan,
+    plan,
+    sweep_factors,
+)
+from mahovik.core.lower.trials import ALL, Changes, Path, Play, Trial, takes, trials
 from mahovik.core.lower.values import Values
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
@@ -26,8 +39,8 @@ LARGEST_ANSWER = 1 << 17
 """Numbers of an answer; what gives more is not in the self-test: N^2 numbers of 1,000 flywheels fill no board's memory,
 and the interpreter would take minutes to know them."""
 
-SWEPT = 1
-"""States of the sweep whose hash is known beforehand: one shows that the target draws what Python draws."""
+SWEPT = 8
+"""States of the sweep whose hash is known beforehand: with and without drawn options and arrays that are left out."""
 
 FAR = 1_000_000
 """ulp; a larger distance is only printed as `more than` this, since such numbers are not neighbours."""
@@ -52,9 +65,11 @@ class Golden:
     """Golden inputs, and by function the answers to them and the hash of a sweep of SWEPT states."""
 
     plan: tuple[Input, ...]
+    options_plan: tuple[Input, ...]
     inputs: tuple[dict[str, Any], ...]
     answers: dict[str, tuple[Answer, ...]]
     sweep: dict[str, int]
+    trials: tuple[Trial, ...]
 
 
 def fnv1a(data: bytes, start: int = _FNV_OFFSET) -> int:
@@ -85,7 +100,14 @@ def golden(program: Program, values: Values) -> Golden:
                     status, fnv1a(_bytes(status, written, program.precision)), tuple(islice(_reals(written), LISTED))
                 )
             )
-    return Golden(planned, cases, {name: tuple(found) for name, found in answers.items()}, player.sweep(SWEPT))
+    return Golden(
+        planned,
+        options_plan(program),
+        cases,
+        {name: tuple(found) for name, found in answers.items()},
+        player.sweep(SWEPT),
+        trials(program, public, player.trial(cases[0])),
+    )
 
 
 def tested_functions(program: Program) -> tuple[Function, ...]:
@@ -119,7 +141,7 @@ class _Player:
     """Calls the functions of a program with drawn inputs."""
 
     def __init__(self, program: Program, values: Values) -> None:
-        self.plan = plan(program)
+        self.plan, self._options_plan = plan(program), options_plan(program)
         self.functions = tested_functions(program)
         self._program = program
         self._values = values
@@ -144,20 +166,49 @@ class _Player:
         hashes = {f.name: _FNV_OFFSET for f in self.functions}
         for state in range(states):
             given = self.arguments(draw(self.plan, generator, precision, sweep_factors(state)))
+            if state % OPTIONS_EVERY == OPTIONS_EVERY - 1:
+                given |= draw(self._options_plan, generator, precision)
+            omitted = state % OMITTED_EVERY == OMITTED_EVERY - 1
             for f in self.functions:
-                hashes[f.name] = fnv1a(_bytes(*self.play(f, given), precision), hashes[f.name])
+                hashes[f.name] = fnv1a(_bytes(*self.play(f, given, omitted), precision), hashes[f.name])
         return hashes
+
+    def trial(self, case: Mapping[str, Any]) -> Play:
+        """What calls a function with changes of a case: status, hash, outputs by name."""
+        base = self.arguments(case)
+        prepare = next((f for f in self._program.functions if f.name == "prepare"), None)
+
+        def play(function: Function, changes: Changes) -> tuple[int, int, Mapping[str, Any]]:
+            given = dict(base)
+            for path, value in changes.items():
+                given[str(path[0])] = _with_number(given[str(path[0])], path[1:], value)
+            if prepare is not None and is_prepared(function, changes):
+                given["table"] = self.play(prepare, given)[1][0][1]
+            status, written = self.play(function, given)
+            digest = fnv1a(_bytes(status, written, self._program.precision))
+            return status, digest, {a.name: value for a, value in written}
+
+        return play
 
     def arguments(self, drawn: Mapping[str, Any]) -> dict[str, Any]:
         """Drawn inputs by argument name, and parameters with their masses multiplied, under the struct's name."""
         factor = self._program.precision.scalar(drawn[MASS_FACTOR])
         structs = {s.name: s for s in self._program.structs}
         parameters = _scale_masses(structs["parameters"], self._values.parameters, factor, self._program.precision)
-        return {**drawn, "parameters": parameters}
+        return {"options": self._values.options, **drawn, "parameters": parameters}
 
-    def play(self, function: Function, given: Mapping[str, Any]) -> tuple[int, list[tuple[Argument, Any]]]:
-        """Status and outputs; after a refusal only the outputs that are also inputs."""
-        taken = {a.name: self._argument_value(a, given) for a in function.arguments if a.direction != "out"}
+    def play(
+        self, function: Function, given: Mapping[str, Any], omitted: bool = False
+    ) -> tuple[int, list[tuple[Argument, Any]]]:
+        """Status and outputs; after a refusal only the outputs that are also inputs.
+
+        `omitted`: arrays that may be null are, which makes them zeros.
+        """
+        taken = {
+            a.name: self._interpreter.argument(a) if a.optional and omitted else self._argument_value(a, given)
+            for a in function.arguments
+            if a.direction != "out"
+        }
         value, outputs = self._interpreter.run(function.name, taken)
         status = int(value) if function.returns is Kind.STATUS else STATUS_VALUES["OK"]
         written = [
@@ -170,14 +221,26 @@ class _Player:
         return status, written
 
     def _argument_value(self, a: Argument, given: Mapping[str, Any]) -> Any:
-        if isinstance(a.type, Struct) and a.type.name in self._constants:
+        if isinstance(a.type, Struct) and a.type.name in self._constants and given.get(a.name) is None:
             kept = a.direction == "in"
             return self._filled[a.type.name] if kept else self._constants[a.type.name]
-        return (
-            given["parameters"]
-            if isinstance(a.type, Struct) and a.type.name == "parameters"
-            else first_of(a, given[a.name])
-        )
+        return first_of(a, given[a.name])
+
+
+def is_prepared(function: Function, changes: Changes) -> bool:
+    """Whether a trial calls a function with the table that `prepare` makes of changed parameters."""
+    return takes(function, "table") and any(path[0] == "parameters" for path in changes)
+
+
+def _with_number(value: Any, path: Path, new: float) -> Any:
+    """A copy of nested data with the number at a path replaced, at every index where the path says ALL."""
+    if not path:
+        return new
+    if path[0] == ALL:
+        return [_with_number(each, path[1:], new) for each in value]
+    copy: Any = dict(value) if isinstance(value, Mapping) else list(value)
+    copy[path[0]] = _with_number(copy[path[0]], path[1:], new)
+    return copy
 
 
 def _scale_masses(struct_: Struct, value: Mapping[str, Any], factor: Any, precision: Precision) -> dict[str, Any]:

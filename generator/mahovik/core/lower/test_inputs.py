@@ -22,6 +22,9 @@ SEED = 0x6D61686F
 FAST_EVERY, FAST = 4, 32
 """Every fourth state of a sweep has phases and speeds 32 times as large."""
 
+OPTIONS_EVERY, OMITTED_EVERY = 2, 8
+"""Every second state of a sweep has drawn options; in every eighth the arrays that may be left out are null."""
+
 REFUSED_EVERY = 16
 """Every sixteenth has an attitude of twice the unit length, which is out of range."""
 
@@ -32,6 +35,9 @@ MASS_FACTOR = "mass_factor"
 
 SCALED = ("mass", "inertia")
 """Members of a body that the factor multiplies: a body remains one that can exist."""
+
+OPTIONS = "options"
+"""Name of the options of `inverse` and the like."""
 
 DEMAND = "demand"
 """Name of what the functions of tasks take, one number for each row."""
@@ -93,6 +99,12 @@ def plan(program: Program) -> tuple[Input, ...]:
     """All inputs in the order in which they are drawn."""
     found = [each for a in inputs(program) for each in _inputs_of(a.name, a.type, a.shape, ())]
     return (*found, Input((MASS_FACTOR,), Draw.FACTOR, (), 0.125))
+
+
+def options_plan(program: Program) -> tuple[Input, ...]:
+    """Options of `inverse` and the like in the order in which they are drawn; none where no function takes them."""
+    found = next((a for f in program.functions if f.public for a in f.arguments if a.name == OPTIONS), None)
+    return () if found is None else tuple(_inputs_of(OPTIONS, found.type, (), ()))
 
 
 def _inputs_of(name: str, type_: Kind | Struct, shape: tuple[Any, ...], within: tuple[str, ...]) -> Iterator[Input]:
@@ -174,10 +186,14 @@ def _value(each: Input, generator: Generator, precision: Precision, factor: floa
             return 4 if generator.word() & 0x100 else 2
         case Draw.STEP:
             return DRAWN_STEP * factor
+        case Draw.SHARE:
+            return abs(generator.real(1.0))
         case Draw.FACTOR:
             return (1.0 + generator.real(each.largest)) * factor
         case Draw.FLAGS:
             numbers: list[Any] = [int(generator.word() >> 30 == 0) for _ in range(each.count)]
+        case Draw.POWER:
+            numbers = [each.largest * 2.0 ** (generator.word() >> 27) for _ in range(each.count)]
         case _:
             numbers = [generator.real(each.largest) * factor for _ in range(each.count)]
     return _reshape(numbers, each.shape)

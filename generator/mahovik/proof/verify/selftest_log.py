@@ -137,8 +137,8 @@ def problems(run: SelfTestLog, functions: Iterable[str] | None = None) -> list[s
         found.append(f"no line PASS or FAIL of: {', '.join(absent)}")
     if other := [name for name in run.functions if name not in wanted]:
         found.append(f"unknown functions: {', '.join(other)}")
-    if few := [name for name, line in run.functions.items() if line.cases != len(CASES) + 1]:
-        found.append(f"not {len(CASES) + 1} cases, as this version has: {', '.join(few)}")
+    if few := [name for name, line in run.functions.items() if line.cases != len(CASES) + 2]:
+        found.append(f"not {len(CASES) + 2} cases, as this version has: {', '.join(few)}")
     if run.sweep is None:
         found.append('no line "sweep": the log ends before it')
     elif run.sweep > LONGEST_SWEEP:

@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 import json
+import re
+import shlex
 import subprocess
+from dataclasses import asdict
 from pathlib import Path
 
 from mahovik.core.toolchain.board import run, version
+from mahovik.core.toolchain.branches import FLAGS as FLAGS_OF_COVERAGE
+from mahovik.core.toolchain.branches import Line, measure_branches
+from mahovik.core.toolchain.branches import tools as coverage_tools
 from mahovik.core.toolchain.compiler import BITS, find_compiler, run_compiler
 from mahovik.core.toolchain.fuzz_project import fuzz_project, sources
 from mahovik.core.toolchain.fuzzing import FLAGS, compile_harness, fuzz
@@ -73,6 +79,63 @@ SELFTEST = Piece(
     command=_selftest_command,
     run=_run_selftest,
     needs=lambda _: (program("gcc"),),
+)
+
+
+LEAST_BRANCHES = 0.85
+"""Least share taken of the branches that a caller can reach: an active set of one flywheel never exchanges any."""
+
+_PIVOT = "a pivot of a mass matrix: what `prepare` lets through is positive definite"
+UNREACHABLE = {
+    **dict.fromkeys(("factor3", "factor_schur", "solve_carrier_once", "factor", "torque_demand_turning"), _PIVOT),
+    **dict.fromkeys(("sqrt", "atan2"), "a magnitude beyond every range of inputs, or a guard against 0/0"),
+}
+"""Functions whose other branches no caller can reach, and why."""
+
+_HANDED_ON = re.compile(r"if \(status != \w+_OK\) \{ return \w+; \}")
+"""A refusal that is handed on, of a function that cannot refuse what was checked before."""
+
+
+def why_unreachable(line: Line) -> str:
+    """Why no caller can make a line take its other branch; "" where one can."""
+    if line.function in UNREACHABLE:
+        return UNREACHABLE[line.function]
+    checks = line.function.startswith(("check_", "within"))
+    return "a refusal that nothing checked can cause" if _HANDED_ON.search(line.text) and not checks else ""
+
+
+def _run_branches(subject: Subject, tell: Tell) -> Outcome:
+    tell("compile and run")
+    name = subject.stand.name
+    lines = measure_branches(subject.c / f"{name}.c", subject.c / subject.selftest, subject.scratch)
+    left = [each for each in lines if each.taken < each.ways]
+    rows = tuple((each.function, str(each.number), each.text, why_unreachable(each)) for each in left)
+    ways, taken = sum(each.ways for each in lines), sum(each.taken for each in lines)
+    beyond = sum(each.ways - each.taken for each in left if why_unreachable(each))
+    figure = f"{taken} of {ways} branches taken, {taken / ways:.1%}; of the others {beyond} are out of a caller's reach"
+    table = Table(("function", "line>", "a branch that is not taken", "why no caller can"), rows)
+    text = json.dumps([asdict(each) for each in lines], indent=1) + "\n"
+    good = taken >= LEAST_BRANCHES * (ways - beyond)
+    return Outcome(verdict_of(good), figure, tuple(coverage_tools()), table, files={"branches.json": text})
+
+
+def _branches_command(subject: Subject) -> str:
+    name = subject.stand.name
+    files = f"-D{name.upper()}_SELFTEST_MAIN c/{name}.c c/{subject.selftest}"
+    return f"gcc {shlex.join(FLAGS_OF_COVERAGE)} {files} -o branches && ./branches && gcov -b -c branches-{name}.gcda"
+
+
+BRANCHES = Piece(
+    name="branches",
+    title="Branches that the self-test takes",
+    shows=(
+        "How much of the C the self-test alone enters: each way out of each condition is counted, "
+        f"and at least {LEAST_BRANCHES:.0%} of those that a caller can reach are taken. What is left is listed by name."
+    ),
+    limits="That the answers are right: the self-test compares them with the interpreter; other pieces judge them.",
+    command=_branches_command,
+    run=_run_branches,
+    needs=lambda _: (program("gcc"), program("gcov", "apt-get install gcc")),
 )
 
 
