@@ -1,4 +1,4 @@
-"""The section on response: vibration of the first instrument against the common speed of the flywheels."""
+"""The section on response: vibration of the points against the common speed of the flywheels."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from report.stand.runs import example, material
 def test_the_largest_vibration_is_that_of_the_periodic_state() -> None:
     stand = example("sat4")
     limit = max(row.speed for row in summarize(stand).unbalance)
-    found = response.sweep_speeds(stand, limit)
-    assert found.point == "carrier"  # there is no instrument
+    ((found,),) = response._sweeps(stand, limit, [(name, None) for name in response.measured_points(stand)])
+    assert found.point == stand.points[0].name
     size, speed = response._largest(found)
     assert speed == pytest.approx(limit)  # nothing resonates
     spectrum = (
@@ -44,3 +44,13 @@ def test_without_a_vibration_it_says_why(name: str, said: str) -> None:
 
 def test_without_flywheels_there_is_none() -> None:
     assert response.section(material(replace(example("demo3"), flywheels=()))) is None
+
+
+def test_the_report_measures_at_the_points_of_the_stand() -> None:
+    """Points of the stand before its instruments, in response and jitter; amplitudes say what they are."""
+    stand = example("sat4")
+    assert response.measured_points(stand) == [each.name for each in stand.points] == ["acc1"]
+    shown = response.section(material(stand))
+    assert shown is not None
+    assert "Amplitudes, 0 to peak, of the acceleration of acc1" in shown.html and "acc1" in shown.summary
+    assert response.measured_points(replace(stand, points=())) == ["carrier"]

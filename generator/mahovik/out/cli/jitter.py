@@ -208,7 +208,9 @@ def _print(found: Jitter) -> None:
             rows.append(
                 (f"{words}{speed}", "", *(f"{scale * x:.6g}" for x in np.where(np.abs(shown) > small, shown, 0.0)))
             )
-    print_table(columns, rows, title=f"{study.stand.name}: {study.quantity} of {study.point}, {many}")
+    print_table(
+        columns, rows, title=f"{study.stand.name}: {study.quantity} of {study.point}, {many}; amplitudes 0 to peak"
+    )
     if found.verdicts:
         _print_verdicts(found, scale, unit)
     _remarks(found, scale, unit)

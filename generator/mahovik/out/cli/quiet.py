@@ -185,8 +185,17 @@ def _print(found: QuietResult) -> None:
     ):
         rows.append((name, *(f"{rpm(x):.3f}" for x in (now, then, then - now)), f"{math.degrees(phase):.3f}"))
     print_table(("flywheel", "before, rpm>", "after, rpm>", "change, rpm>", "phase, deg>"), rows)
-    columns = ("", "line, Hz>", "flywheels", f"apart, {found.unit}>", f"together, {found.unit}>", "simulated>", "")
-    print_table(columns, (*_lines(found, "before", found.before), *_lines(found, "after", found.after)))
+    columns = (
+        "amplitude, 0 to peak",
+        "line, Hz>",
+        "flywheels",
+        f"apart, {found.unit}>",
+        f"together, {found.unit}>",
+        "simulated>",
+        "",
+    )
+    rows = [*_lines(found, "before", found.before), *_lines(found, "after", found.after)]
+    print_table(columns, rows, title="amplitudes, 0 to peak")
     for name, jitter in (("before, phases not held", found.before), ("after", found.after)):
         simulated = ""
         if jitter.simulated is not None:

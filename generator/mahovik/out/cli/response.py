@@ -119,7 +119,7 @@ def _print(found: Sweep) -> None:
     asked = found.plan
     swept = "-" if asked.swept is None else asked.names[asked.swept]
     many = "one speed" if len(found.steps) == 1 else f"{len(found.steps)} speeds"
-    title = f"{found.stand.name}: {found.quantity} of {found.point}, {many} of {swept}"
+    title = f"{found.stand.name}: {found.quantity} of {found.point}, {many} of {swept}; amplitudes 0 to peak"
     if len(found.axes) > 1:
         title += f"; root of the sum of squares over {', '.join(found.axes)}"
     columns = ("order", f"largest amplitude, {found.unit}>", "at, Hz>", f"speed of {swept}, rpm>")

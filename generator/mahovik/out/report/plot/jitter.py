@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.contract.quantities import RPM
-from mahovik.out.report.plot.panel import Array, Levels, Line, Panel
+from mahovik.out.report.plot.panel import Array, Levels, Line, Panel, move_apart
 from mahovik.use.study.jitter.lines import coherent
 from mahovik.use.study.jitter.quantity import ARCSEC
 from mahovik.use.study.jitter.spectrum import budget, spectrum
@@ -66,7 +66,7 @@ def _cascade(found: Jitter, size: Array, floor: float, unit: str) -> Panel:
         peaks = np.stack([np.zeros_like(height), height, np.zeros_like(height)], axis=1).ravel()
         x = np.concatenate([[0.0], np.repeat(found.lines.frequency[i, order], 3), [top]])
         drawn.append(Line("", x, speed[i] + np.concatenate([[0.0], peaks, [0.0]]), 0))
-    note = f"heights: {DECADES:g} decades of {unit} are two spectra apart"
+    note = f"heights: amplitudes, 0 to peak; {DECADES:g} decades of {unit} are two spectra apart"
     return Panel(f"waterfall: {_swept(found)}", tuple(drawn), note=note, abscissa="frequency, Hz", span=(0.0, top))
 
 
@@ -82,7 +82,7 @@ def _spectrum(found: Jitter, what: str, scale: float, floor: float) -> Panel:
     x = np.concatenate([[0.0], np.repeat(f, 3), [top]])
     low = np.full_like(value, floor)
     peaks = np.stack([low, np.maximum(value, floor), low], axis=1).ravel()
-    line = Line("amplitude", x, np.concatenate([[floor], peaks, [floor]]), 0)
+    line = Line("amplitude, 0 to peak", x, np.concatenate([[floor], peaks, [floor]]), 0)
     return Panel(what, (line,), log=True, abscissa="frequency, Hz", height=1.5, span=(0.0, top))
 
 
@@ -98,7 +98,7 @@ def _cumulative(found: Jitter, what: str, scale: float) -> Panel:
     top = 1.05 * float(f.max(initial=0.0)) or 1.0
     drawn = []
     for i, axis in _axes(found, total):
-        x = np.concatenate([[0.0], np.repeat(f, 2), [top]])
+        x = move_apart(np.concatenate([[0.0], np.repeat(f, 2), [top]]))
         y = np.concatenate([[0.0, 0.0], np.repeat(scale * total[:, i], 2)])
         drawn.append(Line(axis, x, y, i))
     return Panel(
@@ -115,7 +115,7 @@ def _density(found: Jitter, what: str, scale: float) -> Panel:
     at = spectrum(found, step)
     value = scale**2 * at.density
     floor = float(value.max(initial=0.0)) * 10.0 ** (-2 * DECADES)
-    x = np.repeat(at.edges, 2)[1:-1]
+    x = move_apart(np.repeat(at.edges, 2)[1:-1])
     drawn = [Line(axis, x, np.repeat(np.maximum(value[:, i], floor), 2), i) for i, axis in _axes(found, value)]
     return Panel(
         f"density of {what}: square by Hz, bands of 1 Hz", tuple(drawn), log=True, note=_speed_note(found, step),
@@ -133,7 +133,7 @@ def _budget(found: Jitter, what: str, scale: float) -> Panel:
     largest = max((float(np.linalg.norm(share.rms)) for share in shares), default=0.0) * scale
     for n, share in enumerate(shares):
         size = scale * float(np.linalg.norm(share.rms))
-        x = n + np.array([0.1, 0.1, 0.9, 0.9])
+        x = n + np.array([0.1, 0.1001, 0.8999, 0.9])
         name = f"{n + 1}: {share.wheel} {share.what}".replace(":  ", ": ")
         drawn.append(Line(name, x, np.array([0.0, size, size, 0.0]), n % 6))
     return Panel(
@@ -182,6 +182,7 @@ def _waterfall(found: Jitter, what: str, size: Array, floor: float) -> Panel:
     middle = np.array([speed[steps].mean() for steps in rows])
     borders = np.concatenate([speed[order[:1]], (middle[1:] + middle[:-1]) / 2.0, speed[order[-1:]]])
     return Panel(
-        f"waterfall: {_swept(found)}", (), note="blank: below the scale", abscissa="frequency, Hz", height=1.4,
+        f"waterfall: {_swept(found)}", (), note="amplitudes, 0 to peak; blank: below the scale",
+        abscissa="frequency, Hz", height=1.4,
         span=(0.0, top), levels=Levels(edges, borders, value, what, floor),
     )  # fmt: skip

@@ -95,6 +95,12 @@ def family(names: Sequence[str], x: Array, columns: Array, dashed: bool = False)
     return tuple(Line(name, x, columns[:, i], i, dashed) for i, name in enumerate(names))
 
 
+def move_apart(x: Array) -> Array:
+    """Abscissas with equal ones moved apart by a millionth of the span: a page names and reads lines that rise."""
+    again = np.concatenate([[False], np.diff(x) == 0.0])
+    return np.where(again, x + 1e-6 * (x[-1] - x[0]), x)
+
+
 def limit(name: str, x: Array, value: float) -> Line:
     """A level."""
     return Line(name, x[[0, -1]], np.full(2, value), None, dashed=True)

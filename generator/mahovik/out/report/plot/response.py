@@ -63,7 +63,7 @@ def _campbell(found: Sweep, steps: list[Step], lines: tuple[OrderLine, ...], top
         drawn.append(Line("", speed, row, 1))
     x, y, value = (np.concatenate(each) for each in zip(*(_visible_lines(step, floor) for step in steps), strict=True))
     dots = Dots(x, y, value, f"{found.quantity}, {found.unit}", floor)
-    note = "red: natural frequencies; dashed: orders"
+    note = "red: natural frequencies; dashed: orders; colour: amplitude, 0 to peak"
     return Panel(
         f"Campbell diagram of {found.point}: frequency, Hz", tuple(drawn), note=note, dots=dots,
         abscissa=_speed_title(found), height=1.4, span=_span(found), top=top, beside=True,
@@ -97,7 +97,7 @@ def _orders(found: Sweep, lines: tuple[OrderLine, ...], floor: float) -> Panel:
         low, high = found.band
         within = np.linalg.norm(found.rms(found.band), axis=1)
         drawn.append(Line(f"RMS {low:g}..{high:g} Hz", speed, _above(within, floor), None, dashed=True))
-    quantity = f"{found.quantity} of {found.point}, {found.unit}: amplitude of orders, RMS"
+    quantity = f"{found.quantity} of {found.point}, {found.unit}: amplitude of orders, 0 to peak; RMS"
     return Panel(quantity, tuple(drawn), log=True, abscissa=_speed_title(found), height=1.4, span=_span(found))
 
 
@@ -118,7 +118,7 @@ def _waterfall(found: Sweep, steps: list[Step], top: float, floor: float) -> Pan
         height = 2.0 * apart * np.log10(value / floor) / DECADES
         peaks = np.stack([np.zeros_like(height), height, np.zeros_like(height)], axis=1).ravel()
         drawn.append(Line("", x, speed + np.concatenate([[0.0], peaks, [0.0]]), 0))
-    note = f"heights: {DECADES:g} decades of {found.unit} are two spectra apart"
+    note = f"heights: amplitudes, 0 to peak; {DECADES:g} decades of {found.unit} are two spectra apart"
     return Panel(
         f"waterfall: {_speed_title(found)}",
         tuple(drawn),
@@ -143,7 +143,8 @@ def _level_map(found: Sweep, steps: list[Step], top: float, floor: float) -> Pan
     rows = np.concatenate([speeds[order][:1], middle, speeds[order][-1:]])
     levels = Levels(edges, rows, value, f"{found.quantity}, {found.unit}", floor)
     return Panel(
-        f"levels: {_speed_title(found)}", (), note="blank: below the scale", abscissa="frequency, Hz", height=1.4,
+        f"levels: {_speed_title(found)}", (), note="amplitudes, 0 to peak; blank: below the scale",
+        abscissa="frequency, Hz", height=1.4,
         span=(0.0, top), levels=levels, beside=True,
     )  # fmt: skip
 
@@ -155,7 +156,7 @@ def _spectrum(step: Step, what: str, floor: float) -> Panel:
     x = np.concatenate([[0.0], np.repeat(y, 3), [top]])
     peaks = np.stack([np.full_like(value, floor), value, np.full_like(value, floor)], axis=1).ravel()
     sticks = np.concatenate([[floor], peaks, [floor]])
-    drawn = [Line("amplitude", x, sticks, 0)]
+    drawn = [Line("amplitude, 0 to peak", x, sticks, 0)]
     for k, frequency in enumerate(step.natural[step.natural < top]):
         name = "natural frequency" if k == 0 else ""
         drawn.append(Line(name, np.full(2, frequency), np.array([floor, value.max()]), 1, dashed=True))

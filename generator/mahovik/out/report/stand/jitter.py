@@ -12,6 +12,7 @@ from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.jitter import report_panels
 from mahovik.out.report.stand.markup import paragraph
 from mahovik.out.report.stand.material import Material, Section
+from mahovik.out.report.stand.response import measured_points
 from mahovik.use.study.jitter import Jitter, View, jitter
 from mahovik.use.study.jitter.quantity import ARCSEC
 from mahovik.use.study.linear.model import places
@@ -42,7 +43,7 @@ def section(material: Material) -> Section | None:
     size = float(np.linalg.norm(found.lines.rss()[worst]))
     if not STILL < size < np.inf:
         return None
-    where = "O1 of the carrier" if found.point == "carrier" else found.point
+    where = "O1 of the carrier" if found.point == stand.carrier.name else found.point
     summary = (
         f"at most {ARCSEC * size:.3g} arcsec RMS over all phases at {where}, at {RPM * found.value[worst]:.4g} rpm"
     )
@@ -50,8 +51,8 @@ def section(material: Material) -> Section | None:
 
 
 def swept(stand: Stand, limit: float) -> Jitter:
-    """Angle of the first point or instrument, else of E1, up to a common speed, rad/s. Raises CheckError."""
-    place = [*places(stand), *places(stand, ["carrier"])][0]
+    """Angle of the first measured point, up to a common speed, rad/s. Raises CheckError."""
+    (place,) = places(stand, measured_points(stand)[:1])
     found = jitter(stand, read_speeds(stand, [f"{ALL}=0..{limit!r} rad/s"]), STEPS, View.of(place, "angle"))
     if found.interrupted:
         raise KeyboardInterrupt
@@ -61,7 +62,8 @@ def swept(stand: Stand, limit: float) -> Jitter:
 def _words(found: Jitter, where: str) -> str:
     off = max((check.off for check in found.checks), default=0.0)
     return (
-        f"Angle of {where} to first order in the unbalance, {STEPS} common speeds of all flywheels. The full "
-        f"equations, solved at {len(found.checks)} of them, give the same RMS within {off:.1e}. The last two diagrams "
-        "are of the worst speed. ``mahovik jitter`` takes any speeds, makers' tables, modes, requirements."
+        f"Angle of {where}, amplitudes 0 to peak, to first order in the unbalance, {STEPS} common speeds of all "
+        f"flywheels. The full equations, solved at {len(found.checks)} of them, give the same RMS within {off:.1e}. "
+        "The last two diagrams are of the worst speed. ``mahovik jitter`` takes any speeds, makers' tables, modes, "
+        "requirements."
     )
