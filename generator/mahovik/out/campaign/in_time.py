@@ -27,6 +27,7 @@ from mahovik.out.campaign.required import Required
 from mahovik.out.campaign.signals import ties
 from mahovik.out.campaign.start import AtRest, Start
 from mahovik.out.campaign.values import Scene, frames_of
+from mahovik.out.functions.equilibrium import warn_of_turn
 from mahovik.out.functions.given import regime_of, state_of
 from mahovik.use.simulate.by_c import Steepness
 from mahovik.use.simulate.case import HINT, START_KEYS, Case
@@ -207,7 +208,9 @@ def _start(stand: Stand, given: Any, phases: list[float], folder: Path) -> Start
     try:
         own = build(stand).tables({}, 1)
         made = compile_library(stand, "double", ELEMENT["double"], None, parallel=False)
-        return AtRest(stand, phases, Block(stand, made, own, 0, 1))
+        found = AtRest(stand, phases, Block(stand, made, own, 0, 1))
+        warn_of_turn(stand, found.nominal)
+        return found
     except CheckError as error:
         raise UsageError(f"{error}; give an initial state by `start`") from None
 

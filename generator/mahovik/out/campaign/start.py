@@ -54,22 +54,24 @@ class AtRest:
     """
 
     def __init__(self, stand: Stand, phases: list[float], own: Block) -> None:
-        """`own`: a block of the stand of the file alone. Raises CheckError: the stand has no equilibrium."""
+        """`own`: a block of the stand of the file alone, which is at rest in the state `nominal`. Raises CheckError: it
+        has no equilibrium.
+        """
         self._phases = phases
-        self._nominal = rest(stand, phases).state
-        self._accuracy = accuracy(stand, self._nominal)
-        own.x[:] = column(self._nominal)[:, None]
+        self.nominal = rest(stand, phases).state
+        self._accuracy = accuracy(stand, self.nominal)
+        own.x[:] = column(self.nominal)[:, None]
         self._S = np.eye(6) if stand.hold is None else twists(stand.hold)
         self._inverse = self._inverse_stiffness(own)
 
     @property
     def state(self) -> State:
         """The equilibrium of the stand of the file."""
-        return self._nominal
+        return self.nominal
 
     def begin(self, block: Block, tables: Tables) -> dict[int, str]:
         """Put the states of a block; return samples without one, with their reason."""
-        block.x[:] = column(self._nominal)[:, None]
+        block.x[:] = column(self.nominal)[:, None]
         block.given["phi_ddot"][:] = 0.0
         block.given["wrench"][:] = 0.0
         holds = Holds.of(block.stand, tables)
@@ -120,7 +122,7 @@ class AtRest:
                 found = rest(tables.stand(block.first + j), self._phases).state
             except MahovikError as error:
                 reasons[j] = str(error)
-                block.x[:, j] = column(self._nominal)
+                block.x[:, j] = column(self.nominal)
             else:
                 block.x[:, j] = column(found)
         return reasons

@@ -69,6 +69,7 @@ def fmu(
     binary for this machine if it has a C compiler.
     """
     from mahovik.out.export.fmu import export_fmu
+    from mahovik.out.functions.equilibrium import warn_of_turn
     from mahovik.use.simulate.case import load_start
     from mahovik.writing import probe, write
 
@@ -81,6 +82,8 @@ def fmu(
     probe(target)
     with progress(f"FMU of {stand.name}"):
         made = export_fmu(stand, version, kind, inputs, dt, state, binary)
+    if state is None:
+        warn_of_turn(stand)
     write(target, made.content)
     print_paths([target], made.lines)
 

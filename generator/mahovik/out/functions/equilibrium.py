@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.state import State
+from mahovik.errors import CheckError
 from mahovik.out.api.fields import Array
 from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import Number, StandGiven, by_flywheel
+from mahovik.out.functions.notices import warn
 from mahovik.out.functions.table import Column, Table
+from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.use.simulate.held import home
 from mahovik.use.study.rest import Rest as CoreRest
 from mahovik.use.study.rest import rest as find_rest
 
@@ -103,6 +109,33 @@ class Rest(Table):
     def __repr__(self) -> str:
         x, y, z = (f"{round(value, 9) + 0.0:.6g}" for value in self.position)
         return f"<Rest of {self.stand.name}: O1 at ({x}, {y}, {z}) m; {len(self)} free directions>"
+
+
+TURNED = math.radians(5.0)
+"""Angle of the rest pose from the home pose above which what starts from it says so."""
+
+
+def rest_to_start(stand: CoreStand, phi: Sequence[float] | None = None) -> State:
+    """The state at rest from which a function starts. Warns of a pose that is turned. Raises CheckError."""
+    found = find_rest(stand, phi).state
+    warn_of_turn(stand, found)
+    return found
+
+
+def warn_of_turn(stand: CoreStand, found: State | None = None) -> None:
+    """Warn where the rest pose is far from upright, that of E0, or from the home pose of a hold.
+
+    found  the state at rest; None: it is searched, and where there is none nothing is said
+    """
+    if found is None:
+        with contextlib.suppress(CheckError):
+            rest_to_start(stand)
+        return
+    C = carrier_rotation(stand, home(stand)).T @ carrier_rotation(stand, found)
+    turn = 2.0 * math.asin(min(1.0, math.sqrt(max(0.0, 3.0 - float(np.trace(C)))) / 2.0))
+    if turn > TURNED:
+        of = "E0" if stand.hold is None else "the home pose"
+        warn(f"starts from rest, where the stand is turned by {math.degrees(turn):.3g} deg from {of}: see mahovik rest")
 
 
 def rest(stand: StandGiven, phases: Mapping[str, Number] | Sequence[Number] | None = None) -> Rest:

@@ -13,6 +13,7 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.fields import Array
 from mahovik.out.api.stands import Stand
+from mahovik.out.functions.equilibrium import warn_of_turn
 from mahovik.out.functions.given import Number, StandGiven, by_flywheel
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
@@ -223,6 +224,7 @@ def jitter(
     )  # fmt: skip
     if not len(found.value):
         raise CheckError(f"jitter of {own.name}: go_on ended it before the first speed")
+    warn_of_turn(own)
     return Jitter(found, limits)
 
 

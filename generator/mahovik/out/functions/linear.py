@@ -12,6 +12,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import CheckError
 from mahovik.out.api.fields import Array
 from mahovik.out.api.stands import Stand
+from mahovik.out.functions.equilibrium import rest_to_start
 from mahovik.out.functions.given import Keys, StandGiven, state_of
 from mahovik.out.functions.table import Column, Table, module
 from mahovik.use.plan.stream import uniform_stream
@@ -20,7 +21,6 @@ from mahovik.use.study.linear import LinearModel as CoreModel
 from mahovik.use.study.linear import Modes as CoreModes
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.linear import modes as modes_of
-from mahovik.use.study.rest import rest as find_rest
 
 if TYPE_CHECKING:
     from mahovik.out.report.plot.panel import Panel
@@ -200,6 +200,6 @@ def _nominal(stand: Stand, at: At) -> State:
     if at is not None and at != "rest":
         return allowed_start(stand, state_of(at, stand, STATE_KEYS, "; V_dot and tau follow from them"))
     try:
-        return find_rest(stand).state
+        return rest_to_start(stand)
     except CheckError as error:
         raise CheckError(f"{error}; give a state by --at STATE.json") from None

@@ -123,7 +123,7 @@ def simulate(
 def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Regime, State]:
     """The regime, and the initial state. Raises RegimeError, UsageError, CheckError."""
     from mahovik.core.motion import steady_regime
-    from mahovik.use.study.rest import rest
+    from mahovik.out.functions.equilibrium import rest_to_start
 
     if not (math.isfinite(until) and until > 0.0):
         raise UsageError(f"--until {until:g}: expected a time above 0, in s")
@@ -133,7 +133,7 @@ def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Reg
         return chosen or steady_regime(stand, first.phi_dot), allowed_start(stand, first)
     chosen = chosen or steady_regime(stand, [0.0] * len(stand.flywheels))
     try:
-        return chosen, rest(stand, [each.phase or 0.0 for each in chosen.flywheels]).state
+        return chosen, rest_to_start(stand, [each.phase or 0.0 for each in chosen.flywheels])
     except CheckError as error:
         raise CheckError(f"{error}; give an initial state by --start") from None
 

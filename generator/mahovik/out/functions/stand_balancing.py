@@ -12,6 +12,7 @@ import numpy as np
 from mahovik.errors import CheckError
 from mahovik.out.api.stands import Stand
 from mahovik.out.functions.correction_planes import PlanesGiven, load_planes, read_planes
+from mahovik.out.functions.equilibrium import warn_of_turn
 from mahovik.out.functions.given import StandGiven
 from mahovik.out.functions.table import Column, Table
 from mahovik.use.balance.by_model import HALF_WIDTH, Change, WheelBalance, balance_wheels
@@ -163,6 +164,7 @@ def balance_stand(
         return StandBalance(own, wheels, recordings, notes)
     try:
         wheels = tuple(simulate_balance(own, wheels, [first_order(each, own) for each in recordings]))
+        warn_of_turn(own)
     except CheckError as error:
         notes.append(f"not simulated: {error}")
     return StandBalance(own, wheels, recordings, notes)

@@ -13,6 +13,7 @@ from mahovik.core.stand.units import SPEED
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.api.fields import Array
 from mahovik.out.api.stands import Stand
+from mahovik.out.functions.equilibrium import warn_of_turn
 from mahovik.out.functions.given import Number, StandGiven, by_flywheel, quantity, time_limit
 from mahovik.out.functions.motor_limits import warn_of_speeds
 from mahovik.out.functions.notices import OnProgress, Progress, tell
@@ -107,6 +108,7 @@ def response(
     found = sweep_speeds(own, asked, steps, at, quantity=quantity, band=band, phases=phi, go_on=shall_go_on)
     if not found.steps:
         raise CheckError(f"response of {own.name}: go_on ended it before the first speed")
+    warn_of_turn(own)
     return Response(found)
 
 
@@ -279,4 +281,6 @@ def quiet(
         speed("limit", limit), speed("least", least) or 0.0, speed("change", change), reduction,
         tuple((a, b) for a, b in avoid), tuple(orders), modes, margin, guard, seed,
     )  # fmt: skip
-    return Quiet(find(own, options, allowed, backend, lambda words: tell(progress, Progress(words))))
+    found = find(own, options, allowed, backend, lambda words: tell(progress, Progress(words)))
+    warn_of_turn(own)
+    return Quiet(found)

@@ -16,6 +16,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, StandError, StateError, UsageError, whole_number
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
+from mahovik.out.functions.equilibrium import warn_of_turn
 from mahovik.out.functions.given import Number, StandGiven, time, time_limit
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.programmes import Programme
@@ -253,7 +254,8 @@ def excite(
     bounds = bounds_of(own, speed, speed_min, acceleration, torque, span)
     noises = noise_of_channels(read, noise or {})
     unknown = Free(build(own), wanted_of(str(free)).paths if isinstance(free, str | Path) else tuple(free))
-    start = _start(own)
+    if (start := _start(own)) is not None:
+        warn_of_turn(own, start)
     experiment = Experiment(own, unknown, read, noises, rate, float(bounds.speed.max()), start)
     courses = Courses(own, bounds, span, harmonics)
     tell(progress, Progress("compiling"))
