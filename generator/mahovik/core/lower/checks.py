@@ -8,7 +8,7 @@ any rounding, with and without fused multiply-add. Infinities, NaN and what over
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from mahovik.core.lower.library import Library, unit_square
@@ -82,6 +82,12 @@ def _squares(values: Sequence[Expr]) -> Expr:
     return total
 
 
+def _add_square(body: Body, sums: Mapping[str, Place], name: str, value: Expr) -> None:
+    """Of a local: proofs by intervals see that a square of one variable is not negative, but not of an element."""
+    read = body.let(name, value)
+    body.add(sums[name], read * read)
+
+
 def _look_at_sums(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place, Expr]] = ()) -> None:
     """OK where squares are small and the quaternion is of unit length; `more`: values of the flywheels with a limit."""
     limit = {name: found.expression for name, found in lib.limits.items()}
@@ -104,11 +110,11 @@ def _look_at_sums(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place
         if not lib.layout.held:
             with body.loop("i", 3) as i:
                 for name, value in (("position", x.position[i]), ("velocity", x.V[i]), ("speed", x.V[i + integer(3)])):
-                    body.add(sums[name], value * value)
+                    _add_square(body, sums, name, value)
         if each:
             with body.loop("s", lib.layout.count) as s:
                 for name, values in each:
-                    body.add(sums[name], values[s] * values[s])
+                    _add_square(body, sums, name, values[s])
         q = x.attitude
         fine = unit_square(body.let("norm2", _squares(list(q))))
         for name, total in sums.items():
