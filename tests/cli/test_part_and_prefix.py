@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import re
 import subprocess
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from flight import flight
 
@@ -78,6 +80,28 @@ def copied(folder: Path, there: Path, *names: str) -> Path:
     return there
 
 
+# ---- generate --check ----
+
+
+def test_a_folder_is_checked_as_it_was_delivered(tmp_path: Path) -> None:
+    """Options that are given decide; what made it stands beside it, apart from the manifest."""
+    options = ("--only", "forward,torque", "--prefix", "fw", "--real", "float", "--batch")
+    folder = generated(tmp_path / "c", *options)
+    manifest = json.loads((folder / "manifest.json").read_text())
+    chosen = ("stand", "real", "only", "batch")
+    assert [manifest[key] for key in chosen] == ["fw", "float", ["forward", "torque"], True]
+    provenance = json.loads((folder / "provenance.json").read_text())
+    assert provenance["stand_file"] == hashlib.sha256(Path(SHAKER2).read_bytes()).hexdigest()
+    assert re.fullmatch("[0-9a-f]{64}", provenance["package"])
+    assert provenance["numpy"] == np.__version__
+    assert "provenance.json" not in manifest["files"]
+    (folder / "provenance.json").unlink()
+    check = ("generate", SHAKER2, "-o", str(folder), "--check")
+    assert run(*check).exit_code == 0
+    assert "its C is float, expected double" in refused(*check, "--real", "double", status=1)
+    assert "manifest.json: does not list these files" in refused(*check, "--only", "forward", status=1)
+
+
 # ---- verify --against ----
 
 
@@ -120,10 +144,10 @@ def test_functions_that_answer_no_want_are_judged(only: str, tmp_path: Path) -> 
 @pytest.mark.slow
 def test_a_whole_folder_of_another_name_and_type(tmp_path: Path) -> None:
     folder = str(generated(tmp_path / "c", "--prefix", "shakerf", "--real", "float"))
-    result = run("verify", SHAKER2, "--against", folder, "--real", "float", "--states", "9")
+    result = run("verify", SHAKER2, "--against", folder, "--states", "9")
     assert result.exit_code == 0, result.output
     assert "not in the folder" not in result.output
-    assert "give --real float" in refused("verify", SHAKER2, "--against", folder)
+    assert "give --real float" in refused("verify", SHAKER2, "--against", folder, "--real", "double")
 
 
 def test_a_part_without_manifest_is_known_by_its_header(part: Path, tmp_path: Path) -> None:

@@ -16,7 +16,7 @@ from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.proof.cost.measure import measure
-from mahovik.proof.verify.delivery import delivered_only, require_place_for_cost
+from mahovik.proof.verify.delivery import delivered_options, require_place_for_cost
 from mahovik.stands import path
 from toolchain.quick import quick
 from toolchain.tools import compile_c, require, run
@@ -108,7 +108,9 @@ def test_the_manifest_names_the_functions_and_commands_know_them(tmp_path: Path)
     folder, given = str(tmp_path / "part"), (str(path("sat4")), "--only", "torque,forward")
     assert cli("generate", *given, "-o", folder).exit_code == 0
     assert json.loads((tmp_path / "part" / "manifest.json").read_text())["only"] == ["torque", "forward"]
-    assert delivered_only(tmp_path / "part") == ("torque", "forward")
+    options = delivered_options(tmp_path / "part")
+    assert options is not None
+    assert options.only == ("torque", "forward")
     assert cli("generate", *given, "-o", folder, "--check").exit_code == 0
     require_place_for_cost(tmp_path / "part", stand("sat4"))  # knows the C as that of a part
     assert "manifest.json: does not list these files" in refused(

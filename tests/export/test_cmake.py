@@ -6,11 +6,15 @@ import re
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from cli.run import AUV6, BENCH8, DEMO3, refused, run
+from mahovik.core.stand import load
+from mahovik.out.export.cmake import cmake_project
+from mahovik.stands import path
 from toolchain.tools import require
 
 IN_C = """#include <stdio.h>
@@ -255,3 +259,13 @@ def test_again_and_where_it_may_not_be(exported: Path, tmp_path: Path) -> None:
     (tmp_path / "mine" / "CMakeLists.txt").write_text("project(mine)\n")
     assert "was not written by mahovik" in refused("export", "cmake", BENCH8, "-o", str(tmp_path / "mine"))
     assert [p.name for p in (tmp_path / "mine").iterdir()] == ["CMakeLists.txt"]
+
+
+def test_a_part_under_another_name_has_neither_recorder_nor_example() -> None:
+    """Options of `generate` are those of the project; what calls functions that are not there is left out."""
+    files = cmake_project(replace(load(path("demo3")), name="fw"), "float", only=("torque",))
+    assert not [name for name in files if "recorder" in name or "example" in name]
+    assert "fw_recorder" not in files["CMakeLists.txt"] + files["README.md"]
+    assert "fw_example" not in files["CMakeLists.txt"]
+    assert "--real float --only torque" in files["README.md"]
+    assert "fw_forward(" not in files["fw.h"]

@@ -21,9 +21,9 @@ def selftest_files(stand: Stand, generated: Generated) -> dict[str, str]:
     return {f"{VERIFICATION}{stand.name}_selftest.c": text}
 
 
-def firmware(stand: Stand, precision_name: str = "double") -> dict[str, str]:
+def firmware(stand: Stand, precision_name: str = "double", only: tuple[str, ...] = ()) -> dict[str, str]:
     """Return the files that are compiled for a board, and the README. Raises UsageError, StandError."""
-    return _firmware(stand, generate_all(stand, precision_name))
+    return _firmware(stand, generate_all(stand, precision_name, only))
 
 
 def delivery(

@@ -33,8 +33,10 @@ def manifest(
     """Text of the manifest of files, name to content.
 
     `project`: the target whose exported project they are; `only`: public functions that were asked for, else all.
+    The stand's name is the prefix of the C.
     """
     more: dict[str, Any] = {"only": list(only)} if only else {}
+    more |= {"batch": True} if f"{stand.name}_batch.c" in files else {}
     more |= {"project": project} if project else {}
     return manifest_with(stand, real, files, more)
 

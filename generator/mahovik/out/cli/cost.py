@@ -33,7 +33,7 @@ def cost(
     accept: bool = flag("--accept", "Accept the figures for later comparison."),
     as_json: bool = json_option("Print the figures as JSON."),
 ) -> None:
-    """Measure the C of a stand on processors, with the name and functions that the C in the folder has.
+    """Measure the C of a stand on processors, with the name, functions and float that the C in the folder has.
 
     Instructions of every public function (by an emulator that counts; not cycles), stack, code and constants, into
     COST.md beside the C; accepted figures into cost.json. Exit status 1 without writing if a figure is more than 2 %
@@ -49,22 +49,25 @@ def cost(
     from mahovik.proof.verify.delivery import (
         COST_PAGE,
         FIGURES,
+        Options,
         accepted_figures,
         add_to_delivery,
-        delivered_only,
+        delivered_options,
         require_place_for_cost,
     )
     from mahovik.proof.verify.folder_stand import stand_in
 
-    pairs = parse_targets(targets, real)
+    stand = load_stand(stand_file)
+    folder = Path(output if output is not None else stand.name)
+    options = delivered_options(folder) or Options()
+    in_float = real is None and options.real == "float"  # else the type of each processor
+    pairs = parse_targets(targets, "float" if in_float else real)
     absent: list[str] = []
     if not check:  # a gate that measures less than it should is none
         pairs, absent = available(pairs)
     for line in absent:
         click.echo(f"left out: {line}", err=True)
     usual = targets is None and real is None and not absent
-    stand = load_stand(stand_file)
-    folder = Path(output if output is not None else stand.name)
     stand = stand_in(folder, stand, UsageError)
     if not check:
         require_place_for_cost(folder, stand)
@@ -72,13 +75,14 @@ def cost(
     if check and text is None:
         raise UsageError(f"{folder / FIGURES}: no such file: accept figures first, `mahovik cost` without --check")
     before = read_accepted_costs(text, str(folder / FIGURES)) if text is not None else None
-    found = _measure(stand, pairs, delivered_only(folder))
+    found = _measure(stand, pairs, options.only)
     if as_json:
         print_json_text(json_text(found))
     elif not usual and not check:
         click.echo(page(found))
     if before is not None and not accept:
-        required = [*USUAL, *((t.name, r) for t, r in pairs)] if check else USUAL if usual else ()
+        always = () if in_float else USUAL
+        required = (*always, *((t.name, r) for t, r in pairs)) if check else always if usual else ()
         _compare(found, before, required, quiet=as_json)
     files = {COST_PAGE: page(found)} if usual and not check else {}
     if accept or (before is None and usual):

@@ -11,6 +11,8 @@ from mahovik.errors import UsageError
 from mahovik.out.cli import quantities
 from mahovik.out.cli.group import Commands
 from mahovik.out.cli.options import (
+    ONLY,
+    PREFIX,
     REAL,
     STAND_FILE,
     choice,
@@ -62,18 +64,20 @@ def fmu(
         default=True,
         show_default=False,
     ),
+    prefix: str | None = PREFIX,
 ) -> None:
     """Write an FMU: the stand for other simulators.
 
     The same C behind the Functional Mock-up Interface: units, names, start values, tunable parameters, sources, and a
-    binary for this machine if it has a C compiler.
+    binary for this machine if it has a C compiler. It is in double, as FMI is, and has all functions that it calls.
     """
     from mahovik.out.export.fmu import export_fmu
     from mahovik.out.functions.equilibrium import warn_of_turn
+    from mahovik.proof.verify.folder_stand import renamed
     from mahovik.use.simulate.case import load_start
     from mahovik.writing import probe, write
 
-    stand = load_stand(stand_file)
+    stand = renamed(load_stand(stand_file), prefix)
     target = Path(output if output is not None else f"{stand.name}.fmu")
     if kind == "me" and is_given("dt"):
         raise UsageError("--dt: model exchange has no internal step, the tool integrates; remove it, or use --kind cs")
@@ -97,6 +101,8 @@ def target(
     real: str | None = choice(
         "--real", ["double", "float"], "Choose the element type; default: the widest of the target's FPU."
     ),
+    only: tuple[str, ...] | None = ONLY,
+    prefix: str | None = PREFIX,
 ) -> None:
     """Write a project that runs the self-test on a board.
 
@@ -106,15 +112,16 @@ def target(
     """
     from mahovik.out.export.target import exportable, project
     from mahovik.proof.verify.delivery import deliver
+    from mahovik.proof.verify.folder_stand import renamed
 
     stand_file, (name,) = stand_first(stand_file, further, {"--target": target_name}, former=("--target", STAND))
     found = exportable(name)
-    stand = load_stand(stand_file)
+    stand = renamed(load_stand(stand_file), prefix)
     chosen = real or found.real or "double"
     folder = Path(output if output is not None else f"{stand.name}-{name}")
     with progress(f"generate {stand.name} for {name}"):
-        files = project(stand, found, chosen)
-    done = deliver(folder, stand, chosen, files, found.name, replaceable=("main.c",))
+        files = project(stand, found, chosen, only or ())
+    done = deliver(folder, stand, chosen, files, found.name, only or (), replaceable=("main.c",))
     print_paths(done.paths, done.notes)
 
 
@@ -232,6 +239,8 @@ def cmake(
     output: str | None = file_option("-o", "DIR", "Write into this folder; default ./NAME-cmake of the stand."),
     real: str = REAL,
     batch: bool = flag("--batch", "Add a target for many states at once, with OpenMP if wanted."),
+    only: tuple[str, ...] | None = ONLY,
+    prefix: str | None = PREFIX,
 ) -> None:
     """Write a CMake project with the target mahovik::NAME.
 
@@ -241,9 +250,11 @@ def cmake(
     """
     from mahovik.out.export.cmake import cmake_project
     from mahovik.proof.verify.delivery import deliver
+    from mahovik.proof.verify.folder_stand import renamed
 
-    stand = load_stand(stand_file)
-    done = deliver(Path(output or f"{stand.name}-cmake"), stand, real, cmake_project(stand, real, batch), "cmake")
+    stand, chosen = renamed(load_stand(stand_file), prefix), only or ()
+    files = cmake_project(stand, real, batch, chosen)
+    done = deliver(Path(output or f"{stand.name}-cmake"), stand, real, files, "cmake", chosen)
     print_paths(done.paths, done.notes)
 
 

@@ -7,14 +7,15 @@ from pathlib import Path
 import click
 
 from mahovik.out.cli.options import (
+    ONLY,
+    PREFIX,
     REAL,
     STAND_FILE,
-    comma_list,
     command,
     file_option,
     flag,
+    is_given,
     load_stand,
-    option,
 )
 from mahovik.out.cli.output import print_paths
 from mahovik.out.cli.progress import progress
@@ -27,24 +28,19 @@ def generate(
     check: bool = flag("--check", "Write nothing, and exit with status 1 if the folder differs."),
     batch: bool = flag("--batch", "Write also functions for many states at once: NAME_batch.h, NAME_batch.c."),
     no_cache: bool = flag("--no-cache", "Derive everything again, without the cache of formulas."),
-    only: tuple[str, ...] | None = option(
-        "--only", "Write these public functions alone, and what they need.", metavar="NAME,NAME", parse=comma_list
-    ),
-    prefix: str | None = option(
-        "--prefix",
-        "Use this name in C instead of the one of the stand: two element types in one image.",
-        metavar="NAME",
-    ),
+    only: tuple[str, ...] | None = ONLY,
+    prefix: str | None = PREFIX,
     real: str = REAL,
 ) -> None:
     """Write the C of a stand.
 
     A complete folder: header, source, self-test with golden vectors, README, and a manifest with the hash of every
-    file. It writes all or nothing, never overwrites files of others, and needs no compiler. Warns if float would not
-    resolve an unbalance or would lose what short steps add, and where (12) is singular in practice. The formulas that
-    all stands share are derived once and cached, in the folder MAHOVIK_CACHE if that is set. With --prefix the C is
-    that of a stand of that name, and so is its physics hash; commands that read the folder, or a log of its C, find
-    the name there.
+    file; beside it, unlisted, provenance.json: what made it, package, Python, NumPy and stand file. It writes all or
+    nothing, never overwrites files of others, and needs no compiler. Warns if float would not resolve an unbalance or
+    would lose what short steps add, and where (12) is singular in practice. The formulas that all stands share are
+    derived once and cached, in the folder MAHOVIK_CACHE if that is set. With --prefix the C is that of a stand of that
+    name, and so is its physics hash; commands that read the folder, or a log of its C, find the name there. --check
+    compares with the options that the folder was made with, unless others are given.
     """
     if no_cache:
         from mahovik.core.formula.derived import without_cache
@@ -53,13 +49,20 @@ def generate(
     stand = load_stand(stand_file)
     from mahovik.errors import CheckError
     from mahovik.out.functions.evidence import generate as make
-    from mahovik.proof.verify.delivery import differences
+    from mahovik.proof.verify.delivery import delivered_options, differences
+    from mahovik.proof.verify.folder_stand import stand_in
 
     folder, chosen = Path(output or prefix or stand.name), only or ()
+    if check:  # as it was delivered, but for what is asked for here
+        if prefix is None:
+            stand = stand_in(folder, stand)
+        if (options := delivered_options(folder)) is not None:
+            real = real if is_given("real") else options.real
+            batch, chosen = batch or options.batch, chosen or options.only
     with progress(f"generate {stand.name}") as stage:
         made = make(
-            stand, None if check else folder, real=real, batch=batch, only=chosen, prefix=prefix,
-            progress=stage.show,
+            stand if check else stand_file, None if check else folder, real=real, batch=batch, only=chosen,
+            prefix=prefix, progress=stage.show,
         )  # fmt: skip
     if check:
         found = differences(folder, made.stand, real, made.files, chosen)

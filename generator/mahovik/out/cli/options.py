@@ -146,6 +146,12 @@ def comma_list(_name: str, text: str) -> tuple[str, ...]:
 STAND_FILE = argument("STAND.toml")
 STAND_FILE_OR_NONE = argument("[STAND.toml]", required=False)
 REAL = choice("--real", ["double", "float"], "Choose the element type of the C.", default="double")
+ONLY = option(
+    "--only", "Write these public functions alone, and what they need.", metavar="NAME,NAME", parse=comma_list
+)
+PREFIX = option(
+    "--prefix", "Use this name in C instead of the one of the stand: two element types in one image.", metavar="NAME"
+)
 MOTION = file_option("--motion", "M.json", "Read the required motion from this file.", required=True)
 SEED_OF_STARTS = option("--seed", "Draw the starts from this seed.", metavar="N", type=click.IntRange(min=0), default=0)
 SEED_OF_STATES = option("--seed", "Draw the random states from this seed.", type=click.IntRange(0), default=1)

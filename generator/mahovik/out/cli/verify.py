@@ -83,7 +83,8 @@ def verify(
     Generates the C of a stand, compiles it with warnings as errors, evaluates random and extreme states, and compares
     every quantity with the literal reference (worst), and that with the second derivation (second; between: it and the
     C), relative to its natural scale. Exit status 0 only if all agree.
-    --against takes folders of `generate --prefix` as they are, and judges the functions that `generate --only` wrote.
+    --against takes folders of `generate --prefix` and `--real` as they are, and judges the functions that `generate
+    --only` wrote.
 
     With --servo and --against, judges the C that `export servo` wrote into that folder instead: every public function
     of its header by the law in plain NumPy, and its gains by the servo file.
@@ -118,9 +119,11 @@ def verify(
     wants = read_wants(want)
     stand, folder = load_stand(stand_file), None if against is None else Path(against)
     if rigorous:
+        from mahovik.proof.verify.delivery import real_of
         from mahovik.proof.verify.folder_stand import stand_in
 
-        stand = stand if folder is None else stand_in(folder, stand)
+        if folder is not None:
+            stand, real = stand_in(folder, stand), real if is_given("real") else real_of(folder) or real
         _conclude(_verify_rigorously(stand, seed, states, folder, real, as_json), as_json, junit, worst)
         return
     with progress(f"verify {stand.name}") as stage:
@@ -132,7 +135,8 @@ def verify(
             )
         else:
             found = evidence.verify(
-                stand, states=states, seed=seed, against=folder, real=real, judges=judges, bare=bare,
+                stand, states=states, seed=seed, against=folder,
+                real=real if is_given("real") else None, judges=judges, bare=bare,
                 progress=stage.show,
             )  # fmt: skip
     finish(found.result, as_json, junit, worst)

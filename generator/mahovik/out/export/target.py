@@ -30,9 +30,9 @@ def exportable(name: str) -> Target:
     return target
 
 
-def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
-    """The project's files, text by file name. Raises StandError."""
-    delivered = firmware(stand, real)
+def project(stand: Stand, target: Target, real: str, only: tuple[str, ...] = ()) -> dict[str, str]:
+    """The project's files, text by file name; `only`: as of `generate`. Raises StandError, UsageError."""
+    delivered = firmware(stand, real, only)
     known = {"README.md", f"{stand.name}.h", f"{stand.name}.c", f"{VERIFICATION}{stand.name}_selftest.c"}
     files = {**delivered, **board_folder(target), "main.c": selftest_main(stand.name, SWEEP)}
     words = {
@@ -46,7 +46,8 @@ def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
     files["Makefile"] = makefile(target, files, f"Self-test of {stand.name} ({real})")
     files["README.md"] = template("board/project.md.j2").render(
         **words | {"emulator": " ".join(target.emulator[:3]) or "this machine"},
-        command=f"mahovik export target STAND.toml --target {target.name} --real {real}",
+        command=f"mahovik export target STAND.toml --target {target.name} --real {real}"
+        + (f" --only {','.join(only)}" if only else ""),
         packages=f"; Debian: apt-get install {' '.join(target.packages)}",
         startup="startup.S" if f"{VERIFICATION}startup.S" in files else "startup.c",
         others=sorted(delivered.keys() - known),

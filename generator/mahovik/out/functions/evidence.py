@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from mahovik.core.stand import load as load_file
+from mahovik.core.stand.content import content
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
@@ -107,7 +107,7 @@ def verify(
     states: int = 200,
     seed: int = 1,
     against: str | Path | None = None,
-    real: str = "double",
+    real: str | None = None,
     judges: bool = False,
     bare: bool = False,
     progress: OnProgress | None = None,
@@ -115,12 +115,13 @@ def verify(
     """Judge the generated C by the literal reference and the second derivation, at random and extreme states.
 
     against      folder of the C to judge; None: a fresh copy
-    real         "double" or "float"
+    real         "double" or "float"; None: that of the folder, else double
     judges       judge by Pinocchio, MuJoCo and, if possible, Basilisk instead; bare: without the laws that they do
                  not have
 
     Raises StandError, ToolchainError where it does not compile, CheckError where it is of another stand.
     """
+    from mahovik.proof.verify.delivery import real_of
     from mahovik.proof.verify.folder_stand import stand_in
     from mahovik.proof.verify.harness import verify_c
 
@@ -131,7 +132,8 @@ def verify(
     if bare and not judges:
         raise UsageError("--bare needs --judges")
     if folder is not None:
-        own = stand_in(folder, own)
+        own, real = stand_in(folder, own), real or real_of(folder)
+    real = real or "double"
 
     def on_state(done: float, *_: object) -> None:
         tell(progress, Progress(words, done, states))
@@ -184,11 +186,11 @@ def generate(
     Raises StandError, UsageError; nothing is written over files of others.
     """
     from mahovik.core.emit.delivery import delivery
-    from mahovik.proof.verify.delivery import deliver
+    from mahovik.proof.verify.delivery import deliver, provenance
+    from mahovik.proof.verify.folder_stand import renamed
 
     own = load_file(stand) if isinstance(stand, str | Path) else stand  # of a held carrier too
-    if prefix is not None:
-        own = _rename_stand(own, prefix)
+    own = renamed(own, prefix)
     tell(progress, Progress(f"generate {own.name}"))
     chosen = tuple(dict.fromkeys(only))
     files = delivery(own, real, batch, chosen)
@@ -199,19 +201,10 @@ def generate(
     _warn_of_tasks(own)
     if not own.tasks and (not chosen or any(name.startswith("inverse") for name in chosen)):
         _warn_of_excess(own)
-    done = deliver(Path(folder), own, real, files, only=chosen)
+    text = content(Path(stand)) if isinstance(stand, str | Path) else None
+    done = deliver(Path(folder), own, real, files, only=chosen, made_by=provenance(text))
     written = {path.relative_to(Path(folder)).as_posix(): path.read_text(encoding="utf-8") for path in done.paths}
     return Generated(own, written, Path(folder), done.notes)
-
-
-def _rename_stand(stand: CoreStand, prefix: str) -> CoreStand:
-    """The stand by another name, which is that of its files and the first word of every name in C."""
-    from mahovik.core.stand.names import stand_name_problem
-
-    problem = stand_name_problem(prefix)
-    if problem is not None:
-        raise UsageError(f"--prefix {prefix}: {problem}")
-    return replace(stand, name=prefix)
 
 
 def _warn_of_float(stand: CoreStand) -> None:

@@ -22,7 +22,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import CheckError, UsageError
-from mahovik.proof.verify.delivery import delivered_only
+from mahovik.proof.verify.delivery import delivered_options
 from mahovik.proof.verify.folder_stand import declared_functions
 from mahovik.proof.verify.program_backend import ProgramBackend, public_names, with_all_inputs
 
@@ -176,7 +176,8 @@ def _part(folder: Path, stand: Stand, program: Program) -> tuple[str, ...]:
     there = tuple(name for name in public if name in declared)
     if not (folder / MANIFEST).is_file():
         return there if there != public else ()
-    only = delivered_only(folder)
+    options = delivered_options(folder)
+    only = () if options is None else options.only
     if missing := [name for name in only or public if name not in there]:
         path = folder / f"{stand.name}.h"
         raise CheckError(f"{path}: declares no function {', '.join(missing)}, expected by {MANIFEST}: generate again")

@@ -6,13 +6,19 @@ this stand that was generated before there were manifests.
 
 from __future__ import annotations
 
+import hashlib
 import json
+import platform
 import re
+import subprocess
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+import mahovik
+from mahovik import __version__
 from mahovik.core.emit.generate import PRECISIONS, generate_all
 from mahovik.core.emit.manifest import FORMAT, NAME, as_text, digest, manifest
 from mahovik.core.emit.names import VERIFICATION
@@ -48,6 +54,9 @@ def names_source(cost: str, stand: Stand, files: Mapping[str, str]) -> bool:
     return digest(files[f"{stand.name}.c"]) in cost
 
 
+PROVENANCE = "provenance.json"
+"""File beside the manifest, which does not list it: what made the folder, of this machine."""
+
 _MARK = "Generated: change the stand file instead."
 
 
@@ -67,10 +76,12 @@ def deliver(
     project: str = "",
     only: Sequence[str] = (),
     replaceable: Sequence[str] = (),
+    made_by: str = "",
 ) -> Delivery:
     """Writes the files of a stand and their manifest; `project`: the target whose exported project they are.
 
     Of the `replaceable` files, which a user may replace by others, those that were changed stay as they are.
+    `made_by`: text of `provenance`, which is written beside them and not listed.
 
     Raises UsageError where a file there is not the generator's own, and for a project in the place of a delivered
     folder or the reverse. COST.md of the same C stays and is listed, and so do accepted figures; a COST.md of other
@@ -84,12 +95,19 @@ def deliver(
         what = f"the project of target {old['project']}" if old.get("project") else "what `mahovik generate` delivers"
         raise UsageError(f"{folder}: holds {what}: choose another folder, nothing was written")
     _refuse_changed(folder, old)
+    if made_by and '"package": ' not in (_text(folder, PROVENANCE) or made_by):
+        path = folder / PROVENANCE
+        raise UsageError(
+            f"{path}: was not written by mahovik: move it away or choose another folder, nothing was written"
+        )
     cost = _text(folder, COST_PAGE)
     kept = _kept_files(folder, stand, files)
     stale = [n for n in _unchanged_files(folder, old) if n not in files and n not in kept]
     if cost is not None and not kept and COST_PAGE not in stale and re.search(r"\b[0-9a-f]{64}\b", cost):
         stale.append(COST_PAGE)
     paths = write_all(folder, {**written, NAME: manifest(stand, real, {**files, **kept}, project, only)})
+    if made_by:
+        write_all(folder, {PROVENANCE: made_by})
     notes = [f"{folder / name} is yours and stays as it is" for name in replaced]
     for name in stale:
         (folder / name).unlink(missing_ok=True)
@@ -100,6 +118,41 @@ def deliver(
         )
         notes.append(f"{folder / name} was removed: it {why}")
     return Delivery(paths, tuple(notes))
+
+
+def provenance(stand_file: bytes | None) -> str:
+    """What made a folder: hash of the installed package, its commit where known, Python, NumPy; the stand file's hash.
+
+    The package is hashed over paths and contents of its Python files; the commit is that of a checkout which it runs
+    in, `+` where files differ from it.
+    """
+    package = Path(mahovik.__file__).resolve().parent
+    found = hashlib.sha256()
+    for path in sorted(package.rglob("*.py")):
+        found.update(path.relative_to(package).as_posix().encode() + b"\0" + path.read_bytes())
+    return as_text(
+        {
+            "generator": f"mahovik {__version__}",
+            "package": found.hexdigest(),
+            "commit": _commit(package),
+            "python": platform.python_version(),
+            "numpy": version("numpy"),
+            "stand_file": None if stand_file is None else digest(stand_file),
+        }
+    )
+
+
+def _commit(package: Path) -> str | None:
+    """The commit of the checkout that the package is a part of; None elsewhere, such as in an environment in one."""
+    listed = ("ls-files", "--error-unmatch", "__init__.py")
+    described = ("describe", "--always", "--abbrev=40", "--exclude=*", "--dirty=+")
+    try:
+        for words in (listed, described):
+            command = ["git", "-C", str(package), *words]
+            done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=20)
+    except (OSError, subprocess.SubprocessError):
+        return None
+    return done.stdout.strip() or None
 
 
 def differences(
@@ -158,7 +211,8 @@ def require_place_for_cost(folder: Path, stand: Stand) -> None:
     old = _manifest(folder)
     if old is not None:
         _refuse_stand(folder, stand, old)
-        made = generate_all(stand, old["real"], only=_manifest_only(old)).files
+        options = _options(old)
+        made = generate_all(stand, options.real, options.only).files
         if _text(folder, f"{stand.name}.c") != made[f"{stand.name}.c"]:
             raise UsageError(
                 f"{folder}: holds other C than the stand file gives: `mahovik generate` first, nothing was written"
@@ -189,14 +243,29 @@ def accepted_figures(folder: Path, stand: Stand) -> str | None:
     return text
 
 
-def delivered_only(folder: Path) -> tuple[str, ...]:
-    """The public functions that the C in a folder was made for, by its manifest; empty: all. Raises UsageError."""
+@dataclass(frozen=True)
+class Options:
+    """What `generate` was asked for beside the prefix, which is the name of the stand: as its options have it."""
+
+    real: str = "double"
+    only: tuple[str, ...] = ()
+    batch: bool = False
+
+
+def delivered_options(folder: Path) -> Options | None:
+    """Options of the C in a folder, by its manifest; None where there is none. Raises UsageError."""
     found = _manifest(folder)
-    return () if found is None else _manifest_only(found)
+    return None if found is None else _options(found)
 
 
-def _manifest_only(found: Mapping[str, Any]) -> tuple[str, ...]:
-    return tuple(found.get("only", ()))
+def real_of(folder: Path) -> str | None:
+    """Element type of the C in a folder, by its manifest; None where there is none. Raises UsageError."""
+    options = delivered_options(folder)
+    return None if options is None else options.real
+
+
+def _options(found: Mapping[str, Any]) -> Options:
+    return Options(found["real"], tuple(found.get("only", ())), bool(found.get("batch", False)))
 
 
 def _manifest(folder: Path) -> dict[str, Any] | None:

@@ -10,7 +10,17 @@ from mahovik.core.emit.reading import Header, read_header
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.names import stand_name_problem
-from mahovik.errors import CheckError, MahovikError
+from mahovik.errors import CheckError, MahovikError, UsageError
+
+
+def renamed(stand: Stand, prefix: str | None) -> Stand:
+    """The stand by another name, which is that of its files and the first word of every name in C. UsageError."""
+    if prefix is None:
+        return stand
+    problem = stand_name_problem(prefix)
+    if problem is not None:
+        raise UsageError(f"--prefix {prefix}: {problem}")
+    return replace(stand, name=prefix)
 
 
 def under_name(stand: Stand, name: str, physics: str | None) -> Stand | None:
