@@ -50,7 +50,7 @@ def section(material: Material) -> Section | None:
         sweeps = _sweeps(stand, limit, [(name, None) for name in measured_points(stand)])
     except (CheckError, UsageError) as error:
         return Section(ANCHOR, TITLE, paragraph(f"{message(error)}. So there is no steady vibration to show."))
-    shown, summaries = _shown(sweeps)
+    shown, summaries = _panels_and_words(sweeps)
     points = " and ".join(_point(found) for found in sweeps[0])
     if not shown:
         return Section(ANCHOR, TITLE, paragraph(f"Nothing shakes {points}: the flywheels are balanced."))
@@ -74,7 +74,7 @@ def _held_section(stand: Stand, hold: Hold, limit: float) -> Section:
         sweeps = _sweeps(stand, limit, seen)
     except (CheckError, UsageError) as error:
         return Section(ANCHOR, HELD_TITLE, paragraph(f"{message(error)}. So there is no steady reaction to show."))
-    shown, summaries = _shown(sweeps)
+    shown, summaries = _panels_and_words(sweeps)
     if not shown:
         return Section(ANCHOR, HELD_TITLE, paragraph("Nothing shakes the hold: the flywheels are balanced."))
     words = _held_words(hold, [found[0] for found in sweeps])
@@ -95,7 +95,7 @@ def _sweeps(stand: Stand, limit: float, seen: Sequence[tuple[str, str | None]]) 
     return sweeps
 
 
-def _shown(sweeps: Sequence[Sequence[Sweep]]) -> tuple[list[Panel], list[str]]:
+def _panels_and_words(sweeps: Sequence[Sequence[Sweep]]) -> tuple[list[Panel], list[str]]:
     """Panels of the outputs that anything shakes, and what is largest in each."""
     shown, summaries = [], []
     for views in zip(*sweeps, strict=True):
