@@ -74,6 +74,7 @@ class Emitted:
         self.host, self.folder, self.flags = host, folder, flags
         self.files = dict(files_of(host) if files is None else files)
         for name, text in self.files.items():
+            (folder / name).parent.mkdir(exist_ok=True)
             (folder / name).write_text(text, encoding="ascii", newline="\n")
 
     @property
@@ -111,8 +112,8 @@ class Planted(ProgramBackend):
     def __init__(self, made: Emitted) -> None:
         self.generated = generated_of(made.host)
 
-        def build(source: Path, library: Path) -> None:
-            flags = ("-std=c99", "-w", *BITS, "-O1", "-shared", "-fPIC", *made.flags)
+        def build(source: Path, library: Path, plain: str) -> None:
+            flags = ("-std=c99", "-w", *BITS, "-O1", "-shared", "-fPIC", plain, *made.flags)
             run_compiler([*flags, f"-I{source.parent}", str(source), "-o", str(library)], source.name)
 
         with patch.object(library_module, "build_shared", build):
