@@ -102,6 +102,14 @@ def test_a_folder_is_checked_as_it_was_delivered(tmp_path: Path) -> None:
     assert "manifest.json: does not list these files" in refused(*check, "--only", "forward", status=1)
 
 
+def test_evidence_is_of_what_was_delivered(part: Path, tmp_path: Path) -> None:
+    """Its prefix and its functions: the same C, checked by the same options."""
+    out = tmp_path / "out"
+    result = run("evidence", SHAKER2, "--against", str(part), "-o", str(out), "--only", "delivery,equations,selftest")
+    assert result.exit_code == 0, result.output
+    assert (out / "c" / "shakerp.c").read_bytes() == (part / "shakerp.c").read_bytes()
+
+
 # ---- verify --against ----
 
 

@@ -9,11 +9,22 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.cli.options import REAL, argument, command, file_option, flag, json_option, load_stand, option
+from mahovik.out.cli.options import (
+    REAL,
+    argument,
+    command,
+    file_option,
+    flag,
+    is_given,
+    json_option,
+    load_stand,
+    option,
+)
 from mahovik.out.cli.output import print_json, print_line, print_table
 from mahovik.out.cli.progress import can_show_line, progress
 
 if TYPE_CHECKING:
+    from mahovik.core.stand.model import Stand
     from mahovik.proof.evidence.piece import PieceResult
 
 FUZZ_SECONDS = (20, 600)
@@ -36,6 +47,9 @@ def evidence(
     checked: str | None = file_option("--check", "DIR", "Check the SHA-256 sums of a folder only."),
     as_json: bool = json_option("Print the table as JSON."),
     real: str = REAL,
+    against: str | None = file_option(
+        "--against", "DIR", "Take prefix, element type and functions of this delivered folder."
+    ),
 ) -> None:
     """Collect the evidence for the C of a stand.
 
@@ -54,14 +68,24 @@ def evidence(
         raise UsageError("give a stand file, or --check DIR")
     if full and quick:
         raise UsageError("--full, --quick: give only one of them")
-    stand = load_stand(stand_file)
+    stand, functions = load_stand(stand_file), ()
+    if against is not None:
+        from mahovik.proof.verify.delivery import delivered_options
+        from mahovik.proof.verify.folder_stand import stand_in
+
+        delivered = delivered_options(Path(against))
+        if delivered is None:
+            raise UsageError(f"{against}: no manifest.json: give a folder of `mahovik generate`")
+        if is_given("real") and real != delivered.real:
+            raise UsageError(f"{against}: its C is {delivered.real}, expected {real}: leave --real out")
+        stand, real, functions = stand_in(Path(against), stand), delivered.real, delivered.only
     from mahovik.proof.evidence.collect import nothing_ran, select_pieces
     from mahovik.proof.evidence.page import failures
     from mahovik.proof.evidence.pieces import PIECES
 
     wanted = select_pieces(PIECES, only, without)
     folder = Path(output if output is not None else f"{stand.name}-evidence")
-    found = _collect(stand_file, folder, full, seconds or FUZZ_SECONDS[full], wanted, real)
+    found = _collect(stand, stand_file, folder, full, seconds or FUZZ_SECONDS[full], wanted, real, functions)
     if as_json:
         print_json(_plain(found, folder))
     else:
@@ -89,14 +113,20 @@ def _check(folder: Path, as_json: bool) -> None:
 
 
 def _collect(
-    stand_file: str, folder: Path, full: bool, seconds: int, wanted: frozenset[str], real: str
+    stand: Stand,
+    stand_file: str,
+    folder: Path,
+    full: bool,
+    seconds: int,
+    wanted: frozenset[str],
+    real: str,
+    functions: tuple[str, ...],
 ) -> list[PieceResult]:
     """Collected pieces; a line on a terminal says what runs, elsewhere there is one line per piece."""
     from mahovik.core.stand.content import content
     from mahovik.proof.evidence.collect import collect
     from mahovik.proof.evidence.pieces import PIECES
 
-    stand = load_stand(stand_file)
     order = [each.name for each in PIECES if each.name in wanted]
     with progress("generate") as stage:
 
@@ -114,6 +144,7 @@ def _collect(
             real=real,
             full=full,
             seconds=seconds,
+            only=functions,
             wanted=wanted,
             say=say,
         )

@@ -52,18 +52,19 @@ def collect(
     real: str = "double",
     full: bool = False,
     seconds: int = 20,
+    only: tuple[str, ...] = (),
     wanted: Collection[str] | None = None,
     say: Say = lambda name, what: None,
 ) -> list[PieceResult]:
-    """Collects the evidence of a stand, whose file has the content `text`, into a folder.
+    """Collects the evidence of a stand, whose file has the content `text`, into a folder; `only`: as of `generate`.
 
     Raises UsageError if the folder holds other files, before anything is run.
     """
     found: list[PieceResult] = []
 
     def fill(draft: Path) -> None:
-        subject = Subject(stand, real, draft, Path(scratch), full, seconds)
-        deliver(subject.c, stand, real, delivery(stand, real))
+        subject = Subject(stand, real, draft, Path(scratch), full, seconds, only)
+        deliver(subject.c, stand, real, delivery(stand, real, only=only), only=only)
         write(draft / subject.stand_file, text)
         found.extend(_collect_piece(piece, subject, wanted, say) for piece in pieces)
         for each in found:

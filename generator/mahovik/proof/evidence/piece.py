@@ -35,6 +35,7 @@ class Subject:
     scratch  for what is not kept
     full     everything, for as long as it takes; else a selection, minutes
     seconds  of fuzzing
+    only     public functions of the delivered C; empty: all
     """
 
     stand: Stand
@@ -43,6 +44,12 @@ class Subject:
     scratch: Path
     full: bool = False
     seconds: int = 20
+    only: tuple[str, ...] = ()
+
+    @property
+    def part(self) -> Path | None:
+        """The delivered C where it has chosen functions alone: what is judged then, in place of fresh C."""
+        return self.c if self.only else None
 
     def choose(self, quick: int, full: int) -> int:
         """One of two numbers, by the extent."""
@@ -59,6 +66,11 @@ class Subject:
         return "" if self.real == "double" else f" --real {self.real}"
 
     @property
+    def of_part(self) -> str:
+        """Option of `mahovik verify` with which it judges what is delivered; nothing where that has all functions."""
+        return " --against c" if self.only else ""
+
+    @property
     def stand_file(self) -> str:
         """Name of the copy of the stand file."""
         return f"{self.stand.name}.toml"
@@ -66,7 +78,8 @@ class Subject:
     @property
     def sources(self) -> list[str]:
         """C for firmware in the delivered folder."""
-        return [f"{self.stand.name}.c", f"{self.stand.name}_recorder.c"]
+        names = [f"{self.stand.name}.c", f"{self.stand.name}_recorder.c"]
+        return [name for name in names if not self.only or (self.c / name).is_file()]
 
     @property
     def selftest(self) -> str:

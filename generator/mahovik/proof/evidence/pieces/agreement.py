@@ -58,7 +58,14 @@ def _row(row: Row, third: bool) -> tuple[str, ...]:
 
 def _compare(subject: Subject, tell: Tell) -> Outcome:
     progress = count_to(tell, "state ")
-    found = verify_c(subject.stand, seed=1, count=subject.choose(200, 2000), real=subject.real, progress=progress)
+    found = verify_c(
+        subject.stand,
+        seed=1,
+        count=subject.choose(200, 2000),
+        real=subject.real,
+        against=subject.part,
+        progress=progress,
+    )
     files = {"report.json": as_json(found), "junit.xml": as_junit(found), "worst.jsonl": worst_lines(found)}
     tools = (compiler("gcc"), f"NumPy {version('numpy')}", f"CasADi {version('casadi')}", f"SymPy {version('sympy')}")
     return Outcome(verdict_of(found.passed), conclusion(found), tools, _table(found), files=files)
@@ -78,7 +85,7 @@ COMPARISON = Piece(
         "quantity that the second derivation does not have; that the equations describe a machine that bends, leaks or "
         "slips. Errors are relative to the natural scale: the largest terms that a quantity is a sum of."
     ),
-    command=lambda s: f"mahovik verify {s.stand_file} --states {s.choose(200, 2000)}{s.option}",
+    command=lambda s: f"mahovik verify {s.stand_file} --states {s.choose(200, 2000)}{s.option}{s.of_part}",
     run=_compare,
     needs=lambda _: (program("gcc"),),
 )
@@ -97,7 +104,9 @@ def _measure_rounding(subject: Subject, tell: Tell) -> Outcome:
     )
 
     progress = count_to(tell, "state ")
-    found = measure_rounding(subject.stand, count=subject.choose(60, 300), real=subject.real, progress=progress)
+    found = measure_rounding(
+        subject.stand, count=subject.choose(60, 300), real=subject.real, against=subject.part, progress=progress
+    )
     rows = tuple(
         (
             line.row.quantity,
@@ -124,7 +133,7 @@ ROUNDING = Piece(
         "error of the C is known and not estimated: from the numbers of the stand file and the state to the answer."
     ),
     limits="States that were not sampled: it is a measurement with a rigorous ruler, not a bound for all inputs.",
-    command=lambda s: f"mahovik verify {s.stand_file} --rigorous --states {s.choose(60, 300)}{s.option}",
+    command=lambda s: f"mahovik verify {s.stand_file} --rigorous --states {s.choose(60, 300)}{s.option}{s.of_part}",
     run=_measure_rounding,
     needs=lambda _: (program("gcc"), module("flint", "pip install 'mahovik[rigorous]'")),
 )
@@ -179,7 +188,7 @@ def _plant_faults(subject: Subject, tell: Tell) -> Outcome:
     """Plant each fault of the dictionary on this stand, and look for them in the C, which must have none."""
     if subject.stand.hold is not None:
         return _of_free_carriers("the faults of the dictionary")
-    backend = CBackend(subject.stand, subject.real)
+    backend = CBackend(subject.stand, subject.real, subject.part)
     diagnoser = Diagnoser(subject.stand, 1, backend.wants)
 
     def answer(request: Request) -> Mapping[str, Any]:

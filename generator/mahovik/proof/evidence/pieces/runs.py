@@ -48,7 +48,8 @@ def _selftest_command(subject: Subject) -> str:
     build = (
         f"cc -std=c99 -O2 -ffp-contract=off -D{name.upper()}_SELFTEST_MAIN c/{name}.c c/{subject.selftest} -o selftest"
     )
-    return f"{build} && ./selftest > selftest.log; mahovik judge-log {subject.stand_file} --log selftest.log"
+    some = f" --only {','.join(subject.only)}" if subject.only else ""
+    return f"{build} && ./selftest > selftest.log; mahovik judge-log {subject.stand_file} --log selftest.log{some}"
 
 
 def _run_selftest(subject: Subject, tell: Tell) -> Outcome:
@@ -58,7 +59,7 @@ def _run_selftest(subject: Subject, tell: Tell) -> Outcome:
     made = subject.scratch / "selftest"
     run_compiler(["-std=c99", "-O2", *BITS, *texts, "-o", str(made)], subject.selftest)
     text = run(TARGETS["host"], made, 300.0)
-    found = judge_log(text, "selftest.log", subject.stand)
+    found = judge_log(text, "selftest.log", subject.stand, subject.only)
     rows = tuple(("checked", line) for line in found.checked) + tuple(("not checked", line) for line in found.unchecked)
     functions = sum(len(each.functions) for each in found.runs)
     states = " and ".join(str(each.sweep or 0) for each in found.runs)
@@ -150,6 +151,8 @@ def _fuzzer_links() -> bool:
 
 def _run_fuzzer(subject: Subject, tell: Tell) -> Outcome:
     """Run libFuzzer with sanitizers on every public function."""
+    if subject.only:
+        return Outcome(Verdict.NOTHING, "the harness calls all functions, and this C has some of them")
     folder = subject.scratch / "fuzz"
     folder.mkdir()
     for name, text in fuzz_project(subject.stand, subject.real).items():
@@ -208,6 +211,8 @@ def _targets(subject: Subject) -> str:
 
 
 def _run_on_targets(subject: Subject, tell: Tell) -> Outcome:
+    if subject.only:
+        return Outcome(Verdict.NOTHING, "the sweep calls all functions, and this C has some of them")
     tell("compile and run")
     found = verify_targets(subject.stand, parse_targets(_targets(subject), (subject.real,)), progress=count_to(tell))
     rows = tuple((r.target, r.title, r.built_with, f"{r.verdict} {r.reason}".strip()) for r in found.rows)
@@ -230,7 +235,7 @@ ON_TARGETS = Piece(
 def _measure_cost(subject: Subject, tell: Tell) -> Outcome:
     tell("compile and run")
     pairs = asked_for_cost(_COST_TARGETS[subject.real], subject.real)
-    found = measure(subject.stand, pairs, count_to(tell))
+    found = measure(subject.stand, pairs, count_to(tell), subject.only)
     rows = tuple(
         (f.function, each.target, f"{f.instructions:,}" if f.instructions else "refused", f"{f.stack:,}", f"{f.code:,}")
         for each in found.targets

@@ -87,7 +87,7 @@ def _list_equations(subject: Subject, tell: Tell) -> Outcome:
     tell("read the C")
     name = subject.stand.name
     where = spans((subject.c / f"{name}.c").read_text(encoding="ascii"), name)
-    functions = generate_all(subject.stand, subject.real).program.functions
+    functions = generate_all(subject.stand, subject.real, subject.only).program.functions
     lost = [f.name for f in functions if f.name not in where]
     found: list[dict[str, Any]] = [
         {
@@ -191,7 +191,7 @@ MISRA = Piece(
 
 
 def _drivers(subject: Subject) -> list[str]:
-    every = drivers(generate_all(subject.stand, subject.real).program)
+    every = drivers(generate_all(subject.stand, subject.real, subject.only).program)
     claimed = [f"{each.set}_{each.function}" for each in every if each.claimed]
     return claimed if subject.full else [name for name in claimed if name in _QUICK_DRIVERS]
 
