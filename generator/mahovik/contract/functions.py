@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from mahovik.contract.chosen import CHOSEN
-from mahovik.contract.public_function import ANY, BITS, JUDGES, NORMAL, REFEREES, PublicFunction
+from mahovik.contract.public_function import ANY, BITS, JUDGES, NORMAL, REFEREES, SECTIONS, PublicFunction
 
 __all__ = [
     "ALL_WANTS", "ANY", "BATCH_FUNCTIONS", "BITS", "CHOSEN", "CONFLICTS", "FUNCTIONS", "JUDGES", "NORMAL", "OF_TASKS",
@@ -22,7 +22,7 @@ _FOR_TORQUES = ("motor_power", "target_speed", "target_rate", "avoid_speed")
 _FRICTION = ("motor_viscous", "motor_coulomb", "motor_coulomb_speed")
 """Members of the options that only EXCESSIVE looks at."""
 
-_ROWS = (
+_ROWS: tuple[PublicFunction, ...] = (
     PublicFunction(
         "matrices",
         "(2), (6)-(9)",
@@ -54,7 +54,7 @@ _ROWS = (
     ),
     PublicFunction(
         "torque",
-        "Drive torque",
+        "",
         (*_STATE, "V_dot", "phi_ddot", "wrench"),
         ("tau",),
         _ALL_JUDGES,
@@ -66,7 +66,7 @@ _ROWS = (
     ),
     PublicFunction(
         "mounts",
-        "Drive torque",
+        "",
         ("table", "mounting", "x", "V_dot", "phi_ddot", "wrench"),
         ("mount_wrench",),
         ("reference", "rigorous"),
@@ -76,7 +76,7 @@ _ROWS = (
     ),
     PublicFunction(
         "coupled",
-        "The whole system",
+        "",
         (*_STATE, "tau", "locked", "wrench"),
         ("V_dot", "phi_ddot"),
         _ALL_JUDGES,
@@ -108,18 +108,9 @@ _ROWS = (
         ignores=("attitude",),
     ),
     PublicFunction(
-        "points",
-        "Points",
-        (*_STATE, "V_dot"),
-        ("points",),
-        ("reference", "second"),
-        want=True,
-        needs="sensors",
-        batch=True,
+        "points", "", (*_STATE, "V_dot"), ("points",), ("reference", "second"), want=True, needs="sensors", batch=True
     ),
-    PublicFunction(
-        "center_of_mass_velocity", "Momentum, (1)-(2)", _STATE, ("center_of_mass_velocity",), ("reference",), want=True
-    ),
+    PublicFunction("center_of_mass_velocity", "", _STATE, ("center_of_mass_velocity",), ("reference",), want=True),
     PublicFunction(
         "reaction",
         "(8)",
@@ -133,7 +124,7 @@ _ROWS = (
     PublicFunction("wrench", "(7)", (*_STATE, "wrench"), ("F",), ("reference",), needs="wrenches"),
     PublicFunction(
         "step",
-        "Steps in time",
+        "",
         (*_STATE, "tau", "locked", "wrench", "dt", "order"),
         ("next",),
         ("trajectory",),
@@ -142,12 +133,7 @@ _ROWS = (
         claimed=(BITS,),
     ),
     PublicFunction(
-        "step_driven",
-        "Steps in time",
-        (*_STATE, "phi_ddot", "wrench", "dt", "order"),
-        ("next",),
-        ("trajectory",),
-        batch=True,
+        "step_driven", "", (*_STATE, "phi_ddot", "wrench", "dt", "order"), ("next",), ("trajectory",), batch=True
     ),
     PublicFunction(
         "inverse_fast",
@@ -164,7 +150,7 @@ _ROWS = (
     ),
     PublicFunction(
         "torque_for",
-        "Torques for a task",
+        "",
         (*_STATE, "demand", "options", "locked", "wrench"),
         ("tau", "phi_ddot", "V_dot", "residual", "share", "limited"),
         ("reference", "allocation"),
@@ -183,7 +169,7 @@ _ROWS = (
     ),
     PublicFunction(
         "coupled_jacobian",
-        "The whole system",
+        "",
         (*_STATE, "tau", "locked", "wrench"),
         (
             "V_dot_V",
@@ -198,7 +184,7 @@ _ROWS = (
         ("derivatives",),
         needs="flywheels",
     ),
-    PublicFunction("quaternion", "Generalized coordinates, (10)-(11)", ("angles",), ("attitude",), ("reference",)),
+    PublicFunction("quaternion", "", ("angles",), ("attitude",), ("reference",)),
     PublicFunction(
         "state_from_coordinates",
         "(10)",
@@ -211,7 +197,7 @@ _ROWS = (
     ),
     PublicFunction(
         "wrap",
-        "Phases from encoders",
+        "",
         ("phi",),
         ("wrapped",),
         ("exact",),
@@ -220,26 +206,14 @@ _ROWS = (
         claimed=(NORMAL, ANY, BITS),
     ),
     PublicFunction(
-        "phase_of_counts",
-        "Phases from encoders",
-        ("count", "per_turn", "zero"),
-        ("phi",),
-        ("exact",),
-        needs="flywheels",
-        python=False,
+        "phase_of_counts", "", ("count", "per_turn", "zero"), ("phi",), ("exact",), needs="flywheels", python=False
     ),
     PublicFunction(
-        "speed_of_counts",
-        "Phases from encoders",
-        ("moved", "per_turn", "dt"),
-        ("phi_dot",),
-        ("exact",),
-        needs="flywheels",
-        python=False,
+        "speed_of_counts", "", ("moved", "per_turn", "dt"), ("phi_dot",), ("exact",), needs="flywheels", python=False
     ),
     PublicFunction(
         "accumulate",
-        "Phases from encoders",
+        "",
         ("encoder", "counter", "bits", "per_turn"),
         ("encoder",),
         ("exact",),
@@ -256,17 +230,11 @@ _ROWS = (
         claimed=(NORMAL, BITS),
     ),
     PublicFunction(
-        "prepare_mounts",
-        "Drive torque",
-        ("parameters",),
-        ("mounting",),
-        ("parameters",),
-        needs="flywheels",
-        python=False,
+        "prepare_mounts", "", ("parameters",), ("mounting",), ("parameters",), needs="flywheels", python=False
     ),
     PublicFunction(
         "step_carried",
-        "Steps in time",
+        "",
         (*_STATE, "tau", "locked", "wrench", "dt", "order", "carry"),
         ("carry", "next"),
         ("trajectory",),
@@ -276,7 +244,7 @@ _ROWS = (
     ),
     PublicFunction(
         "step_driven_carried",
-        "Steps in time",
+        "",
         (*_STATE, "phi_ddot", "wrench", "dt", "order", "carry"),
         ("carry", "next"),
         ("trajectory",),
@@ -284,6 +252,7 @@ _ROWS = (
         form_of="step_driven",
     ),
 )
+_ROWS = tuple(replace(row, equation=row.equation or SECTIONS[row.name]) for row in _ROWS)
 """At extreme inputs, numbers inside `step` and `prepare` may overflow and are then refused: Eva's claim is for `bits`,
 where this is no alarm. Intervals grow over the stages of a step, too wide to show more for most stands."""
 

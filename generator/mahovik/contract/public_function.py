@@ -23,6 +23,19 @@ REFEREES = ("reference", "second", "rigorous")
 """Judges that can answer a want of `eval`."""
 
 
+SECTIONS = {
+    **dict.fromkeys(("torque", "mounts", "prepare_mounts"), "Drive torque"),
+    **dict.fromkeys(("coupled", "coupled_jacobian"), "The whole system"),
+    **dict.fromkeys(("step", "step_driven", "step_carried", "step_driven_carried"), "Steps in time"),
+    **dict.fromkeys(("wrap", "phase_of_counts", "speed_of_counts", "accumulate"), "Phases from encoders"),
+    "points": "Points",
+    "center_of_mass_velocity": "Momentum, (1)-(2)",
+    "quaternion": "Generalized coordinates, (10)-(11)",
+    "torque_for": "Torques for a task",
+}
+"""Headings of docs/model.md or docs/c-interface.md with the equations of functions that have no number."""
+
+
 @dataclass(frozen=True)
 class PublicFunction:
     """A row of the contract: one public function.
