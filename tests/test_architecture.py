@@ -311,10 +311,10 @@ def test_only_emit_spells_C(stage: str) -> None:
 
 
 def test_files_can_be_read_at_once() -> None:
-    """Under 400 lines."""
+    """At most 800 lines."""
 
     def too_long(path: Path) -> bool:
-        return len(path.read_text(encoding="utf-8").splitlines()) >= 400
+        return len(path.read_text(encoding="utf-8").splitlines()) > 800
 
     assert faults_by_file([*SOURCES, *sorted(TEMPLATES.rglob("*.j2"))], too_long) == {}
 

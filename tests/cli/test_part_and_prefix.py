@@ -103,7 +103,7 @@ def test_a_folder_is_checked_as_it_was_delivered(tmp_path: Path) -> None:
 
 
 def test_evidence_is_of_what_was_delivered(part: Path, tmp_path: Path) -> None:
-    """Its prefix and its functions: the same C, checked by the same options."""
+    """The C of the evidence has the prefix and the functions of the folder, and is checked by the same options."""
     out = tmp_path / "out"
     result = run("evidence", SHAKER2, "--against", str(part), "-o", str(out), "--only", "delivery,equations,selftest")
     assert result.exit_code == 0, result.output

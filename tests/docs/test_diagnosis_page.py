@@ -49,7 +49,7 @@ def test_the_verdict() -> None:
     from mahovik.proof.diagnose.predict import Part
 
     first, second = DICTIONARY[:2]
-    found = Diagnosis("named", (Cause((Part(first),), 1.0, 0.0), Cause((Part(second),), 1.0, 0.0)))
+    found = Diagnosis("named", (Cause((Part(first),), 0.0), Cause((Part(second),), 0.0)))
     assert written.verdict(found, [first.name]) == "equals"
     assert written.verdict(Diagnosis("named", found.causes[:1]), [first.name]) == "alone"
     assert written.verdict(found, [first.name, second.name]) == "other"

@@ -80,7 +80,10 @@ def sources(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     write(made.files | batch_files(stand("shaker2"), made) | recorder_files(stand("shaker2"), made), folder)
     write(servos.exported("trimmed").servo | programmes.exported("spin").files, folder)
     fmu = export_fmu(stand("shaker2"), "3.0", "cs", "torque", binary=False, generated=made).files
-    write({Path(name).name: text for name, text in fmu.items() if name.endswith((".c", ".h"))}, folder)
+    write(
+        {Path(name).name: text for name, text in fmu.items() if isinstance(text, str) and name.endswith((".c", ".h"))},
+        folder,
+    )
     return sorted(path for path in folder.glob("*.c") if not path.stem.endswith(("_test", "_main", "_fmi3")))
 
 

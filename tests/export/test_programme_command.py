@@ -172,7 +172,7 @@ def test_bad_files_are_one_line(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("part", ["", "runup"])
 def test_a_programme_that_exceeds_its_bounds_is_refused(part: str, tmp_path: Path) -> None:
-    """Those that its planner reports, of a run-up as well."""
+    """Bounds that its planner reports as exceeded, of a run-up as well."""
     over = {"exceeded": ["speed of upper 131 rad/s exceeds its bound, 100 rad/s"]}
     saved = save(replace(spin(), report={part: over} if part else over), tmp_path)
     folder = tmp_path / "made"

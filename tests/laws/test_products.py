@@ -204,4 +204,4 @@ def test_a_program_that_counts_them_twice_is_named() -> None:
 
     found = Diagnoser(stand).diagnose(answer)
     assert found.causes[0].parts[0].fault.name == "products of added mass twice"
-    assert found.causes[0].share == pytest.approx(1.0, abs=1e-6)
+    assert found.causes[0].score == pytest.approx(0.0, abs=1e-6)

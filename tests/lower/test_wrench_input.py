@@ -32,14 +32,13 @@ def stand_of(bodies: tuple[str, ...], held: bool, fluid: bool) -> Stand:
     """Two flywheels and an instrument; with fluid every body is damped. These bodies take a run-time wrench."""
     features = Features("ship", 1, True, fluid, fluid, 1, False, tasks=0 if held else 1)
     stand = random_stand(np.random.default_rng(3), 2, features, "pushed")
-    taking = [replace(b, wrench_input=b.name in bodies) for b in (stand.carrier, *stand.instruments, *stand.flywheels)]
     still = (0.0, 0.0, 0.0)
     hold = Hold((FREEDOMS["roll"], FREEDOMS["z"]), still, still, still) if held else None
     return replace(
         stand,
-        carrier=taking[0],
-        instruments=(taking[1],),
-        flywheels=tuple(taking[2:]),
+        carrier=replace(stand.carrier, wrench_input=stand.carrier.name in bodies),
+        instruments=tuple(replace(one, wrench_input=one.name in bodies) for one in stand.instruments),
+        flywheels=tuple(replace(one, wrench_input=one.name in bodies) for one in stand.flywheels),
         hold=hold,
         phase_input="angle" if held else "sincos",
     )

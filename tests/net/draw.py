@@ -44,7 +44,7 @@ FRICTION = "[[hold.friction]]\nviscous = 0.4\ncoulomb = 0.3\nbreakaway = 0.5\nst
 STOPS = "[[hold.stop]]\nat = 0.5\nstiffness = 900.0\ndamping = 40.0\n[[hold.stop]]\nat = -0.4\nstiffness = 900.0\n"
 
 
-def drawn(number: int) -> Stand:
+def stand_of(number: int) -> Stand:
     """The stand of this number."""
     features = replace(KINDS[number % 4], angles=SEQUENCES[number % 3], flow=number % 5 == 0)
     stand = random_stand(np.random.default_rng(9000 + number), COUNTS[number % 10], features, f"random{number:02}")
@@ -60,6 +60,6 @@ def drawn(number: int) -> Stand:
 if __name__ == "__main__":
     STANDS.mkdir(exist_ok=True)
     for k in range(60):
-        text = dumps(drawn(k))
+        text = dumps(stand_of(k))
         assert dumps(loads(text)) == text
         (STANDS / f"random{k:02}.toml").write_text(text, encoding="utf-8", newline="\n")

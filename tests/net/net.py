@@ -40,8 +40,8 @@ def measure(task: tuple[str, str]) -> tuple[str, str, Any]:
         return kind, name, {"failed": f"{type(error).__name__}: {error}"}
 
 
-def kept(kind: str, name: str) -> Any:
-    """What is kept of a case; None: nothing."""
+def accepted(kind: str, name: str) -> Any:
+    """Hashes or answers of a case that were accepted; None: it is new."""
     if kind == "answer":
         file = ANSWERS / _file(name)
         return json.loads(file.read_text(encoding="utf-8")) if file.is_file() else None
@@ -49,8 +49,8 @@ def kept(kind: str, name: str) -> Any:
 
 
 def compare(kind: str, name: str, now: Any) -> list[str]:
-    """Lines that say where a case differs from what is kept of it."""
-    before = kept(kind, name)
+    """Lines that say where a case differs from what was accepted."""
+    before = accepted(kind, name)
     if before is None or "failed" in now:
         return [f"{name}: {'new' if before is None else now['failed']}"]
     if kind == "answer":

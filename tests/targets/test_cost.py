@@ -136,7 +136,7 @@ def costs(**changes: Any) -> Costs:
         *("m7", "Cortex-M7", "double", "0" * 64, "gcc 1.2.3", "-O2", "qemu 7.2.0"),
         *((one,), 5000, {"demo3_forward": 300}, {"demo3_default": 400}, 8, {"default": 328}),
     )
-    return Costs("demo3", "0", "1", 3, 1, (replace(found, **changes),))
+    return Costs("demo3", "0", "1", 3, (replace(found, **changes),))
 
 
 def rises(**changes: object) -> tuple[str, ...]:

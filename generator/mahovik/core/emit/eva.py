@@ -159,7 +159,7 @@ class _Writer:
     # ---- checks ----
 
     def contract(self, f: Function) -> dict[str, Any]:
-        """What a check says of finite arguments: they are within their limits, or it refuses them."""
+        """Contract of a check for finite arguments: they are within their limits, or it refuses them."""
         within = [
             f"-{limit} <= {place}[{i}] <= {limit}"
             for place, count, limit, _ in self._limits(f, "x->")

@@ -83,7 +83,7 @@ def _squares(values: Sequence[Expr]) -> Expr:
 
 
 def _add_square(body: Body, sums: Mapping[str, Place], name: str, value: Expr) -> None:
-    """Of a local: proofs by intervals see that a square of one variable is not negative, but not of an element."""
+    """Add the square of a local: intervals prove that a square of a variable is not negative, not one of an element."""
     read = body.let(name, value)
     body.add(sums[name], read * read)
 
@@ -124,7 +124,7 @@ def _look_at_sums(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place
 
 
 def state_limits(state: Struct, precision: Precision) -> list[tuple[str, int | NamedCount, Const]]:
-    """What is looked at in a state, in this order: a member, how many of its first numbers, their limit."""
+    """Members of a state that are checked, in this order: a member, how many of its first numbers, their limit."""
     limit = {name: found.expression for name, found in limits(precision).items()}
     size = {f.name: f.shape[0] for f in state.fields}
     found: list[tuple[str, int | NamedCount, Const]] = [

@@ -102,7 +102,7 @@ SHARE = 1e-3
 
 
 def asymmetries(raw: Any, blocks: Blocks, share: float = 0.0) -> list[tuple[str, str, bool]]:
-    """Pairs of elements of a matrix that differ, as the file has them: "[2][5] = 10.774 kg m"; and whether as rounded.
+    """Pairs of elements of a matrix that differ, as written: "[2][5] = 10.774 kg m"; and whether as rounded.
 
     As rounded they differ by at most one unit of the last printed digit, or by `share` of the diagonal.
     """

@@ -68,7 +68,8 @@ def evidence(
         raise UsageError("give a stand file, or --check DIR")
     if full and quick:
         raise UsageError("--full, --quick: give only one of them")
-    stand, functions = load_stand(stand_file), ()
+    stand = load_stand(stand_file)
+    functions: tuple[str, ...] = ()
     if against is not None:
         from mahovik.proof.verify.delivery import delivered_options
         from mahovik.proof.verify.folder_stand import stand_in

@@ -73,11 +73,11 @@ def fmu(
     """
     from mahovik.out.export.fmu import export_fmu
     from mahovik.out.functions.equilibrium import warn_of_turn
-    from mahovik.proof.verify.folder_stand import renamed
+    from mahovik.proof.verify.folder_stand import with_prefix
     from mahovik.use.simulate.case import load_start
     from mahovik.writing import probe, write
 
-    stand = renamed(load_stand(stand_file), prefix)
+    stand = with_prefix(load_stand(stand_file), prefix)
     target = Path(output if output is not None else f"{stand.name}.fmu")
     if kind == "me" and is_given("dt"):
         raise UsageError("--dt: model exchange has no internal step, the tool integrates; remove it, or use --kind cs")
@@ -112,11 +112,11 @@ def target(
     """
     from mahovik.out.export.target import exportable, project
     from mahovik.proof.verify.delivery import deliver
-    from mahovik.proof.verify.folder_stand import renamed
+    from mahovik.proof.verify.folder_stand import with_prefix
 
     stand_file, (name,) = stand_first(stand_file, further, {"--target": target_name}, former=("--target", STAND))
     found = exportable(name)
-    stand = renamed(load_stand(stand_file), prefix)
+    stand = with_prefix(load_stand(stand_file), prefix)
     chosen = real or found.real or "double"
     folder = Path(output if output is not None else f"{stand.name}-{name}")
     with progress(f"generate {stand.name} for {name}"):
@@ -250,9 +250,9 @@ def cmake(
     """
     from mahovik.out.export.cmake import cmake_project
     from mahovik.proof.verify.delivery import deliver
-    from mahovik.proof.verify.folder_stand import renamed
+    from mahovik.proof.verify.folder_stand import with_prefix
 
-    stand, chosen = renamed(load_stand(stand_file), prefix), only or ()
+    stand, chosen = with_prefix(load_stand(stand_file), prefix), only or ()
     files = cmake_project(stand, real, batch, chosen)
     done = deliver(Path(output or f"{stand.name}-cmake"), stand, real, files, "cmake", chosen)
     print_paths(done.paths, done.notes)

@@ -187,10 +187,10 @@ def generate(
     """
     from mahovik.core.emit.delivery import delivery
     from mahovik.proof.verify.delivery import deliver, provenance
-    from mahovik.proof.verify.folder_stand import renamed
+    from mahovik.proof.verify.folder_stand import with_prefix
 
     own = load_file(stand) if isinstance(stand, str | Path) else stand  # of a held carrier too
-    own = renamed(own, prefix)
+    own = with_prefix(own, prefix)
     tell(progress, Progress(f"generate {own.name}"))
     chosen = tuple(dict.fromkeys(only))
     files = delivery(own, real, batch, chosen)

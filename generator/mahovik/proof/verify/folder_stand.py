@@ -13,7 +13,7 @@ from mahovik.core.stand.names import stand_name_problem
 from mahovik.errors import CheckError, MahovikError, UsageError
 
 
-def renamed(stand: Stand, prefix: str | None) -> Stand:
+def with_prefix(stand: Stand, prefix: str | None) -> Stand:
     """The stand by another name, which is that of its files and the first word of every name in C. UsageError."""
     if prefix is None:
         return stand
@@ -30,8 +30,8 @@ def under_name(stand: Stand, name: str, physics: str | None) -> Stand | None:
     """
     if stand_name_problem(name) is not None:
         return None
-    renamed = stand if name == stand.name else replace(stand, name=name)
-    return renamed if identities(renamed).physics == physics else None
+    with_prefix = stand if name == stand.name else replace(stand, name=name)
+    return with_prefix if identities(with_prefix).physics == physics else None
 
 
 def stand_in(folder: Path, stand: Stand, refusal: type[MahovikError] = CheckError) -> Stand:

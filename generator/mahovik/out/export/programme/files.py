@@ -156,7 +156,7 @@ def _exceeded_bounds(stand: Stand, programme: Programme, motion: RequiredMotion 
     found = [str(words) for each in reports if isinstance(each, Mapping) for words in each.get("exceeded", ())]
     if found or motion is None:
         return found
-    t = np.arange(TIMES + (not programme.periodic)) * (programme.span / TIMES)
+    t = np.arange(TIMES + (not programme.periodic), dtype=np.float64) * (programme.span / TIMES)
     angles = Angles(*programme.at(t))
     tau = np.zeros_like(angles.phi)
     if motion.bounds.torque is not None:
