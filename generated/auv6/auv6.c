@@ -1,6 +1,5 @@
 /* auv6.c: motion of the stand "auv6". What each function does and takes: auv6.h.
  * mahovik 0.1.0; structure 192ea446, physics 002b2abc. Generated: change the stand file instead. */
-#define AUV6_LINK_CHECKED  /* callers refer to the symbol that this file defines */
 #include "auv6.h"
 
 #include <stddef.h>
@@ -9,9 +8,6 @@
 #if AUV6_STRUCTURE != 0x192ea446u || AUV6_PHYSICS != 0x002b2abcu
 #error "auv6.h and auv6.c are of different stands"
 #endif
-#if AUV6_LANES != 1
-#error "auv6.h and auv6.c were generated for different numbers of lanes"
-#endif
 #if AUV6_REAL_BYTES != 8
 #error "auv6.h and auv6.c were generated for different element types"
 #endif
@@ -19,19 +15,23 @@
 #error "auv6.h and auv6.c are of different versions of mahovik"
 #endif
 
-/* What callers with the right header refer to: an address without memory. */
-#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-__asm__(".globl auv6_link_double_lanes1_v0_1_0_002b2abc\n"
-        ".type auv6_link_double_lanes1_v0_1_0_002b2abc, %object\n"
-        ".size auv6_link_double_lanes1_v0_1_0_002b2abc, 1\n"
-        ".set auv6_link_double_lanes1_v0_1_0_002b2abc, 0\n");
-#endif
+#include <float.h>
+#include <limits.h>
 
-/* Fast math leaves out the roundings that the code relies on: wrong results with status OK. What the compiler
- * shows of it is refused here; clang does not show -funsafe-math-optimizations. */
+/* Other numbers than those of IEEE 754, and fast math, which leaves out roundings that the code relies on,
+ * give wrong results with status OK. What the compiler shows of them is refused here; clang does not show
+ * -funsafe-math-optimizations. */
+#if FLT_RADIX != 2 || DBL_MANT_DIG != 53
+#error "wrong results: auv6 needs a double of 64 bits, 53 of them significant"
+#endif
+#if INT_MAX < 2147483647
+#error "wrong counts: auv6 needs an int of 32 bits"
+#endif
 #ifndef AUV6_ALLOW_FAST_MATH
 #if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined _M_FP_FAST
 #error "wrong results: compile auv6 without -ffast-math, -Ofast and -funsafe-math-optimizations"
+#elif FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16
+#error "wrong results: x87 keeps more digits: compile auv6 with -msse2 -mfpmath=sse"
 #endif
 #if defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ == 1
 #error "inputs that are NaN would pass: compile auv6 without -ffinite-math-only"
@@ -71,6 +71,22 @@ typedef struct auv6_sums {
     auv6_real a_rel[3];   /* N; d/dt of the force part */
 } auv6_sums;
 
+/* A symmetric 3x3 matrix factored, L D L^T. */
+typedef struct auv6_factors3 {
+    auv6_real r1;   /* 1 / D, of the last D itself */
+    auv6_real r2;
+    auv6_real d3;
+    auv6_real l21;  /* L below its diagonal */
+    auv6_real l31;
+    auv6_real l32;
+} auv6_factors3;
+
+/* K of the carrier factored. */
+typedef struct auv6_carrier_factor {
+    auv6_real U[9];   /* m; A^-1 B^T */
+    auv6_factors3 L;  /* what is left of the inertia */
+} auv6_carrier_factor;
+
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
 typedef struct auv6_coupling {
     auv6_real I_[6];  /* kg m, kg m2; column of I (9) */
@@ -83,6 +99,13 @@ typedef struct auv6_schur {
     auv6_real B[9];  /* kg m; moment by v*, row by row */
     auv6_real D[6];  /* kg m2; moment by omega*: 11 22 33 12 13 23 */
 } auv6_schur;
+
+/* K with free flywheels eliminated, factored. */
+typedef struct auv6_schur_factor {
+    auv6_real A_inv[6];  /* 1/kg */
+    auv6_real U[9];      /* m; A^-1 B^T */
+    auv6_factors3 L;     /* D - B A^-1 B^T */
+} auv6_schur_factor;
 
 /* Scratch of inverse. */
 typedef struct auv6_inverse_work {
@@ -230,7 +253,6 @@ static auv6_status auv6_within(const auv6_real values[], int count, auv6_real li
 AUV6_CODE
 static auv6_status auv6_check_state(const auv6_state *x)
 {
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
     {
         auv6_real position2, velocity2, speed2, phase2;
         position2 = 0.0;
@@ -238,13 +260,18 @@ static auv6_status auv6_check_state(const auv6_state *x)
         speed2 = 0.0;
         phase2 = 0.0;
         for (int i = 0; i < 3; ++i) {
-            position2 += x->position[i] * x->position[i];
-            velocity2 += x->V[i] * x->V[i];
-            speed2 += x->V[i + 3] * x->V[i + 3];
+            const auv6_real position = x->position[i];
+            position2 += position * position;
+            const auv6_real velocity = x->V[i];
+            velocity2 += velocity * velocity;
+            const auv6_real speed = x->V[i + 3];
+            speed2 += speed * speed;
         }
         for (int s = 0; s < AUV6_N; ++s) {
-            phase2 += x->phi[s] * x->phi[s];
-            speed2 += x->phi_dot[s] * x->phi_dot[s];
+            const auv6_real phase = x->phi[s];
+            phase2 += phase * phase;
+            const auv6_real speed = x->phi_dot[s];
+            speed2 += speed * speed;
         }
         const auv6_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
             + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -252,7 +279,6 @@ static auv6_status auv6_check_state(const auv6_state *x)
             && velocity2 < AUV6_MAX_VELOCITY * AUV6_MAX_VELOCITY && speed2 < AUV6_MAX_SPEED * AUV6_MAX_SPEED
             && phase2 < AUV6_MAX_PHASE * AUV6_MAX_PHASE) { return AUV6_OK; }
     }
-#endif
     auv6_status status = auv6_within(x->position, 3, AUV6_MAX_POSITION);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(x->attitude, 4, 2.0);
@@ -273,7 +299,7 @@ static auv6_status auv6_check_state(const auv6_state *x)
 
 /* Rotation matrix of a quaternion of any length: no square root is needed. */
 AUV6_CODE
-static void auv6_rotation(const auv6_real q[4], auv6_real C[restrict 9])
+static void auv6_rotation(const auv6_real q[4], auv6_real *restrict C /* [9] */)
 {
     const auv6_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
@@ -289,7 +315,7 @@ static void auv6_rotation(const auv6_real q[4], auv6_real C[restrict 9])
 
 /* C^T a: components from the outer axes to the rotated axes. */
 AUV6_CODE
-static void auv6_rotate_back(const auv6_real C[9], const auv6_real a[3], auv6_real out[restrict 3])
+static void auv6_rotate_back(const auv6_real C[9], const auv6_real a[3], auv6_real *restrict out /* [3] */)
 {
     out[0] = C[0] * a[0] + C[3] * a[1] + C[6] * a[2];
     out[1] = C[1] * a[0] + C[4] * a[1] + C[7] * a[2];
@@ -300,8 +326,8 @@ static void auv6_rotate_back(const auv6_real C[9], const auv6_real a[3], auv6_re
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 AUV6_CODE
-static void auv6_sincos_each(const auv6_real x[AUV6_N], auv6_real sine[restrict AUV6_N],
-                             auv6_real cosine[restrict AUV6_N])
+static void auv6_sincos_each(const auv6_real x[AUV6_N], auv6_real *restrict sine /* [AUV6_N] */,
+                             auv6_real *restrict cosine /* [AUV6_N] */)
 {
     for (int s = 0; s < AUV6_N; ++s) {
         /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the
@@ -474,7 +500,7 @@ static AUV6_COPIED void auv6_sum_spin(const auv6_table *table, const auv6_real s
 
 /* Adds the damping of one body to its wrench, both in the body's own frame, (7). */
 AUV6_CODE
-static void auv6_damp(const auv6_damper *damper, const auv6_real V[6], auv6_real P[restrict 6])
+static void auv6_damp(const auv6_damper *damper, const auv6_real V[6], auv6_real *restrict P /* [6] */)
 {
     auv6_real x[12];  /* u v w p q r and their magnitudes */
     x[0] = V[0];  x[1] = V[1];  x[2] = V[2];
@@ -499,7 +525,7 @@ static void auv6_damp(const auv6_damper *damper, const auv6_real V[6], auv6_real
 /* Total external wrench of weight, buoyancy, damping, from checked inputs, (7). */
 AUV6_CODE
 static void auv6_external(const auv6_table *table, const auv6_sums *sum, const auv6_real V[6],
-                          const auv6_real g[3], auv6_real F[restrict 6])
+                          const auv6_real g[3], auv6_real *restrict F /* [6] */)
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -517,7 +543,7 @@ static void auv6_external(const auv6_table *table, const auv6_sums *sum, const a
 /* Momentum screw Z = K V + sum I phi' of the sums, (2). */
 AUV6_CODE
 static void auv6_momentum_screw(const auv6_table *table, const auv6_sums *sum, const auv6_real V[6],
-                                auv6_real Z[restrict 6])
+                                auv6_real *restrict Z /* [6] */)
 {
     Z[0] = table->A[0] * V[0] + table->A[3] * V[1] + table->A[4] * V[2] + table->G[0] * V[3]
         + (table->G[3] + sum->mu[2]) * V[4] + (table->G[6] - sum->mu[1]) * V[5] + sum->mu_dot[0];
@@ -536,7 +562,7 @@ static void auv6_momentum_screw(const auv6_table *table, const auv6_sums *sum, c
 /* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (2), (4), (5). */
 AUV6_CODE
 static void auv6_subtract_rates(const auv6_table *table, const auv6_sums *sum, const auv6_real V[6],
-                                auv6_real F[restrict 6])
+                                auv6_real *restrict F /* [6] */)
 {
     /* momentum screw Z = K V + sum I phi' */
     const auv6_real Z1 = table->A[0] * V[0] + table->A[3] * V[1] + table->A[4] * V[2] + table->G[0] * V[3]
@@ -592,7 +618,7 @@ static auv6_status auv6_factor3(const auv6_real S[6], auv6_factors3 *restrict L)
 
 /* Solves S y = b by S = L D L^T. */
 AUV6_CODE
-static inline void auv6_solve3(const auv6_factors3 *L, const auv6_real b[3], auv6_real y[restrict 3])
+static inline void auv6_solve3(const auv6_factors3 *L, const auv6_real b[3], auv6_real *restrict y /* [3] */)
 {
     /* L z = b, then L^T y = D^-1 z */
     const auv6_real z2 = b[1] - L->l21 * b[0];
@@ -636,7 +662,7 @@ static auv6_status auv6_factor_carrier(const auv6_table *table, const auv6_sums 
 /* Solves K y = F by the factors of K, (8). */
 AUV6_CODE
 static void auv6_solve_carrier(const auv6_table *table, const auv6_carrier_factor *K, const auv6_real F[6],
-                               auv6_real y[restrict 6])
+                               auv6_real *restrict y /* [6] */)
 {
     auv6_real moment[3];  /* n - B A^-1 f */
     auv6_real omega_dot[3];
@@ -658,7 +684,7 @@ static void auv6_solve_carrier(const auv6_table *table, const auv6_carrier_facto
 AUV6_CODE
 static auv6_status auv6_accelerate(const auv6_table *table, const auv6_state *x,
                                    const auv6_real sine[AUV6_N], const auv6_real cosine[AUV6_N],
-                                   const auv6_real phi_ddot[AUV6_N], auv6_real V_dot[restrict 6])
+                                   const auv6_real phi_ddot[AUV6_N], auv6_real *restrict V_dot /* [6] */)
 {
     auv6_status status;
     auv6_real C[9];  /* attitude */
@@ -964,7 +990,7 @@ static AUV6_COPIED void auv6_couple(const auv6_row *row, auv6_real s, auv6_real 
 /* Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 AUV6_CODE
 static void auv6_eliminate(const auv6_real column[6], auv6_real spin_inv, auv6_real rate,
-                           auv6_schur *restrict K, auv6_real F[restrict 6])
+                           auv6_schur *restrict K, auv6_real *restrict F /* [6] */)
 {
     auv6_real scaled[6];  /* I / Theta_ff */
     scaled[0] = column[0] * spin_inv;  scaled[1] = column[1] * spin_inv;  scaled[2] = column[2] * spin_inv;
@@ -984,7 +1010,7 @@ static void auv6_eliminate(const auv6_real column[6], auv6_real spin_inv, auv6_r
 AUV6_CODE
 static void auv6_balance(const auv6_table *table, const auv6_state *x, const auv6_real sine[AUV6_N],
                          const auv6_real cosine[AUV6_N], const auv6_real V_dot[6],
-                         const auv6_real phi_ddot[AUV6_N], auv6_real tau[restrict AUV6_N])
+                         const auv6_real phi_ddot[AUV6_N], auv6_real *restrict tau /* [AUV6_N] */)
 {
     auv6_real C[9];  /* attitude */
     auv6_rotation(x->attitude, C);
@@ -1109,7 +1135,8 @@ static auv6_status auv6_factor_schur(const auv6_schur *K, auv6_schur_factor *res
 
 /* Solves [A B^T; B D] y = F by the factors. */
 AUV6_CODE
-static void auv6_solve_schur(const auv6_schur_factor *factor, const auv6_real F[6], auv6_real y[restrict 6])
+static void auv6_solve_schur(const auv6_schur_factor *factor, const auv6_real F[6],
+                             auv6_real *restrict y /* [6] */)
 {
     auv6_real moment[3];  /* n - B A^-1 f */
     auv6_real omega_dot[3];
@@ -1131,7 +1158,8 @@ AUV6_CODE
 static auv6_status auv6_solve_coupled(const auv6_table *table, const auv6_state *x,
                                       const auv6_real sine[AUV6_N], const auv6_real cosine[AUV6_N],
                                       const auv6_real tau[AUV6_N], const int locked[AUV6_N],
-                                      auv6_real V_dot[restrict 6], auv6_real phi_ddot[restrict AUV6_N])
+                                      auv6_real *restrict V_dot /* [6] */,
+                                      auv6_real *restrict phi_ddot /* [AUV6_N] */)
 {
     auv6_status status;
     auv6_real C[9];  /* attitude */
@@ -1651,7 +1679,7 @@ auv6_status auv6_accumulate(auv6_encoder *encoder, int counter, int bits, int pe
 /* Change of the damping of one body with its twist, (7). */
 AUV6_CODE
 static void auv6_damp_slope(const auv6_damper *damper, const auv6_real V[6], const auv6_real change[6],
-                            auv6_real P[restrict 6])
+                            auv6_real *restrict P /* [6] */)
 {
     auv6_real x[12];  /* u v w p q r and their magnitudes */
     auv6_real dx[12];  /* their changes with the twist */
@@ -1694,7 +1722,7 @@ static void auv6_damp_slope(const auv6_damper *damper, const auv6_real V[6], con
 /* Derivative of F - Phi Z - K* V by the twist, (8). */
 AUV6_CODE
 static void auv6_twist_slope(const auv6_table *table, const auv6_real V[6], const auv6_real Z[6],
-                             const auv6_matrices_result *m, auv6_real slope[restrict 36])
+                             const auv6_matrices_result *m, auv6_real *restrict slope /* [36] */)
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1731,7 +1759,7 @@ static void auv6_twist_slope(const auv6_table *table, const auv6_real V[6], cons
 /* Change of F - Phi Z - K* V - (a, g) - K V* with the harmonic weights of one flywheel, (8). */
 AUV6_CODE
 static void auv6_row_slope(const auv6_row *row, const auv6_real weight[12], const auv6_real V[6],
-                           const auv6_real V_dot[6], const auv6_real g[3], auv6_real out[restrict 6])
+                           const auv6_real V_dot[6], const auv6_real g[3], auv6_real *restrict out /* [6] */)
 {
     auv6_sums change;  /* change of the sums */
     auv6_real Z[6];  /* change of the momentum screw */
@@ -1964,8 +1992,6 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
     auv6_real sine[AUV6_N];
     auv6_real cosine[AUV6_N];
     auv6_sincos_each(x->phi, sine, cosine);
-    status = auv6_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
-    if (status != AUV6_OK) { return status; }
     auv6_real C[9];  /* attitude */
     auv6_rotation(x->attitude, C);
     auv6_real u[3];  /* stream in E1 */
@@ -1978,14 +2004,9 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
     auv6_sums sum;
     auv6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     auv6_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
-    auv6_coupling drive[AUV6_N];
-    auv6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
-    origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
-    origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
-    origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
-    auv6_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
-    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
-    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
+    auv6_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
+    auv6_external(table, &sum, V, g, F);
+    auv6_subtract_rates(table, &sum, V, F);
     auv6_schur K;  /* mass matrix with free flywheels eliminated */
     K.A[0] = table->A[0];  K.A[1] = table->A[1];  K.A[2] = table->A[2];
     K.A[3] = table->A[3];  K.A[4] = table->A[4];  K.A[5] = table->A[5];
@@ -1994,23 +2015,38 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
     K.B[6] = table->G[6] - sum.mu[1];  K.B[7] = table->G[7] + sum.mu[0];  K.B[8] = table->G[8];
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
-    auv6_real none[6];  /* right-hand side */
-    none[0] = 0.0;  none[1] = 0.0;  none[2] = 0.0;
-    none[3] = 0.0;  none[4] = 0.0;  none[5] = 0.0;
+    auv6_coupling drive[AUV6_N];
+    auv6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
+    origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
+    origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
+    origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    auv6_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
+    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
+    auv6_real rate[AUV6_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         if (locked[s] == 0) {
-            auv6_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, none);
+            auv6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
+            rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
+            auv6_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
+        } else {
+            drive[s].I_[0] = 0.0;  drive[s].I_[1] = 0.0;  drive[s].I_[2] = 0.0;
+            drive[s].I_[3] = 0.0;  drive[s].I_[4] = 0.0;  drive[s].I_[5] = 0.0;
+            rate[s] = 0.0;
         }
     }
     auv6_schur_factor factor;
     status = auv6_factor_schur(&K, &factor);
     if (status != AUV6_OK) { return status; }
-    auv6_real drift[3];  /* omega x C^T u */
-    drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
-    drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
-    drift[2] = u[1] * x->V[3] - u[0] * x->V[4];
-    V_result[0] += drift[0];  V_result[1] += drift[1];  V_result[2] += drift[2];
+    auv6_solve_schur(&factor, F, V_result);
+    for (int s = 0; s < AUV6_N; ++s) {
+        phi_result[s] = 0.0;
+        if (locked[s] == 0) {
+            phi_result[s] = rate[s] - (V_result[0] * drive[s].I_[0] + V_result[1] * drive[s].I_[1]
+                + V_result[2] * drive[s].I_[2] + V_result[3] * drive[s].I_[3] + V_result[4] * drive[s].I_[4]
+                + V_result[5] * drive[s].I_[5]) * table->flywheel[s].spin_inv;
+        }
+    }
     auv6_real Z[6];  /* momentum screw (2) */
     auv6_momentum_screw(table, &sum, V, Z);
     auv6_matrices_result m;
@@ -2139,9 +2175,6 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             auv6_row_slope(&table->flywheel[s], change, V, V_result, g, rhs);
-            for (int t = 0; t < AUV6_N; ++t) {
-                drive_rhs[t] = 0.0;
-            }
             auv6_real mu_pp[3];  /* d2 mu / dphi2 */
             auv6_real J_pp[6];  /* d2 J / dphi2 */
             auv6_real I_p[6];  /* dI / dphi */
@@ -2166,19 +2199,17 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
             I_p[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
             I_p[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
             I_p[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
-            drive_rhs[s] = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
+            const auv6_real side = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
                 + V_result[3] * I_p[3] + V_result[4] * I_p[4] + V_result[5] * I_p[5]
                 + (mu_pp[0] * origin_acceleration[0] + mu_pp[1] * origin_acceleration[1]
                 + mu_pp[2] * origin_acceleration[2]
                 - 0.5 * (J_pp[0] * V[3] + J_pp[3] * V[4] + J_pp[4] * V[5]) * V[3]
                 - 0.5 * (J_pp[1] * V[4] + J_pp[3] * V[3] + J_pp[5] * V[5]) * V[4]
                 - 0.5 * (J_pp[2] * V[5] + J_pp[4] * V[3] + J_pp[5] * V[4]) * V[5]));
-            for (int t = 0; t < AUV6_N; ++t) {
-                if (locked[t] == 0) {
-                    const auv6_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                    for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I_[i] * share;
-                    }
+            if (locked[s] == 0) {
+                const auv6_real share = side * table->flywheel[s].spin_inv;
+                for (int i = 0; i < 6; ++i) {
+                    rhs[i] -= drive[s].I_[i] * share;
                 }
             }
             auv6_solve_schur(&factor, rhs, y);
@@ -2188,7 +2219,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
             for (int t = 0; t < AUV6_N; ++t) {
                 out->phi_ddot_phi[t][s] = 0.0;
                 if (locked[t] == 0) {
-                    out->phi_ddot_phi[t][s] = (drive_rhs[t]
+                    out->phi_ddot_phi[t][s] = (((t == s) ? side : 0.0)
                         - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                         + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
@@ -2201,17 +2232,6 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             auv6_row_slope(&table->flywheel[s], change, V, V_result, g, rhs);
-            for (int t = 0; t < AUV6_N; ++t) {
-                drive_rhs[t] = 0.0;
-            }
-            for (int t = 0; t < AUV6_N; ++t) {
-                if (locked[t] == 0) {
-                    const auv6_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                    for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I_[i] * share;
-                    }
-                }
-            }
             auv6_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
@@ -2219,7 +2239,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
             for (int t = 0; t < AUV6_N; ++t) {
                 out->phi_ddot_phi_dot[t][s] = 0.0;
                 if (locked[t] == 0) {
-                    out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
+                    out->phi_ddot_phi_dot[t][s] = (0.0
                         - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                         + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
@@ -2228,12 +2248,9 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
         }
         rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
         rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
-        for (int t = 0; t < AUV6_N; ++t) {
-            drive_rhs[t] = 0.0;
-        }
-        drive_rhs[s] = 1.0;
+        const auv6_real side = 1.0;
         if (locked[s] == 0) {
-            const auv6_real share = drive_rhs[s] * table->flywheel[s].spin_inv;
+            const auv6_real share = side * table->flywheel[s].spin_inv;
             for (int i = 0; i < 6; ++i) {
                 rhs[i] -= drive[s].I_[i] * share;
             }
@@ -2245,7 +2262,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
         for (int t = 0; t < AUV6_N; ++t) {
             out->phi_ddot_tau[t][s] = 0.0;
             if (locked[t] == 0) {
-                out->phi_ddot_tau[t][s] = (drive_rhs[t]
+                out->phi_ddot_tau[t][s] = (((t == s) ? side : 0.0)
                     - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                     + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
@@ -2442,7 +2459,8 @@ static auv6_status auv6_demand(const auv6_table *table, const auv6_state *x, con
 
 /* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 AUV6_CODE
-static void auv6_solve_gram(auv6_real gram[restrict 6][6], auv6_real z[restrict 6], auv6_real least)
+static void auv6_solve_gram(auv6_real (*restrict gram)[6] /* [6][6] */, auv6_real *restrict z /* [6] */,
+                            auv6_real least)
 {
     for (int j = 0; j < 6; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -2474,7 +2492,7 @@ static void auv6_solve_gram(auv6_real gram[restrict 6][6], auv6_real z[restrict 
  * share, (12). */
 AUV6_CODE
 static void auv6_allocate(const auv6_inverse_work *work, const auv6_inverse_options *options, int rank,
-                          auv6_real phi_ddot[restrict AUV6_N], int limited[restrict AUV6_N])
+                          auv6_real *restrict phi_ddot /* [AUV6_N] */, int *restrict limited /* [AUV6_N] */)
 {
     auv6_real share[AUV6_N];  /* 1/weight */
     auv6_real give[AUV6_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
@@ -2482,128 +2500,150 @@ static void auv6_allocate(const auv6_inverse_work *work, const auv6_inverse_opti
     auv6_real row[6];  /* factor of each row; 0: the row is left out */
     auv6_real gram[6][6];
     auv6_real z[6];
+    int going, weighted;
+    int settled;  /* 1 after a whole step that gains nothing and frees nobody */
+    auv6_real square_before;  /* square of the residual after the last whole step */
+    going = 1;
+    weighted = 1;
+    square_before = 1.7976931348623157e308;
     /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < AUV6_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
         share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 10; ++pass) {
-        auv6_real most = 0.0;
-        for (int s = 0; s < AUV6_N; ++s) {
-            if (pass >= 9) {
-                share[s] = 1.0;
-            }
-            give[s] = (limited[s] > 0) ? 0.0 : share[s];
-            most = (give[s] > most) ? give[s] : most;
-        }
-        const auv6_real regular = 1.0e-12 * most;
-        /* lower bound that keeps the diagonal positive */
-        const auv6_real least = (most > 0.0) ? regular : 1.0;
-        for (int i = 0; i < 6; ++i) {
-            row[i] = 0.0;
-            if (i < rank) {
-                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
-            }
-        }
-        for (int i = 0; i < 6; ++i) {
-            auv6_real left = work->r[i];
+    for (int pass = 0; pass < 40; ++pass) {
+        if (going > 0) {
+            auv6_real most = 0.0;
             for (int s = 0; s < AUV6_N; ++s) {
-                left -= work->W[i][s] * phi_ddot[s];
+                give[s] = (limited[s] > 0) ? 0.0 : share[s];
+                most = (give[s] > most) ? give[s] : most;
             }
-            z[i] = row[i] * left;
-        }
-        auv6_real weighed[AUV6_N];  /* a row of W Omega^-1 */
-        for (int i = 0; i < 6; ++i) {
-            for (int s = 0; s < AUV6_N; ++s) {
-                weighed[s] = work->W[i][s] * give[s];
-            }
-            for (int j = 0; j < i + 1; ++j) {
-                auv6_real total = 0.0;
-                for (int s = 0; s < AUV6_N; ++s) {
-                    total += weighed[s] * work->W[j][s];
-                }
-                gram[i][j] = row[i] * row[j] * total;
-            }
-            gram[i][i] += least;
-        }
-        auv6_solve_gram(gram, z, least);
-        for (int i = 0; i < 6; ++i) {
-            z[i] = row[i] * z[i];
-        }
-        for (int s = 0; s < AUV6_N; ++s) {
-            auv6_real total = 0.0;
+            const auv6_real regular = 1.0e-12 * most;
+            /* lower bound that keeps the diagonal positive */
+            const auv6_real least = (most > 0.0) ? regular : 1.0;
             for (int i = 0; i < 6; ++i) {
-                total += work->W[i][s] * z[i];
-            }
-            step[s] = give[s] * total;
-        }
-        if (pass < 1) {
-            for (int s = 0; s < AUV6_N; ++s) {
-                phi_ddot[s] = step[s];
-                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
-                    const auv6_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
+                row[i] = 0.0;
+                if (i < rank) {
+                    row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
                 }
             }
-        } else {
-            /* go as far as all limits allow; hold the flywheel that reaches its limit */
-            auv6_real length = 1.0;
-            int stopped = -1;
-            for (int s = 0; s < AUV6_N; ++s) {
-                const auv6_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
-                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
-                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
-                    const auv6_real room = options->limit[s] / work->scale[s]
-                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
-                    const auv6_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
-                    if (part < length) {
-                        length = (part > 0.0) ? part : 0.0;
-                        stopped = s;
-                    }
-                }
-            }
-            for (int s = 0; s < AUV6_N; ++s) {
-                phi_ddot[s] += length * step[s];
-                if (stopped == s) {
-                    const auv6_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
-                }
-            }
-            /* after a full step, release the held flywheel that would lower the residual most */
-            if (stopped < 0) {
-                auv6_real left[6];
-                auv6_real wanted = 0.0;
-                for (int i = 0; i < 6; ++i) {
-                    wanted += work->r[i] * work->r[i];
-                    left[i] = (i < rank) ? work->r[i] : 0.0;
-                    if (i < rank) {
-                        for (int s = 0; s < AUV6_N; ++s) {
-                            left[i] -= work->W[i][s] * phi_ddot[s];
-                        }
-                    }
-                }
-                auv6_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
-                int freed = -1;
+            for (int i = 0; i < 6; ++i) {
+                auv6_real left = work->r[i];
                 for (int s = 0; s < AUV6_N; ++s) {
-                    if (limited[s] > 0) {
-                        auv6_real slope = 0.0;
-                        auv6_real size = 0.0;
-                        for (int i = 0; i < 6; ++i) {
-                            slope += work->W[i][s] * left[i];
-                            size += work->W[i][s] * work->W[i][s];
-                        }
-                        const auv6_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
-                        if (inward > 0.0 && inward * inward > best * size) {
-                            best = inward * inward / size;
-                            freed = s;
+                    left -= work->W[i][s] * phi_ddot[s];
+                }
+                z[i] = row[i] * left;
+            }
+            auv6_real weighed[AUV6_N];  /* a row of W Omega^-1 */
+            for (int i = 0; i < 6; ++i) {
+                for (int s = 0; s < AUV6_N; ++s) {
+                    weighed[s] = work->W[i][s] * give[s];
+                }
+                for (int j = 0; j < i + 1; ++j) {
+                    auv6_real total = 0.0;
+                    for (int s = 0; s < AUV6_N; ++s) {
+                        total += weighed[s] * work->W[j][s];
+                    }
+                    gram[i][j] = row[i] * row[j] * total;
+                }
+                gram[i][i] += least;
+            }
+            auv6_solve_gram(gram, z, least);
+            for (int i = 0; i < 6; ++i) {
+                z[i] = row[i] * z[i];
+            }
+            for (int s = 0; s < AUV6_N; ++s) {
+                auv6_real total = 0.0;
+                for (int i = 0; i < 6; ++i) {
+                    total += work->W[i][s] * z[i];
+                }
+                step[s] = give[s] * total;
+            }
+            settled = 0;
+            if (pass < 1) {
+                for (int s = 0; s < AUV6_N; ++s) {
+                    phi_ddot[s] = step[s];
+                    if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                        const auv6_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+            } else {
+                /* go as far as all limits allow; hold the flywheel that reaches its limit */
+                auv6_real length = 1.0;
+                int stopped = -1;
+                for (int s = 0; s < AUV6_N; ++s) {
+                    const auv6_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                    if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                        && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
+                        const auv6_real room = options->limit[s] / work->scale[s]
+                            - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                        const auv6_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                        if (part < length) {
+                            length = (part > 0.0) ? part : 0.0;
+                            stopped = s;
                         }
                     }
                 }
-                if (freed >= 0) {
-                    limited[freed] = 0;
+                for (int s = 0; s < AUV6_N; ++s) {
+                    phi_ddot[s] += length * step[s];
+                    if (stopped == s) {
+                        const auv6_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+                /* after a full step, release the held flywheel that would lower the residual most */
+                if (stopped < 0) {
+                    auv6_real left[6];
+                    auv6_real wanted;
+                    auv6_real square;  /* of the residual */
+                    wanted = 0.0;
+                    square = 0.0;
+                    for (int i = 0; i < 6; ++i) {
+                        wanted += work->r[i] * work->r[i];
+                        left[i] = (i < rank) ? work->r[i] : 0.0;
+                        if (i < rank) {
+                            for (int s = 0; s < AUV6_N; ++s) {
+                                left[i] -= work->W[i][s] * phi_ddot[s];
+                            }
+                        }
+                        square += left[i] * left[i];
+                    }
+                    auv6_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
+                    int freed = -1;
+                    for (int s = 0; s < AUV6_N; ++s) {
+                        if (limited[s] > 0) {
+                            auv6_real slope = 0.0;
+                            auv6_real size = 0.0;
+                            for (int i = 0; i < 6; ++i) {
+                                slope += work->W[i][s] * left[i];
+                                size += work->W[i][s] * work->W[i][s];
+                            }
+                            const auv6_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                            if (inward > 0.0 && inward * inward > best * size) {
+                                best = inward * inward / size;
+                                freed = s;
+                            }
+                        }
+                    }
+                    if (freed >= 0) {
+                        limited[freed] = 0;
+                    } else {
+                        if (!(square > best && square < square_before * 0.999999999)) {
+                            settled = 1;
+                        }
+                    }
+                    square_before = square;
+                }
+            }
+            if (pass >= 8 && (settled > 0 || pass == 20)) {
+                going = weighted;
+                weighted = 0;
+                for (int s = 0; s < AUV6_N; ++s) {
+                    share[s] = 1.0;
                 }
             }
         }
@@ -2688,7 +2728,8 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
     status = auv6_within(options->weight, AUV6_N, AUV6_MAX_WEIGHT);
     if (status != AUV6_OK) { return status; }
     auv6_real shares[2];
-    shares[0] = options->near;     shares[1] = options->damping;
+    shares[0] = options->near_singular;
+    shares[1] = options->damping;
     status = auv6_within(shares, 2, AUV6_LARGEST);
     if (status != AUV6_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return AUV6_BAD_ARGUMENT; }
@@ -2756,11 +2797,12 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
         if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
             rank = rank + 1;
             const auv6_real ratio = work.sigma[i] / work.sigma[0];
-            if (ratio < options->near) {
+            if (ratio < options->near_singular) {
                 flags = flags | AUV6_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
                     flags = flags | AUV6_DAMPED;
-                    const auv6_real lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const auv6_real lambda = options->damping * work.sigma[0]
+                        * (1.0 - ratio / options->near_singular);
                     const auv6_real square = work.sigma[i] * work.sigma[i];
                     work.r[i] = work.r[i] * (square / (square + lambda * lambda));
                     damping = (lambda > damping) ? lambda : damping;
@@ -3247,7 +3289,7 @@ auv6_status auv6_generalized(const auv6_table *table, const auv6_state *x, const
 /* Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 AUV6_CODE
 static auv6_status auv6_frame_of_axes(const auv6_real axis[3], const auv6_real zero[3],
-                                      auv6_real R[restrict 9])
+                                      auv6_real *restrict R /* [9] */)
 {
     auv6_status status;
     if (!(axis[0] * axis[0] + axis[1] * axis[1]
@@ -3289,8 +3331,8 @@ static auv6_status auv6_frame_of_axes(const auv6_real axis[3], const auv6_real z
 /* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 AUV6_CODE
 static void auv6_carry(auv6_real m, const auv6_real b[3], const auv6_real J[6], const auv6_real O[3],
-                       const auv6_real R[9], auv6_real mu[restrict 3], auv6_real J1[restrict 6], int spins,
-                       auv6_real t[restrict 3])
+                       const auv6_real R[9], auv6_real *restrict mu /* [3] */,
+                       auv6_real *restrict J1 /* [6] */, int spins, auv6_real *restrict t /* [3] */)
 {
     auv6_real b1[3];  /* R b */
     auv6_real RJ[9];  /* R J */
@@ -3406,7 +3448,7 @@ static auv6_status auv6_check_dry_body(const auv6_dry_body *body)
 /* Origin and axes (at phi = 0) of a flywheel in E1. */
 AUV6_CODE
 static auv6_status auv6_place_flywheel(const auv6_parameters *parameters, const auv6_flywheel *w,
-                                       auv6_real O[restrict 3], auv6_real R[restrict 9])
+                                       auv6_real *restrict O /* [3] */, auv6_real *restrict R /* [9] */)
 {
     auv6_status status;
     if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
@@ -3490,7 +3532,8 @@ static auv6_status auv6_check_added_mass(const auv6_real added_mass[6][6])
 /* Constant translational block of K with added mass, A = m E + Lambda_11, and its inverse, (2). */
 AUV6_CODE
 static auv6_status auv6_translation_block(const auv6_parameters *parameters, auv6_real mass,
-                                          auv6_real A[restrict 6], auv6_real A_inv[restrict 6])
+                                          auv6_real *restrict A /* [6] */,
+                                          auv6_real *restrict A_inv /* [6] */)
 {
     A[0] = mass + parameters->added_mass[0][0];
     A[1] = mass + parameters->added_mass[1][1];
@@ -3746,7 +3789,7 @@ auv6_status auv6_prepare(const auv6_parameters *parameters, auv6_table *table)
 
 /* L^T V: a twist carried to Os, in mounting axes. */
 AUV6_CODE
-static void auv6_carry_twist(const auv6_mount *mount, const auv6_real V[6], auv6_real U[restrict 6])
+static void auv6_carry_twist(const auv6_mount *mount, const auv6_real V[6], auv6_real *restrict U /* [6] */)
 {
     auv6_real velocity[3];  /* velocity of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
@@ -3764,7 +3807,7 @@ static void auv6_carry_twist(const auv6_mount *mount, const auv6_real V[6], auv6
 AUV6_CODE
 static void auv6_mount_wrench(const auv6_mount *mount, auv6_real s, auv6_real c, auv6_real phi_dot,
                               auv6_real phi_ddot, const auv6_real V[6], const auv6_real V_dot[6],
-                              const auv6_real g[3], auv6_real W[restrict 6])
+                              const auv6_real g[3], auv6_real *restrict W /* [6] */)
 {
     auv6_real U[6];  /* twist of the mount at Os */
     auv6_real turned[6];  /* in Es */
@@ -4123,17 +4166,92 @@ const auv6_parameters auv6_default_parameters =
         {  0.0,  0.8,  0.0,  0.0,  0.0,  0.9 },
     },
     .instrument = {
-        /*     mass       center_of_mass[3]        inertia[6]                                  displaced_mass       displaced_center[3]       position[3]                         axis[3]                                                             zero[3] */
-        { { 3.0, { 0.02, 0.0, 0.0 }, { 0.006, 0.01, 0.01, 0.0, 0.0, 0.0 },           2.0, { 0.03, 0.0, 0.005 } }, { 0.45, 0.02, -0.05 }, { 0.975170327201816, 0.09784339500725571, 0.19866933079506122 }, { -0.10958837370268625, 0.9927693904150062, 0.04898291339046185 } },  /* sonar */
+        {  /* sonar */
+            .body = {
+                .mass = 3.0,
+                .center_of_mass = { 0.02, 0.0, 0.0 },
+                .inertia = { 0.006, 0.01, 0.01, 0.0, 0.0, 0.0 },
+                .displaced_mass = 2.0,
+                .displaced_center = { 0.03, 0.0, 0.005 },
+            },
+            .position = { 0.45, 0.02, -0.05 },
+            .axis = { 0.975170327201816, 0.09784339500725571, 0.19866933079506122 },
+            .zero = { -0.10958837370268625, 0.9927693904150062, 0.04898291339046185 },
+        },
     },
     .flywheel = {
-        /*     mass         center_of_mass[3]                           inertia[6]                                                                                                                      position[3]                                axis[3]                                                             zero[3]                               mount */
-        { { 1.5, { -0.001,  0.006,   0.003 }, {             0.0032675, 0.0022150000000000004,             0.0020555, 2.9000000000000004e-5, 4.500000000000001e-6,                -1.7e-5 } }, {  -0.3,   0.1,  0.02 }, {      0.9950371902100053,   0.0995037190208377,                -0.0 }, { -0.0995037190208377,      0.9950371902100053, 0.0 },  -1 },  /* w1 */
-        { { 1.5, {    0.0, 0.0066,  0.0022 }, {             0.0033686, 0.0022732599999999996, 0.0021253400000000003,               2.06e-5,                  0.0, -1.1479999999999999e-5 } }, { -0.15, -0.09,  0.05 }, { -1.0289834168472537e-13,   0.9950371902100053,  0.0995037190208377 }, {                -1.0, -1.0341155355510722e-13, 0.0 },  -1 },  /* w2 */
-        { { 1.5, {  0.001, 0.0072,  0.0014 }, {             0.0034727,            0.00233644,            0.00219926, 1.0399999999999999e-5,              -2.1e-6,  -4.519999999999999e-6 } }, {   0.0,   0.1, -0.04 }, {     0.09950371902073478,                  0.0,  0.9950371902100156 }, {                -0.0,                     1.0, 0.0 },  -1 },  /* w3 */
-        { { 1.5, { -0.001, 0.0078,  0.0006 }, {             0.0035798,            0.00240004, 0.0022727600000000004,               3.35e-5,               9.0e-7,   3.880000000000001e-6 } }, {  0.15, -0.08,  0.04 }, {      0.6666666666669943,   0.6666666666663965, -0.3333333333332184 }, { -0.7071067811862305,      0.7071067811868645, 0.0 },  -1 },  /* w4 */
-        { { 1.5, {    0.0, 0.0084, -0.0002 }, {             0.0036899,            0.00246406, 0.0023458399999999996,               2.24e-5,                  0.0,  1.3719999999999999e-5 } }, {  0.28,  0.09, -0.03 }, {    -0.42426406871162603,   0.7071067811868137,  0.5656854249491322 }, { -0.8574929257127915,     -0.5144957554271143, 0.0 },  -1 },  /* w5 */
-        { { 1.5, {  0.001,  0.009,  -0.001 }, { 0.0038030000000000004, 0.0025330000000000005, 0.0024230000000000002,  9.500000000000002e-6,               1.5e-6,  2.4999999999999998e-5 } }, { -0.05,  0.03,  0.06 }, {      0.5568900989226703, -0.23866718525251795,  0.7955572841760289 }, { 0.39391929857909097,      0.9191450300180908, 0.0 },   0 },  /* w6 */
+        {  /* w1 */
+            .body = {
+                .mass = 1.5,
+                .center_of_mass = { -0.001, 0.006, 0.003 },
+                .inertia = { 0.0032675, 0.0022150000000000004, 0.0020555, 2.9000000000000004e-5,
+                    4.500000000000001e-6, -1.7e-5 },
+            },
+            .position = { -0.3, 0.1, 0.02 },
+            .axis = { 0.9950371902100053, 0.0995037190208377, -0.0 },
+            .zero = { -0.0995037190208377, 0.9950371902100053, 0.0 },
+            .mount = -1,
+        },
+        {  /* w2 */
+            .body = {
+                .mass = 1.5,
+                .center_of_mass = { 0.0, 0.0066, 0.0022 },
+                .inertia = { 0.0033686, 0.0022732599999999996, 0.0021253400000000003, 2.06e-5, 0.0,
+                    -1.1479999999999999e-5 },
+            },
+            .position = { -0.15, -0.09, 0.05 },
+            .axis = { -1.0289834168472537e-13, 0.9950371902100053, 0.0995037190208377 },
+            .zero = { -1.0, -1.0341155355510722e-13, 0.0 },
+            .mount = -1,
+        },
+        {  /* w3 */
+            .body = {
+                .mass = 1.5,
+                .center_of_mass = { 0.001, 0.0072, 0.0014 },
+                .inertia = { 0.0034727, 0.00233644, 0.00219926, 1.0399999999999999e-5, -2.1e-6,
+                    -4.519999999999999e-6 },
+            },
+            .position = { 0.0, 0.1, -0.04 },
+            .axis = { 0.09950371902073478, 0.0, 0.9950371902100156 },
+            .zero = { -0.0, 1.0, 0.0 },
+            .mount = -1,
+        },
+        {  /* w4 */
+            .body = {
+                .mass = 1.5,
+                .center_of_mass = { -0.001, 0.0078, 0.0006 },
+                .inertia = { 0.0035798, 0.00240004, 0.0022727600000000004, 3.35e-5, 9.0e-7,
+                    3.880000000000001e-6 },
+            },
+            .position = { 0.15, -0.08, 0.04 },
+            .axis = { 0.6666666666669943, 0.6666666666663965, -0.3333333333332184 },
+            .zero = { -0.7071067811862305, 0.7071067811868645, 0.0 },
+            .mount = -1,
+        },
+        {  /* w5 */
+            .body = {
+                .mass = 1.5,
+                .center_of_mass = { 0.0, 0.0084, -0.0002 },
+                .inertia = { 0.0036899, 0.00246406, 0.0023458399999999996, 2.24e-5, 0.0,
+                    1.3719999999999999e-5 },
+            },
+            .position = { 0.28, 0.09, -0.03 },
+            .axis = { -0.42426406871162603, 0.7071067811868137, 0.5656854249491322 },
+            .zero = { -0.8574929257127915, -0.5144957554271143, 0.0 },
+            .mount = -1,
+        },
+        {  /* w6 */
+            .body = {
+                .mass = 1.5,
+                .center_of_mass = { 0.001, 0.009, -0.001 },
+                .inertia = { 0.0038030000000000004, 0.0025330000000000005, 0.0024230000000000002,
+                    9.500000000000002e-6, 1.5e-6, 2.4999999999999998e-5 },
+            },
+            .position = { -0.05, 0.03, 0.06 },
+            .axis = { 0.5568900989226703, -0.23866718525251795, 0.7955572841760289 },
+            .zero = { 0.39391929857909097, 0.9191450300180908, 0.0 },
+            .mount = 0,
+        },
     },
 };
 
@@ -4143,24 +4261,130 @@ const auv6_table auv6_default =
     .mass = 50.0,
     .mass_inverse = 0.02,
     .first_moment = { 2.336402233236465, 0.30544258511973066, -0.8343709890099256 },
-    .inertia = { 0.9568165574537733, 4.948254937620878, 4.699664450622701, -0.049424489633502273, 0.09749246459495972, 0.021518241364511026 },
+    .inertia = { 0.9568165574537733, 4.948254937620878, 4.699664450622701, -0.049424489633502273,
+        0.09749246459495972, 0.021518241364511026 },
     .A = { 64.0, 80.0, 84.0, 0.0, 0.0, 0.0 },
     .A_inv = { 0.015625, 0.0125, 0.011904761904761906, 0.0, 0.0, 0.0 },
     .G = { 0.0, 0.0, 0.0, 0.0, 0.0, -0.9, 0.0, 0.8, 0.0 },
     .weight_mass = 0.0,
     .displaced_moment = { 2.3965858178732677, 0.04517521837498828, 1.1217085773459372 },
     .flywheel = {
-        /*                        mu_c[3]                                                                     mu_s[3]                                                                   J_c[6]                                                                                                                                              J_s[6]                                                                                                                                               J_2c[6]                                                                                                                                           J_2s[6]                                                                                                                                             t_0[3]                                                                      t_c[3]                                                                       t_s[3]                                                                    spin                   spin_inv                    spin_root_inv */
-        { { -0.0008955334711875394,    0.008955334711890047,  0.0045000000000000005 }, { 0.0004477667355937697, -0.004477667355945024,  0.009000000000000001 }, {   0.001965324368120593, 0.0007230626569699403, 0.0023283870250905333,  0.0028045795032600276,   0.0013723883367796957,  -0.0006286589275022072 }, { -0.0005346423820800953,  9.044886953482877e-5,  -0.0011641935125452666, -0.0013924877714319933,  0.0027199007438042148,  -0.0008075610450294954 }, {   7.896039603934827e-7,   7.89603960396067e-5,  -7.975000000000018e-5,  -7.896039603947748e-6,  1.6915632233542408e-6, -1.691563223357009e-5 }, {  1.6831683168262288e-7,  1.6831683168317377e-5,                -1.7e-5, -1.6831683168289832e-6,  -7.935421591911824e-6,   7.93542159192481e-5 }, {   0.0032512840190111925, 0.00032512840190058713,                    0.0 }, {  0.0009866677392672961,   0.002737811413227966,  0.0013030235332241302 }, { -0.00027044553902660527, -0.0013365669979321943,    0.002626047066448261 },             0.0032675,   306.044376434583, 17.494124054509932 },  /* w1 */
-        { {  -0.009899999999999964, -0.00032836227276978816,  0.0032836227276930173 }, {  0.003300000000000102, -0.000985086818305952,   0.00985086818307905 }, { 0.00038746748186786783, 0.0032983622727692863,  0.003029105209098551, -0.0009607521070337911,   0.0009854936325421216,   0.0003119441591308607 }, {  0.0011624024456029767, -8.992389612910929e-6,  -0.0008086051647841737, 0.00014923697725411681,    0.00131263022746185,   0.0009560245566003343 }, {    7.39599999999999e-5, -7.322772277206323e-7,  -7.322772277227925e-5, -1.1423026943514927e-6,  1.1423026943610102e-5,  7.322772277217124e-6 }, {  1.1479999999998477e-5, -1.1366336633474326e-7, -1.1366336633663733e-5,   7.359295058782321e-6,  -7.359295058793176e-5,  1.136633663356903e-6 }, { -3.4662335379916584e-16,  0.0033518822789414234, 0.00033518822789359385 }, { -0.0008579237955618169,  0.0016426302274618603,  0.0004447630227459019 }, {   0.0002791079318538824,   4.068142342164159e-7,   0.0008622434252028546 },             0.0033686, 296.85922935344064, 17.229603284853678 },  /* w2 */
-        { { -0.0020895780994410326,                  0.0108, 0.00020895780994354302 }, { -0.010746401654268168,               -0.0021, 0.0010746401654239356 }, {  0.0021436992167886736, -1.671662479548344e-5,  0.002159584158415843, 0.00020999264862191892,   -8.152470813605693e-5,   0.0004214526057838299 }, { -0.0005080306191745036, -8.597121323391485e-5, -0.00041794059405941136,  0.0010748491232367605, -0.0004400501255766684, -0.00018937443844295254 }, {   -6.79108910891124e-5,  6.858999999999988e-5,  -6.791089108874825e-7,    4.49756809974927e-6,   6.791089108893033e-6, -4.497568099737211e-7 }, {  -4.475247524752712e-6,   4.519999999999999e-6,  -4.475247524728715e-8,  -6.824960087650485e-5,   4.475247524740714e-7,  6.824960087632187e-6 }, {   0.0003455465650433057,                    0.0,   0.003455465650442321 }, {  2.5553594641834583e-5,  0.0004402560661707268,  0.0010744312076168732 }, {  -0.0004632441677725385,   -8.14831239776413e-5, -0.00020792297126628764 },             0.0034727, 287.96037665217267,  16.96939529423994 },  /* w3 */
-        { {  -0.008061017305522911,     0.00848528137424211,  0.0008485281374238935 }, {  0.003394112549695428, 0.0021213203435571696,  0.011030865786510616 }, {  -0.001321064029065352, -0.002318555995057487,  -0.00377651589696056, -0.0019173907478656465,  0.00020355247207740686,  -0.0002789300549521931 }, {  0.0005544345703867987, 0.0019103825339897077,   0.0006577664413441547, -3.6141013260278785e-5, -0.0017721824419778373,     0.00081625264123383 }, {    2.69911111110822e-5, 2.9577777777811382e-5,  -5.656888888889358e-5,  -3.535555555555184e-5,  -1.672888888888987e-5, -1.155555555554363e-5 }, {  -2.293777777776861e-5,  1.9488888888879424e-5,   3.448888888889187e-6,   2.155555555574428e-6, -4.1564444444426985e-5, 4.3288888888908954e-5 }, {   0.0023865333333345055,  0.0023865333333323666, -0.0011932666666662553 }, {  -0.000990798021798519, -0.0014949651567846595,  0.0005905755836466337 }, {  0.00041582592778991405, 0.00045697954245467584,  -0.0005963267188014832 },             0.0035798, 279.34521481647016, 16.713623629137704 },  /* w4 */
-        { {  -0.010891723688994165,   -0.006337125143359826, -0.0002473863375370814 }, { 0.0034098907728318936, -0.006266246477544345,  0.010390226176557419 }, { -0.0011095409515501087, -0.006100820479586942, -0.007240047791641501,  0.0027459576953489076,  -0.0002683491321610709, -0.00017436834152342762 }, { -0.0017568697949137744, 0.0012707589889636394,   0.0008025125984190021,   0.001456878608094802, -0.0028111155000228876,  -0.0011161929272635455 }, {   3.160814938506619e-5,  8.586650614941046e-6, -4.0194800000007234e-5,   3.807521366130458e-5, -2.3887905037870368e-5, 1.7823096977281062e-5 }, {  -3.842989306064887e-5,   2.910029306064723e-5,   9.329600000001641e-6,    7.74548963238299e-6, -3.8504281835955685e-5, -3.056624910154535e-5 }, {   -0.001565491987139029,   0.002609153311901224,  0.0020873226495198034 }, {  0.0007279251200278706, -0.0030230847575426012, -0.0020614391832672867 }, {  0.00021889788228010232, -0.0004068854811818367,   0.0008126114213340454 },             0.0036899, 271.01005447302094,  16.46238301319165 },  /* w5 */
-        { {   0.005122068320931024,    0.012542897759932363,   0.000969603991121404 }, { -0.011239086211642426,  0.004092018840974144,  0.006437260514565314 }, {  0.0010231374480067223, 0.0039544898882450845,  0.004983144167497555,  -0.005051681417131265, -0.00037402534677514137,   -3.507798734406961e-5 }, { 0.00032948899485594335, -0.008682514845747443,   -0.008345091559207506, -0.0011213069265540638,  -0.002490232999117997,  -0.0002638148689815887 }, { -4.8884571584423504e-5,  5.699106411719933e-5,  -8.106492532775832e-6,    5.06309102581514e-6,  2.4548785748481792e-5, 1.3039296485846692e-5 }, { -1.0280824414527896e-5,  -9.821922907286807e-7,   1.126301670525658e-5,  -5.311983048474152e-5,   -9.51668902944456e-6, 2.4919037709522164e-5 }, {   0.0015825068889082183, -0.0009042596339452163,  0.0033377830158617737 }, {  0.0002624219873743606, -0.0024810696907451952,   0.002040692190491109 }, {   -4.477116922156222e-5, 0.00037374614437576725,  -0.0046338904652371525 }, 0.0038030000000000004, 262.95030239284773,  16.21574242496617 },  /* w6 */
+        {  /* w1 */
+            .mu_c = { -0.0008955334711875394, 0.008955334711890047, 0.0045000000000000005 },
+            .mu_s = { 0.0004477667355937697, -0.004477667355945024, 0.009000000000000001 },
+            .J_c = { 0.001965324368120593, 0.0007230626569699403, 0.0023283870250905333,
+                0.0028045795032600276, 0.0013723883367796957, -0.0006286589275022072 },
+            .J_s = { -0.0005346423820800953, 9.044886953482877e-5, -0.0011641935125452666,
+                -0.0013924877714319933, 0.0027199007438042148, -0.0008075610450294954 },
+            .J_2c = { 7.896039603934827e-7, 7.89603960396067e-5, -7.975000000000018e-5, -7.896039603947748e-6,
+                1.6915632233542408e-6, -1.691563223357009e-5 },
+            .J_2s = { 1.6831683168262288e-7, 1.6831683168317377e-5, -1.7e-5, -1.6831683168289832e-6,
+                -7.935421591911824e-6, 7.93542159192481e-5 },
+            .t_0 = { 0.0032512840190111925, 0.00032512840190058713, 0.0 },
+            .t_c = { 0.0009866677392672961, 0.002737811413227966, 0.0013030235332241302 },
+            .t_s = { -0.00027044553902660527, -0.0013365669979321943, 0.002626047066448261 },
+            .spin = 0.0032675,
+            .spin_inv = 306.044376434583,
+            .spin_root_inv = 17.494124054509932,
+        },
+        {  /* w2 */
+            .mu_c = { -0.009899999999999964, -0.00032836227276978816, 0.0032836227276930173 },
+            .mu_s = { 0.003300000000000102, -0.000985086818305952, 0.00985086818307905 },
+            .J_c = { 0.00038746748186786783, 0.0032983622727692863, 0.003029105209098551,
+                -0.0009607521070337911, 0.0009854936325421216, 0.0003119441591308607 },
+            .J_s = { 0.0011624024456029767, -8.992389612910929e-6, -0.0008086051647841737,
+                0.00014923697725411681, 0.00131263022746185, 0.0009560245566003343 },
+            .J_2c = { 7.39599999999999e-5, -7.322772277206323e-7, -7.322772277227925e-5,
+                -1.1423026943514927e-6, 1.1423026943610102e-5, 7.322772277217124e-6 },
+            .J_2s = { 1.1479999999998477e-5, -1.1366336633474326e-7, -1.1366336633663733e-5,
+                7.359295058782321e-6, -7.359295058793176e-5, 1.136633663356903e-6 },
+            .t_0 = { -3.4662335379916584e-16, 0.0033518822789414234, 0.00033518822789359385 },
+            .t_c = { -0.0008579237955618169, 0.0016426302274618603, 0.0004447630227459019 },
+            .t_s = { 0.0002791079318538824, 4.068142342164159e-7, 0.0008622434252028546 },
+            .spin = 0.0033686,
+            .spin_inv = 296.85922935344064,
+            .spin_root_inv = 17.229603284853678,
+        },
+        {  /* w3 */
+            .mu_c = { -0.0020895780994410326, 0.0108, 0.00020895780994354302 },
+            .mu_s = { -0.010746401654268168, -0.0021, 0.0010746401654239356 },
+            .J_c = { 0.0021436992167886736, -1.671662479548344e-5, 0.002159584158415843,
+                0.00020999264862191892, -8.152470813605693e-5, 0.0004214526057838299 },
+            .J_s = { -0.0005080306191745036, -8.597121323391485e-5, -0.00041794059405941136,
+                0.0010748491232367605, -0.0004400501255766684, -0.00018937443844295254 },
+            .J_2c = { -6.79108910891124e-5, 6.858999999999988e-5, -6.791089108874825e-7, 4.49756809974927e-6,
+                6.791089108893033e-6, -4.497568099737211e-7 },
+            .J_2s = { -4.475247524752712e-6, 4.519999999999999e-6, -4.475247524728715e-8,
+                -6.824960087650485e-5, 4.475247524740714e-7, 6.824960087632187e-6 },
+            .t_0 = { 0.0003455465650433057, 0.0, 0.003455465650442321 },
+            .t_c = { 2.5553594641834583e-5, 0.0004402560661707268, 0.0010744312076168732 },
+            .t_s = { -0.0004632441677725385, -8.14831239776413e-5, -0.00020792297126628764 },
+            .spin = 0.0034727,
+            .spin_inv = 287.96037665217267,
+            .spin_root_inv = 16.96939529423994,
+        },
+        {  /* w4 */
+            .mu_c = { -0.008061017305522911, 0.00848528137424211, 0.0008485281374238935 },
+            .mu_s = { 0.003394112549695428, 0.0021213203435571696, 0.011030865786510616 },
+            .J_c = { -0.001321064029065352, -0.002318555995057487, -0.00377651589696056,
+                -0.0019173907478656465, 0.00020355247207740686, -0.0002789300549521931 },
+            .J_s = { 0.0005544345703867987, 0.0019103825339897077, 0.0006577664413441547,
+                -3.6141013260278785e-5, -0.0017721824419778373, 0.00081625264123383 },
+            .J_2c = { 2.69911111110822e-5, 2.9577777777811382e-5, -5.656888888889358e-5,
+                -3.535555555555184e-5, -1.672888888888987e-5, -1.155555555554363e-5 },
+            .J_2s = { -2.293777777776861e-5, 1.9488888888879424e-5, 3.448888888889187e-6,
+                2.155555555574428e-6, -4.1564444444426985e-5, 4.3288888888908954e-5 },
+            .t_0 = { 0.0023865333333345055, 0.0023865333333323666, -0.0011932666666662553 },
+            .t_c = { -0.000990798021798519, -0.0014949651567846595, 0.0005905755836466337 },
+            .t_s = { 0.00041582592778991405, 0.00045697954245467584, -0.0005963267188014832 },
+            .spin = 0.0035798,
+            .spin_inv = 279.34521481647016,
+            .spin_root_inv = 16.713623629137704,
+        },
+        {  /* w5 */
+            .mu_c = { -0.010891723688994165, -0.006337125143359826, -0.0002473863375370814 },
+            .mu_s = { 0.0034098907728318936, -0.006266246477544345, 0.010390226176557419 },
+            .J_c = { -0.0011095409515501087, -0.006100820479586942, -0.007240047791641501,
+                0.0027459576953489076, -0.0002683491321610709, -0.00017436834152342762 },
+            .J_s = { -0.0017568697949137744, 0.0012707589889636394, 0.0008025125984190021,
+                0.001456878608094802, -0.0028111155000228876, -0.0011161929272635455 },
+            .J_2c = { 3.160814938506619e-5, 8.586650614941046e-6, -4.0194800000007234e-5,
+                3.807521366130458e-5, -2.3887905037870368e-5, 1.7823096977281062e-5 },
+            .J_2s = { -3.842989306064887e-5, 2.910029306064723e-5, 9.329600000001641e-6, 7.74548963238299e-6,
+                -3.8504281835955685e-5, -3.056624910154535e-5 },
+            .t_0 = { -0.001565491987139029, 0.002609153311901224, 0.0020873226495198034 },
+            .t_c = { 0.0007279251200278706, -0.0030230847575426012, -0.0020614391832672867 },
+            .t_s = { 0.00021889788228010232, -0.0004068854811818367, 0.0008126114213340454 },
+            .spin = 0.0036899,
+            .spin_inv = 271.01005447302094,
+            .spin_root_inv = 16.46238301319165,
+        },
+        {  /* w6 */
+            .mu_c = { 0.005122068320931024, 0.012542897759932363, 0.000969603991121404 },
+            .mu_s = { -0.011239086211642426, 0.004092018840974144, 0.006437260514565314 },
+            .J_c = { 0.0010231374480067223, 0.0039544898882450845, 0.004983144167497555,
+                -0.005051681417131265, -0.00037402534677514137, -3.507798734406961e-5 },
+            .J_s = { 0.00032948899485594335, -0.008682514845747443, -0.008345091559207506,
+                -0.0011213069265540638, -0.002490232999117997, -0.0002638148689815887 },
+            .J_2c = { -4.8884571584423504e-5, 5.699106411719933e-5, -8.106492532775832e-6,
+                5.06309102581514e-6, 2.4548785748481792e-5, 1.3039296485846692e-5 },
+            .J_2s = { -1.0280824414527896e-5, -9.821922907286807e-7, 1.126301670525658e-5,
+                -5.311983048474152e-5, -9.51668902944456e-6, 2.4919037709522164e-5 },
+            .t_0 = { 0.0015825068889082183, -0.0009042596339452163, 0.0033377830158617737 },
+            .t_c = { 0.0002624219873743606, -0.0024810696907451952, 0.002040692190491109 },
+            .t_s = { -4.477116922156222e-5, 0.00037374614437576725, -0.0046338904652371525 },
+            .spin = 0.0038030000000000004,
+            .spin_inv = 262.95030239284773,
+            .spin_root_inv = 16.21574242496617,
+        },
     },
     .sensor = {
-        /*      origin[3]                           axes[9] */
-        { { 0.45, 0.02, -0.05 }, { 0.975170327201816, -0.10958837370268623, -0.19244017588410098, 0.09784339500725571, 0.9927693904150062, -0.06953853254470665, 0.19866933079506122, 0.04898291339046185, 0.9788417498233437 } },  /* sonar */
+        {  /* sonar */
+            .origin = { 0.45, 0.02, -0.05 },
+            .axes = { 0.975170327201816, -0.10958837370268623, -0.19244017588410098, 0.09784339500725571,
+                0.9927693904150062, -0.06953853254470665, 0.19866933079506122, 0.04898291339046185,
+                0.9788417498233437 },
+        },
     },
     .gravity = { 0.0, 0.0, -9.81 },
     .stream = { 0.0, 0.0, 0.0 },
@@ -4188,13 +4412,16 @@ AUV6_CONST
 const auv6_inverse_options auv6_default_options =
 {
     .weight = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
-    .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308, 1.7976931348623157e308 },
     .most = { 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4 },
-    .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
-    .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
     .motor_viscous = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     .motor_coulomb = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     .motor_coulomb_speed = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
-    .near = 1.0e-6,
+    .near_singular = 1.0e-6,
     .damping = 0.0,
 };

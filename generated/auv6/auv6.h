@@ -9,8 +9,8 @@
  * Never with -ffast-math, -Ofast, -funsafe-math-optimizations or parts of them: wrong results with status OK.
  * The source refuses what the compiler shows of them; clang does not show all.
  * AUV6_SQRT, defined for the source, takes the square root of a processor in the place of its own:
- * the bits are the same if it rounds correctly. -ffunction-sections and -Wl,--gc-sections leave out what is
- * not called.
+ * the bits are the same if it rounds correctly.
+ * -ffunction-sections and -Wl,--gc-sections leave out what is not called.
  * Stack: what a function states is an upper bound with all that it calls, from its locals along the
  * deepest chain of calls and an allowance for registers: for gcc and clang at -O1 to -O3 and -Os, 32 and 64
  * bits. The routines of the compiler's library (memcpy, arithmetic without an FPU) come on top.
@@ -24,6 +24,42 @@
 #ifndef AUV6_H
 #define AUV6_H
 
+/* The linker sees names that end in the kind of the reals and a hash of this header: a caller with the
+ * header of another stand, element type, choice of functions or version does not link. Define
+ * AUV6_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other languages
+ * need them. */
+#ifndef AUV6_PLAIN_NAMES
+#define auv6_default_parameters      auv6_default_parameters_f64_76395735
+#define auv6_default                 auv6_default_f64_76395735
+#define auv6_default_options         auv6_default_options_f64_76395735
+#define auv6_forward                 auv6_forward_f64_76395735
+#define auv6_wrench                  auv6_wrench_f64_76395735
+#define auv6_matrices                auv6_matrices_f64_76395735
+#define auv6_momentum                auv6_momentum_f64_76395735
+#define auv6_torque                  auv6_torque_f64_76395735
+#define auv6_coupled                 auv6_coupled_f64_76395735
+#define auv6_step                    auv6_step_f64_76395735
+#define auv6_step_driven             auv6_step_driven_f64_76395735
+#define auv6_wrap                    auv6_wrap_f64_76395735
+#define auv6_phase_of_counts         auv6_phase_of_counts_f64_76395735
+#define auv6_speed_of_counts         auv6_speed_of_counts_f64_76395735
+#define auv6_accumulate              auv6_accumulate_f64_76395735
+#define auv6_forward_jacobian        auv6_forward_jacobian_f64_76395735
+#define auv6_coupled_jacobian        auv6_coupled_jacobian_f64_76395735
+#define auv6_inverse                 auv6_inverse_f64_76395735
+#define auv6_inverse_fast            auv6_inverse_fast_f64_76395735
+#define auv6_points                  auv6_points_f64_76395735
+#define auv6_quaternion              auv6_quaternion_f64_76395735
+#define auv6_state_from_coordinates  auv6_state_from_coordinates_f64_76395735
+#define auv6_generalized             auv6_generalized_f64_76395735
+#define auv6_prepare                 auv6_prepare_f64_76395735
+#define auv6_mounts                  auv6_mounts_f64_76395735
+#define auv6_prepare_mounts          auv6_prepare_mounts_f64_76395735
+#define auv6_step_carried            auv6_step_carried_f64_76395735
+#define auv6_step_driven_carried     auv6_step_driven_carried_f64_76395735
+#define auv6_center_of_mass_velocity auv6_center_of_mass_velocity_f64_76395735
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -31,7 +67,6 @@ extern "C" {
 #define AUV6_STRUCTURE 0x192ea446u  /* hash of the stand's names, counts and kinds of wrench */
 #define AUV6_PHYSICS   0x002b2abcu  /* hash of its structure and all numbers */
 #define AUV6_TABLE_HASH 0xc7c2c8e4u /* FNV-1a of all numbers of the default table but its stream */
-#define AUV6_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define AUV6_REAL_BYTES 8           /* bytes of a auv6_real */
 #define AUV6_VERSION_MAJOR 0        /* of the mahovik that wrote this */
 #define AUV6_VERSION_MINOR 1
@@ -61,7 +96,7 @@ typedef int auv6_status;  /* not the enum, whose size compilers choose */
 
 enum {
     AUV6_OK = 0,                          /* success */
-    AUV6_NEAR_SINGULAR = 1,               /* least singular value less than `near` times the largest */
+    AUV6_NEAR_SINGULAR = 1,               /* least singular value below `near_singular` times the largest */
     AUV6_DAMPED = 2,                      /* damping was applied */
     AUV6_LIMITED = 4,                     /* a limit was reached; `limited` says by which flywheels */
     AUV6_UNREACHABLE = 8,                 /* wanted motion not reached: residual above 1e-9 of the demand */
@@ -131,7 +166,7 @@ typedef struct auv6_flywheel {
     int mount;              /* index of the instrument it is mounted on; -1: the carrier */
 } auv6_flywheel;
 
-/* Input of prepare: masses, inertias and mountings. */
+/* Masses, inertias and mountings, of which the table is made. */
 typedef struct auv6_parameters {
     auv6_body carrier;
     auv6_real added_mass[6][6];      /* kg, kg m, kg m2; Lambda of all bodies, about O1 in E1 */
@@ -167,7 +202,7 @@ typedef struct auv6_damper {
     auv6_real quadratic[6][6];  /* SI; wrench -= quadratic (V |V|) */
 } auv6_damper;
 
-/* The constants of the equations. Made by prepare, except the laws at the end (gravity, ...). */
+/* The constants of the equations, made of the parameters; the laws at the end (gravity, ...) are as given. */
 typedef struct auv6_table {
     auv6_real mass;                    /* kg; mass of all bodies */
     auv6_real mass_inverse;            /* 1/kg */
@@ -246,29 +281,6 @@ typedef struct auv6_encoder {
     int moved;    /* counts between the last two readings */
 } auv6_encoder;
 
-/* A symmetric 3x3 matrix factored, L D L^T. */
-typedef struct auv6_factors3 {
-    auv6_real r1;   /* 1 / D, of the last D itself */
-    auv6_real r2;
-    auv6_real d3;
-    auv6_real l21;  /* L below its diagonal */
-    auv6_real l31;
-    auv6_real l32;
-} auv6_factors3;
-
-/* K of the carrier factored. */
-typedef struct auv6_carrier_factor {
-    auv6_real U[9];   /* m; A^-1 B^T */
-    auv6_factors3 L;  /* what is left of the inertia */
-} auv6_carrier_factor;
-
-/* K with free flywheels eliminated, factored. */
-typedef struct auv6_schur_factor {
-    auv6_real A_inv[6];  /* 1/kg */
-    auv6_real U[9];      /* m; A^-1 B^T */
-    auv6_factors3 L;     /* D - B A^-1 B^T */
-} auv6_schur_factor;
-
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct auv6_inverse_options {
     auv6_real weight[AUV6_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1
@@ -284,7 +296,7 @@ typedef struct auv6_inverse_options {
     auv6_real motor_coulomb[AUV6_N];        /* N m; dry friction, which the motor bears; 0: none */
     auv6_real motor_coulomb_speed[AUV6_N];  /* rad/s; speed at which three quarters of the dry friction
                                              * act; greater than 0 */
-    auv6_real near;                         /* status NEAR_SINGULAR below this fraction of the largest
+    auv6_real near_singular;                /* status NEAR_SINGULAR below this fraction of the largest
                                              * singular value, 0..1 */
     auv6_real damping;                      /* damping of small singular values, as a fraction of the
                                              * largest, 0..1; 0: none */
@@ -323,7 +335,7 @@ typedef struct auv6_forward_jacobian_result {
 } auv6_forward_jacobian_result;
 
 extern const auv6_parameters auv6_default_parameters;             /* of the stand file */
-extern const auv6_table auv6_default;                             /* what prepare makes of them */
+extern const auv6_table auv6_default;                             /* made of them */
 extern const auv6_inverse_options auv6_default_options;           /* of inverse, by the stand file */
 
 /* ---- functions ---- */
@@ -361,7 +373,7 @@ auv6_status auv6_matrices(const auv6_table *table, const auv6_state *x, auv6_mat
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2015 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
+ * At most 2015 operations on reals, 1 of them a division. Stack: at most 1712 bytes. */
 auv6_status auv6_momentum(const auv6_table *table, const auv6_state *x, auv6_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -371,7 +383,7 @@ auv6_status auv6_momentum(const auv6_table *table, const auv6_state *x, auv6_mom
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   tau[6]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1229 operations on reals, 1 of them a division. Stack: at most 1584 bytes. */
+ * At most 1229 operations on reals, 1 of them a division. Stack: at most 1600 bytes. */
 auv6_status auv6_torque(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                         const auv6_real phi_ddot[AUV6_N], auv6_real tau[AUV6_N]);
 
@@ -486,7 +498,7 @@ auv6_status auv6_forward_jacobian(const auv6_table *table, const auv6_state *x,
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 17330 operations on reals, 33 of them divisions. Stack: at most 8160 bytes. */
+ * At most 14350 operations on reals, 29 of them divisions. Stack: at most 6688 bytes. */
 auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, const auv6_real tau[AUV6_N],
                                   const int locked[AUV6_N], auv6_coupled_jacobian_result *out);
 
@@ -502,7 +514,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 43709 operations on reals, 1199 of them divisions. Stack: at most 5136 bytes. */
+ * At most 81719 operations on reals, 2909 of them divisions. Stack: at most 5200 bytes. */
 auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                          const auv6_inverse_options *options, auv6_inverse_result *out);
 
@@ -511,7 +523,7 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and `limit` are ignored
+ *   options      weights and damping; `near_singular` and `limit` are ignored
  *   phi_ddot[6]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
@@ -532,7 +544,7 @@ auv6_status auv6_inverse_fast(const auv6_table *table, const auv6_state *x, cons
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[1]    out: one reading for each instrument, then for each point
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 440 operations on reals, 1 of them a division. Stack: at most 1088 bytes. */
+ * At most 440 operations on reals, 1 of them a division. Stack: at most 1136 bytes. */
 auv6_status auv6_points(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                         auv6_points_result out[AUV6_SENSORS]);
 
@@ -647,7 +659,7 @@ auv6_status auv6_step_driven_carried(const auv6_table *table, const auv6_state *
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1343 operations on reals, 1 of them a division. Stack: at most 1488 bytes. */
+ * At most 1343 operations on reals, 1 of them a division. Stack: at most 1504 bytes. */
 auv6_status auv6_center_of_mass_velocity(const auv6_table *table, const auv6_state *x,
                                          auv6_real center_of_mass_velocity[3]);
 
@@ -655,22 +667,4 @@ auv6_status auv6_center_of_mass_velocity(const auv6_table *table, const auv6_sta
 }
 #endif
 
-#endif
-
-/* A caller that was compiled with the header of another element type, number of lanes, version or stand does
- * not link: the symbol is in the source of this header alone. It takes no memory. gcc and clang, ELF files.
- * Define AUV6_NO_LINK_CHECK where only types are used, and the source is not linked. */
-#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-#if !defined AUV6_NO_LINK_CHECK && !defined AUV6_LINK_CHECKED
-#define AUV6_LINK_CHECKED
-#if __SIZEOF_POINTER__ == 8
-__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".quad auv6_link_double_lanes1_v0_1_0_002b2abc\n"
-        ".popsection\n");
-#elif __SIZEOF_POINTER__ == 4
-__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".long auv6_link_double_lanes1_v0_1_0_002b2abc\n"
-        ".popsection\n");
-#endif
-#endif
 #endif

@@ -1,6 +1,5 @@
 /* bench8.c: motion of the stand "bench8". What each function does and takes: bench8.h.
  * mahovik 0.1.0; structure 309d41a6, physics 139422e0. Generated: change the stand file instead. */
-#define BENCH8_LINK_CHECKED  /* callers refer to the symbol that this file defines */
 #include "bench8.h"
 
 #include <stddef.h>
@@ -9,9 +8,6 @@
 #if BENCH8_STRUCTURE != 0x309d41a6u || BENCH8_PHYSICS != 0x139422e0u
 #error "bench8.h and bench8.c are of different stands"
 #endif
-#if BENCH8_LANES != 1
-#error "bench8.h and bench8.c were generated for different numbers of lanes"
-#endif
 #if BENCH8_REAL_BYTES != 8
 #error "bench8.h and bench8.c were generated for different element types"
 #endif
@@ -19,19 +15,23 @@
 #error "bench8.h and bench8.c are of different versions of mahovik"
 #endif
 
-/* What callers with the right header refer to: an address without memory. */
-#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-__asm__(".globl bench8_link_double_lanes1_v0_1_0_139422e0\n"
-        ".type bench8_link_double_lanes1_v0_1_0_139422e0, %object\n"
-        ".size bench8_link_double_lanes1_v0_1_0_139422e0, 1\n"
-        ".set bench8_link_double_lanes1_v0_1_0_139422e0, 0\n");
-#endif
+#include <float.h>
+#include <limits.h>
 
-/* Fast math leaves out the roundings that the code relies on: wrong results with status OK. What the compiler
- * shows of it is refused here; clang does not show -funsafe-math-optimizations. */
+/* Other numbers than those of IEEE 754, and fast math, which leaves out roundings that the code relies on,
+ * give wrong results with status OK. What the compiler shows of them is refused here; clang does not show
+ * -funsafe-math-optimizations. */
+#if FLT_RADIX != 2 || DBL_MANT_DIG != 53
+#error "wrong results: bench8 needs a double of 64 bits, 53 of them significant"
+#endif
+#if INT_MAX < 2147483647
+#error "wrong counts: bench8 needs an int of 32 bits"
+#endif
 #ifndef BENCH8_ALLOW_FAST_MATH
 #if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined _M_FP_FAST
 #error "wrong results: compile bench8 without -ffast-math, -Ofast and -funsafe-math-optimizations"
+#elif FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16
+#error "wrong results: x87 keeps more digits: compile bench8 with -msse2 -mfpmath=sse"
 #endif
 #if defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ == 1
 #error "inputs that are NaN would pass: compile bench8 without -ffinite-math-only"
@@ -71,6 +71,22 @@ typedef struct bench8_sums {
     bench8_real a_rel[3];   /* N; d/dt of the force part */
 } bench8_sums;
 
+/* A symmetric 3x3 matrix factored, L D L^T. */
+typedef struct bench8_factors3 {
+    bench8_real r1;   /* 1 / D, of the last D itself */
+    bench8_real r2;
+    bench8_real d3;
+    bench8_real l21;  /* L below its diagonal */
+    bench8_real l31;
+    bench8_real l32;
+} bench8_factors3;
+
+/* K of the carrier factored. */
+typedef struct bench8_carrier_factor {
+    bench8_real rho[3];  /* m; mass centre from O1, in E1 */
+    bench8_factors3 L;   /* what is left of the inertia */
+} bench8_carrier_factor;
+
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
 typedef struct bench8_coupling {
     bench8_real I_[6];  /* kg m, kg m2; column of I (9) */
@@ -83,6 +99,13 @@ typedef struct bench8_schur {
     bench8_real B[9];  /* kg m; moment by v*, row by row */
     bench8_real D[6];  /* kg m2; moment by omega*: 11 22 33 12 13 23 */
 } bench8_schur;
+
+/* K with free flywheels eliminated, factored. */
+typedef struct bench8_schur_factor {
+    bench8_real A_inv[6];  /* 1/kg */
+    bench8_real U[9];      /* m; A^-1 B^T */
+    bench8_factors3 L;     /* D - B A^-1 B^T */
+} bench8_schur_factor;
 
 /* Scratch of inverse. */
 typedef struct bench8_inverse_work {
@@ -270,7 +293,6 @@ static bench8_status bench8_within(const bench8_real values[], int count, bench8
 BENCH8_CODE
 static bench8_status bench8_check_state(const bench8_state *x)
 {
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
     {
         bench8_real position2, velocity2, speed2, phase2;
         position2 = 0.0;
@@ -278,13 +300,18 @@ static bench8_status bench8_check_state(const bench8_state *x)
         speed2 = 0.0;
         phase2 = 0.0;
         for (int i = 0; i < 3; ++i) {
-            position2 += x->position[i] * x->position[i];
-            velocity2 += x->V[i] * x->V[i];
-            speed2 += x->V[i + 3] * x->V[i + 3];
+            const bench8_real position = x->position[i];
+            position2 += position * position;
+            const bench8_real velocity = x->V[i];
+            velocity2 += velocity * velocity;
+            const bench8_real speed = x->V[i + 3];
+            speed2 += speed * speed;
         }
         for (int s = 0; s < BENCH8_N; ++s) {
-            phase2 += x->phi[s] * x->phi[s];
-            speed2 += x->phi_dot[s] * x->phi_dot[s];
+            const bench8_real phase = x->phi[s];
+            phase2 += phase * phase;
+            const bench8_real speed = x->phi_dot[s];
+            speed2 += speed * speed;
         }
         const bench8_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
             + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -293,7 +320,6 @@ static bench8_status bench8_check_state(const bench8_state *x)
             && speed2 < BENCH8_MAX_SPEED * BENCH8_MAX_SPEED
             && phase2 < BENCH8_MAX_PHASE * BENCH8_MAX_PHASE) { return BENCH8_OK; }
     }
-#endif
     bench8_status status = bench8_within(x->position, 3, BENCH8_MAX_POSITION);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(x->attitude, 4, 2.0);
@@ -317,7 +343,6 @@ BENCH8_CODE
 static bench8_status bench8_check_motion(const bench8_state *x, const bench8_real values[BENCH8_N],
                                          bench8_real limit)
 {
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
     {
         bench8_real position2, velocity2, speed2, phase2, given2;
         position2 = 0.0;
@@ -326,14 +351,20 @@ static bench8_status bench8_check_motion(const bench8_state *x, const bench8_rea
         phase2 = 0.0;
         given2 = 0.0;
         for (int i = 0; i < 3; ++i) {
-            position2 += x->position[i] * x->position[i];
-            velocity2 += x->V[i] * x->V[i];
-            speed2 += x->V[i + 3] * x->V[i + 3];
+            const bench8_real position = x->position[i];
+            position2 += position * position;
+            const bench8_real velocity = x->V[i];
+            velocity2 += velocity * velocity;
+            const bench8_real speed = x->V[i + 3];
+            speed2 += speed * speed;
         }
         for (int s = 0; s < BENCH8_N; ++s) {
-            phase2 += x->phi[s] * x->phi[s];
-            given2 += values[s] * values[s];
-            speed2 += x->phi_dot[s] * x->phi_dot[s];
+            const bench8_real phase = x->phi[s];
+            phase2 += phase * phase;
+            const bench8_real given = values[s];
+            given2 += given * given;
+            const bench8_real speed = x->phi_dot[s];
+            speed2 += speed * speed;
         }
         const bench8_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
             + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -342,7 +373,6 @@ static bench8_status bench8_check_motion(const bench8_state *x, const bench8_rea
             && speed2 < BENCH8_MAX_SPEED * BENCH8_MAX_SPEED && phase2 < BENCH8_MAX_PHASE * BENCH8_MAX_PHASE
             && given2 < limit * limit) { return BENCH8_OK; }
     }
-#endif
     bench8_status status = bench8_within(x->position, 3, BENCH8_MAX_POSITION);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(x->attitude, 4, 2.0);
@@ -365,7 +395,7 @@ static bench8_status bench8_check_motion(const bench8_state *x, const bench8_rea
 
 /* Rotation matrix of a quaternion of any length: no square root is needed. */
 BENCH8_CODE
-static void bench8_rotation(const bench8_real q[4], bench8_real C[restrict 9])
+static void bench8_rotation(const bench8_real q[4], bench8_real *restrict C /* [9] */)
 {
     const bench8_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
@@ -381,7 +411,8 @@ static void bench8_rotation(const bench8_real q[4], bench8_real C[restrict 9])
 
 /* C^T a: components from the outer axes to the rotated axes. */
 BENCH8_CODE
-static void bench8_rotate_back(const bench8_real C[9], const bench8_real a[3], bench8_real out[restrict 3])
+static void bench8_rotate_back(const bench8_real C[9], const bench8_real a[3],
+                               bench8_real *restrict out /* [3] */)
 {
     out[0] = C[0] * a[0] + C[3] * a[1] + C[6] * a[2];
     out[1] = C[1] * a[0] + C[4] * a[1] + C[7] * a[2];
@@ -392,8 +423,8 @@ static void bench8_rotate_back(const bench8_real C[9], const bench8_real a[3], b
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 BENCH8_CODE
-static void bench8_sincos_each(const bench8_real x[BENCH8_N], bench8_real sine[restrict BENCH8_N],
-                               bench8_real cosine[restrict BENCH8_N])
+static void bench8_sincos_each(const bench8_real x[BENCH8_N], bench8_real *restrict sine /* [BENCH8_N] */,
+                               bench8_real *restrict cosine /* [BENCH8_N] */)
 {
     for (int s = 0; s < BENCH8_N; ++s) {
         /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the
@@ -568,7 +599,7 @@ static BENCH8_COPIED void bench8_sum_spin(const bench8_table *table, const bench
 
 /* Rotation vector of a quaternion of about unit length; its length is at most pi. */
 BENCH8_CODE
-static void bench8_rotation_vector(const bench8_real q[4], bench8_real r[restrict 3])
+static void bench8_rotation_vector(const bench8_real q[4], bench8_real *restrict r /* [3] */)
 {
     /* q and -q are the same rotation: take the one of the smaller angle */
     const bench8_real side = (q[0] < 0.0) ? -1.0 : 1.0;
@@ -591,7 +622,7 @@ static void bench8_rotation_vector(const bench8_real q[4], bench8_real r[restric
  * (7). */
 BENCH8_CODE
 static void bench8_suspend(const bench8_suspension *law, const bench8_state *x, const bench8_real C[9],
-                           bench8_real F[restrict 6])
+                           bench8_real *restrict F /* [6] */)
 {
     bench8_real shift[3];
     bench8_real shift1[3];  /* C^T (O1 - position) */
@@ -622,7 +653,8 @@ static void bench8_suspend(const bench8_suspension *law, const bench8_state *x, 
 /* Total external wrench of weight, suspension, from checked inputs, (7). */
 BENCH8_CODE
 static void bench8_external(const bench8_table *table, const bench8_state *x, const bench8_sums *sum,
-                            const bench8_real C[9], const bench8_real g[3], bench8_real F[restrict 6])
+                            const bench8_real C[9], const bench8_real g[3],
+                            bench8_real *restrict F /* [6] */)
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -637,7 +669,7 @@ static void bench8_external(const bench8_table *table, const bench8_state *x, co
 /* Momentum screw Z = K V + sum I phi' of the sums, (2). */
 BENCH8_CODE
 static void bench8_momentum_screw(const bench8_table *table, const bench8_sums *sum, const bench8_real V[6],
-                                  bench8_real Z[restrict 6])
+                                  bench8_real *restrict Z /* [6] */)
 {
     Z[0] = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
     Z[1] = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
@@ -653,7 +685,7 @@ static void bench8_momentum_screw(const bench8_table *table, const bench8_sums *
 /* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (2), (4), (5). */
 BENCH8_CODE
 static void bench8_subtract_rates(const bench8_table *table, const bench8_sums *sum, const bench8_real V[6],
-                                  bench8_real F[restrict 6])
+                                  bench8_real *restrict F /* [6] */)
 {
     /* momentum screw Z = K V + sum I phi' */
     const bench8_real Z1 = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
@@ -702,7 +734,8 @@ static inline bench8_status bench8_factor3(const bench8_real S[6], bench8_factor
 
 /* Solves S y = b by S = L D L^T. */
 BENCH8_CODE
-static inline void bench8_solve3(const bench8_factors3 *L, const bench8_real b[3], bench8_real y[restrict 3])
+static inline void bench8_solve3(const bench8_factors3 *L, const bench8_real b[3],
+                                 bench8_real *restrict y /* [3] */)
 {
     /* L z = b, then L^T y = D^-1 z */
     const bench8_real z2 = b[1] - L->l21 * b[0];
@@ -736,7 +769,7 @@ static bench8_status bench8_factor_carrier(const bench8_table *table, const benc
 /* Solves K y = F by the factors of K, (8). */
 BENCH8_CODE
 static void bench8_solve_carrier(const bench8_table *table, const bench8_carrier_factor *K,
-                                 const bench8_real F[6], bench8_real y[restrict 6])
+                                 const bench8_real F[6], bench8_real *restrict y /* [6] */)
 {
     bench8_real moment[3];  /* about the mass centre */
     bench8_real omega_dot[3];
@@ -1047,7 +1080,7 @@ static BENCH8_COPIED void bench8_couple(const bench8_row *row, bench8_real s, be
 /* Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 BENCH8_CODE
 static void bench8_eliminate(const bench8_real column[6], bench8_real spin_inv, bench8_real rate,
-                             bench8_schur *restrict K, bench8_real F[restrict 6])
+                             bench8_schur *restrict K, bench8_real *restrict F /* [6] */)
 {
     bench8_real scaled[6];  /* I / Theta_ff */
     scaled[0] = column[0] * spin_inv;  scaled[1] = column[1] * spin_inv;  scaled[2] = column[2] * spin_inv;
@@ -1068,7 +1101,7 @@ BENCH8_CODE
 static void bench8_balance(const bench8_table *table, const bench8_state *x,
                            const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
                            const bench8_real V_dot[6], const bench8_real phi_ddot[BENCH8_N],
-                           bench8_real tau[restrict BENCH8_N])
+                           bench8_real *restrict tau /* [BENCH8_N] */)
 {
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
@@ -1170,7 +1203,7 @@ static bench8_status bench8_factor_schur(const bench8_schur *K, bench8_schur_fac
 /* Solves [A B^T; B D] y = F by the factors. */
 BENCH8_CODE
 static void bench8_solve_schur(const bench8_schur_factor *factor, const bench8_real F[6],
-                               bench8_real y[restrict 6])
+                               bench8_real *restrict y /* [6] */)
 {
     bench8_real moment[3];  /* n - B A^-1 f */
     bench8_real omega_dot[3];
@@ -1193,8 +1226,8 @@ static bench8_status bench8_solve_coupled(const bench8_table *table, const bench
                                           const bench8_real sine[BENCH8_N],
                                           const bench8_real cosine[BENCH8_N],
                                           const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
-                                          bench8_real V_dot[restrict 6],
-                                          bench8_real phi_ddot[restrict BENCH8_N])
+                                          bench8_real *restrict V_dot /* [6] */,
+                                          bench8_real *restrict phi_ddot /* [BENCH8_N] */)
 {
     bench8_status status;
     bench8_real C[9];  /* attitude */
@@ -1700,7 +1733,7 @@ bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, 
 /* Derivative of F - Phi Z - K* V by the twist, (8). */
 BENCH8_CODE
 static void bench8_twist_slope(const bench8_table *table, const bench8_real Z[6],
-                               const bench8_matrices_result *m, bench8_real slope[restrict 36])
+                               const bench8_matrices_result *m, bench8_real *restrict slope /* [36] */)
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1729,7 +1762,8 @@ static void bench8_twist_slope(const bench8_table *table, const bench8_real Z[6]
 /* Change of F - Phi Z - K* V - (a, g) - K V* with the harmonic weights of one flywheel, (8). */
 BENCH8_CODE
 static void bench8_row_slope(const bench8_row *row, const bench8_real weight[12], const bench8_real V[6],
-                             const bench8_real V_dot[6], const bench8_real g[3], bench8_real out[restrict 6])
+                             const bench8_real V_dot[6], const bench8_real g[3],
+                             bench8_real *restrict out /* [6] */)
 {
     bench8_sums change;  /* change of the sums */
     bench8_real Z[6];  /* change of the momentum screw */
@@ -2099,9 +2133,6 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             bench8_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
-            for (int t = 0; t < BENCH8_N; ++t) {
-                drive_rhs[t] = 0.0;
-            }
             bench8_real mu_pp[3];  /* d2 mu / dphi2 */
             bench8_real J_pp[6];  /* d2 J / dphi2 */
             bench8_real I_p[6];  /* dI / dphi */
@@ -2126,19 +2157,17 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
             I_p[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
             I_p[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
             I_p[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
-            drive_rhs[s] = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
+            const bench8_real side = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
                 + V_result[3] * I_p[3] + V_result[4] * I_p[4] + V_result[5] * I_p[5]
                 + (mu_pp[0] * origin_acceleration[0] + mu_pp[1] * origin_acceleration[1]
                 + mu_pp[2] * origin_acceleration[2]
                 - 0.5 * (J_pp[0] * x->V[3] + J_pp[3] * x->V[4] + J_pp[4] * x->V[5]) * x->V[3]
                 - 0.5 * (J_pp[1] * x->V[4] + J_pp[3] * x->V[3] + J_pp[5] * x->V[5]) * x->V[4]
                 - 0.5 * (J_pp[2] * x->V[5] + J_pp[4] * x->V[3] + J_pp[5] * x->V[4]) * x->V[5]));
-            for (int t = 0; t < BENCH8_N; ++t) {
-                if (locked[t] == 0) {
-                    const bench8_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                    for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I_[i] * share;
-                    }
+            if (locked[s] == 0) {
+                const bench8_real share = side * table->flywheel[s].spin_inv;
+                for (int i = 0; i < 6; ++i) {
+                    rhs[i] -= drive[s].I_[i] * share;
                 }
             }
             bench8_solve_schur(&factor, rhs, y);
@@ -2148,7 +2177,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
             for (int t = 0; t < BENCH8_N; ++t) {
                 out->phi_ddot_phi[t][s] = 0.0;
                 if (locked[t] == 0) {
-                    out->phi_ddot_phi[t][s] = (drive_rhs[t]
+                    out->phi_ddot_phi[t][s] = (((t == s) ? side : 0.0)
                         - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                         + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
@@ -2161,17 +2190,6 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             bench8_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
-            for (int t = 0; t < BENCH8_N; ++t) {
-                drive_rhs[t] = 0.0;
-            }
-            for (int t = 0; t < BENCH8_N; ++t) {
-                if (locked[t] == 0) {
-                    const bench8_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                    for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I_[i] * share;
-                    }
-                }
-            }
             bench8_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
@@ -2179,7 +2197,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
             for (int t = 0; t < BENCH8_N; ++t) {
                 out->phi_ddot_phi_dot[t][s] = 0.0;
                 if (locked[t] == 0) {
-                    out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
+                    out->phi_ddot_phi_dot[t][s] = (0.0
                         - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                         + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
@@ -2188,12 +2206,9 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
         }
         rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
         rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
-        for (int t = 0; t < BENCH8_N; ++t) {
-            drive_rhs[t] = 0.0;
-        }
-        drive_rhs[s] = 1.0;
+        const bench8_real side = 1.0;
         if (locked[s] == 0) {
-            const bench8_real share = drive_rhs[s] * table->flywheel[s].spin_inv;
+            const bench8_real share = side * table->flywheel[s].spin_inv;
             for (int i = 0; i < 6; ++i) {
                 rhs[i] -= drive[s].I_[i] * share;
             }
@@ -2205,7 +2220,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
         for (int t = 0; t < BENCH8_N; ++t) {
             out->phi_ddot_tau[t][s] = 0.0;
             if (locked[t] == 0) {
-                out->phi_ddot_tau[t][s] = (drive_rhs[t]
+                out->phi_ddot_tau[t][s] = (((t == s) ? side : 0.0)
                     - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                     + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
@@ -2378,7 +2393,8 @@ static bench8_status bench8_demand(const bench8_table *table, const bench8_state
 
 /* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 BENCH8_CODE
-static void bench8_solve_gram(bench8_real gram[restrict 6][6], bench8_real z[restrict 6], bench8_real least)
+static void bench8_solve_gram(bench8_real (*restrict gram)[6] /* [6][6] */,
+                              bench8_real *restrict z /* [6] */, bench8_real least)
 {
     for (int j = 0; j < 6; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -2410,7 +2426,8 @@ static void bench8_solve_gram(bench8_real gram[restrict 6][6], bench8_real z[res
  * share, (12). */
 BENCH8_CODE
 static void bench8_allocate(const bench8_inverse_work *work, const bench8_inverse_options *options, int rank,
-                            bench8_real phi_ddot[restrict BENCH8_N], int limited[restrict BENCH8_N])
+                            bench8_real *restrict phi_ddot /* [BENCH8_N] */,
+                            int *restrict limited /* [BENCH8_N] */)
 {
     bench8_real share[BENCH8_N];  /* 1/weight */
     bench8_real give[BENCH8_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
@@ -2418,128 +2435,150 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
     bench8_real row[6];  /* factor of each row; 0: the row is left out */
     bench8_real gram[6][6];
     bench8_real z[6];
+    int going, weighted;
+    int settled;  /* 1 after a whole step that gains nothing and frees nobody */
+    bench8_real square_before;  /* square of the residual after the last whole step */
+    going = 1;
+    weighted = 1;
+    square_before = 1.7976931348623157e308;
     /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < BENCH8_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
         share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 12; ++pass) {
-        bench8_real most = 0.0;
-        for (int s = 0; s < BENCH8_N; ++s) {
-            if (pass >= 11) {
-                share[s] = 1.0;
-            }
-            give[s] = (limited[s] > 0) ? 0.0 : share[s];
-            most = (give[s] > most) ? give[s] : most;
-        }
-        const bench8_real regular = 1.0e-12 * most;
-        /* lower bound that keeps the diagonal positive */
-        const bench8_real least = (most > 0.0) ? regular : 1.0;
-        for (int i = 0; i < 6; ++i) {
-            row[i] = 0.0;
-            if (i < rank) {
-                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
-            }
-        }
-        for (int i = 0; i < 6; ++i) {
-            bench8_real left = work->r[i];
+    for (int pass = 0; pass < 52; ++pass) {
+        if (going > 0) {
+            bench8_real most = 0.0;
             for (int s = 0; s < BENCH8_N; ++s) {
-                left -= work->W[i][s] * phi_ddot[s];
+                give[s] = (limited[s] > 0) ? 0.0 : share[s];
+                most = (give[s] > most) ? give[s] : most;
             }
-            z[i] = row[i] * left;
-        }
-        bench8_real weighed[BENCH8_N];  /* a row of W Omega^-1 */
-        for (int i = 0; i < 6; ++i) {
-            for (int s = 0; s < BENCH8_N; ++s) {
-                weighed[s] = work->W[i][s] * give[s];
-            }
-            for (int j = 0; j < i + 1; ++j) {
-                bench8_real total = 0.0;
-                for (int s = 0; s < BENCH8_N; ++s) {
-                    total += weighed[s] * work->W[j][s];
-                }
-                gram[i][j] = row[i] * row[j] * total;
-            }
-            gram[i][i] += least;
-        }
-        bench8_solve_gram(gram, z, least);
-        for (int i = 0; i < 6; ++i) {
-            z[i] = row[i] * z[i];
-        }
-        for (int s = 0; s < BENCH8_N; ++s) {
-            bench8_real total = 0.0;
+            const bench8_real regular = 1.0e-12 * most;
+            /* lower bound that keeps the diagonal positive */
+            const bench8_real least = (most > 0.0) ? regular : 1.0;
             for (int i = 0; i < 6; ++i) {
-                total += work->W[i][s] * z[i];
-            }
-            step[s] = give[s] * total;
-        }
-        if (pass < 1) {
-            for (int s = 0; s < BENCH8_N; ++s) {
-                phi_ddot[s] = step[s];
-                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
-                    const bench8_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
+                row[i] = 0.0;
+                if (i < rank) {
+                    row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
                 }
             }
-        } else {
-            /* go as far as all limits allow; hold the flywheel that reaches its limit */
-            bench8_real length = 1.0;
-            int stopped = -1;
-            for (int s = 0; s < BENCH8_N; ++s) {
-                const bench8_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
-                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
-                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
-                    const bench8_real room = options->limit[s] / work->scale[s]
-                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
-                    const bench8_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
-                    if (part < length) {
-                        length = (part > 0.0) ? part : 0.0;
-                        stopped = s;
-                    }
-                }
-            }
-            for (int s = 0; s < BENCH8_N; ++s) {
-                phi_ddot[s] += length * step[s];
-                if (stopped == s) {
-                    const bench8_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
-                }
-            }
-            /* after a full step, release the held flywheel that would lower the residual most */
-            if (stopped < 0) {
-                bench8_real left[6];
-                bench8_real wanted = 0.0;
-                for (int i = 0; i < 6; ++i) {
-                    wanted += work->r[i] * work->r[i];
-                    left[i] = (i < rank) ? work->r[i] : 0.0;
-                    if (i < rank) {
-                        for (int s = 0; s < BENCH8_N; ++s) {
-                            left[i] -= work->W[i][s] * phi_ddot[s];
-                        }
-                    }
-                }
-                bench8_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
-                int freed = -1;
+            for (int i = 0; i < 6; ++i) {
+                bench8_real left = work->r[i];
                 for (int s = 0; s < BENCH8_N; ++s) {
-                    if (limited[s] > 0) {
-                        bench8_real slope = 0.0;
-                        bench8_real size = 0.0;
-                        for (int i = 0; i < 6; ++i) {
-                            slope += work->W[i][s] * left[i];
-                            size += work->W[i][s] * work->W[i][s];
-                        }
-                        const bench8_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
-                        if (inward > 0.0 && inward * inward > best * size) {
-                            best = inward * inward / size;
-                            freed = s;
+                    left -= work->W[i][s] * phi_ddot[s];
+                }
+                z[i] = row[i] * left;
+            }
+            bench8_real weighed[BENCH8_N];  /* a row of W Omega^-1 */
+            for (int i = 0; i < 6; ++i) {
+                for (int s = 0; s < BENCH8_N; ++s) {
+                    weighed[s] = work->W[i][s] * give[s];
+                }
+                for (int j = 0; j < i + 1; ++j) {
+                    bench8_real total = 0.0;
+                    for (int s = 0; s < BENCH8_N; ++s) {
+                        total += weighed[s] * work->W[j][s];
+                    }
+                    gram[i][j] = row[i] * row[j] * total;
+                }
+                gram[i][i] += least;
+            }
+            bench8_solve_gram(gram, z, least);
+            for (int i = 0; i < 6; ++i) {
+                z[i] = row[i] * z[i];
+            }
+            for (int s = 0; s < BENCH8_N; ++s) {
+                bench8_real total = 0.0;
+                for (int i = 0; i < 6; ++i) {
+                    total += work->W[i][s] * z[i];
+                }
+                step[s] = give[s] * total;
+            }
+            settled = 0;
+            if (pass < 1) {
+                for (int s = 0; s < BENCH8_N; ++s) {
+                    phi_ddot[s] = step[s];
+                    if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                        const bench8_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+            } else {
+                /* go as far as all limits allow; hold the flywheel that reaches its limit */
+                bench8_real length = 1.0;
+                int stopped = -1;
+                for (int s = 0; s < BENCH8_N; ++s) {
+                    const bench8_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                    if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                        && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
+                        const bench8_real room = options->limit[s] / work->scale[s]
+                            - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                        const bench8_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                        if (part < length) {
+                            length = (part > 0.0) ? part : 0.0;
+                            stopped = s;
                         }
                     }
                 }
-                if (freed >= 0) {
-                    limited[freed] = 0;
+                for (int s = 0; s < BENCH8_N; ++s) {
+                    phi_ddot[s] += length * step[s];
+                    if (stopped == s) {
+                        const bench8_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+                /* after a full step, release the held flywheel that would lower the residual most */
+                if (stopped < 0) {
+                    bench8_real left[6];
+                    bench8_real wanted;
+                    bench8_real square;  /* of the residual */
+                    wanted = 0.0;
+                    square = 0.0;
+                    for (int i = 0; i < 6; ++i) {
+                        wanted += work->r[i] * work->r[i];
+                        left[i] = (i < rank) ? work->r[i] : 0.0;
+                        if (i < rank) {
+                            for (int s = 0; s < BENCH8_N; ++s) {
+                                left[i] -= work->W[i][s] * phi_ddot[s];
+                            }
+                        }
+                        square += left[i] * left[i];
+                    }
+                    bench8_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
+                    int freed = -1;
+                    for (int s = 0; s < BENCH8_N; ++s) {
+                        if (limited[s] > 0) {
+                            bench8_real slope = 0.0;
+                            bench8_real size = 0.0;
+                            for (int i = 0; i < 6; ++i) {
+                                slope += work->W[i][s] * left[i];
+                                size += work->W[i][s] * work->W[i][s];
+                            }
+                            const bench8_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                            if (inward > 0.0 && inward * inward > best * size) {
+                                best = inward * inward / size;
+                                freed = s;
+                            }
+                        }
+                    }
+                    if (freed >= 0) {
+                        limited[freed] = 0;
+                    } else {
+                        if (!(square > best && square < square_before * 0.999999999)) {
+                            settled = 1;
+                        }
+                    }
+                    square_before = square;
+                }
+            }
+            if (pass >= 10 && (settled > 0 || pass == 26)) {
+                going = weighted;
+                weighted = 0;
+                for (int s = 0; s < BENCH8_N; ++s) {
+                    share[s] = 1.0;
                 }
             }
         }
@@ -2623,7 +2662,8 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     status = bench8_within(options->weight, BENCH8_N, BENCH8_MAX_WEIGHT);
     if (status != BENCH8_OK) { return status; }
     bench8_real shares[2];
-    shares[0] = options->near;     shares[1] = options->damping;
+    shares[0] = options->near_singular;
+    shares[1] = options->damping;
     status = bench8_within(shares, 2, BENCH8_LARGEST);
     if (status != BENCH8_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
@@ -2692,12 +2732,12 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
         if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
             rank = rank + 1;
             const bench8_real ratio = work.sigma[i] / work.sigma[0];
-            if (ratio < options->near) {
+            if (ratio < options->near_singular) {
                 flags = flags | BENCH8_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
                     flags = flags | BENCH8_DAMPED;
                     const bench8_real lambda = options->damping * work.sigma[0]
-                        * (1.0 - ratio / options->near);
+                        * (1.0 - ratio / options->near_singular);
                     const bench8_real square = work.sigma[i] * work.sigma[i];
                     work.r[i] = work.r[i] * (square / (square + lambda * lambda));
                     damping = (lambda > damping) ? lambda : damping;
@@ -3109,7 +3149,7 @@ bench8_status bench8_generalized(const bench8_table *table, const bench8_state *
 /* Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 BENCH8_CODE
 static bench8_status bench8_frame_of_axes(const bench8_real axis[3], const bench8_real zero[3],
-                                          bench8_real R[restrict 9])
+                                          bench8_real *restrict R /* [9] */)
 {
     bench8_status status;
     if (!(axis[0] * axis[0] + axis[1] * axis[1]
@@ -3152,8 +3192,8 @@ static bench8_status bench8_frame_of_axes(const bench8_real axis[3], const bench
 /* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 BENCH8_CODE
 static void bench8_carry(bench8_real m, const bench8_real b[3], const bench8_real J[6],
-                         const bench8_real O[3], const bench8_real R[9], bench8_real mu[restrict 3],
-                         bench8_real J1[restrict 6], int spins, bench8_real t[restrict 3])
+                         const bench8_real O[3], const bench8_real R[9], bench8_real *restrict mu /* [3] */,
+                         bench8_real *restrict J1 /* [6] */, int spins, bench8_real *restrict t /* [3] */)
 {
     bench8_real b1[3];  /* R b */
     bench8_real RJ[9];  /* R J */
@@ -3248,8 +3288,8 @@ static bench8_status bench8_check_body(const bench8_body *body)
 
 /* Origin and axes (at phi = 0) of a flywheel in E1. */
 BENCH8_CODE
-static bench8_status bench8_place_flywheel(const bench8_flywheel *w, bench8_real O[restrict 3],
-                                           bench8_real R[restrict 9])
+static bench8_status bench8_place_flywheel(const bench8_flywheel *w, bench8_real *restrict O /* [3] */,
+                                           bench8_real *restrict R /* [9] */)
 {
     bench8_status status;
     if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
@@ -3394,7 +3434,8 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
 
 /* L^T V: a twist carried to Os, in mounting axes. */
 BENCH8_CODE
-static void bench8_carry_twist(const bench8_mount *mount, const bench8_real V[6], bench8_real U[restrict 6])
+static void bench8_carry_twist(const bench8_mount *mount, const bench8_real V[6],
+                               bench8_real *restrict U /* [6] */)
 {
     bench8_real velocity[3];  /* velocity of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
@@ -3412,7 +3453,7 @@ static void bench8_carry_twist(const bench8_mount *mount, const bench8_real V[6]
 BENCH8_CODE
 static void bench8_mount_wrench(const bench8_mount *mount, bench8_real s, bench8_real c, bench8_real phi_dot,
                                 bench8_real phi_ddot, const bench8_real V[6], const bench8_real V_dot[6],
-                                const bench8_real g[3], bench8_real W[restrict 6])
+                                const bench8_real g[3], bench8_real *restrict W /* [6] */)
 {
     bench8_real U[6];  /* twist of the mount at Os */
     bench8_real turned[6];  /* in Es */
@@ -3736,15 +3777,92 @@ const bench8_parameters bench8_default_parameters =
         .inertia = { 0.25, 0.31, 0.42, 0.004, -0.002, 0.003 },
     },
     .flywheel = {
-        /*      mass          center_of_mass[3]                           inertia[6]                                                                                                                       position[3]                                axis[3]                                                             zero[3] */
-        { {  0.8, {  0.0005,  0.006, -0.0008 }, {           0.001179312,           0.000780712,              0.000769,               -3.24e-5,                3.2e-7,              1.184e-5 } }, {   0.0,   0.2,  0.06 }, {                     1.0,                 0.0,                -0.0 }, {                  0.0,                     1.0,  0.0 } },  /* w1 */
-        { { 0.78, { -0.0005, 0.0056,     0.0 }, {          0.0011744608, 0.0008001950000000001,          0.0007546558,             -1.7816e-5,                   0.0,                8.0e-6 } }, {   0.0,  -0.2,  0.06 }, {     -0.9889363528682537, 0.14834045293053713,                -0.0 }, { -0.14834045293053713,     -0.9889363528682537,  0.0 } },  /* w2 */
-        { { 0.83, {  0.0005, 0.0063,  0.0008 }, {          0.0011834739, 0.0008207386999999999,          0.0007531502, -1.2614500000000001e-5,              -3.32e-7,             3.8168e-6 } }, {   0.2,   0.0, -0.06 }, { -1.0341155355510722e-13,                 1.0,                -0.0 }, {                 -1.0, -1.0341155355510722e-13,  0.0 } },  /* w3 */
-        { {  0.8, { -0.0005, 0.0058, -0.0008 }, {           0.001177424, 0.0008407120000000001,           0.000737112,  2.3200000000000002e-6,               -3.2e-7, 1.1711999999999999e-5 } }, {  -0.2,   0.0, -0.06 }, {     0.09950371902073478, -0.9950371902100156,                -0.0 }, {   0.9950371902100156,     0.09950371902073478,  0.0 } },  /* w4 */
-        { { 0.76, {  0.0005, 0.0061,     0.0 }, {          0.0011782796, 0.0008601899999999999, 0.0007284695999999999,               7.682e-6,                   0.0,                8.0e-6 } }, {  0.16,  0.16,   0.0 }, { -1.0341155355510722e-13,                -0.0,                 1.0 }, {                 -0.0,                     1.0, -0.0 } },  /* w5 */
-        { { 0.81, { -0.0005, 0.0064,  0.0008 }, { 0.0011836960000000001, 0.0008807209000000001,          0.0007233801,  2.2592000000000003e-5, 3.2400000000000004e-7,  3.852799999999999e-6 } }, { -0.16, -0.16,   0.0 }, { -1.0289834168445055e-14, 0.09950371902073478, -0.9950371902100156 }, {                 -1.0, -1.0341155355510722e-13,  0.0 } },  /* w6 */
-        { { 0.79, {  0.0005, 0.0055, -0.0008 }, {          0.0011744031,          0.0009007031, 0.0007040950000000001,             2.78275e-5,               3.16e-7,             1.1476e-5 } }, {  0.16, -0.16,  0.02 }, {      0.6509445549045109,  0.6509445549039271,  0.3905667329421394 }, {  -0.7071067811862305,      0.7071067811868645,  0.0 } },  /* w7 */
-        { { 0.82, { -0.0005,  0.006,     0.0 }, { 0.0011795199999999999,           0.000920205,           0.000699725,  4.2460000000000003e-5,                   0.0,                8.0e-6 } }, { -0.16,  0.16,  0.02 }, {      -0.680413817439588,  0.6804138174400577, 0.27216552697565327 }, {  -0.7071067811867916,     -0.7071067811863034,  0.0 } },  /* w8 */
+        {  /* w1 */
+            .body = {
+                .mass = 0.8,
+                .center_of_mass = { 0.0005, 0.006, -0.0008 },
+                .inertia = { 0.001179312, 0.000780712, 0.000769, -3.24e-5, 3.2e-7, 1.184e-5 },
+            },
+            .position = { 0.0, 0.2, 0.06 },
+            .axis = { 1.0, 0.0, -0.0 },
+            .zero = { 0.0, 1.0, 0.0 },
+        },
+        {  /* w2 */
+            .body = {
+                .mass = 0.78,
+                .center_of_mass = { -0.0005, 0.0056, 0.0 },
+                .inertia = { 0.0011744608, 0.0008001950000000001, 0.0007546558, -1.7816e-5, 0.0, 8.0e-6 },
+            },
+            .position = { 0.0, -0.2, 0.06 },
+            .axis = { -0.9889363528682537, 0.14834045293053713, -0.0 },
+            .zero = { -0.14834045293053713, -0.9889363528682537, 0.0 },
+        },
+        {  /* w3 */
+            .body = {
+                .mass = 0.83,
+                .center_of_mass = { 0.0005, 0.0063, 0.0008 },
+                .inertia = { 0.0011834739, 0.0008207386999999999, 0.0007531502, -1.2614500000000001e-5,
+                    -3.32e-7, 3.8168e-6 },
+            },
+            .position = { 0.2, 0.0, -0.06 },
+            .axis = { -1.0341155355510722e-13, 1.0, -0.0 },
+            .zero = { -1.0, -1.0341155355510722e-13, 0.0 },
+        },
+        {  /* w4 */
+            .body = {
+                .mass = 0.8,
+                .center_of_mass = { -0.0005, 0.0058, -0.0008 },
+                .inertia = { 0.001177424, 0.0008407120000000001, 0.000737112, 2.3200000000000002e-6, -3.2e-7,
+                    1.1711999999999999e-5 },
+            },
+            .position = { -0.2, 0.0, -0.06 },
+            .axis = { 0.09950371902073478, -0.9950371902100156, -0.0 },
+            .zero = { 0.9950371902100156, 0.09950371902073478, 0.0 },
+        },
+        {  /* w5 */
+            .body = {
+                .mass = 0.76,
+                .center_of_mass = { 0.0005, 0.0061, 0.0 },
+                .inertia = { 0.0011782796, 0.0008601899999999999, 0.0007284695999999999, 7.682e-6, 0.0,
+                    8.0e-6 },
+            },
+            .position = { 0.16, 0.16, 0.0 },
+            .axis = { -1.0341155355510722e-13, -0.0, 1.0 },
+            .zero = { -0.0, 1.0, -0.0 },
+        },
+        {  /* w6 */
+            .body = {
+                .mass = 0.81,
+                .center_of_mass = { -0.0005, 0.0064, 0.0008 },
+                .inertia = { 0.0011836960000000001, 0.0008807209000000001, 0.0007233801,
+                    2.2592000000000003e-5, 3.2400000000000004e-7, 3.852799999999999e-6 },
+            },
+            .position = { -0.16, -0.16, 0.0 },
+            .axis = { -1.0289834168445055e-14, 0.09950371902073478, -0.9950371902100156 },
+            .zero = { -1.0, -1.0341155355510722e-13, 0.0 },
+        },
+        {  /* w7 */
+            .body = {
+                .mass = 0.79,
+                .center_of_mass = { 0.0005, 0.0055, -0.0008 },
+                .inertia = { 0.0011744031, 0.0009007031, 0.0007040950000000001, 2.78275e-5, 3.16e-7,
+                    1.1476e-5 },
+            },
+            .position = { 0.16, -0.16, 0.02 },
+            .axis = { 0.6509445549045109, 0.6509445549039271, 0.3905667329421394 },
+            .zero = { -0.7071067811862305, 0.7071067811868645, 0.0 },
+        },
+        {  /* w8 */
+            .body = {
+                .mass = 0.82,
+                .center_of_mass = { -0.0005, 0.006, 0.0 },
+                .inertia = { 0.0011795199999999999, 0.000920205, 0.000699725, 4.2460000000000003e-5, 0.0,
+                    8.0e-6 },
+            },
+            .position = { -0.16, 0.16, 0.02 },
+            .axis = { -0.680413817439588, 0.6804138174400577, 0.27216552697565327 },
+            .zero = { -0.7071067811867916, -0.7071067811863034, 0.0 },
+        },
     },
 };
 
@@ -3754,17 +3872,150 @@ const bench8_table bench8_default =
     .mass = 18.39,
     .mass_inverse = 0.0543773790103317,
     .first_moment = { 0.04248197645434773, -0.03450698347272574, 0.10202567605548718 },
-    .inertia = { 0.41413639719348794, 0.4762779486313417, 0.7182722364586255, 0.004811849097258413, -0.0016169693316299355, 0.0028881320052902455 },
+    .inertia = { 0.41413639719348794, 0.4762779486313417, 0.7182722364586255, 0.004811849097258413,
+        -0.0016169693316299355, 0.0028881320052902455 },
     .flywheel = {
-        /*                        mu_c[3]                                                                     mu_s[3]                                                                      J_c[6]                                                                                                                                                 J_s[6]                                                                                                                                                J_2c[6]                                                                                                                                            J_2s[6]                                                                                                                                              t_0[3]                                                                      t_c[3]                                                                       t_s[3]                                                                    spin                  spin_inv                    spin_root_inv */
-        { {                    0.0,  0.0048000000000000004,               -0.00064 }, {                    0.0,                0.00064,  0.0048000000000000004 }, {   0.0018432000000000001,  -7.680000000000001e-5,  0.0019200000000000003,                -3.24e-5,                 3.2e-7, -0.00015999999999999999 }, {   0.0008320000000000001,                0.000576,  0.00025600000000000004,                 -3.2e-7,               -3.24e-5, -0.0009984000000000002 }, {                   0.0,   5.855999999999993e-6,  -5.855999999999993e-6,                    0.0,                    0.0,               1.184e-5 }, {                   0.0,              -1.184e-5,              1.184e-5,                    0.0,                    0.0,    5.855999999999993e-6 }, {             0.001179312,                    0.0,                    0.0 }, {  0.0009216000000000002,               -3.24e-5,                 3.2e-7 }, {  0.00041600000000000003,                 -3.2e-7,               -3.24e-5 },           0.001179312,  847.952026266162, 29.119615833079973 },  /* w1 */
-        { { -0.0006479510984005862,  -0.004319673989328533,                    0.0 }, {                    0.0,                    0.0,               0.004368 }, {   0.0017226424074673445,   5.227188264068756e-6,  0.0017278695957314131, -0.00014662214144050534,   3.887706590403517e-5,  0.00025918043935971194 }, {   0.0005241600000000001,   0.0005241600000000001,                     0.0,                     0.0,   1.761889006270081e-5,  0.0008709571664905897 }, {  5.010425427892632e-7,  2.2268557457210788e-5, -2.2769600000000054e-5,   3.340283618588353e-6,  -1.186723623444297e-6,  -7.911490822946029e-6 }, { -1.760391198050952e-7,  -7.823960880194904e-6,                8.0e-6,  -1.173594132031602e-6,  -3.377652777047166e-6,   -2.251768518026904e-5 }, {  -0.0011614669801387316, 0.00017422004702116097,                    0.0 }, { -0.0008709571664905898,   1.761889006270081e-5,                    0.0 }, { -0.00025918043935971194,    3.887706590403518e-5, 0.00011177421968011724 },          0.0011744608, 851.4545568485555, 29.179694255570183 },  /* w2 */
-        { {              -0.005229, -5.407390135396556e-16,               0.000664 }, {               0.000664,  6.866527156059119e-17,               0.005229 }, {    -7.96800000000026e-5,  -0.002171279999999998, -0.0020916000000000003,   1.2614500000108148e-5,            -0.00044654,  -3.3200000003244433e-7 }, {  -0.0006274799999999999,  -0.0003618800000000001,               0.0002656,  -3.3200000001373306e-7, -0.0010059599999999989, -1.2614499999995881e-5 }, { 3.3794249999999945e-5, 3.6139399980431083e-31, -3.3794249999999945e-5, 3.4947158937296765e-18,             -3.8168e-6, -3.947012176091332e-19 }, {            -3.8168e-6, -4.081666610305291e-32,             3.8168e-6, -3.947012176091332e-19, -3.3794249999999945e-5, -3.4947158937296765e-18 }, { -1.2238487459092162e-16,           0.0011834739,                    0.0 }, {  1.2614500000004121e-5, -0.0010856399999999988, -3.3199999998626696e-7 }, {   -3.319999999675557e-7, -0.00018094000000000007, -1.2614499999891853e-5 },          0.0011834739, 844.9700496141063, 29.068368540633756 },  /* w3 */
-        { {   0.004616972562574473,  0.0004616972562562094,               -0.00064 }, {    0.00063682380173441,   6.368238017327027e-5,                0.00464 }, {    7.725940594059287e-5, -0.0017704484309703818, -0.0018467890250297892,    9.006539184530105e-5, 0.00014898651256438169,   2.8020247276239767e-5 }, {  -0.0005567366336633665,  -0.0008115928870303976,   -0.000254729520693764,   1.2422812668317386e-5,  0.0009664402767321927,  1.5124565291089798e-6 }, { 5.1287128712874023e-5,   5.128712871259901e-7,  -5.180000000000001e-5,   5.128712871273652e-6,  1.1653875571739701e-5,  1.1653875571708457e-6 }, { -1.159603960396101e-5, -1.1596039603898831e-7, 1.1711999999999999e-5,  -1.159603960392992e-6,   5.154292645287882e-5,    5.154292645274063e-6 }, {  0.00011715806686426965, -0.0011715806686458377,                    0.0 }, {   6.129429091683452e-6,  0.0008900214205240637, -1.3056476034654053e-5 }, {  -2.7383423474505356e-5,  0.00040505019494455497,   9.465945125124189e-5 },           0.001177424, 849.3117177839079,  29.14295314109241 },  /* w4 */
-        { {                    0.0,               0.004636,                    0.0 }, {              -0.004636,                    0.0, -4.794159622814771e-16 }, {              0.00148352,                    0.0,             0.00148352,  -0.0007417600000000008,                    0.0,                7.682e-6 }, {  1.5888151088206675e-18,             -0.00148352,  -0.0014835200000000016,              0.00074176,  -7.681999999923293e-6,  7.670655396503633e-17 }, { -6.586020000000001e-5,   6.586020000000001e-5, -7.043056468455999e-31,                -8.0e-6, -6.810705599450073e-18, -8.272924284408578e-19 }, {                8.0e-6,                -8.0e-6, 8.555159526944648e-32,  -6.586020000000001e-5,  8.272924284408578e-19,  -6.810705599450073e-18 }, {  -1.218477239582903e-16,                    0.0,           0.0011782796 }, { -7.670655396503634e-17,   7.682000000076708e-6,             0.00074176 }, {               -7.682e-6,                     0.0, -0.0007417600000000009 },          0.0011782796, 848.6949956529843,  29.13237023746925 },  /* w5 */
-        { {  -0.005184000000000067,   0.000644784099255554,   6.447840992543614e-5 }, {  0.0006479999999994666,   0.005158272794048788,  0.0005158272794034891 }, { -0.00020633091176177682,  0.0016589441584158623,  0.0014524849298224026,  -0.0007285225321392385,   3.279642578929449e-5,    9.998961429656231e-6 }, {   -0.001650647294095612, -0.00020288633663350443,  -0.0018624809574617662,   0.0009290358862526829,    8.22099726549325e-5,  6.0387731041189514e-5 }, {  7.867040000000085e-5,  -7.789148514851983e-5,  -7.789148514810139e-7,  -3.833679286424956e-6, -3.8336792864228134e-7,  -7.789148514831061e-6 }, { -3.852799999983809e-6,  3.8146534653305463e-6,  3.814653465326282e-8,  -7.827997376869885e-5,  -7.827997376848858e-6,   3.8146534653284137e-7 }, { -1.2180035545851739e-17, 0.00011778215418996768,  -0.001177821541902835 }, { -0.0001051243647045583,   8.285475675418396e-5, -0.0007216114078429286 }, {   1.0640545588067458e-5,   1.2163334613154928e-5,  0.0009348534439010158 }, 0.0011836960000000001, 844.8115056568578, 29.065641325400993 },  /* w6 */
-        { { -0.0028978380167007196,  0.0032469199118102215, -0.0005818031585118294 }, { -0.0016468605001396797, -0.0007530775287188075,   0.003999896714768827 }, {  -0.0010880174047787315, -0.0009250766179845516,  -0.001966095304164666,  -0.0009832748850411453, 0.00014351535449725188, -0.00015018644068902622 }, {   0.0003912663180277532,  -0.0003772956543654566, -0.00026600002819014864, -0.00015301053675960505, -0.0005932851367323204,  0.0006686316116177211 }, { 4.6136402301782206e-5,   3.717211464739583e-5,  -8.330851694917801e-5, -5.6649791525414974e-5,  1.7522315372662056e-5,  3.2462794796801285e-5 }, {  3.353157977907837e-5,  -4.325700350789491e-5,  9.725423728816534e-6,   6.613288135557307e-6,  -6.690811319114671e-5,    6.107285895392004e-5 }, {   0.0007644713032079777,  0.0007644713032072921,  0.0004586827819241205 }, { -0.0006446862082158728, -0.0006533309408861052, -0.0003836991830381021 }, {   -3.561184843670005e-5,   -4.304037782459309e-5, -3.0235813037950913e-5 },          0.0011744031, 851.4963899533304, 29.180411065530425 },  /* w7 */
-        { { -0.0034789653634390147,  -0.003478965363436613,                    0.0 }, {  0.0009468544414697708, -0.0009468544414704245,   0.004734272207355287 }, {  -0.0010724117622500605,   0.001072411762250829,  7.684824998577255e-16,  3.5605199344423966e-16,   6.140787645885463e-5,    6.140787645881224e-5 }, { -0.00012474244183896668, -0.00012474244183877282,  -0.0005837470248155626,  -0.0002918735124077813,  0.0007129706739633339, -0.0007129706739633033 }, {  4.885971282128034e-5,   5.321436125280905e-5, -0.0001020740740740894,   5.920296296295679e-5,   -2.58581253543106e-5,   1.497150427528753e-5 }, { -3.370723139750324e-5,  2.6299823990094716e-5,  7.407407407408519e-6,  -4.296296296275026e-6,  -7.352733775311225e-5,   -7.649030071602089e-5 }, {  -0.0008025617059463428,  0.0008025617059468968, 0.00032102468237832257 }, {  0.0007463968880770633,   0.000746396888077071, 1.0457722876685768e-16 }, {   -6.140787645881223e-5,    6.140787645885465e-5, -0.0010724117622504447 }, 0.0011795199999999999, 847.8024959305482,  29.11704820084873 },  /* w8 */
+        {  /* w1 */
+            .mu_c = { 0.0, 0.0048000000000000004, -0.00064 },
+            .mu_s = { 0.0, 0.00064, 0.0048000000000000004 },
+            .J_c = { 0.0018432000000000001, -7.680000000000001e-5, 0.0019200000000000003, -3.24e-5, 3.2e-7,
+                -0.00015999999999999999 },
+            .J_s = { 0.0008320000000000001, 0.000576, 0.00025600000000000004, -3.2e-7, -3.24e-5,
+                -0.0009984000000000002 },
+            .J_2c = { 0.0, 5.855999999999993e-6, -5.855999999999993e-6, 0.0, 0.0, 1.184e-5 },
+            .J_2s = { 0.0, -1.184e-5, 1.184e-5, 0.0, 0.0, 5.855999999999993e-6 },
+            .t_0 = { 0.001179312, 0.0, 0.0 },
+            .t_c = { 0.0009216000000000002, -3.24e-5, 3.2e-7 },
+            .t_s = { 0.00041600000000000003, -3.2e-7, -3.24e-5 },
+            .spin = 0.001179312,
+            .spin_inv = 847.952026266162,
+            .spin_root_inv = 29.119615833079973,
+        },
+        {  /* w2 */
+            .mu_c = { -0.0006479510984005862, -0.004319673989328533, 0.0 },
+            .mu_s = { 0.0, 0.0, 0.004368 },
+            .J_c = { 0.0017226424074673445, 5.227188264068756e-6, 0.0017278695957314131,
+                -0.00014662214144050534, 3.887706590403517e-5, 0.00025918043935971194 },
+            .J_s = { 0.0005241600000000001, 0.0005241600000000001, 0.0, 0.0, 1.761889006270081e-5,
+                0.0008709571664905897 },
+            .J_2c = { 5.010425427892632e-7, 2.2268557457210788e-5, -2.2769600000000054e-5,
+                3.340283618588353e-6, -1.186723623444297e-6, -7.911490822946029e-6 },
+            .J_2s = { -1.760391198050952e-7, -7.823960880194904e-6, 8.0e-6, -1.173594132031602e-6,
+                -3.377652777047166e-6, -2.251768518026904e-5 },
+            .t_0 = { -0.0011614669801387316, 0.00017422004702116097, 0.0 },
+            .t_c = { -0.0008709571664905898, 1.761889006270081e-5, 0.0 },
+            .t_s = { -0.00025918043935971194, 3.887706590403518e-5, 0.00011177421968011724 },
+            .spin = 0.0011744608,
+            .spin_inv = 851.4545568485555,
+            .spin_root_inv = 29.179694255570183,
+        },
+        {  /* w3 */
+            .mu_c = { -0.005229, -5.407390135396556e-16, 0.000664 },
+            .mu_s = { 0.000664, 6.866527156059119e-17, 0.005229 },
+            .J_c = { -7.96800000000026e-5, -0.002171279999999998, -0.0020916000000000003,
+                1.2614500000108148e-5, -0.00044654, -3.3200000003244433e-7 },
+            .J_s = { -0.0006274799999999999, -0.0003618800000000001, 0.0002656, -3.3200000001373306e-7,
+                -0.0010059599999999989, -1.2614499999995881e-5 },
+            .J_2c = { 3.3794249999999945e-5, 3.6139399980431083e-31, -3.3794249999999945e-5,
+                3.4947158937296765e-18, -3.8168e-6, -3.947012176091332e-19 },
+            .J_2s = { -3.8168e-6, -4.081666610305291e-32, 3.8168e-6, -3.947012176091332e-19,
+                -3.3794249999999945e-5, -3.4947158937296765e-18 },
+            .t_0 = { -1.2238487459092162e-16, 0.0011834739, 0.0 },
+            .t_c = { 1.2614500000004121e-5, -0.0010856399999999988, -3.3199999998626696e-7 },
+            .t_s = { -3.319999999675557e-7, -0.00018094000000000007, -1.2614499999891853e-5 },
+            .spin = 0.0011834739,
+            .spin_inv = 844.9700496141063,
+            .spin_root_inv = 29.068368540633756,
+        },
+        {  /* w4 */
+            .mu_c = { 0.004616972562574473, 0.0004616972562562094, -0.00064 },
+            .mu_s = { 0.00063682380173441, 6.368238017327027e-5, 0.00464 },
+            .J_c = { 7.725940594059287e-5, -0.0017704484309703818, -0.0018467890250297892,
+                9.006539184530105e-5, 0.00014898651256438169, 2.8020247276239767e-5 },
+            .J_s = { -0.0005567366336633665, -0.0008115928870303976, -0.000254729520693764,
+                1.2422812668317386e-5, 0.0009664402767321927, 1.5124565291089798e-6 },
+            .J_2c = { 5.1287128712874023e-5, 5.128712871259901e-7, -5.180000000000001e-5,
+                5.128712871273652e-6, 1.1653875571739701e-5, 1.1653875571708457e-6 },
+            .J_2s = { -1.159603960396101e-5, -1.1596039603898831e-7, 1.1711999999999999e-5,
+                -1.159603960392992e-6, 5.154292645287882e-5, 5.154292645274063e-6 },
+            .t_0 = { 0.00011715806686426965, -0.0011715806686458377, 0.0 },
+            .t_c = { 6.129429091683452e-6, 0.0008900214205240637, -1.3056476034654053e-5 },
+            .t_s = { -2.7383423474505356e-5, 0.00040505019494455497, 9.465945125124189e-5 },
+            .spin = 0.001177424,
+            .spin_inv = 849.3117177839079,
+            .spin_root_inv = 29.14295314109241,
+        },
+        {  /* w5 */
+            .mu_c = { 0.0, 0.004636, 0.0 },
+            .mu_s = { -0.004636, 0.0, -4.794159622814771e-16 },
+            .J_c = { 0.00148352, 0.0, 0.00148352, -0.0007417600000000008, 0.0, 7.682e-6 },
+            .J_s = { 1.5888151088206675e-18, -0.00148352, -0.0014835200000000016, 0.00074176,
+                -7.681999999923293e-6, 7.670655396503633e-17 },
+            .J_2c = { -6.586020000000001e-5, 6.586020000000001e-5, -7.043056468455999e-31, -8.0e-6,
+                -6.810705599450073e-18, -8.272924284408578e-19 },
+            .J_2s = { 8.0e-6, -8.0e-6, 8.555159526944648e-32, -6.586020000000001e-5, 8.272924284408578e-19,
+                -6.810705599450073e-18 },
+            .t_0 = { -1.218477239582903e-16, 0.0, 0.0011782796 },
+            .t_c = { -7.670655396503634e-17, 7.682000000076708e-6, 0.00074176 },
+            .t_s = { -7.682e-6, 0.0, -0.0007417600000000009 },
+            .spin = 0.0011782796,
+            .spin_inv = 848.6949956529843,
+            .spin_root_inv = 29.13237023746925,
+        },
+        {  /* w6 */
+            .mu_c = { -0.005184000000000067, 0.000644784099255554, 6.447840992543614e-5 },
+            .mu_s = { 0.0006479999999994666, 0.005158272794048788, 0.0005158272794034891 },
+            .J_c = { -0.00020633091176177682, 0.0016589441584158623, 0.0014524849298224026,
+                -0.0007285225321392385, 3.279642578929449e-5, 9.998961429656231e-6 },
+            .J_s = { -0.001650647294095612, -0.00020288633663350443, -0.0018624809574617662,
+                0.0009290358862526829, 8.22099726549325e-5, 6.0387731041189514e-5 },
+            .J_2c = { 7.867040000000085e-5, -7.789148514851983e-5, -7.789148514810139e-7,
+                -3.833679286424956e-6, -3.8336792864228134e-7, -7.789148514831061e-6 },
+            .J_2s = { -3.852799999983809e-6, 3.8146534653305463e-6, 3.814653465326282e-8,
+                -7.827997376869885e-5, -7.827997376848858e-6, 3.8146534653284137e-7 },
+            .t_0 = { -1.2180035545851739e-17, 0.00011778215418996768, -0.001177821541902835 },
+            .t_c = { -0.0001051243647045583, 8.285475675418396e-5, -0.0007216114078429286 },
+            .t_s = { 1.0640545588067458e-5, 1.2163334613154928e-5, 0.0009348534439010158 },
+            .spin = 0.0011836960000000001,
+            .spin_inv = 844.8115056568578,
+            .spin_root_inv = 29.065641325400993,
+        },
+        {  /* w7 */
+            .mu_c = { -0.0028978380167007196, 0.0032469199118102215, -0.0005818031585118294 },
+            .mu_s = { -0.0016468605001396797, -0.0007530775287188075, 0.003999896714768827 },
+            .J_c = { -0.0010880174047787315, -0.0009250766179845516, -0.001966095304164666,
+                -0.0009832748850411453, 0.00014351535449725188, -0.00015018644068902622 },
+            .J_s = { 0.0003912663180277532, -0.0003772956543654566, -0.00026600002819014864,
+                -0.00015301053675960505, -0.0005932851367323204, 0.0006686316116177211 },
+            .J_2c = { 4.6136402301782206e-5, 3.717211464739583e-5, -8.330851694917801e-5,
+                -5.6649791525414974e-5, 1.7522315372662056e-5, 3.2462794796801285e-5 },
+            .J_2s = { 3.353157977907837e-5, -4.325700350789491e-5, 9.725423728816534e-6, 6.613288135557307e-6,
+                -6.690811319114671e-5, 6.107285895392004e-5 },
+            .t_0 = { 0.0007644713032079777, 0.0007644713032072921, 0.0004586827819241205 },
+            .t_c = { -0.0006446862082158728, -0.0006533309408861052, -0.0003836991830381021 },
+            .t_s = { -3.561184843670005e-5, -4.304037782459309e-5, -3.0235813037950913e-5 },
+            .spin = 0.0011744031,
+            .spin_inv = 851.4963899533304,
+            .spin_root_inv = 29.180411065530425,
+        },
+        {  /* w8 */
+            .mu_c = { -0.0034789653634390147, -0.003478965363436613, 0.0 },
+            .mu_s = { 0.0009468544414697708, -0.0009468544414704245, 0.004734272207355287 },
+            .J_c = { -0.0010724117622500605, 0.001072411762250829, 7.684824998577255e-16,
+                3.5605199344423966e-16, 6.140787645885463e-5, 6.140787645881224e-5 },
+            .J_s = { -0.00012474244183896668, -0.00012474244183877282, -0.0005837470248155626,
+                -0.0002918735124077813, 0.0007129706739633339, -0.0007129706739633033 },
+            .J_2c = { 4.885971282128034e-5, 5.321436125280905e-5, -0.0001020740740740894,
+                5.920296296295679e-5, -2.58581253543106e-5, 1.497150427528753e-5 },
+            .J_2s = { -3.370723139750324e-5, 2.6299823990094716e-5, 7.407407407408519e-6,
+                -4.296296296275026e-6, -7.352733775311225e-5, -7.649030071602089e-5 },
+            .t_0 = { -0.0008025617059463428, 0.0008025617059468968, 0.00032102468237832257 },
+            .t_c = { 0.0007463968880770633, 0.000746396888077071, 1.0457722876685768e-16 },
+            .t_s = { -6.140787645881223e-5, 6.140787645885465e-5, -0.0010724117622504447 },
+            .spin = 0.0011795199999999999,
+            .spin_inv = 847.8024959305482,
+            .spin_root_inv = 29.11704820084873,
+        },
     },
     .gravity = { 0.0, 0.0, -9.81 },
     .suspension = {
@@ -3793,13 +4044,18 @@ BENCH8_CONST
 const bench8_inverse_options bench8_default_options =
 {
     .weight = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
-    .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
     .most = { 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4 },
-    .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
-    .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308 },
+    .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308 },
     .motor_viscous = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     .motor_coulomb = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     .motor_coulomb_speed = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
-    .near = 1.0e-6,
+    .near_singular = 1.0e-6,
     .damping = 0.0,
 };

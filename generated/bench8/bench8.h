@@ -9,8 +9,8 @@
  * Never with -ffast-math, -Ofast, -funsafe-math-optimizations or parts of them: wrong results with status OK.
  * The source refuses what the compiler shows of them; clang does not show all.
  * BENCH8_SQRT, defined for the source, takes the square root of a processor in the place of its own:
- * the bits are the same if it rounds correctly. -ffunction-sections and -Wl,--gc-sections leave out what is
- * not called.
+ * the bits are the same if it rounds correctly.
+ * -ffunction-sections and -Wl,--gc-sections leave out what is not called.
  * Stack: what a function states is an upper bound with all that it calls, from its locals along the
  * deepest chain of calls and an allowance for registers: for gcc and clang at -O1 to -O3 and -Os, 32 and 64
  * bits. The routines of the compiler's library (memcpy, arithmetic without an FPU) come on top.
@@ -24,6 +24,41 @@
 #ifndef BENCH8_H
 #define BENCH8_H
 
+/* The linker sees names that end in the kind of the reals and a hash of this header: a caller with the
+ * header of another stand, element type, choice of functions or version does not link. Define
+ * BENCH8_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
+ * languages need them. */
+#ifndef BENCH8_PLAIN_NAMES
+#define bench8_default_parameters      bench8_default_parameters_f64_6595a8c4
+#define bench8_default                 bench8_default_f64_6595a8c4
+#define bench8_default_options         bench8_default_options_f64_6595a8c4
+#define bench8_forward                 bench8_forward_f64_6595a8c4
+#define bench8_wrench                  bench8_wrench_f64_6595a8c4
+#define bench8_matrices                bench8_matrices_f64_6595a8c4
+#define bench8_momentum                bench8_momentum_f64_6595a8c4
+#define bench8_torque                  bench8_torque_f64_6595a8c4
+#define bench8_coupled                 bench8_coupled_f64_6595a8c4
+#define bench8_step                    bench8_step_f64_6595a8c4
+#define bench8_step_driven             bench8_step_driven_f64_6595a8c4
+#define bench8_wrap                    bench8_wrap_f64_6595a8c4
+#define bench8_phase_of_counts         bench8_phase_of_counts_f64_6595a8c4
+#define bench8_speed_of_counts         bench8_speed_of_counts_f64_6595a8c4
+#define bench8_accumulate              bench8_accumulate_f64_6595a8c4
+#define bench8_forward_jacobian        bench8_forward_jacobian_f64_6595a8c4
+#define bench8_coupled_jacobian        bench8_coupled_jacobian_f64_6595a8c4
+#define bench8_inverse                 bench8_inverse_f64_6595a8c4
+#define bench8_inverse_fast            bench8_inverse_fast_f64_6595a8c4
+#define bench8_quaternion              bench8_quaternion_f64_6595a8c4
+#define bench8_state_from_coordinates  bench8_state_from_coordinates_f64_6595a8c4
+#define bench8_generalized             bench8_generalized_f64_6595a8c4
+#define bench8_prepare                 bench8_prepare_f64_6595a8c4
+#define bench8_mounts                  bench8_mounts_f64_6595a8c4
+#define bench8_prepare_mounts          bench8_prepare_mounts_f64_6595a8c4
+#define bench8_step_carried            bench8_step_carried_f64_6595a8c4
+#define bench8_step_driven_carried     bench8_step_driven_carried_f64_6595a8c4
+#define bench8_center_of_mass_velocity bench8_center_of_mass_velocity_f64_6595a8c4
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -31,7 +66,6 @@ extern "C" {
 #define BENCH8_STRUCTURE 0x309d41a6u  /* hash of the stand's names, counts and kinds of wrench */
 #define BENCH8_PHYSICS   0x139422e0u  /* hash of its structure and all numbers */
 #define BENCH8_TABLE_HASH 0x7eb4a14cu /* FNV-1a of all numbers of the default table but its stream */
-#define BENCH8_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define BENCH8_REAL_BYTES 8           /* bytes of a bench8_real */
 #define BENCH8_VERSION_MAJOR 0        /* of the mahovik that wrote this */
 #define BENCH8_VERSION_MINOR 1
@@ -61,7 +95,7 @@ typedef int bench8_status;  /* not the enum, whose size compilers choose */
 
 enum {
     BENCH8_OK = 0,                        /* success */
-    BENCH8_NEAR_SINGULAR = 1,             /* least singular value less than `near` times the largest */
+    BENCH8_NEAR_SINGULAR = 1,             /* least singular value below `near_singular` times the largest */
     BENCH8_DAMPED = 2,                    /* damping was applied */
     BENCH8_LIMITED = 4,                   /* a limit was reached; `limited` says by which flywheels */
     BENCH8_UNREACHABLE = 8,               /* wanted motion not reached: residual above 1e-9 of the demand */
@@ -112,7 +146,7 @@ typedef struct bench8_flywheel {
                                * 0 */
 } bench8_flywheel;
 
-/* Input of prepare: masses, inertias and mountings. */
+/* Masses, inertias and mountings, of which the table is made. */
 typedef struct bench8_parameters {
     bench8_body carrier;
     bench8_flywheel flywheel[BENCH8_N];
@@ -142,7 +176,7 @@ typedef struct bench8_suspension {
     bench8_real attitude[4];      /* quaternion of the equilibrium attitude */
 } bench8_suspension;
 
-/* The constants of the equations. Made by prepare, except the laws at the end (gravity, ...). */
+/* The constants of the equations, made of the parameters; the laws at the end (gravity, ...) are as given. */
 typedef struct bench8_table {
     bench8_real mass;               /* kg; mass of all bodies */
     bench8_real mass_inverse;       /* 1/kg */
@@ -202,29 +236,6 @@ typedef struct bench8_encoder {
     int moved;    /* counts between the last two readings */
 } bench8_encoder;
 
-/* A symmetric 3x3 matrix factored, L D L^T. */
-typedef struct bench8_factors3 {
-    bench8_real r1;   /* 1 / D, of the last D itself */
-    bench8_real r2;
-    bench8_real d3;
-    bench8_real l21;  /* L below its diagonal */
-    bench8_real l31;
-    bench8_real l32;
-} bench8_factors3;
-
-/* K of the carrier factored. */
-typedef struct bench8_carrier_factor {
-    bench8_real rho[3];  /* m; mass centre from O1, in E1 */
-    bench8_factors3 L;   /* what is left of the inertia */
-} bench8_carrier_factor;
-
-/* K with free flywheels eliminated, factored. */
-typedef struct bench8_schur_factor {
-    bench8_real A_inv[6];  /* 1/kg */
-    bench8_real U[9];      /* m; A^-1 B^T */
-    bench8_factors3 L;     /* D - B A^-1 B^T */
-} bench8_schur_factor;
-
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct bench8_inverse_options {
     bench8_real weight[BENCH8_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to
@@ -240,7 +251,7 @@ typedef struct bench8_inverse_options {
     bench8_real motor_coulomb[BENCH8_N];        /* N m; dry friction, which the motor bears; 0: none */
     bench8_real motor_coulomb_speed[BENCH8_N];  /* rad/s; speed at which three quarters of the dry friction
                                                  * act; greater than 0 */
-    bench8_real near;                           /* status NEAR_SINGULAR below this fraction of the largest
+    bench8_real near_singular;                  /* status NEAR_SINGULAR below this fraction of the largest
                                                  * singular value, 0..1 */
     bench8_real damping;                        /* damping of small singular values, as a fraction of the
                                                  * largest, 0..1; 0: none */
@@ -279,7 +290,7 @@ typedef struct bench8_forward_jacobian_result {
 } bench8_forward_jacobian_result;
 
 extern const bench8_parameters bench8_default_parameters;         /* of the stand file */
-extern const bench8_table bench8_default;                         /* what prepare makes of them */
+extern const bench8_table bench8_default;                         /* made of them */
 extern const bench8_inverse_options bench8_default_options;       /* of inverse, by the stand file */
 
 /* ---- functions ---- */
@@ -317,7 +328,7 @@ bench8_status bench8_matrices(const bench8_table *table, const bench8_state *x, 
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2443 operations on reals, 1 of them a division. Stack: at most 1616 bytes. */
+ * At most 2443 operations on reals, 1 of them a division. Stack: at most 1632 bytes. */
 bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, bench8_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -327,7 +338,7 @@ bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, 
  *   phi_ddot[8]  rad/s2; flywheel accelerations
  *   tau[8]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1529 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
+ * At most 1529 operations on reals, 1 of them a division. Stack: at most 1504 bytes. */
 bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N]);
 
@@ -445,7 +456,7 @@ bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_st
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 18755 operations on reals, 37 of them divisions. Stack: at most 7376 bytes. */
+ * At most 17323 operations on reals, 37 of them divisions. Stack: at most 7328 bytes. */
 bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_state *x,
                                       const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                       bench8_coupled_jacobian_result *out);
@@ -462,7 +473,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 53838 operations on reals, 1419 of them divisions. Stack: at most 5568 bytes. */
+ * At most 115938 operations on reals, 4019 of them divisions. Stack: at most 5616 bytes. */
 bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out);
 
@@ -471,7 +482,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and `limit` are ignored
+ *   options      weights and damping; `near_singular` and `limit` are ignored
  *   phi_ddot[8]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
@@ -599,7 +610,7 @@ bench8_status bench8_step_driven_carried(const bench8_table *table, const bench8
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1711 operations on reals, 1 of them a division. Stack: at most 1520 bytes. */
+ * At most 1711 operations on reals, 1 of them a division. Stack: at most 1536 bytes. */
 bench8_status bench8_center_of_mass_velocity(const bench8_table *table, const bench8_state *x,
                                              bench8_real center_of_mass_velocity[3]);
 
@@ -607,22 +618,4 @@ bench8_status bench8_center_of_mass_velocity(const bench8_table *table, const be
 }
 #endif
 
-#endif
-
-/* A caller that was compiled with the header of another element type, number of lanes, version or stand does
- * not link: the symbol is in the source of this header alone. It takes no memory. gcc and clang, ELF files.
- * Define BENCH8_NO_LINK_CHECK where only types are used, and the source is not linked. */
-#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-#if !defined BENCH8_NO_LINK_CHECK && !defined BENCH8_LINK_CHECKED
-#define BENCH8_LINK_CHECKED
-#if __SIZEOF_POINTER__ == 8
-__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".quad bench8_link_double_lanes1_v0_1_0_139422e0\n"
-        ".popsection\n");
-#elif __SIZEOF_POINTER__ == 4
-__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".long bench8_link_double_lanes1_v0_1_0_139422e0\n"
-        ".popsection\n");
-#endif
-#endif
 #endif

@@ -1,6 +1,5 @@
 /* demo3.c: motion of the stand "demo3". What each function does and takes: demo3.h.
  * mahovik 0.1.0; structure 055bf547, physics fdeb29e7. Generated: change the stand file instead. */
-#define DEMO3_LINK_CHECKED  /* callers refer to the symbol that this file defines */
 #include "demo3.h"
 
 #include <stddef.h>
@@ -9,9 +8,6 @@
 #if DEMO3_STRUCTURE != 0x055bf547u || DEMO3_PHYSICS != 0xfdeb29e7u
 #error "demo3.h and demo3.c are of different stands"
 #endif
-#if DEMO3_LANES != 1
-#error "demo3.h and demo3.c were generated for different numbers of lanes"
-#endif
 #if DEMO3_REAL_BYTES != 8
 #error "demo3.h and demo3.c were generated for different element types"
 #endif
@@ -19,19 +15,23 @@
 #error "demo3.h and demo3.c are of different versions of mahovik"
 #endif
 
-/* What callers with the right header refer to: an address without memory. */
-#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-__asm__(".globl demo3_link_double_lanes1_v0_1_0_fdeb29e7\n"
-        ".type demo3_link_double_lanes1_v0_1_0_fdeb29e7, %object\n"
-        ".size demo3_link_double_lanes1_v0_1_0_fdeb29e7, 1\n"
-        ".set demo3_link_double_lanes1_v0_1_0_fdeb29e7, 0\n");
-#endif
+#include <float.h>
+#include <limits.h>
 
-/* Fast math leaves out the roundings that the code relies on: wrong results with status OK. What the compiler
- * shows of it is refused here; clang does not show -funsafe-math-optimizations. */
+/* Other numbers than those of IEEE 754, and fast math, which leaves out roundings that the code relies on,
+ * give wrong results with status OK. What the compiler shows of them is refused here; clang does not show
+ * -funsafe-math-optimizations. */
+#if FLT_RADIX != 2 || DBL_MANT_DIG != 53
+#error "wrong results: demo3 needs a double of 64 bits, 53 of them significant"
+#endif
+#if INT_MAX < 2147483647
+#error "wrong counts: demo3 needs an int of 32 bits"
+#endif
 #ifndef DEMO3_ALLOW_FAST_MATH
 #if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined _M_FP_FAST
 #error "wrong results: compile demo3 without -ffast-math, -Ofast and -funsafe-math-optimizations"
+#elif FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16
+#error "wrong results: x87 keeps more digits: compile demo3 with -msse2 -mfpmath=sse"
 #endif
 #if defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ == 1
 #error "inputs that are NaN would pass: compile demo3 without -ffinite-math-only"
@@ -71,6 +71,22 @@ typedef struct demo3_sums {
     demo3_real a_rel[3];   /* N; d/dt of the force part */
 } demo3_sums;
 
+/* A symmetric 3x3 matrix factored, L D L^T. */
+typedef struct demo3_factors3 {
+    demo3_real r1;   /* 1 / D, of the last D itself */
+    demo3_real r2;
+    demo3_real d3;
+    demo3_real l21;  /* L below its diagonal */
+    demo3_real l31;
+    demo3_real l32;
+} demo3_factors3;
+
+/* K of the carrier factored. */
+typedef struct demo3_carrier_factor {
+    demo3_real rho[3];  /* m; mass centre from O1, in E1 */
+    demo3_factors3 L;   /* what is left of the inertia */
+} demo3_carrier_factor;
+
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
 typedef struct demo3_coupling {
     demo3_real I_[6];  /* kg m, kg m2; column of I (9) */
@@ -83,6 +99,13 @@ typedef struct demo3_schur {
     demo3_real B[9];  /* kg m; moment by v*, row by row */
     demo3_real D[6];  /* kg m2; moment by omega*: 11 22 33 12 13 23 */
 } demo3_schur;
+
+/* K with free flywheels eliminated, factored. */
+typedef struct demo3_schur_factor {
+    demo3_real A_inv[6];  /* 1/kg */
+    demo3_real U[9];      /* m; A^-1 B^T */
+    demo3_factors3 L;     /* D - B A^-1 B^T */
+} demo3_schur_factor;
 
 /* Scratch of inverse. */
 typedef struct demo3_inverse_work {
@@ -230,7 +253,6 @@ static demo3_status demo3_within(const demo3_real values[], int count, demo3_rea
 DEMO3_CODE
 static demo3_status demo3_check_state(const demo3_state *x)
 {
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
     {
         demo3_real position2, velocity2, speed2, phase2;
         position2 = 0.0;
@@ -238,13 +260,18 @@ static demo3_status demo3_check_state(const demo3_state *x)
         speed2 = 0.0;
         phase2 = 0.0;
         for (int i = 0; i < 3; ++i) {
-            position2 += x->position[i] * x->position[i];
-            velocity2 += x->V[i] * x->V[i];
-            speed2 += x->V[i + 3] * x->V[i + 3];
+            const demo3_real position = x->position[i];
+            position2 += position * position;
+            const demo3_real velocity = x->V[i];
+            velocity2 += velocity * velocity;
+            const demo3_real speed = x->V[i + 3];
+            speed2 += speed * speed;
         }
         for (int s = 0; s < DEMO3_N; ++s) {
-            phase2 += x->phi[s] * x->phi[s];
-            speed2 += x->phi_dot[s] * x->phi_dot[s];
+            const demo3_real phase = x->phi[s];
+            phase2 += phase * phase;
+            const demo3_real speed = x->phi_dot[s];
+            speed2 += speed * speed;
         }
         const demo3_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
             + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -253,7 +280,6 @@ static demo3_status demo3_check_state(const demo3_state *x)
             && speed2 < DEMO3_MAX_SPEED * DEMO3_MAX_SPEED
             && phase2 < DEMO3_MAX_PHASE * DEMO3_MAX_PHASE) { return DEMO3_OK; }
     }
-#endif
     demo3_status status = demo3_within(x->position, 3, DEMO3_MAX_POSITION);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(x->attitude, 4, 2.0);
@@ -277,7 +303,6 @@ DEMO3_CODE
 static demo3_status demo3_check_motion(const demo3_state *x, const demo3_real values[DEMO3_N],
                                        demo3_real limit)
 {
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
     {
         demo3_real position2, velocity2, speed2, phase2, given2;
         position2 = 0.0;
@@ -286,14 +311,20 @@ static demo3_status demo3_check_motion(const demo3_state *x, const demo3_real va
         phase2 = 0.0;
         given2 = 0.0;
         for (int i = 0; i < 3; ++i) {
-            position2 += x->position[i] * x->position[i];
-            velocity2 += x->V[i] * x->V[i];
-            speed2 += x->V[i + 3] * x->V[i + 3];
+            const demo3_real position = x->position[i];
+            position2 += position * position;
+            const demo3_real velocity = x->V[i];
+            velocity2 += velocity * velocity;
+            const demo3_real speed = x->V[i + 3];
+            speed2 += speed * speed;
         }
         for (int s = 0; s < DEMO3_N; ++s) {
-            phase2 += x->phi[s] * x->phi[s];
-            given2 += values[s] * values[s];
-            speed2 += x->phi_dot[s] * x->phi_dot[s];
+            const demo3_real phase = x->phi[s];
+            phase2 += phase * phase;
+            const demo3_real given = values[s];
+            given2 += given * given;
+            const demo3_real speed = x->phi_dot[s];
+            speed2 += speed * speed;
         }
         const demo3_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
             + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -302,7 +333,6 @@ static demo3_status demo3_check_motion(const demo3_state *x, const demo3_real va
             && speed2 < DEMO3_MAX_SPEED * DEMO3_MAX_SPEED && phase2 < DEMO3_MAX_PHASE * DEMO3_MAX_PHASE
             && given2 < limit * limit) { return DEMO3_OK; }
     }
-#endif
     demo3_status status = demo3_within(x->position, 3, DEMO3_MAX_POSITION);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(x->attitude, 4, 2.0);
@@ -325,7 +355,7 @@ static demo3_status demo3_check_motion(const demo3_state *x, const demo3_real va
 
 /* Rotation matrix of a quaternion of any length: no square root is needed. */
 DEMO3_CODE
-static void demo3_rotation(const demo3_real q[4], demo3_real C[restrict 9])
+static void demo3_rotation(const demo3_real q[4], demo3_real *restrict C /* [9] */)
 {
     const demo3_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
@@ -343,8 +373,8 @@ static void demo3_rotation(const demo3_real q[4], demo3_real C[restrict 9])
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 DEMO3_CODE
-static void demo3_sincos_each(const demo3_real x[DEMO3_N], demo3_real sine[restrict DEMO3_N],
-                              demo3_real cosine[restrict DEMO3_N])
+static void demo3_sincos_each(const demo3_real x[DEMO3_N], demo3_real *restrict sine /* [DEMO3_N] */,
+                              demo3_real *restrict cosine /* [DEMO3_N] */)
 {
     for (int s = 0; s < DEMO3_N; ++s) {
         /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the
@@ -518,7 +548,7 @@ static DEMO3_COPIED void demo3_sum_spin(const demo3_table *table, const demo3_re
 /* Momentum screw Z = K V + sum I phi' of the sums, (2). */
 DEMO3_CODE
 static void demo3_momentum_screw(const demo3_table *table, const demo3_sums *sum, const demo3_real V[6],
-                                 demo3_real Z[restrict 6])
+                                 demo3_real *restrict Z /* [6] */)
 {
     Z[0] = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
     Z[1] = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
@@ -534,7 +564,7 @@ static void demo3_momentum_screw(const demo3_table *table, const demo3_sums *sum
 /* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (2), (4), (5). */
 DEMO3_CODE
 static void demo3_subtract_rates(const demo3_table *table, const demo3_sums *sum, const demo3_real V[6],
-                                 demo3_real F[restrict 6])
+                                 demo3_real *restrict F /* [6] */)
 {
     /* momentum screw Z = K V + sum I phi' */
     const demo3_real Z1 = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
@@ -583,7 +613,8 @@ static inline demo3_status demo3_factor3(const demo3_real S[6], demo3_factors3 *
 
 /* Solves S y = b by S = L D L^T. */
 DEMO3_CODE
-static inline void demo3_solve3(const demo3_factors3 *L, const demo3_real b[3], demo3_real y[restrict 3])
+static inline void demo3_solve3(const demo3_factors3 *L, const demo3_real b[3],
+                                demo3_real *restrict y /* [3] */)
 {
     /* L z = b, then L^T y = D^-1 z */
     const demo3_real z2 = b[1] - L->l21 * b[0];
@@ -617,7 +648,7 @@ static demo3_status demo3_factor_carrier(const demo3_table *table, const demo3_s
 /* Solves K y = F by the factors of K, (8). */
 DEMO3_CODE
 static void demo3_solve_carrier(const demo3_table *table, const demo3_carrier_factor *K,
-                                const demo3_real F[6], demo3_real y[restrict 6])
+                                const demo3_real F[6], demo3_real *restrict y /* [6] */)
 {
     demo3_real moment[3];  /* about the mass centre */
     demo3_real omega_dot[3];
@@ -893,7 +924,7 @@ static DEMO3_COPIED void demo3_couple(const demo3_row *row, demo3_real s, demo3_
 /* Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 DEMO3_CODE
 static void demo3_eliminate(const demo3_real column[6], demo3_real spin_inv, demo3_real rate,
-                            demo3_schur *restrict K, demo3_real F[restrict 6])
+                            demo3_schur *restrict K, demo3_real *restrict F /* [6] */)
 {
     demo3_real scaled[6];  /* I / Theta_ff */
     scaled[0] = column[0] * spin_inv;  scaled[1] = column[1] * spin_inv;  scaled[2] = column[2] * spin_inv;
@@ -913,7 +944,7 @@ static void demo3_eliminate(const demo3_real column[6], demo3_real spin_inv, dem
 DEMO3_CODE
 static void demo3_balance(const demo3_table *table, const demo3_state *x, const demo3_real sine[DEMO3_N],
                           const demo3_real cosine[DEMO3_N], const demo3_real V_dot[6],
-                          const demo3_real phi_ddot[DEMO3_N], demo3_real tau[restrict DEMO3_N])
+                          const demo3_real phi_ddot[DEMO3_N], demo3_real *restrict tau /* [DEMO3_N] */)
 {
     demo3_real origin_acceleration[3];  /* omega x v */
     origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
@@ -1007,7 +1038,7 @@ static demo3_status demo3_factor_schur(const demo3_schur *K, demo3_schur_factor 
 /* Solves [A B^T; B D] y = F by the factors. */
 DEMO3_CODE
 static void demo3_solve_schur(const demo3_schur_factor *factor, const demo3_real F[6],
-                              demo3_real y[restrict 6])
+                              demo3_real *restrict y /* [6] */)
 {
     demo3_real moment[3];  /* n - B A^-1 f */
     demo3_real omega_dot[3];
@@ -1029,7 +1060,8 @@ DEMO3_CODE
 static demo3_status demo3_solve_coupled(const demo3_table *table, const demo3_state *x,
                                         const demo3_real sine[DEMO3_N], const demo3_real cosine[DEMO3_N],
                                         const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
-                                        demo3_real V_dot[restrict 6], demo3_real phi_ddot[restrict DEMO3_N])
+                                        demo3_real *restrict V_dot /* [6] */,
+                                        demo3_real *restrict phi_ddot /* [DEMO3_N] */)
 {
     demo3_status status;
     demo3_sums sum;
@@ -1528,7 +1560,7 @@ demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int
 /* Derivative of F - Phi Z - K* V by the twist, (8). */
 DEMO3_CODE
 static void demo3_twist_slope(const demo3_real Z[6], const demo3_matrices_result *m,
-                              demo3_real slope[restrict 36])
+                              demo3_real *restrict slope /* [36] */)
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1552,7 +1584,7 @@ static void demo3_twist_slope(const demo3_real Z[6], const demo3_matrices_result
 /* Change of F - Phi Z - K* V - (a, g) - K V* with the harmonic weights of one flywheel, (8). */
 DEMO3_CODE
 static void demo3_row_slope(const demo3_row *row, const demo3_real weight[12], const demo3_real V[6],
-                            const demo3_real V_dot[6], demo3_real out[restrict 6])
+                            const demo3_real V_dot[6], demo3_real *restrict out /* [6] */)
 {
     demo3_sums change;  /* change of the sums */
     demo3_real Z[6];  /* change of the momentum screw */
@@ -1915,9 +1947,6 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             demo3_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            for (int t = 0; t < DEMO3_N; ++t) {
-                drive_rhs[t] = 0.0;
-            }
             demo3_real mu_pp[3];  /* d2 mu / dphi2 */
             demo3_real J_pp[6];  /* d2 J / dphi2 */
             demo3_real I_p[6];  /* dI / dphi */
@@ -1942,19 +1971,17 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
             I_p[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
             I_p[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
             I_p[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
-            drive_rhs[s] = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
+            const demo3_real side = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
                 + V_result[3] * I_p[3] + V_result[4] * I_p[4] + V_result[5] * I_p[5]
                 + (mu_pp[0] * origin_acceleration[0] + mu_pp[1] * origin_acceleration[1]
                 + mu_pp[2] * origin_acceleration[2]
                 - 0.5 * (J_pp[0] * x->V[3] + J_pp[3] * x->V[4] + J_pp[4] * x->V[5]) * x->V[3]
                 - 0.5 * (J_pp[1] * x->V[4] + J_pp[3] * x->V[3] + J_pp[5] * x->V[5]) * x->V[4]
                 - 0.5 * (J_pp[2] * x->V[5] + J_pp[4] * x->V[3] + J_pp[5] * x->V[4]) * x->V[5]));
-            for (int t = 0; t < DEMO3_N; ++t) {
-                if (locked[t] == 0) {
-                    const demo3_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                    for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I_[i] * share;
-                    }
+            if (locked[s] == 0) {
+                const demo3_real share = side * table->flywheel[s].spin_inv;
+                for (int i = 0; i < 6; ++i) {
+                    rhs[i] -= drive[s].I_[i] * share;
                 }
             }
             demo3_solve_schur(&factor, rhs, y);
@@ -1964,7 +1991,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
             for (int t = 0; t < DEMO3_N; ++t) {
                 out->phi_ddot_phi[t][s] = 0.0;
                 if (locked[t] == 0) {
-                    out->phi_ddot_phi[t][s] = (drive_rhs[t]
+                    out->phi_ddot_phi[t][s] = (((t == s) ? side : 0.0)
                         - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                         + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
@@ -1977,17 +2004,6 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             demo3_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            for (int t = 0; t < DEMO3_N; ++t) {
-                drive_rhs[t] = 0.0;
-            }
-            for (int t = 0; t < DEMO3_N; ++t) {
-                if (locked[t] == 0) {
-                    const demo3_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                    for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I_[i] * share;
-                    }
-                }
-            }
             demo3_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
@@ -1995,7 +2011,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
             for (int t = 0; t < DEMO3_N; ++t) {
                 out->phi_ddot_phi_dot[t][s] = 0.0;
                 if (locked[t] == 0) {
-                    out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
+                    out->phi_ddot_phi_dot[t][s] = (0.0
                         - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                         + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
@@ -2004,12 +2020,9 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
         }
         rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
         rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
-        for (int t = 0; t < DEMO3_N; ++t) {
-            drive_rhs[t] = 0.0;
-        }
-        drive_rhs[s] = 1.0;
+        const demo3_real side = 1.0;
         if (locked[s] == 0) {
-            const demo3_real share = drive_rhs[s] * table->flywheel[s].spin_inv;
+            const demo3_real share = side * table->flywheel[s].spin_inv;
             for (int i = 0; i < 6; ++i) {
                 rhs[i] -= drive[s].I_[i] * share;
             }
@@ -2021,7 +2034,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
         for (int t = 0; t < DEMO3_N; ++t) {
             out->phi_ddot_tau[t][s] = 0.0;
             if (locked[t] == 0) {
-                out->phi_ddot_tau[t][s] = (drive_rhs[t]
+                out->phi_ddot_tau[t][s] = (((t == s) ? side : 0.0)
                     - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                     + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
@@ -2191,7 +2204,8 @@ static demo3_status demo3_demand(const demo3_table *table, const demo3_state *x,
 
 /* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 DEMO3_CODE
-static void demo3_solve_gram(demo3_real gram[restrict 6][6], demo3_real z[restrict 6], demo3_real least)
+static void demo3_solve_gram(demo3_real (*restrict gram)[6] /* [6][6] */, demo3_real *restrict z /* [6] */,
+                             demo3_real least)
 {
     for (int j = 0; j < 6; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -2223,7 +2237,8 @@ static void demo3_solve_gram(demo3_real gram[restrict 6][6], demo3_real z[restri
  * share, (12). */
 DEMO3_CODE
 static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_options *options, int rank,
-                           demo3_real phi_ddot[restrict DEMO3_N], int limited[restrict DEMO3_N])
+                           demo3_real *restrict phi_ddot /* [DEMO3_N] */,
+                           int *restrict limited /* [DEMO3_N] */)
 {
     demo3_real share[DEMO3_N];  /* 1/weight */
     demo3_real give[DEMO3_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
@@ -2231,128 +2246,150 @@ static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_o
     demo3_real row[6];  /* factor of each row; 0: the row is left out */
     demo3_real gram[6][6];
     demo3_real z[6];
+    int going, weighted;
+    int settled;  /* 1 after a whole step that gains nothing and frees nobody */
+    demo3_real square_before;  /* square of the residual after the last whole step */
+    going = 1;
+    weighted = 1;
+    square_before = 1.7976931348623157e308;
     /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < DEMO3_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
         share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 7; ++pass) {
-        demo3_real most = 0.0;
-        for (int s = 0; s < DEMO3_N; ++s) {
-            if (pass >= 6) {
-                share[s] = 1.0;
-            }
-            give[s] = (limited[s] > 0) ? 0.0 : share[s];
-            most = (give[s] > most) ? give[s] : most;
-        }
-        const demo3_real regular = 1.0e-12 * most;
-        /* lower bound that keeps the diagonal positive */
-        const demo3_real least = (most > 0.0) ? regular : 1.0;
-        for (int i = 0; i < 6; ++i) {
-            row[i] = 0.0;
-            if (i < rank) {
-                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
-            }
-        }
-        for (int i = 0; i < 6; ++i) {
-            demo3_real left = work->r[i];
+    for (int pass = 0; pass < 22; ++pass) {
+        if (going > 0) {
+            demo3_real most = 0.0;
             for (int s = 0; s < DEMO3_N; ++s) {
-                left -= work->W[i][s] * phi_ddot[s];
+                give[s] = (limited[s] > 0) ? 0.0 : share[s];
+                most = (give[s] > most) ? give[s] : most;
             }
-            z[i] = row[i] * left;
-        }
-        demo3_real weighed[DEMO3_N];  /* a row of W Omega^-1 */
-        for (int i = 0; i < 6; ++i) {
-            for (int s = 0; s < DEMO3_N; ++s) {
-                weighed[s] = work->W[i][s] * give[s];
-            }
-            for (int j = 0; j < i + 1; ++j) {
-                demo3_real total = 0.0;
-                for (int s = 0; s < DEMO3_N; ++s) {
-                    total += weighed[s] * work->W[j][s];
-                }
-                gram[i][j] = row[i] * row[j] * total;
-            }
-            gram[i][i] += least;
-        }
-        demo3_solve_gram(gram, z, least);
-        for (int i = 0; i < 6; ++i) {
-            z[i] = row[i] * z[i];
-        }
-        for (int s = 0; s < DEMO3_N; ++s) {
-            demo3_real total = 0.0;
+            const demo3_real regular = 1.0e-12 * most;
+            /* lower bound that keeps the diagonal positive */
+            const demo3_real least = (most > 0.0) ? regular : 1.0;
             for (int i = 0; i < 6; ++i) {
-                total += work->W[i][s] * z[i];
-            }
-            step[s] = give[s] * total;
-        }
-        if (pass < 1) {
-            for (int s = 0; s < DEMO3_N; ++s) {
-                phi_ddot[s] = step[s];
-                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
-                    const demo3_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
+                row[i] = 0.0;
+                if (i < rank) {
+                    row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
                 }
             }
-        } else {
-            /* go as far as all limits allow; hold the flywheel that reaches its limit */
-            demo3_real length = 1.0;
-            int stopped = -1;
-            for (int s = 0; s < DEMO3_N; ++s) {
-                const demo3_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
-                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
-                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
-                    const demo3_real room = options->limit[s] / work->scale[s]
-                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
-                    const demo3_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
-                    if (part < length) {
-                        length = (part > 0.0) ? part : 0.0;
-                        stopped = s;
-                    }
-                }
-            }
-            for (int s = 0; s < DEMO3_N; ++s) {
-                phi_ddot[s] += length * step[s];
-                if (stopped == s) {
-                    const demo3_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
-                }
-            }
-            /* after a full step, release the held flywheel that would lower the residual most */
-            if (stopped < 0) {
-                demo3_real left[6];
-                demo3_real wanted = 0.0;
-                for (int i = 0; i < 6; ++i) {
-                    wanted += work->r[i] * work->r[i];
-                    left[i] = (i < rank) ? work->r[i] : 0.0;
-                    if (i < rank) {
-                        for (int s = 0; s < DEMO3_N; ++s) {
-                            left[i] -= work->W[i][s] * phi_ddot[s];
-                        }
-                    }
-                }
-                demo3_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
-                int freed = -1;
+            for (int i = 0; i < 6; ++i) {
+                demo3_real left = work->r[i];
                 for (int s = 0; s < DEMO3_N; ++s) {
-                    if (limited[s] > 0) {
-                        demo3_real slope = 0.0;
-                        demo3_real size = 0.0;
-                        for (int i = 0; i < 6; ++i) {
-                            slope += work->W[i][s] * left[i];
-                            size += work->W[i][s] * work->W[i][s];
-                        }
-                        const demo3_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
-                        if (inward > 0.0 && inward * inward > best * size) {
-                            best = inward * inward / size;
-                            freed = s;
+                    left -= work->W[i][s] * phi_ddot[s];
+                }
+                z[i] = row[i] * left;
+            }
+            demo3_real weighed[DEMO3_N];  /* a row of W Omega^-1 */
+            for (int i = 0; i < 6; ++i) {
+                for (int s = 0; s < DEMO3_N; ++s) {
+                    weighed[s] = work->W[i][s] * give[s];
+                }
+                for (int j = 0; j < i + 1; ++j) {
+                    demo3_real total = 0.0;
+                    for (int s = 0; s < DEMO3_N; ++s) {
+                        total += weighed[s] * work->W[j][s];
+                    }
+                    gram[i][j] = row[i] * row[j] * total;
+                }
+                gram[i][i] += least;
+            }
+            demo3_solve_gram(gram, z, least);
+            for (int i = 0; i < 6; ++i) {
+                z[i] = row[i] * z[i];
+            }
+            for (int s = 0; s < DEMO3_N; ++s) {
+                demo3_real total = 0.0;
+                for (int i = 0; i < 6; ++i) {
+                    total += work->W[i][s] * z[i];
+                }
+                step[s] = give[s] * total;
+            }
+            settled = 0;
+            if (pass < 1) {
+                for (int s = 0; s < DEMO3_N; ++s) {
+                    phi_ddot[s] = step[s];
+                    if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                        const demo3_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+            } else {
+                /* go as far as all limits allow; hold the flywheel that reaches its limit */
+                demo3_real length = 1.0;
+                int stopped = -1;
+                for (int s = 0; s < DEMO3_N; ++s) {
+                    const demo3_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                    if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                        && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
+                        const demo3_real room = options->limit[s] / work->scale[s]
+                            - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                        const demo3_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                        if (part < length) {
+                            length = (part > 0.0) ? part : 0.0;
+                            stopped = s;
                         }
                     }
                 }
-                if (freed >= 0) {
-                    limited[freed] = 0;
+                for (int s = 0; s < DEMO3_N; ++s) {
+                    phi_ddot[s] += length * step[s];
+                    if (stopped == s) {
+                        const demo3_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+                /* after a full step, release the held flywheel that would lower the residual most */
+                if (stopped < 0) {
+                    demo3_real left[6];
+                    demo3_real wanted;
+                    demo3_real square;  /* of the residual */
+                    wanted = 0.0;
+                    square = 0.0;
+                    for (int i = 0; i < 6; ++i) {
+                        wanted += work->r[i] * work->r[i];
+                        left[i] = (i < rank) ? work->r[i] : 0.0;
+                        if (i < rank) {
+                            for (int s = 0; s < DEMO3_N; ++s) {
+                                left[i] -= work->W[i][s] * phi_ddot[s];
+                            }
+                        }
+                        square += left[i] * left[i];
+                    }
+                    demo3_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
+                    int freed = -1;
+                    for (int s = 0; s < DEMO3_N; ++s) {
+                        if (limited[s] > 0) {
+                            demo3_real slope = 0.0;
+                            demo3_real size = 0.0;
+                            for (int i = 0; i < 6; ++i) {
+                                slope += work->W[i][s] * left[i];
+                                size += work->W[i][s] * work->W[i][s];
+                            }
+                            const demo3_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                            if (inward > 0.0 && inward * inward > best * size) {
+                                best = inward * inward / size;
+                                freed = s;
+                            }
+                        }
+                    }
+                    if (freed >= 0) {
+                        limited[freed] = 0;
+                    } else {
+                        if (!(square > best && square < square_before * 0.999999999)) {
+                            settled = 1;
+                        }
+                    }
+                    square_before = square;
+                }
+            }
+            if (pass >= 5 && (settled > 0 || pass == 11)) {
+                going = weighted;
+                weighted = 0;
+                for (int s = 0; s < DEMO3_N; ++s) {
+                    share[s] = 1.0;
                 }
             }
         }
@@ -2436,7 +2473,8 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
     status = demo3_within(options->weight, DEMO3_N, DEMO3_MAX_WEIGHT);
     if (status != DEMO3_OK) { return status; }
     demo3_real shares[2];
-    shares[0] = options->near;     shares[1] = options->damping;
+    shares[0] = options->near_singular;
+    shares[1] = options->damping;
     status = demo3_within(shares, 2, DEMO3_LARGEST);
     if (status != DEMO3_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return DEMO3_BAD_ARGUMENT; }
@@ -2504,12 +2542,12 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
         if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
             rank = rank + 1;
             const demo3_real ratio = work.sigma[i] / work.sigma[0];
-            if (ratio < options->near) {
+            if (ratio < options->near_singular) {
                 flags = flags | DEMO3_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
                     flags = flags | DEMO3_DAMPED;
                     const demo3_real lambda = options->damping * work.sigma[0]
-                        * (1.0 - ratio / options->near);
+                        * (1.0 - ratio / options->near_singular);
                     const demo3_real square = work.sigma[i] * work.sigma[i];
                     work.r[i] = work.r[i] * (square / (square + lambda * lambda));
                     damping = (lambda > damping) ? lambda : damping;
@@ -2913,7 +2951,7 @@ demo3_status demo3_generalized(const demo3_table *table, const demo3_state *x, c
 /* Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 DEMO3_CODE
 static demo3_status demo3_frame_of_axes(const demo3_real axis[3], const demo3_real zero[3],
-                                        demo3_real R[restrict 9])
+                                        demo3_real *restrict R /* [9] */)
 {
     demo3_status status;
     if (!(axis[0] * axis[0] + axis[1] * axis[1]
@@ -2956,8 +2994,8 @@ static demo3_status demo3_frame_of_axes(const demo3_real axis[3], const demo3_re
 /* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 DEMO3_CODE
 static void demo3_carry(demo3_real m, const demo3_real b[3], const demo3_real J[6], const demo3_real O[3],
-                        const demo3_real R[9], demo3_real mu[restrict 3], demo3_real J1[restrict 6],
-                        int spins, demo3_real t[restrict 3])
+                        const demo3_real R[9], demo3_real *restrict mu /* [3] */,
+                        demo3_real *restrict J1 /* [6] */, int spins, demo3_real *restrict t /* [3] */)
 {
     demo3_real b1[3];  /* R b */
     demo3_real RJ[9];  /* R J */
@@ -3052,8 +3090,8 @@ static demo3_status demo3_check_body(const demo3_body *body)
 
 /* Origin and axes (at phi = 0) of a flywheel in E1. */
 DEMO3_CODE
-static demo3_status demo3_place_flywheel(const demo3_flywheel *w, demo3_real O[restrict 3],
-                                         demo3_real R[restrict 9])
+static demo3_status demo3_place_flywheel(const demo3_flywheel *w, demo3_real *restrict O /* [3] */,
+                                         demo3_real *restrict R /* [9] */)
 {
     demo3_status status;
     if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
@@ -3198,7 +3236,8 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *tabl
 
 /* L^T V: a twist carried to Os, in mounting axes. */
 DEMO3_CODE
-static void demo3_carry_twist(const demo3_mount *mount, const demo3_real V[6], demo3_real U[restrict 6])
+static void demo3_carry_twist(const demo3_mount *mount, const demo3_real V[6],
+                              demo3_real *restrict U /* [6] */)
 {
     demo3_real velocity[3];  /* velocity of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
@@ -3216,7 +3255,7 @@ static void demo3_carry_twist(const demo3_mount *mount, const demo3_real V[6], d
 DEMO3_CODE
 static void demo3_mount_wrench(const demo3_mount *mount, demo3_real s, demo3_real c, demo3_real phi_dot,
                                demo3_real phi_ddot, const demo3_real V[6], const demo3_real V_dot[6],
-                               demo3_real W[restrict 6])
+                               demo3_real *restrict W /* [6] */)
 {
     demo3_real U[6];  /* twist of the mount at Os */
     demo3_real turned[6];  /* in Es */
@@ -3522,10 +3561,36 @@ const demo3_parameters demo3_default_parameters =
         .inertia = { 0.12, 0.14, 0.16, 0.0, 0.0, 0.0 },
     },
     .flywheel = {
-        /*     mass      center_of_mass[3]        inertia[6]                                  position[3]                               axis[3]                                                          zero[3] */
-        { { 2.0, { 0.0, 0.0, 0.0 }, { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 } }, {  0.12,  0.0, -0.02 }, {                     1.0,                 0.0,               -0.0 }, {                0.0,                     1.0, 0.0 } },  /* w1 */
-        { { 2.0, { 0.0, 0.0, 0.0 }, { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 } }, { -0.06,  0.1,  0.05 }, { -1.0341155355510722e-13,                 1.0,               -0.0 }, {               -1.0, -1.0341155355510722e-13, 0.0 } },  /* w2 */
-        { { 2.0, { 0.0, 0.0, 0.0 }, { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 } }, { -0.06, -0.1, -0.03 }, {      0.2822162605147367, 0.18814417367666741, 0.9407208683837105 }, { -0.554700196225589,      0.8320502943376038, 0.0 } },  /* w3 */
+        {  /* w1 */
+            .body = {
+                .mass = 2.0,
+                .center_of_mass = { 0.0, 0.0, 0.0 },
+                .inertia = { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 },
+            },
+            .position = { 0.12, 0.0, -0.02 },
+            .axis = { 1.0, 0.0, -0.0 },
+            .zero = { 0.0, 1.0, 0.0 },
+        },
+        {  /* w2 */
+            .body = {
+                .mass = 2.0,
+                .center_of_mass = { 0.0, 0.0, 0.0 },
+                .inertia = { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 },
+            },
+            .position = { -0.06, 0.1, 0.05 },
+            .axis = { -1.0341155355510722e-13, 1.0, -0.0 },
+            .zero = { -1.0, -1.0341155355510722e-13, 0.0 },
+        },
+        {  /* w3 */
+            .body = {
+                .mass = 2.0,
+                .center_of_mass = { 0.0, 0.0, 0.0 },
+                .inertia = { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 },
+            },
+            .position = { -0.06, -0.1, -0.03 },
+            .axis = { 0.2822162605147367, 0.18814417367666741, 0.9407208683837105 },
+            .zero = { -0.554700196225589, 0.8320502943376038, 0.0 },
+        },
     },
 };
 
@@ -3535,12 +3600,51 @@ const demo3_table demo3_default =
     .mass = 16.0,
     .mass_inverse = 0.0625,
     .first_moment = { 0.0, 0.0, 6.938893903907228e-18 },
-    .inertia = { 0.17671946902654836, 0.19985309734513274, 0.2520274336283189, 7.964601769884158e-5, 0.007598230088495141, -0.015734513274336327 },
+    .inertia = { 0.17671946902654836, 0.19985309734513274, 0.2520274336283189, 7.964601769884158e-5,
+        0.007598230088495141, -0.015734513274336327 },
     .flywheel = {
-        /*     mu_c[3]            mu_s[3]            J_c[6]                            J_s[6]                            J_2c[6]                           J_2s[6]                                              t_0[3]                                                 t_c[3]             t_s[3]             spin        spin_inv                    spin_root_inv */
-        { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, {                  0.004,                   0.0,                   0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,   250.0, 15.811388300841898 },  /* w1 */
-        { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { -4.136462142204289e-16,                 0.004,                   0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,   250.0, 15.811388300841898 },  /* w2 */
-        { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, {   0.001128865042058947, 0.0007525766947066698, 0.0037628834735348427 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,   250.0, 15.811388300841898 },  /* w3 */
+        {  /* w1 */
+            .mu_c = { 0.0, 0.0, 0.0 },
+            .mu_s = { 0.0, 0.0, 0.0 },
+            .J_c = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+            .J_s = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+            .J_2c = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+            .J_2s = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+            .t_0 = { 0.004, 0.0, 0.0 },
+            .t_c = { 0.0, 0.0, 0.0 },
+            .t_s = { 0.0, 0.0, 0.0 },
+            .spin = 0.004,
+            .spin_inv = 250.0,
+            .spin_root_inv = 15.811388300841898,
+        },
+        {  /* w2 */
+            .mu_c = { 0.0, 0.0, 0.0 },
+            .mu_s = { 0.0, 0.0, 0.0 },
+            .J_c = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+            .J_s = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+            .J_2c = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+            .J_2s = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+            .t_0 = { -4.136462142204289e-16, 0.004, 0.0 },
+            .t_c = { 0.0, 0.0, 0.0 },
+            .t_s = { 0.0, 0.0, 0.0 },
+            .spin = 0.004,
+            .spin_inv = 250.0,
+            .spin_root_inv = 15.811388300841898,
+        },
+        {  /* w3 */
+            .mu_c = { 0.0, 0.0, 0.0 },
+            .mu_s = { 0.0, 0.0, 0.0 },
+            .J_c = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+            .J_s = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+            .J_2c = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+            .J_2s = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+            .t_0 = { 0.001128865042058947, 0.0007525766947066698, 0.0037628834735348427 },
+            .t_c = { 0.0, 0.0, 0.0 },
+            .t_s = { 0.0, 0.0, 0.0 },
+            .spin = 0.004,
+            .spin_inv = 250.0,
+            .spin_root_inv = 15.811388300841898,
+        },
     },
 };
 
@@ -3555,6 +3659,6 @@ const demo3_inverse_options demo3_default_options =
     .motor_viscous = { 0.0, 0.0, 0.0 },
     .motor_coulomb = { 0.0, 0.0, 0.0 },
     .motor_coulomb_speed = { 1.0, 1.0, 1.0 },
-    .near = 1.0e-6,
+    .near_singular = 1.0e-6,
     .damping = 0.0,
 };

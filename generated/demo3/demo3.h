@@ -9,8 +9,8 @@
  * Never with -ffast-math, -Ofast, -funsafe-math-optimizations or parts of them: wrong results with status OK.
  * The source refuses what the compiler shows of them; clang does not show all.
  * DEMO3_SQRT, defined for the source, takes the square root of a processor in the place of its own:
- * the bits are the same if it rounds correctly. -ffunction-sections and -Wl,--gc-sections leave out what is
- * not called.
+ * the bits are the same if it rounds correctly.
+ * -ffunction-sections and -Wl,--gc-sections leave out what is not called.
  * Stack: what a function states is an upper bound with all that it calls, from its locals along the
  * deepest chain of calls and an allowance for registers: for gcc and clang at -O1 to -O3 and -Os, 32 and 64
  * bits. The routines of the compiler's library (memcpy, arithmetic without an FPU) come on top.
@@ -24,6 +24,40 @@
 #ifndef DEMO3_H
 #define DEMO3_H
 
+/* The linker sees names that end in the kind of the reals and a hash of this header: a caller with the
+ * header of another stand, element type, choice of functions or version does not link. Define
+ * DEMO3_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other languages
+ * need them. */
+#ifndef DEMO3_PLAIN_NAMES
+#define demo3_default_parameters      demo3_default_parameters_f64_0155b064
+#define demo3_default                 demo3_default_f64_0155b064
+#define demo3_default_options         demo3_default_options_f64_0155b064
+#define demo3_forward                 demo3_forward_f64_0155b064
+#define demo3_matrices                demo3_matrices_f64_0155b064
+#define demo3_momentum                demo3_momentum_f64_0155b064
+#define demo3_torque                  demo3_torque_f64_0155b064
+#define demo3_coupled                 demo3_coupled_f64_0155b064
+#define demo3_step                    demo3_step_f64_0155b064
+#define demo3_step_driven             demo3_step_driven_f64_0155b064
+#define demo3_wrap                    demo3_wrap_f64_0155b064
+#define demo3_phase_of_counts         demo3_phase_of_counts_f64_0155b064
+#define demo3_speed_of_counts         demo3_speed_of_counts_f64_0155b064
+#define demo3_accumulate              demo3_accumulate_f64_0155b064
+#define demo3_forward_jacobian        demo3_forward_jacobian_f64_0155b064
+#define demo3_coupled_jacobian        demo3_coupled_jacobian_f64_0155b064
+#define demo3_inverse                 demo3_inverse_f64_0155b064
+#define demo3_inverse_fast            demo3_inverse_fast_f64_0155b064
+#define demo3_quaternion              demo3_quaternion_f64_0155b064
+#define demo3_state_from_coordinates  demo3_state_from_coordinates_f64_0155b064
+#define demo3_generalized             demo3_generalized_f64_0155b064
+#define demo3_prepare                 demo3_prepare_f64_0155b064
+#define demo3_mounts                  demo3_mounts_f64_0155b064
+#define demo3_prepare_mounts          demo3_prepare_mounts_f64_0155b064
+#define demo3_step_carried            demo3_step_carried_f64_0155b064
+#define demo3_step_driven_carried     demo3_step_driven_carried_f64_0155b064
+#define demo3_center_of_mass_velocity demo3_center_of_mass_velocity_f64_0155b064
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -31,7 +65,6 @@ extern "C" {
 #define DEMO3_STRUCTURE 0x055bf547u  /* hash of the stand's names, counts and kinds of wrench */
 #define DEMO3_PHYSICS   0xfdeb29e7u  /* hash of its structure and all numbers */
 #define DEMO3_TABLE_HASH 0xf5c5cd4bu /* FNV-1a of all numbers of the default table but its stream */
-#define DEMO3_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define DEMO3_REAL_BYTES 8           /* bytes of a demo3_real */
 #define DEMO3_VERSION_MAJOR 0        /* of the mahovik that wrote this */
 #define DEMO3_VERSION_MINOR 1
@@ -61,7 +94,7 @@ typedef int demo3_status;  /* not the enum, whose size compilers choose */
 
 enum {
     DEMO3_OK = 0,                         /* success */
-    DEMO3_NEAR_SINGULAR = 1,              /* least singular value less than `near` times the largest */
+    DEMO3_NEAR_SINGULAR = 1,              /* least singular value below `near_singular` times the largest */
     DEMO3_DAMPED = 2,                     /* damping was applied */
     DEMO3_LIMITED = 4,                    /* a limit was reached; `limited` says by which flywheels */
     DEMO3_UNREACHABLE = 8,                /* wanted motion not reached: residual above 1e-9 of the demand */
@@ -111,7 +144,7 @@ typedef struct demo3_flywheel {
     demo3_real zero[3];      /* its component perpendicular to the axis is the second axis of Es at phi = 0 */
 } demo3_flywheel;
 
-/* Input of prepare: masses, inertias and mountings. */
+/* Masses, inertias and mountings, of which the table is made. */
 typedef struct demo3_parameters {
     demo3_body carrier;
     demo3_flywheel flywheel[DEMO3_N];
@@ -133,7 +166,7 @@ typedef struct demo3_row {
     demo3_real spin_root_inv;  /* 1/(kg m2)^0.5; 1/sqrt(spin): scales the unknowns of (12) */
 } demo3_row;
 
-/* The constants of the equations. Made by prepare, except the laws at the end (gravity, ...). */
+/* The constants of the equations, made of the parameters; the laws at the end (gravity, ...) are as given. */
 typedef struct demo3_table {
     demo3_real mass;              /* kg; mass of all bodies */
     demo3_real mass_inverse;      /* 1/kg */
@@ -191,29 +224,6 @@ typedef struct demo3_encoder {
     int moved;    /* counts between the last two readings */
 } demo3_encoder;
 
-/* A symmetric 3x3 matrix factored, L D L^T. */
-typedef struct demo3_factors3 {
-    demo3_real r1;   /* 1 / D, of the last D itself */
-    demo3_real r2;
-    demo3_real d3;
-    demo3_real l21;  /* L below its diagonal */
-    demo3_real l31;
-    demo3_real l32;
-} demo3_factors3;
-
-/* K of the carrier factored. */
-typedef struct demo3_carrier_factor {
-    demo3_real rho[3];  /* m; mass centre from O1, in E1 */
-    demo3_factors3 L;   /* what is left of the inertia */
-} demo3_carrier_factor;
-
-/* K with free flywheels eliminated, factored. */
-typedef struct demo3_schur_factor {
-    demo3_real A_inv[6];  /* 1/kg */
-    demo3_real U[9];      /* m; A^-1 B^T */
-    demo3_factors3 L;     /* D - B A^-1 B^T */
-} demo3_schur_factor;
-
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct demo3_inverse_options {
     demo3_real weight[DEMO3_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6,
@@ -229,7 +239,7 @@ typedef struct demo3_inverse_options {
     demo3_real motor_coulomb[DEMO3_N];        /* N m; dry friction, which the motor bears; 0: none */
     demo3_real motor_coulomb_speed[DEMO3_N];  /* rad/s; speed at which three quarters of the dry friction
                                                * act; greater than 0 */
-    demo3_real near;                          /* status NEAR_SINGULAR below this fraction of the largest
+    demo3_real near_singular;                 /* status NEAR_SINGULAR below this fraction of the largest
                                                * singular value, 0..1 */
     demo3_real damping;                       /* damping of small singular values, as a fraction of the
                                                * largest, 0..1; 0: none */
@@ -268,7 +278,7 @@ typedef struct demo3_forward_jacobian_result {
 } demo3_forward_jacobian_result;
 
 extern const demo3_parameters demo3_default_parameters;           /* of the stand file */
-extern const demo3_table demo3_default;                           /* what prepare makes of them */
+extern const demo3_table demo3_default;                           /* made of them */
 extern const demo3_inverse_options demo3_default_options;         /* of inverse, by the stand file */
 
 /* ---- functions ---- */
@@ -290,7 +300,7 @@ demo3_status demo3_forward(const demo3_table *table, const demo3_state *x,
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1137 operations on reals, no division. Stack: at most 1520 bytes. */
+ * At most 1137 operations on reals, no division. Stack: at most 1536 bytes. */
 demo3_status demo3_matrices(const demo3_table *table, const demo3_state *x, demo3_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -298,7 +308,7 @@ demo3_status demo3_matrices(const demo3_table *table, const demo3_state *x, demo
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1083 operations on reals, 1 of them a division. Stack: at most 1520 bytes. */
+ * At most 1083 operations on reals, 1 of them a division. Stack: at most 1536 bytes. */
 demo3_status demo3_momentum(const demo3_table *table, const demo3_state *x, demo3_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -308,7 +318,7 @@ demo3_status demo3_momentum(const demo3_table *table, const demo3_state *x, demo
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   tau[3]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 644 operations on reals, no division. Stack: at most 1216 bytes. */
+ * At most 644 operations on reals, no division. Stack: at most 1280 bytes. */
 demo3_status demo3_torque(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                           const demo3_real phi_ddot[DEMO3_N], demo3_real tau[DEMO3_N]);
 
@@ -424,7 +434,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 6553 operations on reals, 19 of them divisions. Stack: at most 5408 bytes. */
+ * At most 6376 operations on reals, 19 of them divisions. Stack: at most 5360 bytes. */
 demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state *x,
                                     const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
                                     demo3_coupled_jacobian_result *out);
@@ -441,7 +451,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 30157 operations on reals, 930 of them divisions. Stack: at most 4512 bytes. */
+ * At most 42757 operations on reals, 1605 of them divisions. Stack: at most 4576 bytes. */
 demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 
@@ -450,7 +460,7 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and `limit` are ignored
+ *   options      weights and damping; `near_singular` and `limit` are ignored
  *   phi_ddot[3]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
@@ -574,7 +584,7 @@ demo3_status demo3_step_driven_carried(const demo3_table *table, const demo3_sta
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 761 operations on reals, 1 of them a division. Stack: at most 1424 bytes. */
+ * At most 761 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
 demo3_status demo3_center_of_mass_velocity(const demo3_table *table, const demo3_state *x,
                                            demo3_real center_of_mass_velocity[3]);
 
@@ -582,22 +592,4 @@ demo3_status demo3_center_of_mass_velocity(const demo3_table *table, const demo3
 }
 #endif
 
-#endif
-
-/* A caller that was compiled with the header of another element type, number of lanes, version or stand does
- * not link: the symbol is in the source of this header alone. It takes no memory. gcc and clang, ELF files.
- * Define DEMO3_NO_LINK_CHECK where only types are used, and the source is not linked. */
-#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-#if !defined DEMO3_NO_LINK_CHECK && !defined DEMO3_LINK_CHECKED
-#define DEMO3_LINK_CHECKED
-#if __SIZEOF_POINTER__ == 8
-__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".quad demo3_link_double_lanes1_v0_1_0_fdeb29e7\n"
-        ".popsection\n");
-#elif __SIZEOF_POINTER__ == 4
-__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".long demo3_link_double_lanes1_v0_1_0_fdeb29e7\n"
-        ".popsection\n");
-#endif
-#endif
 #endif

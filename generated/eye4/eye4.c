@@ -1,6 +1,5 @@
 /* eye4.c: motion of the stand "eye4". What each function does and takes: eye4.h.
  * mahovik 0.1.0; structure 59c20951, physics 7b9ac829. Generated: change the stand file instead. */
-#define EYE4_LINK_CHECKED  /* callers refer to the symbol that this file defines */
 #include "eye4.h"
 
 #include <stddef.h>
@@ -9,9 +8,6 @@
 #if EYE4_STRUCTURE != 0x59c20951u || EYE4_PHYSICS != 0x7b9ac829u
 #error "eye4.h and eye4.c are of different stands"
 #endif
-#if EYE4_LANES != 1
-#error "eye4.h and eye4.c were generated for different numbers of lanes"
-#endif
 #if EYE4_REAL_BYTES != 8
 #error "eye4.h and eye4.c were generated for different element types"
 #endif
@@ -19,19 +15,23 @@
 #error "eye4.h and eye4.c are of different versions of mahovik"
 #endif
 
-/* What callers with the right header refer to: an address without memory. */
-#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-__asm__(".globl eye4_link_double_lanes1_v0_1_0_7b9ac829\n"
-        ".type eye4_link_double_lanes1_v0_1_0_7b9ac829, %object\n"
-        ".size eye4_link_double_lanes1_v0_1_0_7b9ac829, 1\n"
-        ".set eye4_link_double_lanes1_v0_1_0_7b9ac829, 0\n");
-#endif
+#include <float.h>
+#include <limits.h>
 
-/* Fast math leaves out the roundings that the code relies on: wrong results with status OK. What the compiler
- * shows of it is refused here; clang does not show -funsafe-math-optimizations. */
+/* Other numbers than those of IEEE 754, and fast math, which leaves out roundings that the code relies on,
+ * give wrong results with status OK. What the compiler shows of them is refused here; clang does not show
+ * -funsafe-math-optimizations. */
+#if FLT_RADIX != 2 || DBL_MANT_DIG != 53
+#error "wrong results: eye4 needs a double of 64 bits, 53 of them significant"
+#endif
+#if INT_MAX < 2147483647
+#error "wrong counts: eye4 needs an int of 32 bits"
+#endif
 #ifndef EYE4_ALLOW_FAST_MATH
 #if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined _M_FP_FAST
 #error "wrong results: compile eye4 without -ffast-math, -Ofast and -funsafe-math-optimizations"
+#elif FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16
+#error "wrong results: x87 keeps more digits: compile eye4 with -msse2 -mfpmath=sse"
 #endif
 #if defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ == 1
 #error "inputs that are NaN would pass: compile eye4 without -ffinite-math-only"
@@ -71,6 +71,22 @@ typedef struct eye4_sums {
     eye4_real a_rel[3];   /* N; d/dt of the force part */
 } eye4_sums;
 
+/* A symmetric 3x3 matrix factored, L D L^T. */
+typedef struct eye4_factors3 {
+    eye4_real r1;   /* 1 / D, of the last D itself */
+    eye4_real r2;
+    eye4_real d3;
+    eye4_real l21;  /* L below its diagonal */
+    eye4_real l31;
+    eye4_real l32;
+} eye4_factors3;
+
+/* K of the carrier factored. */
+typedef struct eye4_carrier_factor {
+    eye4_real rho[3];  /* m; mass centre from O1, in E1 */
+    eye4_factors3 L;   /* what is left of the inertia */
+} eye4_carrier_factor;
+
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
 typedef struct eye4_coupling {
     eye4_real I_[6];  /* kg m, kg m2; column of I (9) */
@@ -83,6 +99,13 @@ typedef struct eye4_schur {
     eye4_real B[9];  /* kg m; moment by v*, row by row */
     eye4_real D[6];  /* kg m2; moment by omega*: 11 22 33 12 13 23 */
 } eye4_schur;
+
+/* K with free flywheels eliminated, factored. */
+typedef struct eye4_schur_factor {
+    eye4_real A_inv[6];  /* 1/kg */
+    eye4_real U[9];      /* m; A^-1 B^T */
+    eye4_factors3 L;     /* D - B A^-1 B^T */
+} eye4_schur_factor;
 
 /* Scratch of inverse. */
 typedef struct eye4_inverse_work {
@@ -230,7 +253,6 @@ static eye4_status eye4_within(const eye4_real values[], int count, eye4_real li
 EYE4_CODE
 static eye4_status eye4_check_state(const eye4_state *x)
 {
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
     {
         eye4_real position2, velocity2, speed2, phase2;
         position2 = 0.0;
@@ -238,13 +260,18 @@ static eye4_status eye4_check_state(const eye4_state *x)
         speed2 = 0.0;
         phase2 = 0.0;
         for (int i = 0; i < 3; ++i) {
-            position2 += x->position[i] * x->position[i];
-            velocity2 += x->V[i] * x->V[i];
-            speed2 += x->V[i + 3] * x->V[i + 3];
+            const eye4_real position = x->position[i];
+            position2 += position * position;
+            const eye4_real velocity = x->V[i];
+            velocity2 += velocity * velocity;
+            const eye4_real speed = x->V[i + 3];
+            speed2 += speed * speed;
         }
         for (int s = 0; s < EYE4_N; ++s) {
-            phase2 += x->phi[s] * x->phi[s];
-            speed2 += x->phi_dot[s] * x->phi_dot[s];
+            const eye4_real phase = x->phi[s];
+            phase2 += phase * phase;
+            const eye4_real speed = x->phi_dot[s];
+            speed2 += speed * speed;
         }
         const eye4_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
             + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -252,7 +279,6 @@ static eye4_status eye4_check_state(const eye4_state *x)
             && velocity2 < EYE4_MAX_VELOCITY * EYE4_MAX_VELOCITY && speed2 < EYE4_MAX_SPEED * EYE4_MAX_SPEED
             && phase2 < EYE4_MAX_PHASE * EYE4_MAX_PHASE) { return EYE4_OK; }
     }
-#endif
     eye4_status status = eye4_within(x->position, 3, EYE4_MAX_POSITION);
     if (status != EYE4_OK) { return status; }
     status = eye4_within(x->attitude, 4, 2.0);
@@ -275,7 +301,6 @@ static eye4_status eye4_check_state(const eye4_state *x)
 EYE4_CODE
 static eye4_status eye4_check_motion(const eye4_state *x, const eye4_real values[EYE4_N], eye4_real limit)
 {
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
     {
         eye4_real position2, velocity2, speed2, phase2, given2;
         position2 = 0.0;
@@ -284,14 +309,20 @@ static eye4_status eye4_check_motion(const eye4_state *x, const eye4_real values
         phase2 = 0.0;
         given2 = 0.0;
         for (int i = 0; i < 3; ++i) {
-            position2 += x->position[i] * x->position[i];
-            velocity2 += x->V[i] * x->V[i];
-            speed2 += x->V[i + 3] * x->V[i + 3];
+            const eye4_real position = x->position[i];
+            position2 += position * position;
+            const eye4_real velocity = x->V[i];
+            velocity2 += velocity * velocity;
+            const eye4_real speed = x->V[i + 3];
+            speed2 += speed * speed;
         }
         for (int s = 0; s < EYE4_N; ++s) {
-            phase2 += x->phi[s] * x->phi[s];
-            given2 += values[s] * values[s];
-            speed2 += x->phi_dot[s] * x->phi_dot[s];
+            const eye4_real phase = x->phi[s];
+            phase2 += phase * phase;
+            const eye4_real given = values[s];
+            given2 += given * given;
+            const eye4_real speed = x->phi_dot[s];
+            speed2 += speed * speed;
         }
         const eye4_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
             + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -299,7 +330,6 @@ static eye4_status eye4_check_motion(const eye4_state *x, const eye4_real values
             && velocity2 < EYE4_MAX_VELOCITY * EYE4_MAX_VELOCITY && speed2 < EYE4_MAX_SPEED * EYE4_MAX_SPEED
             && phase2 < EYE4_MAX_PHASE * EYE4_MAX_PHASE && given2 < limit * limit) { return EYE4_OK; }
     }
-#endif
     eye4_status status = eye4_within(x->position, 3, EYE4_MAX_POSITION);
     if (status != EYE4_OK) { return status; }
     status = eye4_within(x->attitude, 4, 2.0);
@@ -322,7 +352,7 @@ static eye4_status eye4_check_motion(const eye4_state *x, const eye4_real values
 
 /* Rotation matrix of a quaternion of any length: no square root is needed. */
 EYE4_CODE
-static void eye4_rotation(const eye4_real q[4], eye4_real C[restrict 9])
+static void eye4_rotation(const eye4_real q[4], eye4_real *restrict C /* [9] */)
 {
     const eye4_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
@@ -340,8 +370,8 @@ static void eye4_rotation(const eye4_real q[4], eye4_real C[restrict 9])
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 EYE4_CODE
-static void eye4_sincos_each(const eye4_real x[EYE4_N], eye4_real sine[restrict EYE4_N],
-                             eye4_real cosine[restrict EYE4_N])
+static void eye4_sincos_each(const eye4_real x[EYE4_N], eye4_real *restrict sine /* [EYE4_N] */,
+                             eye4_real *restrict cosine /* [EYE4_N] */)
 {
     for (int s = 0; s < EYE4_N; ++s) {
         /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the
@@ -514,7 +544,7 @@ static EYE4_COPIED void eye4_sum_spin(const eye4_table *table, const eye4_real s
 
 /* Total external wrench of run-time wrenches, from checked inputs, (7). */
 EYE4_CODE
-static void eye4_external(const eye4_real wrench[6], eye4_real F[restrict 6])
+static void eye4_external(const eye4_real wrench[6], eye4_real *restrict F /* [6] */)
 {
     F[0] = 0.0;         F[1] = 0.0;         F[2] = 0.0;
     F[3] = 0.0;         F[4] = 0.0;         F[5] = 0.0;
@@ -525,7 +555,7 @@ static void eye4_external(const eye4_real wrench[6], eye4_real F[restrict 6])
 /* Momentum screw Z = K V + sum I phi' of the sums, (2). */
 EYE4_CODE
 static void eye4_momentum_screw(const eye4_table *table, const eye4_sums *sum, const eye4_real V[6],
-                                eye4_real Z[restrict 6])
+                                eye4_real *restrict Z /* [6] */)
 {
     Z[0] = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
     Z[1] = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
@@ -541,7 +571,7 @@ static void eye4_momentum_screw(const eye4_table *table, const eye4_sums *sum, c
 /* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (2), (4), (5). */
 EYE4_CODE
 static void eye4_subtract_rates(const eye4_table *table, const eye4_sums *sum, const eye4_real V[6],
-                                eye4_real F[restrict 6])
+                                eye4_real *restrict F /* [6] */)
 {
     /* momentum screw Z = K V + sum I phi' */
     const eye4_real Z1 = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
@@ -590,7 +620,7 @@ static inline eye4_status eye4_factor3(const eye4_real S[6], eye4_factors3 *rest
 
 /* Solves S y = b by S = L D L^T. */
 EYE4_CODE
-static inline void eye4_solve3(const eye4_factors3 *L, const eye4_real b[3], eye4_real y[restrict 3])
+static inline void eye4_solve3(const eye4_factors3 *L, const eye4_real b[3], eye4_real *restrict y /* [3] */)
 {
     /* L z = b, then L^T y = D^-1 z */
     const eye4_real z2 = b[1] - L->l21 * b[0];
@@ -624,7 +654,7 @@ static eye4_status eye4_factor_carrier(const eye4_table *table, const eye4_sums 
 /* Solves K y = F by the factors of K, (8). */
 EYE4_CODE
 static void eye4_solve_carrier(const eye4_table *table, const eye4_carrier_factor *K, const eye4_real F[6],
-                               eye4_real y[restrict 6])
+                               eye4_real *restrict y /* [6] */)
 {
     eye4_real moment[3];  /* about the mass centre */
     eye4_real omega_dot[3];
@@ -921,7 +951,7 @@ static EYE4_COPIED void eye4_couple(const eye4_row *row, eye4_real s, eye4_real 
 /* Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 EYE4_CODE
 static void eye4_eliminate(const eye4_real column[6], eye4_real spin_inv, eye4_real rate,
-                           eye4_schur *restrict K, eye4_real F[restrict 6])
+                           eye4_schur *restrict K, eye4_real *restrict F /* [6] */)
 {
     eye4_real scaled[6];  /* I / Theta_ff */
     scaled[0] = column[0] * spin_inv;  scaled[1] = column[1] * spin_inv;  scaled[2] = column[2] * spin_inv;
@@ -941,7 +971,7 @@ static void eye4_eliminate(const eye4_real column[6], eye4_real spin_inv, eye4_r
 EYE4_CODE
 static void eye4_balance(const eye4_table *table, const eye4_state *x, const eye4_real sine[EYE4_N],
                          const eye4_real cosine[EYE4_N], const eye4_real V_dot[6],
-                         const eye4_real phi_ddot[EYE4_N], eye4_real tau[restrict EYE4_N])
+                         const eye4_real phi_ddot[EYE4_N], eye4_real *restrict tau /* [EYE4_N] */)
 {
     eye4_real origin_acceleration[3];  /* omega x v */
     origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
@@ -964,13 +994,11 @@ static void eye4_balance(const eye4_table *table, const eye4_state *x, const eye
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
 EYE4_CODE
 eye4_status eye4_torque(const eye4_table *table, const eye4_state *x, const eye4_real V_dot[6],
-                        const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6], eye4_real tau[EYE4_N])
+                        const eye4_real phi_ddot[EYE4_N], eye4_real tau[EYE4_N])
 {
-    if (table == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL || wrench == NULL
+    if (table == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
         || tau == NULL) { return EYE4_BAD_ARGUMENT; }
     eye4_status status = eye4_check_motion(x, phi_ddot, EYE4_MAX_ACCELERATION);
-    if (status != EYE4_OK) { return status; }
-    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     status = eye4_within(V_dot, 6, EYE4_MAX_ACCELERATION);
     if (status != EYE4_OK) { return status; }
@@ -1036,7 +1064,8 @@ static eye4_status eye4_factor_schur(const eye4_schur *K, eye4_schur_factor *res
 
 /* Solves [A B^T; B D] y = F by the factors. */
 EYE4_CODE
-static void eye4_solve_schur(const eye4_schur_factor *factor, const eye4_real F[6], eye4_real y[restrict 6])
+static void eye4_solve_schur(const eye4_schur_factor *factor, const eye4_real F[6],
+                             eye4_real *restrict y /* [6] */)
 {
     eye4_real moment[3];  /* n - B A^-1 f */
     eye4_real omega_dot[3];
@@ -1058,8 +1087,8 @@ EYE4_CODE
 static eye4_status eye4_solve_coupled(const eye4_table *table, const eye4_state *x,
                                       const eye4_real sine[EYE4_N], const eye4_real cosine[EYE4_N],
                                       const eye4_real tau[EYE4_N], const int locked[EYE4_N],
-                                      const eye4_real wrench[6], eye4_real V_dot[restrict 6],
-                                      eye4_real phi_ddot[restrict EYE4_N])
+                                      const eye4_real wrench[6], eye4_real *restrict V_dot /* [6] */,
+                                      eye4_real *restrict phi_ddot /* [EYE4_N] */)
 {
     eye4_status status;
     eye4_sums sum;
@@ -1570,7 +1599,7 @@ eye4_status eye4_accumulate(eye4_encoder *encoder, int counter, int bits, int pe
 /* Derivative of F - Phi Z - K* V by the twist, (8). */
 EYE4_CODE
 static void eye4_twist_slope(const eye4_real Z[6], const eye4_matrices_result *m,
-                             eye4_real slope[restrict 36])
+                             eye4_real *restrict slope /* [36] */)
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1594,7 +1623,7 @@ static void eye4_twist_slope(const eye4_real Z[6], const eye4_matrices_result *m
 /* Change of F - Phi Z - K* V - (a, g) - K V* with the harmonic weights of one flywheel, (8). */
 EYE4_CODE
 static void eye4_row_slope(const eye4_row *row, const eye4_real weight[12], const eye4_real V[6],
-                           const eye4_real V_dot[6], eye4_real out[restrict 6])
+                           const eye4_real V_dot[6], eye4_real *restrict out /* [6] */)
 {
     eye4_sums change;  /* change of the sums */
     eye4_real Z[6];  /* change of the momentum screw */
@@ -1964,9 +1993,6 @@ eye4_status eye4_coupled_jacobian(const eye4_table *table, const eye4_state *x, 
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             eye4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            for (int t = 0; t < EYE4_N; ++t) {
-                drive_rhs[t] = 0.0;
-            }
             eye4_real mu_pp[3];  /* d2 mu / dphi2 */
             eye4_real J_pp[6];  /* d2 J / dphi2 */
             eye4_real I_p[6];  /* dI / dphi */
@@ -1991,19 +2017,17 @@ eye4_status eye4_coupled_jacobian(const eye4_table *table, const eye4_state *x, 
             I_p[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
             I_p[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
             I_p[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
-            drive_rhs[s] = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
+            const eye4_real side = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
                 + V_result[3] * I_p[3] + V_result[4] * I_p[4] + V_result[5] * I_p[5]
                 + (mu_pp[0] * origin_acceleration[0] + mu_pp[1] * origin_acceleration[1]
                 + mu_pp[2] * origin_acceleration[2]
                 - 0.5 * (J_pp[0] * x->V[3] + J_pp[3] * x->V[4] + J_pp[4] * x->V[5]) * x->V[3]
                 - 0.5 * (J_pp[1] * x->V[4] + J_pp[3] * x->V[3] + J_pp[5] * x->V[5]) * x->V[4]
                 - 0.5 * (J_pp[2] * x->V[5] + J_pp[4] * x->V[3] + J_pp[5] * x->V[4]) * x->V[5]));
-            for (int t = 0; t < EYE4_N; ++t) {
-                if (locked[t] == 0) {
-                    const eye4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                    for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I_[i] * share;
-                    }
+            if (locked[s] == 0) {
+                const eye4_real share = side * table->flywheel[s].spin_inv;
+                for (int i = 0; i < 6; ++i) {
+                    rhs[i] -= drive[s].I_[i] * share;
                 }
             }
             eye4_solve_schur(&factor, rhs, y);
@@ -2013,7 +2037,7 @@ eye4_status eye4_coupled_jacobian(const eye4_table *table, const eye4_state *x, 
             for (int t = 0; t < EYE4_N; ++t) {
                 out->phi_ddot_phi[t][s] = 0.0;
                 if (locked[t] == 0) {
-                    out->phi_ddot_phi[t][s] = (drive_rhs[t]
+                    out->phi_ddot_phi[t][s] = (((t == s) ? side : 0.0)
                         - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                         + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
@@ -2026,17 +2050,6 @@ eye4_status eye4_coupled_jacobian(const eye4_table *table, const eye4_state *x, 
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             eye4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            for (int t = 0; t < EYE4_N; ++t) {
-                drive_rhs[t] = 0.0;
-            }
-            for (int t = 0; t < EYE4_N; ++t) {
-                if (locked[t] == 0) {
-                    const eye4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                    for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I_[i] * share;
-                    }
-                }
-            }
             eye4_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
@@ -2044,7 +2057,7 @@ eye4_status eye4_coupled_jacobian(const eye4_table *table, const eye4_state *x, 
             for (int t = 0; t < EYE4_N; ++t) {
                 out->phi_ddot_phi_dot[t][s] = 0.0;
                 if (locked[t] == 0) {
-                    out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
+                    out->phi_ddot_phi_dot[t][s] = (0.0
                         - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                         + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
@@ -2053,12 +2066,9 @@ eye4_status eye4_coupled_jacobian(const eye4_table *table, const eye4_state *x, 
         }
         rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
         rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
-        for (int t = 0; t < EYE4_N; ++t) {
-            drive_rhs[t] = 0.0;
-        }
-        drive_rhs[s] = 1.0;
+        const eye4_real side = 1.0;
         if (locked[s] == 0) {
-            const eye4_real share = drive_rhs[s] * table->flywheel[s].spin_inv;
+            const eye4_real share = side * table->flywheel[s].spin_inv;
             for (int i = 0; i < 6; ++i) {
                 rhs[i] -= drive[s].I_[i] * share;
             }
@@ -2070,7 +2080,7 @@ eye4_status eye4_coupled_jacobian(const eye4_table *table, const eye4_state *x, 
         for (int t = 0; t < EYE4_N; ++t) {
             out->phi_ddot_tau[t][s] = 0.0;
             if (locked[t] == 0) {
-                out->phi_ddot_tau[t][s] = (drive_rhs[t]
+                out->phi_ddot_tau[t][s] = (((t == s) ? side : 0.0)
                     - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                     + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
@@ -2239,7 +2249,8 @@ static eye4_status eye4_demand(const eye4_table *table, const eye4_state *x, con
 
 /* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 EYE4_CODE
-static void eye4_solve_gram(eye4_real gram[restrict 6][6], eye4_real z[restrict 6], eye4_real least)
+static void eye4_solve_gram(eye4_real (*restrict gram)[6] /* [6][6] */, eye4_real *restrict z /* [6] */,
+                            eye4_real least)
 {
     for (int j = 0; j < 6; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -2271,7 +2282,7 @@ static void eye4_solve_gram(eye4_real gram[restrict 6][6], eye4_real z[restrict 
  * share, (12). */
 EYE4_CODE
 static void eye4_allocate(const eye4_inverse_work *work, const eye4_inverse_options *options, int rank,
-                          eye4_real phi_ddot[restrict EYE4_N], int limited[restrict EYE4_N])
+                          eye4_real *restrict phi_ddot /* [EYE4_N] */, int *restrict limited /* [EYE4_N] */)
 {
     eye4_real share[EYE4_N];  /* 1/weight */
     eye4_real give[EYE4_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
@@ -2279,128 +2290,150 @@ static void eye4_allocate(const eye4_inverse_work *work, const eye4_inverse_opti
     eye4_real row[6];  /* factor of each row; 0: the row is left out */
     eye4_real gram[6][6];
     eye4_real z[6];
+    int going, weighted;
+    int settled;  /* 1 after a whole step that gains nothing and frees nobody */
+    eye4_real square_before;  /* square of the residual after the last whole step */
+    going = 1;
+    weighted = 1;
+    square_before = 1.7976931348623157e308;
     /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < EYE4_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
         share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 8; ++pass) {
-        eye4_real most = 0.0;
-        for (int s = 0; s < EYE4_N; ++s) {
-            if (pass >= 7) {
-                share[s] = 1.0;
-            }
-            give[s] = (limited[s] > 0) ? 0.0 : share[s];
-            most = (give[s] > most) ? give[s] : most;
-        }
-        const eye4_real regular = 1.0e-12 * most;
-        /* lower bound that keeps the diagonal positive */
-        const eye4_real least = (most > 0.0) ? regular : 1.0;
-        for (int i = 0; i < 6; ++i) {
-            row[i] = 0.0;
-            if (i < rank) {
-                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
-            }
-        }
-        for (int i = 0; i < 6; ++i) {
-            eye4_real left = work->r[i];
+    for (int pass = 0; pass < 28; ++pass) {
+        if (going > 0) {
+            eye4_real most = 0.0;
             for (int s = 0; s < EYE4_N; ++s) {
-                left -= work->W[i][s] * phi_ddot[s];
+                give[s] = (limited[s] > 0) ? 0.0 : share[s];
+                most = (give[s] > most) ? give[s] : most;
             }
-            z[i] = row[i] * left;
-        }
-        eye4_real weighed[EYE4_N];  /* a row of W Omega^-1 */
-        for (int i = 0; i < 6; ++i) {
-            for (int s = 0; s < EYE4_N; ++s) {
-                weighed[s] = work->W[i][s] * give[s];
-            }
-            for (int j = 0; j < i + 1; ++j) {
-                eye4_real total = 0.0;
-                for (int s = 0; s < EYE4_N; ++s) {
-                    total += weighed[s] * work->W[j][s];
-                }
-                gram[i][j] = row[i] * row[j] * total;
-            }
-            gram[i][i] += least;
-        }
-        eye4_solve_gram(gram, z, least);
-        for (int i = 0; i < 6; ++i) {
-            z[i] = row[i] * z[i];
-        }
-        for (int s = 0; s < EYE4_N; ++s) {
-            eye4_real total = 0.0;
+            const eye4_real regular = 1.0e-12 * most;
+            /* lower bound that keeps the diagonal positive */
+            const eye4_real least = (most > 0.0) ? regular : 1.0;
             for (int i = 0; i < 6; ++i) {
-                total += work->W[i][s] * z[i];
-            }
-            step[s] = give[s] * total;
-        }
-        if (pass < 1) {
-            for (int s = 0; s < EYE4_N; ++s) {
-                phi_ddot[s] = step[s];
-                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
-                    const eye4_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
+                row[i] = 0.0;
+                if (i < rank) {
+                    row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
                 }
             }
-        } else {
-            /* go as far as all limits allow; hold the flywheel that reaches its limit */
-            eye4_real length = 1.0;
-            int stopped = -1;
-            for (int s = 0; s < EYE4_N; ++s) {
-                const eye4_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
-                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
-                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
-                    const eye4_real room = options->limit[s] / work->scale[s]
-                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
-                    const eye4_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
-                    if (part < length) {
-                        length = (part > 0.0) ? part : 0.0;
-                        stopped = s;
-                    }
-                }
-            }
-            for (int s = 0; s < EYE4_N; ++s) {
-                phi_ddot[s] += length * step[s];
-                if (stopped == s) {
-                    const eye4_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
-                }
-            }
-            /* after a full step, release the held flywheel that would lower the residual most */
-            if (stopped < 0) {
-                eye4_real left[6];
-                eye4_real wanted = 0.0;
-                for (int i = 0; i < 6; ++i) {
-                    wanted += work->r[i] * work->r[i];
-                    left[i] = (i < rank) ? work->r[i] : 0.0;
-                    if (i < rank) {
-                        for (int s = 0; s < EYE4_N; ++s) {
-                            left[i] -= work->W[i][s] * phi_ddot[s];
-                        }
-                    }
-                }
-                eye4_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
-                int freed = -1;
+            for (int i = 0; i < 6; ++i) {
+                eye4_real left = work->r[i];
                 for (int s = 0; s < EYE4_N; ++s) {
-                    if (limited[s] > 0) {
-                        eye4_real slope = 0.0;
-                        eye4_real size = 0.0;
-                        for (int i = 0; i < 6; ++i) {
-                            slope += work->W[i][s] * left[i];
-                            size += work->W[i][s] * work->W[i][s];
-                        }
-                        const eye4_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
-                        if (inward > 0.0 && inward * inward > best * size) {
-                            best = inward * inward / size;
-                            freed = s;
+                    left -= work->W[i][s] * phi_ddot[s];
+                }
+                z[i] = row[i] * left;
+            }
+            eye4_real weighed[EYE4_N];  /* a row of W Omega^-1 */
+            for (int i = 0; i < 6; ++i) {
+                for (int s = 0; s < EYE4_N; ++s) {
+                    weighed[s] = work->W[i][s] * give[s];
+                }
+                for (int j = 0; j < i + 1; ++j) {
+                    eye4_real total = 0.0;
+                    for (int s = 0; s < EYE4_N; ++s) {
+                        total += weighed[s] * work->W[j][s];
+                    }
+                    gram[i][j] = row[i] * row[j] * total;
+                }
+                gram[i][i] += least;
+            }
+            eye4_solve_gram(gram, z, least);
+            for (int i = 0; i < 6; ++i) {
+                z[i] = row[i] * z[i];
+            }
+            for (int s = 0; s < EYE4_N; ++s) {
+                eye4_real total = 0.0;
+                for (int i = 0; i < 6; ++i) {
+                    total += work->W[i][s] * z[i];
+                }
+                step[s] = give[s] * total;
+            }
+            settled = 0;
+            if (pass < 1) {
+                for (int s = 0; s < EYE4_N; ++s) {
+                    phi_ddot[s] = step[s];
+                    if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                        const eye4_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+            } else {
+                /* go as far as all limits allow; hold the flywheel that reaches its limit */
+                eye4_real length = 1.0;
+                int stopped = -1;
+                for (int s = 0; s < EYE4_N; ++s) {
+                    const eye4_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                    if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                        && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
+                        const eye4_real room = options->limit[s] / work->scale[s]
+                            - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                        const eye4_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                        if (part < length) {
+                            length = (part > 0.0) ? part : 0.0;
+                            stopped = s;
                         }
                     }
                 }
-                if (freed >= 0) {
-                    limited[freed] = 0;
+                for (int s = 0; s < EYE4_N; ++s) {
+                    phi_ddot[s] += length * step[s];
+                    if (stopped == s) {
+                        const eye4_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+                /* after a full step, release the held flywheel that would lower the residual most */
+                if (stopped < 0) {
+                    eye4_real left[6];
+                    eye4_real wanted;
+                    eye4_real square;  /* of the residual */
+                    wanted = 0.0;
+                    square = 0.0;
+                    for (int i = 0; i < 6; ++i) {
+                        wanted += work->r[i] * work->r[i];
+                        left[i] = (i < rank) ? work->r[i] : 0.0;
+                        if (i < rank) {
+                            for (int s = 0; s < EYE4_N; ++s) {
+                                left[i] -= work->W[i][s] * phi_ddot[s];
+                            }
+                        }
+                        square += left[i] * left[i];
+                    }
+                    eye4_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
+                    int freed = -1;
+                    for (int s = 0; s < EYE4_N; ++s) {
+                        if (limited[s] > 0) {
+                            eye4_real slope = 0.0;
+                            eye4_real size = 0.0;
+                            for (int i = 0; i < 6; ++i) {
+                                slope += work->W[i][s] * left[i];
+                                size += work->W[i][s] * work->W[i][s];
+                            }
+                            const eye4_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                            if (inward > 0.0 && inward * inward > best * size) {
+                                best = inward * inward / size;
+                                freed = s;
+                            }
+                        }
+                    }
+                    if (freed >= 0) {
+                        limited[freed] = 0;
+                    } else {
+                        if (!(square > best && square < square_before * 0.999999999)) {
+                            settled = 1;
+                        }
+                    }
+                    square_before = square;
+                }
+            }
+            if (pass >= 6 && (settled > 0 || pass == 14)) {
+                going = weighted;
+                weighted = 0;
+                for (int s = 0; s < EYE4_N; ++s) {
+                    share[s] = 1.0;
                 }
             }
         }
@@ -2486,7 +2519,8 @@ eye4_status eye4_inverse(const eye4_table *table, const eye4_state *x, const eye
     status = eye4_within(options->weight, EYE4_N, EYE4_MAX_WEIGHT);
     if (status != EYE4_OK) { return status; }
     eye4_real shares[2];
-    shares[0] = options->near;     shares[1] = options->damping;
+    shares[0] = options->near_singular;
+    shares[1] = options->damping;
     status = eye4_within(shares, 2, EYE4_LARGEST);
     if (status != EYE4_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return EYE4_BAD_ARGUMENT; }
@@ -2554,11 +2588,12 @@ eye4_status eye4_inverse(const eye4_table *table, const eye4_state *x, const eye
         if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
             rank = rank + 1;
             const eye4_real ratio = work.sigma[i] / work.sigma[0];
-            if (ratio < options->near) {
+            if (ratio < options->near_singular) {
                 flags = flags | EYE4_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
                     flags = flags | EYE4_DAMPED;
-                    const eye4_real lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const eye4_real lambda = options->damping * work.sigma[0]
+                        * (1.0 - ratio / options->near_singular);
                     const eye4_real square = work.sigma[i] * work.sigma[i];
                     work.r[i] = work.r[i] * (square / (square + lambda * lambda));
                     damping = (lambda > damping) ? lambda : damping;
@@ -2923,7 +2958,8 @@ static void eye4_orthogonalise_3(eye4_inverse_work *restrict work)
 
 /* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 EYE4_CODE
-static void eye4_solve_gram_3(eye4_real gram[restrict 3][3], eye4_real z[restrict 3], eye4_real least)
+static void eye4_solve_gram_3(eye4_real (*restrict gram)[3] /* [3][3] */, eye4_real *restrict z /* [3] */,
+                              eye4_real least)
 {
     for (int j = 0; j < 3; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -2955,7 +2991,8 @@ static void eye4_solve_gram_3(eye4_real gram[restrict 3][3], eye4_real z[restric
  * share, (12). */
 EYE4_CODE
 static void eye4_allocate_3(const eye4_inverse_work *work, const eye4_inverse_options *options, int rank,
-                            eye4_real phi_ddot[restrict EYE4_N], int limited[restrict EYE4_N])
+                            eye4_real *restrict phi_ddot /* [EYE4_N] */,
+                            int *restrict limited /* [EYE4_N] */)
 {
     eye4_real share[EYE4_N];  /* 1/weight */
     eye4_real give[EYE4_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
@@ -2963,128 +3000,150 @@ static void eye4_allocate_3(const eye4_inverse_work *work, const eye4_inverse_op
     eye4_real row[3];  /* factor of each row; 0: the row is left out */
     eye4_real gram[3][3];
     eye4_real z[3];
+    int going, weighted;
+    int settled;  /* 1 after a whole step that gains nothing and frees nobody */
+    eye4_real square_before;  /* square of the residual after the last whole step */
+    going = 1;
+    weighted = 1;
+    square_before = 1.7976931348623157e308;
     /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < EYE4_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
         share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 8; ++pass) {
-        eye4_real most = 0.0;
-        for (int s = 0; s < EYE4_N; ++s) {
-            if (pass >= 7) {
-                share[s] = 1.0;
-            }
-            give[s] = (limited[s] > 0) ? 0.0 : share[s];
-            most = (give[s] > most) ? give[s] : most;
-        }
-        const eye4_real regular = 1.0e-12 * most;
-        /* lower bound that keeps the diagonal positive */
-        const eye4_real least = (most > 0.0) ? regular : 1.0;
-        for (int i = 0; i < 3; ++i) {
-            row[i] = 0.0;
-            if (i < rank) {
-                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
-            }
-        }
-        for (int i = 0; i < 3; ++i) {
-            eye4_real left = work->r[i];
+    for (int pass = 0; pass < 28; ++pass) {
+        if (going > 0) {
+            eye4_real most = 0.0;
             for (int s = 0; s < EYE4_N; ++s) {
-                left -= work->W[i][s] * phi_ddot[s];
+                give[s] = (limited[s] > 0) ? 0.0 : share[s];
+                most = (give[s] > most) ? give[s] : most;
             }
-            z[i] = row[i] * left;
-        }
-        eye4_real weighed[EYE4_N];  /* a row of W Omega^-1 */
-        for (int i = 0; i < 3; ++i) {
-            for (int s = 0; s < EYE4_N; ++s) {
-                weighed[s] = work->W[i][s] * give[s];
-            }
-            for (int j = 0; j < i + 1; ++j) {
-                eye4_real total = 0.0;
-                for (int s = 0; s < EYE4_N; ++s) {
-                    total += weighed[s] * work->W[j][s];
-                }
-                gram[i][j] = row[i] * row[j] * total;
-            }
-            gram[i][i] += least;
-        }
-        eye4_solve_gram_3(gram, z, least);
-        for (int i = 0; i < 3; ++i) {
-            z[i] = row[i] * z[i];
-        }
-        for (int s = 0; s < EYE4_N; ++s) {
-            eye4_real total = 0.0;
+            const eye4_real regular = 1.0e-12 * most;
+            /* lower bound that keeps the diagonal positive */
+            const eye4_real least = (most > 0.0) ? regular : 1.0;
             for (int i = 0; i < 3; ++i) {
-                total += work->W[i][s] * z[i];
-            }
-            step[s] = give[s] * total;
-        }
-        if (pass < 1) {
-            for (int s = 0; s < EYE4_N; ++s) {
-                phi_ddot[s] = step[s];
-                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
-                    const eye4_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
+                row[i] = 0.0;
+                if (i < rank) {
+                    row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
                 }
             }
-        } else {
-            /* go as far as all limits allow; hold the flywheel that reaches its limit */
-            eye4_real length = 1.0;
-            int stopped = -1;
-            for (int s = 0; s < EYE4_N; ++s) {
-                const eye4_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
-                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
-                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
-                    const eye4_real room = options->limit[s] / work->scale[s]
-                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
-                    const eye4_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
-                    if (part < length) {
-                        length = (part > 0.0) ? part : 0.0;
-                        stopped = s;
-                    }
-                }
-            }
-            for (int s = 0; s < EYE4_N; ++s) {
-                phi_ddot[s] += length * step[s];
-                if (stopped == s) {
-                    const eye4_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
-                }
-            }
-            /* after a full step, release the held flywheel that would lower the residual most */
-            if (stopped < 0) {
-                eye4_real left[3];
-                eye4_real wanted = 0.0;
-                for (int i = 0; i < 3; ++i) {
-                    wanted += work->r[i] * work->r[i];
-                    left[i] = (i < rank) ? work->r[i] : 0.0;
-                    if (i < rank) {
-                        for (int s = 0; s < EYE4_N; ++s) {
-                            left[i] -= work->W[i][s] * phi_ddot[s];
-                        }
-                    }
-                }
-                eye4_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
-                int freed = -1;
+            for (int i = 0; i < 3; ++i) {
+                eye4_real left = work->r[i];
                 for (int s = 0; s < EYE4_N; ++s) {
-                    if (limited[s] > 0) {
-                        eye4_real slope = 0.0;
-                        eye4_real size = 0.0;
-                        for (int i = 0; i < 3; ++i) {
-                            slope += work->W[i][s] * left[i];
-                            size += work->W[i][s] * work->W[i][s];
-                        }
-                        const eye4_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
-                        if (inward > 0.0 && inward * inward > best * size) {
-                            best = inward * inward / size;
-                            freed = s;
+                    left -= work->W[i][s] * phi_ddot[s];
+                }
+                z[i] = row[i] * left;
+            }
+            eye4_real weighed[EYE4_N];  /* a row of W Omega^-1 */
+            for (int i = 0; i < 3; ++i) {
+                for (int s = 0; s < EYE4_N; ++s) {
+                    weighed[s] = work->W[i][s] * give[s];
+                }
+                for (int j = 0; j < i + 1; ++j) {
+                    eye4_real total = 0.0;
+                    for (int s = 0; s < EYE4_N; ++s) {
+                        total += weighed[s] * work->W[j][s];
+                    }
+                    gram[i][j] = row[i] * row[j] * total;
+                }
+                gram[i][i] += least;
+            }
+            eye4_solve_gram_3(gram, z, least);
+            for (int i = 0; i < 3; ++i) {
+                z[i] = row[i] * z[i];
+            }
+            for (int s = 0; s < EYE4_N; ++s) {
+                eye4_real total = 0.0;
+                for (int i = 0; i < 3; ++i) {
+                    total += work->W[i][s] * z[i];
+                }
+                step[s] = give[s] * total;
+            }
+            settled = 0;
+            if (pass < 1) {
+                for (int s = 0; s < EYE4_N; ++s) {
+                    phi_ddot[s] = step[s];
+                    if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                        const eye4_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+            } else {
+                /* go as far as all limits allow; hold the flywheel that reaches its limit */
+                eye4_real length = 1.0;
+                int stopped = -1;
+                for (int s = 0; s < EYE4_N; ++s) {
+                    const eye4_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                    if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                        && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
+                        const eye4_real room = options->limit[s] / work->scale[s]
+                            - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                        const eye4_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                        if (part < length) {
+                            length = (part > 0.0) ? part : 0.0;
+                            stopped = s;
                         }
                     }
                 }
-                if (freed >= 0) {
-                    limited[freed] = 0;
+                for (int s = 0; s < EYE4_N; ++s) {
+                    phi_ddot[s] += length * step[s];
+                    if (stopped == s) {
+                        const eye4_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+                /* after a full step, release the held flywheel that would lower the residual most */
+                if (stopped < 0) {
+                    eye4_real left[3];
+                    eye4_real wanted;
+                    eye4_real square;  /* of the residual */
+                    wanted = 0.0;
+                    square = 0.0;
+                    for (int i = 0; i < 3; ++i) {
+                        wanted += work->r[i] * work->r[i];
+                        left[i] = (i < rank) ? work->r[i] : 0.0;
+                        if (i < rank) {
+                            for (int s = 0; s < EYE4_N; ++s) {
+                                left[i] -= work->W[i][s] * phi_ddot[s];
+                            }
+                        }
+                        square += left[i] * left[i];
+                    }
+                    eye4_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
+                    int freed = -1;
+                    for (int s = 0; s < EYE4_N; ++s) {
+                        if (limited[s] > 0) {
+                            eye4_real slope = 0.0;
+                            eye4_real size = 0.0;
+                            for (int i = 0; i < 3; ++i) {
+                                slope += work->W[i][s] * left[i];
+                                size += work->W[i][s] * work->W[i][s];
+                            }
+                            const eye4_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                            if (inward > 0.0 && inward * inward > best * size) {
+                                best = inward * inward / size;
+                                freed = s;
+                            }
+                        }
+                    }
+                    if (freed >= 0) {
+                        limited[freed] = 0;
+                    } else {
+                        if (!(square > best && square < square_before * 0.999999999)) {
+                            settled = 1;
+                        }
+                    }
+                    square_before = square;
+                }
+            }
+            if (pass >= 6 && (settled > 0 || pass == 14)) {
+                going = weighted;
+                weighted = 0;
+                for (int s = 0; s < EYE4_N; ++s) {
+                    share[s] = 1.0;
                 }
             }
         }
@@ -3104,7 +3163,7 @@ static void eye4_allocate_3(const eye4_inverse_work *work, const eye4_inverse_op
 /* Matrix and right-hand side of the rows of the task pointing that are demanded, scaled. */
 EYE4_CODE
 static void eye4_project_pointing(const eye4_real demand[3], const int use[3],
-                                  eye4_inverse_work *restrict work, eye4_real L[restrict 3][3])
+                                  eye4_inverse_work *restrict work, eye4_real (*restrict L)[3] /* [3][3] */)
 {
     eye4_real Y[3][3];  /* rows: columns of G^-1 S^T, then of Q */
     eye4_real known[3];  /* s - a, then L^-1 (s - a) */
@@ -3195,7 +3254,8 @@ eye4_status eye4_inverse_pointing(const eye4_table *table, const eye4_state *x, 
     status = eye4_within(options->weight, EYE4_N, EYE4_MAX_WEIGHT);
     if (status != EYE4_OK) { return status; }
     eye4_real shares[2];
-    shares[0] = options->near;     shares[1] = options->damping;
+    shares[0] = options->near_singular;
+    shares[1] = options->damping;
     status = eye4_within(shares, 2, EYE4_LARGEST);
     if (status != EYE4_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return EYE4_BAD_ARGUMENT; }
@@ -3275,11 +3335,12 @@ eye4_status eye4_inverse_pointing(const eye4_table *table, const eye4_state *x, 
         if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
             rank = rank + 1;
             const eye4_real ratio = work.sigma[i] / work.sigma[0];
-            if (ratio < options->near) {
+            if (ratio < options->near_singular) {
                 flags = flags | EYE4_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
                     flags = flags | EYE4_DAMPED;
-                    const eye4_real lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const eye4_real lambda = options->damping * work.sigma[0]
+                        * (1.0 - ratio / options->near_singular);
                     const eye4_real square = work.sigma[i] * work.sigma[i];
                     work.r[i] = work.r[i] * (square / (square + lambda * lambda));
                     damping = (lambda > damping) ? lambda : damping;
@@ -3584,7 +3645,7 @@ static eye4_status eye4_torque_demand_turning(const eye4_table *table, const eye
                                               const eye4_real sine[EYE4_N], const eye4_real cosine[EYE4_N],
                                               const eye4_real preferred[EYE4_N], const int locked[EYE4_N],
                                               const eye4_real wrench[6], eye4_inverse_work *restrict work,
-                                              eye4_real tau_0[restrict EYE4_N])
+                                              eye4_real *restrict tau_0 /* [EYE4_N] */)
 {
     eye4_sums sum;
     eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
@@ -3690,8 +3751,9 @@ static eye4_status eye4_torque_demand_turning(const eye4_table *table, const eye
 EYE4_CODE
 static void eye4_bounded_least_squares_3(const eye4_real W[12], const eye4_real r[3],
                                          const eye4_real low[EYE4_N], const eye4_real high[EYE4_N],
-                                         const eye4_real weight[EYE4_N], eye4_real y[restrict EYE4_N],
-                                         int held[restrict EYE4_N])
+                                         const eye4_real weight[EYE4_N],
+                                         eye4_real *restrict y /* [EYE4_N] */,
+                                         int *restrict held /* [EYE4_N] */)
 {
     for (int s = 0; s < 4; ++s) {
         y[s] = (low[s] > 0.0) ? low[s] : ((high[s] < 0.0) ? high[s] : 0.0);
@@ -3906,7 +3968,7 @@ static void eye4_bounded_least_squares_3(const eye4_real W[12], const eye4_real 
 EYE4_CODE
 static eye4_real eye4_largest_share_3(const eye4_real W[12], const eye4_real low[EYE4_N],
                                       const eye4_real high[EYE4_N], const eye4_real start[3],
-                                      const eye4_real towards[3], eye4_real y[restrict EYE4_N])
+                                      const eye4_real towards[3], eye4_real *restrict y /* [EYE4_N] */)
 {
     eye4_real tableau[3][6];  /* columns: (y - low) / (high - low), then f, then the values of the basis */
     eye4_real upper[5];  /* upper bounds of the variables; the lower ones are 0 */
@@ -4543,7 +4605,7 @@ eye4_status eye4_generalized(const eye4_table *table, const eye4_state *x, const
 /* Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 EYE4_CODE
 static eye4_status eye4_frame_of_axes(const eye4_real axis[3], const eye4_real zero[3],
-                                      eye4_real R[restrict 9])
+                                      eye4_real *restrict R /* [9] */)
 {
     eye4_status status;
     if (!(axis[0] * axis[0] + axis[1] * axis[1]
@@ -4585,8 +4647,8 @@ static eye4_status eye4_frame_of_axes(const eye4_real axis[3], const eye4_real z
 /* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 EYE4_CODE
 static void eye4_carry(eye4_real m, const eye4_real b[3], const eye4_real J[6], const eye4_real O[3],
-                       const eye4_real R[9], eye4_real mu[restrict 3], eye4_real J1[restrict 6], int spins,
-                       eye4_real t[restrict 3])
+                       const eye4_real R[9], eye4_real *restrict mu /* [3] */,
+                       eye4_real *restrict J1 /* [6] */, int spins, eye4_real *restrict t /* [3] */)
 {
     eye4_real b1[3];  /* R b */
     eye4_real RJ[9];  /* R J */
@@ -4681,8 +4743,8 @@ static eye4_status eye4_check_body(const eye4_body *body)
 
 /* Origin and axes (at phi = 0) of a flywheel in E1. */
 EYE4_CODE
-static eye4_status eye4_place_flywheel(const eye4_flywheel *w, eye4_real O[restrict 3],
-                                       eye4_real R[restrict 9])
+static eye4_status eye4_place_flywheel(const eye4_flywheel *w, eye4_real *restrict O /* [3] */,
+                                       eye4_real *restrict R /* [9] */)
 {
     eye4_status status;
     if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
@@ -4698,7 +4760,8 @@ static eye4_status eye4_place_flywheel(const eye4_flywheel *w, eye4_real O[restr
 
 /* Origin and axes of a point in E1. */
 EYE4_CODE
-static eye4_status eye4_place_point(const eye4_point *w, eye4_real O[restrict 3], eye4_real R[restrict 9])
+static eye4_status eye4_place_point(const eye4_point *w, eye4_real *restrict O /* [3] */,
+                                    eye4_real *restrict R /* [9] */)
 {
     eye4_status status;
     if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
@@ -4856,7 +4919,7 @@ eye4_status eye4_prepare(const eye4_parameters *parameters, eye4_table *table)
 
 /* L^T V: a twist carried to Os, in mounting axes. */
 EYE4_CODE
-static void eye4_carry_twist(const eye4_mount *mount, const eye4_real V[6], eye4_real U[restrict 6])
+static void eye4_carry_twist(const eye4_mount *mount, const eye4_real V[6], eye4_real *restrict U /* [6] */)
 {
     eye4_real velocity[3];  /* velocity of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
@@ -4874,7 +4937,7 @@ static void eye4_carry_twist(const eye4_mount *mount, const eye4_real V[6], eye4
 EYE4_CODE
 static void eye4_mount_wrench(const eye4_mount *mount, eye4_real s, eye4_real c, eye4_real phi_dot,
                               eye4_real phi_ddot, const eye4_real V[6], const eye4_real V_dot[6],
-                              eye4_real W[restrict 6])
+                              eye4_real *restrict W /* [6] */)
 {
     eye4_real U[6];  /* twist of the mount at Os */
     eye4_real turned[6];  /* in Es */
@@ -4934,14 +4997,11 @@ static void eye4_mount_wrench(const eye4_mount *mount, eye4_real s, eye4_real c,
 /* Wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure. */
 EYE4_CODE
 eye4_status eye4_mounts(const eye4_mount_table *mounting, const eye4_state *x, const eye4_real V_dot[6],
-                        const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
-                        eye4_real mount_wrench[24])
+                        const eye4_real phi_ddot[EYE4_N], eye4_real mount_wrench[24])
 {
-    if (mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL || wrench == NULL
+    if (mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
         || mount_wrench == NULL) { return EYE4_BAD_ARGUMENT; }
     eye4_status status = eye4_check_motion(x, phi_ddot, EYE4_MAX_ACCELERATION);
-    if (status != EYE4_OK) { return status; }
-    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
     if (status != EYE4_OK) { return status; }
     status = eye4_within(V_dot, 6, EYE4_MAX_ACCELERATION);
     if (status != EYE4_OK) { return status; }
@@ -5189,16 +5249,61 @@ const eye4_parameters eye4_default_parameters =
         .inertia = { 6.5289551999999995, 6.359649999999999, 4.6131652, 0.061544, -0.04386, 0.053088 },
     },
     .flywheel = {
-        /*     mass      center_of_mass[3]                                              inertia[6]                                                                                position[3]           axis[3]              zero[3] */
-        { { 0.7, { 0.0,  2.8571428571428573e-6,                    0.0 }, { 0.0015915, 0.00087533, 0.00088408, -1.5308084989341914e-24,                -2.5e-8, 0.0 } }, {  0.1,  0.1, -0.1 }, {  1.0,  1.0, 1.0 }, { -1.0,  1.0, 0.0 } },  /* rw1 */
-        { { 0.7, { 0.0,  -9.772004095019107e-7,  2.6848360593883097e-6 }, { 0.0015915, 0.00087533, 0.00088408,  -2.0478801107224796e-8,   1.433941090877615e-8, 0.0 } }, { -0.1,  0.1, -0.1 }, { -1.0,  1.0, 1.0 }, { -1.0, -1.0, 0.0 } },  /* rw2 */
-        { { 0.7, { 0.0, -2.6848360593883097e-6,  -9.772004095019105e-7 }, { 0.0015915, 0.00087533, 0.00088408,  -1.2499999999999998e-8, -2.1650635094610966e-8, 0.0 } }, { -0.1, -0.1, -0.1 }, { -1.0, -1.0, 1.0 }, {  1.0, -1.0, 0.0 } },  /* rw3 */
-        { { 0.7, { 0.0,   1.638789818145846e-6, -2.3404344122542623e-6 }, { 0.0015915, 0.00087533, 0.00088408,   2.4620193825305202e-8,  -4.341204441673256e-9, 0.0 } }, {  0.1, -0.1, -0.1 }, {  1.0, -1.0, 1.0 }, {  1.0,  1.0, 0.0 } },  /* rw4 */
+        {  /* rw1 */
+            .body = {
+                .mass = 0.7,
+                .center_of_mass = { 0.0, 2.8571428571428573e-6, 0.0 },
+                .inertia = { 0.0015915, 0.00087533, 0.00088408, -1.5308084989341914e-24, -2.5e-8, 0.0 },
+            },
+            .position = { 0.1, 0.1, -0.1 },
+            .axis = { 1.0, 1.0, 1.0 },
+            .zero = { -1.0, 1.0, 0.0 },
+        },
+        {  /* rw2 */
+            .body = {
+                .mass = 0.7,
+                .center_of_mass = { 0.0, -9.772004095019107e-7, 2.6848360593883097e-6 },
+                .inertia = { 0.0015915, 0.00087533, 0.00088408, -2.0478801107224796e-8, 1.433941090877615e-8,
+                    0.0 },
+            },
+            .position = { -0.1, 0.1, -0.1 },
+            .axis = { -1.0, 1.0, 1.0 },
+            .zero = { -1.0, -1.0, 0.0 },
+        },
+        {  /* rw3 */
+            .body = {
+                .mass = 0.7,
+                .center_of_mass = { 0.0, -2.6848360593883097e-6, -9.772004095019105e-7 },
+                .inertia = { 0.0015915, 0.00087533, 0.00088408, -1.2499999999999998e-8,
+                    -2.1650635094610966e-8, 0.0 },
+            },
+            .position = { -0.1, -0.1, -0.1 },
+            .axis = { -1.0, -1.0, 1.0 },
+            .zero = { 1.0, -1.0, 0.0 },
+        },
+        {  /* rw4 */
+            .body = {
+                .mass = 0.7,
+                .center_of_mass = { 0.0, 1.638789818145846e-6, -2.3404344122542623e-6 },
+                .inertia = { 0.0015915, 0.00087533, 0.00088408, 2.4620193825305202e-8, -4.341204441673256e-9,
+                    0.0 },
+            },
+            .position = { 0.1, -0.1, -0.1 },
+            .axis = { 1.0, -1.0, 1.0 },
+            .zero = { 1.0, 1.0, 0.0 },
+        },
     },
     .point = {
-        /*      position[3]                       axis[3]                            zero[3] */
-        { {  0.0, 0.0, 0.32 }, {               1.0, 0.0,                -0.0 }, { 0.0, 1.0, 0.0 } },
-        { { 0.22, 0.0,  0.3 }, { 0.766044443118978, 0.0, -0.6427876096865393 }, { 0.0, 1.0, 0.0 } },
+        {
+            .position = { 0.0, 0.0, 0.32 },
+            .axis = { 1.0, 0.0, -0.0 },
+            .zero = { 0.0, 1.0, 0.0 },
+        },
+        {
+            .position = { 0.22, 0.0, 0.3 },
+            .axis = { 0.766044443118978, 0.0, -0.6427876096865393 },
+            .zero = { 0.0, 1.0, 0.0 },
+        },
     },
 };
 
@@ -5210,16 +5315,89 @@ const eye4_table eye4_default =
     .first_moment = { 0.386, -0.3088, 0.49200000000000016 },
     .inertia = { 6.58942308, 6.42011788, 4.673633080000001, 0.061544, -0.04386, 0.05308800000000001 },
     .flywheel = {
-        /*                        mu_c[3]                                                                    mu_s[3]                                                                     J_c[6]                                                                                                                                            J_s[6]                                                                                                                                             J_2c[6]                                                                                                                                           J_2s[6]                                                                                                       t_0[3]                                                                    t_c[3]                                                                      t_s[3]                                                       spin                  spin_inv                    spin_root_inv */
-        { {  -1.414213562373095e-6,   1.414213562373095e-6,                   0.0 }, {   -8.16496580927726e-7,   -8.16496580927726e-7,   1.632993161855452e-6 }, {  2.9462782549439474e-7, -2.710575994548432e-7, -2.3570226039551586e-8,  1.1785113019775793e-8, -1.4731391274719737e-7,  1.3552879972742158e-7 }, { -5.103103630798288e-7, -4.6948553403344245e-7, -3.265986323710904e-7,   1.632993161855452e-7,  -2.551551815399144e-7, -2.3474276701672123e-7 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6,  2.916666666666656e-6, -1.4583333333333282e-6, -1.4583333333333282e-6 }, { -2.5259074277046033e-6,  2.5259074277046033e-6, 0.0, 0.0,  2.5259074277046033e-6, -2.5259074277046033e-6 }, {  0.0009188529534152898,  0.0009188529534152898, 0.0009188529534152898 }, {  9.185586535436918e-8,  -7.144345083117604e-8, -2.0412414523193154e-8 }, {  -1.590990257669732e-7, -1.2374368670764584e-7, -2.8284271247461903e-7 }, 0.0015915, 628.3380458686773, 25.066672014223933 },  /* rw1 */
-        { {  1.2509453372906587e-6, -2.8356628669875784e-7, 1.5345116239894167e-6 }, {    1.04966777114353e-6,  1.6081843264111684e-6,  -5.585165552676386e-7 }, { -3.8709611635106023e-7, -5.471301842983445e-7, -2.9338299854212863e-7, -1.4669149927106434e-7,  2.8352630010684285e-7, -1.7006752396210484e-7 }, { 4.3128589577855423e-7,  -7.686836377331865e-8,  9.239571220887543e-8,  4.6197856104437715e-8,   5.979606128851894e-8,  2.1769722844648438e-7 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6, -2.916666666666656e-6,  1.4583333333333282e-6, -1.4583333333333282e-6 }, {  2.5259074277046033e-6, -2.5259074277046033e-6, 0.0, 0.0,  2.5259074277046033e-6,  2.5259074277046033e-6 }, { -0.0009188529534152898,  0.0009188529534152898, 0.0009188529534152898 }, {   1.25301516237609e-7,  -1.521917734973944e-7, -2.5407712977593647e-7 }, { -1.2331547458002393e-7,  -9.856698435285834e-9,   8.001703397364215e-8 }, 0.0015915, 628.3380458686773, 25.066672014223933 },  /* rw2 */
-        { { -1.6081843264111684e-6,    1.04966777114353e-6, -5.585165552676385e-7 }, { -2.8356628669875794e-7, -1.2509453372906587e-6, -1.5345116239894167e-6 }, {  -7.781782865198512e-8,  4.333401763357614e-7,   9.129089653033457e-8,   -4.56454482651673e-8,  -2.166700881678807e-7,   5.932132884918571e-8 }, {  5.453062792362393e-7,  3.8718580817718654e-7, 2.9511721177810755e-7, -1.4755860588905378e-7, -1.7002267804904168e-7, -2.8443825263789547e-7 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6,  2.916666666666656e-6,  1.4583333333333282e-6,  1.4583333333333282e-6 }, { -2.5259074277046033e-6,  2.5259074277046033e-6, 0.0, 0.0, -2.5259074277046033e-6,  2.5259074277046033e-6 }, { -0.0009188529534152898, -0.0009188529534152898, 0.0009188529534152898 }, { 1.0678959140212113e-8, -1.2509453372906592e-7,   7.906023552952642e-8 }, {  -1.506122253795203e-7,  -1.253791916375462e-7,   2.555790024938733e-7 }, 0.0015915, 628.3380458686773, 25.066672014223933 },  /* rw3 */
-        { {  1.4799944187671964e-6,  1.4232473192335848e-7, -1.337669686843838e-6 }, {   6.901327314977998e-7,  1.6267791298604769e-6,   9.366463983626771e-7 }, {  2.6121775846371843e-7,  5.454769804415502e-7,   2.634410105698018e-7,   1.317205052849009e-7,   2.907943309014318e-7,  -1.084601117522367e-7 }, { -5.207465977328966e-7,  -6.445338262871024e-8, -1.641171383285348e-7,  -8.205856916426738e-8, -1.7076042058620338e-8,  2.5231180677818246e-7 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6, -2.916666666666656e-6, -1.4583333333333282e-6,  1.4583333333333282e-6 }, {  2.5259074277046033e-6, -2.5259074277046033e-6, 0.0, 0.0, -2.5259074277046033e-6, -2.5259074277046033e-6 }, {  0.0009188529534152898, -0.0009188529534152898, 0.0009188529534152898 }, {  8.819466844964771e-8, -1.4704109626991446e-7,  2.2814660755209323e-7 }, {  -1.549808988175652e-7,  2.7353320331629998e-8, -1.4212961098891592e-7 }, 0.0015915, 628.3380458686773, 25.066672014223933 },  /* rw4 */
+        {  /* rw1 */
+            .mu_c = { -1.414213562373095e-6, 1.414213562373095e-6, 0.0 },
+            .mu_s = { -8.16496580927726e-7, -8.16496580927726e-7, 1.632993161855452e-6 },
+            .J_c = { 2.9462782549439474e-7, -2.710575994548432e-7, -2.3570226039551586e-8,
+                1.1785113019775793e-8, -1.4731391274719737e-7, 1.3552879972742158e-7 },
+            .J_s = { -5.103103630798288e-7, -4.6948553403344245e-7, -3.265986323710904e-7,
+                1.632993161855452e-7, -2.551551815399144e-7, -2.3474276701672123e-7 },
+            .J_2c = { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6,
+                2.916666666666656e-6, -1.4583333333333282e-6, -1.4583333333333282e-6 },
+            .J_2s = { -2.5259074277046033e-6, 2.5259074277046033e-6, 0.0, 0.0, 2.5259074277046033e-6,
+                -2.5259074277046033e-6 },
+            .t_0 = { 0.0009188529534152898, 0.0009188529534152898, 0.0009188529534152898 },
+            .t_c = { 9.185586535436918e-8, -7.144345083117604e-8, -2.0412414523193154e-8 },
+            .t_s = { -1.590990257669732e-7, -1.2374368670764584e-7, -2.8284271247461903e-7 },
+            .spin = 0.0015915,
+            .spin_inv = 628.3380458686773,
+            .spin_root_inv = 25.066672014223933,
+        },
+        {  /* rw2 */
+            .mu_c = { 1.2509453372906587e-6, -2.8356628669875784e-7, 1.5345116239894167e-6 },
+            .mu_s = { 1.04966777114353e-6, 1.6081843264111684e-6, -5.585165552676386e-7 },
+            .J_c = { -3.8709611635106023e-7, -5.471301842983445e-7, -2.9338299854212863e-7,
+                -1.4669149927106434e-7, 2.8352630010684285e-7, -1.7006752396210484e-7 },
+            .J_s = { 4.3128589577855423e-7, -7.686836377331865e-8, 9.239571220887543e-8,
+                4.6197856104437715e-8, 5.979606128851894e-8, 2.1769722844648438e-7 },
+            .J_2c = { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6,
+                -2.916666666666656e-6, 1.4583333333333282e-6, -1.4583333333333282e-6 },
+            .J_2s = { 2.5259074277046033e-6, -2.5259074277046033e-6, 0.0, 0.0, 2.5259074277046033e-6,
+                2.5259074277046033e-6 },
+            .t_0 = { -0.0009188529534152898, 0.0009188529534152898, 0.0009188529534152898 },
+            .t_c = { 1.25301516237609e-7, -1.521917734973944e-7, -2.5407712977593647e-7 },
+            .t_s = { -1.2331547458002393e-7, -9.856698435285834e-9, 8.001703397364215e-8 },
+            .spin = 0.0015915,
+            .spin_inv = 628.3380458686773,
+            .spin_root_inv = 25.066672014223933,
+        },
+        {  /* rw3 */
+            .mu_c = { -1.6081843264111684e-6, 1.04966777114353e-6, -5.585165552676385e-7 },
+            .mu_s = { -2.8356628669875794e-7, -1.2509453372906587e-6, -1.5345116239894167e-6 },
+            .J_c = { -7.781782865198512e-8, 4.333401763357614e-7, 9.129089653033457e-8, -4.56454482651673e-8,
+                -2.166700881678807e-7, 5.932132884918571e-8 },
+            .J_s = { 5.453062792362393e-7, 3.8718580817718654e-7, 2.9511721177810755e-7,
+                -1.4755860588905378e-7, -1.7002267804904168e-7, -2.8443825263789547e-7 },
+            .J_2c = { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6,
+                2.916666666666656e-6, 1.4583333333333282e-6, 1.4583333333333282e-6 },
+            .J_2s = { -2.5259074277046033e-6, 2.5259074277046033e-6, 0.0, 0.0, -2.5259074277046033e-6,
+                2.5259074277046033e-6 },
+            .t_0 = { -0.0009188529534152898, -0.0009188529534152898, 0.0009188529534152898 },
+            .t_c = { 1.0678959140212113e-8, -1.2509453372906592e-7, 7.906023552952642e-8 },
+            .t_s = { -1.506122253795203e-7, -1.253791916375462e-7, 2.555790024938733e-7 },
+            .spin = 0.0015915,
+            .spin_inv = 628.3380458686773,
+            .spin_root_inv = 25.066672014223933,
+        },
+        {  /* rw4 */
+            .mu_c = { 1.4799944187671964e-6, 1.4232473192335848e-7, -1.337669686843838e-6 },
+            .mu_s = { 6.901327314977998e-7, 1.6267791298604769e-6, 9.366463983626771e-7 },
+            .J_c = { 2.6121775846371843e-7, 5.454769804415502e-7, 2.634410105698018e-7, 1.317205052849009e-7,
+                2.907943309014318e-7, -1.084601117522367e-7 },
+            .J_s = { -5.207465977328966e-7, -6.445338262871024e-8, -1.641171383285348e-7,
+                -8.205856916426738e-8, -1.7076042058620338e-8, 2.5231180677818246e-7 },
+            .J_2c = { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6,
+                -2.916666666666656e-6, -1.4583333333333282e-6, 1.4583333333333282e-6 },
+            .J_2s = { 2.5259074277046033e-6, -2.5259074277046033e-6, 0.0, 0.0, -2.5259074277046033e-6,
+                -2.5259074277046033e-6 },
+            .t_0 = { 0.0009188529534152898, -0.0009188529534152898, 0.0009188529534152898 },
+            .t_c = { 8.819466844964771e-8, -1.4704109626991446e-7, 2.2814660755209323e-7 },
+            .t_s = { -1.549808988175652e-7, 2.7353320331629998e-8, -1.4212961098891592e-7 },
+            .spin = 0.0015915,
+            .spin_inv = 628.3380458686773,
+            .spin_root_inv = 25.066672014223933,
+        },
     },
     .sensor = {
-        /*      origin[3]                          axes[9] */
-        { {  0.0, 0.0, 0.32 }, {                1.0, 0.0,                0.0, 0.0, 1.0, -0.0,                -0.0, 0.0,                1.0 } },  /* telescope */
-        { { 0.22, 0.0,  0.3 }, { 0.7660444431189782, 0.0, 0.6427876096865394, 0.0, 1.0, -0.0, -0.6427876096865394, 0.0, 0.7660444431189782 } },  /* tracker */
+        {  /* telescope */
+            .origin = { 0.0, 0.0, 0.32 },
+            .axes = { 1.0, 0.0, 0.0, 0.0, 1.0, -0.0, -0.0, 0.0, 1.0 },
+        },
+        {  /* tracker */
+            .origin = { 0.22, 0.0, 0.3 },
+            .axes = { 0.7660444431189782, 0.0, 0.6427876096865394, 0.0, 1.0, -0.0, -0.6427876096865394, 0.0,
+                0.7660444431189782 },
+        },
     },
 };
 
@@ -5227,17 +5405,20 @@ EYE4_CONST
 const eye4_inverse_options eye4_default_options =
 {
     .weight = { 1.0, 1.0, 1.0, 1.0 },
-    .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
-    .most = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308 },
+    .most = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308 },
     .motor_torque = { 0.1, 0.1, 0.1, 0.1 },
     .motor_speed = { 628.3185307179587, 628.3185307179587, 628.3185307179587, 628.3185307179587 },
     .motor_viscous = { 2.0e-6, 2.0e-6, 2.0e-6, 2.0e-6 },
     .motor_coulomb = { 0.0005, 0.0005, 0.0005, 0.0005 },
     .motor_coulomb_speed = { 0.1, 0.1, 0.1, 0.1 },
-    .near = 1.0e-6,
+    .near_singular = 1.0e-6,
     .damping = 0.0,
     .use_pointing = { 1, 1, 1 },
-    .motor_power = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_power = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308 },
     .target_speed = { 0.0, 0.0, 0.0, 0.0 },
     .target_rate = 0.0,
     .avoid_speed = 0.0,

@@ -9,8 +9,8 @@
  * Never with -ffast-math, -Ofast, -funsafe-math-optimizations or parts of them: wrong results with status OK.
  * The source refuses what the compiler shows of them; clang does not show all.
  * EYE4_SQRT, defined for the source, takes the square root of a processor in the place of its own:
- * the bits are the same if it rounds correctly. -ffunction-sections and -Wl,--gc-sections leave out what is
- * not called.
+ * the bits are the same if it rounds correctly.
+ * -ffunction-sections and -Wl,--gc-sections leave out what is not called.
  * Stack: what a function states is an upper bound with all that it calls, from its locals along the
  * deepest chain of calls and an allowance for registers: for gcc and clang at -O1 to -O3 and -Os, 32 and 64
  * bits. The routines of the compiler's library (memcpy, arithmetic without an FPU) come on top.
@@ -24,6 +24,45 @@
 #ifndef EYE4_H
 #define EYE4_H
 
+/* The linker sees names that end in the kind of the reals and a hash of this header: a caller with the
+ * header of another stand, element type, choice of functions or version does not link. Define
+ * EYE4_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other languages
+ * need them. */
+#ifndef EYE4_PLAIN_NAMES
+#define eye4_default_parameters      eye4_default_parameters_f64_63e43f2c
+#define eye4_default                 eye4_default_f64_63e43f2c
+#define eye4_default_options         eye4_default_options_f64_63e43f2c
+#define eye4_forward                 eye4_forward_f64_63e43f2c
+#define eye4_wrench                  eye4_wrench_f64_63e43f2c
+#define eye4_matrices                eye4_matrices_f64_63e43f2c
+#define eye4_momentum                eye4_momentum_f64_63e43f2c
+#define eye4_torque                  eye4_torque_f64_63e43f2c
+#define eye4_coupled                 eye4_coupled_f64_63e43f2c
+#define eye4_step                    eye4_step_f64_63e43f2c
+#define eye4_step_driven             eye4_step_driven_f64_63e43f2c
+#define eye4_wrap                    eye4_wrap_f64_63e43f2c
+#define eye4_phase_of_counts         eye4_phase_of_counts_f64_63e43f2c
+#define eye4_speed_of_counts         eye4_speed_of_counts_f64_63e43f2c
+#define eye4_accumulate              eye4_accumulate_f64_63e43f2c
+#define eye4_forward_jacobian        eye4_forward_jacobian_f64_63e43f2c
+#define eye4_coupled_jacobian        eye4_coupled_jacobian_f64_63e43f2c
+#define eye4_inverse                 eye4_inverse_f64_63e43f2c
+#define eye4_inverse_fast            eye4_inverse_fast_f64_63e43f2c
+#define eye4_inverse_pointing        eye4_inverse_pointing_f64_63e43f2c
+#define eye4_inverse_fast_pointing   eye4_inverse_fast_pointing_f64_63e43f2c
+#define eye4_torque_for_pointing     eye4_torque_for_pointing_f64_63e43f2c
+#define eye4_points                  eye4_points_f64_63e43f2c
+#define eye4_quaternion              eye4_quaternion_f64_63e43f2c
+#define eye4_state_from_coordinates  eye4_state_from_coordinates_f64_63e43f2c
+#define eye4_generalized             eye4_generalized_f64_63e43f2c
+#define eye4_prepare                 eye4_prepare_f64_63e43f2c
+#define eye4_mounts                  eye4_mounts_f64_63e43f2c
+#define eye4_prepare_mounts          eye4_prepare_mounts_f64_63e43f2c
+#define eye4_step_carried            eye4_step_carried_f64_63e43f2c
+#define eye4_step_driven_carried     eye4_step_driven_carried_f64_63e43f2c
+#define eye4_center_of_mass_velocity eye4_center_of_mass_velocity_f64_63e43f2c
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -31,7 +70,6 @@ extern "C" {
 #define EYE4_STRUCTURE 0x59c20951u  /* hash of the stand's names, counts and kinds of wrench */
 #define EYE4_PHYSICS   0x7b9ac829u  /* hash of its structure and all numbers */
 #define EYE4_TABLE_HASH 0xec4dd7efu /* FNV-1a of all numbers of the default table but its stream */
-#define EYE4_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define EYE4_REAL_BYTES 8           /* bytes of a eye4_real */
 #define EYE4_VERSION_MAJOR 0        /* of the mahovik that wrote this */
 #define EYE4_VERSION_MINOR 1
@@ -61,7 +99,7 @@ typedef int eye4_status;  /* not the enum, whose size compilers choose */
 
 enum {
     EYE4_OK = 0,                          /* success */
-    EYE4_NEAR_SINGULAR = 1,               /* least singular value less than `near` times the largest */
+    EYE4_NEAR_SINGULAR = 1,               /* least singular value below `near_singular` times the largest */
     EYE4_DAMPED = 2,                      /* damping was applied */
     EYE4_LIMITED = 4,                     /* a limit was reached; `limited` says by which flywheels */
     EYE4_UNREACHABLE = 8,                 /* wanted motion not reached: residual above 1e-9 of the demand */
@@ -122,7 +160,7 @@ typedef struct eye4_point {
     eye4_real zero[3];      /* its component perpendicular to the first axis is the second axis */
 } eye4_point;
 
-/* Input of prepare: masses, inertias and mountings. */
+/* Masses, inertias and mountings, of which the table is made. */
 typedef struct eye4_parameters {
     eye4_body carrier;
     eye4_flywheel flywheel[EYE4_N];
@@ -151,7 +189,7 @@ typedef struct eye4_sensor {
     eye4_real axes[9];    /* own axes to E1, row by row */
 } eye4_sensor;
 
-/* The constants of the equations. Made by prepare, except the laws at the end (gravity, ...). */
+/* The constants of the equations, made of the parameters; the laws at the end (gravity, ...) are as given. */
 typedef struct eye4_table {
     eye4_real mass;                    /* kg; mass of all bodies */
     eye4_real mass_inverse;            /* 1/kg */
@@ -221,29 +259,6 @@ typedef struct eye4_encoder {
     int moved;    /* counts between the last two readings */
 } eye4_encoder;
 
-/* A symmetric 3x3 matrix factored, L D L^T. */
-typedef struct eye4_factors3 {
-    eye4_real r1;   /* 1 / D, of the last D itself */
-    eye4_real r2;
-    eye4_real d3;
-    eye4_real l21;  /* L below its diagonal */
-    eye4_real l31;
-    eye4_real l32;
-} eye4_factors3;
-
-/* K of the carrier factored. */
-typedef struct eye4_carrier_factor {
-    eye4_real rho[3];  /* m; mass centre from O1, in E1 */
-    eye4_factors3 L;   /* what is left of the inertia */
-} eye4_carrier_factor;
-
-/* K with free flywheels eliminated, factored. */
-typedef struct eye4_schur_factor {
-    eye4_real A_inv[6];  /* 1/kg */
-    eye4_real U[9];      /* m; A^-1 B^T */
-    eye4_factors3 L;     /* D - B A^-1 B^T */
-} eye4_schur_factor;
-
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct eye4_inverse_options {
     eye4_real weight[EYE4_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1
@@ -259,7 +274,7 @@ typedef struct eye4_inverse_options {
     eye4_real motor_coulomb[EYE4_N];        /* N m; dry friction, which the motor bears; 0: none */
     eye4_real motor_coulomb_speed[EYE4_N];  /* rad/s; speed at which three quarters of the dry friction
                                              * act; greater than 0 */
-    eye4_real near;                         /* status NEAR_SINGULAR below this fraction of the largest
+    eye4_real near_singular;                /* status NEAR_SINGULAR below this fraction of the largest
                                              * singular value, 0..1 */
     eye4_real damping;                      /* damping of small singular values, as a fraction of the
                                              * largest, 0..1; 0: none */
@@ -330,7 +345,7 @@ typedef struct eye4_forward_jacobian_result {
 } eye4_forward_jacobian_result;
 
 extern const eye4_parameters eye4_default_parameters;             /* of the stand file */
-extern const eye4_table eye4_default;                             /* what prepare makes of them */
+extern const eye4_table eye4_default;                             /* made of them */
 extern const eye4_inverse_options eye4_default_options;           /* of inverse, by the stand file */
 
 /* ---- functions ---- */
@@ -354,7 +369,7 @@ eye4_status eye4_forward(const eye4_table *table, const eye4_state *x, const eye
  *   wrench[6]  N, N m; run-time wrenches, six numbers a body (carrier), in its own frame about its origin
  *   F[6]       out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 186 operations on reals, no division. Stack: at most 1008 bytes. */
+ * At most 186 operations on reals, no division. Stack: at most 1056 bytes. */
 eye4_status eye4_wrench(const eye4_state *x, const eye4_real wrench[6], eye4_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
@@ -363,7 +378,7 @@ eye4_status eye4_wrench(const eye4_state *x, const eye4_real wrench[6], eye4_rea
  *   wrench[6]  N, N m; run-time wrenches, six numbers a body (carrier), in its own frame about its origin
  *   out        out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1438 operations on reals, no division. Stack: at most 1536 bytes. */
+ * At most 1438 operations on reals, no division. Stack: at most 1568 bytes. */
 eye4_status eye4_matrices(const eye4_table *table, const eye4_state *x, const eye4_real wrench[6],
                           eye4_matrices_result *out);
 
@@ -372,7 +387,7 @@ eye4_status eye4_matrices(const eye4_table *table, const eye4_state *x, const ey
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1355 operations on reals, 1 of them a division. Stack: at most 1536 bytes. */
+ * At most 1355 operations on reals, 1 of them a division. Stack: at most 1552 bytes. */
 eye4_status eye4_momentum(const eye4_table *table, const eye4_state *x, eye4_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -380,13 +395,11 @@ eye4_status eye4_momentum(const eye4_table *table, const eye4_state *x, eye4_mom
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[4]  rad/s2; flywheel accelerations
- *   wrench[6]    N, N m; run-time wrenches, six numbers a body (carrier), in its own frame about its
- *                origin
  *   tau[4]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 832 operations on reals, no division. Stack: at most 1248 bytes. */
+ * At most 808 operations on reals, no division. Stack: at most 1296 bytes. */
 eye4_status eye4_torque(const eye4_table *table, const eye4_state *x, const eye4_real V_dot[6],
-                        const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6], eye4_real tau[EYE4_N]);
+                        const eye4_real phi_ddot[EYE4_N], eye4_real tau[EYE4_N]);
 
 /* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
  * eliminated first.
@@ -510,7 +523,7 @@ eye4_status eye4_forward_jacobian(const eye4_table *table, const eye4_state *x,
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 8633 operations on reals, 22 of them divisions. Stack: at most 5728 bytes. */
+ * At most 8301 operations on reals, 22 of them divisions. Stack: at most 5680 bytes. */
 eye4_status eye4_coupled_jacobian(const eye4_table *table, const eye4_state *x, const eye4_real tau[EYE4_N],
                                   const int locked[EYE4_N], const eye4_real wrench[6],
                                   eye4_coupled_jacobian_result *out);
@@ -528,7 +541,7 @@ eye4_status eye4_coupled_jacobian(const eye4_table *table, const eye4_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 34264 operations on reals, 1011 of them divisions. Stack: at most 4736 bytes. */
+ * At most 53904 operations on reals, 1991 of them divisions. Stack: at most 4800 bytes. */
 eye4_status eye4_inverse(const eye4_table *table, const eye4_state *x, const eye4_real V_dot[6],
                          const eye4_inverse_options *options, const eye4_real wrench[6],
                          eye4_inverse_result *out);
@@ -538,7 +551,7 @@ eye4_status eye4_inverse(const eye4_table *table, const eye4_state *x, const eye
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and `limit` are ignored
+ *   options      weights and damping; `near_singular` and `limit` are ignored
  *   wrench[6]    N, N m; run-time wrenches, six numbers a body (carrier), in its own frame about its
  *                origin
  *   phi_ddot[4]  out: rad/s2; flywheel accelerations
@@ -569,7 +582,7 @@ eye4_status eye4_inverse_fast(const eye4_table *table, const eye4_state *x, cons
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 11790 operations on reals, 417 of them divisions. Stack: at most 4384 bytes. */
+ * At most 21382 operations on reals, 977 of them divisions. Stack: at most 4448 bytes. */
 eye4_status eye4_inverse_pointing(const eye4_table *table, const eye4_state *x, const eye4_real demand[3],
                                   const eye4_inverse_options *options, const eye4_real wrench[6],
                                   eye4_inverse_pointing_result *out);
@@ -628,7 +641,7 @@ eye4_status eye4_torque_for_pointing(const eye4_table *table, const eye4_state *
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[2]    out: one reading for each instrument, then for each point
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 545 operations on reals, 1 of them a division. Stack: at most 1056 bytes. */
+ * At most 545 operations on reals, 1 of them a division. Stack: at most 1104 bytes. */
 eye4_status eye4_points(const eye4_table *table, const eye4_state *x, const eye4_real V_dot[6],
                         eye4_points_result out[EYE4_SENSORS]);
 
@@ -688,15 +701,12 @@ eye4_status eye4_prepare(const eye4_parameters *parameters, eye4_table *table);
  *   x                 state; its attitude within 1e-3 of unit length
  *   V_dot[6]          m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[4]       rad/s2; flywheel accelerations
- *   wrench[6]         N, N m; run-time wrenches, six numbers a body (carrier), in its own frame about its
- *                     origin
  *   mount_wrench[24]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
  *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1442 operations on reals, no division. Stack: at most 1552 bytes. */
+ * At most 1418 operations on reals, no division. Stack: at most 1536 bytes. */
 eye4_status eye4_mounts(const eye4_mount_table *mounting, const eye4_state *x, const eye4_real V_dot[6],
-                        const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
-                        eye4_real mount_wrench[24]);
+                        const eye4_real phi_ddot[EYE4_N], eye4_real mount_wrench[24]);
 
 /* prepare_mounts: makes the second table, which the function mounts needs.
  *   parameters  masses, inertias, mountings
@@ -750,7 +760,7 @@ eye4_status eye4_step_driven_carried(const eye4_table *table, const eye4_state *
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 951 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
+ * At most 951 operations on reals, 1 of them a division. Stack: at most 1456 bytes. */
 eye4_status eye4_center_of_mass_velocity(const eye4_table *table, const eye4_state *x,
                                          eye4_real center_of_mass_velocity[3]);
 
@@ -758,22 +768,4 @@ eye4_status eye4_center_of_mass_velocity(const eye4_table *table, const eye4_sta
 }
 #endif
 
-#endif
-
-/* A caller that was compiled with the header of another element type, number of lanes, version or stand does
- * not link: the symbol is in the source of this header alone. It takes no memory. gcc and clang, ELF files.
- * Define EYE4_NO_LINK_CHECK where only types are used, and the source is not linked. */
-#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-#if !defined EYE4_NO_LINK_CHECK && !defined EYE4_LINK_CHECKED
-#define EYE4_LINK_CHECKED
-#if __SIZEOF_POINTER__ == 8
-__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".quad eye4_link_double_lanes1_v0_1_0_7b9ac829\n"
-        ".popsection\n");
-#elif __SIZEOF_POINTER__ == 4
-__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".long eye4_link_double_lanes1_v0_1_0_7b9ac829\n"
-        ".popsection\n");
-#endif
-#endif
 #endif

@@ -1,6 +1,5 @@
 /* remus6.c: motion of the stand "remus6". What each function does and takes: remus6.h.
  * mahovik 0.1.0; structure 3687deee, physics 5f25aea2. Generated: change the stand file instead. */
-#define REMUS6_LINK_CHECKED  /* callers refer to the symbol that this file defines */
 #include "remus6.h"
 
 #include <stddef.h>
@@ -9,9 +8,6 @@
 #if REMUS6_STRUCTURE != 0x3687deeeu || REMUS6_PHYSICS != 0x5f25aea2u
 #error "remus6.h and remus6.c are of different stands"
 #endif
-#if REMUS6_LANES != 1
-#error "remus6.h and remus6.c were generated for different numbers of lanes"
-#endif
 #if REMUS6_REAL_BYTES != 8
 #error "remus6.h and remus6.c were generated for different element types"
 #endif
@@ -19,19 +15,23 @@
 #error "remus6.h and remus6.c are of different versions of mahovik"
 #endif
 
-/* What callers with the right header refer to: an address without memory. */
-#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-__asm__(".globl remus6_link_double_lanes1_v0_1_0_5f25aea2\n"
-        ".type remus6_link_double_lanes1_v0_1_0_5f25aea2, %object\n"
-        ".size remus6_link_double_lanes1_v0_1_0_5f25aea2, 1\n"
-        ".set remus6_link_double_lanes1_v0_1_0_5f25aea2, 0\n");
-#endif
+#include <float.h>
+#include <limits.h>
 
-/* Fast math leaves out the roundings that the code relies on: wrong results with status OK. What the compiler
- * shows of it is refused here; clang does not show -funsafe-math-optimizations. */
+/* Other numbers than those of IEEE 754, and fast math, which leaves out roundings that the code relies on,
+ * give wrong results with status OK. What the compiler shows of them is refused here; clang does not show
+ * -funsafe-math-optimizations. */
+#if FLT_RADIX != 2 || DBL_MANT_DIG != 53
+#error "wrong results: remus6 needs a double of 64 bits, 53 of them significant"
+#endif
+#if INT_MAX < 2147483647
+#error "wrong counts: remus6 needs an int of 32 bits"
+#endif
 #ifndef REMUS6_ALLOW_FAST_MATH
 #if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined _M_FP_FAST
 #error "wrong results: compile remus6 without -ffast-math, -Ofast and -funsafe-math-optimizations"
+#elif FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16
+#error "wrong results: x87 keeps more digits: compile remus6 with -msse2 -mfpmath=sse"
 #endif
 #if defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ == 1
 #error "inputs that are NaN would pass: compile remus6 without -ffinite-math-only"
@@ -71,6 +71,22 @@ typedef struct remus6_sums {
     remus6_real a_rel[3];   /* N; d/dt of the force part */
 } remus6_sums;
 
+/* A symmetric 3x3 matrix factored, L D L^T. */
+typedef struct remus6_factors3 {
+    remus6_real r1;   /* 1 / D, of the last D itself */
+    remus6_real r2;
+    remus6_real d3;
+    remus6_real l21;  /* L below its diagonal */
+    remus6_real l31;
+    remus6_real l32;
+} remus6_factors3;
+
+/* K of the carrier factored. */
+typedef struct remus6_carrier_factor {
+    remus6_real U[9];   /* m; A^-1 B^T */
+    remus6_factors3 L;  /* what is left of the inertia */
+} remus6_carrier_factor;
+
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
 typedef struct remus6_coupling {
     remus6_real I_[6];  /* kg m, kg m2; column of I (9) */
@@ -83,6 +99,13 @@ typedef struct remus6_schur {
     remus6_real B[9];  /* kg m; moment by v*, row by row */
     remus6_real D[6];  /* kg m2; moment by omega*: 11 22 33 12 13 23 */
 } remus6_schur;
+
+/* K with free flywheels eliminated, factored. */
+typedef struct remus6_schur_factor {
+    remus6_real A_inv[6];  /* 1/kg */
+    remus6_real U[9];      /* m; A^-1 B^T */
+    remus6_factors3 L;     /* D - B A^-1 B^T */
+} remus6_schur_factor;
 
 /* Scratch of inverse. */
 typedef struct remus6_inverse_work {
@@ -230,7 +253,6 @@ static remus6_status remus6_within(const remus6_real values[], int count, remus6
 REMUS6_CODE
 static remus6_status remus6_check_state(const remus6_state *x)
 {
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
     {
         remus6_real position2, velocity2, speed2, phase2;
         position2 = 0.0;
@@ -238,13 +260,18 @@ static remus6_status remus6_check_state(const remus6_state *x)
         speed2 = 0.0;
         phase2 = 0.0;
         for (int i = 0; i < 3; ++i) {
-            position2 += x->position[i] * x->position[i];
-            velocity2 += x->V[i] * x->V[i];
-            speed2 += x->V[i + 3] * x->V[i + 3];
+            const remus6_real position = x->position[i];
+            position2 += position * position;
+            const remus6_real velocity = x->V[i];
+            velocity2 += velocity * velocity;
+            const remus6_real speed = x->V[i + 3];
+            speed2 += speed * speed;
         }
         for (int s = 0; s < REMUS6_N; ++s) {
-            phase2 += x->phi[s] * x->phi[s];
-            speed2 += x->phi_dot[s] * x->phi_dot[s];
+            const remus6_real phase = x->phi[s];
+            phase2 += phase * phase;
+            const remus6_real speed = x->phi_dot[s];
+            speed2 += speed * speed;
         }
         const remus6_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
             + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -253,7 +280,6 @@ static remus6_status remus6_check_state(const remus6_state *x)
             && speed2 < REMUS6_MAX_SPEED * REMUS6_MAX_SPEED
             && phase2 < REMUS6_MAX_PHASE * REMUS6_MAX_PHASE) { return REMUS6_OK; }
     }
-#endif
     remus6_status status = remus6_within(x->position, 3, REMUS6_MAX_POSITION);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(x->attitude, 4, 2.0);
@@ -274,7 +300,7 @@ static remus6_status remus6_check_state(const remus6_state *x)
 
 /* Rotation matrix of a quaternion of any length: no square root is needed. */
 REMUS6_CODE
-static void remus6_rotation(const remus6_real q[4], remus6_real C[restrict 9])
+static void remus6_rotation(const remus6_real q[4], remus6_real *restrict C /* [9] */)
 {
     const remus6_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
@@ -290,7 +316,8 @@ static void remus6_rotation(const remus6_real q[4], remus6_real C[restrict 9])
 
 /* C^T a: components from the outer axes to the rotated axes. */
 REMUS6_CODE
-static void remus6_rotate_back(const remus6_real C[9], const remus6_real a[3], remus6_real out[restrict 3])
+static void remus6_rotate_back(const remus6_real C[9], const remus6_real a[3],
+                               remus6_real *restrict out /* [3] */)
 {
     out[0] = C[0] * a[0] + C[3] * a[1] + C[6] * a[2];
     out[1] = C[1] * a[0] + C[4] * a[1] + C[7] * a[2];
@@ -301,8 +328,8 @@ static void remus6_rotate_back(const remus6_real C[9], const remus6_real a[3], r
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 REMUS6_CODE
-static void remus6_sincos_each(const remus6_real x[REMUS6_N], remus6_real sine[restrict REMUS6_N],
-                               remus6_real cosine[restrict REMUS6_N])
+static void remus6_sincos_each(const remus6_real x[REMUS6_N], remus6_real *restrict sine /* [REMUS6_N] */,
+                               remus6_real *restrict cosine /* [REMUS6_N] */)
 {
     for (int s = 0; s < REMUS6_N; ++s) {
         /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the
@@ -478,7 +505,7 @@ static REMUS6_COPIED void remus6_sum_spin(const remus6_table *table, const remus
 /* Adds the damping of one body to its wrench, both in the body's own frame, (7). */
 REMUS6_CODE
 static void remus6_damp(const remus6_table *table, const remus6_damper *damper, const remus6_real V[6],
-                        remus6_real P[restrict 6])
+                        remus6_real *restrict P /* [6] */)
 {
     remus6_real x[12];  /* u v w p q r and their magnitudes */
     x[0] = V[0];  x[1] = V[1];  x[2] = V[2];
@@ -497,7 +524,7 @@ static void remus6_damp(const remus6_table *table, const remus6_damper *damper, 
 /* Total external wrench of weight, buoyancy, damping, from checked inputs, (7). */
 REMUS6_CODE
 static void remus6_external(const remus6_table *table, const remus6_sums *sum, const remus6_real V[6],
-                            const remus6_real g[3], remus6_real F[restrict 6])
+                            const remus6_real g[3], remus6_real *restrict F /* [6] */)
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -515,7 +542,7 @@ static void remus6_external(const remus6_table *table, const remus6_sums *sum, c
 /* Momentum screw Z = K V + sum I phi' of the sums, (2). */
 REMUS6_CODE
 static void remus6_momentum_screw(const remus6_table *table, const remus6_sums *sum, const remus6_real V[6],
-                                  remus6_real Z[restrict 6])
+                                  remus6_real *restrict Z /* [6] */)
 {
     Z[0] = table->A[0] * V[0] + table->A[3] * V[1] + table->A[4] * V[2] + table->G[0] * V[3]
         + (table->G[3] + sum->mu[2]) * V[4] + (table->G[6] - sum->mu[1]) * V[5] + sum->mu_dot[0];
@@ -534,7 +561,7 @@ static void remus6_momentum_screw(const remus6_table *table, const remus6_sums *
 /* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (2), (4), (5). */
 REMUS6_CODE
 static void remus6_subtract_rates(const remus6_table *table, const remus6_sums *sum, const remus6_real V[6],
-                                  remus6_real F[restrict 6])
+                                  remus6_real *restrict F /* [6] */)
 {
     /* momentum screw Z = K V + sum I phi' */
     const remus6_real Z1 = table->A[0] * V[0] + table->A[3] * V[1] + table->A[4] * V[2] + table->G[0] * V[3]
@@ -590,7 +617,8 @@ static remus6_status remus6_factor3(const remus6_real S[6], remus6_factors3 *res
 
 /* Solves S y = b by S = L D L^T. */
 REMUS6_CODE
-static inline void remus6_solve3(const remus6_factors3 *L, const remus6_real b[3], remus6_real y[restrict 3])
+static inline void remus6_solve3(const remus6_factors3 *L, const remus6_real b[3],
+                                 remus6_real *restrict y /* [3] */)
 {
     /* L z = b, then L^T y = D^-1 z */
     const remus6_real z2 = b[1] - L->l21 * b[0];
@@ -634,7 +662,7 @@ static remus6_status remus6_factor_carrier(const remus6_table *table, const remu
 /* Solves K y = F by the factors of K, (8). */
 REMUS6_CODE
 static void remus6_solve_carrier(const remus6_table *table, const remus6_carrier_factor *K,
-                                 const remus6_real F[6], remus6_real y[restrict 6])
+                                 const remus6_real F[6], remus6_real *restrict y /* [6] */)
 {
     remus6_real moment[3];  /* n - B A^-1 f */
     remus6_real omega_dot[3];
@@ -656,7 +684,8 @@ static void remus6_solve_carrier(const remus6_table *table, const remus6_carrier
 REMUS6_CODE
 static remus6_status remus6_accelerate(const remus6_table *table, const remus6_state *x,
                                        const remus6_real sine[REMUS6_N], const remus6_real cosine[REMUS6_N],
-                                       const remus6_real phi_ddot[REMUS6_N], remus6_real V_dot[restrict 6])
+                                       const remus6_real phi_ddot[REMUS6_N],
+                                       remus6_real *restrict V_dot /* [6] */)
 {
     remus6_status status;
     remus6_real C[9];  /* attitude */
@@ -968,7 +997,7 @@ static REMUS6_COPIED void remus6_couple(const remus6_row *row, remus6_real s, re
 /* Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 REMUS6_CODE
 static void remus6_eliminate(const remus6_real column[6], remus6_real spin_inv, remus6_real rate,
-                             remus6_schur *restrict K, remus6_real F[restrict 6])
+                             remus6_schur *restrict K, remus6_real *restrict F /* [6] */)
 {
     remus6_real scaled[6];  /* I / Theta_ff */
     scaled[0] = column[0] * spin_inv;  scaled[1] = column[1] * spin_inv;  scaled[2] = column[2] * spin_inv;
@@ -989,7 +1018,7 @@ REMUS6_CODE
 static void remus6_balance(const remus6_table *table, const remus6_state *x,
                            const remus6_real sine[REMUS6_N], const remus6_real cosine[REMUS6_N],
                            const remus6_real V_dot[6], const remus6_real phi_ddot[REMUS6_N],
-                           remus6_real tau[restrict REMUS6_N])
+                           remus6_real *restrict tau /* [REMUS6_N] */)
 {
     remus6_real C[9];  /* attitude */
     remus6_rotation(x->attitude, C);
@@ -1115,7 +1144,7 @@ static remus6_status remus6_factor_schur(const remus6_schur *K, remus6_schur_fac
 /* Solves [A B^T; B D] y = F by the factors. */
 REMUS6_CODE
 static void remus6_solve_schur(const remus6_schur_factor *factor, const remus6_real F[6],
-                               remus6_real y[restrict 6])
+                               remus6_real *restrict y /* [6] */)
 {
     remus6_real moment[3];  /* n - B A^-1 f */
     remus6_real omega_dot[3];
@@ -1138,8 +1167,8 @@ static remus6_status remus6_solve_coupled(const remus6_table *table, const remus
                                           const remus6_real sine[REMUS6_N],
                                           const remus6_real cosine[REMUS6_N],
                                           const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
-                                          remus6_real V_dot[restrict 6],
-                                          remus6_real phi_ddot[restrict REMUS6_N])
+                                          remus6_real *restrict V_dot /* [6] */,
+                                          remus6_real *restrict phi_ddot /* [REMUS6_N] */)
 {
     remus6_status status;
     remus6_real C[9];  /* attitude */
@@ -1666,7 +1695,7 @@ remus6_status remus6_accumulate(remus6_encoder *encoder, int counter, int bits, 
 /* Change of the damping of one body with its twist, (7). */
 REMUS6_CODE
 static void remus6_damp_slope(const remus6_table *table, const remus6_damper *damper, const remus6_real V[6],
-                              const remus6_real change[6], remus6_real P[restrict 6])
+                              const remus6_real change[6], remus6_real *restrict P /* [6] */)
 {
     remus6_real x[12];  /* u v w p q r and their magnitudes */
     remus6_real dx[12];  /* their changes with the twist */
@@ -1704,7 +1733,7 @@ static void remus6_damp_slope(const remus6_table *table, const remus6_damper *da
 /* Derivative of F - Phi Z - K* V by the twist, (8). */
 REMUS6_CODE
 static void remus6_twist_slope(const remus6_table *table, const remus6_real V[6], const remus6_real Z[6],
-                               const remus6_matrices_result *m, remus6_real slope[restrict 36])
+                               const remus6_matrices_result *m, remus6_real *restrict slope /* [36] */)
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1741,7 +1770,8 @@ static void remus6_twist_slope(const remus6_table *table, const remus6_real V[6]
 /* Change of F - Phi Z - K* V - (a, g) - K V* with the harmonic weights of one flywheel, (8). */
 REMUS6_CODE
 static void remus6_row_slope(const remus6_row *row, const remus6_real weight[12], const remus6_real V[6],
-                             const remus6_real V_dot[6], const remus6_real g[3], remus6_real out[restrict 6])
+                             const remus6_real V_dot[6], const remus6_real g[3],
+                             remus6_real *restrict out /* [6] */)
 {
     remus6_sums change;  /* change of the sums */
     remus6_real Z[6];  /* change of the momentum screw */
@@ -1976,8 +2006,6 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
-    status = remus6_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
-    if (status != REMUS6_OK) { return status; }
     remus6_real C[9];  /* attitude */
     remus6_rotation(x->attitude, C);
     remus6_real u[3];  /* stream in E1 */
@@ -1990,14 +2018,9 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
     remus6_sums sum;
     remus6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     remus6_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
-    remus6_coupling drive[REMUS6_N];
-    remus6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
-    origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
-    origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
-    origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
-    remus6_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
-    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
-    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
+    remus6_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
+    remus6_external(table, &sum, V, g, F);
+    remus6_subtract_rates(table, &sum, V, F);
     remus6_schur K;  /* mass matrix with free flywheels eliminated */
     K.A[0] = table->A[0];  K.A[1] = table->A[1];  K.A[2] = table->A[2];
     K.A[3] = table->A[3];  K.A[4] = table->A[4];  K.A[5] = table->A[5];
@@ -2006,23 +2029,38 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
     K.B[6] = table->G[6] - sum.mu[1];  K.B[7] = table->G[7] + sum.mu[0];  K.B[8] = table->G[8];
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
-    remus6_real none[6];  /* right-hand side */
-    none[0] = 0.0;  none[1] = 0.0;  none[2] = 0.0;
-    none[3] = 0.0;  none[4] = 0.0;  none[5] = 0.0;
+    remus6_coupling drive[REMUS6_N];
+    remus6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
+    origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
+    origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
+    origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    remus6_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
+    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
+    remus6_real rate[REMUS6_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < REMUS6_N; ++s) {
-        remus6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         if (locked[s] == 0) {
-            remus6_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, none);
+            remus6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
+            rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
+            remus6_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
+        } else {
+            drive[s].I_[0] = 0.0;  drive[s].I_[1] = 0.0;  drive[s].I_[2] = 0.0;
+            drive[s].I_[3] = 0.0;  drive[s].I_[4] = 0.0;  drive[s].I_[5] = 0.0;
+            rate[s] = 0.0;
         }
     }
     remus6_schur_factor factor;
     status = remus6_factor_schur(&K, &factor);
     if (status != REMUS6_OK) { return status; }
-    remus6_real drift[3];  /* omega x C^T u */
-    drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
-    drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
-    drift[2] = u[1] * x->V[3] - u[0] * x->V[4];
-    V_result[0] += drift[0];  V_result[1] += drift[1];  V_result[2] += drift[2];
+    remus6_solve_schur(&factor, F, V_result);
+    for (int s = 0; s < REMUS6_N; ++s) {
+        phi_result[s] = 0.0;
+        if (locked[s] == 0) {
+            phi_result[s] = rate[s] - (V_result[0] * drive[s].I_[0] + V_result[1] * drive[s].I_[1]
+                + V_result[2] * drive[s].I_[2] + V_result[3] * drive[s].I_[3] + V_result[4] * drive[s].I_[4]
+                + V_result[5] * drive[s].I_[5]) * table->flywheel[s].spin_inv;
+        }
+    }
     remus6_real Z[6];  /* momentum screw (2) */
     remus6_momentum_screw(table, &sum, V, Z);
     remus6_matrices_result m;
@@ -2151,9 +2189,6 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             remus6_row_slope(&table->flywheel[s], change, V, V_result, g, rhs);
-            for (int t = 0; t < REMUS6_N; ++t) {
-                drive_rhs[t] = 0.0;
-            }
             remus6_real mu_pp[3];  /* d2 mu / dphi2 */
             remus6_real J_pp[6];  /* d2 J / dphi2 */
             remus6_real I_p[6];  /* dI / dphi */
@@ -2178,19 +2213,17 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
             I_p[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
             I_p[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
             I_p[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
-            drive_rhs[s] = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
+            const remus6_real side = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
                 + V_result[3] * I_p[3] + V_result[4] * I_p[4] + V_result[5] * I_p[5]
                 + (mu_pp[0] * origin_acceleration[0] + mu_pp[1] * origin_acceleration[1]
                 + mu_pp[2] * origin_acceleration[2]
                 - 0.5 * (J_pp[0] * V[3] + J_pp[3] * V[4] + J_pp[4] * V[5]) * V[3]
                 - 0.5 * (J_pp[1] * V[4] + J_pp[3] * V[3] + J_pp[5] * V[5]) * V[4]
                 - 0.5 * (J_pp[2] * V[5] + J_pp[4] * V[3] + J_pp[5] * V[4]) * V[5]));
-            for (int t = 0; t < REMUS6_N; ++t) {
-                if (locked[t] == 0) {
-                    const remus6_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                    for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I_[i] * share;
-                    }
+            if (locked[s] == 0) {
+                const remus6_real share = side * table->flywheel[s].spin_inv;
+                for (int i = 0; i < 6; ++i) {
+                    rhs[i] -= drive[s].I_[i] * share;
                 }
             }
             remus6_solve_schur(&factor, rhs, y);
@@ -2200,7 +2233,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
             for (int t = 0; t < REMUS6_N; ++t) {
                 out->phi_ddot_phi[t][s] = 0.0;
                 if (locked[t] == 0) {
-                    out->phi_ddot_phi[t][s] = (drive_rhs[t]
+                    out->phi_ddot_phi[t][s] = (((t == s) ? side : 0.0)
                         - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                         + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
@@ -2213,17 +2246,6 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             remus6_row_slope(&table->flywheel[s], change, V, V_result, g, rhs);
-            for (int t = 0; t < REMUS6_N; ++t) {
-                drive_rhs[t] = 0.0;
-            }
-            for (int t = 0; t < REMUS6_N; ++t) {
-                if (locked[t] == 0) {
-                    const remus6_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                    for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I_[i] * share;
-                    }
-                }
-            }
             remus6_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
@@ -2231,7 +2253,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
             for (int t = 0; t < REMUS6_N; ++t) {
                 out->phi_ddot_phi_dot[t][s] = 0.0;
                 if (locked[t] == 0) {
-                    out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
+                    out->phi_ddot_phi_dot[t][s] = (0.0
                         - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                         + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
@@ -2240,12 +2262,9 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
         }
         rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
         rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
-        for (int t = 0; t < REMUS6_N; ++t) {
-            drive_rhs[t] = 0.0;
-        }
-        drive_rhs[s] = 1.0;
+        const remus6_real side = 1.0;
         if (locked[s] == 0) {
-            const remus6_real share = drive_rhs[s] * table->flywheel[s].spin_inv;
+            const remus6_real share = side * table->flywheel[s].spin_inv;
             for (int i = 0; i < 6; ++i) {
                 rhs[i] -= drive[s].I_[i] * share;
             }
@@ -2257,7 +2276,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
         for (int t = 0; t < REMUS6_N; ++t) {
             out->phi_ddot_tau[t][s] = 0.0;
             if (locked[t] == 0) {
-                out->phi_ddot_tau[t][s] = (drive_rhs[t]
+                out->phi_ddot_tau[t][s] = (((t == s) ? side : 0.0)
                     - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                     + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
@@ -2454,7 +2473,8 @@ static remus6_status remus6_demand(const remus6_table *table, const remus6_state
 
 /* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 REMUS6_CODE
-static void remus6_solve_gram(remus6_real gram[restrict 6][6], remus6_real z[restrict 6], remus6_real least)
+static void remus6_solve_gram(remus6_real (*restrict gram)[6] /* [6][6] */,
+                              remus6_real *restrict z /* [6] */, remus6_real least)
 {
     for (int j = 0; j < 6; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -2486,7 +2506,8 @@ static void remus6_solve_gram(remus6_real gram[restrict 6][6], remus6_real z[res
  * share, (12). */
 REMUS6_CODE
 static void remus6_allocate(const remus6_inverse_work *work, const remus6_inverse_options *options, int rank,
-                            remus6_real phi_ddot[restrict REMUS6_N], int limited[restrict REMUS6_N])
+                            remus6_real *restrict phi_ddot /* [REMUS6_N] */,
+                            int *restrict limited /* [REMUS6_N] */)
 {
     remus6_real share[REMUS6_N];  /* 1/weight */
     remus6_real give[REMUS6_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
@@ -2494,128 +2515,150 @@ static void remus6_allocate(const remus6_inverse_work *work, const remus6_invers
     remus6_real row[6];  /* factor of each row; 0: the row is left out */
     remus6_real gram[6][6];
     remus6_real z[6];
+    int going, weighted;
+    int settled;  /* 1 after a whole step that gains nothing and frees nobody */
+    remus6_real square_before;  /* square of the residual after the last whole step */
+    going = 1;
+    weighted = 1;
+    square_before = 1.7976931348623157e308;
     /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < REMUS6_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
         share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 10; ++pass) {
-        remus6_real most = 0.0;
-        for (int s = 0; s < REMUS6_N; ++s) {
-            if (pass >= 9) {
-                share[s] = 1.0;
-            }
-            give[s] = (limited[s] > 0) ? 0.0 : share[s];
-            most = (give[s] > most) ? give[s] : most;
-        }
-        const remus6_real regular = 1.0e-12 * most;
-        /* lower bound that keeps the diagonal positive */
-        const remus6_real least = (most > 0.0) ? regular : 1.0;
-        for (int i = 0; i < 6; ++i) {
-            row[i] = 0.0;
-            if (i < rank) {
-                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
-            }
-        }
-        for (int i = 0; i < 6; ++i) {
-            remus6_real left = work->r[i];
+    for (int pass = 0; pass < 40; ++pass) {
+        if (going > 0) {
+            remus6_real most = 0.0;
             for (int s = 0; s < REMUS6_N; ++s) {
-                left -= work->W[i][s] * phi_ddot[s];
+                give[s] = (limited[s] > 0) ? 0.0 : share[s];
+                most = (give[s] > most) ? give[s] : most;
             }
-            z[i] = row[i] * left;
-        }
-        remus6_real weighed[REMUS6_N];  /* a row of W Omega^-1 */
-        for (int i = 0; i < 6; ++i) {
-            for (int s = 0; s < REMUS6_N; ++s) {
-                weighed[s] = work->W[i][s] * give[s];
-            }
-            for (int j = 0; j < i + 1; ++j) {
-                remus6_real total = 0.0;
-                for (int s = 0; s < REMUS6_N; ++s) {
-                    total += weighed[s] * work->W[j][s];
-                }
-                gram[i][j] = row[i] * row[j] * total;
-            }
-            gram[i][i] += least;
-        }
-        remus6_solve_gram(gram, z, least);
-        for (int i = 0; i < 6; ++i) {
-            z[i] = row[i] * z[i];
-        }
-        for (int s = 0; s < REMUS6_N; ++s) {
-            remus6_real total = 0.0;
+            const remus6_real regular = 1.0e-12 * most;
+            /* lower bound that keeps the diagonal positive */
+            const remus6_real least = (most > 0.0) ? regular : 1.0;
             for (int i = 0; i < 6; ++i) {
-                total += work->W[i][s] * z[i];
-            }
-            step[s] = give[s] * total;
-        }
-        if (pass < 1) {
-            for (int s = 0; s < REMUS6_N; ++s) {
-                phi_ddot[s] = step[s];
-                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
-                    const remus6_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
+                row[i] = 0.0;
+                if (i < rank) {
+                    row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
                 }
             }
-        } else {
-            /* go as far as all limits allow; hold the flywheel that reaches its limit */
-            remus6_real length = 1.0;
-            int stopped = -1;
-            for (int s = 0; s < REMUS6_N; ++s) {
-                const remus6_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
-                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
-                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
-                    const remus6_real room = options->limit[s] / work->scale[s]
-                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
-                    const remus6_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
-                    if (part < length) {
-                        length = (part > 0.0) ? part : 0.0;
-                        stopped = s;
-                    }
-                }
-            }
-            for (int s = 0; s < REMUS6_N; ++s) {
-                phi_ddot[s] += length * step[s];
-                if (stopped == s) {
-                    const remus6_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
-                }
-            }
-            /* after a full step, release the held flywheel that would lower the residual most */
-            if (stopped < 0) {
-                remus6_real left[6];
-                remus6_real wanted = 0.0;
-                for (int i = 0; i < 6; ++i) {
-                    wanted += work->r[i] * work->r[i];
-                    left[i] = (i < rank) ? work->r[i] : 0.0;
-                    if (i < rank) {
-                        for (int s = 0; s < REMUS6_N; ++s) {
-                            left[i] -= work->W[i][s] * phi_ddot[s];
-                        }
-                    }
-                }
-                remus6_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
-                int freed = -1;
+            for (int i = 0; i < 6; ++i) {
+                remus6_real left = work->r[i];
                 for (int s = 0; s < REMUS6_N; ++s) {
-                    if (limited[s] > 0) {
-                        remus6_real slope = 0.0;
-                        remus6_real size = 0.0;
-                        for (int i = 0; i < 6; ++i) {
-                            slope += work->W[i][s] * left[i];
-                            size += work->W[i][s] * work->W[i][s];
-                        }
-                        const remus6_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
-                        if (inward > 0.0 && inward * inward > best * size) {
-                            best = inward * inward / size;
-                            freed = s;
+                    left -= work->W[i][s] * phi_ddot[s];
+                }
+                z[i] = row[i] * left;
+            }
+            remus6_real weighed[REMUS6_N];  /* a row of W Omega^-1 */
+            for (int i = 0; i < 6; ++i) {
+                for (int s = 0; s < REMUS6_N; ++s) {
+                    weighed[s] = work->W[i][s] * give[s];
+                }
+                for (int j = 0; j < i + 1; ++j) {
+                    remus6_real total = 0.0;
+                    for (int s = 0; s < REMUS6_N; ++s) {
+                        total += weighed[s] * work->W[j][s];
+                    }
+                    gram[i][j] = row[i] * row[j] * total;
+                }
+                gram[i][i] += least;
+            }
+            remus6_solve_gram(gram, z, least);
+            for (int i = 0; i < 6; ++i) {
+                z[i] = row[i] * z[i];
+            }
+            for (int s = 0; s < REMUS6_N; ++s) {
+                remus6_real total = 0.0;
+                for (int i = 0; i < 6; ++i) {
+                    total += work->W[i][s] * z[i];
+                }
+                step[s] = give[s] * total;
+            }
+            settled = 0;
+            if (pass < 1) {
+                for (int s = 0; s < REMUS6_N; ++s) {
+                    phi_ddot[s] = step[s];
+                    if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                        const remus6_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+            } else {
+                /* go as far as all limits allow; hold the flywheel that reaches its limit */
+                remus6_real length = 1.0;
+                int stopped = -1;
+                for (int s = 0; s < REMUS6_N; ++s) {
+                    const remus6_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                    if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                        && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
+                        const remus6_real room = options->limit[s] / work->scale[s]
+                            - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                        const remus6_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                        if (part < length) {
+                            length = (part > 0.0) ? part : 0.0;
+                            stopped = s;
                         }
                     }
                 }
-                if (freed >= 0) {
-                    limited[freed] = 0;
+                for (int s = 0; s < REMUS6_N; ++s) {
+                    phi_ddot[s] += length * step[s];
+                    if (stopped == s) {
+                        const remus6_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+                /* after a full step, release the held flywheel that would lower the residual most */
+                if (stopped < 0) {
+                    remus6_real left[6];
+                    remus6_real wanted;
+                    remus6_real square;  /* of the residual */
+                    wanted = 0.0;
+                    square = 0.0;
+                    for (int i = 0; i < 6; ++i) {
+                        wanted += work->r[i] * work->r[i];
+                        left[i] = (i < rank) ? work->r[i] : 0.0;
+                        if (i < rank) {
+                            for (int s = 0; s < REMUS6_N; ++s) {
+                                left[i] -= work->W[i][s] * phi_ddot[s];
+                            }
+                        }
+                        square += left[i] * left[i];
+                    }
+                    remus6_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
+                    int freed = -1;
+                    for (int s = 0; s < REMUS6_N; ++s) {
+                        if (limited[s] > 0) {
+                            remus6_real slope = 0.0;
+                            remus6_real size = 0.0;
+                            for (int i = 0; i < 6; ++i) {
+                                slope += work->W[i][s] * left[i];
+                                size += work->W[i][s] * work->W[i][s];
+                            }
+                            const remus6_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                            if (inward > 0.0 && inward * inward > best * size) {
+                                best = inward * inward / size;
+                                freed = s;
+                            }
+                        }
+                    }
+                    if (freed >= 0) {
+                        limited[freed] = 0;
+                    } else {
+                        if (!(square > best && square < square_before * 0.999999999)) {
+                            settled = 1;
+                        }
+                    }
+                    square_before = square;
+                }
+            }
+            if (pass >= 8 && (settled > 0 || pass == 20)) {
+                going = weighted;
+                weighted = 0;
+                for (int s = 0; s < REMUS6_N; ++s) {
+                    share[s] = 1.0;
                 }
             }
         }
@@ -2701,7 +2744,8 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
     status = remus6_within(options->weight, REMUS6_N, REMUS6_MAX_WEIGHT);
     if (status != REMUS6_OK) { return status; }
     remus6_real shares[2];
-    shares[0] = options->near;     shares[1] = options->damping;
+    shares[0] = options->near_singular;
+    shares[1] = options->damping;
     status = remus6_within(shares, 2, REMUS6_LARGEST);
     if (status != REMUS6_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
@@ -2770,12 +2814,12 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
         if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
             rank = rank + 1;
             const remus6_real ratio = work.sigma[i] / work.sigma[0];
-            if (ratio < options->near) {
+            if (ratio < options->near_singular) {
                 flags = flags | REMUS6_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
                     flags = flags | REMUS6_DAMPED;
                     const remus6_real lambda = options->damping * work.sigma[0]
-                        * (1.0 - ratio / options->near);
+                        * (1.0 - ratio / options->near_singular);
                     const remus6_real square = work.sigma[i] * work.sigma[i];
                     work.r[i] = work.r[i] * (square / (square + lambda * lambda));
                     damping = (lambda > damping) ? lambda : damping;
@@ -3265,7 +3309,7 @@ remus6_status remus6_generalized(const remus6_table *table, const remus6_state *
 /* Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 REMUS6_CODE
 static remus6_status remus6_frame_of_axes(const remus6_real axis[3], const remus6_real zero[3],
-                                          remus6_real R[restrict 9])
+                                          remus6_real *restrict R /* [9] */)
 {
     remus6_status status;
     if (!(axis[0] * axis[0] + axis[1] * axis[1]
@@ -3308,8 +3352,8 @@ static remus6_status remus6_frame_of_axes(const remus6_real axis[3], const remus
 /* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 REMUS6_CODE
 static void remus6_carry(remus6_real m, const remus6_real b[3], const remus6_real J[6],
-                         const remus6_real O[3], const remus6_real R[9], remus6_real mu[restrict 3],
-                         remus6_real J1[restrict 6], int spins, remus6_real t[restrict 3])
+                         const remus6_real O[3], const remus6_real R[9], remus6_real *restrict mu /* [3] */,
+                         remus6_real *restrict J1 /* [6] */, int spins, remus6_real *restrict t /* [3] */)
 {
     remus6_real b1[3];  /* R b */
     remus6_real RJ[9];  /* R J */
@@ -3425,7 +3469,8 @@ static remus6_status remus6_check_dry_body(const remus6_dry_body *body)
 /* Origin and axes (at phi = 0) of a flywheel in E1. */
 REMUS6_CODE
 static remus6_status remus6_place_flywheel(const remus6_parameters *parameters, const remus6_flywheel *w,
-                                           remus6_real O[restrict 3], remus6_real R[restrict 9])
+                                           remus6_real *restrict O /* [3] */,
+                                           remus6_real *restrict R /* [9] */)
 {
     remus6_status status;
     if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
@@ -3470,7 +3515,7 @@ static remus6_status remus6_place_flywheel(const remus6_parameters *parameters, 
 /* Origin and axes of a point in E1. */
 REMUS6_CODE
 static remus6_status remus6_place_point(const remus6_parameters *parameters, const remus6_point *w,
-                                        remus6_real O[restrict 3], remus6_real R[restrict 9])
+                                        remus6_real *restrict O /* [3] */, remus6_real *restrict R /* [9] */)
 {
     remus6_status status;
     if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
@@ -3554,7 +3599,8 @@ static remus6_status remus6_check_added_mass(const remus6_real added_mass[6][6])
 /* Constant translational block of K with added mass, A = m E + Lambda_11, and its inverse, (2). */
 REMUS6_CODE
 static remus6_status remus6_translation_block(const remus6_parameters *parameters, remus6_real mass,
-                                              remus6_real A[restrict 6], remus6_real A_inv[restrict 6])
+                                              remus6_real *restrict A /* [6] */,
+                                              remus6_real *restrict A_inv /* [6] */)
 {
     A[0] = mass + parameters->added_mass[0][0];
     A[1] = mass + parameters->added_mass[1][1];
@@ -3829,7 +3875,8 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
 
 /* L^T V: a twist carried to Os, in mounting axes. */
 REMUS6_CODE
-static void remus6_carry_twist(const remus6_mount *mount, const remus6_real V[6], remus6_real U[restrict 6])
+static void remus6_carry_twist(const remus6_mount *mount, const remus6_real V[6],
+                               remus6_real *restrict U /* [6] */)
 {
     remus6_real velocity[3];  /* velocity of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
@@ -3847,7 +3894,7 @@ static void remus6_carry_twist(const remus6_mount *mount, const remus6_real V[6]
 REMUS6_CODE
 static void remus6_mount_wrench(const remus6_mount *mount, remus6_real s, remus6_real c, remus6_real phi_dot,
                                 remus6_real phi_ddot, const remus6_real V[6], const remus6_real V_dot[6],
-                                const remus6_real g[3], remus6_real W[restrict 6])
+                                const remus6_real g[3], remus6_real *restrict W /* [6] */)
 {
     remus6_real U[6];  /* twist of the mount at Os */
     remus6_real turned[6];  /* in Es */
@@ -4207,21 +4254,94 @@ const remus6_parameters remus6_default_parameters =
         {    0.0,  -1.93,    0.0,    0.0,    0.0,   4.88 },
     },
     .instrument = {
-        /*     mass        center_of_mass[3]            inertia[6]                                                                          displaced_mass      displaced_center[3]       position[3]                       axis[3]                             zero[3] */
-        { { 0.8, { 0.012, 0.0, -0.004 }, { 0.0009128, 0.0012280000000000001, 0.0012152, 0.0, 3.8400000000000005e-5, 0.0 },           0.0, { 0.0, 0.0, 0.0 } }, { 0.48, 0.0, 0.01 }, { 0.984807753012208, 0.0, 0.17364817766693033 }, { -0.0, 1.0, 0.0 } },  /* nose */
+        {  /* nose */
+            .body = {
+                .mass = 0.8,
+                .center_of_mass = { 0.012, 0.0, -0.004 },
+                .inertia = { 0.0009128, 0.0012280000000000001, 0.0012152, 0.0, 3.8400000000000005e-5, 0.0 },
+                .displaced_mass = 0.0,
+                .displaced_center = { 0.0, 0.0, 0.0 },
+            },
+            .position = { 0.48, 0.0, 0.01 },
+            .axis = { 0.984807753012208, 0.0, 0.17364817766693033 },
+            .zero = { -0.0, 1.0, 0.0 },
+        },
     },
     .flywheel = {
-        /*      mass      center_of_mass[3]                                           inertia[6]                                                                         position[3]             axis[3]             zero[3]             mount */
-        { { 0.25, { 0.0,                0.0008,                    0.0 }, { 0.00015, 8.5e-5, 9.0e-5, -3.6739403974420596e-23,                -6.0e-7, 0.0 } }, {  0.22,  0.035,  0.02 }, { 0.0,  1.0, 0.0 }, { 0.0,  0.0,  1.0 },  -1 },  /* w1 */
-        { { 0.25, { 0.0,               0.00084,                    0.0 }, { 0.00015, 8.5e-5, 8.8e-5,  -2.4999999999999994e-7, -4.3301270189221934e-7, 0.0 } }, { -0.22, -0.035,  0.02 }, { 0.0,  1.0, 0.0 }, { 0.0,  0.0, -1.0 },  -1 },  /* w2 */
-        { { 0.25, { 0.0,               0.00076,                    0.0 }, { 0.00015, 8.6e-5, 9.0e-5,                 -4.0e-7,                    0.0, 0.0 } }, {  0.12,  -0.02,  0.03 }, { 0.0,  0.3, 1.0 }, { 0.0,  1.0,  0.0 },  -1 },  /* w3 */
-        { { 0.25, { 0.0, 0.0007727406610312546, 0.00020705523608201664 }, { 0.00015, 8.4e-5, 8.9e-5,                     0.0,                    0.0, 0.0 } }, { -0.12,   0.02,  0.03 }, { 0.0, -0.3, 1.0 }, { 0.0, -1.0,  0.0 },  -1 },  /* w4 */
-        { { 0.25, { 0.0,                0.0008,                    0.0 }, { 0.00015, 8.5e-5, 9.0e-5,  -2.5980762113533156e-7,  1.5000000000000002e-7, 0.0 } }, {   0.0,    0.0,  0.04 }, { 1.0,  0.0, 0.2 }, { 0.0,  1.0,  0.0 },  -1 },  /* w5 */
-        { { 0.25, { 0.0,               0.00072,                    0.0 }, { 0.00015, 8.5e-5, 9.0e-5,    3.000000000000001e-7,  -5.196152422706631e-7, 0.0 } }, { -0.02,    0.0, 0.015 }, { 0.9,  0.1, 0.5 }, { 0.0,  1.0,  0.0 },   0 },  /* w6 */
+        {  /* w1 */
+            .body = {
+                .mass = 0.25,
+                .center_of_mass = { 0.0, 0.0008, 0.0 },
+                .inertia = { 0.00015, 8.5e-5, 9.0e-5, -3.6739403974420596e-23, -6.0e-7, 0.0 },
+            },
+            .position = { 0.22, 0.035, 0.02 },
+            .axis = { 0.0, 1.0, 0.0 },
+            .zero = { 0.0, 0.0, 1.0 },
+            .mount = -1,
+        },
+        {  /* w2 */
+            .body = {
+                .mass = 0.25,
+                .center_of_mass = { 0.0, 0.00084, 0.0 },
+                .inertia = { 0.00015, 8.5e-5, 8.8e-5, -2.4999999999999994e-7, -4.3301270189221934e-7, 0.0 },
+            },
+            .position = { -0.22, -0.035, 0.02 },
+            .axis = { 0.0, 1.0, 0.0 },
+            .zero = { 0.0, 0.0, -1.0 },
+            .mount = -1,
+        },
+        {  /* w3 */
+            .body = {
+                .mass = 0.25,
+                .center_of_mass = { 0.0, 0.00076, 0.0 },
+                .inertia = { 0.00015, 8.6e-5, 9.0e-5, -4.0e-7, 0.0, 0.0 },
+            },
+            .position = { 0.12, -0.02, 0.03 },
+            .axis = { 0.0, 0.3, 1.0 },
+            .zero = { 0.0, 1.0, 0.0 },
+            .mount = -1,
+        },
+        {  /* w4 */
+            .body = {
+                .mass = 0.25,
+                .center_of_mass = { 0.0, 0.0007727406610312546, 0.00020705523608201664 },
+                .inertia = { 0.00015, 8.4e-5, 8.9e-5, 0.0, 0.0, 0.0 },
+            },
+            .position = { -0.12, 0.02, 0.03 },
+            .axis = { 0.0, -0.3, 1.0 },
+            .zero = { 0.0, -1.0, 0.0 },
+            .mount = -1,
+        },
+        {  /* w5 */
+            .body = {
+                .mass = 0.25,
+                .center_of_mass = { 0.0, 0.0008, 0.0 },
+                .inertia = { 0.00015, 8.5e-5, 9.0e-5, -2.5980762113533156e-7, 1.5000000000000002e-7, 0.0 },
+            },
+            .position = { 0.0, 0.0, 0.04 },
+            .axis = { 1.0, 0.0, 0.2 },
+            .zero = { 0.0, 1.0, 0.0 },
+            .mount = -1,
+        },
+        {  /* w6 */
+            .body = {
+                .mass = 0.25,
+                .center_of_mass = { 0.0, 0.00072, 0.0 },
+                .inertia = { 0.00015, 8.5e-5, 9.0e-5, 3.000000000000001e-7, -5.196152422706631e-7, 0.0 },
+            },
+            .position = { -0.02, 0.0, 0.015 },
+            .axis = { 0.9, 0.1, 0.5 },
+            .zero = { 0.0, 1.0, 0.0 },
+            .mount = 0,
+        },
     },
     .point = {
-        /*      position[3]          axis[3]             zero[3]           mount */
-        { { 0.15, 0.0, -0.03 }, { 1.0, 0.0, -0.0 }, { 0.0, 1.0, 0.0 },  -1 },
+        {
+            .position = { 0.15, 0.0, -0.03 },
+            .axis = { 1.0, 0.0, -0.0 },
+            .zero = { 0.0, 1.0, 0.0 },
+            .mount = -1,
+        },
     },
 };
 
@@ -4231,25 +4351,126 @@ const remus6_table remus6_default =
     .mass = 30.48,
     .mass_inverse = 0.03280839895013123,
     .first_moment = { -3.685683386059346e-5, -0.0003747939999999995, 0.5975396218814244 },
-    .inertia = { 0.2474121440199002, 8.330041529814594, 8.330040192799752, 0.0001270699935097979, 8.822837475413233e-5, 2.6076216923620165e-5 },
+    .inertia = { 0.2474121440199002, 8.330041529814594, 8.330040192799752, 0.0001270699935097979,
+        8.822837475413233e-5, 2.6076216923620165e-5 },
     .A = { 31.41, 65.98, 65.98, 0.0, 0.0, 0.0 },
     .A_inv = { 0.03183699458771092, 0.015156107911488331, 0.015156107911488331, 0.0, 0.0, 0.0 },
     .G = { 0.0, 0.0, 0.0, 0.0, 0.0, 1.93, 0.0, -1.93, 0.0 },
     .weight_mass = -0.7130000000000019,
     .displaced_moment = { 0.0, 0.0, 0.0 },
     .flywheel = {
-        /*                        mu_c[3]                                                                       mu_s[3]                                                                     J_c[6]                                                                                                                                             J_s[6]                                                                                                                                             J_2c[6]                                                                                                                                           J_2s[6]                                                                                                                                          t_0[3]                                                                      t_c[3]                                                                     t_s[3]                                                    spin                  spin_inv                   spin_root_inv */
-        { {                    0.0,                     0.0,                 0.0002 }, {                  0.0002,                    0.0,                    0.0 }, {   8.000000000000001e-6,   8.000000000000001e-6,                    0.0,                -6.0e-7, -4.4000000000000006e-5,  -7.000000000000001e-6 }, {                   0.0,   8.800000000000001e-5,    8.800000000000001e-5,  -7.000000000000001e-6, -4.000000000000001e-6,                 6.0e-7 }, { 2.4999999999999998e-6,                    0.0, -2.4999999999999998e-6,                   0.0,                    0.0,                   0.0 }, {                    0.0,                    0.0,                   0.0,                   0.0, -2.4999999999999998e-6,                   0.0 }, {                    0.0,                0.00015,                    0.0 }, {                -6.0e-7,   4.000000000000001e-6,  -7.000000000000001e-6 }, { -7.000000000000001e-6, 4.4000000000000006e-5,                 6.0e-7 }, 0.00015, 6666.666666666667, 81.64965809277261 },  /* w1 */
-        { {                    0.0,                     0.0,               -0.00021 }, {                -0.00021,                    0.0,                    0.0 }, {  -8.400000000000001e-6,  -8.400000000000001e-6,                    0.0,  4.3301270189221934e-7, -4.6200000000000005e-5,  -7.100000000000001e-6 }, {                   0.0,   9.240000000000001e-5,    9.240000000000001e-5,  -7.100000000000001e-6, 4.2000000000000004e-6, -4.3301270189221934e-7 }, { 1.4999999999999958e-6,                    0.0, -1.4999999999999958e-6,                   0.0,                    0.0,                   0.0 }, {                    0.0,                    0.0,                   0.0,                   0.0, -1.4999999999999958e-6,                   0.0 }, {                    0.0,                0.00015,                    0.0 }, {  4.3301270189221934e-7, -4.2000000000000004e-6,  -7.100000000000001e-6 }, { -7.100000000000001e-6, 4.6200000000000005e-5, -4.3301270189221934e-7 }, 0.00015, 6666.666666666667, 81.64965809277261 },  /* w2 */
-        { {                    0.0,   0.0001819869941920188,  -5.459609825760563e-5 }, {                -0.00019,                    0.0,                    0.0 }, {  -1.055524566313709e-5, -3.4959493816948696e-6, -7.0592962814422205e-6, -2.1838439303042257e-5,   6.551531790912675e-6,  -6.885476745041117e-6 }, {                   0.0, -4.5600000000000004e-5,  -4.5600000000000004e-5, -3.6850608457734625e-6,  6.083130514088461e-6,                    0.0 }, {  2.000000000000001e-6, -1.8348623853211026e-6, -1.6513761467889914e-7,                   0.0,                    0.0,  5.504587155963307e-7 }, {                    0.0,                    0.0,                   0.0, 1.9156525704423043e-6,  -5.746957711326911e-7,                   0.0 }, {                    0.0,  4.3102182834951804e-5, 0.00014367394278317266 }, {                    0.0,  -6.083130514088461e-6,  -3.685060845773462e-6 }, { 4.7676878606084506e-6, -6.551531790912676e-6, -2.1838439303042253e-5 }, 0.00015, 6666.666666666667, 81.64965809277261 },  /* w3 */
-        { {   5.176380902050416e-5, -0.00018503782919872591,  -5.551134875961776e-5 }, {  0.00019318516525781366,  4.9580736903006636e-5,  1.4874221070901985e-5 }, { -1.0732194093526102e-5, -1.5753995090498062e-5, -1.9824827332870034e-5, -2.3239815684257194e-5,  -8.214276121769256e-6,   6.661361851154133e-6 }, {  2.875682740374385e-6, -4.5471986397621155e-5,   -4.438121018575502e-5,  2.0859851232045232e-6, -4.010648429226172e-6, -1.7849065285082388e-6 }, { 2.4999999999999998e-6, -2.2935779816513764e-6, -2.0642201834862379e-7,                   0.0,                    0.0, -6.880733944954128e-7 }, {                    0.0,                    0.0,                   0.0, 2.3945657130528785e-6,   7.183697139158634e-7,                   0.0 }, {                    0.0, -4.3102182834951804e-5, 0.00014367394278317263 }, { -1.1899376856721588e-6,   7.580461486242648e-6,  -9.813391733517068e-6 }, { -4.440907900769421e-6,  5.108447580539007e-6,  -2.116926332343702e-5 }, 0.00015, 6666.666666666667, 81.64965809277261 },  /* w4 */
-        { {                    0.0,                  0.0002,                    0.0 }, {   -3.922322702763681e-5,                    0.0, 0.00019611613513818404 }, {   -5.76923076923077e-8,                    0.0,    5.76923076923077e-8,   -2.54762332682534e-7,  1.3846153846153846e-7,  -8.050952466536508e-6 }, { 1.5789216819183695e-5,  1.5689290811054723e-5,   -9.992600812897368e-8, -1.4708710135363802e-7, 1.3291066615959356e-6,  -2.941742027072761e-8 }, {  9.615384615384617e-8, -2.4999999999999998e-6,  2.4038461538461535e-6,                   0.0,  -4.807692307692307e-7,                   0.0 }, {                    0.0,                    0.0,                   0.0,  4.902903378454601e-7,                    0.0,   -2.4514516892273e-6 }, { 0.00014708710135363798,                    0.0,  2.9417420270727602e-5 }, { -2.9417420270727608e-8,  -1.828736702240804e-6,  1.4708710135363802e-7 }, {  8.050952466536508e-6,               -1.5e-7, -2.5476233268253394e-7 }, 0.00015, 6666.666666666667, 81.64965809277261 },  /* w5 */
-        { { -1.3512873805140461e-5,  0.00017915690403018868, -1.0963848769665967e-5 }, { -0.00011341093352635507, 1.2490009027033012e-21, 0.00013977825351849506 }, {   4.228378223622281e-9, -1.2778969833748272e-5,  -1.289866322289885e-5,  -8.173969852574897e-5,  5.1711462346589714e-6, -3.6694133986843315e-6 }, {  5.601829405287051e-6,  -9.776185708667751e-5, -0.00010356367775738655,   3.776898295141705e-7, -6.154822757347233e-5,  3.4379119769943453e-7 }, {  9.783520127195736e-7,  -2.476635514018691e-6,  1.4982835012991177e-6, 1.8679974039194442e-7, -1.2346092070261717e-6, 1.5156243841269663e-7 }, { -2.3649809149148292e-7, -3.453196525605468e-23, 2.3649809149148292e-7, 1.5677740535305014e-6,  4.9798269790799174e-8, -1.932271539438302e-6 }, { 0.00011593629236629821,  1.4501047335684955e-5,   9.406644321183016e-5 }, {  3.0486770866053853e-7,  -6.609334590423563e-5, -4.2177814276157097e-7 }, { 3.5878637345064282e-6, -4.213149761627226e-6,  -8.179864387340778e-5 }, 0.00015, 6666.666666666667, 81.64965809277261 },  /* w6 */
+        {  /* w1 */
+            .mu_c = { 0.0, 0.0, 0.0002 },
+            .mu_s = { 0.0002, 0.0, 0.0 },
+            .J_c = { 8.000000000000001e-6, 8.000000000000001e-6, 0.0, -6.0e-7, -4.4000000000000006e-5,
+                -7.000000000000001e-6 },
+            .J_s = { 0.0, 8.800000000000001e-5, 8.800000000000001e-5, -7.000000000000001e-6,
+                -4.000000000000001e-6, 6.0e-7 },
+            .J_2c = { 2.4999999999999998e-6, 0.0, -2.4999999999999998e-6, 0.0, 0.0, 0.0 },
+            .J_2s = { 0.0, 0.0, 0.0, 0.0, -2.4999999999999998e-6, 0.0 },
+            .t_0 = { 0.0, 0.00015, 0.0 },
+            .t_c = { -6.0e-7, 4.000000000000001e-6, -7.000000000000001e-6 },
+            .t_s = { -7.000000000000001e-6, 4.4000000000000006e-5, 6.0e-7 },
+            .spin = 0.00015,
+            .spin_inv = 6666.666666666667,
+            .spin_root_inv = 81.64965809277261,
+        },
+        {  /* w2 */
+            .mu_c = { 0.0, 0.0, -0.00021 },
+            .mu_s = { -0.00021, 0.0, 0.0 },
+            .J_c = { -8.400000000000001e-6, -8.400000000000001e-6, 0.0, 4.3301270189221934e-7,
+                -4.6200000000000005e-5, -7.100000000000001e-6 },
+            .J_s = { 0.0, 9.240000000000001e-5, 9.240000000000001e-5, -7.100000000000001e-6,
+                4.2000000000000004e-6, -4.3301270189221934e-7 },
+            .J_2c = { 1.4999999999999958e-6, 0.0, -1.4999999999999958e-6, 0.0, 0.0, 0.0 },
+            .J_2s = { 0.0, 0.0, 0.0, 0.0, -1.4999999999999958e-6, 0.0 },
+            .t_0 = { 0.0, 0.00015, 0.0 },
+            .t_c = { 4.3301270189221934e-7, -4.2000000000000004e-6, -7.100000000000001e-6 },
+            .t_s = { -7.100000000000001e-6, 4.6200000000000005e-5, -4.3301270189221934e-7 },
+            .spin = 0.00015,
+            .spin_inv = 6666.666666666667,
+            .spin_root_inv = 81.64965809277261,
+        },
+        {  /* w3 */
+            .mu_c = { 0.0, 0.0001819869941920188, -5.459609825760563e-5 },
+            .mu_s = { -0.00019, 0.0, 0.0 },
+            .J_c = { -1.055524566313709e-5, -3.4959493816948696e-6, -7.0592962814422205e-6,
+                -2.1838439303042257e-5, 6.551531790912675e-6, -6.885476745041117e-6 },
+            .J_s = { 0.0, -4.5600000000000004e-5, -4.5600000000000004e-5, -3.6850608457734625e-6,
+                6.083130514088461e-6, 0.0 },
+            .J_2c = { 2.000000000000001e-6, -1.8348623853211026e-6, -1.6513761467889914e-7, 0.0, 0.0,
+                5.504587155963307e-7 },
+            .J_2s = { 0.0, 0.0, 0.0, 1.9156525704423043e-6, -5.746957711326911e-7, 0.0 },
+            .t_0 = { 0.0, 4.3102182834951804e-5, 0.00014367394278317266 },
+            .t_c = { 0.0, -6.083130514088461e-6, -3.685060845773462e-6 },
+            .t_s = { 4.7676878606084506e-6, -6.551531790912676e-6, -2.1838439303042253e-5 },
+            .spin = 0.00015,
+            .spin_inv = 6666.666666666667,
+            .spin_root_inv = 81.64965809277261,
+        },
+        {  /* w4 */
+            .mu_c = { 5.176380902050416e-5, -0.00018503782919872591, -5.551134875961776e-5 },
+            .mu_s = { 0.00019318516525781366, 4.9580736903006636e-5, 1.4874221070901985e-5 },
+            .J_c = { -1.0732194093526102e-5, -1.5753995090498062e-5, -1.9824827332870034e-5,
+                -2.3239815684257194e-5, -8.214276121769256e-6, 6.661361851154133e-6 },
+            .J_s = { 2.875682740374385e-6, -4.5471986397621155e-5, -4.438121018575502e-5,
+                2.0859851232045232e-6, -4.010648429226172e-6, -1.7849065285082388e-6 },
+            .J_2c = { 2.4999999999999998e-6, -2.2935779816513764e-6, -2.0642201834862379e-7, 0.0, 0.0,
+                -6.880733944954128e-7 },
+            .J_2s = { 0.0, 0.0, 0.0, 2.3945657130528785e-6, 7.183697139158634e-7, 0.0 },
+            .t_0 = { 0.0, -4.3102182834951804e-5, 0.00014367394278317263 },
+            .t_c = { -1.1899376856721588e-6, 7.580461486242648e-6, -9.813391733517068e-6 },
+            .t_s = { -4.440907900769421e-6, 5.108447580539007e-6, -2.116926332343702e-5 },
+            .spin = 0.00015,
+            .spin_inv = 6666.666666666667,
+            .spin_root_inv = 81.64965809277261,
+        },
+        {  /* w5 */
+            .mu_c = { 0.0, 0.0002, 0.0 },
+            .mu_s = { -3.922322702763681e-5, 0.0, 0.00019611613513818404 },
+            .J_c = { -5.76923076923077e-8, 0.0, 5.76923076923077e-8, -2.54762332682534e-7,
+                1.3846153846153846e-7, -8.050952466536508e-6 },
+            .J_s = { 1.5789216819183695e-5, 1.5689290811054723e-5, -9.992600812897368e-8,
+                -1.4708710135363802e-7, 1.3291066615959356e-6, -2.941742027072761e-8 },
+            .J_2c = { 9.615384615384617e-8, -2.4999999999999998e-6, 2.4038461538461535e-6, 0.0,
+                -4.807692307692307e-7, 0.0 },
+            .J_2s = { 0.0, 0.0, 0.0, 4.902903378454601e-7, 0.0, -2.4514516892273e-6 },
+            .t_0 = { 0.00014708710135363798, 0.0, 2.9417420270727602e-5 },
+            .t_c = { -2.9417420270727608e-8, -1.828736702240804e-6, 1.4708710135363802e-7 },
+            .t_s = { 8.050952466536508e-6, -1.5e-7, -2.5476233268253394e-7 },
+            .spin = 0.00015,
+            .spin_inv = 6666.666666666667,
+            .spin_root_inv = 81.64965809277261,
+        },
+        {  /* w6 */
+            .mu_c = { -1.3512873805140461e-5, 0.00017915690403018868, -1.0963848769665967e-5 },
+            .mu_s = { -0.00011341093352635507, 1.2490009027033012e-21, 0.00013977825351849506 },
+            .J_c = { 4.228378223622281e-9, -1.2778969833748272e-5, -1.289866322289885e-5,
+                -8.173969852574897e-5, 5.1711462346589714e-6, -3.6694133986843315e-6 },
+            .J_s = { 5.601829405287051e-6, -9.776185708667751e-5, -0.00010356367775738655,
+                3.776898295141705e-7, -6.154822757347233e-5, 3.4379119769943453e-7 },
+            .J_2c = { 9.783520127195736e-7, -2.476635514018691e-6, 1.4982835012991177e-6,
+                1.8679974039194442e-7, -1.2346092070261717e-6, 1.5156243841269663e-7 },
+            .J_2s = { -2.3649809149148292e-7, -3.453196525605468e-23, 2.3649809149148292e-7,
+                1.5677740535305014e-6, 4.9798269790799174e-8, -1.932271539438302e-6 },
+            .t_0 = { 0.00011593629236629821, 1.4501047335684955e-5, 9.406644321183016e-5 },
+            .t_c = { 3.0486770866053853e-7, -6.609334590423563e-5, -4.2177814276157097e-7 },
+            .t_s = { 3.5878637345064282e-6, -4.213149761627226e-6, -8.179864387340778e-5 },
+            .spin = 0.00015,
+            .spin_inv = 6666.666666666667,
+            .spin_root_inv = 81.64965809277261,
+        },
     },
     .sensor = {
-        /*      origin[3]                           axes[9] */
-        { { 0.48, 0.0,  0.01 }, { 0.9848077530122082, -0.0, -0.17364817766693036, 0.0, 1.0, -0.0, 0.17364817766693036, 0.0, 0.9848077530122082 } },  /* nose */
-        { { 0.15, 0.0, -0.03 }, {                1.0,  0.0,                  0.0, 0.0, 1.0, -0.0,                -0.0, 0.0,                1.0 } },  /* imu */
+        {  /* nose */
+            .origin = { 0.48, 0.0, 0.01 },
+            .axes = { 0.9848077530122082, -0.0, -0.17364817766693036, 0.0, 1.0, -0.0, 0.17364817766693036,
+                0.0, 0.9848077530122082 },
+        },
+        {  /* imu */
+            .origin = { 0.15, 0.0, -0.03 },
+            .axes = { 1.0, 0.0, 0.0, 0.0, 1.0, -0.0, -0.0, 0.0, 1.0 },
+        },
     },
     .gravity = { 0.0, 0.0, 9.81 },
     .stream = { 0.0, 0.0, 0.0 },
@@ -4258,17 +4479,66 @@ const remus6_table remus6_default =
         .last_term = 10,
     },
     .term = {
-        /*   wrench     first      second         value */
-        {   0,    0,     6,   -1.62 },
-        {   1,    1,     7, -1310.0 },
-        {   1,    5,    11,   0.632 },
-        {   2,    2,     8,  -131.0 },
-        {   2,    4,    10,  -0.632 },
-        {   3,    3,     9,   -0.13 },
-        {   4,    2,     8,    3.18 },
-        {   4,    4,    10,  -188.0 },
-        {   5,    1,     7,   -3.18 },
-        {   5,    5,    11,   -94.0 },
+        {
+            .wrench = 0,
+            .first = 0,
+            .second = 6,
+            .value = -1.62,
+        },
+        {
+            .wrench = 1,
+            .first = 1,
+            .second = 7,
+            .value = -1310.0,
+        },
+        {
+            .wrench = 1,
+            .first = 5,
+            .second = 11,
+            .value = 0.632,
+        },
+        {
+            .wrench = 2,
+            .first = 2,
+            .second = 8,
+            .value = -131.0,
+        },
+        {
+            .wrench = 2,
+            .first = 4,
+            .second = 10,
+            .value = -0.632,
+        },
+        {
+            .wrench = 3,
+            .first = 3,
+            .second = 9,
+            .value = -0.13,
+        },
+        {
+            .wrench = 4,
+            .first = 2,
+            .second = 8,
+            .value = 3.18,
+        },
+        {
+            .wrench = 4,
+            .first = 4,
+            .second = 10,
+            .value = -188.0,
+        },
+        {
+            .wrench = 5,
+            .first = 1,
+            .second = 7,
+            .value = -3.18,
+        },
+        {
+            .wrench = 5,
+            .first = 5,
+            .second = 11,
+            .value = -94.0,
+        },
     },
 };
 
@@ -4276,13 +4546,16 @@ REMUS6_CONST
 const remus6_inverse_options remus6_default_options =
 {
     .weight = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
-    .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308, 1.7976931348623157e308 },
     .most = { 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4 },
-    .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
-    .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
     .motor_viscous = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     .motor_coulomb = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     .motor_coulomb_speed = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
-    .near = 1.0e-6,
+    .near_singular = 1.0e-6,
     .damping = 0.0,
 };

@@ -9,8 +9,8 @@
  * Never with -ffast-math, -Ofast, -funsafe-math-optimizations or parts of them: wrong results with status OK.
  * The source refuses what the compiler shows of them; clang does not show all.
  * REMUS6_SQRT, defined for the source, takes the square root of a processor in the place of its own:
- * the bits are the same if it rounds correctly. -ffunction-sections and -Wl,--gc-sections leave out what is
- * not called.
+ * the bits are the same if it rounds correctly.
+ * -ffunction-sections and -Wl,--gc-sections leave out what is not called.
  * Stack: what a function states is an upper bound with all that it calls, from its locals along the
  * deepest chain of calls and an allowance for registers: for gcc and clang at -O1 to -O3 and -Os, 32 and 64
  * bits. The routines of the compiler's library (memcpy, arithmetic without an FPU) come on top.
@@ -24,6 +24,42 @@
 #ifndef REMUS6_H
 #define REMUS6_H
 
+/* The linker sees names that end in the kind of the reals and a hash of this header: a caller with the
+ * header of another stand, element type, choice of functions or version does not link. Define
+ * REMUS6_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
+ * languages need them. */
+#ifndef REMUS6_PLAIN_NAMES
+#define remus6_default_parameters      remus6_default_parameters_f64_98d7f07c
+#define remus6_default                 remus6_default_f64_98d7f07c
+#define remus6_default_options         remus6_default_options_f64_98d7f07c
+#define remus6_forward                 remus6_forward_f64_98d7f07c
+#define remus6_wrench                  remus6_wrench_f64_98d7f07c
+#define remus6_matrices                remus6_matrices_f64_98d7f07c
+#define remus6_momentum                remus6_momentum_f64_98d7f07c
+#define remus6_torque                  remus6_torque_f64_98d7f07c
+#define remus6_coupled                 remus6_coupled_f64_98d7f07c
+#define remus6_step                    remus6_step_f64_98d7f07c
+#define remus6_step_driven             remus6_step_driven_f64_98d7f07c
+#define remus6_wrap                    remus6_wrap_f64_98d7f07c
+#define remus6_phase_of_counts         remus6_phase_of_counts_f64_98d7f07c
+#define remus6_speed_of_counts         remus6_speed_of_counts_f64_98d7f07c
+#define remus6_accumulate              remus6_accumulate_f64_98d7f07c
+#define remus6_forward_jacobian        remus6_forward_jacobian_f64_98d7f07c
+#define remus6_coupled_jacobian        remus6_coupled_jacobian_f64_98d7f07c
+#define remus6_inverse                 remus6_inverse_f64_98d7f07c
+#define remus6_inverse_fast            remus6_inverse_fast_f64_98d7f07c
+#define remus6_points                  remus6_points_f64_98d7f07c
+#define remus6_quaternion              remus6_quaternion_f64_98d7f07c
+#define remus6_state_from_coordinates  remus6_state_from_coordinates_f64_98d7f07c
+#define remus6_generalized             remus6_generalized_f64_98d7f07c
+#define remus6_prepare                 remus6_prepare_f64_98d7f07c
+#define remus6_mounts                  remus6_mounts_f64_98d7f07c
+#define remus6_prepare_mounts          remus6_prepare_mounts_f64_98d7f07c
+#define remus6_step_carried            remus6_step_carried_f64_98d7f07c
+#define remus6_step_driven_carried     remus6_step_driven_carried_f64_98d7f07c
+#define remus6_center_of_mass_velocity remus6_center_of_mass_velocity_f64_98d7f07c
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -31,7 +67,6 @@ extern "C" {
 #define REMUS6_STRUCTURE 0x3687deeeu  /* hash of the stand's names, counts and kinds of wrench */
 #define REMUS6_PHYSICS   0x5f25aea2u  /* hash of its structure and all numbers */
 #define REMUS6_TABLE_HASH 0x742e2d85u /* FNV-1a of all numbers of the default table but its stream */
-#define REMUS6_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define REMUS6_REAL_BYTES 8           /* bytes of a remus6_real */
 #define REMUS6_VERSION_MAJOR 0        /* of the mahovik that wrote this */
 #define REMUS6_VERSION_MINOR 1
@@ -61,7 +96,7 @@ typedef int remus6_status;  /* not the enum, whose size compilers choose */
 
 enum {
     REMUS6_OK = 0,                        /* success */
-    REMUS6_NEAR_SINGULAR = 1,             /* least singular value less than `near` times the largest */
+    REMUS6_NEAR_SINGULAR = 1,             /* least singular value below `near_singular` times the largest */
     REMUS6_DAMPED = 2,                    /* damping was applied */
     REMUS6_LIMITED = 4,                   /* a limit was reached; `limited` says by which flywheels */
     REMUS6_UNREACHABLE = 8,               /* wanted motion not reached: residual above 1e-9 of the demand */
@@ -140,7 +175,7 @@ typedef struct remus6_point {
     int mount;                /* index of the instrument it is mounted on; -1: the carrier */
 } remus6_point;
 
-/* Input of prepare: masses, inertias and mountings. */
+/* Masses, inertias and mountings, of which the table is made. */
 typedef struct remus6_parameters {
     remus6_body carrier;
     remus6_real added_mass[6][6];        /* kg, kg m, kg m2; Lambda of all bodies, about O1 in E1 */
@@ -185,7 +220,7 @@ typedef struct remus6_term {
     remus6_real value;  /* SI; wrench += value * first * second */
 } remus6_term;
 
-/* The constants of the equations. Made by prepare, except the laws at the end (gravity, ...). */
+/* The constants of the equations, made of the parameters; the laws at the end (gravity, ...) are as given. */
 typedef struct remus6_table {
     remus6_real mass;                      /* kg; mass of all bodies */
     remus6_real mass_inverse;              /* 1/kg */
@@ -265,29 +300,6 @@ typedef struct remus6_encoder {
     int moved;    /* counts between the last two readings */
 } remus6_encoder;
 
-/* A symmetric 3x3 matrix factored, L D L^T. */
-typedef struct remus6_factors3 {
-    remus6_real r1;   /* 1 / D, of the last D itself */
-    remus6_real r2;
-    remus6_real d3;
-    remus6_real l21;  /* L below its diagonal */
-    remus6_real l31;
-    remus6_real l32;
-} remus6_factors3;
-
-/* K of the carrier factored. */
-typedef struct remus6_carrier_factor {
-    remus6_real U[9];   /* m; A^-1 B^T */
-    remus6_factors3 L;  /* what is left of the inertia */
-} remus6_carrier_factor;
-
-/* K with free flywheels eliminated, factored. */
-typedef struct remus6_schur_factor {
-    remus6_real A_inv[6];  /* 1/kg */
-    remus6_real U[9];      /* m; A^-1 B^T */
-    remus6_factors3 L;     /* D - B A^-1 B^T */
-} remus6_schur_factor;
-
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct remus6_inverse_options {
     remus6_real weight[REMUS6_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to
@@ -303,7 +315,7 @@ typedef struct remus6_inverse_options {
     remus6_real motor_coulomb[REMUS6_N];        /* N m; dry friction, which the motor bears; 0: none */
     remus6_real motor_coulomb_speed[REMUS6_N];  /* rad/s; speed at which three quarters of the dry friction
                                                  * act; greater than 0 */
-    remus6_real near;                           /* status NEAR_SINGULAR below this fraction of the largest
+    remus6_real near_singular;                  /* status NEAR_SINGULAR below this fraction of the largest
                                                  * singular value, 0..1 */
     remus6_real damping;                        /* damping of small singular values, as a fraction of the
                                                  * largest, 0..1; 0: none */
@@ -342,7 +354,7 @@ typedef struct remus6_forward_jacobian_result {
 } remus6_forward_jacobian_result;
 
 extern const remus6_parameters remus6_default_parameters;         /* of the stand file */
-extern const remus6_table remus6_default;                         /* what prepare makes of them */
+extern const remus6_table remus6_default;                         /* made of them */
 extern const remus6_inverse_options remus6_default_options;       /* of inverse, by the stand file */
 
 /* ---- functions ---- */
@@ -380,7 +392,7 @@ remus6_status remus6_matrices(const remus6_table *table, const remus6_state *x, 
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2015 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
+ * At most 2015 operations on reals, 1 of them a division. Stack: at most 1712 bytes. */
 remus6_status remus6_momentum(const remus6_table *table, const remus6_state *x, remus6_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -390,7 +402,7 @@ remus6_status remus6_momentum(const remus6_table *table, const remus6_state *x, 
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   tau[6]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1229 operations on reals, 1 of them a division. Stack: at most 1584 bytes. */
+ * At most 1229 operations on reals, 1 of them a division. Stack: at most 1600 bytes. */
 remus6_status remus6_torque(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                             const remus6_real phi_ddot[REMUS6_N], remus6_real tau[REMUS6_N]);
 
@@ -508,7 +520,7 @@ remus6_status remus6_forward_jacobian(const remus6_table *table, const remus6_st
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 16184 operations on reals, 33 of them divisions. Stack: at most 8160 bytes. */
+ * At most 13204 operations on reals, 29 of them divisions. Stack: at most 6672 bytes. */
 remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_state *x,
                                       const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                       remus6_coupled_jacobian_result *out);
@@ -525,7 +537,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 43559 operations on reals, 1199 of them divisions. Stack: at most 5136 bytes. */
+ * At most 81569 operations on reals, 2909 of them divisions. Stack: at most 5200 bytes. */
 remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out);
 
@@ -534,7 +546,7 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and `limit` are ignored
+ *   options      weights and damping; `near_singular` and `limit` are ignored
  *   phi_ddot[6]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
@@ -556,7 +568,7 @@ remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state 
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[2]    out: one reading for each instrument, then for each point
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 602 operations on reals, 1 of them a division. Stack: at most 1088 bytes. */
+ * At most 602 operations on reals, 1 of them a division. Stack: at most 1136 bytes. */
 remus6_status remus6_points(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                             remus6_points_result out[REMUS6_SENSORS]);
 
@@ -672,7 +684,7 @@ remus6_status remus6_step_driven_carried(const remus6_table *table, const remus6
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1343 operations on reals, 1 of them a division. Stack: at most 1488 bytes. */
+ * At most 1343 operations on reals, 1 of them a division. Stack: at most 1504 bytes. */
 remus6_status remus6_center_of_mass_velocity(const remus6_table *table, const remus6_state *x,
                                              remus6_real center_of_mass_velocity[3]);
 
@@ -680,22 +692,4 @@ remus6_status remus6_center_of_mass_velocity(const remus6_table *table, const re
 }
 #endif
 
-#endif
-
-/* A caller that was compiled with the header of another element type, number of lanes, version or stand does
- * not link: the symbol is in the source of this header alone. It takes no memory. gcc and clang, ELF files.
- * Define REMUS6_NO_LINK_CHECK where only types are used, and the source is not linked. */
-#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-#if !defined REMUS6_NO_LINK_CHECK && !defined REMUS6_LINK_CHECKED
-#define REMUS6_LINK_CHECKED
-#if __SIZEOF_POINTER__ == 8
-__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".quad remus6_link_double_lanes1_v0_1_0_5f25aea2\n"
-        ".popsection\n");
-#elif __SIZEOF_POINTER__ == 4
-__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".long remus6_link_double_lanes1_v0_1_0_5f25aea2\n"
-        ".popsection\n");
-#endif
-#endif
 #endif

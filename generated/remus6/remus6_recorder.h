@@ -32,12 +32,24 @@
 
 #include "remus6.h"
 
+/* The linker sees names that end in the kind of the reals and a hash of this header: a caller with the
+ * header of another stand, element type, choice of functions or version does not link. Define
+ * REMUS6_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
+ * languages need them. */
+#ifndef REMUS6_PLAIN_NAMES
+#define remus6_recorder_start               remus6_recorder_start_f64_ca2759e4
+#define remus6_recorder_step                remus6_recorder_step_f64_ca2759e4
+#define remus6_recorder_step_driven         remus6_recorder_step_driven_f64_ca2759e4
+#define remus6_recorder_step_carried        remus6_recorder_step_carried_f64_ca2759e4
+#define remus6_recorder_step_driven_carried remus6_recorder_step_driven_carried_f64_ca2759e4
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 #define REMUS6_RECORDER_FORMAT 3u           /* version of the log format */
-#define REMUS6_RECORDER_SOURCE 0x9436676bu  /* FNV-1a hash of the texts of remus6.h and remus6.c */
+#define REMUS6_RECORDER_SOURCE 0x156b6748u  /* FNV-1a hash of the texts of remus6.h and remus6.c */
 #define REMUS6_RECORD_BYTES    501  /* longest record of a step; most have 64 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

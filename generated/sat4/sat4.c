@@ -1,6 +1,5 @@
 /* sat4.c: motion of the stand "sat4". What each function does and takes: sat4.h.
  * mahovik 0.1.0; structure f28a1ef8, physics e77ec5a4. Generated: change the stand file instead. */
-#define SAT4_LINK_CHECKED  /* callers refer to the symbol that this file defines */
 #include "sat4.h"
 
 #include <stddef.h>
@@ -9,9 +8,6 @@
 #if SAT4_STRUCTURE != 0xf28a1ef8u || SAT4_PHYSICS != 0xe77ec5a4u
 #error "sat4.h and sat4.c are of different stands"
 #endif
-#if SAT4_LANES != 1
-#error "sat4.h and sat4.c were generated for different numbers of lanes"
-#endif
 #if SAT4_REAL_BYTES != 8
 #error "sat4.h and sat4.c were generated for different element types"
 #endif
@@ -19,19 +15,23 @@
 #error "sat4.h and sat4.c are of different versions of mahovik"
 #endif
 
-/* What callers with the right header refer to: an address without memory. */
-#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-__asm__(".globl sat4_link_double_lanes1_v0_1_0_e77ec5a4\n"
-        ".type sat4_link_double_lanes1_v0_1_0_e77ec5a4, %object\n"
-        ".size sat4_link_double_lanes1_v0_1_0_e77ec5a4, 1\n"
-        ".set sat4_link_double_lanes1_v0_1_0_e77ec5a4, 0\n");
-#endif
+#include <float.h>
+#include <limits.h>
 
-/* Fast math leaves out the roundings that the code relies on: wrong results with status OK. What the compiler
- * shows of it is refused here; clang does not show -funsafe-math-optimizations. */
+/* Other numbers than those of IEEE 754, and fast math, which leaves out roundings that the code relies on,
+ * give wrong results with status OK. What the compiler shows of them is refused here; clang does not show
+ * -funsafe-math-optimizations. */
+#if FLT_RADIX != 2 || DBL_MANT_DIG != 53
+#error "wrong results: sat4 needs a double of 64 bits, 53 of them significant"
+#endif
+#if INT_MAX < 2147483647
+#error "wrong counts: sat4 needs an int of 32 bits"
+#endif
 #ifndef SAT4_ALLOW_FAST_MATH
 #if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined _M_FP_FAST
 #error "wrong results: compile sat4 without -ffast-math, -Ofast and -funsafe-math-optimizations"
+#elif FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16
+#error "wrong results: x87 keeps more digits: compile sat4 with -msse2 -mfpmath=sse"
 #endif
 #if defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ == 1
 #error "inputs that are NaN would pass: compile sat4 without -ffinite-math-only"
@@ -71,6 +71,22 @@ typedef struct sat4_sums {
     sat4_real a_rel[3];   /* N; d/dt of the force part */
 } sat4_sums;
 
+/* A symmetric 3x3 matrix factored, L D L^T. */
+typedef struct sat4_factors3 {
+    sat4_real r1;   /* 1 / D, of the last D itself */
+    sat4_real r2;
+    sat4_real d3;
+    sat4_real l21;  /* L below its diagonal */
+    sat4_real l31;
+    sat4_real l32;
+} sat4_factors3;
+
+/* K of the carrier factored. */
+typedef struct sat4_carrier_factor {
+    sat4_real rho[3];  /* m; mass centre from O1, in E1 */
+    sat4_factors3 L;   /* what is left of the inertia */
+} sat4_carrier_factor;
+
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
 typedef struct sat4_coupling {
     sat4_real I_[6];  /* kg m, kg m2; column of I (9) */
@@ -83,6 +99,13 @@ typedef struct sat4_schur {
     sat4_real B[9];  /* kg m; moment by v*, row by row */
     sat4_real D[6];  /* kg m2; moment by omega*: 11 22 33 12 13 23 */
 } sat4_schur;
+
+/* K with free flywheels eliminated, factored. */
+typedef struct sat4_schur_factor {
+    sat4_real A_inv[6];  /* 1/kg */
+    sat4_real U[9];      /* m; A^-1 B^T */
+    sat4_factors3 L;     /* D - B A^-1 B^T */
+} sat4_schur_factor;
 
 /* Scratch of inverse. */
 typedef struct sat4_inverse_work {
@@ -230,7 +253,6 @@ static sat4_status sat4_within(const sat4_real values[], int count, sat4_real li
 SAT4_CODE
 static sat4_status sat4_check_state(const sat4_state *x)
 {
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
     {
         sat4_real position2, velocity2, speed2, phase2;
         position2 = 0.0;
@@ -238,13 +260,18 @@ static sat4_status sat4_check_state(const sat4_state *x)
         speed2 = 0.0;
         phase2 = 0.0;
         for (int i = 0; i < 3; ++i) {
-            position2 += x->position[i] * x->position[i];
-            velocity2 += x->V[i] * x->V[i];
-            speed2 += x->V[i + 3] * x->V[i + 3];
+            const sat4_real position = x->position[i];
+            position2 += position * position;
+            const sat4_real velocity = x->V[i];
+            velocity2 += velocity * velocity;
+            const sat4_real speed = x->V[i + 3];
+            speed2 += speed * speed;
         }
         for (int s = 0; s < SAT4_N; ++s) {
-            phase2 += x->phi[s] * x->phi[s];
-            speed2 += x->phi_dot[s] * x->phi_dot[s];
+            const sat4_real phase = x->phi[s];
+            phase2 += phase * phase;
+            const sat4_real speed = x->phi_dot[s];
+            speed2 += speed * speed;
         }
         const sat4_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
             + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -252,7 +279,6 @@ static sat4_status sat4_check_state(const sat4_state *x)
             && velocity2 < SAT4_MAX_VELOCITY * SAT4_MAX_VELOCITY && speed2 < SAT4_MAX_SPEED * SAT4_MAX_SPEED
             && phase2 < SAT4_MAX_PHASE * SAT4_MAX_PHASE) { return SAT4_OK; }
     }
-#endif
     sat4_status status = sat4_within(x->position, 3, SAT4_MAX_POSITION);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(x->attitude, 4, 2.0);
@@ -275,7 +301,6 @@ static sat4_status sat4_check_state(const sat4_state *x)
 SAT4_CODE
 static sat4_status sat4_check_motion(const sat4_state *x, const sat4_real values[SAT4_N], sat4_real limit)
 {
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
     {
         sat4_real position2, velocity2, speed2, phase2, given2;
         position2 = 0.0;
@@ -284,14 +309,20 @@ static sat4_status sat4_check_motion(const sat4_state *x, const sat4_real values
         phase2 = 0.0;
         given2 = 0.0;
         for (int i = 0; i < 3; ++i) {
-            position2 += x->position[i] * x->position[i];
-            velocity2 += x->V[i] * x->V[i];
-            speed2 += x->V[i + 3] * x->V[i + 3];
+            const sat4_real position = x->position[i];
+            position2 += position * position;
+            const sat4_real velocity = x->V[i];
+            velocity2 += velocity * velocity;
+            const sat4_real speed = x->V[i + 3];
+            speed2 += speed * speed;
         }
         for (int s = 0; s < SAT4_N; ++s) {
-            phase2 += x->phi[s] * x->phi[s];
-            given2 += values[s] * values[s];
-            speed2 += x->phi_dot[s] * x->phi_dot[s];
+            const sat4_real phase = x->phi[s];
+            phase2 += phase * phase;
+            const sat4_real given = values[s];
+            given2 += given * given;
+            const sat4_real speed = x->phi_dot[s];
+            speed2 += speed * speed;
         }
         const sat4_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
             + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -299,7 +330,6 @@ static sat4_status sat4_check_motion(const sat4_state *x, const sat4_real values
             && velocity2 < SAT4_MAX_VELOCITY * SAT4_MAX_VELOCITY && speed2 < SAT4_MAX_SPEED * SAT4_MAX_SPEED
             && phase2 < SAT4_MAX_PHASE * SAT4_MAX_PHASE && given2 < limit * limit) { return SAT4_OK; }
     }
-#endif
     sat4_status status = sat4_within(x->position, 3, SAT4_MAX_POSITION);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(x->attitude, 4, 2.0);
@@ -322,7 +352,7 @@ static sat4_status sat4_check_motion(const sat4_state *x, const sat4_real values
 
 /* Rotation matrix of a quaternion of any length: no square root is needed. */
 SAT4_CODE
-static void sat4_rotation(const sat4_real q[4], sat4_real C[restrict 9])
+static void sat4_rotation(const sat4_real q[4], sat4_real *restrict C /* [9] */)
 {
     const sat4_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
@@ -340,8 +370,8 @@ static void sat4_rotation(const sat4_real q[4], sat4_real C[restrict 9])
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 SAT4_CODE
-static void sat4_sincos_each(const sat4_real x[SAT4_N], sat4_real sine[restrict SAT4_N],
-                             sat4_real cosine[restrict SAT4_N])
+static void sat4_sincos_each(const sat4_real x[SAT4_N], sat4_real *restrict sine /* [SAT4_N] */,
+                             sat4_real *restrict cosine /* [SAT4_N] */)
 {
     for (int s = 0; s < SAT4_N; ++s) {
         /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the
@@ -515,7 +545,7 @@ static SAT4_COPIED void sat4_sum_spin(const sat4_table *table, const sat4_real s
 /* Momentum screw Z = K V + sum I phi' of the sums, (2). */
 SAT4_CODE
 static void sat4_momentum_screw(const sat4_table *table, const sat4_sums *sum, const sat4_real V[6],
-                                sat4_real Z[restrict 6])
+                                sat4_real *restrict Z /* [6] */)
 {
     Z[0] = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
     Z[1] = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
@@ -531,7 +561,7 @@ static void sat4_momentum_screw(const sat4_table *table, const sat4_sums *sum, c
 /* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (2), (4), (5). */
 SAT4_CODE
 static void sat4_subtract_rates(const sat4_table *table, const sat4_sums *sum, const sat4_real V[6],
-                                sat4_real F[restrict 6])
+                                sat4_real *restrict F /* [6] */)
 {
     /* momentum screw Z = K V + sum I phi' */
     const sat4_real Z1 = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
@@ -580,7 +610,7 @@ static inline sat4_status sat4_factor3(const sat4_real S[6], sat4_factors3 *rest
 
 /* Solves S y = b by S = L D L^T. */
 SAT4_CODE
-static inline void sat4_solve3(const sat4_factors3 *L, const sat4_real b[3], sat4_real y[restrict 3])
+static inline void sat4_solve3(const sat4_factors3 *L, const sat4_real b[3], sat4_real *restrict y /* [3] */)
 {
     /* L z = b, then L^T y = D^-1 z */
     const sat4_real z2 = b[1] - L->l21 * b[0];
@@ -614,7 +644,7 @@ static sat4_status sat4_factor_carrier(const sat4_table *table, const sat4_sums 
 /* Solves K y = F by the factors of K, (8). */
 SAT4_CODE
 static void sat4_solve_carrier(const sat4_table *table, const sat4_carrier_factor *K, const sat4_real F[6],
-                               sat4_real y[restrict 6])
+                               sat4_real *restrict y /* [6] */)
 {
     sat4_real moment[3];  /* about the mass centre */
     sat4_real omega_dot[3];
@@ -890,7 +920,7 @@ static SAT4_COPIED void sat4_couple(const sat4_row *row, sat4_real s, sat4_real 
 /* Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 SAT4_CODE
 static void sat4_eliminate(const sat4_real column[6], sat4_real spin_inv, sat4_real rate,
-                           sat4_schur *restrict K, sat4_real F[restrict 6])
+                           sat4_schur *restrict K, sat4_real *restrict F /* [6] */)
 {
     sat4_real scaled[6];  /* I / Theta_ff */
     scaled[0] = column[0] * spin_inv;  scaled[1] = column[1] * spin_inv;  scaled[2] = column[2] * spin_inv;
@@ -910,7 +940,7 @@ static void sat4_eliminate(const sat4_real column[6], sat4_real spin_inv, sat4_r
 SAT4_CODE
 static void sat4_balance(const sat4_table *table, const sat4_state *x, const sat4_real sine[SAT4_N],
                          const sat4_real cosine[SAT4_N], const sat4_real V_dot[6],
-                         const sat4_real phi_ddot[SAT4_N], sat4_real tau[restrict SAT4_N])
+                         const sat4_real phi_ddot[SAT4_N], sat4_real *restrict tau /* [SAT4_N] */)
 {
     sat4_real origin_acceleration[3];  /* omega x v */
     origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
@@ -1003,7 +1033,8 @@ static sat4_status sat4_factor_schur(const sat4_schur *K, sat4_schur_factor *res
 
 /* Solves [A B^T; B D] y = F by the factors. */
 SAT4_CODE
-static void sat4_solve_schur(const sat4_schur_factor *factor, const sat4_real F[6], sat4_real y[restrict 6])
+static void sat4_solve_schur(const sat4_schur_factor *factor, const sat4_real F[6],
+                             sat4_real *restrict y /* [6] */)
 {
     sat4_real moment[3];  /* n - B A^-1 f */
     sat4_real omega_dot[3];
@@ -1025,7 +1056,8 @@ SAT4_CODE
 static sat4_status sat4_solve_coupled(const sat4_table *table, const sat4_state *x,
                                       const sat4_real sine[SAT4_N], const sat4_real cosine[SAT4_N],
                                       const sat4_real tau[SAT4_N], const int locked[SAT4_N],
-                                      sat4_real V_dot[restrict 6], sat4_real phi_ddot[restrict SAT4_N])
+                                      sat4_real *restrict V_dot /* [6] */,
+                                      sat4_real *restrict phi_ddot /* [SAT4_N] */)
 {
     sat4_status status;
     sat4_sums sum;
@@ -1521,7 +1553,7 @@ sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int pe
 /* Derivative of F - Phi Z - K* V by the twist, (8). */
 SAT4_CODE
 static void sat4_twist_slope(const sat4_real Z[6], const sat4_matrices_result *m,
-                             sat4_real slope[restrict 36])
+                             sat4_real *restrict slope /* [36] */)
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1545,7 +1577,7 @@ static void sat4_twist_slope(const sat4_real Z[6], const sat4_matrices_result *m
 /* Change of F - Phi Z - K* V - (a, g) - K V* with the harmonic weights of one flywheel, (8). */
 SAT4_CODE
 static void sat4_row_slope(const sat4_row *row, const sat4_real weight[12], const sat4_real V[6],
-                           const sat4_real V_dot[6], sat4_real out[restrict 6])
+                           const sat4_real V_dot[6], sat4_real *restrict out /* [6] */)
 {
     sat4_sums change;  /* change of the sums */
     sat4_real Z[6];  /* change of the momentum screw */
@@ -1907,9 +1939,6 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             sat4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            for (int t = 0; t < SAT4_N; ++t) {
-                drive_rhs[t] = 0.0;
-            }
             sat4_real mu_pp[3];  /* d2 mu / dphi2 */
             sat4_real J_pp[6];  /* d2 J / dphi2 */
             sat4_real I_p[6];  /* dI / dphi */
@@ -1934,19 +1963,17 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
             I_p[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
             I_p[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
             I_p[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
-            drive_rhs[s] = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
+            const sat4_real side = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
                 + V_result[3] * I_p[3] + V_result[4] * I_p[4] + V_result[5] * I_p[5]
                 + (mu_pp[0] * origin_acceleration[0] + mu_pp[1] * origin_acceleration[1]
                 + mu_pp[2] * origin_acceleration[2]
                 - 0.5 * (J_pp[0] * x->V[3] + J_pp[3] * x->V[4] + J_pp[4] * x->V[5]) * x->V[3]
                 - 0.5 * (J_pp[1] * x->V[4] + J_pp[3] * x->V[3] + J_pp[5] * x->V[5]) * x->V[4]
                 - 0.5 * (J_pp[2] * x->V[5] + J_pp[4] * x->V[3] + J_pp[5] * x->V[4]) * x->V[5]));
-            for (int t = 0; t < SAT4_N; ++t) {
-                if (locked[t] == 0) {
-                    const sat4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                    for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I_[i] * share;
-                    }
+            if (locked[s] == 0) {
+                const sat4_real share = side * table->flywheel[s].spin_inv;
+                for (int i = 0; i < 6; ++i) {
+                    rhs[i] -= drive[s].I_[i] * share;
                 }
             }
             sat4_solve_schur(&factor, rhs, y);
@@ -1956,7 +1983,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
             for (int t = 0; t < SAT4_N; ++t) {
                 out->phi_ddot_phi[t][s] = 0.0;
                 if (locked[t] == 0) {
-                    out->phi_ddot_phi[t][s] = (drive_rhs[t]
+                    out->phi_ddot_phi[t][s] = (((t == s) ? side : 0.0)
                         - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                         + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
@@ -1969,17 +1996,6 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             sat4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            for (int t = 0; t < SAT4_N; ++t) {
-                drive_rhs[t] = 0.0;
-            }
-            for (int t = 0; t < SAT4_N; ++t) {
-                if (locked[t] == 0) {
-                    const sat4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                    for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I_[i] * share;
-                    }
-                }
-            }
             sat4_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
@@ -1987,7 +2003,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
             for (int t = 0; t < SAT4_N; ++t) {
                 out->phi_ddot_phi_dot[t][s] = 0.0;
                 if (locked[t] == 0) {
-                    out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
+                    out->phi_ddot_phi_dot[t][s] = (0.0
                         - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                         + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
@@ -1996,12 +2012,9 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
         }
         rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
         rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
-        for (int t = 0; t < SAT4_N; ++t) {
-            drive_rhs[t] = 0.0;
-        }
-        drive_rhs[s] = 1.0;
+        const sat4_real side = 1.0;
         if (locked[s] == 0) {
-            const sat4_real share = drive_rhs[s] * table->flywheel[s].spin_inv;
+            const sat4_real share = side * table->flywheel[s].spin_inv;
             for (int i = 0; i < 6; ++i) {
                 rhs[i] -= drive[s].I_[i] * share;
             }
@@ -2013,7 +2026,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
         for (int t = 0; t < SAT4_N; ++t) {
             out->phi_ddot_tau[t][s] = 0.0;
             if (locked[t] == 0) {
-                out->phi_ddot_tau[t][s] = (drive_rhs[t]
+                out->phi_ddot_tau[t][s] = (((t == s) ? side : 0.0)
                     - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                     + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
@@ -2183,7 +2196,8 @@ static sat4_status sat4_demand(const sat4_table *table, const sat4_state *x, con
 
 /* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 SAT4_CODE
-static void sat4_solve_gram(sat4_real gram[restrict 6][6], sat4_real z[restrict 6], sat4_real least)
+static void sat4_solve_gram(sat4_real (*restrict gram)[6] /* [6][6] */, sat4_real *restrict z /* [6] */,
+                            sat4_real least)
 {
     for (int j = 0; j < 6; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -2215,7 +2229,7 @@ static void sat4_solve_gram(sat4_real gram[restrict 6][6], sat4_real z[restrict 
  * share, (12). */
 SAT4_CODE
 static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_options *options, int rank,
-                          sat4_real phi_ddot[restrict SAT4_N], int limited[restrict SAT4_N])
+                          sat4_real *restrict phi_ddot /* [SAT4_N] */, int *restrict limited /* [SAT4_N] */)
 {
     sat4_real share[SAT4_N];  /* 1/weight */
     sat4_real give[SAT4_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
@@ -2223,128 +2237,150 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
     sat4_real row[6];  /* factor of each row; 0: the row is left out */
     sat4_real gram[6][6];
     sat4_real z[6];
+    int going, weighted;
+    int settled;  /* 1 after a whole step that gains nothing and frees nobody */
+    sat4_real square_before;  /* square of the residual after the last whole step */
+    going = 1;
+    weighted = 1;
+    square_before = 1.7976931348623157e308;
     /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < SAT4_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
         share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 8; ++pass) {
-        sat4_real most = 0.0;
-        for (int s = 0; s < SAT4_N; ++s) {
-            if (pass >= 7) {
-                share[s] = 1.0;
-            }
-            give[s] = (limited[s] > 0) ? 0.0 : share[s];
-            most = (give[s] > most) ? give[s] : most;
-        }
-        const sat4_real regular = 1.0e-12 * most;
-        /* lower bound that keeps the diagonal positive */
-        const sat4_real least = (most > 0.0) ? regular : 1.0;
-        for (int i = 0; i < 6; ++i) {
-            row[i] = 0.0;
-            if (i < rank) {
-                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
-            }
-        }
-        for (int i = 0; i < 6; ++i) {
-            sat4_real left = work->r[i];
+    for (int pass = 0; pass < 28; ++pass) {
+        if (going > 0) {
+            sat4_real most = 0.0;
             for (int s = 0; s < SAT4_N; ++s) {
-                left -= work->W[i][s] * phi_ddot[s];
+                give[s] = (limited[s] > 0) ? 0.0 : share[s];
+                most = (give[s] > most) ? give[s] : most;
             }
-            z[i] = row[i] * left;
-        }
-        sat4_real weighed[SAT4_N];  /* a row of W Omega^-1 */
-        for (int i = 0; i < 6; ++i) {
-            for (int s = 0; s < SAT4_N; ++s) {
-                weighed[s] = work->W[i][s] * give[s];
-            }
-            for (int j = 0; j < i + 1; ++j) {
-                sat4_real total = 0.0;
-                for (int s = 0; s < SAT4_N; ++s) {
-                    total += weighed[s] * work->W[j][s];
-                }
-                gram[i][j] = row[i] * row[j] * total;
-            }
-            gram[i][i] += least;
-        }
-        sat4_solve_gram(gram, z, least);
-        for (int i = 0; i < 6; ++i) {
-            z[i] = row[i] * z[i];
-        }
-        for (int s = 0; s < SAT4_N; ++s) {
-            sat4_real total = 0.0;
+            const sat4_real regular = 1.0e-12 * most;
+            /* lower bound that keeps the diagonal positive */
+            const sat4_real least = (most > 0.0) ? regular : 1.0;
             for (int i = 0; i < 6; ++i) {
-                total += work->W[i][s] * z[i];
-            }
-            step[s] = give[s] * total;
-        }
-        if (pass < 1) {
-            for (int s = 0; s < SAT4_N; ++s) {
-                phi_ddot[s] = step[s];
-                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
-                    const sat4_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
+                row[i] = 0.0;
+                if (i < rank) {
+                    row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
                 }
             }
-        } else {
-            /* go as far as all limits allow; hold the flywheel that reaches its limit */
-            sat4_real length = 1.0;
-            int stopped = -1;
-            for (int s = 0; s < SAT4_N; ++s) {
-                const sat4_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
-                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
-                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
-                    const sat4_real room = options->limit[s] / work->scale[s]
-                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
-                    const sat4_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
-                    if (part < length) {
-                        length = (part > 0.0) ? part : 0.0;
-                        stopped = s;
-                    }
-                }
-            }
-            for (int s = 0; s < SAT4_N; ++s) {
-                phi_ddot[s] += length * step[s];
-                if (stopped == s) {
-                    const sat4_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
-                }
-            }
-            /* after a full step, release the held flywheel that would lower the residual most */
-            if (stopped < 0) {
-                sat4_real left[6];
-                sat4_real wanted = 0.0;
-                for (int i = 0; i < 6; ++i) {
-                    wanted += work->r[i] * work->r[i];
-                    left[i] = (i < rank) ? work->r[i] : 0.0;
-                    if (i < rank) {
-                        for (int s = 0; s < SAT4_N; ++s) {
-                            left[i] -= work->W[i][s] * phi_ddot[s];
-                        }
-                    }
-                }
-                sat4_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
-                int freed = -1;
+            for (int i = 0; i < 6; ++i) {
+                sat4_real left = work->r[i];
                 for (int s = 0; s < SAT4_N; ++s) {
-                    if (limited[s] > 0) {
-                        sat4_real slope = 0.0;
-                        sat4_real size = 0.0;
-                        for (int i = 0; i < 6; ++i) {
-                            slope += work->W[i][s] * left[i];
-                            size += work->W[i][s] * work->W[i][s];
-                        }
-                        const sat4_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
-                        if (inward > 0.0 && inward * inward > best * size) {
-                            best = inward * inward / size;
-                            freed = s;
+                    left -= work->W[i][s] * phi_ddot[s];
+                }
+                z[i] = row[i] * left;
+            }
+            sat4_real weighed[SAT4_N];  /* a row of W Omega^-1 */
+            for (int i = 0; i < 6; ++i) {
+                for (int s = 0; s < SAT4_N; ++s) {
+                    weighed[s] = work->W[i][s] * give[s];
+                }
+                for (int j = 0; j < i + 1; ++j) {
+                    sat4_real total = 0.0;
+                    for (int s = 0; s < SAT4_N; ++s) {
+                        total += weighed[s] * work->W[j][s];
+                    }
+                    gram[i][j] = row[i] * row[j] * total;
+                }
+                gram[i][i] += least;
+            }
+            sat4_solve_gram(gram, z, least);
+            for (int i = 0; i < 6; ++i) {
+                z[i] = row[i] * z[i];
+            }
+            for (int s = 0; s < SAT4_N; ++s) {
+                sat4_real total = 0.0;
+                for (int i = 0; i < 6; ++i) {
+                    total += work->W[i][s] * z[i];
+                }
+                step[s] = give[s] * total;
+            }
+            settled = 0;
+            if (pass < 1) {
+                for (int s = 0; s < SAT4_N; ++s) {
+                    phi_ddot[s] = step[s];
+                    if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                        const sat4_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+            } else {
+                /* go as far as all limits allow; hold the flywheel that reaches its limit */
+                sat4_real length = 1.0;
+                int stopped = -1;
+                for (int s = 0; s < SAT4_N; ++s) {
+                    const sat4_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                    if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                        && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
+                        const sat4_real room = options->limit[s] / work->scale[s]
+                            - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                        const sat4_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                        if (part < length) {
+                            length = (part > 0.0) ? part : 0.0;
+                            stopped = s;
                         }
                     }
                 }
-                if (freed >= 0) {
-                    limited[freed] = 0;
+                for (int s = 0; s < SAT4_N; ++s) {
+                    phi_ddot[s] += length * step[s];
+                    if (stopped == s) {
+                        const sat4_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+                /* after a full step, release the held flywheel that would lower the residual most */
+                if (stopped < 0) {
+                    sat4_real left[6];
+                    sat4_real wanted;
+                    sat4_real square;  /* of the residual */
+                    wanted = 0.0;
+                    square = 0.0;
+                    for (int i = 0; i < 6; ++i) {
+                        wanted += work->r[i] * work->r[i];
+                        left[i] = (i < rank) ? work->r[i] : 0.0;
+                        if (i < rank) {
+                            for (int s = 0; s < SAT4_N; ++s) {
+                                left[i] -= work->W[i][s] * phi_ddot[s];
+                            }
+                        }
+                        square += left[i] * left[i];
+                    }
+                    sat4_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
+                    int freed = -1;
+                    for (int s = 0; s < SAT4_N; ++s) {
+                        if (limited[s] > 0) {
+                            sat4_real slope = 0.0;
+                            sat4_real size = 0.0;
+                            for (int i = 0; i < 6; ++i) {
+                                slope += work->W[i][s] * left[i];
+                                size += work->W[i][s] * work->W[i][s];
+                            }
+                            const sat4_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                            if (inward > 0.0 && inward * inward > best * size) {
+                                best = inward * inward / size;
+                                freed = s;
+                            }
+                        }
+                    }
+                    if (freed >= 0) {
+                        limited[freed] = 0;
+                    } else {
+                        if (!(square > best && square < square_before * 0.999999999)) {
+                            settled = 1;
+                        }
+                    }
+                    square_before = square;
+                }
+            }
+            if (pass >= 6 && (settled > 0 || pass == 14)) {
+                going = weighted;
+                weighted = 0;
+                for (int s = 0; s < SAT4_N; ++s) {
+                    share[s] = 1.0;
                 }
             }
         }
@@ -2427,7 +2463,8 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
     status = sat4_within(options->weight, SAT4_N, SAT4_MAX_WEIGHT);
     if (status != SAT4_OK) { return status; }
     sat4_real shares[2];
-    shares[0] = options->near;     shares[1] = options->damping;
+    shares[0] = options->near_singular;
+    shares[1] = options->damping;
     status = sat4_within(shares, 2, SAT4_LARGEST);
     if (status != SAT4_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
@@ -2495,11 +2532,12 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
         if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
             rank = rank + 1;
             const sat4_real ratio = work.sigma[i] / work.sigma[0];
-            if (ratio < options->near) {
+            if (ratio < options->near_singular) {
                 flags = flags | SAT4_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
                     flags = flags | SAT4_DAMPED;
-                    const sat4_real lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const sat4_real lambda = options->damping * work.sigma[0]
+                        * (1.0 - ratio / options->near_singular);
                     const sat4_real square = work.sigma[i] * work.sigma[i];
                     work.r[i] = work.r[i] * (square / (square + lambda * lambda));
                     damping = (lambda > damping) ? lambda : damping;
@@ -2862,7 +2900,8 @@ static void sat4_orthogonalise_3(sat4_inverse_work *restrict work)
 
 /* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 SAT4_CODE
-static void sat4_solve_gram_3(sat4_real gram[restrict 3][3], sat4_real z[restrict 3], sat4_real least)
+static void sat4_solve_gram_3(sat4_real (*restrict gram)[3] /* [3][3] */, sat4_real *restrict z /* [3] */,
+                              sat4_real least)
 {
     for (int j = 0; j < 3; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -2894,7 +2933,8 @@ static void sat4_solve_gram_3(sat4_real gram[restrict 3][3], sat4_real z[restric
  * share, (12). */
 SAT4_CODE
 static void sat4_allocate_3(const sat4_inverse_work *work, const sat4_inverse_options *options, int rank,
-                            sat4_real phi_ddot[restrict SAT4_N], int limited[restrict SAT4_N])
+                            sat4_real *restrict phi_ddot /* [SAT4_N] */,
+                            int *restrict limited /* [SAT4_N] */)
 {
     sat4_real share[SAT4_N];  /* 1/weight */
     sat4_real give[SAT4_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
@@ -2902,128 +2942,150 @@ static void sat4_allocate_3(const sat4_inverse_work *work, const sat4_inverse_op
     sat4_real row[3];  /* factor of each row; 0: the row is left out */
     sat4_real gram[3][3];
     sat4_real z[3];
+    int going, weighted;
+    int settled;  /* 1 after a whole step that gains nothing and frees nobody */
+    sat4_real square_before;  /* square of the residual after the last whole step */
+    going = 1;
+    weighted = 1;
+    square_before = 1.7976931348623157e308;
     /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < SAT4_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
         share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 8; ++pass) {
-        sat4_real most = 0.0;
-        for (int s = 0; s < SAT4_N; ++s) {
-            if (pass >= 7) {
-                share[s] = 1.0;
-            }
-            give[s] = (limited[s] > 0) ? 0.0 : share[s];
-            most = (give[s] > most) ? give[s] : most;
-        }
-        const sat4_real regular = 1.0e-12 * most;
-        /* lower bound that keeps the diagonal positive */
-        const sat4_real least = (most > 0.0) ? regular : 1.0;
-        for (int i = 0; i < 3; ++i) {
-            row[i] = 0.0;
-            if (i < rank) {
-                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
-            }
-        }
-        for (int i = 0; i < 3; ++i) {
-            sat4_real left = work->r[i];
+    for (int pass = 0; pass < 28; ++pass) {
+        if (going > 0) {
+            sat4_real most = 0.0;
             for (int s = 0; s < SAT4_N; ++s) {
-                left -= work->W[i][s] * phi_ddot[s];
+                give[s] = (limited[s] > 0) ? 0.0 : share[s];
+                most = (give[s] > most) ? give[s] : most;
             }
-            z[i] = row[i] * left;
-        }
-        sat4_real weighed[SAT4_N];  /* a row of W Omega^-1 */
-        for (int i = 0; i < 3; ++i) {
-            for (int s = 0; s < SAT4_N; ++s) {
-                weighed[s] = work->W[i][s] * give[s];
-            }
-            for (int j = 0; j < i + 1; ++j) {
-                sat4_real total = 0.0;
-                for (int s = 0; s < SAT4_N; ++s) {
-                    total += weighed[s] * work->W[j][s];
-                }
-                gram[i][j] = row[i] * row[j] * total;
-            }
-            gram[i][i] += least;
-        }
-        sat4_solve_gram_3(gram, z, least);
-        for (int i = 0; i < 3; ++i) {
-            z[i] = row[i] * z[i];
-        }
-        for (int s = 0; s < SAT4_N; ++s) {
-            sat4_real total = 0.0;
+            const sat4_real regular = 1.0e-12 * most;
+            /* lower bound that keeps the diagonal positive */
+            const sat4_real least = (most > 0.0) ? regular : 1.0;
             for (int i = 0; i < 3; ++i) {
-                total += work->W[i][s] * z[i];
-            }
-            step[s] = give[s] * total;
-        }
-        if (pass < 1) {
-            for (int s = 0; s < SAT4_N; ++s) {
-                phi_ddot[s] = step[s];
-                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
-                    const sat4_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
+                row[i] = 0.0;
+                if (i < rank) {
+                    row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
                 }
             }
-        } else {
-            /* go as far as all limits allow; hold the flywheel that reaches its limit */
-            sat4_real length = 1.0;
-            int stopped = -1;
-            for (int s = 0; s < SAT4_N; ++s) {
-                const sat4_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
-                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
-                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
-                    const sat4_real room = options->limit[s] / work->scale[s]
-                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
-                    const sat4_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
-                    if (part < length) {
-                        length = (part > 0.0) ? part : 0.0;
-                        stopped = s;
-                    }
-                }
-            }
-            for (int s = 0; s < SAT4_N; ++s) {
-                phi_ddot[s] += length * step[s];
-                if (stopped == s) {
-                    const sat4_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
-                }
-            }
-            /* after a full step, release the held flywheel that would lower the residual most */
-            if (stopped < 0) {
-                sat4_real left[3];
-                sat4_real wanted = 0.0;
-                for (int i = 0; i < 3; ++i) {
-                    wanted += work->r[i] * work->r[i];
-                    left[i] = (i < rank) ? work->r[i] : 0.0;
-                    if (i < rank) {
-                        for (int s = 0; s < SAT4_N; ++s) {
-                            left[i] -= work->W[i][s] * phi_ddot[s];
-                        }
-                    }
-                }
-                sat4_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
-                int freed = -1;
+            for (int i = 0; i < 3; ++i) {
+                sat4_real left = work->r[i];
                 for (int s = 0; s < SAT4_N; ++s) {
-                    if (limited[s] > 0) {
-                        sat4_real slope = 0.0;
-                        sat4_real size = 0.0;
-                        for (int i = 0; i < 3; ++i) {
-                            slope += work->W[i][s] * left[i];
-                            size += work->W[i][s] * work->W[i][s];
-                        }
-                        const sat4_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
-                        if (inward > 0.0 && inward * inward > best * size) {
-                            best = inward * inward / size;
-                            freed = s;
+                    left -= work->W[i][s] * phi_ddot[s];
+                }
+                z[i] = row[i] * left;
+            }
+            sat4_real weighed[SAT4_N];  /* a row of W Omega^-1 */
+            for (int i = 0; i < 3; ++i) {
+                for (int s = 0; s < SAT4_N; ++s) {
+                    weighed[s] = work->W[i][s] * give[s];
+                }
+                for (int j = 0; j < i + 1; ++j) {
+                    sat4_real total = 0.0;
+                    for (int s = 0; s < SAT4_N; ++s) {
+                        total += weighed[s] * work->W[j][s];
+                    }
+                    gram[i][j] = row[i] * row[j] * total;
+                }
+                gram[i][i] += least;
+            }
+            sat4_solve_gram_3(gram, z, least);
+            for (int i = 0; i < 3; ++i) {
+                z[i] = row[i] * z[i];
+            }
+            for (int s = 0; s < SAT4_N; ++s) {
+                sat4_real total = 0.0;
+                for (int i = 0; i < 3; ++i) {
+                    total += work->W[i][s] * z[i];
+                }
+                step[s] = give[s] * total;
+            }
+            settled = 0;
+            if (pass < 1) {
+                for (int s = 0; s < SAT4_N; ++s) {
+                    phi_ddot[s] = step[s];
+                    if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                        const sat4_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+            } else {
+                /* go as far as all limits allow; hold the flywheel that reaches its limit */
+                sat4_real length = 1.0;
+                int stopped = -1;
+                for (int s = 0; s < SAT4_N; ++s) {
+                    const sat4_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                    if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                        && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
+                        const sat4_real room = options->limit[s] / work->scale[s]
+                            - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                        const sat4_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                        if (part < length) {
+                            length = (part > 0.0) ? part : 0.0;
+                            stopped = s;
                         }
                     }
                 }
-                if (freed >= 0) {
-                    limited[freed] = 0;
+                for (int s = 0; s < SAT4_N; ++s) {
+                    phi_ddot[s] += length * step[s];
+                    if (stopped == s) {
+                        const sat4_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+                /* after a full step, release the held flywheel that would lower the residual most */
+                if (stopped < 0) {
+                    sat4_real left[3];
+                    sat4_real wanted;
+                    sat4_real square;  /* of the residual */
+                    wanted = 0.0;
+                    square = 0.0;
+                    for (int i = 0; i < 3; ++i) {
+                        wanted += work->r[i] * work->r[i];
+                        left[i] = (i < rank) ? work->r[i] : 0.0;
+                        if (i < rank) {
+                            for (int s = 0; s < SAT4_N; ++s) {
+                                left[i] -= work->W[i][s] * phi_ddot[s];
+                            }
+                        }
+                        square += left[i] * left[i];
+                    }
+                    sat4_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
+                    int freed = -1;
+                    for (int s = 0; s < SAT4_N; ++s) {
+                        if (limited[s] > 0) {
+                            sat4_real slope = 0.0;
+                            sat4_real size = 0.0;
+                            for (int i = 0; i < 3; ++i) {
+                                slope += work->W[i][s] * left[i];
+                                size += work->W[i][s] * work->W[i][s];
+                            }
+                            const sat4_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                            if (inward > 0.0 && inward * inward > best * size) {
+                                best = inward * inward / size;
+                                freed = s;
+                            }
+                        }
+                    }
+                    if (freed >= 0) {
+                        limited[freed] = 0;
+                    } else {
+                        if (!(square > best && square < square_before * 0.999999999)) {
+                            settled = 1;
+                        }
+                    }
+                    square_before = square;
+                }
+            }
+            if (pass >= 6 && (settled > 0 || pass == 14)) {
+                going = weighted;
+                weighted = 0;
+                for (int s = 0; s < SAT4_N; ++s) {
+                    share[s] = 1.0;
                 }
             }
         }
@@ -3043,7 +3105,7 @@ static void sat4_allocate_3(const sat4_inverse_work *work, const sat4_inverse_op
 /* Matrix and right-hand side of the rows of the task pointing that are demanded, scaled. */
 SAT4_CODE
 static void sat4_project_pointing(const sat4_real demand[3], const int use[3],
-                                  sat4_inverse_work *restrict work, sat4_real L[restrict 3][3])
+                                  sat4_inverse_work *restrict work, sat4_real (*restrict L)[3] /* [3][3] */)
 {
     sat4_real Y[3][3];  /* rows: columns of G^-1 S^T, then of Q */
     sat4_real known[3];  /* s - a, then L^-1 (s - a) */
@@ -3131,7 +3193,8 @@ sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, 
     status = sat4_within(options->weight, SAT4_N, SAT4_MAX_WEIGHT);
     if (status != SAT4_OK) { return status; }
     sat4_real shares[2];
-    shares[0] = options->near;     shares[1] = options->damping;
+    shares[0] = options->near_singular;
+    shares[1] = options->damping;
     status = sat4_within(shares, 2, SAT4_LARGEST);
     if (status != SAT4_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
@@ -3211,11 +3274,12 @@ sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, 
         if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
             rank = rank + 1;
             const sat4_real ratio = work.sigma[i] / work.sigma[0];
-            if (ratio < options->near) {
+            if (ratio < options->near_singular) {
                 flags = flags | SAT4_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
                     flags = flags | SAT4_DAMPED;
-                    const sat4_real lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const sat4_real lambda = options->damping * work.sigma[0]
+                        * (1.0 - ratio / options->near_singular);
                     const sat4_real square = work.sigma[i] * work.sigma[i];
                     work.r[i] = work.r[i] * (square / (square + lambda * lambda));
                     damping = (lambda > damping) ? lambda : damping;
@@ -3518,7 +3582,7 @@ static sat4_status sat4_torque_demand_turning(const sat4_table *table, const sat
                                               const sat4_real sine[SAT4_N], const sat4_real cosine[SAT4_N],
                                               const sat4_real preferred[SAT4_N], const int locked[SAT4_N],
                                               sat4_inverse_work *restrict work,
-                                              sat4_real tau_0[restrict SAT4_N])
+                                              sat4_real *restrict tau_0 /* [SAT4_N] */)
 {
     sat4_sums sum;
     sat4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
@@ -3625,8 +3689,9 @@ static sat4_status sat4_torque_demand_turning(const sat4_table *table, const sat
 SAT4_CODE
 static void sat4_bounded_least_squares_3(const sat4_real W[12], const sat4_real r[3],
                                          const sat4_real low[SAT4_N], const sat4_real high[SAT4_N],
-                                         const sat4_real weight[SAT4_N], sat4_real y[restrict SAT4_N],
-                                         int held[restrict SAT4_N])
+                                         const sat4_real weight[SAT4_N],
+                                         sat4_real *restrict y /* [SAT4_N] */,
+                                         int *restrict held /* [SAT4_N] */)
 {
     for (int s = 0; s < 4; ++s) {
         y[s] = (low[s] > 0.0) ? low[s] : ((high[s] < 0.0) ? high[s] : 0.0);
@@ -3841,7 +3906,7 @@ static void sat4_bounded_least_squares_3(const sat4_real W[12], const sat4_real 
 SAT4_CODE
 static sat4_real sat4_largest_share_3(const sat4_real W[12], const sat4_real low[SAT4_N],
                                       const sat4_real high[SAT4_N], const sat4_real start[3],
-                                      const sat4_real towards[3], sat4_real y[restrict SAT4_N])
+                                      const sat4_real towards[3], sat4_real *restrict y /* [SAT4_N] */)
 {
     sat4_real tableau[3][6];  /* columns: (y - low) / (high - low), then f, then the values of the basis */
     sat4_real upper[5];  /* upper bounds of the variables; the lower ones are 0 */
@@ -4475,7 +4540,7 @@ sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const
 /* Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 SAT4_CODE
 static sat4_status sat4_frame_of_axes(const sat4_real axis[3], const sat4_real zero[3],
-                                      sat4_real R[restrict 9])
+                                      sat4_real *restrict R /* [9] */)
 {
     sat4_status status;
     if (!(axis[0] * axis[0] + axis[1] * axis[1]
@@ -4517,8 +4582,8 @@ static sat4_status sat4_frame_of_axes(const sat4_real axis[3], const sat4_real z
 /* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 SAT4_CODE
 static void sat4_carry(sat4_real m, const sat4_real b[3], const sat4_real J[6], const sat4_real O[3],
-                       const sat4_real R[9], sat4_real mu[restrict 3], sat4_real J1[restrict 6], int spins,
-                       sat4_real t[restrict 3])
+                       const sat4_real R[9], sat4_real *restrict mu /* [3] */,
+                       sat4_real *restrict J1 /* [6] */, int spins, sat4_real *restrict t /* [3] */)
 {
     sat4_real b1[3];  /* R b */
     sat4_real RJ[9];  /* R J */
@@ -4613,8 +4678,8 @@ static sat4_status sat4_check_body(const sat4_body *body)
 
 /* Origin and axes (at phi = 0) of a flywheel in E1. */
 SAT4_CODE
-static sat4_status sat4_place_flywheel(const sat4_flywheel *w, sat4_real O[restrict 3],
-                                       sat4_real R[restrict 9])
+static sat4_status sat4_place_flywheel(const sat4_flywheel *w, sat4_real *restrict O /* [3] */,
+                                       sat4_real *restrict R /* [9] */)
 {
     sat4_status status;
     if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
@@ -4630,7 +4695,8 @@ static sat4_status sat4_place_flywheel(const sat4_flywheel *w, sat4_real O[restr
 
 /* Origin and axes of a point in E1. */
 SAT4_CODE
-static sat4_status sat4_place_point(const sat4_point *w, sat4_real O[restrict 3], sat4_real R[restrict 9])
+static sat4_status sat4_place_point(const sat4_point *w, sat4_real *restrict O /* [3] */,
+                                    sat4_real *restrict R /* [9] */)
 {
     sat4_status status;
     if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
@@ -4788,7 +4854,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table)
 
 /* L^T V: a twist carried to Os, in mounting axes. */
 SAT4_CODE
-static void sat4_carry_twist(const sat4_mount *mount, const sat4_real V[6], sat4_real U[restrict 6])
+static void sat4_carry_twist(const sat4_mount *mount, const sat4_real V[6], sat4_real *restrict U /* [6] */)
 {
     sat4_real velocity[3];  /* velocity of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
@@ -4806,7 +4872,7 @@ static void sat4_carry_twist(const sat4_mount *mount, const sat4_real V[6], sat4
 SAT4_CODE
 static void sat4_mount_wrench(const sat4_mount *mount, sat4_real s, sat4_real c, sat4_real phi_dot,
                               sat4_real phi_ddot, const sat4_real V[6], const sat4_real V_dot[6],
-                              sat4_real W[restrict 6])
+                              sat4_real *restrict W /* [6] */)
 {
     sat4_real U[6];  /* twist of the mount at Os */
     sat4_real turned[6];  /* in Es */
@@ -5109,18 +5175,60 @@ const sat4_parameters sat4_default_parameters =
     .carrier = {
         .mass = 50.4,
         .center_of_mass = { 0.004, -0.003, 0.012 },
-        .inertia = { 2.4177112000000003, 2.268064, 1.8712600000000001, 0.030604799999999998, -0.0224192, 0.011814400000000001 },
+        .inertia = { 2.4177112000000003, 2.268064, 1.8712600000000001, 0.030604799999999998, -0.0224192,
+            0.011814400000000001 },
     },
     .flywheel = {
-        /*     mass      center_of_mass[3]                                           inertia[6]                                                                             position[3]             axis[3]              zero[3] */
-        { { 2.4, { 0.0,               6.25e-7,                   0.0 }, { 0.019099, 0.010504, 0.010609, -1.3471114790620885e-23,                -2.2e-7, 0.0 } }, {  0.11,  0.11, -0.08 }, {  1.0,  1.0, 1.0 }, { -1.0,  1.0, 0.0 } },  /* rw1 */
-        { { 2.4, { 0.0, 2.1376258957854304e-7,  5.873078879911928e-7 }, { 0.019099, 0.010504, 0.010609,  -2.0673237657289985e-7,   7.524443153164712e-8, 0.0 } }, { -0.11,  0.11, -0.08 }, { -1.0,  1.0, 1.0 }, { -1.0, -1.0, 0.0 } },  /* rw2 */
-        { { 2.4, { 0.0, -5.873078879911928e-7, 2.1376258957854306e-7 }, { 0.019099, 0.010504, 0.010609,   -1.905255888325765e-7, -1.1000000000000002e-7, 0.0 } }, { -0.11, -0.11, -0.08 }, { -1.0, -1.0, 1.0 }, {  1.0, -1.0, 0.0 } },  /* rw3 */
-        { { 2.4, { 0.0,  -2.64136413587937e-7, -5.664423668979063e-7 }, { 0.019099, 0.010504, 0.010609,   1.5556349186104045e-7, -1.5556349186104047e-7, 0.0 } }, {  0.11, -0.11, -0.08 }, {  1.0, -1.0, 1.0 }, {  1.0,  1.0, 0.0 } },  /* rw4 */
+        {  /* rw1 */
+            .body = {
+                .mass = 2.4,
+                .center_of_mass = { 0.0, 6.25e-7, 0.0 },
+                .inertia = { 0.019099, 0.010504, 0.010609, -1.3471114790620885e-23, -2.2e-7, 0.0 },
+            },
+            .position = { 0.11, 0.11, -0.08 },
+            .axis = { 1.0, 1.0, 1.0 },
+            .zero = { -1.0, 1.0, 0.0 },
+        },
+        {  /* rw2 */
+            .body = {
+                .mass = 2.4,
+                .center_of_mass = { 0.0, 2.1376258957854304e-7, 5.873078879911928e-7 },
+                .inertia = { 0.019099, 0.010504, 0.010609, -2.0673237657289985e-7, 7.524443153164712e-8,
+                    0.0 },
+            },
+            .position = { -0.11, 0.11, -0.08 },
+            .axis = { -1.0, 1.0, 1.0 },
+            .zero = { -1.0, -1.0, 0.0 },
+        },
+        {  /* rw3 */
+            .body = {
+                .mass = 2.4,
+                .center_of_mass = { 0.0, -5.873078879911928e-7, 2.1376258957854306e-7 },
+                .inertia = { 0.019099, 0.010504, 0.010609, -1.905255888325765e-7, -1.1000000000000002e-7,
+                    0.0 },
+            },
+            .position = { -0.11, -0.11, -0.08 },
+            .axis = { -1.0, -1.0, 1.0 },
+            .zero = { 1.0, -1.0, 0.0 },
+        },
+        {  /* rw4 */
+            .body = {
+                .mass = 2.4,
+                .center_of_mass = { 0.0, -2.64136413587937e-7, -5.664423668979063e-7 },
+                .inertia = { 0.019099, 0.010504, 0.010609, 1.5556349186104045e-7, -1.5556349186104047e-7,
+                    0.0 },
+            },
+            .position = { 0.11, -0.11, -0.08 },
+            .axis = { 1.0, -1.0, 1.0 },
+            .zero = { 1.0, 1.0, 0.0 },
+        },
     },
     .point = {
-        /*     position[3]                         axis[3]              zero[3] */
-        { { 0.0, 0.04, 0.26 }, { 0.8660254037844386, 0.5, -0.0 }, { -0.5, 0.8660254037844386, 0.0 } },
+        {
+            .position = { 0.0, 0.04, 0.26 },
+            .axis = { 0.8660254037844386, 0.5, -0.0 },
+            .zero = { -0.5, 0.8660254037844386, 0.0 },
+        },
     },
 };
 
@@ -5130,17 +5238,88 @@ const sat4_table sat4_default =
     .mass = 59.99999999999999,
     .mass_inverse = 0.01666666666666667,
     .first_moment = { 0.2016, -0.1512, -0.1632 },
-    .inertia = { 2.6489272, 2.4992799999999997, 2.157196, 0.030604799999999998, -0.0224192, 0.011814400000000003 },
+    .inertia = { 2.6489272, 2.4992799999999997, 2.157196, 0.030604799999999998, -0.0224192,
+        0.011814400000000003 },
     .flywheel = {
-        /*                        mu_c[3]                                                                    mu_s[3]                                                                     J_c[6]                                                                                                                                           J_s[6]                                                                                                                                             J_2c[6]                                                                                                                                         J_2s[6]                                                                                                      t_0[3]                                                                  t_c[3]                                                                    t_s[3]                                                      spin                  spin_inv                   spin_root_inv */
-        { { -1.0606601717798212e-6,  1.0606601717798212e-6,                    0.0 }, { -6.123724356957945e-7,  -6.123724356957945e-7,   1.224744871391589e-6 }, {   3.370542323655877e-7, -1.296362432175337e-7, -2.0741798914805395e-7, 1.0370899457402699e-7, -1.367073110293992e-7,    3.29983164553722e-8 }, {  -5.103103630798287e-7,  -1.510518674716293e-7, -2.694438717061496e-7,   1.347219358530748e-7, -2.7352635461078826e-7,  -9.389710680668849e-8 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5,  3.50000000000003e-5, -1.7500000000000154e-5, -1.7500000000000154e-5 }, { -3.0310889132455615e-5,  3.0310889132455615e-5, 0.0, 0.0,  3.0310889132455615e-5, -3.0310889132455615e-5 }, {  0.011026812791252665,  0.011026812791252665, 0.011026812791252666 }, { 1.7554676489946113e-7,  4.08248290463864e-9, -1.7962924780409975e-7 }, {  -2.404163056034262e-7,   7.071067811865476e-8,  -2.333452377915607e-7 }, 0.019099, 52.35876223886067, 7.235935477798338 },  /* rw1 */
-        { {   2.126747150240683e-7,  -9.382090029679942e-7,  1.1508837179920625e-6 }, { 1.2061382448083765e-6,   7.872508283576474e-7,   4.188874164507291e-7 }, {  -5.948142193588943e-7, -9.760411873355889e-8, -1.8225328758151434e-7, -9.112664379075716e-8, 2.1027404290628543e-7,  -9.952050730296364e-8 }, {   1.421909514374645e-7, -1.7348100250018028e-7, -2.870643854398383e-7, -1.4353219271991916e-7,  2.2201437438913993e-7, -1.1064274564177849e-9 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5, -3.50000000000003e-5,  1.7500000000000154e-5, -1.7500000000000154e-5 }, {  3.0310889132455615e-5, -3.0310889132455615e-5, 0.0, 0.0,  3.0310889132455615e-5,  3.0310889132455615e-5 }, { -0.011026812791252665,  0.011026812791252665, 0.011026812791252666 }, {  2.859579579834206e-7, 6.505001105069839e-8, -1.5783597696882242e-7 }, {  -8.273278027855073e-8,   2.802075532477106e-8, -2.4860505031266775e-7 }, 0.019099, 52.35876223886067, 7.235935477798338 },  /* rw2 */
-        { {  -7.872508283576474e-7,  1.2061382448083765e-6,   4.188874164507292e-7 }, { -9.382090029679943e-7, -2.1267471502406824e-7, -1.1508837179920625e-6 }, { -1.2495441134190554e-7, 2.4642010325387865e-9,  -1.958642261931874e-7,   9.79321130965937e-8, -6.875694774604506e-8,   2.462776699682773e-7 }, {  2.3092983218402502e-7,   5.701766233357886e-7,    7.3565170154154e-8,    -3.6782585077077e-8, -1.1183930531451655e-7, -1.4361118618105235e-7 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5,  3.50000000000003e-5,  1.7500000000000154e-5,  1.7500000000000154e-5 }, { -3.0310889132455615e-5,  3.0310889132455615e-5, 0.0, 0.0, -3.0310889132455615e-5,  3.0310889132455615e-5 }, { -0.011026812791252665, -0.011026812791252665, 0.011026812791252666 }, { -7.004601602689835e-8, 3.827413516036253e-8, -1.6962339557588178e-7 }, { -5.0413443775089934e-8, -2.6462117393923255e-7,   6.370930618722218e-8 }, 0.019099, 52.35876223886067, 7.235935477798338 },  /* rw3 */
-        { {  1.0674354894251936e-7, -1.0032522651328782e-6, -1.1099958140753976e-6 }, { 1.2200843473953578e-6,   7.024847987720081e-7,  -5.175995486233495e-7 }, {   5.986652211363478e-7, 1.4739918513103358e-7,   9.753241242992077e-8,   4.87662062149604e-8, 1.5748088640788743e-7, -1.0218452448139849e-7 }, { -1.8047002061721514e-8,  1.5088409165166358e-7, 2.6053856736380353e-7,  1.3026928368190176e-7,   2.547178944177226e-7,  2.6104696497384394e-8 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5, -3.50000000000003e-5, -1.7500000000000154e-5,  1.7500000000000154e-5 }, {  3.0310889132455615e-5, -3.0310889132455615e-5, 0.0, 0.0, -3.0310889132455615e-5, -3.0310889132455615e-5 }, {  0.011026812791252665, -0.011026812791252665, 0.011026812791252666 }, { 2.8664326386118794e-7, 5.820672946080976e-9,   8.446554685669254e-8 }, {   4.652112051477716e-9,   5.994847397796668e-8,  2.2563301800265715e-7 }, 0.019099, 52.35876223886067, 7.235935477798338 },  /* rw4 */
+        {  /* rw1 */
+            .mu_c = { -1.0606601717798212e-6, 1.0606601717798212e-6, 0.0 },
+            .mu_s = { -6.123724356957945e-7, -6.123724356957945e-7, 1.224744871391589e-6 },
+            .J_c = { 3.370542323655877e-7, -1.296362432175337e-7, -2.0741798914805395e-7,
+                1.0370899457402699e-7, -1.367073110293992e-7, 3.29983164553722e-8 },
+            .J_s = { -5.103103630798287e-7, -1.510518674716293e-7, -2.694438717061496e-7,
+                1.347219358530748e-7, -2.7352635461078826e-7, -9.389710680668849e-8 },
+            .J_2c = { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5,
+                3.50000000000003e-5, -1.7500000000000154e-5, -1.7500000000000154e-5 },
+            .J_2s = { -3.0310889132455615e-5, 3.0310889132455615e-5, 0.0, 0.0, 3.0310889132455615e-5,
+                -3.0310889132455615e-5 },
+            .t_0 = { 0.011026812791252665, 0.011026812791252665, 0.011026812791252666 },
+            .t_c = { 1.7554676489946113e-7, 4.08248290463864e-9, -1.7962924780409975e-7 },
+            .t_s = { -2.404163056034262e-7, 7.071067811865476e-8, -2.333452377915607e-7 },
+            .spin = 0.019099,
+            .spin_inv = 52.35876223886067,
+            .spin_root_inv = 7.235935477798338,
+        },
+        {  /* rw2 */
+            .mu_c = { 2.126747150240683e-7, -9.382090029679942e-7, 1.1508837179920625e-6 },
+            .mu_s = { 1.2061382448083765e-6, 7.872508283576474e-7, 4.188874164507291e-7 },
+            .J_c = { -5.948142193588943e-7, -9.760411873355889e-8, -1.8225328758151434e-7,
+                -9.112664379075716e-8, 2.1027404290628543e-7, -9.952050730296364e-8 },
+            .J_s = { 1.421909514374645e-7, -1.7348100250018028e-7, -2.870643854398383e-7,
+                -1.4353219271991916e-7, 2.2201437438913993e-7, -1.1064274564177849e-9 },
+            .J_2c = { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5,
+                -3.50000000000003e-5, 1.7500000000000154e-5, -1.7500000000000154e-5 },
+            .J_2s = { 3.0310889132455615e-5, -3.0310889132455615e-5, 0.0, 0.0, 3.0310889132455615e-5,
+                3.0310889132455615e-5 },
+            .t_0 = { -0.011026812791252665, 0.011026812791252665, 0.011026812791252666 },
+            .t_c = { 2.859579579834206e-7, 6.505001105069839e-8, -1.5783597696882242e-7 },
+            .t_s = { -8.273278027855073e-8, 2.802075532477106e-8, -2.4860505031266775e-7 },
+            .spin = 0.019099,
+            .spin_inv = 52.35876223886067,
+            .spin_root_inv = 7.235935477798338,
+        },
+        {  /* rw3 */
+            .mu_c = { -7.872508283576474e-7, 1.2061382448083765e-6, 4.188874164507292e-7 },
+            .mu_s = { -9.382090029679943e-7, -2.1267471502406824e-7, -1.1508837179920625e-6 },
+            .J_c = { -1.2495441134190554e-7, 2.4642010325387865e-9, -1.958642261931874e-7,
+                9.79321130965937e-8, -6.875694774604506e-8, 2.462776699682773e-7 },
+            .J_s = { 2.3092983218402502e-7, 5.701766233357886e-7, 7.3565170154154e-8, -3.6782585077077e-8,
+                -1.1183930531451655e-7, -1.4361118618105235e-7 },
+            .J_2c = { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5,
+                3.50000000000003e-5, 1.7500000000000154e-5, 1.7500000000000154e-5 },
+            .J_2s = { -3.0310889132455615e-5, 3.0310889132455615e-5, 0.0, 0.0, -3.0310889132455615e-5,
+                3.0310889132455615e-5 },
+            .t_0 = { -0.011026812791252665, -0.011026812791252665, 0.011026812791252666 },
+            .t_c = { -7.004601602689835e-8, 3.827413516036253e-8, -1.6962339557588178e-7 },
+            .t_s = { -5.0413443775089934e-8, -2.6462117393923255e-7, 6.370930618722218e-8 },
+            .spin = 0.019099,
+            .spin_inv = 52.35876223886067,
+            .spin_root_inv = 7.235935477798338,
+        },
+        {  /* rw4 */
+            .mu_c = { 1.0674354894251936e-7, -1.0032522651328782e-6, -1.1099958140753976e-6 },
+            .mu_s = { 1.2200843473953578e-6, 7.024847987720081e-7, -5.175995486233495e-7 },
+            .J_c = { 5.986652211363478e-7, 1.4739918513103358e-7, 9.753241242992077e-8, 4.87662062149604e-8,
+                1.5748088640788743e-7, -1.0218452448139849e-7 },
+            .J_s = { -1.8047002061721514e-8, 1.5088409165166358e-7, 2.6053856736380353e-7,
+                1.3026928368190176e-7, 2.547178944177226e-7, 2.6104696497384394e-8 },
+            .J_2c = { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5,
+                -3.50000000000003e-5, -1.7500000000000154e-5, 1.7500000000000154e-5 },
+            .J_2s = { 3.0310889132455615e-5, -3.0310889132455615e-5, 0.0, 0.0, -3.0310889132455615e-5,
+                -3.0310889132455615e-5 },
+            .t_0 = { 0.011026812791252665, -0.011026812791252665, 0.011026812791252666 },
+            .t_c = { 2.8664326386118794e-7, 5.820672946080976e-9, 8.446554685669254e-8 },
+            .t_s = { 4.652112051477716e-9, 5.994847397796668e-8, 2.2563301800265715e-7 },
+            .spin = 0.019099,
+            .spin_inv = 52.35876223886067,
+            .spin_root_inv = 7.235935477798338,
+        },
     },
     .sensor = {
-        /*     origin[3]                           axes[9] */
-        { { 0.0, 0.04, 0.26 }, { 0.8660254037844388, -0.5000000000000001, 0.0, 0.5000000000000001, 0.8660254037844388, 0.0, -0.0, 0.0, 1.0000000000000004 } },  /* acc1 */
+        {  /* acc1 */
+            .origin = { 0.0, 0.04, 0.26 },
+            .axes = { 0.8660254037844388, -0.5000000000000001, 0.0, 0.5000000000000001, 0.8660254037844388,
+                0.0, -0.0, 0.0, 1.0000000000000004 },
+        },
     },
 };
 
@@ -5148,17 +5327,20 @@ SAT4_CONST
 const sat4_inverse_options sat4_default_options =
 {
     .weight = { 1.0, 1.0, 1.0, 1.0 },
-    .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
-    .most = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308 },
+    .most = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308 },
     .motor_torque = { 0.2, 0.2, 0.2, 0.2 },
     .motor_speed = { 628.3185307179587, 628.3185307179587, 628.3185307179587, 628.3185307179587 },
     .motor_viscous = { 0.0, 0.0, 0.0, 0.0 },
     .motor_coulomb = { 0.0005, 0.0005, 0.0005, 0.0005 },
     .motor_coulomb_speed = { 0.1, 0.1, 0.1, 0.1 },
-    .near = 1.0e-6,
+    .near_singular = 1.0e-6,
     .damping = 0.0,
     .use_pointing = { 1, 1, 1 },
-    .motor_power = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_power = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
+        1.7976931348623157e308 },
     .target_speed = { 0.0, 0.0, 0.0, 0.0 },
     .target_rate = 0.0,
     .avoid_speed = 0.0,

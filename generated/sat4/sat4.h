@@ -9,8 +9,8 @@
  * Never with -ffast-math, -Ofast, -funsafe-math-optimizations or parts of them: wrong results with status OK.
  * The source refuses what the compiler shows of them; clang does not show all.
  * SAT4_SQRT, defined for the source, takes the square root of a processor in the place of its own:
- * the bits are the same if it rounds correctly. -ffunction-sections and -Wl,--gc-sections leave out what is
- * not called.
+ * the bits are the same if it rounds correctly.
+ * -ffunction-sections and -Wl,--gc-sections leave out what is not called.
  * Stack: what a function states is an upper bound with all that it calls, from its locals along the
  * deepest chain of calls and an allowance for registers: for gcc and clang at -O1 to -O3 and -Os, 32 and 64
  * bits. The routines of the compiler's library (memcpy, arithmetic without an FPU) come on top.
@@ -24,6 +24,44 @@
 #ifndef SAT4_H
 #define SAT4_H
 
+/* The linker sees names that end in the kind of the reals and a hash of this header: a caller with the
+ * header of another stand, element type, choice of functions or version does not link. Define
+ * SAT4_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other languages
+ * need them. */
+#ifndef SAT4_PLAIN_NAMES
+#define sat4_default_parameters      sat4_default_parameters_f64_b38173ad
+#define sat4_default                 sat4_default_f64_b38173ad
+#define sat4_default_options         sat4_default_options_f64_b38173ad
+#define sat4_forward                 sat4_forward_f64_b38173ad
+#define sat4_matrices                sat4_matrices_f64_b38173ad
+#define sat4_momentum                sat4_momentum_f64_b38173ad
+#define sat4_torque                  sat4_torque_f64_b38173ad
+#define sat4_coupled                 sat4_coupled_f64_b38173ad
+#define sat4_step                    sat4_step_f64_b38173ad
+#define sat4_step_driven             sat4_step_driven_f64_b38173ad
+#define sat4_wrap                    sat4_wrap_f64_b38173ad
+#define sat4_phase_of_counts         sat4_phase_of_counts_f64_b38173ad
+#define sat4_speed_of_counts         sat4_speed_of_counts_f64_b38173ad
+#define sat4_accumulate              sat4_accumulate_f64_b38173ad
+#define sat4_forward_jacobian        sat4_forward_jacobian_f64_b38173ad
+#define sat4_coupled_jacobian        sat4_coupled_jacobian_f64_b38173ad
+#define sat4_inverse                 sat4_inverse_f64_b38173ad
+#define sat4_inverse_fast            sat4_inverse_fast_f64_b38173ad
+#define sat4_inverse_pointing        sat4_inverse_pointing_f64_b38173ad
+#define sat4_inverse_fast_pointing   sat4_inverse_fast_pointing_f64_b38173ad
+#define sat4_torque_for_pointing     sat4_torque_for_pointing_f64_b38173ad
+#define sat4_points                  sat4_points_f64_b38173ad
+#define sat4_quaternion              sat4_quaternion_f64_b38173ad
+#define sat4_state_from_coordinates  sat4_state_from_coordinates_f64_b38173ad
+#define sat4_generalized             sat4_generalized_f64_b38173ad
+#define sat4_prepare                 sat4_prepare_f64_b38173ad
+#define sat4_mounts                  sat4_mounts_f64_b38173ad
+#define sat4_prepare_mounts          sat4_prepare_mounts_f64_b38173ad
+#define sat4_step_carried            sat4_step_carried_f64_b38173ad
+#define sat4_step_driven_carried     sat4_step_driven_carried_f64_b38173ad
+#define sat4_center_of_mass_velocity sat4_center_of_mass_velocity_f64_b38173ad
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -31,7 +69,6 @@ extern "C" {
 #define SAT4_STRUCTURE 0xf28a1ef8u  /* hash of the stand's names, counts and kinds of wrench */
 #define SAT4_PHYSICS   0xe77ec5a4u  /* hash of its structure and all numbers */
 #define SAT4_TABLE_HASH 0xc11ef45fu /* FNV-1a of all numbers of the default table but its stream */
-#define SAT4_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define SAT4_REAL_BYTES 8           /* bytes of a sat4_real */
 #define SAT4_VERSION_MAJOR 0        /* of the mahovik that wrote this */
 #define SAT4_VERSION_MINOR 1
@@ -61,7 +98,7 @@ typedef int sat4_status;  /* not the enum, whose size compilers choose */
 
 enum {
     SAT4_OK = 0,                          /* success */
-    SAT4_NEAR_SINGULAR = 1,               /* least singular value less than `near` times the largest */
+    SAT4_NEAR_SINGULAR = 1,               /* least singular value below `near_singular` times the largest */
     SAT4_DAMPED = 2,                      /* damping was applied */
     SAT4_LIMITED = 4,                     /* a limit was reached; `limited` says by which flywheels */
     SAT4_UNREACHABLE = 8,                 /* wanted motion not reached: residual above 1e-9 of the demand */
@@ -120,7 +157,7 @@ typedef struct sat4_point {
     sat4_real zero[3];      /* its component perpendicular to the first axis is the second axis */
 } sat4_point;
 
-/* Input of prepare: masses, inertias and mountings. */
+/* Masses, inertias and mountings, of which the table is made. */
 typedef struct sat4_parameters {
     sat4_body carrier;
     sat4_flywheel flywheel[SAT4_N];
@@ -149,7 +186,7 @@ typedef struct sat4_sensor {
     sat4_real axes[9];    /* own axes to E1, row by row */
 } sat4_sensor;
 
-/* The constants of the equations. Made by prepare, except the laws at the end (gravity, ...). */
+/* The constants of the equations, made of the parameters; the laws at the end (gravity, ...) are as given. */
 typedef struct sat4_table {
     sat4_real mass;                    /* kg; mass of all bodies */
     sat4_real mass_inverse;            /* 1/kg */
@@ -219,29 +256,6 @@ typedef struct sat4_encoder {
     int moved;    /* counts between the last two readings */
 } sat4_encoder;
 
-/* A symmetric 3x3 matrix factored, L D L^T. */
-typedef struct sat4_factors3 {
-    sat4_real r1;   /* 1 / D, of the last D itself */
-    sat4_real r2;
-    sat4_real d3;
-    sat4_real l21;  /* L below its diagonal */
-    sat4_real l31;
-    sat4_real l32;
-} sat4_factors3;
-
-/* K of the carrier factored. */
-typedef struct sat4_carrier_factor {
-    sat4_real rho[3];  /* m; mass centre from O1, in E1 */
-    sat4_factors3 L;   /* what is left of the inertia */
-} sat4_carrier_factor;
-
-/* K with free flywheels eliminated, factored. */
-typedef struct sat4_schur_factor {
-    sat4_real A_inv[6];  /* 1/kg */
-    sat4_real U[9];      /* m; A^-1 B^T */
-    sat4_factors3 L;     /* D - B A^-1 B^T */
-} sat4_schur_factor;
-
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct sat4_inverse_options {
     sat4_real weight[SAT4_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1
@@ -257,7 +271,7 @@ typedef struct sat4_inverse_options {
     sat4_real motor_coulomb[SAT4_N];        /* N m; dry friction, which the motor bears; 0: none */
     sat4_real motor_coulomb_speed[SAT4_N];  /* rad/s; speed at which three quarters of the dry friction
                                              * act; greater than 0 */
-    sat4_real near;                         /* status NEAR_SINGULAR below this fraction of the largest
+    sat4_real near_singular;                /* status NEAR_SINGULAR below this fraction of the largest
                                              * singular value, 0..1 */
     sat4_real damping;                      /* damping of small singular values, as a fraction of the
                                              * largest, 0..1; 0: none */
@@ -328,7 +342,7 @@ typedef struct sat4_forward_jacobian_result {
 } sat4_forward_jacobian_result;
 
 extern const sat4_parameters sat4_default_parameters;             /* of the stand file */
-extern const sat4_table sat4_default;                             /* what prepare makes of them */
+extern const sat4_table sat4_default;                             /* made of them */
 extern const sat4_inverse_options sat4_default_options;           /* of inverse, by the stand file */
 
 /* ---- functions ---- */
@@ -350,7 +364,7 @@ sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1408 operations on reals, no division. Stack: at most 1536 bytes. */
+ * At most 1408 operations on reals, no division. Stack: at most 1552 bytes. */
 sat4_status sat4_matrices(const sat4_table *table, const sat4_state *x, sat4_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -358,7 +372,7 @@ sat4_status sat4_matrices(const sat4_table *table, const sat4_state *x, sat4_mat
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1355 operations on reals, 1 of them a division. Stack: at most 1536 bytes. */
+ * At most 1355 operations on reals, 1 of them a division. Stack: at most 1552 bytes. */
 sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -368,7 +382,7 @@ sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_mom
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   tau[4]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 808 operations on reals, no division. Stack: at most 1248 bytes. */
+ * At most 808 operations on reals, no division. Stack: at most 1296 bytes. */
 sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real tau[SAT4_N]);
 
@@ -483,7 +497,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 8613 operations on reals, 22 of them divisions. Stack: at most 5712 bytes. */
+ * At most 8281 operations on reals, 22 of them divisions. Stack: at most 5664 bytes. */
 sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                                   const int locked[SAT4_N], sat4_coupled_jacobian_result *out);
 
@@ -499,7 +513,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 34234 operations on reals, 1011 of them divisions. Stack: at most 4720 bytes. */
+ * At most 53874 operations on reals, 1991 of them divisions. Stack: at most 4784 bytes. */
 sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
 
@@ -508,7 +522,7 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and `limit` are ignored
+ *   options      weights and damping; `near_singular` and `limit` are ignored
  *   phi_ddot[4]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
@@ -535,7 +549,7 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 11754 operations on reals, 417 of them divisions. Stack: at most 4368 bytes. */
+ * At most 21346 operations on reals, 977 of them divisions. Stack: at most 4432 bytes. */
 sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, const sat4_real demand[3],
                                   const sat4_inverse_options *options, sat4_inverse_pointing_result *out);
 
@@ -590,7 +604,7 @@ sat4_status sat4_torque_for_pointing(const sat4_table *table, const sat4_state *
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[1]    out: one reading for each instrument, then for each point
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 386 operations on reals, 1 of them a division. Stack: at most 1056 bytes. */
+ * At most 386 operations on reals, 1 of them a division. Stack: at most 1104 bytes. */
 sat4_status sat4_points(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                         sat4_points_result out[SAT4_SENSORS]);
 
@@ -703,7 +717,7 @@ sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 951 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
+ * At most 951 operations on reals, 1 of them a division. Stack: at most 1456 bytes. */
 sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_state *x,
                                          sat4_real center_of_mass_velocity[3]);
 
@@ -711,22 +725,4 @@ sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_sta
 }
 #endif
 
-#endif
-
-/* A caller that was compiled with the header of another element type, number of lanes, version or stand does
- * not link: the symbol is in the source of this header alone. It takes no memory. gcc and clang, ELF files.
- * Define SAT4_NO_LINK_CHECK where only types are used, and the source is not linked. */
-#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-#if !defined SAT4_NO_LINK_CHECK && !defined SAT4_LINK_CHECKED
-#define SAT4_LINK_CHECKED
-#if __SIZEOF_POINTER__ == 8
-__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".quad sat4_link_double_lanes1_v0_1_0_e77ec5a4\n"
-        ".popsection\n");
-#elif __SIZEOF_POINTER__ == 4
-__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".long sat4_link_double_lanes1_v0_1_0_e77ec5a4\n"
-        ".popsection\n");
-#endif
-#endif
 #endif

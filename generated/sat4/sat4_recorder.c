@@ -5,8 +5,28 @@
 #if SAT4_STRUCTURE != 0xf28a1ef8u || SAT4_PHYSICS != 0xe77ec5a4u
 #error "sat4.h and sat4_recorder.c are of different stands"
 #endif
-#if SAT4_LANES != 1
-#error "sat4.h and sat4_recorder.c were generated for different numbers of lanes"
+
+#include <float.h>
+#include <limits.h>
+
+/* Other numbers than those of IEEE 754, and fast math, which leaves out roundings that the code relies on,
+ * give wrong results with status OK. What the compiler shows of them is refused here; clang does not show
+ * -funsafe-math-optimizations. */
+#if FLT_RADIX != 2 || DBL_MANT_DIG != 53
+#error "wrong results: sat4 needs a double of 64 bits, 53 of them significant"
+#endif
+#if INT_MAX < 2147483647
+#error "wrong counts: sat4 needs an int of 32 bits"
+#endif
+#ifndef SAT4_ALLOW_FAST_MATH
+#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined _M_FP_FAST
+#error "wrong results: compile sat4 without -ffast-math, -Ofast and -funsafe-math-optimizations"
+#elif FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16
+#error "wrong results: x87 keeps more digits: compile sat4 with -msse2 -mfpmath=sse"
+#endif
+#if defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ == 1
+#error "inputs that are NaN would pass: compile sat4 without -ffinite-math-only"
+#endif
 #endif
 
 #ifndef SAT4_CODE

@@ -32,12 +32,24 @@
 
 #include "sat4.h"
 
+/* The linker sees names that end in the kind of the reals and a hash of this header: a caller with the
+ * header of another stand, element type, choice of functions or version does not link. Define
+ * SAT4_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other languages
+ * need them. */
+#ifndef SAT4_PLAIN_NAMES
+#define sat4_recorder_start               sat4_recorder_start_f64_39d8910f
+#define sat4_recorder_step                sat4_recorder_step_f64_39d8910f
+#define sat4_recorder_step_driven         sat4_recorder_step_driven_f64_39d8910f
+#define sat4_recorder_step_carried        sat4_recorder_step_carried_f64_39d8910f
+#define sat4_recorder_step_driven_carried sat4_recorder_step_driven_carried_f64_39d8910f
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 #define SAT4_RECORDER_FORMAT 3u           /* version of the log format */
-#define SAT4_RECORDER_SOURCE 0x7cc13435u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
+#define SAT4_RECORDER_SOURCE 0xde5bd987u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
 #define SAT4_RECORD_BYTES    397  /* longest record of a step; most have 48 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

@@ -1,6 +1,5 @@
 /* shaker2.c: motion of the stand "shaker2". What each function does and takes: shaker2.h.
  * mahovik 0.1.0; structure 94a85f4a, physics 2591b2a4. Generated: change the stand file instead. */
-#define SHAKER2_LINK_CHECKED  /* callers refer to the symbol that this file defines */
 #include "shaker2.h"
 
 #include <stddef.h>
@@ -9,9 +8,6 @@
 #if SHAKER2_STRUCTURE != 0x94a85f4au || SHAKER2_PHYSICS != 0x2591b2a4u
 #error "shaker2.h and shaker2.c are of different stands"
 #endif
-#if SHAKER2_LANES != 1
-#error "shaker2.h and shaker2.c were generated for different numbers of lanes"
-#endif
 #if SHAKER2_REAL_BYTES != 8
 #error "shaker2.h and shaker2.c were generated for different element types"
 #endif
@@ -19,19 +15,23 @@
 #error "shaker2.h and shaker2.c are of different versions of mahovik"
 #endif
 
-/* What callers with the right header refer to: an address without memory. */
-#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-__asm__(".globl shaker2_link_double_lanes1_v0_1_0_2591b2a4\n"
-        ".type shaker2_link_double_lanes1_v0_1_0_2591b2a4, %object\n"
-        ".size shaker2_link_double_lanes1_v0_1_0_2591b2a4, 1\n"
-        ".set shaker2_link_double_lanes1_v0_1_0_2591b2a4, 0\n");
-#endif
+#include <float.h>
+#include <limits.h>
 
-/* Fast math leaves out the roundings that the code relies on: wrong results with status OK. What the compiler
- * shows of it is refused here; clang does not show -funsafe-math-optimizations. */
+/* Other numbers than those of IEEE 754, and fast math, which leaves out roundings that the code relies on,
+ * give wrong results with status OK. What the compiler shows of them is refused here; clang does not show
+ * -funsafe-math-optimizations. */
+#if FLT_RADIX != 2 || DBL_MANT_DIG != 53
+#error "wrong results: shaker2 needs a double of 64 bits, 53 of them significant"
+#endif
+#if INT_MAX < 2147483647
+#error "wrong counts: shaker2 needs an int of 32 bits"
+#endif
 #ifndef SHAKER2_ALLOW_FAST_MATH
 #if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined _M_FP_FAST
 #error "wrong results: compile shaker2 without -ffast-math, -Ofast and -funsafe-math-optimizations"
+#elif FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16
+#error "wrong results: x87 keeps more digits: compile shaker2 with -msse2 -mfpmath=sse"
 #endif
 #if defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ == 1
 #error "inputs that are NaN would pass: compile shaker2 without -ffinite-math-only"
@@ -71,6 +71,22 @@ typedef struct shaker2_sums {
     shaker2_real a_rel[3];   /* N; d/dt of the force part */
 } shaker2_sums;
 
+/* A symmetric 3x3 matrix factored, L D L^T. */
+typedef struct shaker2_factors3 {
+    shaker2_real r1;   /* 1 / D, of the last D itself */
+    shaker2_real r2;
+    shaker2_real d3;
+    shaker2_real l21;  /* L below its diagonal */
+    shaker2_real l31;
+    shaker2_real l32;
+} shaker2_factors3;
+
+/* K of the carrier factored. */
+typedef struct shaker2_carrier_factor {
+    shaker2_real rho[3];  /* m; mass centre from O1, in E1 */
+    shaker2_factors3 L;   /* what is left of the inertia */
+} shaker2_carrier_factor;
+
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
 typedef struct shaker2_coupling {
     shaker2_real I_[6];  /* kg m, kg m2; column of I (9) */
@@ -83,6 +99,13 @@ typedef struct shaker2_schur {
     shaker2_real B[9];  /* kg m; moment by v*, row by row */
     shaker2_real D[6];  /* kg m2; moment by omega*: 11 22 33 12 13 23 */
 } shaker2_schur;
+
+/* K with free flywheels eliminated, factored. */
+typedef struct shaker2_schur_factor {
+    shaker2_real A_inv[6];  /* 1/kg */
+    shaker2_real U[9];      /* m; A^-1 B^T */
+    shaker2_factors3 L;     /* D - B A^-1 B^T */
+} shaker2_schur_factor;
 
 /* Scratch of inverse. */
 typedef struct shaker2_inverse_work {
@@ -270,7 +293,6 @@ static shaker2_status shaker2_within(const shaker2_real values[], int count, sha
 SHAKER2_CODE
 static shaker2_status shaker2_check_state(const shaker2_state *x)
 {
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
     {
         shaker2_real position2, velocity2, speed2, phase2;
         position2 = 0.0;
@@ -278,13 +300,18 @@ static shaker2_status shaker2_check_state(const shaker2_state *x)
         speed2 = 0.0;
         phase2 = 0.0;
         for (int i = 0; i < 3; ++i) {
-            position2 += x->position[i] * x->position[i];
-            velocity2 += x->V[i] * x->V[i];
-            speed2 += x->V[i + 3] * x->V[i + 3];
+            const shaker2_real position = x->position[i];
+            position2 += position * position;
+            const shaker2_real velocity = x->V[i];
+            velocity2 += velocity * velocity;
+            const shaker2_real speed = x->V[i + 3];
+            speed2 += speed * speed;
         }
         for (int s = 0; s < SHAKER2_N; ++s) {
-            phase2 += x->phi[s] * x->phi[s];
-            speed2 += x->phi_dot[s] * x->phi_dot[s];
+            const shaker2_real phase = x->phi[s];
+            phase2 += phase * phase;
+            const shaker2_real speed = x->phi_dot[s];
+            speed2 += speed * speed;
         }
         const shaker2_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
             + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -293,7 +320,6 @@ static shaker2_status shaker2_check_state(const shaker2_state *x)
             && speed2 < SHAKER2_MAX_SPEED * SHAKER2_MAX_SPEED
             && phase2 < SHAKER2_MAX_PHASE * SHAKER2_MAX_PHASE) { return SHAKER2_OK; }
     }
-#endif
     shaker2_status status = shaker2_within(x->position, 3, SHAKER2_MAX_POSITION);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(x->attitude, 4, 2.0);
@@ -317,7 +343,6 @@ SHAKER2_CODE
 static shaker2_status shaker2_check_motion(const shaker2_state *x, const shaker2_real values[SHAKER2_N],
                                            shaker2_real limit)
 {
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
     {
         shaker2_real position2, velocity2, speed2, phase2, given2;
         position2 = 0.0;
@@ -326,14 +351,20 @@ static shaker2_status shaker2_check_motion(const shaker2_state *x, const shaker2
         phase2 = 0.0;
         given2 = 0.0;
         for (int i = 0; i < 3; ++i) {
-            position2 += x->position[i] * x->position[i];
-            velocity2 += x->V[i] * x->V[i];
-            speed2 += x->V[i + 3] * x->V[i + 3];
+            const shaker2_real position = x->position[i];
+            position2 += position * position;
+            const shaker2_real velocity = x->V[i];
+            velocity2 += velocity * velocity;
+            const shaker2_real speed = x->V[i + 3];
+            speed2 += speed * speed;
         }
         for (int s = 0; s < SHAKER2_N; ++s) {
-            phase2 += x->phi[s] * x->phi[s];
-            given2 += values[s] * values[s];
-            speed2 += x->phi_dot[s] * x->phi_dot[s];
+            const shaker2_real phase = x->phi[s];
+            phase2 += phase * phase;
+            const shaker2_real given = values[s];
+            given2 += given * given;
+            const shaker2_real speed = x->phi_dot[s];
+            speed2 += speed * speed;
         }
         const shaker2_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
             + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -343,7 +374,6 @@ static shaker2_status shaker2_check_motion(const shaker2_state *x, const shaker2
             && phase2 < SHAKER2_MAX_PHASE * SHAKER2_MAX_PHASE
             && given2 < limit * limit) { return SHAKER2_OK; }
     }
-#endif
     shaker2_status status = shaker2_within(x->position, 3, SHAKER2_MAX_POSITION);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(x->attitude, 4, 2.0);
@@ -366,7 +396,7 @@ static shaker2_status shaker2_check_motion(const shaker2_state *x, const shaker2
 
 /* Rotation matrix of a quaternion of any length: no square root is needed. */
 SHAKER2_CODE
-static void shaker2_rotation(const shaker2_real q[4], shaker2_real C[restrict 9])
+static void shaker2_rotation(const shaker2_real q[4], shaker2_real *restrict C /* [9] */)
 {
     const shaker2_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
@@ -383,7 +413,7 @@ static void shaker2_rotation(const shaker2_real q[4], shaker2_real C[restrict 9]
 /* C^T a: components from the outer axes to the rotated axes. */
 SHAKER2_CODE
 static void shaker2_rotate_back(const shaker2_real C[9], const shaker2_real a[3],
-                                shaker2_real out[restrict 3])
+                                shaker2_real *restrict out /* [3] */)
 {
     out[0] = C[0] * a[0] + C[3] * a[1] + C[6] * a[2];
     out[1] = C[1] * a[0] + C[4] * a[1] + C[7] * a[2];
@@ -394,8 +424,9 @@ static void shaker2_rotate_back(const shaker2_real C[9], const shaker2_real a[3]
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 SHAKER2_CODE
-static void shaker2_sincos_each(const shaker2_real x[SHAKER2_N], shaker2_real sine[restrict SHAKER2_N],
-                                shaker2_real cosine[restrict SHAKER2_N])
+static void shaker2_sincos_each(const shaker2_real x[SHAKER2_N],
+                                shaker2_real *restrict sine /* [SHAKER2_N] */,
+                                shaker2_real *restrict cosine /* [SHAKER2_N] */)
 {
     for (int s = 0; s < SHAKER2_N; ++s) {
         /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the
@@ -572,7 +603,7 @@ static SHAKER2_COPIED void shaker2_sum_spin(const shaker2_table *table, const sh
 
 /* Rotation vector of a quaternion of about unit length; its length is at most pi. */
 SHAKER2_CODE
-static void shaker2_rotation_vector(const shaker2_real q[4], shaker2_real r[restrict 3])
+static void shaker2_rotation_vector(const shaker2_real q[4], shaker2_real *restrict r /* [3] */)
 {
     /* q and -q are the same rotation: take the one of the smaller angle */
     const shaker2_real side = (q[0] < 0.0) ? -1.0 : 1.0;
@@ -595,7 +626,7 @@ static void shaker2_rotation_vector(const shaker2_real q[4], shaker2_real r[rest
  * (7). */
 SHAKER2_CODE
 static void shaker2_suspend(const shaker2_suspension *law, const shaker2_state *x, const shaker2_real C[9],
-                            shaker2_real F[restrict 6])
+                            shaker2_real *restrict F /* [6] */)
 {
     shaker2_real shift[3];
     shaker2_real shift1[3];  /* C^T (O1 - position) */
@@ -626,7 +657,8 @@ static void shaker2_suspend(const shaker2_suspension *law, const shaker2_state *
 /* Total external wrench of weight, suspension, from checked inputs, (7). */
 SHAKER2_CODE
 static void shaker2_external(const shaker2_table *table, const shaker2_state *x, const shaker2_sums *sum,
-                             const shaker2_real C[9], const shaker2_real g[3], shaker2_real F[restrict 6])
+                             const shaker2_real C[9], const shaker2_real g[3],
+                             shaker2_real *restrict F /* [6] */)
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -641,7 +673,7 @@ static void shaker2_external(const shaker2_table *table, const shaker2_state *x,
 /* Momentum screw Z = K V + sum I phi' of the sums, (2). */
 SHAKER2_CODE
 static void shaker2_momentum_screw(const shaker2_table *table, const shaker2_sums *sum,
-                                   const shaker2_real V[6], shaker2_real Z[restrict 6])
+                                   const shaker2_real V[6], shaker2_real *restrict Z /* [6] */)
 {
     Z[0] = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
     Z[1] = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
@@ -657,7 +689,7 @@ static void shaker2_momentum_screw(const shaker2_table *table, const shaker2_sum
 /* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (2), (4), (5). */
 SHAKER2_CODE
 static void shaker2_subtract_rates(const shaker2_table *table, const shaker2_sums *sum,
-                                   const shaker2_real V[6], shaker2_real F[restrict 6])
+                                   const shaker2_real V[6], shaker2_real *restrict F /* [6] */)
 {
     /* momentum screw Z = K V + sum I phi' */
     const shaker2_real Z1 = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
@@ -707,7 +739,7 @@ static inline shaker2_status shaker2_factor3(const shaker2_real S[6], shaker2_fa
 /* Solves S y = b by S = L D L^T. */
 SHAKER2_CODE
 static inline void shaker2_solve3(const shaker2_factors3 *L, const shaker2_real b[3],
-                                  shaker2_real y[restrict 3])
+                                  shaker2_real *restrict y /* [3] */)
 {
     /* L z = b, then L^T y = D^-1 z */
     const shaker2_real z2 = b[1] - L->l21 * b[0];
@@ -741,7 +773,7 @@ static shaker2_status shaker2_factor_carrier(const shaker2_table *table, const s
 /* Solves K y = F by the factors of K, (8). */
 SHAKER2_CODE
 static void shaker2_solve_carrier(const shaker2_table *table, const shaker2_carrier_factor *K,
-                                  const shaker2_real F[6], shaker2_real y[restrict 6])
+                                  const shaker2_real F[6], shaker2_real *restrict y /* [6] */)
 {
     shaker2_real moment[3];  /* about the mass centre */
     shaker2_real omega_dot[3];
@@ -1055,7 +1087,7 @@ static SHAKER2_COPIED void shaker2_couple(const shaker2_row *row, shaker2_real s
 /* Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 SHAKER2_CODE
 static void shaker2_eliminate(const shaker2_real column[6], shaker2_real spin_inv, shaker2_real rate,
-                              shaker2_schur *restrict K, shaker2_real F[restrict 6])
+                              shaker2_schur *restrict K, shaker2_real *restrict F /* [6] */)
 {
     shaker2_real scaled[6];  /* I / Theta_ff */
     scaled[0] = column[0] * spin_inv;  scaled[1] = column[1] * spin_inv;  scaled[2] = column[2] * spin_inv;
@@ -1076,7 +1108,7 @@ SHAKER2_CODE
 static void shaker2_balance(const shaker2_table *table, const shaker2_state *x,
                             const shaker2_real sine[SHAKER2_N], const shaker2_real cosine[SHAKER2_N],
                             const shaker2_real V_dot[6], const shaker2_real phi_ddot[SHAKER2_N],
-                            shaker2_real tau[restrict SHAKER2_N])
+                            shaker2_real *restrict tau /* [SHAKER2_N] */)
 {
     shaker2_real C[9];  /* attitude */
     shaker2_rotation(x->attitude, C);
@@ -1179,7 +1211,7 @@ static shaker2_status shaker2_factor_schur(const shaker2_schur *K, shaker2_schur
 /* Solves [A B^T; B D] y = F by the factors. */
 SHAKER2_CODE
 static void shaker2_solve_schur(const shaker2_schur_factor *factor, const shaker2_real F[6],
-                                shaker2_real y[restrict 6])
+                                shaker2_real *restrict y /* [6] */)
 {
     shaker2_real moment[3];  /* n - B A^-1 f */
     shaker2_real omega_dot[3];
@@ -1202,8 +1234,8 @@ static shaker2_status shaker2_solve_coupled(const shaker2_table *table, const sh
                                             const shaker2_real sine[SHAKER2_N],
                                             const shaker2_real cosine[SHAKER2_N],
                                             const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
-                                            shaker2_real V_dot[restrict 6],
-                                            shaker2_real phi_ddot[restrict SHAKER2_N])
+                                            shaker2_real *restrict V_dot /* [6] */,
+                                            shaker2_real *restrict phi_ddot /* [SHAKER2_N] */)
 {
     shaker2_status status;
     shaker2_real C[9];  /* attitude */
@@ -1712,7 +1744,7 @@ shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bit
 /* Derivative of F - Phi Z - K* V by the twist, (8). */
 SHAKER2_CODE
 static void shaker2_twist_slope(const shaker2_table *table, const shaker2_real Z[6],
-                                const shaker2_matrices_result *m, shaker2_real slope[restrict 36])
+                                const shaker2_matrices_result *m, shaker2_real *restrict slope /* [36] */)
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1742,7 +1774,7 @@ static void shaker2_twist_slope(const shaker2_table *table, const shaker2_real Z
 SHAKER2_CODE
 static void shaker2_row_slope(const shaker2_row *row, const shaker2_real weight[12], const shaker2_real V[6],
                               const shaker2_real V_dot[6], const shaker2_real g[3],
-                              shaker2_real out[restrict 6])
+                              shaker2_real *restrict out /* [6] */)
 {
     shaker2_sums change;  /* change of the sums */
     shaker2_real Z[6];  /* change of the momentum screw */
@@ -2112,9 +2144,6 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             shaker2_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
-            for (int t = 0; t < SHAKER2_N; ++t) {
-                drive_rhs[t] = 0.0;
-            }
             shaker2_real mu_pp[3];  /* d2 mu / dphi2 */
             shaker2_real J_pp[6];  /* d2 J / dphi2 */
             shaker2_real I_p[6];  /* dI / dphi */
@@ -2139,19 +2168,17 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
             I_p[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
             I_p[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
             I_p[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
-            drive_rhs[s] = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
+            const shaker2_real side = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
                 + V_result[3] * I_p[3] + V_result[4] * I_p[4] + V_result[5] * I_p[5]
                 + (mu_pp[0] * origin_acceleration[0] + mu_pp[1] * origin_acceleration[1]
                 + mu_pp[2] * origin_acceleration[2]
                 - 0.5 * (J_pp[0] * x->V[3] + J_pp[3] * x->V[4] + J_pp[4] * x->V[5]) * x->V[3]
                 - 0.5 * (J_pp[1] * x->V[4] + J_pp[3] * x->V[3] + J_pp[5] * x->V[5]) * x->V[4]
                 - 0.5 * (J_pp[2] * x->V[5] + J_pp[4] * x->V[3] + J_pp[5] * x->V[4]) * x->V[5]));
-            for (int t = 0; t < SHAKER2_N; ++t) {
-                if (locked[t] == 0) {
-                    const shaker2_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                    for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I_[i] * share;
-                    }
+            if (locked[s] == 0) {
+                const shaker2_real share = side * table->flywheel[s].spin_inv;
+                for (int i = 0; i < 6; ++i) {
+                    rhs[i] -= drive[s].I_[i] * share;
                 }
             }
             shaker2_solve_schur(&factor, rhs, y);
@@ -2161,7 +2188,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
             for (int t = 0; t < SHAKER2_N; ++t) {
                 out->phi_ddot_phi[t][s] = 0.0;
                 if (locked[t] == 0) {
-                    out->phi_ddot_phi[t][s] = (drive_rhs[t]
+                    out->phi_ddot_phi[t][s] = (((t == s) ? side : 0.0)
                         - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                         + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
@@ -2174,17 +2201,6 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             shaker2_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
-            for (int t = 0; t < SHAKER2_N; ++t) {
-                drive_rhs[t] = 0.0;
-            }
-            for (int t = 0; t < SHAKER2_N; ++t) {
-                if (locked[t] == 0) {
-                    const shaker2_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                    for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I_[i] * share;
-                    }
-                }
-            }
             shaker2_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
@@ -2192,7 +2208,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
             for (int t = 0; t < SHAKER2_N; ++t) {
                 out->phi_ddot_phi_dot[t][s] = 0.0;
                 if (locked[t] == 0) {
-                    out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
+                    out->phi_ddot_phi_dot[t][s] = (0.0
                         - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                         + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
@@ -2201,12 +2217,9 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
         }
         rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
         rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
-        for (int t = 0; t < SHAKER2_N; ++t) {
-            drive_rhs[t] = 0.0;
-        }
-        drive_rhs[s] = 1.0;
+        const shaker2_real side = 1.0;
         if (locked[s] == 0) {
-            const shaker2_real share = drive_rhs[s] * table->flywheel[s].spin_inv;
+            const shaker2_real share = side * table->flywheel[s].spin_inv;
             for (int i = 0; i < 6; ++i) {
                 rhs[i] -= drive[s].I_[i] * share;
             }
@@ -2218,7 +2231,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
         for (int t = 0; t < SHAKER2_N; ++t) {
             out->phi_ddot_tau[t][s] = 0.0;
             if (locked[t] == 0) {
-                out->phi_ddot_tau[t][s] = (drive_rhs[t]
+                out->phi_ddot_tau[t][s] = (((t == s) ? side : 0.0)
                     - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
                     + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
@@ -2392,8 +2405,8 @@ static shaker2_status shaker2_demand(const shaker2_table *table, const shaker2_s
 
 /* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 SHAKER2_CODE
-static void shaker2_solve_gram(shaker2_real gram[restrict 6][6], shaker2_real z[restrict 6],
-                               shaker2_real least)
+static void shaker2_solve_gram(shaker2_real (*restrict gram)[6] /* [6][6] */,
+                               shaker2_real *restrict z /* [6] */, shaker2_real least)
 {
     for (int j = 0; j < 6; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -2425,8 +2438,8 @@ static void shaker2_solve_gram(shaker2_real gram[restrict 6][6], shaker2_real z[
  * share, (12). */
 SHAKER2_CODE
 static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inverse_options *options,
-                             int rank, shaker2_real phi_ddot[restrict SHAKER2_N],
-                             int limited[restrict SHAKER2_N])
+                             int rank, shaker2_real *restrict phi_ddot /* [SHAKER2_N] */,
+                             int *restrict limited /* [SHAKER2_N] */)
 {
     shaker2_real share[SHAKER2_N];  /* 1/weight */
     shaker2_real give[SHAKER2_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
@@ -2434,128 +2447,150 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
     shaker2_real row[6];  /* factor of each row; 0: the row is left out */
     shaker2_real gram[6][6];
     shaker2_real z[6];
+    int going, weighted;
+    int settled;  /* 1 after a whole step that gains nothing and frees nobody */
+    shaker2_real square_before;  /* square of the residual after the last whole step */
+    going = 1;
+    weighted = 1;
+    square_before = 1.7976931348623157e308;
     /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < SHAKER2_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
         share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 6; ++pass) {
-        shaker2_real most = 0.0;
-        for (int s = 0; s < SHAKER2_N; ++s) {
-            if (pass >= 5) {
-                share[s] = 1.0;
-            }
-            give[s] = (limited[s] > 0) ? 0.0 : share[s];
-            most = (give[s] > most) ? give[s] : most;
-        }
-        const shaker2_real regular = 1.0e-12 * most;
-        /* lower bound that keeps the diagonal positive */
-        const shaker2_real least = (most > 0.0) ? regular : 1.0;
-        for (int i = 0; i < 6; ++i) {
-            row[i] = 0.0;
-            if (i < rank) {
-                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
-            }
-        }
-        for (int i = 0; i < 6; ++i) {
-            shaker2_real left = work->r[i];
+    for (int pass = 0; pass < 16; ++pass) {
+        if (going > 0) {
+            shaker2_real most = 0.0;
             for (int s = 0; s < SHAKER2_N; ++s) {
-                left -= work->W[i][s] * phi_ddot[s];
+                give[s] = (limited[s] > 0) ? 0.0 : share[s];
+                most = (give[s] > most) ? give[s] : most;
             }
-            z[i] = row[i] * left;
-        }
-        shaker2_real weighed[SHAKER2_N];  /* a row of W Omega^-1 */
-        for (int i = 0; i < 6; ++i) {
-            for (int s = 0; s < SHAKER2_N; ++s) {
-                weighed[s] = work->W[i][s] * give[s];
-            }
-            for (int j = 0; j < i + 1; ++j) {
-                shaker2_real total = 0.0;
-                for (int s = 0; s < SHAKER2_N; ++s) {
-                    total += weighed[s] * work->W[j][s];
-                }
-                gram[i][j] = row[i] * row[j] * total;
-            }
-            gram[i][i] += least;
-        }
-        shaker2_solve_gram(gram, z, least);
-        for (int i = 0; i < 6; ++i) {
-            z[i] = row[i] * z[i];
-        }
-        for (int s = 0; s < SHAKER2_N; ++s) {
-            shaker2_real total = 0.0;
+            const shaker2_real regular = 1.0e-12 * most;
+            /* lower bound that keeps the diagonal positive */
+            const shaker2_real least = (most > 0.0) ? regular : 1.0;
             for (int i = 0; i < 6; ++i) {
-                total += work->W[i][s] * z[i];
-            }
-            step[s] = give[s] * total;
-        }
-        if (pass < 1) {
-            for (int s = 0; s < SHAKER2_N; ++s) {
-                phi_ddot[s] = step[s];
-                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
-                    const shaker2_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
+                row[i] = 0.0;
+                if (i < rank) {
+                    row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
                 }
             }
-        } else {
-            /* go as far as all limits allow; hold the flywheel that reaches its limit */
-            shaker2_real length = 1.0;
-            int stopped = -1;
-            for (int s = 0; s < SHAKER2_N; ++s) {
-                const shaker2_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
-                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
-                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
-                    const shaker2_real room = options->limit[s] / work->scale[s]
-                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
-                    const shaker2_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
-                    if (part < length) {
-                        length = (part > 0.0) ? part : 0.0;
-                        stopped = s;
-                    }
-                }
-            }
-            for (int s = 0; s < SHAKER2_N; ++s) {
-                phi_ddot[s] += length * step[s];
-                if (stopped == s) {
-                    const shaker2_real bound = options->limit[s] / work->scale[s];
-                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
-                    limited[s] = 1;
-                }
-            }
-            /* after a full step, release the held flywheel that would lower the residual most */
-            if (stopped < 0) {
-                shaker2_real left[6];
-                shaker2_real wanted = 0.0;
-                for (int i = 0; i < 6; ++i) {
-                    wanted += work->r[i] * work->r[i];
-                    left[i] = (i < rank) ? work->r[i] : 0.0;
-                    if (i < rank) {
-                        for (int s = 0; s < SHAKER2_N; ++s) {
-                            left[i] -= work->W[i][s] * phi_ddot[s];
-                        }
-                    }
-                }
-                shaker2_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
-                int freed = -1;
+            for (int i = 0; i < 6; ++i) {
+                shaker2_real left = work->r[i];
                 for (int s = 0; s < SHAKER2_N; ++s) {
-                    if (limited[s] > 0) {
-                        shaker2_real slope = 0.0;
-                        shaker2_real size = 0.0;
-                        for (int i = 0; i < 6; ++i) {
-                            slope += work->W[i][s] * left[i];
-                            size += work->W[i][s] * work->W[i][s];
-                        }
-                        const shaker2_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
-                        if (inward > 0.0 && inward * inward > best * size) {
-                            best = inward * inward / size;
-                            freed = s;
+                    left -= work->W[i][s] * phi_ddot[s];
+                }
+                z[i] = row[i] * left;
+            }
+            shaker2_real weighed[SHAKER2_N];  /* a row of W Omega^-1 */
+            for (int i = 0; i < 6; ++i) {
+                for (int s = 0; s < SHAKER2_N; ++s) {
+                    weighed[s] = work->W[i][s] * give[s];
+                }
+                for (int j = 0; j < i + 1; ++j) {
+                    shaker2_real total = 0.0;
+                    for (int s = 0; s < SHAKER2_N; ++s) {
+                        total += weighed[s] * work->W[j][s];
+                    }
+                    gram[i][j] = row[i] * row[j] * total;
+                }
+                gram[i][i] += least;
+            }
+            shaker2_solve_gram(gram, z, least);
+            for (int i = 0; i < 6; ++i) {
+                z[i] = row[i] * z[i];
+            }
+            for (int s = 0; s < SHAKER2_N; ++s) {
+                shaker2_real total = 0.0;
+                for (int i = 0; i < 6; ++i) {
+                    total += work->W[i][s] * z[i];
+                }
+                step[s] = give[s] * total;
+            }
+            settled = 0;
+            if (pass < 1) {
+                for (int s = 0; s < SHAKER2_N; ++s) {
+                    phi_ddot[s] = step[s];
+                    if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                        const shaker2_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+            } else {
+                /* go as far as all limits allow; hold the flywheel that reaches its limit */
+                shaker2_real length = 1.0;
+                int stopped = -1;
+                for (int s = 0; s < SHAKER2_N; ++s) {
+                    const shaker2_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                    if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                        && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
+                        const shaker2_real room = options->limit[s] / work->scale[s]
+                            - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                        const shaker2_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                        if (part < length) {
+                            length = (part > 0.0) ? part : 0.0;
+                            stopped = s;
                         }
                     }
                 }
-                if (freed >= 0) {
-                    limited[freed] = 0;
+                for (int s = 0; s < SHAKER2_N; ++s) {
+                    phi_ddot[s] += length * step[s];
+                    if (stopped == s) {
+                        const shaker2_real bound = options->limit[s] / work->scale[s];
+                        phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                        limited[s] = 1;
+                    }
+                }
+                /* after a full step, release the held flywheel that would lower the residual most */
+                if (stopped < 0) {
+                    shaker2_real left[6];
+                    shaker2_real wanted;
+                    shaker2_real square;  /* of the residual */
+                    wanted = 0.0;
+                    square = 0.0;
+                    for (int i = 0; i < 6; ++i) {
+                        wanted += work->r[i] * work->r[i];
+                        left[i] = (i < rank) ? work->r[i] : 0.0;
+                        if (i < rank) {
+                            for (int s = 0; s < SHAKER2_N; ++s) {
+                                left[i] -= work->W[i][s] * phi_ddot[s];
+                            }
+                        }
+                        square += left[i] * left[i];
+                    }
+                    shaker2_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
+                    int freed = -1;
+                    for (int s = 0; s < SHAKER2_N; ++s) {
+                        if (limited[s] > 0) {
+                            shaker2_real slope = 0.0;
+                            shaker2_real size = 0.0;
+                            for (int i = 0; i < 6; ++i) {
+                                slope += work->W[i][s] * left[i];
+                                size += work->W[i][s] * work->W[i][s];
+                            }
+                            const shaker2_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                            if (inward > 0.0 && inward * inward > best * size) {
+                                best = inward * inward / size;
+                                freed = s;
+                            }
+                        }
+                    }
+                    if (freed >= 0) {
+                        limited[freed] = 0;
+                    } else {
+                        if (!(square > best && square < square_before * 0.999999999)) {
+                            settled = 1;
+                        }
+                    }
+                    square_before = square;
+                }
+            }
+            if (pass >= 4 && (settled > 0 || pass == 8)) {
+                going = weighted;
+                weighted = 0;
+                for (int s = 0; s < SHAKER2_N; ++s) {
+                    share[s] = 1.0;
                 }
             }
         }
@@ -2640,7 +2675,8 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
     status = shaker2_within(options->weight, SHAKER2_N, SHAKER2_MAX_WEIGHT);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real shares[2];
-    shares[0] = options->near;     shares[1] = options->damping;
+    shares[0] = options->near_singular;
+    shares[1] = options->damping;
     status = shaker2_within(shares, 2, SHAKER2_LARGEST);
     if (status != SHAKER2_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
@@ -2709,12 +2745,12 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
         if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
             rank = rank + 1;
             const shaker2_real ratio = work.sigma[i] / work.sigma[0];
-            if (ratio < options->near) {
+            if (ratio < options->near_singular) {
                 flags = flags | SHAKER2_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
                     flags = flags | SHAKER2_DAMPED;
                     const shaker2_real lambda = options->damping * work.sigma[0]
-                        * (1.0 - ratio / options->near);
+                        * (1.0 - ratio / options->near_singular);
                     const shaker2_real square = work.sigma[i] * work.sigma[i];
                     work.r[i] = work.r[i] * (square / (square + lambda * lambda));
                     damping = (lambda > damping) ? lambda : damping;
@@ -3120,7 +3156,7 @@ shaker2_status shaker2_generalized(const shaker2_table *table, const shaker2_sta
 /* Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 SHAKER2_CODE
 static shaker2_status shaker2_frame_of_axes(const shaker2_real axis[3], const shaker2_real zero[3],
-                                            shaker2_real R[restrict 9])
+                                            shaker2_real *restrict R /* [9] */)
 {
     shaker2_status status;
     if (!(axis[0] * axis[0] + axis[1] * axis[1]
@@ -3163,8 +3199,9 @@ static shaker2_status shaker2_frame_of_axes(const shaker2_real axis[3], const sh
 /* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 SHAKER2_CODE
 static void shaker2_carry(shaker2_real m, const shaker2_real b[3], const shaker2_real J[6],
-                          const shaker2_real O[3], const shaker2_real R[9], shaker2_real mu[restrict 3],
-                          shaker2_real J1[restrict 6], int spins, shaker2_real t[restrict 3])
+                          const shaker2_real O[3], const shaker2_real R[9],
+                          shaker2_real *restrict mu /* [3] */, shaker2_real *restrict J1 /* [6] */,
+                          int spins, shaker2_real *restrict t /* [3] */)
 {
     shaker2_real b1[3];  /* R b */
     shaker2_real RJ[9];  /* R J */
@@ -3260,8 +3297,8 @@ static shaker2_status shaker2_check_body(const shaker2_body *body)
 
 /* Origin and axes (at phi = 0) of a flywheel in E1. */
 SHAKER2_CODE
-static shaker2_status shaker2_place_flywheel(const shaker2_flywheel *w, shaker2_real O[restrict 3],
-                                             shaker2_real R[restrict 9])
+static shaker2_status shaker2_place_flywheel(const shaker2_flywheel *w, shaker2_real *restrict O /* [3] */,
+                                             shaker2_real *restrict R /* [9] */)
 {
     shaker2_status status;
     if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
@@ -3407,7 +3444,7 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
 /* L^T V: a twist carried to Os, in mounting axes. */
 SHAKER2_CODE
 static void shaker2_carry_twist(const shaker2_mount *mount, const shaker2_real V[6],
-                                shaker2_real U[restrict 6])
+                                shaker2_real *restrict U /* [6] */)
 {
     shaker2_real velocity[3];  /* velocity of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
@@ -3426,7 +3463,7 @@ SHAKER2_CODE
 static void shaker2_mount_wrench(const shaker2_mount *mount, shaker2_real s, shaker2_real c,
                                  shaker2_real phi_dot, shaker2_real phi_ddot, const shaker2_real V[6],
                                  const shaker2_real V_dot[6], const shaker2_real g[3],
-                                 shaker2_real W[restrict 6])
+                                 shaker2_real *restrict W /* [6] */)
 {
     shaker2_real U[6];  /* twist of the mount at Os */
     shaker2_real turned[6];  /* in Es */
@@ -3751,9 +3788,26 @@ const shaker2_parameters shaker2_default_parameters =
         .inertia = { 0.05, 0.06, 0.07, 0.0, 0.0, 0.0 },
     },
     .flywheel = {
-        /*     mass      center_of_mass[3]           inertia[6]                                               position[3]          axis[3]             zero[3] */
-        { { 0.5, { 0.0, 0.004, 0.0 }, { 0.000908, 0.0006, 0.0006079999999999999, 0.0, 0.0, 0.0 } }, { 0.0,  0.08, 0.0 }, { 1.0, 0.0, -0.0 }, { 0.0, 1.0, 0.0 } },  /* left */
-        { { 0.5, { 0.0, 0.004, 0.0 }, { 0.000908, 0.0006, 0.0006079999999999999, 0.0, 0.0, 0.0 } }, { 0.0, -0.08, 0.0 }, { 1.0, 0.0, -0.0 }, { 0.0, 1.0, 0.0 } },  /* right */
+        {  /* left */
+            .body = {
+                .mass = 0.5,
+                .center_of_mass = { 0.0, 0.004, 0.0 },
+                .inertia = { 0.000908, 0.0006, 0.0006079999999999999, 0.0, 0.0, 0.0 },
+            },
+            .position = { 0.0, 0.08, 0.0 },
+            .axis = { 1.0, 0.0, -0.0 },
+            .zero = { 0.0, 1.0, 0.0 },
+        },
+        {  /* right */
+            .body = {
+                .mass = 0.5,
+                .center_of_mass = { 0.0, 0.004, 0.0 },
+                .inertia = { 0.000908, 0.0006, 0.0006079999999999999, 0.0, 0.0, 0.0 },
+            },
+            .position = { 0.0, -0.08, 0.0 },
+            .axis = { 1.0, 0.0, -0.0 },
+            .zero = { 0.0, 1.0, 0.0 },
+        },
     },
 };
 
@@ -3765,9 +3819,34 @@ const shaker2_table shaker2_default =
     .first_moment = { 0.0, 0.0, 0.0 },
     .inertia = { 0.058216000000000004, 0.061208, 0.07760800000000001, 0.0, 0.0, 0.0 },
     .flywheel = {
-        /*     mu_c[3]              mu_s[3]                   J_c[6]                                 J_s[6]                                 J_2c[6]                                                              J_2s[6]                                                  t_0[3]                  t_c[3]             t_s[3]                spin                   spin_inv                  spin_root_inv */
-        { { 0.0, 0.002, 0.0 }, { 0.0, 0.0, 0.002 }, {  0.00032, 0.0,  0.00032, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, -0.00016 }, { 0.0, -3.999999999999989e-6, 3.999999999999989e-6, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, -3.999999999999989e-6 }, { 0.000908, 0.0, 0.0 }, {  0.00016, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.000908, 1101.3215859030838, 33.1861655799986 },  /* left */
-        { { 0.0, 0.002, 0.0 }, { 0.0, 0.0, 0.002 }, { -0.00032, 0.0, -0.00032, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0,  0.00016 }, { 0.0, -3.999999999999989e-6, 3.999999999999989e-6, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, -3.999999999999989e-6 }, { 0.000908, 0.0, 0.0 }, { -0.00016, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.000908, 1101.3215859030838, 33.1861655799986 },  /* right */
+        {  /* left */
+            .mu_c = { 0.0, 0.002, 0.0 },
+            .mu_s = { 0.0, 0.0, 0.002 },
+            .J_c = { 0.00032, 0.0, 0.00032, 0.0, 0.0, 0.0 },
+            .J_s = { 0.0, 0.0, 0.0, 0.0, 0.0, -0.00016 },
+            .J_2c = { 0.0, -3.999999999999989e-6, 3.999999999999989e-6, 0.0, 0.0, 0.0 },
+            .J_2s = { 0.0, 0.0, 0.0, 0.0, 0.0, -3.999999999999989e-6 },
+            .t_0 = { 0.000908, 0.0, 0.0 },
+            .t_c = { 0.00016, 0.0, 0.0 },
+            .t_s = { 0.0, 0.0, 0.0 },
+            .spin = 0.000908,
+            .spin_inv = 1101.3215859030838,
+            .spin_root_inv = 33.1861655799986,
+        },
+        {  /* right */
+            .mu_c = { 0.0, 0.002, 0.0 },
+            .mu_s = { 0.0, 0.0, 0.002 },
+            .J_c = { -0.00032, 0.0, -0.00032, 0.0, 0.0, 0.0 },
+            .J_s = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.00016 },
+            .J_2c = { 0.0, -3.999999999999989e-6, 3.999999999999989e-6, 0.0, 0.0, 0.0 },
+            .J_2s = { 0.0, 0.0, 0.0, 0.0, 0.0, -3.999999999999989e-6 },
+            .t_0 = { 0.000908, 0.0, 0.0 },
+            .t_c = { -0.00016, 0.0, 0.0 },
+            .t_s = { 0.0, 0.0, 0.0 },
+            .spin = 0.000908,
+            .spin_inv = 1101.3215859030838,
+            .spin_root_inv = 33.1861655799986,
+        },
     },
     .gravity = { 0.0, 0.0, -9.81 },
     .suspension = {
@@ -3803,6 +3882,6 @@ const shaker2_inverse_options shaker2_default_options =
     .motor_viscous = { 0.0, 0.0 },
     .motor_coulomb = { 0.0, 0.0 },
     .motor_coulomb_speed = { 1.0, 1.0 },
-    .near = 1.0e-6,
+    .near_singular = 1.0e-6,
     .damping = 0.0,
 };

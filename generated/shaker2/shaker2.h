@@ -9,8 +9,8 @@
  * Never with -ffast-math, -Ofast, -funsafe-math-optimizations or parts of them: wrong results with status OK.
  * The source refuses what the compiler shows of them; clang does not show all.
  * SHAKER2_SQRT, defined for the source, takes the square root of a processor in the place of its own:
- * the bits are the same if it rounds correctly. -ffunction-sections and -Wl,--gc-sections leave out what is
- * not called.
+ * the bits are the same if it rounds correctly.
+ * -ffunction-sections and -Wl,--gc-sections leave out what is not called.
  * Stack: what a function states is an upper bound with all that it calls, from its locals along the
  * deepest chain of calls and an allowance for registers: for gcc and clang at -O1 to -O3 and -Os, 32 and 64
  * bits. The routines of the compiler's library (memcpy, arithmetic without an FPU) come on top.
@@ -24,6 +24,41 @@
 #ifndef SHAKER2_H
 #define SHAKER2_H
 
+/* The linker sees names that end in the kind of the reals and a hash of this header: a caller with the
+ * header of another stand, element type, choice of functions or version does not link. Define
+ * SHAKER2_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
+ * languages need them. */
+#ifndef SHAKER2_PLAIN_NAMES
+#define shaker2_default_parameters      shaker2_default_parameters_f64_f2384de4
+#define shaker2_default                 shaker2_default_f64_f2384de4
+#define shaker2_default_options         shaker2_default_options_f64_f2384de4
+#define shaker2_forward                 shaker2_forward_f64_f2384de4
+#define shaker2_wrench                  shaker2_wrench_f64_f2384de4
+#define shaker2_matrices                shaker2_matrices_f64_f2384de4
+#define shaker2_momentum                shaker2_momentum_f64_f2384de4
+#define shaker2_torque                  shaker2_torque_f64_f2384de4
+#define shaker2_coupled                 shaker2_coupled_f64_f2384de4
+#define shaker2_step                    shaker2_step_f64_f2384de4
+#define shaker2_step_driven             shaker2_step_driven_f64_f2384de4
+#define shaker2_wrap                    shaker2_wrap_f64_f2384de4
+#define shaker2_phase_of_counts         shaker2_phase_of_counts_f64_f2384de4
+#define shaker2_speed_of_counts         shaker2_speed_of_counts_f64_f2384de4
+#define shaker2_accumulate              shaker2_accumulate_f64_f2384de4
+#define shaker2_forward_jacobian        shaker2_forward_jacobian_f64_f2384de4
+#define shaker2_coupled_jacobian        shaker2_coupled_jacobian_f64_f2384de4
+#define shaker2_inverse                 shaker2_inverse_f64_f2384de4
+#define shaker2_inverse_fast            shaker2_inverse_fast_f64_f2384de4
+#define shaker2_quaternion              shaker2_quaternion_f64_f2384de4
+#define shaker2_state_from_coordinates  shaker2_state_from_coordinates_f64_f2384de4
+#define shaker2_generalized             shaker2_generalized_f64_f2384de4
+#define shaker2_prepare                 shaker2_prepare_f64_f2384de4
+#define shaker2_mounts                  shaker2_mounts_f64_f2384de4
+#define shaker2_prepare_mounts          shaker2_prepare_mounts_f64_f2384de4
+#define shaker2_step_carried            shaker2_step_carried_f64_f2384de4
+#define shaker2_step_driven_carried     shaker2_step_driven_carried_f64_f2384de4
+#define shaker2_center_of_mass_velocity shaker2_center_of_mass_velocity_f64_f2384de4
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -31,7 +66,6 @@ extern "C" {
 #define SHAKER2_STRUCTURE 0x94a85f4au  /* hash of the stand's names, counts and kinds of wrench */
 #define SHAKER2_PHYSICS   0x2591b2a4u  /* hash of its structure and all numbers */
 #define SHAKER2_TABLE_HASH 0x64959ccbu /* FNV-1a of all numbers of the default table but its stream */
-#define SHAKER2_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define SHAKER2_REAL_BYTES 8           /* bytes of a shaker2_real */
 #define SHAKER2_VERSION_MAJOR 0        /* of the mahovik that wrote this */
 #define SHAKER2_VERSION_MINOR 1
@@ -61,7 +95,7 @@ typedef int shaker2_status;  /* not the enum, whose size compilers choose */
 
 enum {
     SHAKER2_OK = 0,                       /* success */
-    SHAKER2_NEAR_SINGULAR = 1,            /* least singular value less than `near` times the largest */
+    SHAKER2_NEAR_SINGULAR = 1,            /* least singular value below `near_singular` times the largest */
     SHAKER2_DAMPED = 2,                   /* damping was applied */
     SHAKER2_LIMITED = 4,                  /* a limit was reached; `limited` says by which flywheels */
     SHAKER2_UNREACHABLE = 8,              /* wanted motion not reached: residual above 1e-9 of the demand */
@@ -112,7 +146,7 @@ typedef struct shaker2_flywheel {
                                 * 0 */
 } shaker2_flywheel;
 
-/* Input of prepare: masses, inertias and mountings. */
+/* Masses, inertias and mountings, of which the table is made. */
 typedef struct shaker2_parameters {
     shaker2_body carrier;
     shaker2_flywheel flywheel[SHAKER2_N];
@@ -142,7 +176,7 @@ typedef struct shaker2_suspension {
     shaker2_real attitude[4];      /* quaternion of the equilibrium attitude */
 } shaker2_suspension;
 
-/* The constants of the equations. Made by prepare, except the laws at the end (gravity, ...). */
+/* The constants of the equations, made of the parameters; the laws at the end (gravity, ...) are as given. */
 typedef struct shaker2_table {
     shaker2_real mass;                /* kg; mass of all bodies */
     shaker2_real mass_inverse;        /* 1/kg */
@@ -202,29 +236,6 @@ typedef struct shaker2_encoder {
     int moved;    /* counts between the last two readings */
 } shaker2_encoder;
 
-/* A symmetric 3x3 matrix factored, L D L^T. */
-typedef struct shaker2_factors3 {
-    shaker2_real r1;   /* 1 / D, of the last D itself */
-    shaker2_real r2;
-    shaker2_real d3;
-    shaker2_real l21;  /* L below its diagonal */
-    shaker2_real l31;
-    shaker2_real l32;
-} shaker2_factors3;
-
-/* K of the carrier factored. */
-typedef struct shaker2_carrier_factor {
-    shaker2_real rho[3];  /* m; mass centre from O1, in E1 */
-    shaker2_factors3 L;   /* what is left of the inertia */
-} shaker2_carrier_factor;
-
-/* K with free flywheels eliminated, factored. */
-typedef struct shaker2_schur_factor {
-    shaker2_real A_inv[6];  /* 1/kg */
-    shaker2_real U[9];      /* m; A^-1 B^T */
-    shaker2_factors3 L;     /* D - B A^-1 B^T */
-} shaker2_schur_factor;
-
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct shaker2_inverse_options {
     shaker2_real weight[SHAKER2_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to
@@ -241,7 +252,7 @@ typedef struct shaker2_inverse_options {
     shaker2_real motor_coulomb[SHAKER2_N];        /* N m; dry friction, which the motor bears; 0: none */
     shaker2_real motor_coulomb_speed[SHAKER2_N];  /* rad/s; speed at which three quarters of the dry
                                                    * friction act; greater than 0 */
-    shaker2_real near;                            /* status NEAR_SINGULAR below this fraction of the
+    shaker2_real near_singular;                   /* status NEAR_SINGULAR below this fraction of the
                                                    * largest singular value, 0..1 */
     shaker2_real damping;                         /* damping of small singular values, as a fraction of the
                                                    * largest, 0..1; 0: none */
@@ -280,7 +291,7 @@ typedef struct shaker2_forward_jacobian_result {
 } shaker2_forward_jacobian_result;
 
 extern const shaker2_parameters shaker2_default_parameters;       /* of the stand file */
-extern const shaker2_table shaker2_default;                       /* what prepare makes of them */
+extern const shaker2_table shaker2_default;                       /* made of them */
 extern const shaker2_inverse_options shaker2_default_options;     /* of inverse, by the stand file */
 
 /* ---- functions ---- */
@@ -319,7 +330,7 @@ shaker2_status shaker2_matrices(const shaker2_table *table, const shaker2_state 
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 811 operations on reals, 1 of them a division. Stack: at most 1488 bytes. */
+ * At most 811 operations on reals, 1 of them a division. Stack: at most 1520 bytes. */
 shaker2_status shaker2_momentum(const shaker2_table *table, const shaker2_state *x,
                                 shaker2_momentum_result *out);
 
@@ -330,7 +341,7 @@ shaker2_status shaker2_momentum(const shaker2_table *table, const shaker2_state 
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   tau[2]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 545 operations on reals, 1 of them a division. Stack: at most 1328 bytes. */
+ * At most 545 operations on reals, 1 of them a division. Stack: at most 1376 bytes. */
 shaker2_status shaker2_torque(const shaker2_table *table, const shaker2_state *x,
                               const shaker2_real V_dot[6], const shaker2_real phi_ddot[SHAKER2_N],
                               shaker2_real tau[SHAKER2_N]);
@@ -450,7 +461,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5081 operations on reals, 19 of them divisions. Stack: at most 5568 bytes. */
+ * At most 5011 operations on reals, 19 of them divisions. Stack: at most 5520 bytes. */
 shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker2_state *x,
                                         const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                         shaker2_coupled_jacobian_result *out);
@@ -467,7 +478,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 26802 operations on reals, 861 of them divisions. Stack: at most 4304 bytes. */
+ * At most 33792 operations on reals, 1271 of them divisions. Stack: at most 4368 bytes. */
 shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
@@ -477,7 +488,7 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and `limit` are ignored
+ *   options      weights and damping; `near_singular` and `limit` are ignored
  *   phi_ddot[2]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
@@ -606,7 +617,7 @@ shaker2_status shaker2_step_driven_carried(const shaker2_table *table, const sha
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 571 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 571 operations on reals, 1 of them a division. Stack: at most 1424 bytes. */
 shaker2_status shaker2_center_of_mass_velocity(const shaker2_table *table, const shaker2_state *x,
                                                shaker2_real center_of_mass_velocity[3]);
 
@@ -614,22 +625,4 @@ shaker2_status shaker2_center_of_mass_velocity(const shaker2_table *table, const
 }
 #endif
 
-#endif
-
-/* A caller that was compiled with the header of another element type, number of lanes, version or stand does
- * not link: the symbol is in the source of this header alone. It takes no memory. gcc and clang, ELF files.
- * Define SHAKER2_NO_LINK_CHECK where only types are used, and the source is not linked. */
-#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-#if !defined SHAKER2_NO_LINK_CHECK && !defined SHAKER2_LINK_CHECKED
-#define SHAKER2_LINK_CHECKED
-#if __SIZEOF_POINTER__ == 8
-__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".quad shaker2_link_double_lanes1_v0_1_0_2591b2a4\n"
-        ".popsection\n");
-#elif __SIZEOF_POINTER__ == 4
-__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".long shaker2_link_double_lanes1_v0_1_0_2591b2a4\n"
-        ".popsection\n");
-#endif
-#endif
 #endif

@@ -1,19 +1,21 @@
 /* eye4_eva.c: drivers of Frama-C Eva for the stand "eye4": what is proved of eye4.c. Run by eye4_eva.sh.
  * mahovik 0.1.0; structure 59c20951, physics 7b9ac829. Generated: change the stand file instead.
  *
- * Not for firmware: only Frama-C reads this file. A driver calls one function with all inputs of a set at once:
+ * Only Frama-C reads this file: for compilers it is empty. A driver calls one function with all inputs of a set at once:
  *   normal   magnitudes of ordinary use: the numbers in the driver
  *   any      every finite number, every integer: what the checks of the function let through is all it computes with
  *   bits     every bit pattern: NaN and infinities as well
  * normal, any: Eva shows that no operation is undefined (index, uninitialised read, integer overflow, division by
- * zero) and that no real becomes infinite or NaN on the way; of the results, that they are written and finite where
+ * zero) and that no real becomes infinite or NaN on the way, but in the sums of the checks; of the results, that they are written and finite where
  * the status is not negative, and untouched where it is. bits, with -warn-special-float none: the same, but nothing of
  * finiteness, for Eva 25 lets NaN pass a comparison that C does not. */
+#include "../eye4.h"
+
+#ifdef __FRAMAC__
 #include <limits.h>
 
 #include "__fc_builtin.h"
 #include "features.h"
-#include "eye4.h"
 
 /* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
  * proved elsewhere (docs/results/arithmetic.md of mahovik: sine and cosine to a unit in the last place, square root
@@ -59,7 +61,78 @@ __PUSH_FC_STDLIB
 static eye4_real eye4_sqrt(eye4_real x);
 __POP_FC_STDLIB
 
-#include "eye4.c"
+/* Checks have a quick way by sums of squares, of which intervals do not see that each number is within its limit. For the
+ * sets normal and any they are what is said here; drivers of their own show it of their bodies, of all finite arguments:
+ * with one number beyond its limit, or a quaternion without a large component, they refuse. */
+
+#ifndef EYE4_EVA_BODIES  /* these drivers must not rest on what they show */
+/*@ assigns \result \from *x;
+    ensures (\result == 0
+        && -EYE4_MAX_POSITION <= x->position[0] <= EYE4_MAX_POSITION
+        && -EYE4_MAX_POSITION <= x->position[1] <= EYE4_MAX_POSITION
+        && -EYE4_MAX_POSITION <= x->position[2] <= EYE4_MAX_POSITION
+        && -2.0 <= x->attitude[0] <= 2.0
+        && -2.0 <= x->attitude[1] <= 2.0
+        && -2.0 <= x->attitude[2] <= 2.0
+        && -2.0 <= x->attitude[3] <= 2.0
+        && -EYE4_MAX_SPEED <= x->V[0] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->V[1] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->V[2] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->V[3] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->V[4] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->V[5] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_VELOCITY <= x->V[0] <= EYE4_MAX_VELOCITY
+        && -EYE4_MAX_VELOCITY <= x->V[1] <= EYE4_MAX_VELOCITY
+        && -EYE4_MAX_VELOCITY <= x->V[2] <= EYE4_MAX_VELOCITY
+        && -EYE4_MAX_PHASE <= x->phi[0] <= EYE4_MAX_PHASE
+        && -EYE4_MAX_PHASE <= x->phi[1] <= EYE4_MAX_PHASE
+        && -EYE4_MAX_PHASE <= x->phi[2] <= EYE4_MAX_PHASE
+        && -EYE4_MAX_PHASE <= x->phi[3] <= EYE4_MAX_PHASE
+        && -EYE4_MAX_SPEED <= x->phi_dot[0] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->phi_dot[1] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->phi_dot[2] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->phi_dot[3] <= EYE4_MAX_SPEED
+        && (x->attitude[0] >= 0.4992 || x->attitude[0] <= -0.4992 || x->attitude[1] >= 0.4992 || x->attitude[1] <= -0.4992 || x->attitude[2] >= 0.4992 || x->attitude[2] <= -0.4992 || x->attitude[3] >= 0.4992 || x->attitude[3] <= -0.4992)
+        ) || \result < 0; */
+static eye4_status eye4_check_state(const eye4_state *x);
+
+/*@ assigns \result \from *x, values[0 .. 3], limit;
+    ensures (\result == 0
+        && -EYE4_MAX_POSITION <= x->position[0] <= EYE4_MAX_POSITION
+        && -EYE4_MAX_POSITION <= x->position[1] <= EYE4_MAX_POSITION
+        && -EYE4_MAX_POSITION <= x->position[2] <= EYE4_MAX_POSITION
+        && -2.0 <= x->attitude[0] <= 2.0
+        && -2.0 <= x->attitude[1] <= 2.0
+        && -2.0 <= x->attitude[2] <= 2.0
+        && -2.0 <= x->attitude[3] <= 2.0
+        && -EYE4_MAX_SPEED <= x->V[0] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->V[1] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->V[2] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->V[3] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->V[4] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->V[5] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_VELOCITY <= x->V[0] <= EYE4_MAX_VELOCITY
+        && -EYE4_MAX_VELOCITY <= x->V[1] <= EYE4_MAX_VELOCITY
+        && -EYE4_MAX_VELOCITY <= x->V[2] <= EYE4_MAX_VELOCITY
+        && -EYE4_MAX_PHASE <= x->phi[0] <= EYE4_MAX_PHASE
+        && -EYE4_MAX_PHASE <= x->phi[1] <= EYE4_MAX_PHASE
+        && -EYE4_MAX_PHASE <= x->phi[2] <= EYE4_MAX_PHASE
+        && -EYE4_MAX_PHASE <= x->phi[3] <= EYE4_MAX_PHASE
+        && -EYE4_MAX_SPEED <= x->phi_dot[0] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->phi_dot[1] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->phi_dot[2] <= EYE4_MAX_SPEED
+        && -EYE4_MAX_SPEED <= x->phi_dot[3] <= EYE4_MAX_SPEED
+        && -limit <= values[0] <= limit
+        && -limit <= values[1] <= limit
+        && -limit <= values[2] <= limit
+        && -limit <= values[3] <= limit
+        && (x->attitude[0] >= 0.4992 || x->attitude[0] <= -0.4992 || x->attitude[1] >= 0.4992 || x->attitude[1] <= -0.4992 || x->attitude[2] >= 0.4992 || x->attitude[2] <= -0.4992 || x->attitude[3] >= 0.4992 || x->attitude[3] <= -0.4992)
+        ) || \result < 0; */
+static eye4_status eye4_check_motion(const eye4_state *x, const eye4_real values[EYE4_N], eye4_real limit);
+
+#endif
+
+#include "../eye4.c"
 
 /* ---- sets of numbers ---- */
 
@@ -136,6 +209,18 @@ static void quaternion(eye4_real q[4], eye4_real size)
     case 7: q[3] = real_in(-size, -0.499); break;
     default: reals(q, 4, 0.499); break;
     }
+}
+
+/* One number of an array is beyond a limit, whose next number is `above`: 1. None: 0. */
+static int one_beyond(eye4_real *x, int count, eye4_real above)
+{
+    for (int i = 0; i < count; ++i) {
+        if (Frama_C_interval(0, 1) == 0) {
+            x[i] = (Frama_C_interval(0, 1) == 0) ? real_in(above, EYE4_LARGEST) : real_in(-EYE4_LARGEST, -above);
+            return 1;
+        }
+    }
+    return 0;
 }
 
 /* ---- what is asserted of results ---- */
@@ -221,7 +306,7 @@ static void normal_inverse_options(eye4_inverse_options *x)
     about(&x->motor_viscous[0], &eye4_default_options.motor_viscous[0], 4);
     about(&x->motor_coulomb[0], &eye4_default_options.motor_coulomb[0], 4);
     about(&x->motor_coulomb_speed[0], &eye4_default_options.motor_coulomb_speed[0], 4);
-    about(&x->near, &eye4_default_options.near, 1);
+    about(&x->near_singular, &eye4_default_options.near_singular, 1);
     about(&x->damping, &eye4_default_options.damping, 1);
     integers(&x->use_pointing[0], 3, -1048576, 1048576);
     about(&x->motor_power[0], &eye4_default_options.motor_power[0], 4);
@@ -241,7 +326,7 @@ static void any_inverse_options(eye4_inverse_options *x)
     reals(&x->motor_viscous[0], 4, EYE4_LARGEST);
     reals(&x->motor_coulomb[0], 4, EYE4_LARGEST);
     reals(&x->motor_coulomb_speed[0], 4, EYE4_LARGEST);
-    reals(&x->near, 1, EYE4_LARGEST);
+    reals(&x->near_singular, 1, EYE4_LARGEST);
     reals(&x->damping, 1, EYE4_LARGEST);
     integers(&x->use_pointing[0], 3, INT_MIN, INT_MAX);
     reals(&x->motor_power[0], 4, EYE4_LARGEST);
@@ -261,7 +346,7 @@ static void bits_inverse_options(eye4_inverse_options *x)
     all_bits(&x->motor_viscous[0], 4);
     all_bits(&x->motor_coulomb[0], 4);
     all_bits(&x->motor_coulomb_speed[0], 4);
-    one_of_all(&x->near);
+    one_of_all(&x->near_singular);
     one_of_all(&x->damping);
     integers(&x->use_pointing[0], 3, INT_MIN, INT_MAX);
     all_bits(&x->motor_power[0], 4);
@@ -1042,10 +1127,8 @@ void eye4_eva_normal_torque(void)
     reals(&V_dot[0], 6, 1.0e3);
     eye4_real phi_ddot[EYE4_N];
     reals(&phi_ddot[0], 4, 1.0e4);
-    eye4_real wrench[6];
-    reals(&wrench[0], 6, 1.0e3);
     eye4_real tau[EYE4_N];
-    const eye4_status status = eye4_torque(&eye4_default, &x, V_dot, phi_ddot, wrench, tau);
+    const eye4_status status = eye4_torque(&eye4_default, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 4);
     } else {
@@ -1063,10 +1146,8 @@ void eye4_eva_any_torque(void)
     reals(&V_dot[0], 6, EYE4_LARGEST);
     eye4_real phi_ddot[EYE4_N];
     reals(&phi_ddot[0], 4, EYE4_LARGEST);
-    eye4_real wrench[6];
-    reals(&wrench[0], 6, EYE4_LARGEST);
     eye4_real tau[EYE4_N];
-    const eye4_status status = eye4_torque(&eye4_default, &x, V_dot, phi_ddot, wrench, tau);
+    const eye4_status status = eye4_torque(&eye4_default, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 4);
     } else {
@@ -1084,10 +1165,8 @@ void eye4_eva_bits_torque(void)
     all_bits(&V_dot[0], 6);
     eye4_real phi_ddot[EYE4_N];
     all_bits(&phi_ddot[0], 4);
-    eye4_real wrench[6];
-    all_bits(&wrench[0], 6);
     eye4_real tau[EYE4_N];
-    const eye4_status status = eye4_torque(&eye4_default, &x, V_dot, phi_ddot, wrench, tau);
+    const eye4_status status = eye4_torque(&eye4_default, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 4);
     } else {
@@ -2307,10 +2386,8 @@ void eye4_eva_normal_mounts(void)
     reals(&V_dot[0], 6, 1.0e3);
     eye4_real phi_ddot[EYE4_N];
     reals(&phi_ddot[0], 4, 1.0e4);
-    eye4_real wrench[6];
-    reals(&wrench[0], 6, 1.0e3);
     eye4_real mount_wrench[24];
-    const eye4_status status = eye4_mounts(&mounting, &x, V_dot, phi_ddot, wrench, mount_wrench);
+    const eye4_status status = eye4_mounts(&mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
         untouched(&mount_wrench[0], 24);
     } else {
@@ -2330,10 +2407,8 @@ void eye4_eva_any_mounts(void)
     reals(&V_dot[0], 6, EYE4_LARGEST);
     eye4_real phi_ddot[EYE4_N];
     reals(&phi_ddot[0], 4, EYE4_LARGEST);
-    eye4_real wrench[6];
-    reals(&wrench[0], 6, EYE4_LARGEST);
     eye4_real mount_wrench[24];
-    const eye4_status status = eye4_mounts(&mounting, &x, V_dot, phi_ddot, wrench, mount_wrench);
+    const eye4_status status = eye4_mounts(&mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
         untouched(&mount_wrench[0], 24);
     } else {
@@ -2353,10 +2428,8 @@ void eye4_eva_bits_mounts(void)
     all_bits(&V_dot[0], 6);
     eye4_real phi_ddot[EYE4_N];
     all_bits(&phi_ddot[0], 4);
-    eye4_real wrench[6];
-    all_bits(&wrench[0], 6);
     eye4_real mount_wrench[24];
-    const eye4_status status = eye4_mounts(&mounting, &x, V_dot, phi_ddot, wrench, mount_wrench);
+    const eye4_status status = eye4_mounts(&mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
         untouched(&mount_wrench[0], 24);
     } else {
@@ -2636,3 +2709,55 @@ void eye4_eva_routine_sqrt(void)
     (void)eye4_sqrt(x);
     Frama_C_show_each_returned(0);
 }
+
+void eye4_eva_routine_check_state(void);
+void eye4_eva_routine_check_state(void)
+{
+    eye4_state x;
+    reals(x.position, 3, EYE4_LARGEST);
+    reals(x.attitude, 4, EYE4_LARGEST);
+    reals(x.V, 6, EYE4_LARGEST);
+    reals(x.phi, 4, EYE4_LARGEST);
+    reals(x.phi_dot, 4, EYE4_LARGEST);
+    int beyond = 0;
+    if (beyond == 0) { beyond = one_beyond(x.position, 3, 0x1.e848000000001p+19); }
+    if (beyond == 0) { beyond = one_beyond(x.attitude, 4, 0x1.0000000000001p+1); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 6, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 3, 0x1.3880000000001p+13); }
+    if (beyond == 0) { beyond = one_beyond(x.phi, 4, 0x1.312d000000001p+23); }
+    if (beyond == 0) { beyond = one_beyond(x.phi_dot, 4, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { reals(x.attitude, 4, 0.4993); }
+    const eye4_status status = eye4_check_state(&x);
+    Frama_C_show_each_returned(status);
+    /*@ check status < 0; */
+}
+
+void eye4_eva_routine_check_motion(void);
+void eye4_eva_routine_check_motion(void)
+{
+    eye4_state x;
+    reals(x.position, 3, EYE4_LARGEST);
+    reals(x.attitude, 4, EYE4_LARGEST);
+    reals(x.V, 6, EYE4_LARGEST);
+    reals(x.phi, 4, EYE4_LARGEST);
+    reals(x.phi_dot, 4, EYE4_LARGEST);
+    eye4_real values[EYE4_N];
+    eye4_real limit, above;
+    reals(values, 4, EYE4_LARGEST);
+    switch (Frama_C_interval(0, 0)) {
+    default: limit = EYE4_MAX_ACCELERATION; above = 0x1.dcd6500000001p+29; break;
+    }
+    int beyond = 0;
+    if (beyond == 0) { beyond = one_beyond(x.position, 3, 0x1.e848000000001p+19); }
+    if (beyond == 0) { beyond = one_beyond(x.attitude, 4, 0x1.0000000000001p+1); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 6, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 3, 0x1.3880000000001p+13); }
+    if (beyond == 0) { beyond = one_beyond(x.phi, 4, 0x1.312d000000001p+23); }
+    if (beyond == 0) { beyond = one_beyond(x.phi_dot, 4, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { beyond = one_beyond(values, 4, above); }
+    if (beyond == 0) { reals(x.attitude, 4, 0.4993); }
+    const eye4_status status = eye4_check_motion(&x, values, limit);
+    Frama_C_show_each_returned(status);
+    /*@ check status < 0; */
+}
+#endif

@@ -1,19 +1,21 @@
-/* remus6_eva.c: drivers of Frama-C Eva for the stand "remus6": what is proved of remus6.c. Run by remus6_eva.sh.
- * mahovik 0.1.0; structure 3687deee, physics 5f25aea2. Generated: change the stand file instead.
+/* auv6_eva.c: drivers of Frama-C Eva for the stand "auv6": what is proved of auv6.c. Run by auv6_eva.sh.
+ * mahovik 0.1.0; structure 192ea446, physics 002b2abc. Generated: change the stand file instead.
  *
- * Not for firmware: only Frama-C reads this file. A driver calls one function with all inputs of a set at once:
+ * Only Frama-C reads this file: for compilers it is empty. A driver calls one function with all inputs of a set at once:
  *   normal   magnitudes of ordinary use: the numbers in the driver
  *   any      every finite number, every integer: what the checks of the function let through is all it computes with
  *   bits     every bit pattern: NaN and infinities as well
  * normal, any: Eva shows that no operation is undefined (index, uninitialised read, integer overflow, division by
- * zero) and that no real becomes infinite or NaN on the way; of the results, that they are written and finite where
+ * zero) and that no real becomes infinite or NaN on the way, but in the sums of the checks; of the results, that they are written and finite where
  * the status is not negative, and untouched where it is. bits, with -warn-special-float none: the same, but nothing of
  * finiteness, for Eva 25 lets NaN pass a comparison that C does not. */
+#include "../auv6.h"
+
+#ifdef __FRAMAC__
 #include <limits.h>
 
 #include "__fc_builtin.h"
 #include "features.h"
-#include "remus6.h"
 
 /* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
  * proved elsewhere (docs/results/arithmetic.md of mahovik: sine and cosine to a unit in the last place, square root
@@ -25,7 +27,7 @@
     ensures \is_finite(*sine) && \is_finite(*cosine);
     ensures -1.0000002 <= *sine <= 1.0000002;
     ensures -1.0000002 <= *cosine <= 1.0000002; */
-static void remus6_sincos(remus6_real x, remus6_real *restrict sine, remus6_real *restrict cosine);
+static void auv6_sincos(auv6_real x, auv6_real *restrict sine, auv6_real *restrict cosine);
 
 /*@
     requires -10000000.0 <= x[0] <= 10000000.0;
@@ -60,39 +62,80 @@ static void remus6_sincos(remus6_real x, remus6_real *restrict sine, remus6_real
     ensures -1.0000002 <= sine[5] <= 1.0000002;
     ensures -1.0000002 <= cosine[5] <= 1.0000002;
 */
-static void remus6_sincos_each(const remus6_real *x, remus6_real *restrict sine,
-    remus6_real *restrict cosine);
+static void auv6_sincos_each(const auv6_real *x, auv6_real *restrict sine,
+    auv6_real *restrict cosine);
 
 __PUSH_FC_STDLIB
 /*@ requires x >= 0.0;
     assigns \result \from x; */
-static remus6_real remus6_sqrt(remus6_real x);
+static auv6_real auv6_sqrt(auv6_real x);
 __POP_FC_STDLIB
 
-#include "remus6.c"
+/* Checks have a quick way by sums of squares, of which intervals do not see that each number is within its limit. For the
+ * sets normal and any they are what is said here; drivers of their own show it of their bodies, of all finite arguments:
+ * with one number beyond its limit, or a quaternion without a large component, they refuse. */
+
+#ifndef AUV6_EVA_BODIES  /* these drivers must not rest on what they show */
+/*@ assigns \result \from *x;
+    ensures (\result == 0
+        && -AUV6_MAX_POSITION <= x->position[0] <= AUV6_MAX_POSITION
+        && -AUV6_MAX_POSITION <= x->position[1] <= AUV6_MAX_POSITION
+        && -AUV6_MAX_POSITION <= x->position[2] <= AUV6_MAX_POSITION
+        && -2.0 <= x->attitude[0] <= 2.0
+        && -2.0 <= x->attitude[1] <= 2.0
+        && -2.0 <= x->attitude[2] <= 2.0
+        && -2.0 <= x->attitude[3] <= 2.0
+        && -AUV6_MAX_SPEED <= x->V[0] <= AUV6_MAX_SPEED
+        && -AUV6_MAX_SPEED <= x->V[1] <= AUV6_MAX_SPEED
+        && -AUV6_MAX_SPEED <= x->V[2] <= AUV6_MAX_SPEED
+        && -AUV6_MAX_SPEED <= x->V[3] <= AUV6_MAX_SPEED
+        && -AUV6_MAX_SPEED <= x->V[4] <= AUV6_MAX_SPEED
+        && -AUV6_MAX_SPEED <= x->V[5] <= AUV6_MAX_SPEED
+        && -AUV6_MAX_VELOCITY <= x->V[0] <= AUV6_MAX_VELOCITY
+        && -AUV6_MAX_VELOCITY <= x->V[1] <= AUV6_MAX_VELOCITY
+        && -AUV6_MAX_VELOCITY <= x->V[2] <= AUV6_MAX_VELOCITY
+        && -AUV6_MAX_PHASE <= x->phi[0] <= AUV6_MAX_PHASE
+        && -AUV6_MAX_PHASE <= x->phi[1] <= AUV6_MAX_PHASE
+        && -AUV6_MAX_PHASE <= x->phi[2] <= AUV6_MAX_PHASE
+        && -AUV6_MAX_PHASE <= x->phi[3] <= AUV6_MAX_PHASE
+        && -AUV6_MAX_PHASE <= x->phi[4] <= AUV6_MAX_PHASE
+        && -AUV6_MAX_PHASE <= x->phi[5] <= AUV6_MAX_PHASE
+        && -AUV6_MAX_SPEED <= x->phi_dot[0] <= AUV6_MAX_SPEED
+        && -AUV6_MAX_SPEED <= x->phi_dot[1] <= AUV6_MAX_SPEED
+        && -AUV6_MAX_SPEED <= x->phi_dot[2] <= AUV6_MAX_SPEED
+        && -AUV6_MAX_SPEED <= x->phi_dot[3] <= AUV6_MAX_SPEED
+        && -AUV6_MAX_SPEED <= x->phi_dot[4] <= AUV6_MAX_SPEED
+        && -AUV6_MAX_SPEED <= x->phi_dot[5] <= AUV6_MAX_SPEED
+        && (x->attitude[0] >= 0.4992 || x->attitude[0] <= -0.4992 || x->attitude[1] >= 0.4992 || x->attitude[1] <= -0.4992 || x->attitude[2] >= 0.4992 || x->attitude[2] <= -0.4992 || x->attitude[3] >= 0.4992 || x->attitude[3] <= -0.4992)
+        ) || \result < 0; */
+static auv6_status auv6_check_state(const auv6_state *x);
+
+#endif
+
+#include "../auv6.c"
 
 /* ---- sets of numbers ---- */
 
-static remus6_real real_in(remus6_real low, remus6_real high)
+static auv6_real real_in(auv6_real low, auv6_real high)
 {
     return Frama_C_double_interval(low, high);
 }
 
-static void reals(remus6_real *x, int count, remus6_real size)
+static void reals(auv6_real *x, int count, auv6_real size)
 {
     for (int i = 0; i < count; ++i) { x[i] = real_in(-size, size); }
 }
 
-static volatile remus6_real any_bits;  /* Eva: each read may give every bit pattern */
+static volatile auv6_real any_bits;  /* Eva: each read may give every bit pattern */
 
-static void all_bits(remus6_real *x, int count)
+static void all_bits(auv6_real *x, int count)
 {
     for (int i = 0; i < count; ++i) { x[i] = any_bits; }
 }
 
-static void not_finite(remus6_real *x)
+static void not_finite(auv6_real *x)
 {
-    const remus6_real zero = 0.0;
+    const auv6_real zero = 0.0;
     switch (Frama_C_interval(0, 2)) {
     case 0: *x = 1.0 / zero; break;
     case 1: *x = -1.0 / zero; break;
@@ -101,12 +144,12 @@ static void not_finite(remus6_real *x)
 }
 
 /* One number of any bits, finite numbers apart from the others. */
-static void one_of_all(remus6_real *x)
+static void one_of_all(auv6_real *x)
 {
     if (Frama_C_interval(0, 1) == 0) {
         not_finite(x);
     } else {
-        *x = real_in(-REMUS6_LARGEST, REMUS6_LARGEST);
+        *x = real_in(-AUV6_LARGEST, AUV6_LARGEST);
     }
 }
 
@@ -116,14 +159,14 @@ static void integers(int *x, int count, int low, int high)
 }
 
 /* A number within one part in a hundred of another. */
-static remus6_real near(remus6_real x)
+static auv6_real near(auv6_real x)
 {
-    const remus6_real a = x * 0.99;
-    const remus6_real b = x * 1.01;
+    const auv6_real a = x * 0.99;
+    const auv6_real b = x * 1.01;
     return a <= b ? real_in(a, b) : real_in(b, a);
 }
 
-static void about(remus6_real *x, const remus6_real *middle, int count)
+static void about(auv6_real *x, const auv6_real *middle, int count)
 {
     for (int i = 0; i < count; ++i) { x[i] = near(middle[i]); }
 }
@@ -131,7 +174,7 @@ static void about(remus6_real *x, const remus6_real *middle, int count)
 /* A quaternion. Where the sum of four squares is at least 0.998001, one of them is at least a quarter of that: so one
  * component is at least 0.499 in magnitude. Which, and its sign, are eight cases; all others are refused by
  * the checks, which the case without a large component shows. */
-static void quaternion(remus6_real q[4], remus6_real size)
+static void quaternion(auv6_real q[4], auv6_real size)
 {
     const int large = Frama_C_interval(0, 8);
     reals(q, 4, size);
@@ -148,23 +191,35 @@ static void quaternion(remus6_real q[4], remus6_real size)
     }
 }
 
+/* One number of an array is beyond a limit, whose next number is `above`: 1. None: 0. */
+static int one_beyond(auv6_real *x, int count, auv6_real above)
+{
+    for (int i = 0; i < count; ++i) {
+        if (Frama_C_interval(0, 1) == 0) {
+            x[i] = (Frama_C_interval(0, 1) == 0) ? real_in(above, AUV6_LARGEST) : real_in(-AUV6_LARGEST, -above);
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* ---- what is asserted of results ---- */
 
-static void written(const remus6_real *x, int count)
+static void written(const auv6_real *x, int count)
 {
     for (int i = 0; i < count; ++i) {
         /*@ check \initialized(&x[i]) && \is_finite(x[i]); */
     }
 }
 
-static void initialised(const remus6_real *x, int count)
+static void initialised(const auv6_real *x, int count)
 {
     for (int i = 0; i < count; ++i) {
         /*@ check \initialized(&x[i]); */
     }
 }
 
-static void untouched(const remus6_real *x, int count)
+static void untouched(const auv6_real *x, int count)
 {
     for (int i = 0; i < count; ++i) {
         /*@ check !\initialized(&x[i]); */
@@ -173,7 +228,7 @@ static void untouched(const remus6_real *x, int count)
 
 /* ---- whole structs ---- */
 
-static void normal_state(remus6_state *x)
+static void normal_state(auv6_state *x)
 {
     reals(&x->position[0], 3, 100.0);
     quaternion(x->attitude, 2.0);
@@ -182,16 +237,16 @@ static void normal_state(remus6_state *x)
     reals(&x->phi_dot[0], 6, 1.0e3);
 }
 
-static void any_state(remus6_state *x)
+static void any_state(auv6_state *x)
 {
-    reals(&x->position[0], 3, REMUS6_LARGEST);
-    quaternion(x->attitude, REMUS6_LARGEST);
-    reals(&x->V[0], 6, REMUS6_LARGEST);
-    reals(&x->phi[0], 6, REMUS6_LARGEST);
-    reals(&x->phi_dot[0], 6, REMUS6_LARGEST);
+    reals(&x->position[0], 3, AUV6_LARGEST);
+    quaternion(x->attitude, AUV6_LARGEST);
+    reals(&x->V[0], 6, AUV6_LARGEST);
+    reals(&x->phi[0], 6, AUV6_LARGEST);
+    reals(&x->phi_dot[0], 6, AUV6_LARGEST);
 }
 
-static void bits_state(remus6_state *x)
+static void bits_state(auv6_state *x)
 {
     all_bits(&x->position[0], 3);
     all_bits(&x->attitude[0], 4);
@@ -200,56 +255,56 @@ static void bits_state(remus6_state *x)
     all_bits(&x->phi_dot[0], 6);
 }
 
-static void normal_encoder(remus6_encoder *x)
+static void normal_encoder(auv6_encoder *x)
 {
     integers(&x->counter, 1, -1048576, 1048576);
     integers(&x->place, 1, -1048576, 1048576);
     integers(&x->moved, 1, -1048576, 1048576);
 }
 
-static void any_encoder(remus6_encoder *x)
+static void any_encoder(auv6_encoder *x)
 {
     integers(&x->counter, 1, INT_MIN, INT_MAX);
     integers(&x->place, 1, INT_MIN, INT_MAX);
     integers(&x->moved, 1, INT_MIN, INT_MAX);
 }
 
-static void bits_encoder(remus6_encoder *x)
+static void bits_encoder(auv6_encoder *x)
 {
     integers(&x->counter, 1, INT_MIN, INT_MAX);
     integers(&x->place, 1, INT_MIN, INT_MAX);
     integers(&x->moved, 1, INT_MIN, INT_MAX);
 }
 
-static void normal_inverse_options(remus6_inverse_options *x)
+static void normal_inverse_options(auv6_inverse_options *x)
 {
-    about(&x->weight[0], &remus6_default_options.weight[0], 6);
-    about(&x->limit[0], &remus6_default_options.limit[0], 6);
-    about(&x->most[0], &remus6_default_options.most[0], 6);
-    about(&x->motor_torque[0], &remus6_default_options.motor_torque[0], 6);
-    about(&x->motor_speed[0], &remus6_default_options.motor_speed[0], 6);
-    about(&x->motor_viscous[0], &remus6_default_options.motor_viscous[0], 6);
-    about(&x->motor_coulomb[0], &remus6_default_options.motor_coulomb[0], 6);
-    about(&x->motor_coulomb_speed[0], &remus6_default_options.motor_coulomb_speed[0], 6);
-    about(&x->near, &remus6_default_options.near, 1);
-    about(&x->damping, &remus6_default_options.damping, 1);
+    about(&x->weight[0], &auv6_default_options.weight[0], 6);
+    about(&x->limit[0], &auv6_default_options.limit[0], 6);
+    about(&x->most[0], &auv6_default_options.most[0], 6);
+    about(&x->motor_torque[0], &auv6_default_options.motor_torque[0], 6);
+    about(&x->motor_speed[0], &auv6_default_options.motor_speed[0], 6);
+    about(&x->motor_viscous[0], &auv6_default_options.motor_viscous[0], 6);
+    about(&x->motor_coulomb[0], &auv6_default_options.motor_coulomb[0], 6);
+    about(&x->motor_coulomb_speed[0], &auv6_default_options.motor_coulomb_speed[0], 6);
+    about(&x->near_singular, &auv6_default_options.near_singular, 1);
+    about(&x->damping, &auv6_default_options.damping, 1);
 }
 
-static void any_inverse_options(remus6_inverse_options *x)
+static void any_inverse_options(auv6_inverse_options *x)
 {
-    reals(&x->weight[0], 6, REMUS6_LARGEST);
-    reals(&x->limit[0], 6, REMUS6_LARGEST);
-    reals(&x->most[0], 6, REMUS6_LARGEST);
-    reals(&x->motor_torque[0], 6, REMUS6_LARGEST);
-    reals(&x->motor_speed[0], 6, REMUS6_LARGEST);
-    reals(&x->motor_viscous[0], 6, REMUS6_LARGEST);
-    reals(&x->motor_coulomb[0], 6, REMUS6_LARGEST);
-    reals(&x->motor_coulomb_speed[0], 6, REMUS6_LARGEST);
-    reals(&x->near, 1, REMUS6_LARGEST);
-    reals(&x->damping, 1, REMUS6_LARGEST);
+    reals(&x->weight[0], 6, AUV6_LARGEST);
+    reals(&x->limit[0], 6, AUV6_LARGEST);
+    reals(&x->most[0], 6, AUV6_LARGEST);
+    reals(&x->motor_torque[0], 6, AUV6_LARGEST);
+    reals(&x->motor_speed[0], 6, AUV6_LARGEST);
+    reals(&x->motor_viscous[0], 6, AUV6_LARGEST);
+    reals(&x->motor_coulomb[0], 6, AUV6_LARGEST);
+    reals(&x->motor_coulomb_speed[0], 6, AUV6_LARGEST);
+    reals(&x->near_singular, 1, AUV6_LARGEST);
+    reals(&x->damping, 1, AUV6_LARGEST);
 }
 
-static void bits_inverse_options(remus6_inverse_options *x)
+static void bits_inverse_options(auv6_inverse_options *x)
 {
     all_bits(&x->weight[0], 6);
     all_bits(&x->limit[0], 6);
@@ -259,81 +314,69 @@ static void bits_inverse_options(remus6_inverse_options *x)
     all_bits(&x->motor_viscous[0], 6);
     all_bits(&x->motor_coulomb[0], 6);
     all_bits(&x->motor_coulomb_speed[0], 6);
-    one_of_all(&x->near);
+    one_of_all(&x->near_singular);
     one_of_all(&x->damping);
 }
 
-static void normal_parameters(remus6_parameters *x)
+static void normal_parameters(auv6_parameters *x)
 {
-    about(&x->carrier.mass, &remus6_default_parameters.carrier.mass, 1);
-    about(&x->carrier.center_of_mass[0], &remus6_default_parameters.carrier.center_of_mass[0], 3);
-    about(&x->carrier.inertia[0], &remus6_default_parameters.carrier.inertia[0], 6);
-    about(&x->carrier.displaced_mass, &remus6_default_parameters.carrier.displaced_mass, 1);
-    about(&x->carrier.displaced_center[0], &remus6_default_parameters.carrier.displaced_center[0], 3);
-    about(&x->added_mass[0][0], &remus6_default_parameters.added_mass[0][0], 36);
+    about(&x->carrier.mass, &auv6_default_parameters.carrier.mass, 1);
+    about(&x->carrier.center_of_mass[0], &auv6_default_parameters.carrier.center_of_mass[0], 3);
+    about(&x->carrier.inertia[0], &auv6_default_parameters.carrier.inertia[0], 6);
+    about(&x->carrier.displaced_mass, &auv6_default_parameters.carrier.displaced_mass, 1);
+    about(&x->carrier.displaced_center[0], &auv6_default_parameters.carrier.displaced_center[0], 3);
+    about(&x->added_mass[0][0], &auv6_default_parameters.added_mass[0][0], 36);
     for (int i = 0; i < 1; ++i) {
-        about(&x->instrument[i].body.mass, &remus6_default_parameters.instrument[i].body.mass, 1);
-        about(&x->instrument[i].body.center_of_mass[0], &remus6_default_parameters.instrument[i].body.center_of_mass[0], 3);
-        about(&x->instrument[i].body.inertia[0], &remus6_default_parameters.instrument[i].body.inertia[0], 6);
-        about(&x->instrument[i].body.displaced_mass, &remus6_default_parameters.instrument[i].body.displaced_mass, 1);
-        about(&x->instrument[i].body.displaced_center[0], &remus6_default_parameters.instrument[i].body.displaced_center[0], 3);
-        about(&x->instrument[i].position[0], &remus6_default_parameters.instrument[i].position[0], 3);
-        about(&x->instrument[i].axis[0], &remus6_default_parameters.instrument[i].axis[0], 3);
-        about(&x->instrument[i].zero[0], &remus6_default_parameters.instrument[i].zero[0], 3);
+        about(&x->instrument[i].body.mass, &auv6_default_parameters.instrument[i].body.mass, 1);
+        about(&x->instrument[i].body.center_of_mass[0], &auv6_default_parameters.instrument[i].body.center_of_mass[0], 3);
+        about(&x->instrument[i].body.inertia[0], &auv6_default_parameters.instrument[i].body.inertia[0], 6);
+        about(&x->instrument[i].body.displaced_mass, &auv6_default_parameters.instrument[i].body.displaced_mass, 1);
+        about(&x->instrument[i].body.displaced_center[0], &auv6_default_parameters.instrument[i].body.displaced_center[0], 3);
+        about(&x->instrument[i].position[0], &auv6_default_parameters.instrument[i].position[0], 3);
+        about(&x->instrument[i].axis[0], &auv6_default_parameters.instrument[i].axis[0], 3);
+        about(&x->instrument[i].zero[0], &auv6_default_parameters.instrument[i].zero[0], 3);
     }
-    for (int i = 0; i < REMUS6_N; ++i) {
-        about(&x->flywheel[i].body.mass, &remus6_default_parameters.flywheel[i].body.mass, 1);
-        about(&x->flywheel[i].body.center_of_mass[0], &remus6_default_parameters.flywheel[i].body.center_of_mass[0], 3);
-        about(&x->flywheel[i].body.inertia[0], &remus6_default_parameters.flywheel[i].body.inertia[0], 6);
-        about(&x->flywheel[i].position[0], &remus6_default_parameters.flywheel[i].position[0], 3);
-        about(&x->flywheel[i].axis[0], &remus6_default_parameters.flywheel[i].axis[0], 3);
-        about(&x->flywheel[i].zero[0], &remus6_default_parameters.flywheel[i].zero[0], 3);
+    for (int i = 0; i < AUV6_N; ++i) {
+        about(&x->flywheel[i].body.mass, &auv6_default_parameters.flywheel[i].body.mass, 1);
+        about(&x->flywheel[i].body.center_of_mass[0], &auv6_default_parameters.flywheel[i].body.center_of_mass[0], 3);
+        about(&x->flywheel[i].body.inertia[0], &auv6_default_parameters.flywheel[i].body.inertia[0], 6);
+        about(&x->flywheel[i].position[0], &auv6_default_parameters.flywheel[i].position[0], 3);
+        about(&x->flywheel[i].axis[0], &auv6_default_parameters.flywheel[i].axis[0], 3);
+        about(&x->flywheel[i].zero[0], &auv6_default_parameters.flywheel[i].zero[0], 3);
         integers(&x->flywheel[i].mount, 1, -1048576, 1048576);
     }
-    for (int i = 0; i < 1; ++i) {
-        about(&x->point[i].position[0], &remus6_default_parameters.point[i].position[0], 3);
-        about(&x->point[i].axis[0], &remus6_default_parameters.point[i].axis[0], 3);
-        about(&x->point[i].zero[0], &remus6_default_parameters.point[i].zero[0], 3);
-        integers(&x->point[i].mount, 1, -1048576, 1048576);
-    }
 }
 
-static void any_parameters(remus6_parameters *x)
+static void any_parameters(auv6_parameters *x)
 {
-    reals(&x->carrier.mass, 1, REMUS6_LARGEST);
-    reals(&x->carrier.center_of_mass[0], 3, REMUS6_LARGEST);
-    reals(&x->carrier.inertia[0], 6, REMUS6_LARGEST);
-    reals(&x->carrier.displaced_mass, 1, REMUS6_LARGEST);
-    reals(&x->carrier.displaced_center[0], 3, REMUS6_LARGEST);
-    reals(&x->added_mass[0][0], 36, REMUS6_LARGEST);
+    reals(&x->carrier.mass, 1, AUV6_LARGEST);
+    reals(&x->carrier.center_of_mass[0], 3, AUV6_LARGEST);
+    reals(&x->carrier.inertia[0], 6, AUV6_LARGEST);
+    reals(&x->carrier.displaced_mass, 1, AUV6_LARGEST);
+    reals(&x->carrier.displaced_center[0], 3, AUV6_LARGEST);
+    reals(&x->added_mass[0][0], 36, AUV6_LARGEST);
     for (int i = 0; i < 1; ++i) {
-        reals(&x->instrument[i].body.mass, 1, REMUS6_LARGEST);
-        reals(&x->instrument[i].body.center_of_mass[0], 3, REMUS6_LARGEST);
-        reals(&x->instrument[i].body.inertia[0], 6, REMUS6_LARGEST);
-        reals(&x->instrument[i].body.displaced_mass, 1, REMUS6_LARGEST);
-        reals(&x->instrument[i].body.displaced_center[0], 3, REMUS6_LARGEST);
-        reals(&x->instrument[i].position[0], 3, REMUS6_LARGEST);
-        reals(&x->instrument[i].axis[0], 3, REMUS6_LARGEST);
-        reals(&x->instrument[i].zero[0], 3, REMUS6_LARGEST);
+        reals(&x->instrument[i].body.mass, 1, AUV6_LARGEST);
+        reals(&x->instrument[i].body.center_of_mass[0], 3, AUV6_LARGEST);
+        reals(&x->instrument[i].body.inertia[0], 6, AUV6_LARGEST);
+        reals(&x->instrument[i].body.displaced_mass, 1, AUV6_LARGEST);
+        reals(&x->instrument[i].body.displaced_center[0], 3, AUV6_LARGEST);
+        reals(&x->instrument[i].position[0], 3, AUV6_LARGEST);
+        reals(&x->instrument[i].axis[0], 3, AUV6_LARGEST);
+        reals(&x->instrument[i].zero[0], 3, AUV6_LARGEST);
     }
-    for (int i = 0; i < REMUS6_N; ++i) {
-        reals(&x->flywheel[i].body.mass, 1, REMUS6_LARGEST);
-        reals(&x->flywheel[i].body.center_of_mass[0], 3, REMUS6_LARGEST);
-        reals(&x->flywheel[i].body.inertia[0], 6, REMUS6_LARGEST);
-        reals(&x->flywheel[i].position[0], 3, REMUS6_LARGEST);
-        reals(&x->flywheel[i].axis[0], 3, REMUS6_LARGEST);
-        reals(&x->flywheel[i].zero[0], 3, REMUS6_LARGEST);
+    for (int i = 0; i < AUV6_N; ++i) {
+        reals(&x->flywheel[i].body.mass, 1, AUV6_LARGEST);
+        reals(&x->flywheel[i].body.center_of_mass[0], 3, AUV6_LARGEST);
+        reals(&x->flywheel[i].body.inertia[0], 6, AUV6_LARGEST);
+        reals(&x->flywheel[i].position[0], 3, AUV6_LARGEST);
+        reals(&x->flywheel[i].axis[0], 3, AUV6_LARGEST);
+        reals(&x->flywheel[i].zero[0], 3, AUV6_LARGEST);
         integers(&x->flywheel[i].mount, 1, INT_MIN, INT_MAX);
     }
-    for (int i = 0; i < 1; ++i) {
-        reals(&x->point[i].position[0], 3, REMUS6_LARGEST);
-        reals(&x->point[i].axis[0], 3, REMUS6_LARGEST);
-        reals(&x->point[i].zero[0], 3, REMUS6_LARGEST);
-        integers(&x->point[i].mount, 1, INT_MIN, INT_MAX);
-    }
 }
 
-static void bits_parameters(remus6_parameters *x)
+static void bits_parameters(auv6_parameters *x)
 {
     one_of_all(&x->carrier.mass);
     all_bits(&x->carrier.center_of_mass[0], 3);
@@ -351,7 +394,7 @@ static void bits_parameters(remus6_parameters *x)
         all_bits(&x->instrument[i].axis[0], 3);
         all_bits(&x->instrument[i].zero[0], 3);
     }
-    for (int i = 0; i < REMUS6_N; ++i) {
+    for (int i = 0; i < AUV6_N; ++i) {
         one_of_all(&x->flywheel[i].body.mass);
         all_bits(&x->flywheel[i].body.center_of_mass[0], 3);
         all_bits(&x->flywheel[i].body.inertia[0], 6);
@@ -360,30 +403,24 @@ static void bits_parameters(remus6_parameters *x)
         all_bits(&x->flywheel[i].zero[0], 3);
         integers(&x->flywheel[i].mount, 1, INT_MIN, INT_MAX);
     }
-    for (int i = 0; i < 1; ++i) {
-        all_bits(&x->point[i].position[0], 3);
-        all_bits(&x->point[i].axis[0], 3);
-        all_bits(&x->point[i].zero[0], 3);
-        integers(&x->point[i].mount, 1, INT_MIN, INT_MAX);
-    }
 }
 
-static void normal_step_carry(remus6_step_carry *x)
+static void normal_step_carry(auv6_step_carry *x)
 {
     reals(&x->rounding[0], 25, 1.0e-6);
 }
 
-static void any_step_carry(remus6_step_carry *x)
+static void any_step_carry(auv6_step_carry *x)
 {
-    reals(&x->rounding[0], 25, REMUS6_LARGEST);
+    reals(&x->rounding[0], 25, AUV6_LARGEST);
 }
 
-static void bits_step_carry(remus6_step_carry *x)
+static void bits_step_carry(auv6_step_carry *x)
 {
     all_bits(&x->rounding[0], 25);
 }
 
-static void untouched_matrices_result(const remus6_matrices_result *x)
+static void untouched_matrices_result(const auv6_matrices_result *x)
 {
     untouched(&x->K[0][0], 36);
     untouched(&x->K_dot[0][0], 36);
@@ -393,7 +430,7 @@ static void untouched_matrices_result(const remus6_matrices_result *x)
     untouched(&x->F[0], 6);
 }
 
-static void written_matrices_result(const remus6_matrices_result *x)
+static void written_matrices_result(const auv6_matrices_result *x)
 {
     written(&x->K[0][0], 36);
     written(&x->K_dot[0][0], 36);
@@ -403,7 +440,7 @@ static void written_matrices_result(const remus6_matrices_result *x)
     written(&x->F[0], 6);
 }
 
-static void initialised_matrices_result(const remus6_matrices_result *x)
+static void initialised_matrices_result(const auv6_matrices_result *x)
 {
     initialised(&x->K[0][0], 36);
     initialised(&x->K_dot[0][0], 36);
@@ -413,7 +450,7 @@ static void initialised_matrices_result(const remus6_matrices_result *x)
     initialised(&x->F[0], 6);
 }
 
-static void untouched_momentum_result(const remus6_momentum_result *x)
+static void untouched_momentum_result(const auv6_momentum_result *x)
 {
     untouched(&x->Z[0], 6);
     untouched(&x->Z0[0], 6);
@@ -421,7 +458,7 @@ static void untouched_momentum_result(const remus6_momentum_result *x)
     untouched(&x->center_of_mass[0], 3);
 }
 
-static void written_momentum_result(const remus6_momentum_result *x)
+static void written_momentum_result(const auv6_momentum_result *x)
 {
     written(&x->Z[0], 6);
     written(&x->Z0[0], 6);
@@ -429,7 +466,7 @@ static void written_momentum_result(const remus6_momentum_result *x)
     written(&x->center_of_mass[0], 3);
 }
 
-static void initialised_momentum_result(const remus6_momentum_result *x)
+static void initialised_momentum_result(const auv6_momentum_result *x)
 {
     initialised(&x->Z[0], 6);
     initialised(&x->Z0[0], 6);
@@ -437,7 +474,7 @@ static void initialised_momentum_result(const remus6_momentum_result *x)
     initialised(&x->center_of_mass[0], 3);
 }
 
-static void untouched_state(const remus6_state *x)
+static void untouched_state(const auv6_state *x)
 {
     untouched(&x->position[0], 3);
     untouched(&x->attitude[0], 4);
@@ -446,7 +483,7 @@ static void untouched_state(const remus6_state *x)
     untouched(&x->phi_dot[0], 6);
 }
 
-static void written_state(const remus6_state *x)
+static void written_state(const auv6_state *x)
 {
     written(&x->position[0], 3);
     written(&x->attitude[0], 4);
@@ -455,7 +492,7 @@ static void written_state(const remus6_state *x)
     written(&x->phi_dot[0], 6);
 }
 
-static void initialised_state(const remus6_state *x)
+static void initialised_state(const auv6_state *x)
 {
     initialised(&x->position[0], 3);
     initialised(&x->attitude[0], 4);
@@ -464,21 +501,21 @@ static void initialised_state(const remus6_state *x)
     initialised(&x->phi_dot[0], 6);
 }
 
-static void written_encoder(const remus6_encoder *x)
+static void written_encoder(const auv6_encoder *x)
 {
     /*@ check \initialized(&x->counter); */
     /*@ check \initialized(&x->place); */
     /*@ check \initialized(&x->moved); */
 }
 
-static void initialised_encoder(const remus6_encoder *x)
+static void initialised_encoder(const auv6_encoder *x)
 {
     /*@ check \initialized(&x->counter); */
     /*@ check \initialized(&x->place); */
     /*@ check \initialized(&x->moved); */
 }
 
-static void untouched_forward_jacobian_result(const remus6_forward_jacobian_result *x)
+static void untouched_forward_jacobian_result(const auv6_forward_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 36);
@@ -486,7 +523,7 @@ static void untouched_forward_jacobian_result(const remus6_forward_jacobian_resu
     untouched(&x->V_dot_phi_ddot[0][0], 36);
 }
 
-static void written_forward_jacobian_result(const remus6_forward_jacobian_result *x)
+static void written_forward_jacobian_result(const auv6_forward_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 36);
@@ -494,7 +531,7 @@ static void written_forward_jacobian_result(const remus6_forward_jacobian_result
     written(&x->V_dot_phi_ddot[0][0], 36);
 }
 
-static void initialised_forward_jacobian_result(const remus6_forward_jacobian_result *x)
+static void initialised_forward_jacobian_result(const auv6_forward_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 36);
@@ -502,7 +539,7 @@ static void initialised_forward_jacobian_result(const remus6_forward_jacobian_re
     initialised(&x->V_dot_phi_ddot[0][0], 36);
 }
 
-static void untouched_coupled_jacobian_result(const remus6_coupled_jacobian_result *x)
+static void untouched_coupled_jacobian_result(const auv6_coupled_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 36);
@@ -514,7 +551,7 @@ static void untouched_coupled_jacobian_result(const remus6_coupled_jacobian_resu
     untouched(&x->phi_ddot_tau[0][0], 36);
 }
 
-static void written_coupled_jacobian_result(const remus6_coupled_jacobian_result *x)
+static void written_coupled_jacobian_result(const auv6_coupled_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 36);
@@ -526,7 +563,7 @@ static void written_coupled_jacobian_result(const remus6_coupled_jacobian_result
     written(&x->phi_ddot_tau[0][0], 36);
 }
 
-static void initialised_coupled_jacobian_result(const remus6_coupled_jacobian_result *x)
+static void initialised_coupled_jacobian_result(const auv6_coupled_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 36);
@@ -538,7 +575,7 @@ static void initialised_coupled_jacobian_result(const remus6_coupled_jacobian_re
     initialised(&x->phi_ddot_tau[0][0], 36);
 }
 
-static void untouched_inverse_result(const remus6_inverse_result *x)
+static void untouched_inverse_result(const auv6_inverse_result *x)
 {
     untouched(&x->phi_ddot[0], 6);
     untouched(&x->residual[0], 6);
@@ -547,7 +584,7 @@ static void untouched_inverse_result(const remus6_inverse_result *x)
     untouched(&x->hardest[0], 6);
 }
 
-static void written_inverse_result(const remus6_inverse_result *x)
+static void written_inverse_result(const auv6_inverse_result *x)
 {
     written(&x->phi_ddot[0], 6);
     written(&x->residual[0], 6);
@@ -558,7 +595,7 @@ static void written_inverse_result(const remus6_inverse_result *x)
     written(&x->hardest[0], 6);
 }
 
-static void initialised_inverse_result(const remus6_inverse_result *x)
+static void initialised_inverse_result(const auv6_inverse_result *x)
 {
     initialised(&x->phi_ddot[0], 6);
     initialised(&x->residual[0], 6);
@@ -569,7 +606,7 @@ static void initialised_inverse_result(const remus6_inverse_result *x)
     initialised(&x->hardest[0], 6);
 }
 
-static void untouched_generalized_result(const remus6_generalized_result *x)
+static void untouched_generalized_result(const auv6_generalized_result *x)
 {
     untouched(&x->A[0][0], 36);
     untouched(&x->D[0][0], 36);
@@ -579,7 +616,7 @@ static void untouched_generalized_result(const remus6_generalized_result *x)
     untouched(&x->q_ddot[0], 6);
 }
 
-static void written_generalized_result(const remus6_generalized_result *x)
+static void written_generalized_result(const auv6_generalized_result *x)
 {
     written(&x->A[0][0], 36);
     written(&x->D[0][0], 36);
@@ -589,7 +626,7 @@ static void written_generalized_result(const remus6_generalized_result *x)
     written(&x->q_ddot[0], 6);
 }
 
-static void initialised_generalized_result(const remus6_generalized_result *x)
+static void initialised_generalized_result(const auv6_generalized_result *x)
 {
     initialised(&x->A[0][0], 36);
     initialised(&x->D[0][0], 36);
@@ -599,7 +636,7 @@ static void initialised_generalized_result(const remus6_generalized_result *x)
     initialised(&x->q_ddot[0], 6);
 }
 
-static void written_table(const remus6_table *x)
+static void written_table(const auv6_table *x)
 {
     written(&x->mass, 1);
     written(&x->mass_inverse, 1);
@@ -684,55 +721,13 @@ static void written_table(const remus6_table *x)
     written(&x->flywheel[5].spin_root_inv, 1);
     written(&x->sensor[0].origin[0], 3);
     written(&x->sensor[0].axes[0], 9);
-    written(&x->sensor[1].origin[0], 3);
-    written(&x->sensor[1].axes[0], 9);
     written(&x->gravity[0], 3);
     written(&x->stream[0], 3);
-    /*@ check \initialized(&x->damper.first_term); */
-    /*@ check \initialized(&x->damper.last_term); */
-    /*@ check \initialized(&x->term[0].wrench); */
-    /*@ check \initialized(&x->term[0].first); */
-    /*@ check \initialized(&x->term[0].second); */
-    written(&x->term[0].value, 1);
-    /*@ check \initialized(&x->term[1].wrench); */
-    /*@ check \initialized(&x->term[1].first); */
-    /*@ check \initialized(&x->term[1].second); */
-    written(&x->term[1].value, 1);
-    /*@ check \initialized(&x->term[2].wrench); */
-    /*@ check \initialized(&x->term[2].first); */
-    /*@ check \initialized(&x->term[2].second); */
-    written(&x->term[2].value, 1);
-    /*@ check \initialized(&x->term[3].wrench); */
-    /*@ check \initialized(&x->term[3].first); */
-    /*@ check \initialized(&x->term[3].second); */
-    written(&x->term[3].value, 1);
-    /*@ check \initialized(&x->term[4].wrench); */
-    /*@ check \initialized(&x->term[4].first); */
-    /*@ check \initialized(&x->term[4].second); */
-    written(&x->term[4].value, 1);
-    /*@ check \initialized(&x->term[5].wrench); */
-    /*@ check \initialized(&x->term[5].first); */
-    /*@ check \initialized(&x->term[5].second); */
-    written(&x->term[5].value, 1);
-    /*@ check \initialized(&x->term[6].wrench); */
-    /*@ check \initialized(&x->term[6].first); */
-    /*@ check \initialized(&x->term[6].second); */
-    written(&x->term[6].value, 1);
-    /*@ check \initialized(&x->term[7].wrench); */
-    /*@ check \initialized(&x->term[7].first); */
-    /*@ check \initialized(&x->term[7].second); */
-    written(&x->term[7].value, 1);
-    /*@ check \initialized(&x->term[8].wrench); */
-    /*@ check \initialized(&x->term[8].first); */
-    /*@ check \initialized(&x->term[8].second); */
-    written(&x->term[8].value, 1);
-    /*@ check \initialized(&x->term[9].wrench); */
-    /*@ check \initialized(&x->term[9].first); */
-    /*@ check \initialized(&x->term[9].second); */
-    written(&x->term[9].value, 1);
+    written(&x->damper.linear[0][0], 36);
+    written(&x->damper.quadratic[0][0], 36);
 }
 
-static void initialised_table(const remus6_table *x)
+static void initialised_table(const auv6_table *x)
 {
     initialised(&x->mass, 1);
     initialised(&x->mass_inverse, 1);
@@ -817,55 +812,13 @@ static void initialised_table(const remus6_table *x)
     initialised(&x->flywheel[5].spin_root_inv, 1);
     initialised(&x->sensor[0].origin[0], 3);
     initialised(&x->sensor[0].axes[0], 9);
-    initialised(&x->sensor[1].origin[0], 3);
-    initialised(&x->sensor[1].axes[0], 9);
     initialised(&x->gravity[0], 3);
     initialised(&x->stream[0], 3);
-    /*@ check \initialized(&x->damper.first_term); */
-    /*@ check \initialized(&x->damper.last_term); */
-    /*@ check \initialized(&x->term[0].wrench); */
-    /*@ check \initialized(&x->term[0].first); */
-    /*@ check \initialized(&x->term[0].second); */
-    initialised(&x->term[0].value, 1);
-    /*@ check \initialized(&x->term[1].wrench); */
-    /*@ check \initialized(&x->term[1].first); */
-    /*@ check \initialized(&x->term[1].second); */
-    initialised(&x->term[1].value, 1);
-    /*@ check \initialized(&x->term[2].wrench); */
-    /*@ check \initialized(&x->term[2].first); */
-    /*@ check \initialized(&x->term[2].second); */
-    initialised(&x->term[2].value, 1);
-    /*@ check \initialized(&x->term[3].wrench); */
-    /*@ check \initialized(&x->term[3].first); */
-    /*@ check \initialized(&x->term[3].second); */
-    initialised(&x->term[3].value, 1);
-    /*@ check \initialized(&x->term[4].wrench); */
-    /*@ check \initialized(&x->term[4].first); */
-    /*@ check \initialized(&x->term[4].second); */
-    initialised(&x->term[4].value, 1);
-    /*@ check \initialized(&x->term[5].wrench); */
-    /*@ check \initialized(&x->term[5].first); */
-    /*@ check \initialized(&x->term[5].second); */
-    initialised(&x->term[5].value, 1);
-    /*@ check \initialized(&x->term[6].wrench); */
-    /*@ check \initialized(&x->term[6].first); */
-    /*@ check \initialized(&x->term[6].second); */
-    initialised(&x->term[6].value, 1);
-    /*@ check \initialized(&x->term[7].wrench); */
-    /*@ check \initialized(&x->term[7].first); */
-    /*@ check \initialized(&x->term[7].second); */
-    initialised(&x->term[7].value, 1);
-    /*@ check \initialized(&x->term[8].wrench); */
-    /*@ check \initialized(&x->term[8].first); */
-    /*@ check \initialized(&x->term[8].second); */
-    initialised(&x->term[8].value, 1);
-    /*@ check \initialized(&x->term[9].wrench); */
-    /*@ check \initialized(&x->term[9].first); */
-    /*@ check \initialized(&x->term[9].second); */
-    initialised(&x->term[9].value, 1);
+    initialised(&x->damper.linear[0][0], 36);
+    initialised(&x->damper.quadratic[0][0], 36);
 }
 
-static void untouched_mount_table(const remus6_mount_table *x)
+static void untouched_mount_table(const auv6_mount_table *x)
 {
     untouched(&x->flywheel[0].mass, 1);
     untouched(&x->flywheel[0].first_moment[0], 3);
@@ -899,7 +852,7 @@ static void untouched_mount_table(const remus6_mount_table *x)
     untouched(&x->flywheel[5].axes[0], 9);
 }
 
-static void written_mount_table(const remus6_mount_table *x)
+static void written_mount_table(const auv6_mount_table *x)
 {
     written(&x->flywheel[0].mass, 1);
     written(&x->flywheel[0].first_moment[0], 3);
@@ -933,7 +886,7 @@ static void written_mount_table(const remus6_mount_table *x)
     written(&x->flywheel[5].axes[0], 9);
 }
 
-static void initialised_mount_table(const remus6_mount_table *x)
+static void initialised_mount_table(const auv6_mount_table *x)
 {
     initialised(&x->flywheel[0].mass, 1);
     initialised(&x->flywheel[0].first_moment[0], 3);
@@ -967,29 +920,29 @@ static void initialised_mount_table(const remus6_mount_table *x)
     initialised(&x->flywheel[5].axes[0], 9);
 }
 
-static void written_step_carry(const remus6_step_carry *x)
+static void written_step_carry(const auv6_step_carry *x)
 {
     written(&x->rounding[0], 25);
 }
 
-static void initialised_step_carry(const remus6_step_carry *x)
+static void initialised_step_carry(const auv6_step_carry *x)
 {
     initialised(&x->rounding[0], 25);
 }
 
 /* ---- drivers: a function and a set each ---- */
 
-void remus6_eva_normal_forward(void);
-void remus6_eva_normal_forward(void)
+void auv6_eva_normal_forward(void);
+void auv6_eva_normal_forward(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real phi_ddot[REMUS6_N];
+    auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    remus6_real V_dot[6];
-    const remus6_status status = remus6_forward(&table, &x, phi_ddot, V_dot);
+    auv6_real V_dot[6];
+    const auv6_status status = auv6_forward(&table, &x, phi_ddot, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -998,17 +951,17 @@ void remus6_eva_normal_forward(void)
     }
 }
 
-void remus6_eva_any_forward(void);
-void remus6_eva_any_forward(void)
+void auv6_eva_any_forward(void);
+void auv6_eva_any_forward(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real phi_ddot[REMUS6_N];
-    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
-    remus6_real V_dot[6];
-    const remus6_status status = remus6_forward(&table, &x, phi_ddot, V_dot);
+    auv6_real phi_ddot[AUV6_N];
+    reals(&phi_ddot[0], 6, AUV6_LARGEST);
+    auv6_real V_dot[6];
+    const auv6_status status = auv6_forward(&table, &x, phi_ddot, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1017,17 +970,17 @@ void remus6_eva_any_forward(void)
     }
 }
 
-void remus6_eva_bits_forward(void);
-void remus6_eva_bits_forward(void)
+void auv6_eva_bits_forward(void);
+void auv6_eva_bits_forward(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real phi_ddot[REMUS6_N];
+    auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
-    remus6_real V_dot[6];
-    const remus6_status status = remus6_forward(&table, &x, phi_ddot, V_dot);
+    auv6_real V_dot[6];
+    const auv6_status status = auv6_forward(&table, &x, phi_ddot, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1036,15 +989,15 @@ void remus6_eva_bits_forward(void)
     }
 }
 
-void remus6_eva_normal_wrench(void);
-void remus6_eva_normal_wrench(void)
+void auv6_eva_normal_wrench(void);
+void auv6_eva_normal_wrench(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real F[6];
-    const remus6_status status = remus6_wrench(&table, &x, F);
+    auv6_real F[6];
+    const auv6_status status = auv6_wrench(&table, &x, F);
     if (status < 0) {
         untouched(&F[0], 6);
     } else {
@@ -1053,15 +1006,15 @@ void remus6_eva_normal_wrench(void)
     }
 }
 
-void remus6_eva_any_wrench(void);
-void remus6_eva_any_wrench(void)
+void auv6_eva_any_wrench(void);
+void auv6_eva_any_wrench(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real F[6];
-    const remus6_status status = remus6_wrench(&table, &x, F);
+    auv6_real F[6];
+    const auv6_status status = auv6_wrench(&table, &x, F);
     if (status < 0) {
         untouched(&F[0], 6);
     } else {
@@ -1070,15 +1023,15 @@ void remus6_eva_any_wrench(void)
     }
 }
 
-void remus6_eva_bits_wrench(void);
-void remus6_eva_bits_wrench(void)
+void auv6_eva_bits_wrench(void);
+void auv6_eva_bits_wrench(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real F[6];
-    const remus6_status status = remus6_wrench(&table, &x, F);
+    auv6_real F[6];
+    const auv6_status status = auv6_wrench(&table, &x, F);
     if (status < 0) {
         untouched(&F[0], 6);
     } else {
@@ -1087,15 +1040,15 @@ void remus6_eva_bits_wrench(void)
     }
 }
 
-void remus6_eva_normal_matrices(void);
-void remus6_eva_normal_matrices(void)
+void auv6_eva_normal_matrices(void);
+void auv6_eva_normal_matrices(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_matrices_result out;
-    const remus6_status status = remus6_matrices(&table, &x, &out);
+    auv6_matrices_result out;
+    const auv6_status status = auv6_matrices(&table, &x, &out);
     if (status < 0) {
         untouched_matrices_result(&out);
     } else {
@@ -1104,15 +1057,15 @@ void remus6_eva_normal_matrices(void)
     }
 }
 
-void remus6_eva_any_matrices(void);
-void remus6_eva_any_matrices(void)
+void auv6_eva_any_matrices(void);
+void auv6_eva_any_matrices(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_matrices_result out;
-    const remus6_status status = remus6_matrices(&table, &x, &out);
+    auv6_matrices_result out;
+    const auv6_status status = auv6_matrices(&table, &x, &out);
     if (status < 0) {
         untouched_matrices_result(&out);
     } else {
@@ -1121,15 +1074,15 @@ void remus6_eva_any_matrices(void)
     }
 }
 
-void remus6_eva_bits_matrices(void);
-void remus6_eva_bits_matrices(void)
+void auv6_eva_bits_matrices(void);
+void auv6_eva_bits_matrices(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_matrices_result out;
-    const remus6_status status = remus6_matrices(&table, &x, &out);
+    auv6_matrices_result out;
+    const auv6_status status = auv6_matrices(&table, &x, &out);
     if (status < 0) {
         untouched_matrices_result(&out);
     } else {
@@ -1138,15 +1091,15 @@ void remus6_eva_bits_matrices(void)
     }
 }
 
-void remus6_eva_normal_momentum(void);
-void remus6_eva_normal_momentum(void)
+void auv6_eva_normal_momentum(void);
+void auv6_eva_normal_momentum(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_momentum_result out;
-    const remus6_status status = remus6_momentum(&table, &x, &out);
+    auv6_momentum_result out;
+    const auv6_status status = auv6_momentum(&table, &x, &out);
     if (status < 0) {
         untouched_momentum_result(&out);
     } else {
@@ -1155,15 +1108,15 @@ void remus6_eva_normal_momentum(void)
     }
 }
 
-void remus6_eva_any_momentum(void);
-void remus6_eva_any_momentum(void)
+void auv6_eva_any_momentum(void);
+void auv6_eva_any_momentum(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_momentum_result out;
-    const remus6_status status = remus6_momentum(&table, &x, &out);
+    auv6_momentum_result out;
+    const auv6_status status = auv6_momentum(&table, &x, &out);
     if (status < 0) {
         untouched_momentum_result(&out);
     } else {
@@ -1172,15 +1125,15 @@ void remus6_eva_any_momentum(void)
     }
 }
 
-void remus6_eva_bits_momentum(void);
-void remus6_eva_bits_momentum(void)
+void auv6_eva_bits_momentum(void);
+void auv6_eva_bits_momentum(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_momentum_result out;
-    const remus6_status status = remus6_momentum(&table, &x, &out);
+    auv6_momentum_result out;
+    const auv6_status status = auv6_momentum(&table, &x, &out);
     if (status < 0) {
         untouched_momentum_result(&out);
     } else {
@@ -1189,19 +1142,19 @@ void remus6_eva_bits_momentum(void)
     }
 }
 
-void remus6_eva_normal_torque(void);
-void remus6_eva_normal_torque(void)
+void auv6_eva_normal_torque(void);
+void auv6_eva_normal_torque(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real V_dot[6];
+    auv6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
-    remus6_real phi_ddot[REMUS6_N];
+    auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    remus6_real tau[REMUS6_N];
-    const remus6_status status = remus6_torque(&table, &x, V_dot, phi_ddot, tau);
+    auv6_real tau[AUV6_N];
+    const auv6_status status = auv6_torque(&table, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 6);
     } else {
@@ -1210,19 +1163,19 @@ void remus6_eva_normal_torque(void)
     }
 }
 
-void remus6_eva_any_torque(void);
-void remus6_eva_any_torque(void)
+void auv6_eva_any_torque(void);
+void auv6_eva_any_torque(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real V_dot[6];
-    reals(&V_dot[0], 6, REMUS6_LARGEST);
-    remus6_real phi_ddot[REMUS6_N];
-    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
-    remus6_real tau[REMUS6_N];
-    const remus6_status status = remus6_torque(&table, &x, V_dot, phi_ddot, tau);
+    auv6_real V_dot[6];
+    reals(&V_dot[0], 6, AUV6_LARGEST);
+    auv6_real phi_ddot[AUV6_N];
+    reals(&phi_ddot[0], 6, AUV6_LARGEST);
+    auv6_real tau[AUV6_N];
+    const auv6_status status = auv6_torque(&table, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 6);
     } else {
@@ -1231,19 +1184,19 @@ void remus6_eva_any_torque(void)
     }
 }
 
-void remus6_eva_bits_torque(void);
-void remus6_eva_bits_torque(void)
+void auv6_eva_bits_torque(void);
+void auv6_eva_bits_torque(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real V_dot[6];
+    auv6_real V_dot[6];
     all_bits(&V_dot[0], 6);
-    remus6_real phi_ddot[REMUS6_N];
+    auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
-    remus6_real tau[REMUS6_N];
-    const remus6_status status = remus6_torque(&table, &x, V_dot, phi_ddot, tau);
+    auv6_real tau[AUV6_N];
+    const auv6_status status = auv6_torque(&table, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 6);
     } else {
@@ -1252,20 +1205,20 @@ void remus6_eva_bits_torque(void)
     }
 }
 
-void remus6_eva_normal_coupled(void);
-void remus6_eva_normal_coupled(void)
+void auv6_eva_normal_coupled(void);
+void auv6_eva_normal_coupled(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real tau[REMUS6_N];
+    auv6_real tau[AUV6_N];
     reals(&tau[0], 6, 100.0);
-    int locked[REMUS6_N];
+    int locked[AUV6_N];
     integers(&locked[0], 6, 0, 1);
-    remus6_real V_dot[6];
-    remus6_real phi_ddot[REMUS6_N];
-    const remus6_status status = remus6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
+    auv6_real V_dot[6];
+    auv6_real phi_ddot[AUV6_N];
+    const auv6_status status = auv6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
         untouched(&phi_ddot[0], 6);
@@ -1276,20 +1229,20 @@ void remus6_eva_normal_coupled(void)
     }
 }
 
-void remus6_eva_any_coupled(void);
-void remus6_eva_any_coupled(void)
+void auv6_eva_any_coupled(void);
+void auv6_eva_any_coupled(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real tau[REMUS6_N];
-    reals(&tau[0], 6, REMUS6_LARGEST);
-    int locked[REMUS6_N];
+    auv6_real tau[AUV6_N];
+    reals(&tau[0], 6, AUV6_LARGEST);
+    int locked[AUV6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    remus6_real V_dot[6];
-    remus6_real phi_ddot[REMUS6_N];
-    const remus6_status status = remus6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
+    auv6_real V_dot[6];
+    auv6_real phi_ddot[AUV6_N];
+    const auv6_status status = auv6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
         untouched(&phi_ddot[0], 6);
@@ -1300,20 +1253,20 @@ void remus6_eva_any_coupled(void)
     }
 }
 
-void remus6_eva_bits_coupled(void);
-void remus6_eva_bits_coupled(void)
+void auv6_eva_bits_coupled(void);
+void auv6_eva_bits_coupled(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real tau[REMUS6_N];
+    auv6_real tau[AUV6_N];
     all_bits(&tau[0], 6);
-    int locked[REMUS6_N];
+    int locked[AUV6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    remus6_real V_dot[6];
-    remus6_real phi_ddot[REMUS6_N];
-    const remus6_status status = remus6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
+    auv6_real V_dot[6];
+    auv6_real phi_ddot[AUV6_N];
+    const auv6_status status = auv6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
         untouched(&phi_ddot[0], 6);
@@ -1324,23 +1277,23 @@ void remus6_eva_bits_coupled(void)
     }
 }
 
-void remus6_eva_normal_step(void);
-void remus6_eva_normal_step(void)
+void auv6_eva_normal_step(void);
+void auv6_eva_normal_step(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real tau[REMUS6_N];
+    auv6_real tau[AUV6_N];
     reals(&tau[0], 6, 100.0);
-    int locked[REMUS6_N];
+    int locked[AUV6_N];
     integers(&locked[0], 6, 0, 1);
-    remus6_real dt;
+    auv6_real dt;
     dt = real_in(1.0e-6, 0.001);
     int order;
     integers(&order, 1, 2, 4);
-    remus6_state next;
-    const remus6_status status = remus6_step(&table, &x, tau, locked, dt, order, &next);
+    auv6_state next;
+    const auv6_status status = auv6_step(&table, &x, tau, locked, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1349,23 +1302,23 @@ void remus6_eva_normal_step(void)
     }
 }
 
-void remus6_eva_any_step(void);
-void remus6_eva_any_step(void)
+void auv6_eva_any_step(void);
+void auv6_eva_any_step(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real tau[REMUS6_N];
-    reals(&tau[0], 6, REMUS6_LARGEST);
-    int locked[REMUS6_N];
+    auv6_real tau[AUV6_N];
+    reals(&tau[0], 6, AUV6_LARGEST);
+    int locked[AUV6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    remus6_real dt;
-    reals(&dt, 1, REMUS6_LARGEST);
+    auv6_real dt;
+    reals(&dt, 1, AUV6_LARGEST);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    remus6_state next;
-    const remus6_status status = remus6_step(&table, &x, tau, locked, dt, order, &next);
+    auv6_state next;
+    const auv6_status status = auv6_step(&table, &x, tau, locked, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1374,23 +1327,23 @@ void remus6_eva_any_step(void)
     }
 }
 
-void remus6_eva_bits_step(void);
-void remus6_eva_bits_step(void)
+void auv6_eva_bits_step(void);
+void auv6_eva_bits_step(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real tau[REMUS6_N];
+    auv6_real tau[AUV6_N];
     all_bits(&tau[0], 6);
-    int locked[REMUS6_N];
+    int locked[AUV6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    remus6_real dt;
+    auv6_real dt;
     one_of_all(&dt);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    remus6_state next;
-    const remus6_status status = remus6_step(&table, &x, tau, locked, dt, order, &next);
+    auv6_state next;
+    const auv6_status status = auv6_step(&table, &x, tau, locked, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1399,21 +1352,21 @@ void remus6_eva_bits_step(void)
     }
 }
 
-void remus6_eva_normal_step_driven(void);
-void remus6_eva_normal_step_driven(void)
+void auv6_eva_normal_step_driven(void);
+void auv6_eva_normal_step_driven(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real phi_ddot[REMUS6_N];
+    auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    remus6_real dt;
+    auv6_real dt;
     dt = real_in(1.0e-6, 0.001);
     int order;
     integers(&order, 1, 2, 4);
-    remus6_state next;
-    const remus6_status status = remus6_step_driven(&table, &x, phi_ddot, dt, order, &next);
+    auv6_state next;
+    const auv6_status status = auv6_step_driven(&table, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1422,21 +1375,21 @@ void remus6_eva_normal_step_driven(void)
     }
 }
 
-void remus6_eva_any_step_driven(void);
-void remus6_eva_any_step_driven(void)
+void auv6_eva_any_step_driven(void);
+void auv6_eva_any_step_driven(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real phi_ddot[REMUS6_N];
-    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
-    remus6_real dt;
-    reals(&dt, 1, REMUS6_LARGEST);
+    auv6_real phi_ddot[AUV6_N];
+    reals(&phi_ddot[0], 6, AUV6_LARGEST);
+    auv6_real dt;
+    reals(&dt, 1, AUV6_LARGEST);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    remus6_state next;
-    const remus6_status status = remus6_step_driven(&table, &x, phi_ddot, dt, order, &next);
+    auv6_state next;
+    const auv6_status status = auv6_step_driven(&table, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1445,21 +1398,21 @@ void remus6_eva_any_step_driven(void)
     }
 }
 
-void remus6_eva_bits_step_driven(void);
-void remus6_eva_bits_step_driven(void)
+void auv6_eva_bits_step_driven(void);
+void auv6_eva_bits_step_driven(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real phi_ddot[REMUS6_N];
+    auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
-    remus6_real dt;
+    auv6_real dt;
     one_of_all(&dt);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    remus6_state next;
-    const remus6_status status = remus6_step_driven(&table, &x, phi_ddot, dt, order, &next);
+    auv6_state next;
+    const auv6_status status = auv6_step_driven(&table, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1468,13 +1421,13 @@ void remus6_eva_bits_step_driven(void)
     }
 }
 
-void remus6_eva_normal_wrap(void);
-void remus6_eva_normal_wrap(void)
+void auv6_eva_normal_wrap(void);
+void auv6_eva_normal_wrap(void)
 {
-    remus6_real phi;
+    auv6_real phi;
     reals(&phi, 1, 100.0);
-    remus6_real wrapped;
-    const remus6_status status = remus6_wrap(phi, &wrapped);
+    auv6_real wrapped;
+    const auv6_status status = auv6_wrap(phi, &wrapped);
     if (status < 0) {
         untouched(&wrapped, 1);
     } else {
@@ -1483,13 +1436,13 @@ void remus6_eva_normal_wrap(void)
     }
 }
 
-void remus6_eva_any_wrap(void);
-void remus6_eva_any_wrap(void)
+void auv6_eva_any_wrap(void);
+void auv6_eva_any_wrap(void)
 {
-    remus6_real phi;
-    reals(&phi, 1, REMUS6_LARGEST);
-    remus6_real wrapped;
-    const remus6_status status = remus6_wrap(phi, &wrapped);
+    auv6_real phi;
+    reals(&phi, 1, AUV6_LARGEST);
+    auv6_real wrapped;
+    const auv6_status status = auv6_wrap(phi, &wrapped);
     if (status < 0) {
         untouched(&wrapped, 1);
     } else {
@@ -1498,13 +1451,13 @@ void remus6_eva_any_wrap(void)
     }
 }
 
-void remus6_eva_bits_wrap(void);
-void remus6_eva_bits_wrap(void)
+void auv6_eva_bits_wrap(void);
+void auv6_eva_bits_wrap(void)
 {
-    remus6_real phi;
+    auv6_real phi;
     one_of_all(&phi);
-    remus6_real wrapped;
-    const remus6_status status = remus6_wrap(phi, &wrapped);
+    auv6_real wrapped;
+    const auv6_status status = auv6_wrap(phi, &wrapped);
     if (status < 0) {
         untouched(&wrapped, 1);
     } else {
@@ -1513,17 +1466,17 @@ void remus6_eva_bits_wrap(void)
     }
 }
 
-void remus6_eva_normal_phase_of_counts(void);
-void remus6_eva_normal_phase_of_counts(void)
+void auv6_eva_normal_phase_of_counts(void);
+void auv6_eva_normal_phase_of_counts(void)
 {
     int count;
     integers(&count, 1, -1048576, 1048576);
     int per_turn;
     integers(&per_turn, 1, -100000, 100000);
-    remus6_real zero;
+    auv6_real zero;
     reals(&zero, 1, 1.0e3);
-    remus6_real phi;
-    const remus6_status status = remus6_phase_of_counts(count, per_turn, zero, &phi);
+    auv6_real phi;
+    const auv6_status status = auv6_phase_of_counts(count, per_turn, zero, &phi);
     if (status < 0) {
         untouched(&phi, 1);
     } else {
@@ -1532,17 +1485,17 @@ void remus6_eva_normal_phase_of_counts(void)
     }
 }
 
-void remus6_eva_any_phase_of_counts(void);
-void remus6_eva_any_phase_of_counts(void)
+void auv6_eva_any_phase_of_counts(void);
+void auv6_eva_any_phase_of_counts(void)
 {
     int count;
     integers(&count, 1, INT_MIN, INT_MAX);
     int per_turn;
     integers(&per_turn, 1, INT_MIN, INT_MAX);
-    remus6_real zero;
-    reals(&zero, 1, REMUS6_LARGEST);
-    remus6_real phi;
-    const remus6_status status = remus6_phase_of_counts(count, per_turn, zero, &phi);
+    auv6_real zero;
+    reals(&zero, 1, AUV6_LARGEST);
+    auv6_real phi;
+    const auv6_status status = auv6_phase_of_counts(count, per_turn, zero, &phi);
     if (status < 0) {
         untouched(&phi, 1);
     } else {
@@ -1551,17 +1504,17 @@ void remus6_eva_any_phase_of_counts(void)
     }
 }
 
-void remus6_eva_bits_phase_of_counts(void);
-void remus6_eva_bits_phase_of_counts(void)
+void auv6_eva_bits_phase_of_counts(void);
+void auv6_eva_bits_phase_of_counts(void)
 {
     int count;
     integers(&count, 1, INT_MIN, INT_MAX);
     int per_turn;
     integers(&per_turn, 1, INT_MIN, INT_MAX);
-    remus6_real zero;
+    auv6_real zero;
     one_of_all(&zero);
-    remus6_real phi;
-    const remus6_status status = remus6_phase_of_counts(count, per_turn, zero, &phi);
+    auv6_real phi;
+    const auv6_status status = auv6_phase_of_counts(count, per_turn, zero, &phi);
     if (status < 0) {
         untouched(&phi, 1);
     } else {
@@ -1570,17 +1523,17 @@ void remus6_eva_bits_phase_of_counts(void)
     }
 }
 
-void remus6_eva_normal_speed_of_counts(void);
-void remus6_eva_normal_speed_of_counts(void)
+void auv6_eva_normal_speed_of_counts(void);
+void auv6_eva_normal_speed_of_counts(void)
 {
     int moved;
     integers(&moved, 1, -1048576, 1048576);
     int per_turn;
     integers(&per_turn, 1, -100000, 100000);
-    remus6_real dt;
+    auv6_real dt;
     dt = real_in(1.0e-6, 0.001);
-    remus6_real phi_dot;
-    const remus6_status status = remus6_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    auv6_real phi_dot;
+    const auv6_status status = auv6_speed_of_counts(moved, per_turn, dt, &phi_dot);
     if (status < 0) {
         untouched(&phi_dot, 1);
     } else {
@@ -1589,17 +1542,17 @@ void remus6_eva_normal_speed_of_counts(void)
     }
 }
 
-void remus6_eva_any_speed_of_counts(void);
-void remus6_eva_any_speed_of_counts(void)
+void auv6_eva_any_speed_of_counts(void);
+void auv6_eva_any_speed_of_counts(void)
 {
     int moved;
     integers(&moved, 1, INT_MIN, INT_MAX);
     int per_turn;
     integers(&per_turn, 1, INT_MIN, INT_MAX);
-    remus6_real dt;
-    reals(&dt, 1, REMUS6_LARGEST);
-    remus6_real phi_dot;
-    const remus6_status status = remus6_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    auv6_real dt;
+    reals(&dt, 1, AUV6_LARGEST);
+    auv6_real phi_dot;
+    const auv6_status status = auv6_speed_of_counts(moved, per_turn, dt, &phi_dot);
     if (status < 0) {
         untouched(&phi_dot, 1);
     } else {
@@ -1608,17 +1561,17 @@ void remus6_eva_any_speed_of_counts(void)
     }
 }
 
-void remus6_eva_bits_speed_of_counts(void);
-void remus6_eva_bits_speed_of_counts(void)
+void auv6_eva_bits_speed_of_counts(void);
+void auv6_eva_bits_speed_of_counts(void)
 {
     int moved;
     integers(&moved, 1, INT_MIN, INT_MAX);
     int per_turn;
     integers(&per_turn, 1, INT_MIN, INT_MAX);
-    remus6_real dt;
+    auv6_real dt;
     one_of_all(&dt);
-    remus6_real phi_dot;
-    const remus6_status status = remus6_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    auv6_real phi_dot;
+    const auv6_status status = auv6_speed_of_counts(moved, per_turn, dt, &phi_dot);
     if (status < 0) {
         untouched(&phi_dot, 1);
     } else {
@@ -1627,10 +1580,10 @@ void remus6_eva_bits_speed_of_counts(void)
     }
 }
 
-void remus6_eva_normal_accumulate(void);
-void remus6_eva_normal_accumulate(void)
+void auv6_eva_normal_accumulate(void);
+void auv6_eva_normal_accumulate(void)
 {
-    remus6_encoder encoder;
+    auv6_encoder encoder;
     normal_encoder(&encoder);
     int counter;
     integers(&counter, 1, -1048576, 1048576);
@@ -1638,7 +1591,7 @@ void remus6_eva_normal_accumulate(void)
     integers(&bits, 1, 0, 32);
     int per_turn;
     integers(&per_turn, 1, -100000, 100000);
-    const remus6_status status = remus6_accumulate(&encoder, counter, bits, per_turn);
+    const auv6_status status = auv6_accumulate(&encoder, counter, bits, per_turn);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
@@ -1646,10 +1599,10 @@ void remus6_eva_normal_accumulate(void)
     }
 }
 
-void remus6_eva_any_accumulate(void);
-void remus6_eva_any_accumulate(void)
+void auv6_eva_any_accumulate(void);
+void auv6_eva_any_accumulate(void)
 {
-    remus6_encoder encoder;
+    auv6_encoder encoder;
     any_encoder(&encoder);
     int counter;
     integers(&counter, 1, INT_MIN, INT_MAX);
@@ -1657,7 +1610,7 @@ void remus6_eva_any_accumulate(void)
     integers(&bits, 1, INT_MIN, INT_MAX);
     int per_turn;
     integers(&per_turn, 1, INT_MIN, INT_MAX);
-    const remus6_status status = remus6_accumulate(&encoder, counter, bits, per_turn);
+    const auv6_status status = auv6_accumulate(&encoder, counter, bits, per_turn);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
@@ -1665,10 +1618,10 @@ void remus6_eva_any_accumulate(void)
     }
 }
 
-void remus6_eva_bits_accumulate(void);
-void remus6_eva_bits_accumulate(void)
+void auv6_eva_bits_accumulate(void);
+void auv6_eva_bits_accumulate(void)
 {
-    remus6_encoder encoder;
+    auv6_encoder encoder;
     bits_encoder(&encoder);
     int counter;
     integers(&counter, 1, INT_MIN, INT_MAX);
@@ -1676,7 +1629,7 @@ void remus6_eva_bits_accumulate(void)
     integers(&bits, 1, INT_MIN, INT_MAX);
     int per_turn;
     integers(&per_turn, 1, INT_MIN, INT_MAX);
-    const remus6_status status = remus6_accumulate(&encoder, counter, bits, per_turn);
+    const auv6_status status = auv6_accumulate(&encoder, counter, bits, per_turn);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
@@ -1684,17 +1637,17 @@ void remus6_eva_bits_accumulate(void)
     }
 }
 
-void remus6_eva_normal_forward_jacobian(void);
-void remus6_eva_normal_forward_jacobian(void)
+void auv6_eva_normal_forward_jacobian(void);
+void auv6_eva_normal_forward_jacobian(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real phi_ddot[REMUS6_N];
+    auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    remus6_forward_jacobian_result out;
-    const remus6_status status = remus6_forward_jacobian(&table, &x, phi_ddot, &out);
+    auv6_forward_jacobian_result out;
+    const auv6_status status = auv6_forward_jacobian(&table, &x, phi_ddot, &out);
     if (status < 0) {
         untouched_forward_jacobian_result(&out);
     } else {
@@ -1703,17 +1656,17 @@ void remus6_eva_normal_forward_jacobian(void)
     }
 }
 
-void remus6_eva_any_forward_jacobian(void);
-void remus6_eva_any_forward_jacobian(void)
+void auv6_eva_any_forward_jacobian(void);
+void auv6_eva_any_forward_jacobian(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real phi_ddot[REMUS6_N];
-    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
-    remus6_forward_jacobian_result out;
-    const remus6_status status = remus6_forward_jacobian(&table, &x, phi_ddot, &out);
+    auv6_real phi_ddot[AUV6_N];
+    reals(&phi_ddot[0], 6, AUV6_LARGEST);
+    auv6_forward_jacobian_result out;
+    const auv6_status status = auv6_forward_jacobian(&table, &x, phi_ddot, &out);
     if (status < 0) {
         untouched_forward_jacobian_result(&out);
     } else {
@@ -1722,17 +1675,17 @@ void remus6_eva_any_forward_jacobian(void)
     }
 }
 
-void remus6_eva_bits_forward_jacobian(void);
-void remus6_eva_bits_forward_jacobian(void)
+void auv6_eva_bits_forward_jacobian(void);
+void auv6_eva_bits_forward_jacobian(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real phi_ddot[REMUS6_N];
+    auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
-    remus6_forward_jacobian_result out;
-    const remus6_status status = remus6_forward_jacobian(&table, &x, phi_ddot, &out);
+    auv6_forward_jacobian_result out;
+    const auv6_status status = auv6_forward_jacobian(&table, &x, phi_ddot, &out);
     if (status < 0) {
         untouched_forward_jacobian_result(&out);
     } else {
@@ -1741,19 +1694,19 @@ void remus6_eva_bits_forward_jacobian(void)
     }
 }
 
-void remus6_eva_normal_coupled_jacobian(void);
-void remus6_eva_normal_coupled_jacobian(void)
+void auv6_eva_normal_coupled_jacobian(void);
+void auv6_eva_normal_coupled_jacobian(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real tau[REMUS6_N];
+    auv6_real tau[AUV6_N];
     reals(&tau[0], 6, 100.0);
-    int locked[REMUS6_N];
+    int locked[AUV6_N];
     integers(&locked[0], 6, 0, 1);
-    remus6_coupled_jacobian_result out;
-    const remus6_status status = remus6_coupled_jacobian(&table, &x, tau, locked, &out);
+    auv6_coupled_jacobian_result out;
+    const auv6_status status = auv6_coupled_jacobian(&table, &x, tau, locked, &out);
     if (status < 0) {
         untouched_coupled_jacobian_result(&out);
     } else {
@@ -1762,19 +1715,19 @@ void remus6_eva_normal_coupled_jacobian(void)
     }
 }
 
-void remus6_eva_any_coupled_jacobian(void);
-void remus6_eva_any_coupled_jacobian(void)
+void auv6_eva_any_coupled_jacobian(void);
+void auv6_eva_any_coupled_jacobian(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real tau[REMUS6_N];
-    reals(&tau[0], 6, REMUS6_LARGEST);
-    int locked[REMUS6_N];
+    auv6_real tau[AUV6_N];
+    reals(&tau[0], 6, AUV6_LARGEST);
+    int locked[AUV6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    remus6_coupled_jacobian_result out;
-    const remus6_status status = remus6_coupled_jacobian(&table, &x, tau, locked, &out);
+    auv6_coupled_jacobian_result out;
+    const auv6_status status = auv6_coupled_jacobian(&table, &x, tau, locked, &out);
     if (status < 0) {
         untouched_coupled_jacobian_result(&out);
     } else {
@@ -1783,19 +1736,19 @@ void remus6_eva_any_coupled_jacobian(void)
     }
 }
 
-void remus6_eva_bits_coupled_jacobian(void);
-void remus6_eva_bits_coupled_jacobian(void)
+void auv6_eva_bits_coupled_jacobian(void);
+void auv6_eva_bits_coupled_jacobian(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real tau[REMUS6_N];
+    auv6_real tau[AUV6_N];
     all_bits(&tau[0], 6);
-    int locked[REMUS6_N];
+    int locked[AUV6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    remus6_coupled_jacobian_result out;
-    const remus6_status status = remus6_coupled_jacobian(&table, &x, tau, locked, &out);
+    auv6_coupled_jacobian_result out;
+    const auv6_status status = auv6_coupled_jacobian(&table, &x, tau, locked, &out);
     if (status < 0) {
         untouched_coupled_jacobian_result(&out);
     } else {
@@ -1804,19 +1757,19 @@ void remus6_eva_bits_coupled_jacobian(void)
     }
 }
 
-void remus6_eva_normal_inverse(void);
-void remus6_eva_normal_inverse(void)
+void auv6_eva_normal_inverse(void);
+void auv6_eva_normal_inverse(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real V_dot[6];
+    auv6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
-    remus6_inverse_options options;
+    auv6_inverse_options options;
     normal_inverse_options(&options);
-    remus6_inverse_result out;
-    const remus6_status status = remus6_inverse(&table, &x, V_dot, &options, &out);
+    auv6_inverse_result out;
+    const auv6_status status = auv6_inverse(&table, &x, V_dot, &options, &out);
     if (status < 0) {
         untouched_inverse_result(&out);
     } else {
@@ -1825,19 +1778,19 @@ void remus6_eva_normal_inverse(void)
     }
 }
 
-void remus6_eva_any_inverse(void);
-void remus6_eva_any_inverse(void)
+void auv6_eva_any_inverse(void);
+void auv6_eva_any_inverse(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real V_dot[6];
-    reals(&V_dot[0], 6, REMUS6_LARGEST);
-    remus6_inverse_options options;
+    auv6_real V_dot[6];
+    reals(&V_dot[0], 6, AUV6_LARGEST);
+    auv6_inverse_options options;
     any_inverse_options(&options);
-    remus6_inverse_result out;
-    const remus6_status status = remus6_inverse(&table, &x, V_dot, &options, &out);
+    auv6_inverse_result out;
+    const auv6_status status = auv6_inverse(&table, &x, V_dot, &options, &out);
     if (status < 0) {
         untouched_inverse_result(&out);
     } else {
@@ -1846,19 +1799,19 @@ void remus6_eva_any_inverse(void)
     }
 }
 
-void remus6_eva_bits_inverse(void);
-void remus6_eva_bits_inverse(void)
+void auv6_eva_bits_inverse(void);
+void auv6_eva_bits_inverse(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real V_dot[6];
+    auv6_real V_dot[6];
     all_bits(&V_dot[0], 6);
-    remus6_inverse_options options;
+    auv6_inverse_options options;
     bits_inverse_options(&options);
-    remus6_inverse_result out;
-    const remus6_status status = remus6_inverse(&table, &x, V_dot, &options, &out);
+    auv6_inverse_result out;
+    const auv6_status status = auv6_inverse(&table, &x, V_dot, &options, &out);
     if (status < 0) {
         untouched_inverse_result(&out);
     } else {
@@ -1867,19 +1820,19 @@ void remus6_eva_bits_inverse(void)
     }
 }
 
-void remus6_eva_normal_inverse_fast(void);
-void remus6_eva_normal_inverse_fast(void)
+void auv6_eva_normal_inverse_fast(void);
+void auv6_eva_normal_inverse_fast(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real V_dot[6];
+    auv6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
-    remus6_inverse_options options;
+    auv6_inverse_options options;
     normal_inverse_options(&options);
-    remus6_real phi_ddot[REMUS6_N];
-    const remus6_status status = remus6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
+    auv6_real phi_ddot[AUV6_N];
+    const auv6_status status = auv6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
         untouched(&phi_ddot[0], 6);
     } else {
@@ -1888,19 +1841,19 @@ void remus6_eva_normal_inverse_fast(void)
     }
 }
 
-void remus6_eva_any_inverse_fast(void);
-void remus6_eva_any_inverse_fast(void)
+void auv6_eva_any_inverse_fast(void);
+void auv6_eva_any_inverse_fast(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real V_dot[6];
-    reals(&V_dot[0], 6, REMUS6_LARGEST);
-    remus6_inverse_options options;
+    auv6_real V_dot[6];
+    reals(&V_dot[0], 6, AUV6_LARGEST);
+    auv6_inverse_options options;
     any_inverse_options(&options);
-    remus6_real phi_ddot[REMUS6_N];
-    const remus6_status status = remus6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
+    auv6_real phi_ddot[AUV6_N];
+    const auv6_status status = auv6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
         untouched(&phi_ddot[0], 6);
     } else {
@@ -1909,19 +1862,19 @@ void remus6_eva_any_inverse_fast(void)
     }
 }
 
-void remus6_eva_bits_inverse_fast(void);
-void remus6_eva_bits_inverse_fast(void)
+void auv6_eva_bits_inverse_fast(void);
+void auv6_eva_bits_inverse_fast(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real V_dot[6];
+    auv6_real V_dot[6];
     all_bits(&V_dot[0], 6);
-    remus6_inverse_options options;
+    auv6_inverse_options options;
     bits_inverse_options(&options);
-    remus6_real phi_ddot[REMUS6_N];
-    const remus6_status status = remus6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
+    auv6_real phi_ddot[AUV6_N];
+    const auv6_status status = auv6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
         untouched(&phi_ddot[0], 6);
     } else {
@@ -1930,28 +1883,23 @@ void remus6_eva_bits_inverse_fast(void)
     }
 }
 
-void remus6_eva_normal_points(void);
-void remus6_eva_normal_points(void)
+void auv6_eva_normal_points(void);
+void auv6_eva_normal_points(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real V_dot[6];
+    auv6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
-    remus6_points_result out[REMUS6_SENSORS];
-    const remus6_status status = remus6_points(&table, &x, V_dot, out);
+    auv6_points_result out[AUV6_SENSORS];
+    const auv6_status status = auv6_points(&table, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
         untouched(&out[0].twist[0], 6);
         untouched(&out[0].specific_force[0], 3);
         untouched(&out[0].angular_acceleration[0], 3);
-        untouched(&out[1].position[0], 3);
-        untouched(&out[1].C[0][0], 9);
-        untouched(&out[1].twist[0], 6);
-        untouched(&out[1].specific_force[0], 3);
-        untouched(&out[1].angular_acceleration[0], 3);
     } else {
         Frama_C_show_each_returned(status);
         written(&out[0].position[0], 3);
@@ -1959,36 +1907,26 @@ void remus6_eva_normal_points(void)
         written(&out[0].twist[0], 6);
         written(&out[0].specific_force[0], 3);
         written(&out[0].angular_acceleration[0], 3);
-        written(&out[1].position[0], 3);
-        written(&out[1].C[0][0], 9);
-        written(&out[1].twist[0], 6);
-        written(&out[1].specific_force[0], 3);
-        written(&out[1].angular_acceleration[0], 3);
     }
 }
 
-void remus6_eva_any_points(void);
-void remus6_eva_any_points(void)
+void auv6_eva_any_points(void);
+void auv6_eva_any_points(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real V_dot[6];
-    reals(&V_dot[0], 6, REMUS6_LARGEST);
-    remus6_points_result out[REMUS6_SENSORS];
-    const remus6_status status = remus6_points(&table, &x, V_dot, out);
+    auv6_real V_dot[6];
+    reals(&V_dot[0], 6, AUV6_LARGEST);
+    auv6_points_result out[AUV6_SENSORS];
+    const auv6_status status = auv6_points(&table, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
         untouched(&out[0].twist[0], 6);
         untouched(&out[0].specific_force[0], 3);
         untouched(&out[0].angular_acceleration[0], 3);
-        untouched(&out[1].position[0], 3);
-        untouched(&out[1].C[0][0], 9);
-        untouched(&out[1].twist[0], 6);
-        untouched(&out[1].specific_force[0], 3);
-        untouched(&out[1].angular_acceleration[0], 3);
     } else {
         Frama_C_show_each_returned(status);
         written(&out[0].position[0], 3);
@@ -1996,36 +1934,26 @@ void remus6_eva_any_points(void)
         written(&out[0].twist[0], 6);
         written(&out[0].specific_force[0], 3);
         written(&out[0].angular_acceleration[0], 3);
-        written(&out[1].position[0], 3);
-        written(&out[1].C[0][0], 9);
-        written(&out[1].twist[0], 6);
-        written(&out[1].specific_force[0], 3);
-        written(&out[1].angular_acceleration[0], 3);
     }
 }
 
-void remus6_eva_bits_points(void);
-void remus6_eva_bits_points(void)
+void auv6_eva_bits_points(void);
+void auv6_eva_bits_points(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real V_dot[6];
+    auv6_real V_dot[6];
     all_bits(&V_dot[0], 6);
-    remus6_points_result out[REMUS6_SENSORS];
-    const remus6_status status = remus6_points(&table, &x, V_dot, out);
+    auv6_points_result out[AUV6_SENSORS];
+    const auv6_status status = auv6_points(&table, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
         untouched(&out[0].twist[0], 6);
         untouched(&out[0].specific_force[0], 3);
         untouched(&out[0].angular_acceleration[0], 3);
-        untouched(&out[1].position[0], 3);
-        untouched(&out[1].C[0][0], 9);
-        untouched(&out[1].twist[0], 6);
-        untouched(&out[1].specific_force[0], 3);
-        untouched(&out[1].angular_acceleration[0], 3);
     } else {
         Frama_C_show_each_returned(status);
         initialised(&out[0].position[0], 3);
@@ -2033,21 +1961,16 @@ void remus6_eva_bits_points(void)
         initialised(&out[0].twist[0], 6);
         initialised(&out[0].specific_force[0], 3);
         initialised(&out[0].angular_acceleration[0], 3);
-        initialised(&out[1].position[0], 3);
-        initialised(&out[1].C[0][0], 9);
-        initialised(&out[1].twist[0], 6);
-        initialised(&out[1].specific_force[0], 3);
-        initialised(&out[1].angular_acceleration[0], 3);
     }
 }
 
-void remus6_eva_normal_quaternion(void);
-void remus6_eva_normal_quaternion(void)
+void auv6_eva_normal_quaternion(void);
+void auv6_eva_normal_quaternion(void)
 {
-    remus6_real angles[3];
+    auv6_real angles[3];
     reals(&angles[0], 3, 7.0);
-    remus6_real attitude[4];
-    const remus6_status status = remus6_quaternion(angles, attitude);
+    auv6_real attitude[4];
+    const auv6_status status = auv6_quaternion(angles, attitude);
     if (status < 0) {
         untouched(&attitude[0], 4);
     } else {
@@ -2056,13 +1979,13 @@ void remus6_eva_normal_quaternion(void)
     }
 }
 
-void remus6_eva_any_quaternion(void);
-void remus6_eva_any_quaternion(void)
+void auv6_eva_any_quaternion(void);
+void auv6_eva_any_quaternion(void)
 {
-    remus6_real angles[3];
-    reals(&angles[0], 3, REMUS6_LARGEST);
-    remus6_real attitude[4];
-    const remus6_status status = remus6_quaternion(angles, attitude);
+    auv6_real angles[3];
+    reals(&angles[0], 3, AUV6_LARGEST);
+    auv6_real attitude[4];
+    const auv6_status status = auv6_quaternion(angles, attitude);
     if (status < 0) {
         untouched(&attitude[0], 4);
     } else {
@@ -2071,13 +1994,13 @@ void remus6_eva_any_quaternion(void)
     }
 }
 
-void remus6_eva_bits_quaternion(void);
-void remus6_eva_bits_quaternion(void)
+void auv6_eva_bits_quaternion(void);
+void auv6_eva_bits_quaternion(void)
 {
-    remus6_real angles[3];
+    auv6_real angles[3];
     all_bits(&angles[0], 3);
-    remus6_real attitude[4];
-    const remus6_status status = remus6_quaternion(angles, attitude);
+    auv6_real attitude[4];
+    const auv6_status status = auv6_quaternion(angles, attitude);
     if (status < 0) {
         untouched(&attitude[0], 4);
     } else {
@@ -2086,21 +2009,21 @@ void remus6_eva_bits_quaternion(void)
     }
 }
 
-void remus6_eva_normal_state_from_coordinates(void);
-void remus6_eva_normal_state_from_coordinates(void)
+void auv6_eva_normal_state_from_coordinates(void);
+void auv6_eva_normal_state_from_coordinates(void)
 {
-    remus6_real position[3];
+    auv6_real position[3];
     reals(&position[0], 3, 100.0);
-    remus6_real angles[3];
+    auv6_real angles[3];
     reals(&angles[0], 3, 7.0);
-    remus6_real q_dot[6];
+    auv6_real q_dot[6];
     reals(&q_dot[0], 6, 20.0);
-    remus6_real q_ddot[6];
+    auv6_real q_ddot[6];
     reals(&q_ddot[0], 6, 1.0e3);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real V_dot[6];
-    const remus6_status status = remus6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
+    auv6_real V_dot[6];
+    const auv6_status status = auv6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -2110,21 +2033,21 @@ void remus6_eva_normal_state_from_coordinates(void)
     }
 }
 
-void remus6_eva_any_state_from_coordinates(void);
-void remus6_eva_any_state_from_coordinates(void)
+void auv6_eva_any_state_from_coordinates(void);
+void auv6_eva_any_state_from_coordinates(void)
 {
-    remus6_real position[3];
-    reals(&position[0], 3, REMUS6_LARGEST);
-    remus6_real angles[3];
-    reals(&angles[0], 3, REMUS6_LARGEST);
-    remus6_real q_dot[6];
-    reals(&q_dot[0], 6, REMUS6_LARGEST);
-    remus6_real q_ddot[6];
-    reals(&q_ddot[0], 6, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_real position[3];
+    reals(&position[0], 3, AUV6_LARGEST);
+    auv6_real angles[3];
+    reals(&angles[0], 3, AUV6_LARGEST);
+    auv6_real q_dot[6];
+    reals(&q_dot[0], 6, AUV6_LARGEST);
+    auv6_real q_ddot[6];
+    reals(&q_ddot[0], 6, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real V_dot[6];
-    const remus6_status status = remus6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
+    auv6_real V_dot[6];
+    const auv6_status status = auv6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -2134,21 +2057,21 @@ void remus6_eva_any_state_from_coordinates(void)
     }
 }
 
-void remus6_eva_bits_state_from_coordinates(void);
-void remus6_eva_bits_state_from_coordinates(void)
+void auv6_eva_bits_state_from_coordinates(void);
+void auv6_eva_bits_state_from_coordinates(void)
 {
-    remus6_real position[3];
+    auv6_real position[3];
     all_bits(&position[0], 3);
-    remus6_real angles[3];
+    auv6_real angles[3];
     all_bits(&angles[0], 3);
-    remus6_real q_dot[6];
+    auv6_real q_dot[6];
     all_bits(&q_dot[0], 6);
-    remus6_real q_ddot[6];
+    auv6_real q_ddot[6];
     all_bits(&q_ddot[0], 6);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real V_dot[6];
-    const remus6_status status = remus6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
+    auv6_real V_dot[6];
+    const auv6_status status = auv6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -2158,19 +2081,19 @@ void remus6_eva_bits_state_from_coordinates(void)
     }
 }
 
-void remus6_eva_normal_generalized(void);
-void remus6_eva_normal_generalized(void)
+void auv6_eva_normal_generalized(void);
+void auv6_eva_normal_generalized(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real angles[3];
+    auv6_real angles[3];
     reals(&angles[0], 3, 7.0);
-    remus6_real phi_ddot[REMUS6_N];
+    auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    remus6_generalized_result out;
-    const remus6_status status = remus6_generalized(&table, &x, angles, phi_ddot, &out);
+    auv6_generalized_result out;
+    const auv6_status status = auv6_generalized(&table, &x, angles, phi_ddot, &out);
     if (status < 0) {
         untouched_generalized_result(&out);
     } else {
@@ -2179,19 +2102,19 @@ void remus6_eva_normal_generalized(void)
     }
 }
 
-void remus6_eva_any_generalized(void);
-void remus6_eva_any_generalized(void)
+void auv6_eva_any_generalized(void);
+void auv6_eva_any_generalized(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real angles[3];
-    reals(&angles[0], 3, REMUS6_LARGEST);
-    remus6_real phi_ddot[REMUS6_N];
-    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
-    remus6_generalized_result out;
-    const remus6_status status = remus6_generalized(&table, &x, angles, phi_ddot, &out);
+    auv6_real angles[3];
+    reals(&angles[0], 3, AUV6_LARGEST);
+    auv6_real phi_ddot[AUV6_N];
+    reals(&phi_ddot[0], 6, AUV6_LARGEST);
+    auv6_generalized_result out;
+    const auv6_status status = auv6_generalized(&table, &x, angles, phi_ddot, &out);
     if (status < 0) {
         untouched_generalized_result(&out);
     } else {
@@ -2200,19 +2123,19 @@ void remus6_eva_any_generalized(void)
     }
 }
 
-void remus6_eva_bits_generalized(void);
-void remus6_eva_bits_generalized(void)
+void auv6_eva_bits_generalized(void);
+void auv6_eva_bits_generalized(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real angles[3];
+    auv6_real angles[3];
     all_bits(&angles[0], 3);
-    remus6_real phi_ddot[REMUS6_N];
+    auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
-    remus6_generalized_result out;
-    const remus6_status status = remus6_generalized(&table, &x, angles, phi_ddot, &out);
+    auv6_generalized_result out;
+    const auv6_status status = auv6_generalized(&table, &x, angles, phi_ddot, &out);
     if (status < 0) {
         untouched_generalized_result(&out);
     } else {
@@ -2221,14 +2144,14 @@ void remus6_eva_bits_generalized(void)
     }
 }
 
-void remus6_eva_normal_prepare(void);
-void remus6_eva_normal_prepare(void)
+void auv6_eva_normal_prepare(void);
+void auv6_eva_normal_prepare(void)
 {
-    remus6_parameters parameters;
+    auv6_parameters parameters;
     normal_parameters(&parameters);
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    const remus6_status status = remus6_prepare(&parameters, &table);
+    const auv6_status status = auv6_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
@@ -2236,14 +2159,14 @@ void remus6_eva_normal_prepare(void)
     }
 }
 
-void remus6_eva_any_prepare(void);
-void remus6_eva_any_prepare(void)
+void auv6_eva_any_prepare(void);
+void auv6_eva_any_prepare(void)
 {
-    remus6_parameters parameters;
+    auv6_parameters parameters;
     any_parameters(&parameters);
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    const remus6_status status = remus6_prepare(&parameters, &table);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    const auv6_status status = auv6_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
@@ -2251,14 +2174,14 @@ void remus6_eva_any_prepare(void)
     }
 }
 
-void remus6_eva_bits_prepare(void);
-void remus6_eva_bits_prepare(void)
+void auv6_eva_bits_prepare(void);
+void auv6_eva_bits_prepare(void)
 {
-    remus6_parameters parameters;
+    auv6_parameters parameters;
     bits_parameters(&parameters);
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    const remus6_status status = remus6_prepare(&parameters, &table);
+    const auv6_status status = auv6_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
@@ -2266,21 +2189,21 @@ void remus6_eva_bits_prepare(void)
     }
 }
 
-void remus6_eva_normal_mounts(void);
-void remus6_eva_normal_mounts(void)
+void auv6_eva_normal_mounts(void);
+void auv6_eva_normal_mounts(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_mount_table mounting;
-    (void)remus6_prepare_mounts(&remus6_default_parameters, &mounting);
-    remus6_state x;
+    auv6_mount_table mounting;
+    (void)auv6_prepare_mounts(&auv6_default_parameters, &mounting);
+    auv6_state x;
     normal_state(&x);
-    remus6_real V_dot[6];
+    auv6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
-    remus6_real phi_ddot[REMUS6_N];
+    auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    remus6_real mount_wrench[36];
-    const remus6_status status = remus6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
+    auv6_real mount_wrench[36];
+    const auv6_status status = auv6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
         untouched(&mount_wrench[0], 36);
     } else {
@@ -2289,21 +2212,21 @@ void remus6_eva_normal_mounts(void)
     }
 }
 
-void remus6_eva_any_mounts(void);
-void remus6_eva_any_mounts(void)
+void auv6_eva_any_mounts(void);
+void auv6_eva_any_mounts(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_mount_table mounting;
-    (void)remus6_prepare_mounts(&remus6_default_parameters, &mounting);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_mount_table mounting;
+    (void)auv6_prepare_mounts(&auv6_default_parameters, &mounting);
+    auv6_state x;
     any_state(&x);
-    remus6_real V_dot[6];
-    reals(&V_dot[0], 6, REMUS6_LARGEST);
-    remus6_real phi_ddot[REMUS6_N];
-    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
-    remus6_real mount_wrench[36];
-    const remus6_status status = remus6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
+    auv6_real V_dot[6];
+    reals(&V_dot[0], 6, AUV6_LARGEST);
+    auv6_real phi_ddot[AUV6_N];
+    reals(&phi_ddot[0], 6, AUV6_LARGEST);
+    auv6_real mount_wrench[36];
+    const auv6_status status = auv6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
         untouched(&mount_wrench[0], 36);
     } else {
@@ -2312,21 +2235,21 @@ void remus6_eva_any_mounts(void)
     }
 }
 
-void remus6_eva_bits_mounts(void);
-void remus6_eva_bits_mounts(void)
+void auv6_eva_bits_mounts(void);
+void auv6_eva_bits_mounts(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_mount_table mounting;
-    (void)remus6_prepare_mounts(&remus6_default_parameters, &mounting);
-    remus6_state x;
+    auv6_mount_table mounting;
+    (void)auv6_prepare_mounts(&auv6_default_parameters, &mounting);
+    auv6_state x;
     bits_state(&x);
-    remus6_real V_dot[6];
+    auv6_real V_dot[6];
     all_bits(&V_dot[0], 6);
-    remus6_real phi_ddot[REMUS6_N];
+    auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
-    remus6_real mount_wrench[36];
-    const remus6_status status = remus6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
+    auv6_real mount_wrench[36];
+    const auv6_status status = auv6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
         untouched(&mount_wrench[0], 36);
     } else {
@@ -2335,13 +2258,13 @@ void remus6_eva_bits_mounts(void)
     }
 }
 
-void remus6_eva_normal_prepare_mounts(void);
-void remus6_eva_normal_prepare_mounts(void)
+void auv6_eva_normal_prepare_mounts(void);
+void auv6_eva_normal_prepare_mounts(void)
 {
-    remus6_parameters parameters;
+    auv6_parameters parameters;
     normal_parameters(&parameters);
-    remus6_mount_table mounting;
-    const remus6_status status = remus6_prepare_mounts(&parameters, &mounting);
+    auv6_mount_table mounting;
+    const auv6_status status = auv6_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
         untouched_mount_table(&mounting);
     } else {
@@ -2350,13 +2273,13 @@ void remus6_eva_normal_prepare_mounts(void)
     }
 }
 
-void remus6_eva_any_prepare_mounts(void);
-void remus6_eva_any_prepare_mounts(void)
+void auv6_eva_any_prepare_mounts(void);
+void auv6_eva_any_prepare_mounts(void)
 {
-    remus6_parameters parameters;
+    auv6_parameters parameters;
     any_parameters(&parameters);
-    remus6_mount_table mounting;
-    const remus6_status status = remus6_prepare_mounts(&parameters, &mounting);
+    auv6_mount_table mounting;
+    const auv6_status status = auv6_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
         untouched_mount_table(&mounting);
     } else {
@@ -2365,13 +2288,13 @@ void remus6_eva_any_prepare_mounts(void)
     }
 }
 
-void remus6_eva_bits_prepare_mounts(void);
-void remus6_eva_bits_prepare_mounts(void)
+void auv6_eva_bits_prepare_mounts(void);
+void auv6_eva_bits_prepare_mounts(void)
 {
-    remus6_parameters parameters;
+    auv6_parameters parameters;
     bits_parameters(&parameters);
-    remus6_mount_table mounting;
-    const remus6_status status = remus6_prepare_mounts(&parameters, &mounting);
+    auv6_mount_table mounting;
+    const auv6_status status = auv6_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
         untouched_mount_table(&mounting);
     } else {
@@ -2380,25 +2303,25 @@ void remus6_eva_bits_prepare_mounts(void)
     }
 }
 
-void remus6_eva_normal_step_carried(void);
-void remus6_eva_normal_step_carried(void)
+void auv6_eva_normal_step_carried(void);
+void auv6_eva_normal_step_carried(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real tau[REMUS6_N];
+    auv6_real tau[AUV6_N];
     reals(&tau[0], 6, 100.0);
-    int locked[REMUS6_N];
+    int locked[AUV6_N];
     integers(&locked[0], 6, 0, 1);
-    remus6_real dt;
+    auv6_real dt;
     dt = real_in(1.0e-6, 0.001);
     int order;
     integers(&order, 1, 2, 4);
-    remus6_step_carry carry;
+    auv6_step_carry carry;
     normal_step_carry(&carry);
-    remus6_state next;
-    const remus6_status status = remus6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
+    auv6_state next;
+    const auv6_status status = auv6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -2408,25 +2331,25 @@ void remus6_eva_normal_step_carried(void)
     }
 }
 
-void remus6_eva_any_step_carried(void);
-void remus6_eva_any_step_carried(void)
+void auv6_eva_any_step_carried(void);
+void auv6_eva_any_step_carried(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real tau[REMUS6_N];
-    reals(&tau[0], 6, REMUS6_LARGEST);
-    int locked[REMUS6_N];
+    auv6_real tau[AUV6_N];
+    reals(&tau[0], 6, AUV6_LARGEST);
+    int locked[AUV6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    remus6_real dt;
-    reals(&dt, 1, REMUS6_LARGEST);
+    auv6_real dt;
+    reals(&dt, 1, AUV6_LARGEST);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    remus6_step_carry carry;
+    auv6_step_carry carry;
     any_step_carry(&carry);
-    remus6_state next;
-    const remus6_status status = remus6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
+    auv6_state next;
+    const auv6_status status = auv6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -2436,25 +2359,25 @@ void remus6_eva_any_step_carried(void)
     }
 }
 
-void remus6_eva_bits_step_carried(void);
-void remus6_eva_bits_step_carried(void)
+void auv6_eva_bits_step_carried(void);
+void auv6_eva_bits_step_carried(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real tau[REMUS6_N];
+    auv6_real tau[AUV6_N];
     all_bits(&tau[0], 6);
-    int locked[REMUS6_N];
+    int locked[AUV6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    remus6_real dt;
+    auv6_real dt;
     one_of_all(&dt);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    remus6_step_carry carry;
+    auv6_step_carry carry;
     bits_step_carry(&carry);
-    remus6_state next;
-    const remus6_status status = remus6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
+    auv6_state next;
+    const auv6_status status = auv6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -2464,23 +2387,23 @@ void remus6_eva_bits_step_carried(void)
     }
 }
 
-void remus6_eva_normal_step_driven_carried(void);
-void remus6_eva_normal_step_driven_carried(void)
+void auv6_eva_normal_step_driven_carried(void);
+void auv6_eva_normal_step_driven_carried(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real phi_ddot[REMUS6_N];
+    auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    remus6_real dt;
+    auv6_real dt;
     dt = real_in(1.0e-6, 0.001);
     int order;
     integers(&order, 1, 2, 4);
-    remus6_step_carry carry;
+    auv6_step_carry carry;
     normal_step_carry(&carry);
-    remus6_state next;
-    const remus6_status status = remus6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
+    auv6_state next;
+    const auv6_status status = auv6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -2490,23 +2413,23 @@ void remus6_eva_normal_step_driven_carried(void)
     }
 }
 
-void remus6_eva_any_step_driven_carried(void);
-void remus6_eva_any_step_driven_carried(void)
+void auv6_eva_any_step_driven_carried(void);
+void auv6_eva_any_step_driven_carried(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real phi_ddot[REMUS6_N];
-    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
-    remus6_real dt;
-    reals(&dt, 1, REMUS6_LARGEST);
+    auv6_real phi_ddot[AUV6_N];
+    reals(&phi_ddot[0], 6, AUV6_LARGEST);
+    auv6_real dt;
+    reals(&dt, 1, AUV6_LARGEST);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    remus6_step_carry carry;
+    auv6_step_carry carry;
     any_step_carry(&carry);
-    remus6_state next;
-    const remus6_status status = remus6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
+    auv6_state next;
+    const auv6_status status = auv6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -2516,23 +2439,23 @@ void remus6_eva_any_step_driven_carried(void)
     }
 }
 
-void remus6_eva_bits_step_driven_carried(void);
-void remus6_eva_bits_step_driven_carried(void)
+void auv6_eva_bits_step_driven_carried(void);
+void auv6_eva_bits_step_driven_carried(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real phi_ddot[REMUS6_N];
+    auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
-    remus6_real dt;
+    auv6_real dt;
     one_of_all(&dt);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    remus6_step_carry carry;
+    auv6_step_carry carry;
     bits_step_carry(&carry);
-    remus6_state next;
-    const remus6_status status = remus6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
+    auv6_state next;
+    const auv6_status status = auv6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -2542,15 +2465,15 @@ void remus6_eva_bits_step_driven_carried(void)
     }
 }
 
-void remus6_eva_normal_center_of_mass_velocity(void);
-void remus6_eva_normal_center_of_mass_velocity(void)
+void auv6_eva_normal_center_of_mass_velocity(void);
+void auv6_eva_normal_center_of_mass_velocity(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
+    auv6_state x;
     normal_state(&x);
-    remus6_real center_of_mass_velocity[3];
-    const remus6_status status = remus6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
+    auv6_real center_of_mass_velocity[3];
+    const auv6_status status = auv6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
     if (status < 0) {
         untouched(&center_of_mass_velocity[0], 3);
     } else {
@@ -2559,15 +2482,15 @@ void remus6_eva_normal_center_of_mass_velocity(void)
     }
 }
 
-void remus6_eva_any_center_of_mass_velocity(void);
-void remus6_eva_any_center_of_mass_velocity(void)
+void auv6_eva_any_center_of_mass_velocity(void);
+void auv6_eva_any_center_of_mass_velocity(void)
 {
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
     any_state(&x);
-    remus6_real center_of_mass_velocity[3];
-    const remus6_status status = remus6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
+    auv6_real center_of_mass_velocity[3];
+    const auv6_status status = auv6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
     if (status < 0) {
         untouched(&center_of_mass_velocity[0], 3);
     } else {
@@ -2576,15 +2499,15 @@ void remus6_eva_any_center_of_mass_velocity(void)
     }
 }
 
-void remus6_eva_bits_center_of_mass_velocity(void);
-void remus6_eva_bits_center_of_mass_velocity(void)
+void auv6_eva_bits_center_of_mass_velocity(void);
+void auv6_eva_bits_center_of_mass_velocity(void)
 {
-    remus6_table table = remus6_default;
+    auv6_table table = auv6_default;
     all_bits(&table.stream[0], 3);
-    remus6_state x;
+    auv6_state x;
     bits_state(&x);
-    remus6_real center_of_mass_velocity[3];
-    const remus6_status status = remus6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
+    auv6_real center_of_mass_velocity[3];
+    const auv6_status status = auv6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
     if (status < 0) {
         untouched(&center_of_mass_velocity[0], 3);
     } else {
@@ -2593,22 +2516,45 @@ void remus6_eva_bits_center_of_mass_velocity(void)
     }
 }
 
-void remus6_eva_routine_sincos(void);
-void remus6_eva_routine_sincos(void)
+void auv6_eva_routine_sincos(void);
+void auv6_eva_routine_sincos(void)
 {
-    remus6_real x;
+    auv6_real x;
     one_of_all(&x);
-    remus6_real sine;
-    remus6_real cosine;
-    remus6_sincos(x, &sine, &cosine);
+    auv6_real sine;
+    auv6_real cosine;
+    auv6_sincos(x, &sine, &cosine);
     Frama_C_show_each_returned(0);
 }
 
-void remus6_eva_routine_sqrt(void);
-void remus6_eva_routine_sqrt(void)
+void auv6_eva_routine_sqrt(void);
+void auv6_eva_routine_sqrt(void)
 {
-    remus6_real x;
+    auv6_real x;
     one_of_all(&x);
-    (void)remus6_sqrt(x);
+    (void)auv6_sqrt(x);
     Frama_C_show_each_returned(0);
 }
+
+void auv6_eva_routine_check_state(void);
+void auv6_eva_routine_check_state(void)
+{
+    auv6_state x;
+    reals(x.position, 3, AUV6_LARGEST);
+    reals(x.attitude, 4, AUV6_LARGEST);
+    reals(x.V, 6, AUV6_LARGEST);
+    reals(x.phi, 6, AUV6_LARGEST);
+    reals(x.phi_dot, 6, AUV6_LARGEST);
+    int beyond = 0;
+    if (beyond == 0) { beyond = one_beyond(x.position, 3, 0x1.e848000000001p+19); }
+    if (beyond == 0) { beyond = one_beyond(x.attitude, 4, 0x1.0000000000001p+1); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 6, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 3, 0x1.3880000000001p+13); }
+    if (beyond == 0) { beyond = one_beyond(x.phi, 6, 0x1.312d000000001p+23); }
+    if (beyond == 0) { beyond = one_beyond(x.phi_dot, 6, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { reals(x.attitude, 4, 0.4993); }
+    const auv6_status status = auv6_check_state(&x);
+    Frama_C_show_each_returned(status);
+    /*@ check status < 0; */
+}
+#endif

@@ -1,19 +1,21 @@
-/* auv6_eva.c: drivers of Frama-C Eva for the stand "auv6": what is proved of auv6.c. Run by auv6_eva.sh.
- * mahovik 0.1.0; structure 192ea446, physics 002b2abc. Generated: change the stand file instead.
+/* remus6_eva.c: drivers of Frama-C Eva for the stand "remus6": what is proved of remus6.c. Run by remus6_eva.sh.
+ * mahovik 0.1.0; structure 3687deee, physics 5f25aea2. Generated: change the stand file instead.
  *
- * Not for firmware: only Frama-C reads this file. A driver calls one function with all inputs of a set at once:
+ * Only Frama-C reads this file: for compilers it is empty. A driver calls one function with all inputs of a set at once:
  *   normal   magnitudes of ordinary use: the numbers in the driver
  *   any      every finite number, every integer: what the checks of the function let through is all it computes with
  *   bits     every bit pattern: NaN and infinities as well
  * normal, any: Eva shows that no operation is undefined (index, uninitialised read, integer overflow, division by
- * zero) and that no real becomes infinite or NaN on the way; of the results, that they are written and finite where
+ * zero) and that no real becomes infinite or NaN on the way, but in the sums of the checks; of the results, that they are written and finite where
  * the status is not negative, and untouched where it is. bits, with -warn-special-float none: the same, but nothing of
  * finiteness, for Eva 25 lets NaN pass a comparison that C does not. */
+#include "../remus6.h"
+
+#ifdef __FRAMAC__
 #include <limits.h>
 
 #include "__fc_builtin.h"
 #include "features.h"
-#include "auv6.h"
 
 /* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
  * proved elsewhere (docs/results/arithmetic.md of mahovik: sine and cosine to a unit in the last place, square root
@@ -25,7 +27,7 @@
     ensures \is_finite(*sine) && \is_finite(*cosine);
     ensures -1.0000002 <= *sine <= 1.0000002;
     ensures -1.0000002 <= *cosine <= 1.0000002; */
-static void auv6_sincos(auv6_real x, auv6_real *restrict sine, auv6_real *restrict cosine);
+static void remus6_sincos(remus6_real x, remus6_real *restrict sine, remus6_real *restrict cosine);
 
 /*@
     requires -10000000.0 <= x[0] <= 10000000.0;
@@ -60,39 +62,80 @@ static void auv6_sincos(auv6_real x, auv6_real *restrict sine, auv6_real *restri
     ensures -1.0000002 <= sine[5] <= 1.0000002;
     ensures -1.0000002 <= cosine[5] <= 1.0000002;
 */
-static void auv6_sincos_each(const auv6_real *x, auv6_real *restrict sine,
-    auv6_real *restrict cosine);
+static void remus6_sincos_each(const remus6_real *x, remus6_real *restrict sine,
+    remus6_real *restrict cosine);
 
 __PUSH_FC_STDLIB
 /*@ requires x >= 0.0;
     assigns \result \from x; */
-static auv6_real auv6_sqrt(auv6_real x);
+static remus6_real remus6_sqrt(remus6_real x);
 __POP_FC_STDLIB
 
-#include "auv6.c"
+/* Checks have a quick way by sums of squares, of which intervals do not see that each number is within its limit. For the
+ * sets normal and any they are what is said here; drivers of their own show it of their bodies, of all finite arguments:
+ * with one number beyond its limit, or a quaternion without a large component, they refuse. */
+
+#ifndef REMUS6_EVA_BODIES  /* these drivers must not rest on what they show */
+/*@ assigns \result \from *x;
+    ensures (\result == 0
+        && -REMUS6_MAX_POSITION <= x->position[0] <= REMUS6_MAX_POSITION
+        && -REMUS6_MAX_POSITION <= x->position[1] <= REMUS6_MAX_POSITION
+        && -REMUS6_MAX_POSITION <= x->position[2] <= REMUS6_MAX_POSITION
+        && -2.0 <= x->attitude[0] <= 2.0
+        && -2.0 <= x->attitude[1] <= 2.0
+        && -2.0 <= x->attitude[2] <= 2.0
+        && -2.0 <= x->attitude[3] <= 2.0
+        && -REMUS6_MAX_SPEED <= x->V[0] <= REMUS6_MAX_SPEED
+        && -REMUS6_MAX_SPEED <= x->V[1] <= REMUS6_MAX_SPEED
+        && -REMUS6_MAX_SPEED <= x->V[2] <= REMUS6_MAX_SPEED
+        && -REMUS6_MAX_SPEED <= x->V[3] <= REMUS6_MAX_SPEED
+        && -REMUS6_MAX_SPEED <= x->V[4] <= REMUS6_MAX_SPEED
+        && -REMUS6_MAX_SPEED <= x->V[5] <= REMUS6_MAX_SPEED
+        && -REMUS6_MAX_VELOCITY <= x->V[0] <= REMUS6_MAX_VELOCITY
+        && -REMUS6_MAX_VELOCITY <= x->V[1] <= REMUS6_MAX_VELOCITY
+        && -REMUS6_MAX_VELOCITY <= x->V[2] <= REMUS6_MAX_VELOCITY
+        && -REMUS6_MAX_PHASE <= x->phi[0] <= REMUS6_MAX_PHASE
+        && -REMUS6_MAX_PHASE <= x->phi[1] <= REMUS6_MAX_PHASE
+        && -REMUS6_MAX_PHASE <= x->phi[2] <= REMUS6_MAX_PHASE
+        && -REMUS6_MAX_PHASE <= x->phi[3] <= REMUS6_MAX_PHASE
+        && -REMUS6_MAX_PHASE <= x->phi[4] <= REMUS6_MAX_PHASE
+        && -REMUS6_MAX_PHASE <= x->phi[5] <= REMUS6_MAX_PHASE
+        && -REMUS6_MAX_SPEED <= x->phi_dot[0] <= REMUS6_MAX_SPEED
+        && -REMUS6_MAX_SPEED <= x->phi_dot[1] <= REMUS6_MAX_SPEED
+        && -REMUS6_MAX_SPEED <= x->phi_dot[2] <= REMUS6_MAX_SPEED
+        && -REMUS6_MAX_SPEED <= x->phi_dot[3] <= REMUS6_MAX_SPEED
+        && -REMUS6_MAX_SPEED <= x->phi_dot[4] <= REMUS6_MAX_SPEED
+        && -REMUS6_MAX_SPEED <= x->phi_dot[5] <= REMUS6_MAX_SPEED
+        && (x->attitude[0] >= 0.4992 || x->attitude[0] <= -0.4992 || x->attitude[1] >= 0.4992 || x->attitude[1] <= -0.4992 || x->attitude[2] >= 0.4992 || x->attitude[2] <= -0.4992 || x->attitude[3] >= 0.4992 || x->attitude[3] <= -0.4992)
+        ) || \result < 0; */
+static remus6_status remus6_check_state(const remus6_state *x);
+
+#endif
+
+#include "../remus6.c"
 
 /* ---- sets of numbers ---- */
 
-static auv6_real real_in(auv6_real low, auv6_real high)
+static remus6_real real_in(remus6_real low, remus6_real high)
 {
     return Frama_C_double_interval(low, high);
 }
 
-static void reals(auv6_real *x, int count, auv6_real size)
+static void reals(remus6_real *x, int count, remus6_real size)
 {
     for (int i = 0; i < count; ++i) { x[i] = real_in(-size, size); }
 }
 
-static volatile auv6_real any_bits;  /* Eva: each read may give every bit pattern */
+static volatile remus6_real any_bits;  /* Eva: each read may give every bit pattern */
 
-static void all_bits(auv6_real *x, int count)
+static void all_bits(remus6_real *x, int count)
 {
     for (int i = 0; i < count; ++i) { x[i] = any_bits; }
 }
 
-static void not_finite(auv6_real *x)
+static void not_finite(remus6_real *x)
 {
-    const auv6_real zero = 0.0;
+    const remus6_real zero = 0.0;
     switch (Frama_C_interval(0, 2)) {
     case 0: *x = 1.0 / zero; break;
     case 1: *x = -1.0 / zero; break;
@@ -101,12 +144,12 @@ static void not_finite(auv6_real *x)
 }
 
 /* One number of any bits, finite numbers apart from the others. */
-static void one_of_all(auv6_real *x)
+static void one_of_all(remus6_real *x)
 {
     if (Frama_C_interval(0, 1) == 0) {
         not_finite(x);
     } else {
-        *x = real_in(-AUV6_LARGEST, AUV6_LARGEST);
+        *x = real_in(-REMUS6_LARGEST, REMUS6_LARGEST);
     }
 }
 
@@ -116,14 +159,14 @@ static void integers(int *x, int count, int low, int high)
 }
 
 /* A number within one part in a hundred of another. */
-static auv6_real near(auv6_real x)
+static remus6_real near(remus6_real x)
 {
-    const auv6_real a = x * 0.99;
-    const auv6_real b = x * 1.01;
+    const remus6_real a = x * 0.99;
+    const remus6_real b = x * 1.01;
     return a <= b ? real_in(a, b) : real_in(b, a);
 }
 
-static void about(auv6_real *x, const auv6_real *middle, int count)
+static void about(remus6_real *x, const remus6_real *middle, int count)
 {
     for (int i = 0; i < count; ++i) { x[i] = near(middle[i]); }
 }
@@ -131,7 +174,7 @@ static void about(auv6_real *x, const auv6_real *middle, int count)
 /* A quaternion. Where the sum of four squares is at least 0.998001, one of them is at least a quarter of that: so one
  * component is at least 0.499 in magnitude. Which, and its sign, are eight cases; all others are refused by
  * the checks, which the case without a large component shows. */
-static void quaternion(auv6_real q[4], auv6_real size)
+static void quaternion(remus6_real q[4], remus6_real size)
 {
     const int large = Frama_C_interval(0, 8);
     reals(q, 4, size);
@@ -148,23 +191,35 @@ static void quaternion(auv6_real q[4], auv6_real size)
     }
 }
 
+/* One number of an array is beyond a limit, whose next number is `above`: 1. None: 0. */
+static int one_beyond(remus6_real *x, int count, remus6_real above)
+{
+    for (int i = 0; i < count; ++i) {
+        if (Frama_C_interval(0, 1) == 0) {
+            x[i] = (Frama_C_interval(0, 1) == 0) ? real_in(above, REMUS6_LARGEST) : real_in(-REMUS6_LARGEST, -above);
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* ---- what is asserted of results ---- */
 
-static void written(const auv6_real *x, int count)
+static void written(const remus6_real *x, int count)
 {
     for (int i = 0; i < count; ++i) {
         /*@ check \initialized(&x[i]) && \is_finite(x[i]); */
     }
 }
 
-static void initialised(const auv6_real *x, int count)
+static void initialised(const remus6_real *x, int count)
 {
     for (int i = 0; i < count; ++i) {
         /*@ check \initialized(&x[i]); */
     }
 }
 
-static void untouched(const auv6_real *x, int count)
+static void untouched(const remus6_real *x, int count)
 {
     for (int i = 0; i < count; ++i) {
         /*@ check !\initialized(&x[i]); */
@@ -173,7 +228,7 @@ static void untouched(const auv6_real *x, int count)
 
 /* ---- whole structs ---- */
 
-static void normal_state(auv6_state *x)
+static void normal_state(remus6_state *x)
 {
     reals(&x->position[0], 3, 100.0);
     quaternion(x->attitude, 2.0);
@@ -182,16 +237,16 @@ static void normal_state(auv6_state *x)
     reals(&x->phi_dot[0], 6, 1.0e3);
 }
 
-static void any_state(auv6_state *x)
+static void any_state(remus6_state *x)
 {
-    reals(&x->position[0], 3, AUV6_LARGEST);
-    quaternion(x->attitude, AUV6_LARGEST);
-    reals(&x->V[0], 6, AUV6_LARGEST);
-    reals(&x->phi[0], 6, AUV6_LARGEST);
-    reals(&x->phi_dot[0], 6, AUV6_LARGEST);
+    reals(&x->position[0], 3, REMUS6_LARGEST);
+    quaternion(x->attitude, REMUS6_LARGEST);
+    reals(&x->V[0], 6, REMUS6_LARGEST);
+    reals(&x->phi[0], 6, REMUS6_LARGEST);
+    reals(&x->phi_dot[0], 6, REMUS6_LARGEST);
 }
 
-static void bits_state(auv6_state *x)
+static void bits_state(remus6_state *x)
 {
     all_bits(&x->position[0], 3);
     all_bits(&x->attitude[0], 4);
@@ -200,56 +255,56 @@ static void bits_state(auv6_state *x)
     all_bits(&x->phi_dot[0], 6);
 }
 
-static void normal_encoder(auv6_encoder *x)
+static void normal_encoder(remus6_encoder *x)
 {
     integers(&x->counter, 1, -1048576, 1048576);
     integers(&x->place, 1, -1048576, 1048576);
     integers(&x->moved, 1, -1048576, 1048576);
 }
 
-static void any_encoder(auv6_encoder *x)
+static void any_encoder(remus6_encoder *x)
 {
     integers(&x->counter, 1, INT_MIN, INT_MAX);
     integers(&x->place, 1, INT_MIN, INT_MAX);
     integers(&x->moved, 1, INT_MIN, INT_MAX);
 }
 
-static void bits_encoder(auv6_encoder *x)
+static void bits_encoder(remus6_encoder *x)
 {
     integers(&x->counter, 1, INT_MIN, INT_MAX);
     integers(&x->place, 1, INT_MIN, INT_MAX);
     integers(&x->moved, 1, INT_MIN, INT_MAX);
 }
 
-static void normal_inverse_options(auv6_inverse_options *x)
+static void normal_inverse_options(remus6_inverse_options *x)
 {
-    about(&x->weight[0], &auv6_default_options.weight[0], 6);
-    about(&x->limit[0], &auv6_default_options.limit[0], 6);
-    about(&x->most[0], &auv6_default_options.most[0], 6);
-    about(&x->motor_torque[0], &auv6_default_options.motor_torque[0], 6);
-    about(&x->motor_speed[0], &auv6_default_options.motor_speed[0], 6);
-    about(&x->motor_viscous[0], &auv6_default_options.motor_viscous[0], 6);
-    about(&x->motor_coulomb[0], &auv6_default_options.motor_coulomb[0], 6);
-    about(&x->motor_coulomb_speed[0], &auv6_default_options.motor_coulomb_speed[0], 6);
-    about(&x->near, &auv6_default_options.near, 1);
-    about(&x->damping, &auv6_default_options.damping, 1);
+    about(&x->weight[0], &remus6_default_options.weight[0], 6);
+    about(&x->limit[0], &remus6_default_options.limit[0], 6);
+    about(&x->most[0], &remus6_default_options.most[0], 6);
+    about(&x->motor_torque[0], &remus6_default_options.motor_torque[0], 6);
+    about(&x->motor_speed[0], &remus6_default_options.motor_speed[0], 6);
+    about(&x->motor_viscous[0], &remus6_default_options.motor_viscous[0], 6);
+    about(&x->motor_coulomb[0], &remus6_default_options.motor_coulomb[0], 6);
+    about(&x->motor_coulomb_speed[0], &remus6_default_options.motor_coulomb_speed[0], 6);
+    about(&x->near_singular, &remus6_default_options.near_singular, 1);
+    about(&x->damping, &remus6_default_options.damping, 1);
 }
 
-static void any_inverse_options(auv6_inverse_options *x)
+static void any_inverse_options(remus6_inverse_options *x)
 {
-    reals(&x->weight[0], 6, AUV6_LARGEST);
-    reals(&x->limit[0], 6, AUV6_LARGEST);
-    reals(&x->most[0], 6, AUV6_LARGEST);
-    reals(&x->motor_torque[0], 6, AUV6_LARGEST);
-    reals(&x->motor_speed[0], 6, AUV6_LARGEST);
-    reals(&x->motor_viscous[0], 6, AUV6_LARGEST);
-    reals(&x->motor_coulomb[0], 6, AUV6_LARGEST);
-    reals(&x->motor_coulomb_speed[0], 6, AUV6_LARGEST);
-    reals(&x->near, 1, AUV6_LARGEST);
-    reals(&x->damping, 1, AUV6_LARGEST);
+    reals(&x->weight[0], 6, REMUS6_LARGEST);
+    reals(&x->limit[0], 6, REMUS6_LARGEST);
+    reals(&x->most[0], 6, REMUS6_LARGEST);
+    reals(&x->motor_torque[0], 6, REMUS6_LARGEST);
+    reals(&x->motor_speed[0], 6, REMUS6_LARGEST);
+    reals(&x->motor_viscous[0], 6, REMUS6_LARGEST);
+    reals(&x->motor_coulomb[0], 6, REMUS6_LARGEST);
+    reals(&x->motor_coulomb_speed[0], 6, REMUS6_LARGEST);
+    reals(&x->near_singular, 1, REMUS6_LARGEST);
+    reals(&x->damping, 1, REMUS6_LARGEST);
 }
 
-static void bits_inverse_options(auv6_inverse_options *x)
+static void bits_inverse_options(remus6_inverse_options *x)
 {
     all_bits(&x->weight[0], 6);
     all_bits(&x->limit[0], 6);
@@ -259,69 +314,81 @@ static void bits_inverse_options(auv6_inverse_options *x)
     all_bits(&x->motor_viscous[0], 6);
     all_bits(&x->motor_coulomb[0], 6);
     all_bits(&x->motor_coulomb_speed[0], 6);
-    one_of_all(&x->near);
+    one_of_all(&x->near_singular);
     one_of_all(&x->damping);
 }
 
-static void normal_parameters(auv6_parameters *x)
+static void normal_parameters(remus6_parameters *x)
 {
-    about(&x->carrier.mass, &auv6_default_parameters.carrier.mass, 1);
-    about(&x->carrier.center_of_mass[0], &auv6_default_parameters.carrier.center_of_mass[0], 3);
-    about(&x->carrier.inertia[0], &auv6_default_parameters.carrier.inertia[0], 6);
-    about(&x->carrier.displaced_mass, &auv6_default_parameters.carrier.displaced_mass, 1);
-    about(&x->carrier.displaced_center[0], &auv6_default_parameters.carrier.displaced_center[0], 3);
-    about(&x->added_mass[0][0], &auv6_default_parameters.added_mass[0][0], 36);
+    about(&x->carrier.mass, &remus6_default_parameters.carrier.mass, 1);
+    about(&x->carrier.center_of_mass[0], &remus6_default_parameters.carrier.center_of_mass[0], 3);
+    about(&x->carrier.inertia[0], &remus6_default_parameters.carrier.inertia[0], 6);
+    about(&x->carrier.displaced_mass, &remus6_default_parameters.carrier.displaced_mass, 1);
+    about(&x->carrier.displaced_center[0], &remus6_default_parameters.carrier.displaced_center[0], 3);
+    about(&x->added_mass[0][0], &remus6_default_parameters.added_mass[0][0], 36);
     for (int i = 0; i < 1; ++i) {
-        about(&x->instrument[i].body.mass, &auv6_default_parameters.instrument[i].body.mass, 1);
-        about(&x->instrument[i].body.center_of_mass[0], &auv6_default_parameters.instrument[i].body.center_of_mass[0], 3);
-        about(&x->instrument[i].body.inertia[0], &auv6_default_parameters.instrument[i].body.inertia[0], 6);
-        about(&x->instrument[i].body.displaced_mass, &auv6_default_parameters.instrument[i].body.displaced_mass, 1);
-        about(&x->instrument[i].body.displaced_center[0], &auv6_default_parameters.instrument[i].body.displaced_center[0], 3);
-        about(&x->instrument[i].position[0], &auv6_default_parameters.instrument[i].position[0], 3);
-        about(&x->instrument[i].axis[0], &auv6_default_parameters.instrument[i].axis[0], 3);
-        about(&x->instrument[i].zero[0], &auv6_default_parameters.instrument[i].zero[0], 3);
+        about(&x->instrument[i].body.mass, &remus6_default_parameters.instrument[i].body.mass, 1);
+        about(&x->instrument[i].body.center_of_mass[0], &remus6_default_parameters.instrument[i].body.center_of_mass[0], 3);
+        about(&x->instrument[i].body.inertia[0], &remus6_default_parameters.instrument[i].body.inertia[0], 6);
+        about(&x->instrument[i].body.displaced_mass, &remus6_default_parameters.instrument[i].body.displaced_mass, 1);
+        about(&x->instrument[i].body.displaced_center[0], &remus6_default_parameters.instrument[i].body.displaced_center[0], 3);
+        about(&x->instrument[i].position[0], &remus6_default_parameters.instrument[i].position[0], 3);
+        about(&x->instrument[i].axis[0], &remus6_default_parameters.instrument[i].axis[0], 3);
+        about(&x->instrument[i].zero[0], &remus6_default_parameters.instrument[i].zero[0], 3);
     }
-    for (int i = 0; i < AUV6_N; ++i) {
-        about(&x->flywheel[i].body.mass, &auv6_default_parameters.flywheel[i].body.mass, 1);
-        about(&x->flywheel[i].body.center_of_mass[0], &auv6_default_parameters.flywheel[i].body.center_of_mass[0], 3);
-        about(&x->flywheel[i].body.inertia[0], &auv6_default_parameters.flywheel[i].body.inertia[0], 6);
-        about(&x->flywheel[i].position[0], &auv6_default_parameters.flywheel[i].position[0], 3);
-        about(&x->flywheel[i].axis[0], &auv6_default_parameters.flywheel[i].axis[0], 3);
-        about(&x->flywheel[i].zero[0], &auv6_default_parameters.flywheel[i].zero[0], 3);
+    for (int i = 0; i < REMUS6_N; ++i) {
+        about(&x->flywheel[i].body.mass, &remus6_default_parameters.flywheel[i].body.mass, 1);
+        about(&x->flywheel[i].body.center_of_mass[0], &remus6_default_parameters.flywheel[i].body.center_of_mass[0], 3);
+        about(&x->flywheel[i].body.inertia[0], &remus6_default_parameters.flywheel[i].body.inertia[0], 6);
+        about(&x->flywheel[i].position[0], &remus6_default_parameters.flywheel[i].position[0], 3);
+        about(&x->flywheel[i].axis[0], &remus6_default_parameters.flywheel[i].axis[0], 3);
+        about(&x->flywheel[i].zero[0], &remus6_default_parameters.flywheel[i].zero[0], 3);
         integers(&x->flywheel[i].mount, 1, -1048576, 1048576);
     }
+    for (int i = 0; i < 1; ++i) {
+        about(&x->point[i].position[0], &remus6_default_parameters.point[i].position[0], 3);
+        about(&x->point[i].axis[0], &remus6_default_parameters.point[i].axis[0], 3);
+        about(&x->point[i].zero[0], &remus6_default_parameters.point[i].zero[0], 3);
+        integers(&x->point[i].mount, 1, -1048576, 1048576);
+    }
 }
 
-static void any_parameters(auv6_parameters *x)
+static void any_parameters(remus6_parameters *x)
 {
-    reals(&x->carrier.mass, 1, AUV6_LARGEST);
-    reals(&x->carrier.center_of_mass[0], 3, AUV6_LARGEST);
-    reals(&x->carrier.inertia[0], 6, AUV6_LARGEST);
-    reals(&x->carrier.displaced_mass, 1, AUV6_LARGEST);
-    reals(&x->carrier.displaced_center[0], 3, AUV6_LARGEST);
-    reals(&x->added_mass[0][0], 36, AUV6_LARGEST);
+    reals(&x->carrier.mass, 1, REMUS6_LARGEST);
+    reals(&x->carrier.center_of_mass[0], 3, REMUS6_LARGEST);
+    reals(&x->carrier.inertia[0], 6, REMUS6_LARGEST);
+    reals(&x->carrier.displaced_mass, 1, REMUS6_LARGEST);
+    reals(&x->carrier.displaced_center[0], 3, REMUS6_LARGEST);
+    reals(&x->added_mass[0][0], 36, REMUS6_LARGEST);
     for (int i = 0; i < 1; ++i) {
-        reals(&x->instrument[i].body.mass, 1, AUV6_LARGEST);
-        reals(&x->instrument[i].body.center_of_mass[0], 3, AUV6_LARGEST);
-        reals(&x->instrument[i].body.inertia[0], 6, AUV6_LARGEST);
-        reals(&x->instrument[i].body.displaced_mass, 1, AUV6_LARGEST);
-        reals(&x->instrument[i].body.displaced_center[0], 3, AUV6_LARGEST);
-        reals(&x->instrument[i].position[0], 3, AUV6_LARGEST);
-        reals(&x->instrument[i].axis[0], 3, AUV6_LARGEST);
-        reals(&x->instrument[i].zero[0], 3, AUV6_LARGEST);
+        reals(&x->instrument[i].body.mass, 1, REMUS6_LARGEST);
+        reals(&x->instrument[i].body.center_of_mass[0], 3, REMUS6_LARGEST);
+        reals(&x->instrument[i].body.inertia[0], 6, REMUS6_LARGEST);
+        reals(&x->instrument[i].body.displaced_mass, 1, REMUS6_LARGEST);
+        reals(&x->instrument[i].body.displaced_center[0], 3, REMUS6_LARGEST);
+        reals(&x->instrument[i].position[0], 3, REMUS6_LARGEST);
+        reals(&x->instrument[i].axis[0], 3, REMUS6_LARGEST);
+        reals(&x->instrument[i].zero[0], 3, REMUS6_LARGEST);
     }
-    for (int i = 0; i < AUV6_N; ++i) {
-        reals(&x->flywheel[i].body.mass, 1, AUV6_LARGEST);
-        reals(&x->flywheel[i].body.center_of_mass[0], 3, AUV6_LARGEST);
-        reals(&x->flywheel[i].body.inertia[0], 6, AUV6_LARGEST);
-        reals(&x->flywheel[i].position[0], 3, AUV6_LARGEST);
-        reals(&x->flywheel[i].axis[0], 3, AUV6_LARGEST);
-        reals(&x->flywheel[i].zero[0], 3, AUV6_LARGEST);
+    for (int i = 0; i < REMUS6_N; ++i) {
+        reals(&x->flywheel[i].body.mass, 1, REMUS6_LARGEST);
+        reals(&x->flywheel[i].body.center_of_mass[0], 3, REMUS6_LARGEST);
+        reals(&x->flywheel[i].body.inertia[0], 6, REMUS6_LARGEST);
+        reals(&x->flywheel[i].position[0], 3, REMUS6_LARGEST);
+        reals(&x->flywheel[i].axis[0], 3, REMUS6_LARGEST);
+        reals(&x->flywheel[i].zero[0], 3, REMUS6_LARGEST);
         integers(&x->flywheel[i].mount, 1, INT_MIN, INT_MAX);
     }
+    for (int i = 0; i < 1; ++i) {
+        reals(&x->point[i].position[0], 3, REMUS6_LARGEST);
+        reals(&x->point[i].axis[0], 3, REMUS6_LARGEST);
+        reals(&x->point[i].zero[0], 3, REMUS6_LARGEST);
+        integers(&x->point[i].mount, 1, INT_MIN, INT_MAX);
+    }
 }
 
-static void bits_parameters(auv6_parameters *x)
+static void bits_parameters(remus6_parameters *x)
 {
     one_of_all(&x->carrier.mass);
     all_bits(&x->carrier.center_of_mass[0], 3);
@@ -339,7 +406,7 @@ static void bits_parameters(auv6_parameters *x)
         all_bits(&x->instrument[i].axis[0], 3);
         all_bits(&x->instrument[i].zero[0], 3);
     }
-    for (int i = 0; i < AUV6_N; ++i) {
+    for (int i = 0; i < REMUS6_N; ++i) {
         one_of_all(&x->flywheel[i].body.mass);
         all_bits(&x->flywheel[i].body.center_of_mass[0], 3);
         all_bits(&x->flywheel[i].body.inertia[0], 6);
@@ -348,24 +415,30 @@ static void bits_parameters(auv6_parameters *x)
         all_bits(&x->flywheel[i].zero[0], 3);
         integers(&x->flywheel[i].mount, 1, INT_MIN, INT_MAX);
     }
+    for (int i = 0; i < 1; ++i) {
+        all_bits(&x->point[i].position[0], 3);
+        all_bits(&x->point[i].axis[0], 3);
+        all_bits(&x->point[i].zero[0], 3);
+        integers(&x->point[i].mount, 1, INT_MIN, INT_MAX);
+    }
 }
 
-static void normal_step_carry(auv6_step_carry *x)
+static void normal_step_carry(remus6_step_carry *x)
 {
     reals(&x->rounding[0], 25, 1.0e-6);
 }
 
-static void any_step_carry(auv6_step_carry *x)
+static void any_step_carry(remus6_step_carry *x)
 {
-    reals(&x->rounding[0], 25, AUV6_LARGEST);
+    reals(&x->rounding[0], 25, REMUS6_LARGEST);
 }
 
-static void bits_step_carry(auv6_step_carry *x)
+static void bits_step_carry(remus6_step_carry *x)
 {
     all_bits(&x->rounding[0], 25);
 }
 
-static void untouched_matrices_result(const auv6_matrices_result *x)
+static void untouched_matrices_result(const remus6_matrices_result *x)
 {
     untouched(&x->K[0][0], 36);
     untouched(&x->K_dot[0][0], 36);
@@ -375,7 +448,7 @@ static void untouched_matrices_result(const auv6_matrices_result *x)
     untouched(&x->F[0], 6);
 }
 
-static void written_matrices_result(const auv6_matrices_result *x)
+static void written_matrices_result(const remus6_matrices_result *x)
 {
     written(&x->K[0][0], 36);
     written(&x->K_dot[0][0], 36);
@@ -385,7 +458,7 @@ static void written_matrices_result(const auv6_matrices_result *x)
     written(&x->F[0], 6);
 }
 
-static void initialised_matrices_result(const auv6_matrices_result *x)
+static void initialised_matrices_result(const remus6_matrices_result *x)
 {
     initialised(&x->K[0][0], 36);
     initialised(&x->K_dot[0][0], 36);
@@ -395,7 +468,7 @@ static void initialised_matrices_result(const auv6_matrices_result *x)
     initialised(&x->F[0], 6);
 }
 
-static void untouched_momentum_result(const auv6_momentum_result *x)
+static void untouched_momentum_result(const remus6_momentum_result *x)
 {
     untouched(&x->Z[0], 6);
     untouched(&x->Z0[0], 6);
@@ -403,7 +476,7 @@ static void untouched_momentum_result(const auv6_momentum_result *x)
     untouched(&x->center_of_mass[0], 3);
 }
 
-static void written_momentum_result(const auv6_momentum_result *x)
+static void written_momentum_result(const remus6_momentum_result *x)
 {
     written(&x->Z[0], 6);
     written(&x->Z0[0], 6);
@@ -411,7 +484,7 @@ static void written_momentum_result(const auv6_momentum_result *x)
     written(&x->center_of_mass[0], 3);
 }
 
-static void initialised_momentum_result(const auv6_momentum_result *x)
+static void initialised_momentum_result(const remus6_momentum_result *x)
 {
     initialised(&x->Z[0], 6);
     initialised(&x->Z0[0], 6);
@@ -419,7 +492,7 @@ static void initialised_momentum_result(const auv6_momentum_result *x)
     initialised(&x->center_of_mass[0], 3);
 }
 
-static void untouched_state(const auv6_state *x)
+static void untouched_state(const remus6_state *x)
 {
     untouched(&x->position[0], 3);
     untouched(&x->attitude[0], 4);
@@ -428,7 +501,7 @@ static void untouched_state(const auv6_state *x)
     untouched(&x->phi_dot[0], 6);
 }
 
-static void written_state(const auv6_state *x)
+static void written_state(const remus6_state *x)
 {
     written(&x->position[0], 3);
     written(&x->attitude[0], 4);
@@ -437,7 +510,7 @@ static void written_state(const auv6_state *x)
     written(&x->phi_dot[0], 6);
 }
 
-static void initialised_state(const auv6_state *x)
+static void initialised_state(const remus6_state *x)
 {
     initialised(&x->position[0], 3);
     initialised(&x->attitude[0], 4);
@@ -446,21 +519,21 @@ static void initialised_state(const auv6_state *x)
     initialised(&x->phi_dot[0], 6);
 }
 
-static void written_encoder(const auv6_encoder *x)
+static void written_encoder(const remus6_encoder *x)
 {
     /*@ check \initialized(&x->counter); */
     /*@ check \initialized(&x->place); */
     /*@ check \initialized(&x->moved); */
 }
 
-static void initialised_encoder(const auv6_encoder *x)
+static void initialised_encoder(const remus6_encoder *x)
 {
     /*@ check \initialized(&x->counter); */
     /*@ check \initialized(&x->place); */
     /*@ check \initialized(&x->moved); */
 }
 
-static void untouched_forward_jacobian_result(const auv6_forward_jacobian_result *x)
+static void untouched_forward_jacobian_result(const remus6_forward_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 36);
@@ -468,7 +541,7 @@ static void untouched_forward_jacobian_result(const auv6_forward_jacobian_result
     untouched(&x->V_dot_phi_ddot[0][0], 36);
 }
 
-static void written_forward_jacobian_result(const auv6_forward_jacobian_result *x)
+static void written_forward_jacobian_result(const remus6_forward_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 36);
@@ -476,7 +549,7 @@ static void written_forward_jacobian_result(const auv6_forward_jacobian_result *
     written(&x->V_dot_phi_ddot[0][0], 36);
 }
 
-static void initialised_forward_jacobian_result(const auv6_forward_jacobian_result *x)
+static void initialised_forward_jacobian_result(const remus6_forward_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 36);
@@ -484,7 +557,7 @@ static void initialised_forward_jacobian_result(const auv6_forward_jacobian_resu
     initialised(&x->V_dot_phi_ddot[0][0], 36);
 }
 
-static void untouched_coupled_jacobian_result(const auv6_coupled_jacobian_result *x)
+static void untouched_coupled_jacobian_result(const remus6_coupled_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 36);
@@ -496,7 +569,7 @@ static void untouched_coupled_jacobian_result(const auv6_coupled_jacobian_result
     untouched(&x->phi_ddot_tau[0][0], 36);
 }
 
-static void written_coupled_jacobian_result(const auv6_coupled_jacobian_result *x)
+static void written_coupled_jacobian_result(const remus6_coupled_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 36);
@@ -508,7 +581,7 @@ static void written_coupled_jacobian_result(const auv6_coupled_jacobian_result *
     written(&x->phi_ddot_tau[0][0], 36);
 }
 
-static void initialised_coupled_jacobian_result(const auv6_coupled_jacobian_result *x)
+static void initialised_coupled_jacobian_result(const remus6_coupled_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 36);
@@ -520,7 +593,7 @@ static void initialised_coupled_jacobian_result(const auv6_coupled_jacobian_resu
     initialised(&x->phi_ddot_tau[0][0], 36);
 }
 
-static void untouched_inverse_result(const auv6_inverse_result *x)
+static void untouched_inverse_result(const remus6_inverse_result *x)
 {
     untouched(&x->phi_ddot[0], 6);
     untouched(&x->residual[0], 6);
@@ -529,7 +602,7 @@ static void untouched_inverse_result(const auv6_inverse_result *x)
     untouched(&x->hardest[0], 6);
 }
 
-static void written_inverse_result(const auv6_inverse_result *x)
+static void written_inverse_result(const remus6_inverse_result *x)
 {
     written(&x->phi_ddot[0], 6);
     written(&x->residual[0], 6);
@@ -540,7 +613,7 @@ static void written_inverse_result(const auv6_inverse_result *x)
     written(&x->hardest[0], 6);
 }
 
-static void initialised_inverse_result(const auv6_inverse_result *x)
+static void initialised_inverse_result(const remus6_inverse_result *x)
 {
     initialised(&x->phi_ddot[0], 6);
     initialised(&x->residual[0], 6);
@@ -551,7 +624,7 @@ static void initialised_inverse_result(const auv6_inverse_result *x)
     initialised(&x->hardest[0], 6);
 }
 
-static void untouched_generalized_result(const auv6_generalized_result *x)
+static void untouched_generalized_result(const remus6_generalized_result *x)
 {
     untouched(&x->A[0][0], 36);
     untouched(&x->D[0][0], 36);
@@ -561,7 +634,7 @@ static void untouched_generalized_result(const auv6_generalized_result *x)
     untouched(&x->q_ddot[0], 6);
 }
 
-static void written_generalized_result(const auv6_generalized_result *x)
+static void written_generalized_result(const remus6_generalized_result *x)
 {
     written(&x->A[0][0], 36);
     written(&x->D[0][0], 36);
@@ -571,7 +644,7 @@ static void written_generalized_result(const auv6_generalized_result *x)
     written(&x->q_ddot[0], 6);
 }
 
-static void initialised_generalized_result(const auv6_generalized_result *x)
+static void initialised_generalized_result(const remus6_generalized_result *x)
 {
     initialised(&x->A[0][0], 36);
     initialised(&x->D[0][0], 36);
@@ -581,7 +654,7 @@ static void initialised_generalized_result(const auv6_generalized_result *x)
     initialised(&x->q_ddot[0], 6);
 }
 
-static void written_table(const auv6_table *x)
+static void written_table(const remus6_table *x)
 {
     written(&x->mass, 1);
     written(&x->mass_inverse, 1);
@@ -666,13 +739,55 @@ static void written_table(const auv6_table *x)
     written(&x->flywheel[5].spin_root_inv, 1);
     written(&x->sensor[0].origin[0], 3);
     written(&x->sensor[0].axes[0], 9);
+    written(&x->sensor[1].origin[0], 3);
+    written(&x->sensor[1].axes[0], 9);
     written(&x->gravity[0], 3);
     written(&x->stream[0], 3);
-    written(&x->damper.linear[0][0], 36);
-    written(&x->damper.quadratic[0][0], 36);
+    /*@ check \initialized(&x->damper.first_term); */
+    /*@ check \initialized(&x->damper.last_term); */
+    /*@ check \initialized(&x->term[0].wrench); */
+    /*@ check \initialized(&x->term[0].first); */
+    /*@ check \initialized(&x->term[0].second); */
+    written(&x->term[0].value, 1);
+    /*@ check \initialized(&x->term[1].wrench); */
+    /*@ check \initialized(&x->term[1].first); */
+    /*@ check \initialized(&x->term[1].second); */
+    written(&x->term[1].value, 1);
+    /*@ check \initialized(&x->term[2].wrench); */
+    /*@ check \initialized(&x->term[2].first); */
+    /*@ check \initialized(&x->term[2].second); */
+    written(&x->term[2].value, 1);
+    /*@ check \initialized(&x->term[3].wrench); */
+    /*@ check \initialized(&x->term[3].first); */
+    /*@ check \initialized(&x->term[3].second); */
+    written(&x->term[3].value, 1);
+    /*@ check \initialized(&x->term[4].wrench); */
+    /*@ check \initialized(&x->term[4].first); */
+    /*@ check \initialized(&x->term[4].second); */
+    written(&x->term[4].value, 1);
+    /*@ check \initialized(&x->term[5].wrench); */
+    /*@ check \initialized(&x->term[5].first); */
+    /*@ check \initialized(&x->term[5].second); */
+    written(&x->term[5].value, 1);
+    /*@ check \initialized(&x->term[6].wrench); */
+    /*@ check \initialized(&x->term[6].first); */
+    /*@ check \initialized(&x->term[6].second); */
+    written(&x->term[6].value, 1);
+    /*@ check \initialized(&x->term[7].wrench); */
+    /*@ check \initialized(&x->term[7].first); */
+    /*@ check \initialized(&x->term[7].second); */
+    written(&x->term[7].value, 1);
+    /*@ check \initialized(&x->term[8].wrench); */
+    /*@ check \initialized(&x->term[8].first); */
+    /*@ check \initialized(&x->term[8].second); */
+    written(&x->term[8].value, 1);
+    /*@ check \initialized(&x->term[9].wrench); */
+    /*@ check \initialized(&x->term[9].first); */
+    /*@ check \initialized(&x->term[9].second); */
+    written(&x->term[9].value, 1);
 }
 
-static void initialised_table(const auv6_table *x)
+static void initialised_table(const remus6_table *x)
 {
     initialised(&x->mass, 1);
     initialised(&x->mass_inverse, 1);
@@ -757,13 +872,55 @@ static void initialised_table(const auv6_table *x)
     initialised(&x->flywheel[5].spin_root_inv, 1);
     initialised(&x->sensor[0].origin[0], 3);
     initialised(&x->sensor[0].axes[0], 9);
+    initialised(&x->sensor[1].origin[0], 3);
+    initialised(&x->sensor[1].axes[0], 9);
     initialised(&x->gravity[0], 3);
     initialised(&x->stream[0], 3);
-    initialised(&x->damper.linear[0][0], 36);
-    initialised(&x->damper.quadratic[0][0], 36);
+    /*@ check \initialized(&x->damper.first_term); */
+    /*@ check \initialized(&x->damper.last_term); */
+    /*@ check \initialized(&x->term[0].wrench); */
+    /*@ check \initialized(&x->term[0].first); */
+    /*@ check \initialized(&x->term[0].second); */
+    initialised(&x->term[0].value, 1);
+    /*@ check \initialized(&x->term[1].wrench); */
+    /*@ check \initialized(&x->term[1].first); */
+    /*@ check \initialized(&x->term[1].second); */
+    initialised(&x->term[1].value, 1);
+    /*@ check \initialized(&x->term[2].wrench); */
+    /*@ check \initialized(&x->term[2].first); */
+    /*@ check \initialized(&x->term[2].second); */
+    initialised(&x->term[2].value, 1);
+    /*@ check \initialized(&x->term[3].wrench); */
+    /*@ check \initialized(&x->term[3].first); */
+    /*@ check \initialized(&x->term[3].second); */
+    initialised(&x->term[3].value, 1);
+    /*@ check \initialized(&x->term[4].wrench); */
+    /*@ check \initialized(&x->term[4].first); */
+    /*@ check \initialized(&x->term[4].second); */
+    initialised(&x->term[4].value, 1);
+    /*@ check \initialized(&x->term[5].wrench); */
+    /*@ check \initialized(&x->term[5].first); */
+    /*@ check \initialized(&x->term[5].second); */
+    initialised(&x->term[5].value, 1);
+    /*@ check \initialized(&x->term[6].wrench); */
+    /*@ check \initialized(&x->term[6].first); */
+    /*@ check \initialized(&x->term[6].second); */
+    initialised(&x->term[6].value, 1);
+    /*@ check \initialized(&x->term[7].wrench); */
+    /*@ check \initialized(&x->term[7].first); */
+    /*@ check \initialized(&x->term[7].second); */
+    initialised(&x->term[7].value, 1);
+    /*@ check \initialized(&x->term[8].wrench); */
+    /*@ check \initialized(&x->term[8].first); */
+    /*@ check \initialized(&x->term[8].second); */
+    initialised(&x->term[8].value, 1);
+    /*@ check \initialized(&x->term[9].wrench); */
+    /*@ check \initialized(&x->term[9].first); */
+    /*@ check \initialized(&x->term[9].second); */
+    initialised(&x->term[9].value, 1);
 }
 
-static void untouched_mount_table(const auv6_mount_table *x)
+static void untouched_mount_table(const remus6_mount_table *x)
 {
     untouched(&x->flywheel[0].mass, 1);
     untouched(&x->flywheel[0].first_moment[0], 3);
@@ -797,7 +954,7 @@ static void untouched_mount_table(const auv6_mount_table *x)
     untouched(&x->flywheel[5].axes[0], 9);
 }
 
-static void written_mount_table(const auv6_mount_table *x)
+static void written_mount_table(const remus6_mount_table *x)
 {
     written(&x->flywheel[0].mass, 1);
     written(&x->flywheel[0].first_moment[0], 3);
@@ -831,7 +988,7 @@ static void written_mount_table(const auv6_mount_table *x)
     written(&x->flywheel[5].axes[0], 9);
 }
 
-static void initialised_mount_table(const auv6_mount_table *x)
+static void initialised_mount_table(const remus6_mount_table *x)
 {
     initialised(&x->flywheel[0].mass, 1);
     initialised(&x->flywheel[0].first_moment[0], 3);
@@ -865,29 +1022,29 @@ static void initialised_mount_table(const auv6_mount_table *x)
     initialised(&x->flywheel[5].axes[0], 9);
 }
 
-static void written_step_carry(const auv6_step_carry *x)
+static void written_step_carry(const remus6_step_carry *x)
 {
     written(&x->rounding[0], 25);
 }
 
-static void initialised_step_carry(const auv6_step_carry *x)
+static void initialised_step_carry(const remus6_step_carry *x)
 {
     initialised(&x->rounding[0], 25);
 }
 
 /* ---- drivers: a function and a set each ---- */
 
-void auv6_eva_normal_forward(void);
-void auv6_eva_normal_forward(void)
+void remus6_eva_normal_forward(void);
+void remus6_eva_normal_forward(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real phi_ddot[AUV6_N];
+    remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    auv6_real V_dot[6];
-    const auv6_status status = auv6_forward(&table, &x, phi_ddot, V_dot);
+    remus6_real V_dot[6];
+    const remus6_status status = remus6_forward(&table, &x, phi_ddot, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -896,17 +1053,17 @@ void auv6_eva_normal_forward(void)
     }
 }
 
-void auv6_eva_any_forward(void);
-void auv6_eva_any_forward(void)
+void remus6_eva_any_forward(void);
+void remus6_eva_any_forward(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real phi_ddot[AUV6_N];
-    reals(&phi_ddot[0], 6, AUV6_LARGEST);
-    auv6_real V_dot[6];
-    const auv6_status status = auv6_forward(&table, &x, phi_ddot, V_dot);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
+    remus6_real V_dot[6];
+    const remus6_status status = remus6_forward(&table, &x, phi_ddot, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -915,17 +1072,17 @@ void auv6_eva_any_forward(void)
     }
 }
 
-void auv6_eva_bits_forward(void);
-void auv6_eva_bits_forward(void)
+void remus6_eva_bits_forward(void);
+void remus6_eva_bits_forward(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real phi_ddot[AUV6_N];
+    remus6_real phi_ddot[REMUS6_N];
     all_bits(&phi_ddot[0], 6);
-    auv6_real V_dot[6];
-    const auv6_status status = auv6_forward(&table, &x, phi_ddot, V_dot);
+    remus6_real V_dot[6];
+    const remus6_status status = remus6_forward(&table, &x, phi_ddot, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -934,15 +1091,15 @@ void auv6_eva_bits_forward(void)
     }
 }
 
-void auv6_eva_normal_wrench(void);
-void auv6_eva_normal_wrench(void)
+void remus6_eva_normal_wrench(void);
+void remus6_eva_normal_wrench(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real F[6];
-    const auv6_status status = auv6_wrench(&table, &x, F);
+    remus6_real F[6];
+    const remus6_status status = remus6_wrench(&table, &x, F);
     if (status < 0) {
         untouched(&F[0], 6);
     } else {
@@ -951,15 +1108,15 @@ void auv6_eva_normal_wrench(void)
     }
 }
 
-void auv6_eva_any_wrench(void);
-void auv6_eva_any_wrench(void)
+void remus6_eva_any_wrench(void);
+void remus6_eva_any_wrench(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real F[6];
-    const auv6_status status = auv6_wrench(&table, &x, F);
+    remus6_real F[6];
+    const remus6_status status = remus6_wrench(&table, &x, F);
     if (status < 0) {
         untouched(&F[0], 6);
     } else {
@@ -968,15 +1125,15 @@ void auv6_eva_any_wrench(void)
     }
 }
 
-void auv6_eva_bits_wrench(void);
-void auv6_eva_bits_wrench(void)
+void remus6_eva_bits_wrench(void);
+void remus6_eva_bits_wrench(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real F[6];
-    const auv6_status status = auv6_wrench(&table, &x, F);
+    remus6_real F[6];
+    const remus6_status status = remus6_wrench(&table, &x, F);
     if (status < 0) {
         untouched(&F[0], 6);
     } else {
@@ -985,15 +1142,15 @@ void auv6_eva_bits_wrench(void)
     }
 }
 
-void auv6_eva_normal_matrices(void);
-void auv6_eva_normal_matrices(void)
+void remus6_eva_normal_matrices(void);
+void remus6_eva_normal_matrices(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_matrices_result out;
-    const auv6_status status = auv6_matrices(&table, &x, &out);
+    remus6_matrices_result out;
+    const remus6_status status = remus6_matrices(&table, &x, &out);
     if (status < 0) {
         untouched_matrices_result(&out);
     } else {
@@ -1002,15 +1159,15 @@ void auv6_eva_normal_matrices(void)
     }
 }
 
-void auv6_eva_any_matrices(void);
-void auv6_eva_any_matrices(void)
+void remus6_eva_any_matrices(void);
+void remus6_eva_any_matrices(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_matrices_result out;
-    const auv6_status status = auv6_matrices(&table, &x, &out);
+    remus6_matrices_result out;
+    const remus6_status status = remus6_matrices(&table, &x, &out);
     if (status < 0) {
         untouched_matrices_result(&out);
     } else {
@@ -1019,15 +1176,15 @@ void auv6_eva_any_matrices(void)
     }
 }
 
-void auv6_eva_bits_matrices(void);
-void auv6_eva_bits_matrices(void)
+void remus6_eva_bits_matrices(void);
+void remus6_eva_bits_matrices(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_matrices_result out;
-    const auv6_status status = auv6_matrices(&table, &x, &out);
+    remus6_matrices_result out;
+    const remus6_status status = remus6_matrices(&table, &x, &out);
     if (status < 0) {
         untouched_matrices_result(&out);
     } else {
@@ -1036,15 +1193,15 @@ void auv6_eva_bits_matrices(void)
     }
 }
 
-void auv6_eva_normal_momentum(void);
-void auv6_eva_normal_momentum(void)
+void remus6_eva_normal_momentum(void);
+void remus6_eva_normal_momentum(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_momentum_result out;
-    const auv6_status status = auv6_momentum(&table, &x, &out);
+    remus6_momentum_result out;
+    const remus6_status status = remus6_momentum(&table, &x, &out);
     if (status < 0) {
         untouched_momentum_result(&out);
     } else {
@@ -1053,15 +1210,15 @@ void auv6_eva_normal_momentum(void)
     }
 }
 
-void auv6_eva_any_momentum(void);
-void auv6_eva_any_momentum(void)
+void remus6_eva_any_momentum(void);
+void remus6_eva_any_momentum(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_momentum_result out;
-    const auv6_status status = auv6_momentum(&table, &x, &out);
+    remus6_momentum_result out;
+    const remus6_status status = remus6_momentum(&table, &x, &out);
     if (status < 0) {
         untouched_momentum_result(&out);
     } else {
@@ -1070,15 +1227,15 @@ void auv6_eva_any_momentum(void)
     }
 }
 
-void auv6_eva_bits_momentum(void);
-void auv6_eva_bits_momentum(void)
+void remus6_eva_bits_momentum(void);
+void remus6_eva_bits_momentum(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_momentum_result out;
-    const auv6_status status = auv6_momentum(&table, &x, &out);
+    remus6_momentum_result out;
+    const remus6_status status = remus6_momentum(&table, &x, &out);
     if (status < 0) {
         untouched_momentum_result(&out);
     } else {
@@ -1087,19 +1244,19 @@ void auv6_eva_bits_momentum(void)
     }
 }
 
-void auv6_eva_normal_torque(void);
-void auv6_eva_normal_torque(void)
+void remus6_eva_normal_torque(void);
+void remus6_eva_normal_torque(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real V_dot[6];
+    remus6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
-    auv6_real phi_ddot[AUV6_N];
+    remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    auv6_real tau[AUV6_N];
-    const auv6_status status = auv6_torque(&table, &x, V_dot, phi_ddot, tau);
+    remus6_real tau[REMUS6_N];
+    const remus6_status status = remus6_torque(&table, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 6);
     } else {
@@ -1108,19 +1265,19 @@ void auv6_eva_normal_torque(void)
     }
 }
 
-void auv6_eva_any_torque(void);
-void auv6_eva_any_torque(void)
+void remus6_eva_any_torque(void);
+void remus6_eva_any_torque(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real V_dot[6];
-    reals(&V_dot[0], 6, AUV6_LARGEST);
-    auv6_real phi_ddot[AUV6_N];
-    reals(&phi_ddot[0], 6, AUV6_LARGEST);
-    auv6_real tau[AUV6_N];
-    const auv6_status status = auv6_torque(&table, &x, V_dot, phi_ddot, tau);
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, REMUS6_LARGEST);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
+    remus6_real tau[REMUS6_N];
+    const remus6_status status = remus6_torque(&table, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 6);
     } else {
@@ -1129,19 +1286,19 @@ void auv6_eva_any_torque(void)
     }
 }
 
-void auv6_eva_bits_torque(void);
-void auv6_eva_bits_torque(void)
+void remus6_eva_bits_torque(void);
+void remus6_eva_bits_torque(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real V_dot[6];
+    remus6_real V_dot[6];
     all_bits(&V_dot[0], 6);
-    auv6_real phi_ddot[AUV6_N];
+    remus6_real phi_ddot[REMUS6_N];
     all_bits(&phi_ddot[0], 6);
-    auv6_real tau[AUV6_N];
-    const auv6_status status = auv6_torque(&table, &x, V_dot, phi_ddot, tau);
+    remus6_real tau[REMUS6_N];
+    const remus6_status status = remus6_torque(&table, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 6);
     } else {
@@ -1150,20 +1307,20 @@ void auv6_eva_bits_torque(void)
     }
 }
 
-void auv6_eva_normal_coupled(void);
-void auv6_eva_normal_coupled(void)
+void remus6_eva_normal_coupled(void);
+void remus6_eva_normal_coupled(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real tau[AUV6_N];
+    remus6_real tau[REMUS6_N];
     reals(&tau[0], 6, 100.0);
-    int locked[AUV6_N];
+    int locked[REMUS6_N];
     integers(&locked[0], 6, 0, 1);
-    auv6_real V_dot[6];
-    auv6_real phi_ddot[AUV6_N];
-    const auv6_status status = auv6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
+    remus6_real V_dot[6];
+    remus6_real phi_ddot[REMUS6_N];
+    const remus6_status status = remus6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
         untouched(&phi_ddot[0], 6);
@@ -1174,20 +1331,20 @@ void auv6_eva_normal_coupled(void)
     }
 }
 
-void auv6_eva_any_coupled(void);
-void auv6_eva_any_coupled(void)
+void remus6_eva_any_coupled(void);
+void remus6_eva_any_coupled(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real tau[AUV6_N];
-    reals(&tau[0], 6, AUV6_LARGEST);
-    int locked[AUV6_N];
+    remus6_real tau[REMUS6_N];
+    reals(&tau[0], 6, REMUS6_LARGEST);
+    int locked[REMUS6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    auv6_real V_dot[6];
-    auv6_real phi_ddot[AUV6_N];
-    const auv6_status status = auv6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
+    remus6_real V_dot[6];
+    remus6_real phi_ddot[REMUS6_N];
+    const remus6_status status = remus6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
         untouched(&phi_ddot[0], 6);
@@ -1198,20 +1355,20 @@ void auv6_eva_any_coupled(void)
     }
 }
 
-void auv6_eva_bits_coupled(void);
-void auv6_eva_bits_coupled(void)
+void remus6_eva_bits_coupled(void);
+void remus6_eva_bits_coupled(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real tau[AUV6_N];
+    remus6_real tau[REMUS6_N];
     all_bits(&tau[0], 6);
-    int locked[AUV6_N];
+    int locked[REMUS6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    auv6_real V_dot[6];
-    auv6_real phi_ddot[AUV6_N];
-    const auv6_status status = auv6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
+    remus6_real V_dot[6];
+    remus6_real phi_ddot[REMUS6_N];
+    const remus6_status status = remus6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
         untouched(&phi_ddot[0], 6);
@@ -1222,23 +1379,23 @@ void auv6_eva_bits_coupled(void)
     }
 }
 
-void auv6_eva_normal_step(void);
-void auv6_eva_normal_step(void)
+void remus6_eva_normal_step(void);
+void remus6_eva_normal_step(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real tau[AUV6_N];
+    remus6_real tau[REMUS6_N];
     reals(&tau[0], 6, 100.0);
-    int locked[AUV6_N];
+    int locked[REMUS6_N];
     integers(&locked[0], 6, 0, 1);
-    auv6_real dt;
+    remus6_real dt;
     dt = real_in(1.0e-6, 0.001);
     int order;
     integers(&order, 1, 2, 4);
-    auv6_state next;
-    const auv6_status status = auv6_step(&table, &x, tau, locked, dt, order, &next);
+    remus6_state next;
+    const remus6_status status = remus6_step(&table, &x, tau, locked, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1247,23 +1404,23 @@ void auv6_eva_normal_step(void)
     }
 }
 
-void auv6_eva_any_step(void);
-void auv6_eva_any_step(void)
+void remus6_eva_any_step(void);
+void remus6_eva_any_step(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real tau[AUV6_N];
-    reals(&tau[0], 6, AUV6_LARGEST);
-    int locked[AUV6_N];
+    remus6_real tau[REMUS6_N];
+    reals(&tau[0], 6, REMUS6_LARGEST);
+    int locked[REMUS6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    auv6_real dt;
-    reals(&dt, 1, AUV6_LARGEST);
+    remus6_real dt;
+    reals(&dt, 1, REMUS6_LARGEST);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    auv6_state next;
-    const auv6_status status = auv6_step(&table, &x, tau, locked, dt, order, &next);
+    remus6_state next;
+    const remus6_status status = remus6_step(&table, &x, tau, locked, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1272,23 +1429,23 @@ void auv6_eva_any_step(void)
     }
 }
 
-void auv6_eva_bits_step(void);
-void auv6_eva_bits_step(void)
+void remus6_eva_bits_step(void);
+void remus6_eva_bits_step(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real tau[AUV6_N];
+    remus6_real tau[REMUS6_N];
     all_bits(&tau[0], 6);
-    int locked[AUV6_N];
+    int locked[REMUS6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    auv6_real dt;
+    remus6_real dt;
     one_of_all(&dt);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    auv6_state next;
-    const auv6_status status = auv6_step(&table, &x, tau, locked, dt, order, &next);
+    remus6_state next;
+    const remus6_status status = remus6_step(&table, &x, tau, locked, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1297,21 +1454,21 @@ void auv6_eva_bits_step(void)
     }
 }
 
-void auv6_eva_normal_step_driven(void);
-void auv6_eva_normal_step_driven(void)
+void remus6_eva_normal_step_driven(void);
+void remus6_eva_normal_step_driven(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real phi_ddot[AUV6_N];
+    remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    auv6_real dt;
+    remus6_real dt;
     dt = real_in(1.0e-6, 0.001);
     int order;
     integers(&order, 1, 2, 4);
-    auv6_state next;
-    const auv6_status status = auv6_step_driven(&table, &x, phi_ddot, dt, order, &next);
+    remus6_state next;
+    const remus6_status status = remus6_step_driven(&table, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1320,21 +1477,21 @@ void auv6_eva_normal_step_driven(void)
     }
 }
 
-void auv6_eva_any_step_driven(void);
-void auv6_eva_any_step_driven(void)
+void remus6_eva_any_step_driven(void);
+void remus6_eva_any_step_driven(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real phi_ddot[AUV6_N];
-    reals(&phi_ddot[0], 6, AUV6_LARGEST);
-    auv6_real dt;
-    reals(&dt, 1, AUV6_LARGEST);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
+    remus6_real dt;
+    reals(&dt, 1, REMUS6_LARGEST);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    auv6_state next;
-    const auv6_status status = auv6_step_driven(&table, &x, phi_ddot, dt, order, &next);
+    remus6_state next;
+    const remus6_status status = remus6_step_driven(&table, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1343,21 +1500,21 @@ void auv6_eva_any_step_driven(void)
     }
 }
 
-void auv6_eva_bits_step_driven(void);
-void auv6_eva_bits_step_driven(void)
+void remus6_eva_bits_step_driven(void);
+void remus6_eva_bits_step_driven(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real phi_ddot[AUV6_N];
+    remus6_real phi_ddot[REMUS6_N];
     all_bits(&phi_ddot[0], 6);
-    auv6_real dt;
+    remus6_real dt;
     one_of_all(&dt);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    auv6_state next;
-    const auv6_status status = auv6_step_driven(&table, &x, phi_ddot, dt, order, &next);
+    remus6_state next;
+    const remus6_status status = remus6_step_driven(&table, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1366,13 +1523,13 @@ void auv6_eva_bits_step_driven(void)
     }
 }
 
-void auv6_eva_normal_wrap(void);
-void auv6_eva_normal_wrap(void)
+void remus6_eva_normal_wrap(void);
+void remus6_eva_normal_wrap(void)
 {
-    auv6_real phi;
+    remus6_real phi;
     reals(&phi, 1, 100.0);
-    auv6_real wrapped;
-    const auv6_status status = auv6_wrap(phi, &wrapped);
+    remus6_real wrapped;
+    const remus6_status status = remus6_wrap(phi, &wrapped);
     if (status < 0) {
         untouched(&wrapped, 1);
     } else {
@@ -1381,13 +1538,13 @@ void auv6_eva_normal_wrap(void)
     }
 }
 
-void auv6_eva_any_wrap(void);
-void auv6_eva_any_wrap(void)
+void remus6_eva_any_wrap(void);
+void remus6_eva_any_wrap(void)
 {
-    auv6_real phi;
-    reals(&phi, 1, AUV6_LARGEST);
-    auv6_real wrapped;
-    const auv6_status status = auv6_wrap(phi, &wrapped);
+    remus6_real phi;
+    reals(&phi, 1, REMUS6_LARGEST);
+    remus6_real wrapped;
+    const remus6_status status = remus6_wrap(phi, &wrapped);
     if (status < 0) {
         untouched(&wrapped, 1);
     } else {
@@ -1396,13 +1553,13 @@ void auv6_eva_any_wrap(void)
     }
 }
 
-void auv6_eva_bits_wrap(void);
-void auv6_eva_bits_wrap(void)
+void remus6_eva_bits_wrap(void);
+void remus6_eva_bits_wrap(void)
 {
-    auv6_real phi;
+    remus6_real phi;
     one_of_all(&phi);
-    auv6_real wrapped;
-    const auv6_status status = auv6_wrap(phi, &wrapped);
+    remus6_real wrapped;
+    const remus6_status status = remus6_wrap(phi, &wrapped);
     if (status < 0) {
         untouched(&wrapped, 1);
     } else {
@@ -1411,17 +1568,17 @@ void auv6_eva_bits_wrap(void)
     }
 }
 
-void auv6_eva_normal_phase_of_counts(void);
-void auv6_eva_normal_phase_of_counts(void)
+void remus6_eva_normal_phase_of_counts(void);
+void remus6_eva_normal_phase_of_counts(void)
 {
     int count;
     integers(&count, 1, -1048576, 1048576);
     int per_turn;
     integers(&per_turn, 1, -100000, 100000);
-    auv6_real zero;
+    remus6_real zero;
     reals(&zero, 1, 1.0e3);
-    auv6_real phi;
-    const auv6_status status = auv6_phase_of_counts(count, per_turn, zero, &phi);
+    remus6_real phi;
+    const remus6_status status = remus6_phase_of_counts(count, per_turn, zero, &phi);
     if (status < 0) {
         untouched(&phi, 1);
     } else {
@@ -1430,17 +1587,17 @@ void auv6_eva_normal_phase_of_counts(void)
     }
 }
 
-void auv6_eva_any_phase_of_counts(void);
-void auv6_eva_any_phase_of_counts(void)
+void remus6_eva_any_phase_of_counts(void);
+void remus6_eva_any_phase_of_counts(void)
 {
     int count;
     integers(&count, 1, INT_MIN, INT_MAX);
     int per_turn;
     integers(&per_turn, 1, INT_MIN, INT_MAX);
-    auv6_real zero;
-    reals(&zero, 1, AUV6_LARGEST);
-    auv6_real phi;
-    const auv6_status status = auv6_phase_of_counts(count, per_turn, zero, &phi);
+    remus6_real zero;
+    reals(&zero, 1, REMUS6_LARGEST);
+    remus6_real phi;
+    const remus6_status status = remus6_phase_of_counts(count, per_turn, zero, &phi);
     if (status < 0) {
         untouched(&phi, 1);
     } else {
@@ -1449,17 +1606,17 @@ void auv6_eva_any_phase_of_counts(void)
     }
 }
 
-void auv6_eva_bits_phase_of_counts(void);
-void auv6_eva_bits_phase_of_counts(void)
+void remus6_eva_bits_phase_of_counts(void);
+void remus6_eva_bits_phase_of_counts(void)
 {
     int count;
     integers(&count, 1, INT_MIN, INT_MAX);
     int per_turn;
     integers(&per_turn, 1, INT_MIN, INT_MAX);
-    auv6_real zero;
+    remus6_real zero;
     one_of_all(&zero);
-    auv6_real phi;
-    const auv6_status status = auv6_phase_of_counts(count, per_turn, zero, &phi);
+    remus6_real phi;
+    const remus6_status status = remus6_phase_of_counts(count, per_turn, zero, &phi);
     if (status < 0) {
         untouched(&phi, 1);
     } else {
@@ -1468,17 +1625,17 @@ void auv6_eva_bits_phase_of_counts(void)
     }
 }
 
-void auv6_eva_normal_speed_of_counts(void);
-void auv6_eva_normal_speed_of_counts(void)
+void remus6_eva_normal_speed_of_counts(void);
+void remus6_eva_normal_speed_of_counts(void)
 {
     int moved;
     integers(&moved, 1, -1048576, 1048576);
     int per_turn;
     integers(&per_turn, 1, -100000, 100000);
-    auv6_real dt;
+    remus6_real dt;
     dt = real_in(1.0e-6, 0.001);
-    auv6_real phi_dot;
-    const auv6_status status = auv6_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    remus6_real phi_dot;
+    const remus6_status status = remus6_speed_of_counts(moved, per_turn, dt, &phi_dot);
     if (status < 0) {
         untouched(&phi_dot, 1);
     } else {
@@ -1487,17 +1644,17 @@ void auv6_eva_normal_speed_of_counts(void)
     }
 }
 
-void auv6_eva_any_speed_of_counts(void);
-void auv6_eva_any_speed_of_counts(void)
+void remus6_eva_any_speed_of_counts(void);
+void remus6_eva_any_speed_of_counts(void)
 {
     int moved;
     integers(&moved, 1, INT_MIN, INT_MAX);
     int per_turn;
     integers(&per_turn, 1, INT_MIN, INT_MAX);
-    auv6_real dt;
-    reals(&dt, 1, AUV6_LARGEST);
-    auv6_real phi_dot;
-    const auv6_status status = auv6_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    remus6_real dt;
+    reals(&dt, 1, REMUS6_LARGEST);
+    remus6_real phi_dot;
+    const remus6_status status = remus6_speed_of_counts(moved, per_turn, dt, &phi_dot);
     if (status < 0) {
         untouched(&phi_dot, 1);
     } else {
@@ -1506,17 +1663,17 @@ void auv6_eva_any_speed_of_counts(void)
     }
 }
 
-void auv6_eva_bits_speed_of_counts(void);
-void auv6_eva_bits_speed_of_counts(void)
+void remus6_eva_bits_speed_of_counts(void);
+void remus6_eva_bits_speed_of_counts(void)
 {
     int moved;
     integers(&moved, 1, INT_MIN, INT_MAX);
     int per_turn;
     integers(&per_turn, 1, INT_MIN, INT_MAX);
-    auv6_real dt;
+    remus6_real dt;
     one_of_all(&dt);
-    auv6_real phi_dot;
-    const auv6_status status = auv6_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    remus6_real phi_dot;
+    const remus6_status status = remus6_speed_of_counts(moved, per_turn, dt, &phi_dot);
     if (status < 0) {
         untouched(&phi_dot, 1);
     } else {
@@ -1525,10 +1682,10 @@ void auv6_eva_bits_speed_of_counts(void)
     }
 }
 
-void auv6_eva_normal_accumulate(void);
-void auv6_eva_normal_accumulate(void)
+void remus6_eva_normal_accumulate(void);
+void remus6_eva_normal_accumulate(void)
 {
-    auv6_encoder encoder;
+    remus6_encoder encoder;
     normal_encoder(&encoder);
     int counter;
     integers(&counter, 1, -1048576, 1048576);
@@ -1536,7 +1693,7 @@ void auv6_eva_normal_accumulate(void)
     integers(&bits, 1, 0, 32);
     int per_turn;
     integers(&per_turn, 1, -100000, 100000);
-    const auv6_status status = auv6_accumulate(&encoder, counter, bits, per_turn);
+    const remus6_status status = remus6_accumulate(&encoder, counter, bits, per_turn);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
@@ -1544,10 +1701,10 @@ void auv6_eva_normal_accumulate(void)
     }
 }
 
-void auv6_eva_any_accumulate(void);
-void auv6_eva_any_accumulate(void)
+void remus6_eva_any_accumulate(void);
+void remus6_eva_any_accumulate(void)
 {
-    auv6_encoder encoder;
+    remus6_encoder encoder;
     any_encoder(&encoder);
     int counter;
     integers(&counter, 1, INT_MIN, INT_MAX);
@@ -1555,7 +1712,7 @@ void auv6_eva_any_accumulate(void)
     integers(&bits, 1, INT_MIN, INT_MAX);
     int per_turn;
     integers(&per_turn, 1, INT_MIN, INT_MAX);
-    const auv6_status status = auv6_accumulate(&encoder, counter, bits, per_turn);
+    const remus6_status status = remus6_accumulate(&encoder, counter, bits, per_turn);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
@@ -1563,10 +1720,10 @@ void auv6_eva_any_accumulate(void)
     }
 }
 
-void auv6_eva_bits_accumulate(void);
-void auv6_eva_bits_accumulate(void)
+void remus6_eva_bits_accumulate(void);
+void remus6_eva_bits_accumulate(void)
 {
-    auv6_encoder encoder;
+    remus6_encoder encoder;
     bits_encoder(&encoder);
     int counter;
     integers(&counter, 1, INT_MIN, INT_MAX);
@@ -1574,7 +1731,7 @@ void auv6_eva_bits_accumulate(void)
     integers(&bits, 1, INT_MIN, INT_MAX);
     int per_turn;
     integers(&per_turn, 1, INT_MIN, INT_MAX);
-    const auv6_status status = auv6_accumulate(&encoder, counter, bits, per_turn);
+    const remus6_status status = remus6_accumulate(&encoder, counter, bits, per_turn);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
@@ -1582,17 +1739,17 @@ void auv6_eva_bits_accumulate(void)
     }
 }
 
-void auv6_eva_normal_forward_jacobian(void);
-void auv6_eva_normal_forward_jacobian(void)
+void remus6_eva_normal_forward_jacobian(void);
+void remus6_eva_normal_forward_jacobian(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real phi_ddot[AUV6_N];
+    remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    auv6_forward_jacobian_result out;
-    const auv6_status status = auv6_forward_jacobian(&table, &x, phi_ddot, &out);
+    remus6_forward_jacobian_result out;
+    const remus6_status status = remus6_forward_jacobian(&table, &x, phi_ddot, &out);
     if (status < 0) {
         untouched_forward_jacobian_result(&out);
     } else {
@@ -1601,17 +1758,17 @@ void auv6_eva_normal_forward_jacobian(void)
     }
 }
 
-void auv6_eva_any_forward_jacobian(void);
-void auv6_eva_any_forward_jacobian(void)
+void remus6_eva_any_forward_jacobian(void);
+void remus6_eva_any_forward_jacobian(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real phi_ddot[AUV6_N];
-    reals(&phi_ddot[0], 6, AUV6_LARGEST);
-    auv6_forward_jacobian_result out;
-    const auv6_status status = auv6_forward_jacobian(&table, &x, phi_ddot, &out);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
+    remus6_forward_jacobian_result out;
+    const remus6_status status = remus6_forward_jacobian(&table, &x, phi_ddot, &out);
     if (status < 0) {
         untouched_forward_jacobian_result(&out);
     } else {
@@ -1620,17 +1777,17 @@ void auv6_eva_any_forward_jacobian(void)
     }
 }
 
-void auv6_eva_bits_forward_jacobian(void);
-void auv6_eva_bits_forward_jacobian(void)
+void remus6_eva_bits_forward_jacobian(void);
+void remus6_eva_bits_forward_jacobian(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real phi_ddot[AUV6_N];
+    remus6_real phi_ddot[REMUS6_N];
     all_bits(&phi_ddot[0], 6);
-    auv6_forward_jacobian_result out;
-    const auv6_status status = auv6_forward_jacobian(&table, &x, phi_ddot, &out);
+    remus6_forward_jacobian_result out;
+    const remus6_status status = remus6_forward_jacobian(&table, &x, phi_ddot, &out);
     if (status < 0) {
         untouched_forward_jacobian_result(&out);
     } else {
@@ -1639,19 +1796,19 @@ void auv6_eva_bits_forward_jacobian(void)
     }
 }
 
-void auv6_eva_normal_coupled_jacobian(void);
-void auv6_eva_normal_coupled_jacobian(void)
+void remus6_eva_normal_coupled_jacobian(void);
+void remus6_eva_normal_coupled_jacobian(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real tau[AUV6_N];
+    remus6_real tau[REMUS6_N];
     reals(&tau[0], 6, 100.0);
-    int locked[AUV6_N];
+    int locked[REMUS6_N];
     integers(&locked[0], 6, 0, 1);
-    auv6_coupled_jacobian_result out;
-    const auv6_status status = auv6_coupled_jacobian(&table, &x, tau, locked, &out);
+    remus6_coupled_jacobian_result out;
+    const remus6_status status = remus6_coupled_jacobian(&table, &x, tau, locked, &out);
     if (status < 0) {
         untouched_coupled_jacobian_result(&out);
     } else {
@@ -1660,19 +1817,19 @@ void auv6_eva_normal_coupled_jacobian(void)
     }
 }
 
-void auv6_eva_any_coupled_jacobian(void);
-void auv6_eva_any_coupled_jacobian(void)
+void remus6_eva_any_coupled_jacobian(void);
+void remus6_eva_any_coupled_jacobian(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real tau[AUV6_N];
-    reals(&tau[0], 6, AUV6_LARGEST);
-    int locked[AUV6_N];
+    remus6_real tau[REMUS6_N];
+    reals(&tau[0], 6, REMUS6_LARGEST);
+    int locked[REMUS6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    auv6_coupled_jacobian_result out;
-    const auv6_status status = auv6_coupled_jacobian(&table, &x, tau, locked, &out);
+    remus6_coupled_jacobian_result out;
+    const remus6_status status = remus6_coupled_jacobian(&table, &x, tau, locked, &out);
     if (status < 0) {
         untouched_coupled_jacobian_result(&out);
     } else {
@@ -1681,19 +1838,19 @@ void auv6_eva_any_coupled_jacobian(void)
     }
 }
 
-void auv6_eva_bits_coupled_jacobian(void);
-void auv6_eva_bits_coupled_jacobian(void)
+void remus6_eva_bits_coupled_jacobian(void);
+void remus6_eva_bits_coupled_jacobian(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real tau[AUV6_N];
+    remus6_real tau[REMUS6_N];
     all_bits(&tau[0], 6);
-    int locked[AUV6_N];
+    int locked[REMUS6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    auv6_coupled_jacobian_result out;
-    const auv6_status status = auv6_coupled_jacobian(&table, &x, tau, locked, &out);
+    remus6_coupled_jacobian_result out;
+    const remus6_status status = remus6_coupled_jacobian(&table, &x, tau, locked, &out);
     if (status < 0) {
         untouched_coupled_jacobian_result(&out);
     } else {
@@ -1702,19 +1859,19 @@ void auv6_eva_bits_coupled_jacobian(void)
     }
 }
 
-void auv6_eva_normal_inverse(void);
-void auv6_eva_normal_inverse(void)
+void remus6_eva_normal_inverse(void);
+void remus6_eva_normal_inverse(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real V_dot[6];
+    remus6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
-    auv6_inverse_options options;
+    remus6_inverse_options options;
     normal_inverse_options(&options);
-    auv6_inverse_result out;
-    const auv6_status status = auv6_inverse(&table, &x, V_dot, &options, &out);
+    remus6_inverse_result out;
+    const remus6_status status = remus6_inverse(&table, &x, V_dot, &options, &out);
     if (status < 0) {
         untouched_inverse_result(&out);
     } else {
@@ -1723,19 +1880,19 @@ void auv6_eva_normal_inverse(void)
     }
 }
 
-void auv6_eva_any_inverse(void);
-void auv6_eva_any_inverse(void)
+void remus6_eva_any_inverse(void);
+void remus6_eva_any_inverse(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real V_dot[6];
-    reals(&V_dot[0], 6, AUV6_LARGEST);
-    auv6_inverse_options options;
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, REMUS6_LARGEST);
+    remus6_inverse_options options;
     any_inverse_options(&options);
-    auv6_inverse_result out;
-    const auv6_status status = auv6_inverse(&table, &x, V_dot, &options, &out);
+    remus6_inverse_result out;
+    const remus6_status status = remus6_inverse(&table, &x, V_dot, &options, &out);
     if (status < 0) {
         untouched_inverse_result(&out);
     } else {
@@ -1744,19 +1901,19 @@ void auv6_eva_any_inverse(void)
     }
 }
 
-void auv6_eva_bits_inverse(void);
-void auv6_eva_bits_inverse(void)
+void remus6_eva_bits_inverse(void);
+void remus6_eva_bits_inverse(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real V_dot[6];
+    remus6_real V_dot[6];
     all_bits(&V_dot[0], 6);
-    auv6_inverse_options options;
+    remus6_inverse_options options;
     bits_inverse_options(&options);
-    auv6_inverse_result out;
-    const auv6_status status = auv6_inverse(&table, &x, V_dot, &options, &out);
+    remus6_inverse_result out;
+    const remus6_status status = remus6_inverse(&table, &x, V_dot, &options, &out);
     if (status < 0) {
         untouched_inverse_result(&out);
     } else {
@@ -1765,19 +1922,19 @@ void auv6_eva_bits_inverse(void)
     }
 }
 
-void auv6_eva_normal_inverse_fast(void);
-void auv6_eva_normal_inverse_fast(void)
+void remus6_eva_normal_inverse_fast(void);
+void remus6_eva_normal_inverse_fast(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real V_dot[6];
+    remus6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
-    auv6_inverse_options options;
+    remus6_inverse_options options;
     normal_inverse_options(&options);
-    auv6_real phi_ddot[AUV6_N];
-    const auv6_status status = auv6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
+    remus6_real phi_ddot[REMUS6_N];
+    const remus6_status status = remus6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
         untouched(&phi_ddot[0], 6);
     } else {
@@ -1786,19 +1943,19 @@ void auv6_eva_normal_inverse_fast(void)
     }
 }
 
-void auv6_eva_any_inverse_fast(void);
-void auv6_eva_any_inverse_fast(void)
+void remus6_eva_any_inverse_fast(void);
+void remus6_eva_any_inverse_fast(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real V_dot[6];
-    reals(&V_dot[0], 6, AUV6_LARGEST);
-    auv6_inverse_options options;
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, REMUS6_LARGEST);
+    remus6_inverse_options options;
     any_inverse_options(&options);
-    auv6_real phi_ddot[AUV6_N];
-    const auv6_status status = auv6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
+    remus6_real phi_ddot[REMUS6_N];
+    const remus6_status status = remus6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
         untouched(&phi_ddot[0], 6);
     } else {
@@ -1807,19 +1964,19 @@ void auv6_eva_any_inverse_fast(void)
     }
 }
 
-void auv6_eva_bits_inverse_fast(void);
-void auv6_eva_bits_inverse_fast(void)
+void remus6_eva_bits_inverse_fast(void);
+void remus6_eva_bits_inverse_fast(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real V_dot[6];
+    remus6_real V_dot[6];
     all_bits(&V_dot[0], 6);
-    auv6_inverse_options options;
+    remus6_inverse_options options;
     bits_inverse_options(&options);
-    auv6_real phi_ddot[AUV6_N];
-    const auv6_status status = auv6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
+    remus6_real phi_ddot[REMUS6_N];
+    const remus6_status status = remus6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
         untouched(&phi_ddot[0], 6);
     } else {
@@ -1828,23 +1985,28 @@ void auv6_eva_bits_inverse_fast(void)
     }
 }
 
-void auv6_eva_normal_points(void);
-void auv6_eva_normal_points(void)
+void remus6_eva_normal_points(void);
+void remus6_eva_normal_points(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real V_dot[6];
+    remus6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
-    auv6_points_result out[AUV6_SENSORS];
-    const auv6_status status = auv6_points(&table, &x, V_dot, out);
+    remus6_points_result out[REMUS6_SENSORS];
+    const remus6_status status = remus6_points(&table, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
         untouched(&out[0].twist[0], 6);
         untouched(&out[0].specific_force[0], 3);
         untouched(&out[0].angular_acceleration[0], 3);
+        untouched(&out[1].position[0], 3);
+        untouched(&out[1].C[0][0], 9);
+        untouched(&out[1].twist[0], 6);
+        untouched(&out[1].specific_force[0], 3);
+        untouched(&out[1].angular_acceleration[0], 3);
     } else {
         Frama_C_show_each_returned(status);
         written(&out[0].position[0], 3);
@@ -1852,26 +2014,36 @@ void auv6_eva_normal_points(void)
         written(&out[0].twist[0], 6);
         written(&out[0].specific_force[0], 3);
         written(&out[0].angular_acceleration[0], 3);
+        written(&out[1].position[0], 3);
+        written(&out[1].C[0][0], 9);
+        written(&out[1].twist[0], 6);
+        written(&out[1].specific_force[0], 3);
+        written(&out[1].angular_acceleration[0], 3);
     }
 }
 
-void auv6_eva_any_points(void);
-void auv6_eva_any_points(void)
+void remus6_eva_any_points(void);
+void remus6_eva_any_points(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real V_dot[6];
-    reals(&V_dot[0], 6, AUV6_LARGEST);
-    auv6_points_result out[AUV6_SENSORS];
-    const auv6_status status = auv6_points(&table, &x, V_dot, out);
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, REMUS6_LARGEST);
+    remus6_points_result out[REMUS6_SENSORS];
+    const remus6_status status = remus6_points(&table, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
         untouched(&out[0].twist[0], 6);
         untouched(&out[0].specific_force[0], 3);
         untouched(&out[0].angular_acceleration[0], 3);
+        untouched(&out[1].position[0], 3);
+        untouched(&out[1].C[0][0], 9);
+        untouched(&out[1].twist[0], 6);
+        untouched(&out[1].specific_force[0], 3);
+        untouched(&out[1].angular_acceleration[0], 3);
     } else {
         Frama_C_show_each_returned(status);
         written(&out[0].position[0], 3);
@@ -1879,26 +2051,36 @@ void auv6_eva_any_points(void)
         written(&out[0].twist[0], 6);
         written(&out[0].specific_force[0], 3);
         written(&out[0].angular_acceleration[0], 3);
+        written(&out[1].position[0], 3);
+        written(&out[1].C[0][0], 9);
+        written(&out[1].twist[0], 6);
+        written(&out[1].specific_force[0], 3);
+        written(&out[1].angular_acceleration[0], 3);
     }
 }
 
-void auv6_eva_bits_points(void);
-void auv6_eva_bits_points(void)
+void remus6_eva_bits_points(void);
+void remus6_eva_bits_points(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real V_dot[6];
+    remus6_real V_dot[6];
     all_bits(&V_dot[0], 6);
-    auv6_points_result out[AUV6_SENSORS];
-    const auv6_status status = auv6_points(&table, &x, V_dot, out);
+    remus6_points_result out[REMUS6_SENSORS];
+    const remus6_status status = remus6_points(&table, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
         untouched(&out[0].twist[0], 6);
         untouched(&out[0].specific_force[0], 3);
         untouched(&out[0].angular_acceleration[0], 3);
+        untouched(&out[1].position[0], 3);
+        untouched(&out[1].C[0][0], 9);
+        untouched(&out[1].twist[0], 6);
+        untouched(&out[1].specific_force[0], 3);
+        untouched(&out[1].angular_acceleration[0], 3);
     } else {
         Frama_C_show_each_returned(status);
         initialised(&out[0].position[0], 3);
@@ -1906,16 +2088,21 @@ void auv6_eva_bits_points(void)
         initialised(&out[0].twist[0], 6);
         initialised(&out[0].specific_force[0], 3);
         initialised(&out[0].angular_acceleration[0], 3);
+        initialised(&out[1].position[0], 3);
+        initialised(&out[1].C[0][0], 9);
+        initialised(&out[1].twist[0], 6);
+        initialised(&out[1].specific_force[0], 3);
+        initialised(&out[1].angular_acceleration[0], 3);
     }
 }
 
-void auv6_eva_normal_quaternion(void);
-void auv6_eva_normal_quaternion(void)
+void remus6_eva_normal_quaternion(void);
+void remus6_eva_normal_quaternion(void)
 {
-    auv6_real angles[3];
+    remus6_real angles[3];
     reals(&angles[0], 3, 7.0);
-    auv6_real attitude[4];
-    const auv6_status status = auv6_quaternion(angles, attitude);
+    remus6_real attitude[4];
+    const remus6_status status = remus6_quaternion(angles, attitude);
     if (status < 0) {
         untouched(&attitude[0], 4);
     } else {
@@ -1924,13 +2111,13 @@ void auv6_eva_normal_quaternion(void)
     }
 }
 
-void auv6_eva_any_quaternion(void);
-void auv6_eva_any_quaternion(void)
+void remus6_eva_any_quaternion(void);
+void remus6_eva_any_quaternion(void)
 {
-    auv6_real angles[3];
-    reals(&angles[0], 3, AUV6_LARGEST);
-    auv6_real attitude[4];
-    const auv6_status status = auv6_quaternion(angles, attitude);
+    remus6_real angles[3];
+    reals(&angles[0], 3, REMUS6_LARGEST);
+    remus6_real attitude[4];
+    const remus6_status status = remus6_quaternion(angles, attitude);
     if (status < 0) {
         untouched(&attitude[0], 4);
     } else {
@@ -1939,13 +2126,13 @@ void auv6_eva_any_quaternion(void)
     }
 }
 
-void auv6_eva_bits_quaternion(void);
-void auv6_eva_bits_quaternion(void)
+void remus6_eva_bits_quaternion(void);
+void remus6_eva_bits_quaternion(void)
 {
-    auv6_real angles[3];
+    remus6_real angles[3];
     all_bits(&angles[0], 3);
-    auv6_real attitude[4];
-    const auv6_status status = auv6_quaternion(angles, attitude);
+    remus6_real attitude[4];
+    const remus6_status status = remus6_quaternion(angles, attitude);
     if (status < 0) {
         untouched(&attitude[0], 4);
     } else {
@@ -1954,21 +2141,21 @@ void auv6_eva_bits_quaternion(void)
     }
 }
 
-void auv6_eva_normal_state_from_coordinates(void);
-void auv6_eva_normal_state_from_coordinates(void)
+void remus6_eva_normal_state_from_coordinates(void);
+void remus6_eva_normal_state_from_coordinates(void)
 {
-    auv6_real position[3];
+    remus6_real position[3];
     reals(&position[0], 3, 100.0);
-    auv6_real angles[3];
+    remus6_real angles[3];
     reals(&angles[0], 3, 7.0);
-    auv6_real q_dot[6];
+    remus6_real q_dot[6];
     reals(&q_dot[0], 6, 20.0);
-    auv6_real q_ddot[6];
+    remus6_real q_ddot[6];
     reals(&q_ddot[0], 6, 1.0e3);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real V_dot[6];
-    const auv6_status status = auv6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
+    remus6_real V_dot[6];
+    const remus6_status status = remus6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1978,21 +2165,21 @@ void auv6_eva_normal_state_from_coordinates(void)
     }
 }
 
-void auv6_eva_any_state_from_coordinates(void);
-void auv6_eva_any_state_from_coordinates(void)
+void remus6_eva_any_state_from_coordinates(void);
+void remus6_eva_any_state_from_coordinates(void)
 {
-    auv6_real position[3];
-    reals(&position[0], 3, AUV6_LARGEST);
-    auv6_real angles[3];
-    reals(&angles[0], 3, AUV6_LARGEST);
-    auv6_real q_dot[6];
-    reals(&q_dot[0], 6, AUV6_LARGEST);
-    auv6_real q_ddot[6];
-    reals(&q_ddot[0], 6, AUV6_LARGEST);
-    auv6_state x;
+    remus6_real position[3];
+    reals(&position[0], 3, REMUS6_LARGEST);
+    remus6_real angles[3];
+    reals(&angles[0], 3, REMUS6_LARGEST);
+    remus6_real q_dot[6];
+    reals(&q_dot[0], 6, REMUS6_LARGEST);
+    remus6_real q_ddot[6];
+    reals(&q_ddot[0], 6, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real V_dot[6];
-    const auv6_status status = auv6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
+    remus6_real V_dot[6];
+    const remus6_status status = remus6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -2002,21 +2189,21 @@ void auv6_eva_any_state_from_coordinates(void)
     }
 }
 
-void auv6_eva_bits_state_from_coordinates(void);
-void auv6_eva_bits_state_from_coordinates(void)
+void remus6_eva_bits_state_from_coordinates(void);
+void remus6_eva_bits_state_from_coordinates(void)
 {
-    auv6_real position[3];
+    remus6_real position[3];
     all_bits(&position[0], 3);
-    auv6_real angles[3];
+    remus6_real angles[3];
     all_bits(&angles[0], 3);
-    auv6_real q_dot[6];
+    remus6_real q_dot[6];
     all_bits(&q_dot[0], 6);
-    auv6_real q_ddot[6];
+    remus6_real q_ddot[6];
     all_bits(&q_ddot[0], 6);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real V_dot[6];
-    const auv6_status status = auv6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
+    remus6_real V_dot[6];
+    const remus6_status status = remus6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -2026,19 +2213,19 @@ void auv6_eva_bits_state_from_coordinates(void)
     }
 }
 
-void auv6_eva_normal_generalized(void);
-void auv6_eva_normal_generalized(void)
+void remus6_eva_normal_generalized(void);
+void remus6_eva_normal_generalized(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real angles[3];
+    remus6_real angles[3];
     reals(&angles[0], 3, 7.0);
-    auv6_real phi_ddot[AUV6_N];
+    remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    auv6_generalized_result out;
-    const auv6_status status = auv6_generalized(&table, &x, angles, phi_ddot, &out);
+    remus6_generalized_result out;
+    const remus6_status status = remus6_generalized(&table, &x, angles, phi_ddot, &out);
     if (status < 0) {
         untouched_generalized_result(&out);
     } else {
@@ -2047,19 +2234,19 @@ void auv6_eva_normal_generalized(void)
     }
 }
 
-void auv6_eva_any_generalized(void);
-void auv6_eva_any_generalized(void)
+void remus6_eva_any_generalized(void);
+void remus6_eva_any_generalized(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real angles[3];
-    reals(&angles[0], 3, AUV6_LARGEST);
-    auv6_real phi_ddot[AUV6_N];
-    reals(&phi_ddot[0], 6, AUV6_LARGEST);
-    auv6_generalized_result out;
-    const auv6_status status = auv6_generalized(&table, &x, angles, phi_ddot, &out);
+    remus6_real angles[3];
+    reals(&angles[0], 3, REMUS6_LARGEST);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
+    remus6_generalized_result out;
+    const remus6_status status = remus6_generalized(&table, &x, angles, phi_ddot, &out);
     if (status < 0) {
         untouched_generalized_result(&out);
     } else {
@@ -2068,19 +2255,19 @@ void auv6_eva_any_generalized(void)
     }
 }
 
-void auv6_eva_bits_generalized(void);
-void auv6_eva_bits_generalized(void)
+void remus6_eva_bits_generalized(void);
+void remus6_eva_bits_generalized(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real angles[3];
+    remus6_real angles[3];
     all_bits(&angles[0], 3);
-    auv6_real phi_ddot[AUV6_N];
+    remus6_real phi_ddot[REMUS6_N];
     all_bits(&phi_ddot[0], 6);
-    auv6_generalized_result out;
-    const auv6_status status = auv6_generalized(&table, &x, angles, phi_ddot, &out);
+    remus6_generalized_result out;
+    const remus6_status status = remus6_generalized(&table, &x, angles, phi_ddot, &out);
     if (status < 0) {
         untouched_generalized_result(&out);
     } else {
@@ -2089,14 +2276,14 @@ void auv6_eva_bits_generalized(void)
     }
 }
 
-void auv6_eva_normal_prepare(void);
-void auv6_eva_normal_prepare(void)
+void remus6_eva_normal_prepare(void);
+void remus6_eva_normal_prepare(void)
 {
-    auv6_parameters parameters;
+    remus6_parameters parameters;
     normal_parameters(&parameters);
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    const auv6_status status = auv6_prepare(&parameters, &table);
+    const remus6_status status = remus6_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
@@ -2104,14 +2291,14 @@ void auv6_eva_normal_prepare(void)
     }
 }
 
-void auv6_eva_any_prepare(void);
-void auv6_eva_any_prepare(void)
+void remus6_eva_any_prepare(void);
+void remus6_eva_any_prepare(void)
 {
-    auv6_parameters parameters;
+    remus6_parameters parameters;
     any_parameters(&parameters);
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    const auv6_status status = auv6_prepare(&parameters, &table);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    const remus6_status status = remus6_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
@@ -2119,14 +2306,14 @@ void auv6_eva_any_prepare(void)
     }
 }
 
-void auv6_eva_bits_prepare(void);
-void auv6_eva_bits_prepare(void)
+void remus6_eva_bits_prepare(void);
+void remus6_eva_bits_prepare(void)
 {
-    auv6_parameters parameters;
+    remus6_parameters parameters;
     bits_parameters(&parameters);
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    const auv6_status status = auv6_prepare(&parameters, &table);
+    const remus6_status status = remus6_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
@@ -2134,21 +2321,21 @@ void auv6_eva_bits_prepare(void)
     }
 }
 
-void auv6_eva_normal_mounts(void);
-void auv6_eva_normal_mounts(void)
+void remus6_eva_normal_mounts(void);
+void remus6_eva_normal_mounts(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_mount_table mounting;
-    (void)auv6_prepare_mounts(&auv6_default_parameters, &mounting);
-    auv6_state x;
+    remus6_mount_table mounting;
+    (void)remus6_prepare_mounts(&remus6_default_parameters, &mounting);
+    remus6_state x;
     normal_state(&x);
-    auv6_real V_dot[6];
+    remus6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
-    auv6_real phi_ddot[AUV6_N];
+    remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    auv6_real mount_wrench[36];
-    const auv6_status status = auv6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
+    remus6_real mount_wrench[36];
+    const remus6_status status = remus6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
         untouched(&mount_wrench[0], 36);
     } else {
@@ -2157,21 +2344,21 @@ void auv6_eva_normal_mounts(void)
     }
 }
 
-void auv6_eva_any_mounts(void);
-void auv6_eva_any_mounts(void)
+void remus6_eva_any_mounts(void);
+void remus6_eva_any_mounts(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_mount_table mounting;
-    (void)auv6_prepare_mounts(&auv6_default_parameters, &mounting);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_mount_table mounting;
+    (void)remus6_prepare_mounts(&remus6_default_parameters, &mounting);
+    remus6_state x;
     any_state(&x);
-    auv6_real V_dot[6];
-    reals(&V_dot[0], 6, AUV6_LARGEST);
-    auv6_real phi_ddot[AUV6_N];
-    reals(&phi_ddot[0], 6, AUV6_LARGEST);
-    auv6_real mount_wrench[36];
-    const auv6_status status = auv6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, REMUS6_LARGEST);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
+    remus6_real mount_wrench[36];
+    const remus6_status status = remus6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
         untouched(&mount_wrench[0], 36);
     } else {
@@ -2180,21 +2367,21 @@ void auv6_eva_any_mounts(void)
     }
 }
 
-void auv6_eva_bits_mounts(void);
-void auv6_eva_bits_mounts(void)
+void remus6_eva_bits_mounts(void);
+void remus6_eva_bits_mounts(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_mount_table mounting;
-    (void)auv6_prepare_mounts(&auv6_default_parameters, &mounting);
-    auv6_state x;
+    remus6_mount_table mounting;
+    (void)remus6_prepare_mounts(&remus6_default_parameters, &mounting);
+    remus6_state x;
     bits_state(&x);
-    auv6_real V_dot[6];
+    remus6_real V_dot[6];
     all_bits(&V_dot[0], 6);
-    auv6_real phi_ddot[AUV6_N];
+    remus6_real phi_ddot[REMUS6_N];
     all_bits(&phi_ddot[0], 6);
-    auv6_real mount_wrench[36];
-    const auv6_status status = auv6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
+    remus6_real mount_wrench[36];
+    const remus6_status status = remus6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
         untouched(&mount_wrench[0], 36);
     } else {
@@ -2203,13 +2390,13 @@ void auv6_eva_bits_mounts(void)
     }
 }
 
-void auv6_eva_normal_prepare_mounts(void);
-void auv6_eva_normal_prepare_mounts(void)
+void remus6_eva_normal_prepare_mounts(void);
+void remus6_eva_normal_prepare_mounts(void)
 {
-    auv6_parameters parameters;
+    remus6_parameters parameters;
     normal_parameters(&parameters);
-    auv6_mount_table mounting;
-    const auv6_status status = auv6_prepare_mounts(&parameters, &mounting);
+    remus6_mount_table mounting;
+    const remus6_status status = remus6_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
         untouched_mount_table(&mounting);
     } else {
@@ -2218,13 +2405,13 @@ void auv6_eva_normal_prepare_mounts(void)
     }
 }
 
-void auv6_eva_any_prepare_mounts(void);
-void auv6_eva_any_prepare_mounts(void)
+void remus6_eva_any_prepare_mounts(void);
+void remus6_eva_any_prepare_mounts(void)
 {
-    auv6_parameters parameters;
+    remus6_parameters parameters;
     any_parameters(&parameters);
-    auv6_mount_table mounting;
-    const auv6_status status = auv6_prepare_mounts(&parameters, &mounting);
+    remus6_mount_table mounting;
+    const remus6_status status = remus6_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
         untouched_mount_table(&mounting);
     } else {
@@ -2233,13 +2420,13 @@ void auv6_eva_any_prepare_mounts(void)
     }
 }
 
-void auv6_eva_bits_prepare_mounts(void);
-void auv6_eva_bits_prepare_mounts(void)
+void remus6_eva_bits_prepare_mounts(void);
+void remus6_eva_bits_prepare_mounts(void)
 {
-    auv6_parameters parameters;
+    remus6_parameters parameters;
     bits_parameters(&parameters);
-    auv6_mount_table mounting;
-    const auv6_status status = auv6_prepare_mounts(&parameters, &mounting);
+    remus6_mount_table mounting;
+    const remus6_status status = remus6_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
         untouched_mount_table(&mounting);
     } else {
@@ -2248,25 +2435,25 @@ void auv6_eva_bits_prepare_mounts(void)
     }
 }
 
-void auv6_eva_normal_step_carried(void);
-void auv6_eva_normal_step_carried(void)
+void remus6_eva_normal_step_carried(void);
+void remus6_eva_normal_step_carried(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real tau[AUV6_N];
+    remus6_real tau[REMUS6_N];
     reals(&tau[0], 6, 100.0);
-    int locked[AUV6_N];
+    int locked[REMUS6_N];
     integers(&locked[0], 6, 0, 1);
-    auv6_real dt;
+    remus6_real dt;
     dt = real_in(1.0e-6, 0.001);
     int order;
     integers(&order, 1, 2, 4);
-    auv6_step_carry carry;
+    remus6_step_carry carry;
     normal_step_carry(&carry);
-    auv6_state next;
-    const auv6_status status = auv6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
+    remus6_state next;
+    const remus6_status status = remus6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -2276,25 +2463,25 @@ void auv6_eva_normal_step_carried(void)
     }
 }
 
-void auv6_eva_any_step_carried(void);
-void auv6_eva_any_step_carried(void)
+void remus6_eva_any_step_carried(void);
+void remus6_eva_any_step_carried(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real tau[AUV6_N];
-    reals(&tau[0], 6, AUV6_LARGEST);
-    int locked[AUV6_N];
+    remus6_real tau[REMUS6_N];
+    reals(&tau[0], 6, REMUS6_LARGEST);
+    int locked[REMUS6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    auv6_real dt;
-    reals(&dt, 1, AUV6_LARGEST);
+    remus6_real dt;
+    reals(&dt, 1, REMUS6_LARGEST);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    auv6_step_carry carry;
+    remus6_step_carry carry;
     any_step_carry(&carry);
-    auv6_state next;
-    const auv6_status status = auv6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
+    remus6_state next;
+    const remus6_status status = remus6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -2304,25 +2491,25 @@ void auv6_eva_any_step_carried(void)
     }
 }
 
-void auv6_eva_bits_step_carried(void);
-void auv6_eva_bits_step_carried(void)
+void remus6_eva_bits_step_carried(void);
+void remus6_eva_bits_step_carried(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real tau[AUV6_N];
+    remus6_real tau[REMUS6_N];
     all_bits(&tau[0], 6);
-    int locked[AUV6_N];
+    int locked[REMUS6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    auv6_real dt;
+    remus6_real dt;
     one_of_all(&dt);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    auv6_step_carry carry;
+    remus6_step_carry carry;
     bits_step_carry(&carry);
-    auv6_state next;
-    const auv6_status status = auv6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
+    remus6_state next;
+    const remus6_status status = remus6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -2332,23 +2519,23 @@ void auv6_eva_bits_step_carried(void)
     }
 }
 
-void auv6_eva_normal_step_driven_carried(void);
-void auv6_eva_normal_step_driven_carried(void)
+void remus6_eva_normal_step_driven_carried(void);
+void remus6_eva_normal_step_driven_carried(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real phi_ddot[AUV6_N];
+    remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    auv6_real dt;
+    remus6_real dt;
     dt = real_in(1.0e-6, 0.001);
     int order;
     integers(&order, 1, 2, 4);
-    auv6_step_carry carry;
+    remus6_step_carry carry;
     normal_step_carry(&carry);
-    auv6_state next;
-    const auv6_status status = auv6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
+    remus6_state next;
+    const remus6_status status = remus6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -2358,23 +2545,23 @@ void auv6_eva_normal_step_driven_carried(void)
     }
 }
 
-void auv6_eva_any_step_driven_carried(void);
-void auv6_eva_any_step_driven_carried(void)
+void remus6_eva_any_step_driven_carried(void);
+void remus6_eva_any_step_driven_carried(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real phi_ddot[AUV6_N];
-    reals(&phi_ddot[0], 6, AUV6_LARGEST);
-    auv6_real dt;
-    reals(&dt, 1, AUV6_LARGEST);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
+    remus6_real dt;
+    reals(&dt, 1, REMUS6_LARGEST);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    auv6_step_carry carry;
+    remus6_step_carry carry;
     any_step_carry(&carry);
-    auv6_state next;
-    const auv6_status status = auv6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
+    remus6_state next;
+    const remus6_status status = remus6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -2384,23 +2571,23 @@ void auv6_eva_any_step_driven_carried(void)
     }
 }
 
-void auv6_eva_bits_step_driven_carried(void);
-void auv6_eva_bits_step_driven_carried(void)
+void remus6_eva_bits_step_driven_carried(void);
+void remus6_eva_bits_step_driven_carried(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real phi_ddot[AUV6_N];
+    remus6_real phi_ddot[REMUS6_N];
     all_bits(&phi_ddot[0], 6);
-    auv6_real dt;
+    remus6_real dt;
     one_of_all(&dt);
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
-    auv6_step_carry carry;
+    remus6_step_carry carry;
     bits_step_carry(&carry);
-    auv6_state next;
-    const auv6_status status = auv6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
+    remus6_state next;
+    const remus6_status status = remus6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -2410,15 +2597,15 @@ void auv6_eva_bits_step_driven_carried(void)
     }
 }
 
-void auv6_eva_normal_center_of_mass_velocity(void);
-void auv6_eva_normal_center_of_mass_velocity(void)
+void remus6_eva_normal_center_of_mass_velocity(void);
+void remus6_eva_normal_center_of_mass_velocity(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
+    remus6_state x;
     normal_state(&x);
-    auv6_real center_of_mass_velocity[3];
-    const auv6_status status = auv6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
+    remus6_real center_of_mass_velocity[3];
+    const remus6_status status = remus6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
     if (status < 0) {
         untouched(&center_of_mass_velocity[0], 3);
     } else {
@@ -2427,15 +2614,15 @@ void auv6_eva_normal_center_of_mass_velocity(void)
     }
 }
 
-void auv6_eva_any_center_of_mass_velocity(void);
-void auv6_eva_any_center_of_mass_velocity(void)
+void remus6_eva_any_center_of_mass_velocity(void);
+void remus6_eva_any_center_of_mass_velocity(void)
 {
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
     any_state(&x);
-    auv6_real center_of_mass_velocity[3];
-    const auv6_status status = auv6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
+    remus6_real center_of_mass_velocity[3];
+    const remus6_status status = remus6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
     if (status < 0) {
         untouched(&center_of_mass_velocity[0], 3);
     } else {
@@ -2444,15 +2631,15 @@ void auv6_eva_any_center_of_mass_velocity(void)
     }
 }
 
-void auv6_eva_bits_center_of_mass_velocity(void);
-void auv6_eva_bits_center_of_mass_velocity(void)
+void remus6_eva_bits_center_of_mass_velocity(void);
+void remus6_eva_bits_center_of_mass_velocity(void)
 {
-    auv6_table table = auv6_default;
+    remus6_table table = remus6_default;
     all_bits(&table.stream[0], 3);
-    auv6_state x;
+    remus6_state x;
     bits_state(&x);
-    auv6_real center_of_mass_velocity[3];
-    const auv6_status status = auv6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
+    remus6_real center_of_mass_velocity[3];
+    const remus6_status status = remus6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
     if (status < 0) {
         untouched(&center_of_mass_velocity[0], 3);
     } else {
@@ -2461,22 +2648,45 @@ void auv6_eva_bits_center_of_mass_velocity(void)
     }
 }
 
-void auv6_eva_routine_sincos(void);
-void auv6_eva_routine_sincos(void)
+void remus6_eva_routine_sincos(void);
+void remus6_eva_routine_sincos(void)
 {
-    auv6_real x;
+    remus6_real x;
     one_of_all(&x);
-    auv6_real sine;
-    auv6_real cosine;
-    auv6_sincos(x, &sine, &cosine);
+    remus6_real sine;
+    remus6_real cosine;
+    remus6_sincos(x, &sine, &cosine);
     Frama_C_show_each_returned(0);
 }
 
-void auv6_eva_routine_sqrt(void);
-void auv6_eva_routine_sqrt(void)
+void remus6_eva_routine_sqrt(void);
+void remus6_eva_routine_sqrt(void)
 {
-    auv6_real x;
+    remus6_real x;
     one_of_all(&x);
-    (void)auv6_sqrt(x);
+    (void)remus6_sqrt(x);
     Frama_C_show_each_returned(0);
 }
+
+void remus6_eva_routine_check_state(void);
+void remus6_eva_routine_check_state(void)
+{
+    remus6_state x;
+    reals(x.position, 3, REMUS6_LARGEST);
+    reals(x.attitude, 4, REMUS6_LARGEST);
+    reals(x.V, 6, REMUS6_LARGEST);
+    reals(x.phi, 6, REMUS6_LARGEST);
+    reals(x.phi_dot, 6, REMUS6_LARGEST);
+    int beyond = 0;
+    if (beyond == 0) { beyond = one_beyond(x.position, 3, 0x1.e848000000001p+19); }
+    if (beyond == 0) { beyond = one_beyond(x.attitude, 4, 0x1.0000000000001p+1); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 6, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 3, 0x1.3880000000001p+13); }
+    if (beyond == 0) { beyond = one_beyond(x.phi, 6, 0x1.312d000000001p+23); }
+    if (beyond == 0) { beyond = one_beyond(x.phi_dot, 6, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { reals(x.attitude, 4, 0.4993); }
+    const remus6_status status = remus6_check_state(&x);
+    Frama_C_show_each_returned(status);
+    /*@ check status < 0; */
+}
+#endif

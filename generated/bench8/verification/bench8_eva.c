@@ -1,19 +1,21 @@
 /* bench8_eva.c: drivers of Frama-C Eva for the stand "bench8": what is proved of bench8.c. Run by bench8_eva.sh.
  * mahovik 0.1.0; structure 309d41a6, physics 139422e0. Generated: change the stand file instead.
  *
- * Not for firmware: only Frama-C reads this file. A driver calls one function with all inputs of a set at once:
+ * Only Frama-C reads this file: for compilers it is empty. A driver calls one function with all inputs of a set at once:
  *   normal   magnitudes of ordinary use: the numbers in the driver
  *   any      every finite number, every integer: what the checks of the function let through is all it computes with
  *   bits     every bit pattern: NaN and infinities as well
  * normal, any: Eva shows that no operation is undefined (index, uninitialised read, integer overflow, division by
- * zero) and that no real becomes infinite or NaN on the way; of the results, that they are written and finite where
+ * zero) and that no real becomes infinite or NaN on the way, but in the sums of the checks; of the results, that they are written and finite where
  * the status is not negative, and untouched where it is. bits, with -warn-special-float none: the same, but nothing of
  * finiteness, for Eva 25 lets NaN pass a comparison that C does not. */
+#include "../bench8.h"
+
+#ifdef __FRAMAC__
 #include <limits.h>
 
 #include "__fc_builtin.h"
 #include "features.h"
-#include "bench8.h"
 
 /* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
  * proved elsewhere (docs/results/arithmetic.md of mahovik: sine and cosine to a unit in the last place, square root
@@ -84,7 +86,99 @@ __POP_FC_STDLIB
     ensures -3.1415928 <= \result <= 3.1415928; */
 static bench8_real bench8_atan2(bench8_real y, bench8_real x);
 
-#include "bench8.c"
+/* Checks have a quick way by sums of squares, of which intervals do not see that each number is within its limit. For the
+ * sets normal and any they are what is said here; drivers of their own show it of their bodies, of all finite arguments:
+ * with one number beyond its limit, or a quaternion without a large component, they refuse. */
+
+#ifndef BENCH8_EVA_BODIES  /* these drivers must not rest on what they show */
+/*@ assigns \result \from *x;
+    ensures (\result == 0
+        && -BENCH8_MAX_POSITION <= x->position[0] <= BENCH8_MAX_POSITION
+        && -BENCH8_MAX_POSITION <= x->position[1] <= BENCH8_MAX_POSITION
+        && -BENCH8_MAX_POSITION <= x->position[2] <= BENCH8_MAX_POSITION
+        && -2.0 <= x->attitude[0] <= 2.0
+        && -2.0 <= x->attitude[1] <= 2.0
+        && -2.0 <= x->attitude[2] <= 2.0
+        && -2.0 <= x->attitude[3] <= 2.0
+        && -BENCH8_MAX_SPEED <= x->V[0] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->V[1] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->V[2] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->V[3] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->V[4] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->V[5] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_VELOCITY <= x->V[0] <= BENCH8_MAX_VELOCITY
+        && -BENCH8_MAX_VELOCITY <= x->V[1] <= BENCH8_MAX_VELOCITY
+        && -BENCH8_MAX_VELOCITY <= x->V[2] <= BENCH8_MAX_VELOCITY
+        && -BENCH8_MAX_PHASE <= x->phi[0] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_PHASE <= x->phi[1] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_PHASE <= x->phi[2] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_PHASE <= x->phi[3] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_PHASE <= x->phi[4] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_PHASE <= x->phi[5] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_PHASE <= x->phi[6] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_PHASE <= x->phi[7] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_SPEED <= x->phi_dot[0] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->phi_dot[1] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->phi_dot[2] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->phi_dot[3] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->phi_dot[4] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->phi_dot[5] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->phi_dot[6] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->phi_dot[7] <= BENCH8_MAX_SPEED
+        && (x->attitude[0] >= 0.4992 || x->attitude[0] <= -0.4992 || x->attitude[1] >= 0.4992 || x->attitude[1] <= -0.4992 || x->attitude[2] >= 0.4992 || x->attitude[2] <= -0.4992 || x->attitude[3] >= 0.4992 || x->attitude[3] <= -0.4992)
+        ) || \result < 0; */
+static bench8_status bench8_check_state(const bench8_state *x);
+
+/*@ assigns \result \from *x, values[0 .. 7], limit;
+    ensures (\result == 0
+        && -BENCH8_MAX_POSITION <= x->position[0] <= BENCH8_MAX_POSITION
+        && -BENCH8_MAX_POSITION <= x->position[1] <= BENCH8_MAX_POSITION
+        && -BENCH8_MAX_POSITION <= x->position[2] <= BENCH8_MAX_POSITION
+        && -2.0 <= x->attitude[0] <= 2.0
+        && -2.0 <= x->attitude[1] <= 2.0
+        && -2.0 <= x->attitude[2] <= 2.0
+        && -2.0 <= x->attitude[3] <= 2.0
+        && -BENCH8_MAX_SPEED <= x->V[0] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->V[1] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->V[2] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->V[3] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->V[4] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->V[5] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_VELOCITY <= x->V[0] <= BENCH8_MAX_VELOCITY
+        && -BENCH8_MAX_VELOCITY <= x->V[1] <= BENCH8_MAX_VELOCITY
+        && -BENCH8_MAX_VELOCITY <= x->V[2] <= BENCH8_MAX_VELOCITY
+        && -BENCH8_MAX_PHASE <= x->phi[0] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_PHASE <= x->phi[1] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_PHASE <= x->phi[2] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_PHASE <= x->phi[3] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_PHASE <= x->phi[4] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_PHASE <= x->phi[5] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_PHASE <= x->phi[6] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_PHASE <= x->phi[7] <= BENCH8_MAX_PHASE
+        && -BENCH8_MAX_SPEED <= x->phi_dot[0] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->phi_dot[1] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->phi_dot[2] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->phi_dot[3] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->phi_dot[4] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->phi_dot[5] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->phi_dot[6] <= BENCH8_MAX_SPEED
+        && -BENCH8_MAX_SPEED <= x->phi_dot[7] <= BENCH8_MAX_SPEED
+        && -limit <= values[0] <= limit
+        && -limit <= values[1] <= limit
+        && -limit <= values[2] <= limit
+        && -limit <= values[3] <= limit
+        && -limit <= values[4] <= limit
+        && -limit <= values[5] <= limit
+        && -limit <= values[6] <= limit
+        && -limit <= values[7] <= limit
+        && (x->attitude[0] >= 0.4992 || x->attitude[0] <= -0.4992 || x->attitude[1] >= 0.4992 || x->attitude[1] <= -0.4992 || x->attitude[2] >= 0.4992 || x->attitude[2] <= -0.4992 || x->attitude[3] >= 0.4992 || x->attitude[3] <= -0.4992)
+        ) || \result < 0; */
+static bench8_status bench8_check_motion(const bench8_state *x, const bench8_real values[BENCH8_N],
+                                         bench8_real limit);
+
+#endif
+
+#include "../bench8.c"
 
 /* ---- sets of numbers ---- */
 
@@ -161,6 +255,18 @@ static void quaternion(bench8_real q[4], bench8_real size)
     case 7: q[3] = real_in(-size, -0.499); break;
     default: reals(q, 4, 0.499); break;
     }
+}
+
+/* One number of an array is beyond a limit, whose next number is `above`: 1. None: 0. */
+static int one_beyond(bench8_real *x, int count, bench8_real above)
+{
+    for (int i = 0; i < count; ++i) {
+        if (Frama_C_interval(0, 1) == 0) {
+            x[i] = (Frama_C_interval(0, 1) == 0) ? real_in(above, BENCH8_LARGEST) : real_in(-BENCH8_LARGEST, -above);
+            return 1;
+        }
+    }
+    return 0;
 }
 
 /* ---- what is asserted of results ---- */
@@ -246,7 +352,7 @@ static void normal_inverse_options(bench8_inverse_options *x)
     about(&x->motor_viscous[0], &bench8_default_options.motor_viscous[0], 8);
     about(&x->motor_coulomb[0], &bench8_default_options.motor_coulomb[0], 8);
     about(&x->motor_coulomb_speed[0], &bench8_default_options.motor_coulomb_speed[0], 8);
-    about(&x->near, &bench8_default_options.near, 1);
+    about(&x->near_singular, &bench8_default_options.near_singular, 1);
     about(&x->damping, &bench8_default_options.damping, 1);
 }
 
@@ -260,7 +366,7 @@ static void any_inverse_options(bench8_inverse_options *x)
     reals(&x->motor_viscous[0], 8, BENCH8_LARGEST);
     reals(&x->motor_coulomb[0], 8, BENCH8_LARGEST);
     reals(&x->motor_coulomb_speed[0], 8, BENCH8_LARGEST);
-    reals(&x->near, 1, BENCH8_LARGEST);
+    reals(&x->near_singular, 1, BENCH8_LARGEST);
     reals(&x->damping, 1, BENCH8_LARGEST);
 }
 
@@ -274,7 +380,7 @@ static void bits_inverse_options(bench8_inverse_options *x)
     all_bits(&x->motor_viscous[0], 8);
     all_bits(&x->motor_coulomb[0], 8);
     all_bits(&x->motor_coulomb_speed[0], 8);
-    one_of_all(&x->near);
+    one_of_all(&x->near_singular);
     one_of_all(&x->damping);
 }
 
@@ -2344,3 +2450,57 @@ void bench8_eva_routine_atan2(void)
     (void)bench8_atan2(y, x);
     Frama_C_show_each_returned(0);
 }
+
+void bench8_eva_routine_check_state(void);
+void bench8_eva_routine_check_state(void)
+{
+    bench8_state x;
+    reals(x.position, 3, BENCH8_LARGEST);
+    reals(x.attitude, 4, BENCH8_LARGEST);
+    reals(x.V, 6, BENCH8_LARGEST);
+    reals(x.phi, 8, BENCH8_LARGEST);
+    reals(x.phi_dot, 8, BENCH8_LARGEST);
+    int beyond = 0;
+    if (beyond == 0) { beyond = one_beyond(x.position, 3, 0x1.e848000000001p+19); }
+    if (beyond == 0) { beyond = one_beyond(x.attitude, 4, 0x1.0000000000001p+1); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 6, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 3, 0x1.3880000000001p+13); }
+    if (beyond == 0) { beyond = one_beyond(x.phi, 8, 0x1.312d000000001p+23); }
+    if (beyond == 0) { beyond = one_beyond(x.phi_dot, 8, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { reals(x.attitude, 4, 0.4993); }
+    const bench8_status status = bench8_check_state(&x);
+    Frama_C_show_each_returned(status);
+    /*@ check status < 0; */
+}
+
+void bench8_eva_routine_check_motion(void);
+void bench8_eva_routine_check_motion(void)
+{
+    bench8_state x;
+    reals(x.position, 3, BENCH8_LARGEST);
+    reals(x.attitude, 4, BENCH8_LARGEST);
+    reals(x.V, 6, BENCH8_LARGEST);
+    reals(x.phi, 8, BENCH8_LARGEST);
+    reals(x.phi_dot, 8, BENCH8_LARGEST);
+    bench8_real values[BENCH8_N];
+    bench8_real limit, above;
+    reals(values, 8, BENCH8_LARGEST);
+    switch (Frama_C_interval(0, 2)) {
+    case 0: limit = BENCH8_MAX_ACCELERATION; above = 0x1.dcd6500000001p+29; break;
+    case 1: limit = BENCH8_MAX_WRENCH; above = 0x1.dcd6500000001p+29; break;
+    default: limit = BENCH8_MAX_SPEED; above = 0x1.86a0000000001p+16; break;
+    }
+    int beyond = 0;
+    if (beyond == 0) { beyond = one_beyond(x.position, 3, 0x1.e848000000001p+19); }
+    if (beyond == 0) { beyond = one_beyond(x.attitude, 4, 0x1.0000000000001p+1); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 6, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 3, 0x1.3880000000001p+13); }
+    if (beyond == 0) { beyond = one_beyond(x.phi, 8, 0x1.312d000000001p+23); }
+    if (beyond == 0) { beyond = one_beyond(x.phi_dot, 8, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { beyond = one_beyond(values, 8, above); }
+    if (beyond == 0) { reals(x.attitude, 4, 0.4993); }
+    const bench8_status status = bench8_check_motion(&x, values, limit);
+    Frama_C_show_each_returned(status);
+    /*@ check status < 0; */
+}
+#endif

@@ -1,19 +1,21 @@
 /* demo3_eva.c: drivers of Frama-C Eva for the stand "demo3": what is proved of demo3.c. Run by demo3_eva.sh.
  * mahovik 0.1.0; structure 055bf547, physics fdeb29e7. Generated: change the stand file instead.
  *
- * Not for firmware: only Frama-C reads this file. A driver calls one function with all inputs of a set at once:
+ * Only Frama-C reads this file: for compilers it is empty. A driver calls one function with all inputs of a set at once:
  *   normal   magnitudes of ordinary use: the numbers in the driver
  *   any      every finite number, every integer: what the checks of the function let through is all it computes with
  *   bits     every bit pattern: NaN and infinities as well
  * normal, any: Eva shows that no operation is undefined (index, uninitialised read, integer overflow, division by
- * zero) and that no real becomes infinite or NaN on the way; of the results, that they are written and finite where
+ * zero) and that no real becomes infinite or NaN on the way, but in the sums of the checks; of the results, that they are written and finite where
  * the status is not negative, and untouched where it is. bits, with -warn-special-float none: the same, but nothing of
  * finiteness, for Eva 25 lets NaN pass a comparison that C does not. */
+#include "../demo3.h"
+
+#ifdef __FRAMAC__
 #include <limits.h>
 
 #include "__fc_builtin.h"
 #include "features.h"
-#include "demo3.h"
 
 /* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
  * proved elsewhere (docs/results/arithmetic.md of mahovik: sine and cosine to a unit in the last place, square root
@@ -54,7 +56,74 @@ __PUSH_FC_STDLIB
 static demo3_real demo3_sqrt(demo3_real x);
 __POP_FC_STDLIB
 
-#include "demo3.c"
+/* Checks have a quick way by sums of squares, of which intervals do not see that each number is within its limit. For the
+ * sets normal and any they are what is said here; drivers of their own show it of their bodies, of all finite arguments:
+ * with one number beyond its limit, or a quaternion without a large component, they refuse. */
+
+#ifndef DEMO3_EVA_BODIES  /* these drivers must not rest on what they show */
+/*@ assigns \result \from *x;
+    ensures (\result == 0
+        && -DEMO3_MAX_POSITION <= x->position[0] <= DEMO3_MAX_POSITION
+        && -DEMO3_MAX_POSITION <= x->position[1] <= DEMO3_MAX_POSITION
+        && -DEMO3_MAX_POSITION <= x->position[2] <= DEMO3_MAX_POSITION
+        && -2.0 <= x->attitude[0] <= 2.0
+        && -2.0 <= x->attitude[1] <= 2.0
+        && -2.0 <= x->attitude[2] <= 2.0
+        && -2.0 <= x->attitude[3] <= 2.0
+        && -DEMO3_MAX_SPEED <= x->V[0] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_SPEED <= x->V[1] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_SPEED <= x->V[2] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_SPEED <= x->V[3] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_SPEED <= x->V[4] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_SPEED <= x->V[5] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_VELOCITY <= x->V[0] <= DEMO3_MAX_VELOCITY
+        && -DEMO3_MAX_VELOCITY <= x->V[1] <= DEMO3_MAX_VELOCITY
+        && -DEMO3_MAX_VELOCITY <= x->V[2] <= DEMO3_MAX_VELOCITY
+        && -DEMO3_MAX_PHASE <= x->phi[0] <= DEMO3_MAX_PHASE
+        && -DEMO3_MAX_PHASE <= x->phi[1] <= DEMO3_MAX_PHASE
+        && -DEMO3_MAX_PHASE <= x->phi[2] <= DEMO3_MAX_PHASE
+        && -DEMO3_MAX_SPEED <= x->phi_dot[0] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_SPEED <= x->phi_dot[1] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_SPEED <= x->phi_dot[2] <= DEMO3_MAX_SPEED
+        && (x->attitude[0] >= 0.4992 || x->attitude[0] <= -0.4992 || x->attitude[1] >= 0.4992 || x->attitude[1] <= -0.4992 || x->attitude[2] >= 0.4992 || x->attitude[2] <= -0.4992 || x->attitude[3] >= 0.4992 || x->attitude[3] <= -0.4992)
+        ) || \result < 0; */
+static demo3_status demo3_check_state(const demo3_state *x);
+
+/*@ assigns \result \from *x, values[0 .. 2], limit;
+    ensures (\result == 0
+        && -DEMO3_MAX_POSITION <= x->position[0] <= DEMO3_MAX_POSITION
+        && -DEMO3_MAX_POSITION <= x->position[1] <= DEMO3_MAX_POSITION
+        && -DEMO3_MAX_POSITION <= x->position[2] <= DEMO3_MAX_POSITION
+        && -2.0 <= x->attitude[0] <= 2.0
+        && -2.0 <= x->attitude[1] <= 2.0
+        && -2.0 <= x->attitude[2] <= 2.0
+        && -2.0 <= x->attitude[3] <= 2.0
+        && -DEMO3_MAX_SPEED <= x->V[0] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_SPEED <= x->V[1] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_SPEED <= x->V[2] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_SPEED <= x->V[3] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_SPEED <= x->V[4] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_SPEED <= x->V[5] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_VELOCITY <= x->V[0] <= DEMO3_MAX_VELOCITY
+        && -DEMO3_MAX_VELOCITY <= x->V[1] <= DEMO3_MAX_VELOCITY
+        && -DEMO3_MAX_VELOCITY <= x->V[2] <= DEMO3_MAX_VELOCITY
+        && -DEMO3_MAX_PHASE <= x->phi[0] <= DEMO3_MAX_PHASE
+        && -DEMO3_MAX_PHASE <= x->phi[1] <= DEMO3_MAX_PHASE
+        && -DEMO3_MAX_PHASE <= x->phi[2] <= DEMO3_MAX_PHASE
+        && -DEMO3_MAX_SPEED <= x->phi_dot[0] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_SPEED <= x->phi_dot[1] <= DEMO3_MAX_SPEED
+        && -DEMO3_MAX_SPEED <= x->phi_dot[2] <= DEMO3_MAX_SPEED
+        && -limit <= values[0] <= limit
+        && -limit <= values[1] <= limit
+        && -limit <= values[2] <= limit
+        && (x->attitude[0] >= 0.4992 || x->attitude[0] <= -0.4992 || x->attitude[1] >= 0.4992 || x->attitude[1] <= -0.4992 || x->attitude[2] >= 0.4992 || x->attitude[2] <= -0.4992 || x->attitude[3] >= 0.4992 || x->attitude[3] <= -0.4992)
+        ) || \result < 0; */
+static demo3_status demo3_check_motion(const demo3_state *x, const demo3_real values[DEMO3_N],
+                                       demo3_real limit);
+
+#endif
+
+#include "../demo3.c"
 
 /* ---- sets of numbers ---- */
 
@@ -131,6 +200,18 @@ static void quaternion(demo3_real q[4], demo3_real size)
     case 7: q[3] = real_in(-size, -0.499); break;
     default: reals(q, 4, 0.499); break;
     }
+}
+
+/* One number of an array is beyond a limit, whose next number is `above`: 1. None: 0. */
+static int one_beyond(demo3_real *x, int count, demo3_real above)
+{
+    for (int i = 0; i < count; ++i) {
+        if (Frama_C_interval(0, 1) == 0) {
+            x[i] = (Frama_C_interval(0, 1) == 0) ? real_in(above, DEMO3_LARGEST) : real_in(-DEMO3_LARGEST, -above);
+            return 1;
+        }
+    }
+    return 0;
 }
 
 /* ---- what is asserted of results ---- */
@@ -216,7 +297,7 @@ static void normal_inverse_options(demo3_inverse_options *x)
     about(&x->motor_viscous[0], &demo3_default_options.motor_viscous[0], 3);
     about(&x->motor_coulomb[0], &demo3_default_options.motor_coulomb[0], 3);
     about(&x->motor_coulomb_speed[0], &demo3_default_options.motor_coulomb_speed[0], 3);
-    about(&x->near, &demo3_default_options.near, 1);
+    about(&x->near_singular, &demo3_default_options.near_singular, 1);
     about(&x->damping, &demo3_default_options.damping, 1);
 }
 
@@ -230,7 +311,7 @@ static void any_inverse_options(demo3_inverse_options *x)
     reals(&x->motor_viscous[0], 3, DEMO3_LARGEST);
     reals(&x->motor_coulomb[0], 3, DEMO3_LARGEST);
     reals(&x->motor_coulomb_speed[0], 3, DEMO3_LARGEST);
-    reals(&x->near, 1, DEMO3_LARGEST);
+    reals(&x->near_singular, 1, DEMO3_LARGEST);
     reals(&x->damping, 1, DEMO3_LARGEST);
 }
 
@@ -244,7 +325,7 @@ static void bits_inverse_options(demo3_inverse_options *x)
     all_bits(&x->motor_viscous[0], 3);
     all_bits(&x->motor_coulomb[0], 3);
     all_bits(&x->motor_coulomb_speed[0], 3);
-    one_of_all(&x->near);
+    one_of_all(&x->near_singular);
     one_of_all(&x->damping);
 }
 
@@ -2053,3 +2134,57 @@ void demo3_eva_routine_sqrt(void)
     (void)demo3_sqrt(x);
     Frama_C_show_each_returned(0);
 }
+
+void demo3_eva_routine_check_state(void);
+void demo3_eva_routine_check_state(void)
+{
+    demo3_state x;
+    reals(x.position, 3, DEMO3_LARGEST);
+    reals(x.attitude, 4, DEMO3_LARGEST);
+    reals(x.V, 6, DEMO3_LARGEST);
+    reals(x.phi, 3, DEMO3_LARGEST);
+    reals(x.phi_dot, 3, DEMO3_LARGEST);
+    int beyond = 0;
+    if (beyond == 0) { beyond = one_beyond(x.position, 3, 0x1.e848000000001p+19); }
+    if (beyond == 0) { beyond = one_beyond(x.attitude, 4, 0x1.0000000000001p+1); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 6, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 3, 0x1.3880000000001p+13); }
+    if (beyond == 0) { beyond = one_beyond(x.phi, 3, 0x1.312d000000001p+23); }
+    if (beyond == 0) { beyond = one_beyond(x.phi_dot, 3, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { reals(x.attitude, 4, 0.4993); }
+    const demo3_status status = demo3_check_state(&x);
+    Frama_C_show_each_returned(status);
+    /*@ check status < 0; */
+}
+
+void demo3_eva_routine_check_motion(void);
+void demo3_eva_routine_check_motion(void)
+{
+    demo3_state x;
+    reals(x.position, 3, DEMO3_LARGEST);
+    reals(x.attitude, 4, DEMO3_LARGEST);
+    reals(x.V, 6, DEMO3_LARGEST);
+    reals(x.phi, 3, DEMO3_LARGEST);
+    reals(x.phi_dot, 3, DEMO3_LARGEST);
+    demo3_real values[DEMO3_N];
+    demo3_real limit, above;
+    reals(values, 3, DEMO3_LARGEST);
+    switch (Frama_C_interval(0, 2)) {
+    case 0: limit = DEMO3_MAX_ACCELERATION; above = 0x1.dcd6500000001p+29; break;
+    case 1: limit = DEMO3_MAX_WRENCH; above = 0x1.dcd6500000001p+29; break;
+    default: limit = DEMO3_MAX_SPEED; above = 0x1.86a0000000001p+16; break;
+    }
+    int beyond = 0;
+    if (beyond == 0) { beyond = one_beyond(x.position, 3, 0x1.e848000000001p+19); }
+    if (beyond == 0) { beyond = one_beyond(x.attitude, 4, 0x1.0000000000001p+1); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 6, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { beyond = one_beyond(x.V, 3, 0x1.3880000000001p+13); }
+    if (beyond == 0) { beyond = one_beyond(x.phi, 3, 0x1.312d000000001p+23); }
+    if (beyond == 0) { beyond = one_beyond(x.phi_dot, 3, 0x1.86a0000000001p+16); }
+    if (beyond == 0) { beyond = one_beyond(values, 3, above); }
+    if (beyond == 0) { reals(x.attitude, 4, 0.4993); }
+    const demo3_status status = demo3_check_motion(&x, values, limit);
+    Frama_C_show_each_returned(status);
+    /*@ check status < 0; */
+}
+#endif
