@@ -73,7 +73,8 @@ def write_all(
     places: dict[Path, Path] = {}
     through: dict[Path, bytes] = {}
     replaced: dict[Path, bytes | None] = {}
-    missing = sorted({each for target in targets.values() for each in _missing(target.parent)}, reverse=True)
+    folders = {folder, *(target.parent for target in targets.values())}
+    missing = sorted({place for each in folders for place in _missing(each)}, reverse=True)
     target = folder
     try:
         _make(folder)

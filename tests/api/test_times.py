@@ -74,5 +74,5 @@ def test_the_limit_of_a_search_is_in_seconds() -> None:
 
 
 def test_a_judge_reads_its_timeout() -> None:
-    with pytest.raises(mahovik.UsageError, match='--timeout: unit "kg" does not fit'):
+    with pytest.raises(mahovik.UsageError, match='timeout: unit "kg" does not fit'):
         mahovik.judge(DEMO3, "cat", timeout="1 kg")

@@ -154,8 +154,7 @@ def test_check_prints_figures() -> None:
     assert f"structure {names.structure}, physics {names.physics}" in text
     for words in ("carrier", "w8", "18.39", "static, g mm", "dynamic, g mm2", "reach of force: 3783.7 N"):
         assert words in text
-    (warning,) = (line for line in text.splitlines() if line.startswith("warning"))
-    assert warning.startswith("warning: float: steps of 0.0001 s lose")
+    assert "warning" not in text
 
 
 def test_check_warns_where_the_singularity_is_a_heading() -> None:
