@@ -14,7 +14,6 @@ from mahovik.nearest import LISTED, nearest, suggestion
 from mahovik.stands import path
 
 SAT4 = str(path("sat4"))
-PLAN = ("--motion", "motion.json", "-o", "p.json", "--method", "ocp")
 NAMES = ("mass", "inertia", "position")
 
 
@@ -75,7 +74,6 @@ def test_a_misspelt_unit(unit: str, words: str) -> None:
         (("export", "target", BENCH8, "--target", "m77"), "m7"),
         (("export", "tagret", "m7", BENCH8), "target"),
         (("design", DEMO3, "--motion", "m.json", "--free", "postion", "-o", "o.toml"), "position"),
-        (("plan", BENCH8, *PLAN, "--partition", "w11,w2,w3,w4,w5,w6"), "w1"),
         (("modes", BENCH8, "--at", "state.json"), "phi_dot"),
         (("simulate", BENCH8, "--until", "1", "-o", "r.csv", "--regime", "regime.toml"), "w1"),
         (("simulate", BENCH8, "--until", "1", "-o", "r.csv", "--start", "state.json"), "phi_dot"),

@@ -271,7 +271,7 @@ REFUSED: list[tuple[str, str, dict[str, Any], str]] = [
     ("verify", "demo3", {"seed": -1}, "seed -1: expected a whole number of at least 0"),
     ("verify", "demo3", {"judges": True, "states": 0}, "states 0: expected a whole number of at least 1"),
     ("plan", "demo3", {"keep": 0}, "keep 0: expected a whole number from 1 to 99"),
-    ("plan", "demo3", {"method": "x"}, 'method: unknown "x", expected one of fourier, ocp-partition, ocp'),
+    ("plan", "demo3", {"method": "x"}, 'method: unknown "x", expected one of fourier, ocp'),
     ("plan", "demo3", {"winding": (1.5, 0, 0)}, "expected any, spin, rock or 3 whole numbers"),
     ("judge", "demo3", {"states": 0}, "states 0: expected a whole number of at least 1"),
     ("judge", "demo3", {"tolerance": math.nan}, "tolerance nan: expected a number above 0"),

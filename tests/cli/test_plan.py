@@ -63,8 +63,7 @@ def test_what_is_out_of_reach_is_refused_with_the_reason(tmp_path: Path) -> None
         (("-o", "/proc/p.json"), "cannot be written"),
         (("--time", "0"), "--time"),
         (("--keep", "0"), "--keep"),
-        (("--method", "ocp-partition"), "(13) needs six"),
-        (("--partition", "w1,w2"), "--partition needs --method"),
+        (("--method", "ocp"), "(13) needs at least 6"),
         (("--method", "radau"), "--method"),
     ],
 )

@@ -1,4 +1,4 @@
-"""plan.ocp: mesh, (12)-(13) at a node against plan.residual, derivatives, partitions, and what is refused."""
+"""plan.ocp: mesh, (12)-(13) at a node against plan.residual, derivatives, and what is refused."""
 
 from __future__ import annotations
 
@@ -9,19 +9,16 @@ import pytest
 
 from mahovik.core.motion.programme import Angles
 from mahovik.errors import UsageError
-from mahovik.use.plan import PlanOptions, plan_motion
+from mahovik.use.plan import PlanOptions, plan_motion, planner
 from mahovik.use.plan.objective import Cost, Rows
-from mahovik.use.plan.ocp import partition as partition_module
-from mahovik.use.plan.ocp.partition import PartitionCourse, best_partition, order_of, partition_of
 from mahovik.use.plan.ocp.solve import ScaledProblem
-from mahovik.use.plan.ocp.structure import Formulation, Mesh, Structure
+from mahovik.use.plan.ocp.structure import Mesh, Structure
 from mahovik.use.plan.ocp.transcription import node_functions, transcription
 from mahovik.use.plan.residual import prescribe, residual, torques
 from plan.examples import example
 from plan.examples import problem as example_problem
 
 N, M = 8, 5
-PLUS = (0, 2, 3, 4, 6, 7)
 WEIGHTS = {"acceleration": 1.0, "torque": 0.5, "speed_variation": 0.3, "power": 0.0}
 
 
@@ -31,7 +28,7 @@ def scaled() -> ScaledProblem:
     weights = {kind: tuple([value] * N) for kind, value in WEIGHTS.items()}
     problem = replace(problem, motion=replace(problem.motion, objective=replace(problem.motion.objective, **weights)))
     Omega = 2.0 * np.pi / problem.motion.span
-    return ScaledProblem(problem, Cost.of(problem.mechanics, problem.motion.objective, Omega), order_of(PLUS, N))
+    return ScaledProblem(problem, Cost.of(problem.mechanics, problem.motion.objective, Omega))
 
 
 def test_collocation_is_exact_for_polynomials_of_its_degree() -> None:
@@ -45,34 +42,25 @@ def test_collocation_is_exact_for_polynomials_of_its_degree() -> None:
     assert np.abs(x**4 @ mesh.jumps).max() > 1e-5
 
 
-@pytest.mark.parametrize("partition", [True, False])
-def test_a_node_is_what_the_residual_says(partition: bool) -> None:
-    """a_+ of the partition leaves no residual of (12); R, torques, and J are those of plan.residual and objective."""
+def test_a_node_is_what_the_residual_says() -> None:
+    """R, torques, and J are those of plan.residual and objective."""
     own, rng = scaled(), np.random.default_rng(3)
-    problem, Omega, order = own.problem, own.Omega, own.order
+    problem, Omega = own.problem, own.Omega
     t, bias = np.linspace(0.0, problem.motion.span, M), rng.normal(size=6) * 1e-3
     phi, v, a = rng.normal(size=(3, M, N))
-    node = node_functions(N, partition, torque=True)
-    u = a[:, order][:, : node.controls]
-    z = np.hstack([phi[:, order], v[:, order], u, np.zeros((M, 6))])
+    node = node_functions(N, torque=True)
+    z = np.hstack([phi, v, a, np.zeros((M, 6))])
     of_nodes, stand = (
         own.node_parameters(t, Angles(phi, v * Omega, a * Omega**2), bias),
         own.stand_parameters(np.zeros(N)),
     )
     found = [[np.asarray(x).ravel() for x in node.value(z[m], of_nodes[:, m], stand)] for m in range(M)]
     y, cost = np.array([x[0] for x in found]), np.array([x[1] for x in found]).ravel()
-    full = a[:, order].copy()
-    if partition:
-        full[:, 2:] = y[:, :6]
-    angles = Angles(phi, v * Omega, full[:, np.argsort(order)] * Omega**2)
+    angles = Angles(phi, v * Omega, a * Omega**2)
     at = prescribe(problem.mechanics, problem.motion.at(t), bias)
     R, tau = problem.norm.dimensionless(residual(at, *angles)), torques(at, *angles)
-    if partition:
-        assert np.abs(R).max() < 1e-10 * np.abs(full).max()
-        assert np.all(y[:, 6] > 0.0)
-    else:
-        np.testing.assert_allclose(y[:, :6], R, rtol=1e-10, atol=1e-10 * np.abs(R).max())
-    np.testing.assert_allclose(y[:, -N:] * own.torque[order], tau[:, order], rtol=1e-8, atol=1e-10)
+    np.testing.assert_allclose(y[:, :6], R, rtol=1e-10, atol=1e-10 * np.abs(R).max())
+    np.testing.assert_allclose(y[:, -N:] * own.torque, tau, rtol=1e-8, atol=1e-10)
     parts = own.cost.value(angles, np.zeros(N), Rows.of(tau))
     np.testing.assert_allclose(cost.mean(), sum(parts.values()), rtol=1e-10)
 
@@ -82,9 +70,9 @@ def test_the_change_by_the_bias_is_linear_around_it() -> None:
     own, rng = scaled(), np.random.default_rng(5)
     t, bias, step = np.array([0.013]), np.zeros(6), rng.normal(size=6) * 1e-5
     phi, v, a = rng.normal(size=(3, 1, N))
-    angles, order = Angles(phi, v * own.Omega, a * own.Omega**2), own.order
-    node, stand = node_functions(N, False, torque=True), own.stand_parameters(np.zeros(N))
-    z = np.concatenate([x[0, order] for x in (phi, v, a)])
+    angles = Angles(phi, v * own.Omega, a * own.Omega**2)
+    node, stand = node_functions(N, torque=True), own.stand_parameters(np.zeros(N))
+    z = np.concatenate([x[0] for x in (phi, v, a)])
     here, there = own.node_parameters(t, angles, bias)[:, 0], own.node_parameters(t, angles, bias + step)[:, 0]
     before, after, moved = (
         np.asarray(node.value(np.append(z, d), given, stand)[0]).ravel()
@@ -94,14 +82,13 @@ def test_the_change_by_the_bias_is_linear_around_it() -> None:
     assert np.abs(moved - after).max() < 1e-3 * change
 
 
-@pytest.mark.parametrize("formulation", ["ocp-partition", "ocp"])
-def test_derivatives_of_the_programme_are_those_of_its_rows(formulation: Formulation) -> None:
+def test_derivatives_of_the_programme_are_those_of_its_rows() -> None:
     """Gradient, Jacobian, Hessian against central differences along a direction; the programme is built once."""
-    kinds = frozenset({"acceleration", "torque", "angle"})
+    kinds = frozenset({"torque", "angle"})
     breaks = (0.0, 0.3, 0.7, 1.0)
-    structure = Structure(formulation, 7, breaks, 2, 2.0 * np.pi, True, kinds)
+    structure = Structure(7, breaks, 2, 2.0 * np.pi, True, kinds)
     own, rng = transcription(structure), np.random.default_rng(1)
-    assert transcription(Structure(formulation, 7, breaks, 2, 2.0 * np.pi, True, frozenset(kinds))) is own
+    assert transcription(Structure(7, breaks, 2, 2.0 * np.pi, True, frozenset(kinds))) is own
     x, d = rng.normal(size=(2, structure.size))
     p, lam = rng.normal(size=own.solver.size1_in("p")), rng.normal(size=own.solver.size1_in("lbg"))
     gradient, jacobian, bend = (own.solver.get_function(f"nlp_{name}") for name in ("grad_f", "jac_g", "hess_l"))
@@ -118,47 +105,15 @@ def test_derivatives_of_the_programme_are_those_of_its_rows(formulation: Formula
     np.testing.assert_allclose((H + np.triu(H, 1).T) @ d, expected, rtol=1e-4, atol=1e-6 * np.abs(expected).max())
 
 
-def test_partitions_are_judged_by_their_least_singular_value() -> None:
-    """The best is no worse than any other; flywheels that turn through det I+ = 0 are reported with the times."""
-    own = example_problem("bench8").mechanics
-    t = np.linspace(0.0, 0.1, 201)
-    still = np.random.default_rng(2).uniform(-np.pi, np.pi, N) + 0.01 * np.sin(t * 62.8)[:, None]
-    best = best_partition(own, t, still)
-    others = [PartitionCourse.of(own, t, still, plus).least for plus in ((0, 1, 2, 3, 4, 5), (2, 3, 4, 5, 6, 7), PLUS)]
-    assert best.least > 0.0 and best.least >= max(others)
-    turning = PartitionCourse.of(own, t, still + 2.0 * np.pi * t[:, None] / 0.1, (0, 1, 2, 3, 4, 5))
-    assert turning.crossings.size and turning.least == 0.0
-    for time in turning.crossings:
-        k = np.searchsorted(t, time)
-        assert turning.determinant[k - 1] * turning.determinant[k] <= 0.0
-    names = [f"w{k}" for k in range(1, N + 1)]
-    assert "partition w1,w2,w3,w4,w5,w6: det I+ = 0 at t = " in turning.words(names)
-    report = turning.report(names)
-    assert report["regular"] is False and report["minus"] == ["w7", "w8"]
-    assert np.shape(report["along"]["singular_values"]) == (32, 6)
-
-
-@pytest.mark.parametrize(
-    "stand,options,words",
-    [
-        ("shaker2", PlanOptions(method="ocp-partition"), "the stand has 2 flywheels; (13) needs six"),
-        ("bench8", PlanOptions(partition=("w1",)), "--partition needs --method"),
-        ("bench8", PlanOptions(method="ocp", partition=("w1", "w2")), "2 names; expected the six"),
-        ("bench8", PlanOptions(method="ocp", partition=("w1", "w2", "w3", "w4", "w5", "x")), "no flywheel 'x'"),
-        ("bench8", PlanOptions(method="ocp", partition=("w1", "w2", "w3", "w4", "w5", "w5")), "named twice"),
-    ],
-)
-def test_what_means_nothing_is_refused_before_the_search(stand: str, options: PlanOptions, words: str) -> None:
+def test_too_few_flywheels_are_refused_before_the_search() -> None:
     """One line that says what was expected."""
-    with pytest.raises(UsageError, match=words.replace("(", r"\(").replace(")", r"\)")):
-        plan_motion(*example(stand), options)
+    with pytest.raises(UsageError, match=r"the stand has 2 flywheels; \(13\) needs at least 6"):
+        plan_motion(*example("shaker2"), PlanOptions(method="ocp"))
 
 
 def test_without_casadi_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     """The Fourier method is not asked for it."""
-    monkeypatch.setattr(partition_module, "find_spec", lambda _: None)
-    stand, _ = example("bench8")
+    monkeypatch.setattr(planner, "find_spec", lambda _: None)
     with pytest.raises(UsageError, match="pip install casadi"):
-        partition_module.requested_partition(stand, PlanOptions(method="ocp"))
-    assert partition_module.requested_partition(stand, PlanOptions()) is None
-    assert partition_of(["w2", "w1", "w4", "w3", "w8", "w7"], stand) == (0, 1, 2, 3, 6, 7)
+        plan_motion(*example("bench8"), PlanOptions(method="ocp"))
+    planner._refuse_method(example("bench8")[0], "fourier")

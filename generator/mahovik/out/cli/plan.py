@@ -48,14 +48,9 @@ def plan(
     ),
     method: Method = choice(
         "--method",
-        ["fourier", "ocp-partition", "ocp"],
-        "Plan by fourier; or then by (13) with IPOPT: with six dependent flywheels, or with (12) as constraints.",
+        ["fourier", "ocp"],
+        "Plan by fourier; or then by (13) with IPOPT, with (12) as constraints.",
         default="fourier",
-    ),
-    partition: str | None = option(
-        "--partition",
-        "Choose the dependent flywheels of (13), six, held one a freedom; default: the best.",
-        metavar="w1,w2,..",
     ),
     as_json: bool = json_option("Print figures and status as JSON."),
 ) -> None:
@@ -82,9 +77,8 @@ def plan(
     for path in paths:
         require_other_file(path, (stand_file, motion_file), f"-o {output}", "programme")
     with progress("searching") as stage:
-        six = None if partition is None else partition.split(",")
         found = find(
-            stand, motion, seconds=seconds, seed=seed, winding=chosen, keep=keep, method=method, partition=six,
+            stand, motion, seconds=seconds, seed=seed, winding=chosen, keep=keep, method=method,
             progress=stage.show,
         ).result  # fmt: skip
     for line in found.warnings:
@@ -172,18 +166,11 @@ def _report_unbalance(found: Any) -> None:
 
 
 def _report_ocp(method: str, ocp: Any) -> None:
-    """Print how (13) was solved, and where its partition holds."""
+    """Print how (13) was solved."""
     raw = ocp["raw_residual"]
     then = "" if raw is None else f", then refined; residual between the nodes {raw:.2g} before that"
     click.echo(f"{method}: {ocp['ipopt']}, {ocp['iterations']} iterations{then}")
     click.echo(f"objective {ocp['objective_of_start']:.5g} of the start, {ocp['objective']:.5g} now")
-    six = ocp["partition"]
-    if six["regular"]:
-        held = f"det I+ != 0, least singular value {six['least_singular_value']:.3g} at {six['least_at']:.4g} s"
-    else:
-        held = "det I+ = 0 at " + ", ".join(f"{t:.4g}" for t in six["det_zero_at"]) + " s"
-    below = "".join(f"; below {six['threshold']:g} in {a:.4g} .. {b:.4g} s" for a, b in six["below_threshold"])
-    click.echo(f"partition {','.join(six['plus'])}: {held}{below}")
 
 
 def _leftover(paths: list[Path], found: str) -> None:

@@ -177,15 +177,13 @@ def plan(
     winding: str | Sequence[int] | None = None,
     keep: int = 1,
     method: Method = "fourier",
-    partition: Sequence[str] | None = None,
     progress: OnProgress | None = None,
 ) -> Plan:
     """Plan a programme: motions of the flywheels that make the carrier move exactly as required; (12), (13).
 
     seconds    limits the search, also as "1 min"; None: a budget of starts and steps alone
     winding    "any", "spin", "rock" or turns per period; None: that of the motion
-    keep       programmes to find; method: "fourier", or from it "ocp-partition", "ocp" by IPOPT
-    partition  the six dependent flywheels of (13)
+    keep       programmes to find; method: "fourier", or from it "ocp" by IPOPT
 
     A slew, a motion file of `type` slew, has one programme and no search: seconds and seed do nothing.
 
@@ -198,11 +196,10 @@ def plan(
     if isinstance(required, Slew):
         from mahovik.use.plan.slew import plan_slew
 
-        if method != "fourier" or partition is not None or keep != 1:
-            raise UsageError("--method, --partition, --keep: not for a slew, which has one programme")
+        if method != "fourier" or keep != 1:
+            raise UsageError("--method, --keep: not for a slew, which has one programme")
         return Plan(own, required, plan_slew(own, required, tell=lambda words: tell(progress, Progress(words))))
-    six = None if partition is None else tuple(partition)
-    options = PlanOptions(seed, limit, chosen, keep, method=method, partition=six)
+    options = PlanOptions(seed, limit, chosen, keep, method=method)
     refuse_unplannable(own, required)
     for line in smoothing_warnings(own, required):  # before the search, which may be long
         warn(line)

@@ -139,16 +139,11 @@ def singular_values(own: Mechanics, phi: Array) -> tuple[Array, Array | None]:
     The determinant is of G^-1 I Theta_ff^-1/2 with K = G G^T: its sign is that of det I. Of a held carrier, rows along
     its m freedoms take the place of the six.
     """
-    scaled: Array = scaled_columns(own, phi)
-    determinants = np.asarray(np.linalg.det(scaled)) if scaled.shape[1] == own.N else None
-    return np.asarray(np.linalg.svd(scaled, compute_uv=False)), determinants
-
-
-def scaled_columns(own: Mechanics, phi: Array) -> Array:
-    """G^-1 S^T I Theta_ff^-1/2 (M, 6, N; held M, m, N) with S^T K S = G G^T, at angles phi (M, N)."""
     K, I = mass_and_coupling(own, phi)
     S = own.freedoms
-    return np.asarray(np.linalg.solve(np.linalg.cholesky(S.T @ K @ S), S.T @ I / np.sqrt(own.tables.Theta_ff)))
+    scaled: Array = np.asarray(np.linalg.solve(np.linalg.cholesky(S.T @ K @ S), S.T @ I / np.sqrt(own.tables.Theta_ff)))
+    determinants = np.asarray(np.linalg.det(scaled)) if scaled.shape[1] == own.N else None
+    return np.asarray(np.linalg.svd(scaled, compute_uv=False)), determinants
 
 
 def mass_and_coupling(own: Mechanics, phi: Array) -> tuple[Array, Array]:

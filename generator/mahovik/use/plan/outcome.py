@@ -11,7 +11,7 @@ from mahovik.core.motion.required import Winding
 from mahovik.errors import UsageError, whole_number
 from mahovik.nearest import suggestion
 
-Method = Literal["fourier", "ocp-partition", "ocp"]
+Method = Literal["fourier", "ocp"]
 
 
 @dataclass(frozen=True)
@@ -25,8 +25,7 @@ class PlanOptions:
     enough   programmes of each kind of winding to choose from
     verify   whether to verify the programmes independently
     steps    limit of steps of search and optimisation
-    method   fourier; or (13) by IPOPT from its result: with the partition, or with (12) as constraints
-    partition   names of the six dependent flywheels, None: the best
+    method   fourier; or ocp: (13) by IPOPT from its result, with (12) as constraints
     """
 
     seed: int = 0
@@ -37,7 +36,6 @@ class PlanOptions:
     verify: bool = True
     steps: int = 20_000
     method: Method = "fourier"
-    partition: tuple[str, ...] | None = None
 
     def __post_init__(self) -> None:
         whole_number("seed", self.seed, 0)
@@ -77,11 +75,10 @@ Kind = TypeVar("Kind")
 class Candidates(Generic[Kind]):
     """Flywheel motions that may become programmes, best first, each with the method's entries for its report.
 
-    reason, words   why there are none, as in `Plan`
+    words   why there are none, as in `Plan`
     """
 
     motions: list[tuple[Kind, dict[str, Any]]] = field(default_factory=list)
-    reason: str = "SEARCH"
     words: Sequence[str] = ()
     interrupted: bool = False
     cut: bool = False
@@ -92,7 +89,7 @@ class Plan:
     """Outcome of planning.
 
     status      OK; OK_LIMIT: a bound is exceeded, or no run-up was found; NO_PROGRAM with a `reason` of preflight
-                (proven), SEARCH (not), or SINGULAR_PARTITION: det I+ of (13) is zero on the way
+                (proven) or SEARCH (not)
     words       reasons, one per line: the refusal, or the exceeded bounds and their excess
     warnings    further remarks, one per line
     programmes  best first

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ import numpy as np
 from mahovik.core.motion.programme import Angles, Fourier, Programme
 from mahovik.core.motion.required import RequiredMotion, with_winding
 from mahovik.core.stand.model import Stand
-from mahovik.errors import StateError
+from mahovik.errors import StateError, UsageError
 from mahovik.use.plan.budget import Budget, defer_interrupt
 from mahovik.use.plan.certificate import (
     certify,
@@ -26,11 +27,11 @@ from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, search_finite
 from mahovik.use.plan.held import refuse_unplannable
 from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.objective import Cost, Rows, exceeded_bounds, has_bounds
-from mahovik.use.plan.ocp import requested_partition
-from mahovik.use.plan.outcome import Candidates, OnProgress, Plan, PlanOptions
+from mahovik.use.plan.outcome import Candidates, Method, OnProgress, Plan, PlanOptions
 from mahovik.use.plan.preflight import Preflight, preflight
 from mahovik.use.plan.problem import Problem
 from mahovik.use.plan.residual import linear, prescribe
+from mahovik.use.plan.residual.body_laws import twist_laws
 from mahovik.use.plan.runup import shortcomings, with_runup
 from mahovik.use.plan.search import Candidate, Improver, Search, choose, search
 from mahovik.use.plan.windings import repeat_motion, with_shortest_period
@@ -51,7 +52,7 @@ def plan_motion(
     """
     options = options or PlanOptions()
     refuse_unplannable(stand, motion)
-    plus = requested_partition(stand, options)
+    _refuse_method(stand, options.method)
     if options.winding is not None:
         motion = with_winding(motion, options.winding)
     whole = Budget(0, options.seconds)
@@ -67,8 +68,23 @@ def plan_motion(
         return Plan("NO_PROGRAM", first.refusal.reason, (first.refusal.words,), tuple(first.warnings), ())
     tell = on_progress or (lambda _: None)
     if motion.periodic:
-        return _plan_periodic(problem, motion, first, options, plus, budget, whole, tell)
-    return _plan_finite(problem, first, options, plus, budget, tell)
+        return _plan_periodic(problem, motion, first, options, budget, whole, tell)
+    return _plan_finite(problem, first, options, budget, tell)
+
+
+def _refuse_method(stand: Stand, method: Method) -> None:
+    """Raises UsageError where (13) cannot be solved by the method for this stand, or CasADi is not there."""
+    if method == "fourier":
+        return
+    shown, N = f"--method {method}", len(stand.flywheels)
+    m = 6 if stand.hold is None else len(stand.hold.freedoms)
+    if m > N:
+        raise UsageError(f"{shown}: the stand has {N} flywheels; (13) needs at least {m}; use --method fourier")
+    for wheel in stand.flywheels:
+        if twist_laws(wheel) is not None:
+            raise UsageError(f'{shown}: flywheel "{wheel.name}" has damping; use --method fourier')
+    if find_spec("casadi") is None:
+        raise UsageError(f"{shown}: CasADi is not installed: pip install casadi, or use --method fourier")
 
 
 def _plan_periodic(
@@ -76,14 +92,13 @@ def _plan_periodic(
     motion: RequiredMotion,
     first: Preflight,
     options: PlanOptions,
-    plus: tuple[int, ...] | None,
     budget: Budget,
     whole: Budget,
     tell: OnProgress,
 ) -> Plan:
     """A programme of a periodic motion; the problem may be one repeating part of it. `whole`: time with the run-ups.
 
-    plus: the six dependent flywheels of (13). Run-ups have the time after the search, the verification has no limit.
+    Run-ups have the time after the search, the verification has no limit.
     """
     improver, enough = Improver.of(problem), max(options.enough, options.keep)
     found = search(problem, improver, first.bias, options.seed, budget, enough, on_progress=tell)
@@ -97,7 +112,7 @@ def _plan_periodic(
     if options.method != "fourier" and chosen and not found.interrupted:
         from mahovik.use.plan.ocp.plan import periodic_ocp
 
-        candidates = periodic_ocp(improver, chosen, options, plus, budget, tell)
+        candidates = periodic_ocp(improver, chosen, options, budget, tell)
         found.interrupted |= candidates.interrupted
         found.cut |= candidates.cut
     effort = _effort(found, options, budget) | {"objective_spread": [each.objective for each, _ in candidates.motions]}
@@ -120,7 +135,6 @@ def _plan_finite(
     own: Problem,
     first: Preflight,
     options: PlanOptions,
-    plus: tuple[int, ...] | None,
     budget: Budget,
     tell: OnProgress,
 ) -> Plan:
@@ -136,7 +150,7 @@ def _plan_finite(
 
         warm = sorted(found.found, key=lambda each: _finite_report(problem, cost, each)["objective"])
         candidates = finite_ocp(
-            problem, cost, warm, lambda one: _finite_report(problem, cost, one), options, plus, budget, tell
+            problem, cost, warm, lambda one: _finite_report(problem, cost, one), options, budget, tell
         )
         found.interrupted |= candidates.interrupted
         found.cut = budget.cut or candidates.cut
@@ -185,7 +199,7 @@ def _verified_plan(
     """The plan of the first `keep` programmes without objections of the verification; Ctrl-C: those so far."""
     if not candidates.motions:
         words, warnings = tuple(candidates.words), (*first.warnings, *first.hint)
-        return Plan("NO_PROGRAM", candidates.reason, words, warnings, (), effort, found.interrupted)
+        return Plan("NO_PROGRAM", "SEARCH", words, warnings, (), effort, found.interrupted)
     good: list[Programme] = []
     refused = []
     for programme in programmes:

@@ -1,4 +1,4 @@
-"""From programmes of the Fourier method to those of (13): partition, IPOPT, refinement, report.
+"""From programmes of the Fourier method to those of (13): IPOPT, refinement, report.
 
 The refinement makes a collocated motion exact: the Fourier method removes the residual between the nodes.
 """
@@ -17,7 +17,6 @@ from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.finite import FiniteProblem, FiniteSolution
 from mahovik.use.plan.levenberg import Rules, refine, refine_periodic
 from mahovik.use.plan.objective import Cost
-from mahovik.use.plan.ocp.partition import PartitionCourse, Plus, best_partition, order_of
 from mahovik.use.plan.ocp.solve import CollocatedMotion, ScaledProblem, Start, solve
 from mahovik.use.plan.ocp.structure import Mesh
 from mahovik.use.plan.optimise import evaluate, finish
@@ -91,9 +90,6 @@ EACH = 2
 """Intervals between two samples of a finite motion."""
 PARTS = (0.995, 0.97, 0.93)
 """Parts of the bounds tried in order, until the refined motion keeps to the bounds."""
-_TIMES = 801
-"""Times at which I+ is evaluated."""
-SINGULAR = "SINGULAR_PARTITION"
 
 Kind = TypeVar("Kind", Candidate, FiniteSolution)
 
@@ -118,7 +114,6 @@ def periodic_ocp(
     improver: Improver,
     warm: Sequence[Candidate],
     options: PlanOptions,
-    plus: Plus | None,
     budget: Budget,
     on_progress: OnProgress,
 ) -> Candidates[Candidate]:
@@ -133,7 +128,7 @@ def periodic_ocp(
         objective=lambda each: each.objective,
         mesh=mesh,
     )
-    return _PlanRuns(problem, improver.cost, task, options, budget, on_progress).run_all(warm, plus)
+    return _PlanRuns(problem, improver.cost, task, options, budget, on_progress).run_all(warm)
 
 
 def finite_ocp(
@@ -142,7 +137,6 @@ def finite_ocp(
     warm: Sequence[FiniteSolution],
     figures: Callable[[FiniteSolution], Mapping[str, Any]],
     options: PlanOptions,
-    plus: Plus | None,
     budget: Budget,
     on_progress: OnProgress,
 ) -> Candidates[FiniteSolution]:
@@ -158,7 +152,7 @@ def finite_ocp(
         objective=lambda each: float(figures(each)["objective"]),
         mesh=Mesh(fine, DEGREE),
     )
-    return _PlanRuns(problem, cost, task, options, budget, on_progress).run_all(warm, plus)
+    return _PlanRuns(problem, cost, task, options, budget, on_progress).run_all(warm)
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,52 +166,27 @@ class _PlanRuns(Generic[Kind]):
     budget: Budget
     on_progress: OnProgress
 
-    @property
-    def names(self) -> list[str]:
-        """Names of the flywheels."""
-        return [s.name for s in self.problem.stand.flywheels]
-
-    def partition_course(self, one: Kind, plus: Plus | None) -> PartitionCourse:
-        """I+ along a programme; if `plus` is None, for the best partition there."""
-        t: Array = np.linspace(0.0, self.problem.motion.span, _TIMES)
-        phi = self.task.start(one).at(t).phi
-        own = self.problem.mechanics
-        return best_partition(own, t, phi) if plus is None else PartitionCourse.of(own, t, phi, plus)
-
-    def run_all(self, warm: Sequence[Kind], plus: Plus | None) -> Candidates[Kind]:
+    def run_all(self, warm: Sequence[Kind]) -> Candidates[Kind]:
         """Programmes, most promising start first, until the wanted number is found."""
         outcome = Candidates[Kind]()
-        starts = [(each, self.partition_course(each, plus)) for each in warm]
-        if self.options.method == "ocp-partition":
-            starts.sort(key=lambda each: -each[1].least)
-            which = "programme {} of {} found: " if len(starts) > 1 else ""
-            outcome.words = [
-                which.format(k, len(starts)) + along.words(self.names)
-                for k, (_, along) in enumerate(starts, start=1)
-                if along.crossings.size
-            ]
-            starts = [each for each in starts if not each[1].crossings.size]
-            outcome.reason = "SEARCH" if starts else SINGULAR
-        for one, along in starts:
+        for each in warm:
             if len(outcome.motions) >= self.options.keep or outcome.interrupted or outcome.cut:
                 break
-            self.run_one(one, along, plus, outcome)
+            self.run_one(each, outcome)
         outcome.motions.sort(key=lambda each: (not self.task.keeps_bounds(each[0]), self.task.objective(each[0])))
         return outcome
 
-    def run_one(self, warm: Kind, along: PartitionCourse, plus: Plus | None, outcome: Candidates[Kind]) -> None:
+    def run_one(self, warm: Kind, outcome: Candidates[Kind]) -> None:
         """Solve (13) from one programme; the outcome gets the new programme, or the reason why there is none."""
         left = None if self.options.seconds is None else max(0.0, self.options.seconds - self.budget.elapsed)
         time = Budget(0, left)
-        scaled = ScaledProblem(self.problem, self.cost, order_of(along.plus, self.problem.N))
-        method = self.options.method
-        assert method != "fourier"
+        scaled = ScaledProblem(self.problem, self.cost)
         best: tuple[Kind, CollocatedMotion] | None = None
         tries: list[CollocatedMotion] = []
         try:
             for part in PARTS:
                 start = self.task.start(warm)
-                run = solve(scaled, method, self.task.mesh, start, part, self.on_progress, time)
+                run = solve(scaled, self.task.mesh, start, part, self.on_progress, time)
                 tries.append(run)
                 outcome.interrupted |= run.interrupted
                 outcome.cut |= run.cut
@@ -233,21 +202,14 @@ class _PlanRuns(Generic[Kind]):
             outcome.interrupted = True
         iterations = sum(each.iterations for each in tries)
         if best is None and (outcome.interrupted or outcome.cut):
-            report = self.report(warm, warm, None, along, iterations)
-            outcome.motions.append((warm, report))
+            outcome.motions.append((warm, self.report(warm, warm, None, iterations)))
             return
         if best is None:
             last = f"IPOPT ended with {tries[-1].words!r} after {tries[-1].iterations} iterations"
             why = f"{last}; its motion violates (12) between the nodes; --method fourier has a programme"
             outcome.words = [*outcome.words, why]
             return
-        after = self.partition_course(best[0], along.plus if self.options.method == "ocp-partition" else plus)
-        if self.options.method == "ocp-partition" and after.crossings.size:
-            outcome.reason = SINGULAR
-            outcome.words = [*outcome.words, after.words(self.names)]
-            return
-        report = self.report(warm, best[0], best[1], after, iterations)
-        outcome.motions.append((best[0], report))
+        outcome.motions.append((best[0], self.report(warm, *best, iterations)))
 
     def is_worse(self, became: Kind, warm: Kind) -> bool:
         """Whether the start of an interrupted run is better than its result."""
@@ -256,9 +218,7 @@ class _PlanRuns(Generic[Kind]):
             not task.keeps_bounds(became) or task.objective(became) > task.objective(warm)
         )
 
-    def report(
-        self, warm: Kind, became: Kind, run: CollocatedMotion | None, along: PartitionCourse, iterations: int
-    ) -> dict[str, Any]:
+    def report(self, warm: Kind, became: Kind, run: CollocatedMotion | None, iterations: int) -> dict[str, Any]:
         """Entries for the programme's report; `run` None: the start itself is given."""
         mesh = self.task.mesh
         return {
@@ -272,6 +232,5 @@ class _PlanRuns(Generic[Kind]):
                 "objective_at_nodes": None if run is None else run.objective,
                 "objective": self.task.objective(became),
                 "raw_residual": None if run is None else run.residual,
-                "partition": along.report(self.names),
             },
         }

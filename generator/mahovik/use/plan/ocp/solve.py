@@ -10,14 +10,13 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mahovik.core.motion.programme import Angles
 from mahovik.core.motion.required import Bounds
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget, defer_interrupt
 from mahovik.use.plan.objective import KINDS, Cost
-from mahovik.use.plan.ocp.structure import Formulation, Mesh, Structure
+from mahovik.use.plan.ocp.structure import Mesh, Structure
 from mahovik.use.plan.ocp.transcription import RunRecord, transcription
 from mahovik.use.plan.outcome import OnProgress
 from mahovik.use.plan.problem import Problem
@@ -26,15 +25,10 @@ from mahovik.use.plan.residual import prescribe, residual
 
 @dataclass(frozen=True, eq=False)
 class ScaledProblem:
-    """A planning problem in the scales of `node`: flywheels in the order `order`, time in 1/Omega.
-
-    order   (N) numbers of the flywheels, (-, +) of (13)
-    torque  (N, in the stand's order) J_s Omega^2, N m: unit of torque
-    """
+    """A planning problem in the scales of `node`: time in 1/Omega."""
 
     problem: Problem
     cost: Cost
-    order: NDArray[np.intp]
 
     @property
     def Omega(self) -> float:
@@ -48,7 +42,7 @@ class ScaledProblem:
 
     @property
     def torque(self) -> Array:
-        """Unit of torque (N), N m."""
+        """J_s Omega^2 (N), N m: unit of torque."""
         return np.asarray(self.cost.spin_inertia * self.Omega**2)
 
     def node_parameters(self, t: Array, angles: Angles, bias: Array) -> Array:
@@ -63,14 +57,14 @@ class ScaledProblem:
         by_bias, tau_by_bias = problem.bias_perturbations(course, bias).rates(angles)
         base = problem.norm.dimensionless(at.balance)
         fixed, moving = (np.transpose(self._rows(x), (2, 0, 1, 3)) for x in (at.fixed, at.moving * self.Omega))
-        parts = (base, fixed, moving, by_bias, (tau_by_bias / self.torque[:, None])[:, self.order])
+        parts = (base, fixed, moving, by_bias, tau_by_bias / self.torque[:, None])
         return np.hstack([x.reshape(M, -1) for x in parts]).T
 
     def _rows(self, table: Array) -> Array:
-        """A table (5, 7, M, N) with relative rows, held (5, m + 1, M, N); flywheels reordered."""
+        """A table (5, 7, M, N) with relative rows, held (5, m + 1, M, N)."""
         root = self.problem.norm.root / self.problem.norm.demand
         wrench = np.einsum("ij,hjmn->himn", root, table[:, :6])
-        return np.concatenate([wrench, (table[:, 6] / self.torque)[:, None]], axis=1)[..., self.order]
+        return np.concatenate([wrench, (table[:, 6] / self.torque)[:, None]], axis=1)
 
     def stand_parameters(self, mean_speed: Array) -> Array:
         """Parameters of all nodes (P): tables, objective, motors; mean speeds (N, rad/s)."""
@@ -84,12 +78,10 @@ class ScaledProblem:
             drives.coulomb / self.torque,
             drives.coulomb_speed / Omega,
         )
-        column = Omega**2 / self.problem.norm.demand * np.sqrt(own.tables.Theta_ff)
-        ordered = [x[..., self.order].ravel() for x in (column, *per_flywheel)]
-        return np.concatenate([still.ravel(), spun.ravel(), *ordered])
+        return np.concatenate([still.ravel(), spun.ravel(), *(x.ravel() for x in per_flywheel)])
 
     def limits(self, bounds: Bounds, kind: str, part: float) -> Array:
-        """Magnitudes (N, reordered) of a bound in these scales, times `part`; infinite without a bound."""
+        """Magnitudes (N) of a bound in these scales, times `part`; infinite without a bound."""
         given = getattr(bounds, kind)
         if given is None:
             return np.full(self.problem.N, np.inf)
@@ -97,21 +89,17 @@ class ScaledProblem:
             "speed": self.Omega, "speed_min": self.Omega, "acceleration": self.Omega**2,
             "torque": self.torque, "angle": 1.0,
         }[kind]  # fmt: skip
-        return np.asarray((np.array(given) / scale)[self.order] * part)
-
-
-VOLUME = 0.1
-"""Limit of |det I+| at the nodes, as a part of its smallest value along the start."""
+        return np.asarray(np.array(given) / scale * part)
 
 
 def unknown_bounds(
     scaled: ScaledProblem, own: Structure, winding: Array, bias: Array, part: float
 ) -> tuple[Array, Array]:
-    """Bounds of speeds, accelerations that are controls, bias (around `bias`, 6), and x(t0) of a finite motion."""
-    problem, order, N = scaled.problem, scaled.order, own.N
+    """Bounds of speeds, accelerations, bias (around `bias`, 6), and x(t0) of a finite motion."""
+    problem, N = scaled.problem, own.N
     bounds = problem.motion.bounds
     x_low, x_high = _state_bounds(scaled, own, winding, part)
-    u = np.tile(scaled.limits(bounds, "acceleration", part)[: own.controls], own.M)
+    u = np.tile(scaled.limits(bounds, "acceleration", part), own.M)
     widest = np.full(own.rows, np.inf) if bounds.bias is None else np.array(bounds.bias, dtype=np.float64)
     shift_low, shift_high = (np.where(problem.free, sign * widest - bias, 0.0) for sign in (-1.0, 1.0))
     mean = np.full(N, np.inf if "angle" in own.kinds else 0.0)
@@ -120,8 +108,8 @@ def unknown_bounds(
     if problem.motion.periodic:
         return low, high
     if bounds.start_phi is not None:
-        low[:N] = high[:N] = np.array(bounds.start_phi)[order]
-    low[N : 2 * N] = high[N : 2 * N] = np.array(bounds.start_phi_dot or (0.0,) * N)[order] / scaled.Omega
+        low[:N] = high[:N] = np.array(bounds.start_phi)
+    low[N : 2 * N] = high[N : 2 * N] = np.array(bounds.start_phi_dot or (0.0,) * N) / scaled.Omega
     return low, high
 
 
@@ -132,7 +120,7 @@ def _state_bounds(scaled: ScaledProblem, own: Structure, winding: Array, part: f
     slow, fast = -fastest, fastest.copy()
     if bounds.speed_min is not None:
         least = scaled.limits(bounds, "speed_min", 1.0 / part)
-        back = winding[scaled.order] < 0.0
+        back = winding < 0.0
         slow = np.where((least > 0.0) & ~back, least, slow)
         fast = np.where((least > 0.0) & back, -least, fast)
     free = np.full(N, np.inf)
@@ -141,19 +129,14 @@ def _state_bounds(scaled: ScaledProblem, own: Structure, winding: Array, part: f
 
 
 def row_bounds(
-    scaled: ScaledProblem, own: Structure, rows: Mapping[str, slice], winding: Array, part: float, first: Array
+    scaled: ScaledProblem, own: Structure, rows: Mapping[str, slice], winding: Array, part: float
 ) -> tuple[Array, Array]:
-    """Bounds of g: zero for (12) and for the collocation, limits for other rows; `first`: g at the start."""
-    bounds, turn = scaled.problem.motion.bounds, 2.0 * np.pi * winding[scaled.order]
-    low, high = np.zeros(len(first)), np.zeros(len(first))
-    for name, kind in (("dependent", "acceleration"), ("torque", "torque"), ("angle", "angle")):
+    """Bounds of g: zero for (12) and for the collocation, limits for other rows."""
+    bounds, turn = scaled.problem.motion.bounds, 2.0 * np.pi * winding
+    low, high = np.zeros((2, max(each.stop for each in rows.values())))
+    for name in ROWS:
         if name in rows:
-            limit = (
-                scaled.limits(bounds, kind, part)[-own.rows :]
-                if name == "dependent"
-                else scaled.limits(bounds, kind, part)
-            )
-            high[rows[name]] = np.tile(limit, own.M)
+            high[rows[name]] = np.tile(scaled.limits(bounds, name, part), own.M)
             low[rows[name]] = -high[rows[name]]
     shifted = {"closing": np.concatenate([turn, 0.0 * turn])}  # phi includes its winding, swing does not
     shifted["angle"] = (own.mesh.nodes[:, None] * turn).ravel()
@@ -161,14 +144,11 @@ def row_bounds(
     for name in shifted.keys() & rows.keys() if own.periodic else ():
         low[rows[name]] += shifted[name]
         high[rows[name]] += shifted[name]
-    if "volume" in rows:
-        low[rows["volume"]] = VOLUME * first[rows["volume"]].min()
-        high[rows["volume"]] = np.inf
     return low, high
 
 
-ROWS = ("acceleration", "torque", "angle")
-"""Bounds that are rows, at least in part."""
+ROWS = ("torque", "angle")
+"""Bounds that are rows."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -184,7 +164,7 @@ class Start:
 class CollocatedMotion:
     """Result of a run.
 
-    phi, phi_dot   (N, columns) of the mesh, rad, rad/s, flywheels in the stand's order
+    phi, phi_dot   (N, columns) of the mesh, rad, rad/s
     objective   J of (13) by the nodes
     residual    largest relative residual of (12) between the nodes, of the unchanged polynomials
     words       IPOPT's status; usable: whether (13) holds at the nodes
@@ -212,7 +192,6 @@ class CollocatedMotion:
 
 def solve(
     scaled: ScaledProblem,
-    formulation: Formulation,
     mesh: Mesh,
     start: Start,
     part: float,
@@ -225,7 +204,7 @@ def solve(
     kinds = frozenset(kind for kind in ROWS if getattr(motion.bounds, kind) is not None)
     breaks = tuple(mesh.breaks.tolist())
     own = transcription(
-        Structure(formulation, problem.N, breaks, mesh.degree, scaled.span, motion.periodic, kinds, problem.rows_count)
+        Structure(problem.N, breaks, mesh.degree, scaled.span, motion.periodic, kinds, problem.rows_count)
     )
     angles = start.at(mesh.times * motion.span)
     nodes = Angles(*(x[mesh.at_nodes] for x in angles))
@@ -233,7 +212,7 @@ def solve(
     given = np.concatenate([of_nodes.ravel("F"), scaled.stand_parameters(2.0 * np.pi * start.winding / motion.span)])
     first = _start_point(scaled, own.structure, angles, start.winding)
     low, high = unknown_bounds(scaled, own.structure, start.winding, start.bias, part)
-    rows_low, rows_high = row_bounds(scaled, own.structure, own.slices, start.winding, part, own.rows(first, given))
+    rows_low, rows_high = row_bounds(scaled, own.structure, own.slices, start.winding, part)
     seen = own.watch.begin(rows_low, rows_high, on_progress, time)
     with defer_interrupt(seen.interrupt, again=False):
         found = own.solver(x0=first, p=given, lbx=low, ubx=high, lbg=rows_low, ubg=rows_high)
@@ -250,7 +229,7 @@ def _result(
     seen: RunRecord,
 ) -> CollocatedMotion:
     """The solution; if there is none, the best point seen."""
-    solved, back, N = bool(status["success"]), np.argsort(scaled.order), own.N
+    solved, N = bool(status["success"]), own.N
     last = solved or seen.best is None
     vector = np.asarray(found["x"]).ravel() if last else np.asarray(seen.best)
     point, _, bias, _ = np.split(vector, own.ends[1:-1])
@@ -258,8 +237,8 @@ def _result(
     return CollocatedMotion(
         mesh=own.mesh,
         span=scaled.problem.motion.span,
-        phi=x[:N][back],
-        phi_dot=x[N:][back] * scaled.Omega,
+        phi=x[:N],
+        phi_dot=x[N:] * scaled.Omega,
         bias=start.bias + np.where(scaled.problem.free, bias, 0.0),
         objective=float(found["f"]) if last else seen.best_objective,
         residual=np.inf,
@@ -281,9 +260,9 @@ def residual_between_nodes(problem: Problem, found: CollocatedMotion) -> float:
 
 def _start_point(scaled: ScaledProblem, own: Structure, angles: Angles, winding: Array) -> Array:
     """z that IPOPT starts from."""
-    order, mesh, Omega = scaled.order, own.mesh, scaled.Omega
-    phi, v, a = (x[:, order].T for x in (angles.phi, angles.phi_dot / Omega, angles.phi_ddot / Omega**2))
-    swing = phi[:, mesh.at_nodes] - 2.0 * np.pi * winding[order][:, None] * mesh.nodes
+    mesh, Omega = own.mesh, scaled.Omega
+    phi, v, a = (x.T for x in (angles.phi, angles.phi_dot / Omega, angles.phi_ddot / Omega**2))
+    swing = phi[:, mesh.at_nodes] - 2.0 * np.pi * winding[:, None] * mesh.nodes
     mean = swing @ mesh.weights if "angle" in own.kinds else np.zeros(own.N)
-    x, u = np.vstack([phi, v]), a[: own.controls, mesh.at_nodes]
+    x, u = np.vstack([phi, v]), a[:, mesh.at_nodes]
     return np.concatenate([x.ravel("F"), u.ravel("F"), np.zeros(own.rows), mean])

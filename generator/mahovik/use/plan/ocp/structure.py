@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -111,19 +110,15 @@ class Mesh:
         return found
 
 
-Formulation = Literal["ocp-partition", "ocp"]
-
-
 @dataclass(frozen=True)
 class Structure:
     """Everything that decides how an IPOPT problem is built.
 
     span   span of the motion, in 1/Omega
-    kinds  bounds that are rows: acceleration, torque, angle
+    kinds  bounds that are rows: torque, angle
     rows   of (12): six, of a held carrier one a freedom; the bias has as many numbers
     """
 
-    formulation: Formulation
     N: int
     breaks: tuple[float, ...]
     degree: int
@@ -138,16 +133,6 @@ class Structure:
         return Mesh(np.array(self.breaks), self.degree)
 
     @property
-    def partition(self) -> bool:
-        """Whether the accelerations of as many flywheels as (12) has rows follow from the others."""
-        return self.formulation == "ocp-partition"
-
-    @property
-    def controls(self) -> int:
-        """Number of controls at a node."""
-        return self.N - self.rows if self.partition else self.N
-
-    @property
     def M(self) -> int:
         """Number of nodes."""
         return self.mesh.K * self.degree
@@ -156,14 +141,13 @@ class Structure:
     def y_slices(self) -> dict[str, slice]:
         """Slices of y of one node, by name."""
         m = self.rows
-        first = {"dependent": slice(0, m), "volume": slice(m, m + 1)} if self.partition else {"residual": slice(0, m)}
-        at = m + 1 if self.partition else m
-        return {**first, "torque": slice(at, at + self.N)} if "torque" in self.kinds else first
+        first = {"residual": slice(0, m)}
+        return {**first, "torque": slice(m, m + self.N)} if "torque" in self.kinds else first
 
     @property
     def shapes(self) -> tuple[tuple[int, int], ...]:
-        """Shapes of x (2N, columns), u (controls, M), bias (rows), mean (N); time in 1/Omega, flywheels (-, +)."""
-        return (2 * self.N, self.mesh.columns), (self.controls, self.M), (self.rows, 1), (self.N, 1)
+        """Shapes of x (2N, columns), u (N, M), bias (rows), mean (N); time in 1/Omega."""
+        return (2 * self.N, self.mesh.columns), (self.N, self.M), (self.rows, 1), (self.N, 1)
 
     @property
     def size(self) -> int:

@@ -3,7 +3,7 @@
 (12) and (13) at one node are expressions of angle, speed, control, with the coefficients as parameters. Masses and
 mountings do not appear: `plan.residual` gives the coefficients as numbers. The unit of time is 1/Omega, with Omega the
 frequency of the motion: v = phi'/Omega, a = phi''/Omega^2; rows of (12) are scaled like the norm of residuals, torques
-are tau / (J_s Omega^2). Flywheels stand in the order (-, +) of (13).
+are tau / (J_s Omega^2).
 
 Derivatives are assembled from blocks, one per node, each a flat CasADi function: building takes a second. A callback at
 every iteration reports progress, ends the run by time or Ctrl-C, and keeps the best point so far.
@@ -34,12 +34,12 @@ def parameter_shapes(N: int, m: int) -> tuple[dict[str, tuple[int, ...]], dict[s
     """Names and shapes of the parameters: those of a node, and those of all nodes; N flywheels, m rows of (12).
 
     A node has the coefficients of (12) (see plan.residual.prescribed) and derivatives by the bias. All share tables,
-    scales of the columns of I, weights by kind, mean speeds, motors.
+    weights by kind, mean speeds, motors.
     """
     table, each = (HARMONICS, m + 1, N), (N,)
     return (
         {"base": (m,), "fixed": table, "moving": table, "by_bias": (m, m), "tau_by_bias": (N, m)},
-        {"still": table, "spun": table, "column": each, "weights": (len(KINDS), N)}
+        {"still": table, "spun": table, "weights": (len(KINDS), N)}
         | dict.fromkeys(("mean_speed", "loss", "viscous", "coulomb", "coulomb_speed"), each),
     )
 
@@ -98,47 +98,31 @@ def _cost(N: int, v: Any, a: Any, tau: Any, own: dict[str, Any]) -> Any:
 class Node:
     """(12) and (13) at one node, with derivatives by z = (x, u, bias); x = (phi, v) (2N).
 
-    u       controls: a_- (N - m) in the partition, else all a (N); bias (m): its change; m = 6, held the freedoms
-    value   (z, node, stand) -> (y, cost); y: a_+ (m) and |det I+| of scaled columns (1), or R (m) of (12); tau (N)
+    u       controls: a (N); bias (m): its change; m = 6, held the freedoms
+    value   (z, node, stand) -> (y, cost); y: R (m) of (12), tau (N)
     slope   (z, node, stand) -> (dy/dz, dcost/dz), dense
     bend    (z, node, stand, by y, by cost) -> second derivatives of by_y . y + by_cost cost, dense
     """
 
     N: int
-    controls: int
     value: Any
     slope: Any
     bend: Any
 
 
-def node_functions(N: int, partition: bool, torque: bool, m: int = 6) -> Node:
-    """Functions of a node; in the partition a_+ = I+^-1 (P - I- u - J phi') of (13). `torque`: y includes tau.
-
-    m: rows of (12)."""
-    controls = N - m if partition else N
-    z = ca.SX.sym("z", 2 * N + controls + m)
+def node_functions(N: int, torque: bool, m: int = 6) -> Node:
+    """Functions of a node. `torque`: y includes tau; m: rows of (12)."""
+    z = ca.SX.sym("z", 3 * N + m)
     (node, at), (stand, own) = map(_tables, ("node", "stand"), parameter_shapes(N, m))
-    phi, v, u, bias = z[:N], z[N : 2 * N], z[2 * N : -m], z[-m:]
+    phi, v, a, bias = z[:N], z[N : 2 * N], z[2 * N : -m], z[-m:]
     I, rest, still, tau_by_a = _wrenches(N, phi, v, bias, at, own)
-    if partition:
-        column = ca.vertcat(*(own["column"][s] for s in range(N - m, N)))
-        Q, triangle = ca.qr(I[:, N - m :] / ca.repmat(column.T, m, 1))  # no pivoting: valid for every angle
-        left = rest - ca.mtimes(I[:, : N - m], u) if m < N else rest
-        dependent = ca.solve(triangle, ca.mtimes(Q.T, left)) / column
-        volume = 1.0
-        for i in range(m):
-            volume *= triangle[i, i]
-        a, rows = ca.vertcat(u, dependent), [dependent, ca.fabs(volume)]
-    else:
-        a, rows = u, [rest - ca.mtimes(I, u)]
     tau = still + tau_by_a * a
-    y, cost = ca.vertcat(*rows, *([tau] if torque else [])), _cost(N, v, a, tau, own)
+    y, cost = ca.vertcat(rest - ca.mtimes(I, a), *([tau] if torque else [])), _cost(N, v, a, tau, own)
     by_y, by_cost = ca.SX.sym("by_y", y.numel()), ca.SX.sym("by_cost")
     bend, _ = ca.hessian(ca.dot(by_y, y) + by_cost * cost, z)
     given = [z, node, stand]
     return Node(
         N,
-        controls,
         ca.Function("value", given, [y, cost]),
         ca.Function("slope", given, [ca.densify(ca.jacobian(y, z)), ca.densify(ca.jacobian(cost, z))]),
         ca.Function("bend", [*given, by_y, by_cost], [ca.densify(bend)]),
@@ -245,13 +229,8 @@ class Transcription:
 
     structure: Structure
     solver: Any
-    rows_of: Any
     slices: dict[str, slice]
     watch: Watch
-
-    def rows(self, unknowns: Array, given: Array) -> Array:
-        """g at a point."""
-        return np.asarray(self.rows_of(unknowns, given)).ravel()
 
 
 @cache
@@ -261,7 +240,7 @@ def transcription(own: Structure) -> Transcription:
     With P the selection of the nodes' unknowns from z, g = A z + B y: its derivative is A + B Y P, with Y the slopes of
     y of each node on the diagonal; second derivatives are P^T H P, with those of each node on the diagonal of H.
     """
-    node, M = node_functions(own.N, own.partition, "torque" in own.kinds, own.rows), own.M
+    node, M = node_functions(own.N, "torque" in own.kinds, own.rows), own.M
     z = ca.MX.sym("z", own.size)
     pieces = zip(ca.vertsplit(z, own.ends), own.shapes, strict=True)
     x, u, bias, mean = (ca.reshape(part, *shape) for part, shape in pieces)
@@ -299,24 +278,22 @@ def transcription(own: Structure) -> Transcription:
     options: Any = {**_OPTIONS, **parts, "iteration_callback": watch}
     problem: Any = {"x": z, "p": p, "f": f, "g": g}
     solver = ca.nlpsol("ocp", "ipopt", problem, options)
-    return Transcription(own, solver, ca.Function("rows", [z, p], [g]), slices, watch)
+    return Transcription(own, solver, slices, watch)
 
 
 def _row_kinds(own: Structure, x: Any, u: Any, mean: Any, y: Any) -> dict[str, Any]:
-    """Rows g by kind, linear in the unknowns and in y (., M), which has a_+ of the partition."""
+    """Rows g by kind, linear in the unknowns and in y (., M)."""
     mesh, N, M = own.mesh, own.N, own.M
     derive, jumps = (ca.sparsify(ca.DM(each)) for each in (mesh.derive, mesh.jumps))
     nodes = x[:, mesh.at_nodes.tolist()]
-    a = ca.vertcat(u, y[: own.rows, :]) if own.partition else u
     found = {
-        "collocation": (ca.mtimes(x, derive) - own.span * ca.vertcat(nodes[N:, :], a)) / M,
+        "collocation": (ca.mtimes(x, derive) - own.span * ca.vertcat(nodes[N:, :], u)) / M,
         "continuity": ca.mtimes(x, jumps),
     }
     if own.periodic:
         found["closing"] = x[:, -1] - x[:, 0]
     for name, rows in own.y_slices.items():
-        if name != "dependent" or "acceleration" in own.kinds:
-            found[name] = y[rows, :]
+        found[name] = y[rows, :]
     if "angle" in own.kinds:
         found["angle"] = nodes[:N, :] - ca.repmat(mean, 1, M)
         found["mean"] = ca.mtimes(nodes[:N, :], ca.DM(mesh.weights)) - mean
