@@ -39,7 +39,7 @@ LARGEST_ANSWER = 1 << 17
 """Numbers of an answer; what gives more is not in the self-test: N^2 numbers of 1,000 flywheels fill no board's memory,
 and the interpreter would take minutes to know them."""
 
-SWEPT = 8
+SWEPT = 4
 """States of the sweep whose hash is known beforehand: with and without drawn options and arrays that are left out."""
 
 FAR = 1_000_000
@@ -174,7 +174,7 @@ class _Player:
         return hashes
 
     def trial(self, case: Mapping[str, Any]) -> Play:
-        """What calls a function with changes of a case: status, hash, outputs by name."""
+        """What calls a function with changes of a case."""
         base = self.arguments(case)
         prepare = next((f for f in self._program.functions if f.name == "prepare"), None)
 
@@ -185,7 +185,7 @@ class _Player:
             if prepare is not None and is_prepared(function, changes):
                 given["table"] = self.play(prepare, given)[1][0][1]
             status, written = self.play(function, given)
-            digest = fnv1a(_bytes(status, written, self._program.precision))
+            digest = fnv1a(_bytes(status, written, self._program.precision)) if status >= 0 else 0
             return status, digest, {a.name: value for a, value in written}
 
         return play
@@ -229,7 +229,7 @@ class _Player:
 
 def is_prepared(function: Function, changes: Changes) -> bool:
     """Whether a trial calls a function with the table that `prepare` makes of changed parameters."""
-    return takes(function, "table") and any(path[0] == "parameters" for path in changes)
+    return function.name != "prepare" and takes(function, "table") and any(p[0] == "parameters" for p in changes)
 
 
 def _with_number(value: Any, path: Path, new: float) -> Any:

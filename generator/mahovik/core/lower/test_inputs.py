@@ -22,8 +22,8 @@ SEED = 0x6D61686F
 FAST_EVERY, FAST = 4, 32
 """Every fourth state of a sweep has phases and speeds 32 times as large."""
 
-OPTIONS_EVERY, OMITTED_EVERY = 2, 8
-"""Every second state of a sweep has drawn options; in every eighth the arrays that may be left out are null."""
+OPTIONS_EVERY, OMITTED_EVERY = 2, 3
+"""Every second state of a sweep has drawn options; in every third the arrays that may be left out are null."""
 
 REFUSED_EVERY = 16
 """Every sixteenth has an attitude of twice the unit length, which is out of range."""

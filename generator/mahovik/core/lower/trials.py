@@ -40,12 +40,12 @@ Changes = Mapping[Any, float]
 """Values by the place where they are put."""
 
 Play = Callable[[Function, Changes], tuple[int, int, Mapping[str, Any]]]
-"""Status, hash of status and outputs, and outputs by name of a call with changes."""
+"""Status, hash of status and outputs, 0 where it refuses, and outputs by name of a call with changes."""
 
 
 @dataclass(frozen=True)
 class Trial:
-    """Changes, the functions that are called with them, and their answer; `hash` is 0 where they are refused."""
+    """Changes, the functions that are called with them, and their answer."""
 
     changes: Changes
     functions: tuple[str, ...]
@@ -59,7 +59,7 @@ def trials(program: Program, functions: Sequence[Function], play: Play) -> tuple
     for function in functions:
         for changes in _rare(program, function, play):
             status, digest, _ = play(function, changes)
-            found.append(Trial(changes, (function.name,), status, digest if status >= 0 else 0))
+            found.append(Trial(changes, (function.name,), status, digest))
     return tuple(found)
 
 
@@ -79,12 +79,18 @@ def _refusals(program: Program, functions: Sequence[Function], play: Play) -> It
     """One wrong number at a time, for all functions that refuse it with one status."""
     for a in _arguments(program):
         callers = [f for f in functions if takes(f, a.name)]
+        unread: set[tuple[str, str]] = set()
         for changes in _wrong(a, (a.name,)):
             by_status: dict[int, list[str]] = {}
+            member = ".".join(place for place in next(iter(changes)) if isinstance(place, str))
             for function in callers:
+                if (function.name, member) in unread:
+                    continue
                 status = play(function, changes)[0]
                 if status < 0:
                     by_status.setdefault(status, []).append(function.name)
+                elif math.nan in changes.values():
+                    unread.add((function.name, member))
             yield from (Trial(changes, tuple(names), status, 0) for status, names in by_status.items())
 
 
@@ -99,8 +105,9 @@ def _wrong(a: Argument | Field, path: Path) -> Iterator[Changes]:
     row = QUANTITIES.get(a.name)
     if a.type is Kind.REAL:
         yield {first: math.nan}
-        yield {last: math.inf}
-        yield {first: BEYOND}
+        if row is None or not row.infinite:
+            yield {last: math.inf}
+            yield {first: BEYOND}
         yield {last: -BEYOND}
     if row is not None and (path[0] != "parameters" or a.name == "mass"):
         yield from ({first: value} for value, _ in row.invalid)
