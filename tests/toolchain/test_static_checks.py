@@ -39,9 +39,19 @@ def test_new_deviations_and_warnings_are_seen(tmp_path: Path) -> None:
     files = delivery(stand("demo3"), only=("forward",))
     write(files, tmp_path)
     assert warnings_of(tmp_path, ["demo3.c"]) == []
-    assert all(each.is_accepted for each in findings(tmp_path, ["demo3.c"]))
+    known = findings(tmp_path, ["demo3.c"])
+    assert all(each.is_accepted for each in known)
+    assert count_by_rule(known)["15.5"] > 0
     with_goto = files["demo3.c"].replace("    demo3_sums sum;\n", "    demo3_sums sum;\n    goto on;\non:\n", 1)
     unused = with_goto.replace("const demo3_real z2 =", "const float lost = 1.0; const demo3_real z2 =", 1)
     (tmp_path / "demo3.c").write_text(unused, encoding="ascii")
     assert warnings_of(tmp_path, ["demo3.c"]) != []
     assert not all(each.is_accepted for each in findings(tmp_path, ["demo3.c"]))
+
+
+@pytest.mark.slow
+def test_a_file_that_is_not_read_is_not_clean(tmp_path: Path) -> None:
+    """The text ends in #error: the findings say so."""
+    require("cppcheck", "cppcheck")
+    (tmp_path / "a.c").write_text("#if NOWHERE < 1\n#error no\n#endif\n", encoding="ascii")
+    assert not all(each.is_accepted for each in findings(tmp_path, ["a.c"]))
