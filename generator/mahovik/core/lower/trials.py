@@ -89,7 +89,7 @@ def _refusals(program: Program, functions: Sequence[Function], play: Play) -> It
                 status = play(function, changes)[0]
                 if status < 0:
                     by_status.setdefault(status, []).append(function.name)
-                elif math.nan in changes.values():
+                elif any(map(math.isnan, changes.values())):
                     unread.add((function.name, member))
             yield from (Trial(changes, tuple(names), status, 0) for status, names in by_status.items())
 
