@@ -61,35 +61,6 @@ class Opened:
         self.address = path.as_uri()
         self.page.goto(self.address)
 
-    def picture(self) -> str:
-        """The canvas as it is, after what is due is drawn."""
-        found: str = self.page.evaluate(
-            """() => new Promise((found) => requestAnimationFrame(() => requestAnimationFrame(() =>
-               found(document.getElementById("stage").toDataURL()))))"""
-        )
-        return found
-
-    def changed(self, before: str) -> str:
-        """The canvas as soon as it differs from `before`; fails after five seconds."""
-        for _ in range(100):
-            now = self.picture()
-            if now != before:
-                return now
-            self.page.wait_for_timeout(50)
-        pytest.fail("the picture stays as it was")
-
-    def text(self, selector: str) -> str:
-        """Text of an element."""
-        return self.page.locator(selector).text_content() or ""
-
-    def box(self, selector: str) -> FloatRect:
-        """Place of an element in the window."""
-        return box_of(self.page.locator(selector))
-
-    def show(self) -> None:
-        """Bring the animation into sight."""
-        self.page.locator("#stage").scroll_into_view_if_needed()
-
     def wait_until(self, script: str) -> None:
         """Wait for a condition on the page."""
         self.page.wait_for_function(script, timeout=10_000)

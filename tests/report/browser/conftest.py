@@ -58,7 +58,7 @@ SCENES: dict[str, Callable[[], Stand]] = {
         np.random.default_rng(2), 64, Features(laws={"leg": 2}, points=2, instruments=2, fluid=True)
     ),
 }
-"""Stands by name whose reports have drawing and animation alone."""
+"""Stands by name whose reports have a drawing alone."""
 
 
 @pytest.fixture(scope="session")
@@ -74,8 +74,8 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
             text = assembled.page(replace(gather(stand, f"{name}.toml"), run=made_run(stand))).html
         else:
             with pytest.MonkeyPatch.context() as patch:
-                patch.setattr(assembled, "ORDER", ("drawing", "animation"))
-                patch.setattr(assembled, "BESIDE", ("drawing",))
+                patch.setattr(assembled, "ORDER", ("drawing",))
+                patch.setattr(assembled, "BESIDE", ())
                 patch.setattr(assembled, "generate_once", lambda stand: None)  # no C for these
                 text = assembled.page(gather(SCENES[name](), f"{name}.toml")).html
         found.write_text(text, encoding="utf-8")

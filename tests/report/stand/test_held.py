@@ -14,7 +14,6 @@ from mahovik.core.motion.read import loads_regime
 from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.hold import twists
 from mahovik.out.report.stand import (
-    animation,
     bodies,
     campbell,
     drawing,
@@ -171,24 +170,14 @@ def test_freedoms_without_coordinates_say_why_there_is_no_equilibrium() -> None:
     assert "So there is no steady reaction to show" in text(made.html)
 
 
-def test_a_carrier_is_drawn_at_home_with_its_pivot() -> None:
+def test_a_carrier_is_drawn_with_its_pivot() -> None:
     stand = held_stand("cube")
-    motion = animation.motion_of(material(stand))
-    assert motion.quaternion[0] == pytest.approx(home(stand).quaternion)
     drawn = drawing.section(material(stand))
     assert drawn is not None
     assert "pivot of the hold" in text(drawn.html)
     made = bodies.section(material(stand))
     assert made is not None
     assert "Hold 3 freedoms, roll, pitch, yaw" in text(made.html)
-
-
-def test_a_required_motion_is_drawn_by_coordinates_of_the_freedoms() -> None:
-    """Zero is the home pose, 0.3 rad of pitch turns by as much about y."""
-    position, turns = animation._required_poses(held_stand("pendulum"), np.array([[0.0], [0.3]]))
-    assert position == pytest.approx(np.zeros((2, 3)))
-    assert turns[0] == pytest.approx(np.eye(3))
-    assert turns[1] @ [1.0, 0.0, 0.0] == pytest.approx([math.cos(0.3), 0.0, -math.sin(0.3)])
 
 
 def test_the_residual_of_a_run_has_the_reaction_beside_the_forces() -> None:

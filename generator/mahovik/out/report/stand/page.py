@@ -22,7 +22,6 @@ ORDER = (
     "reach",
     "envelopes",
     "campbell",
-    "animation",
     "bodies",
     "drawing",
     "singular",

@@ -89,12 +89,6 @@ class Shape:
         far += [float(np.linalg.norm(d.center) + d.radius) for d in self.flywheels]
         return max(far) or 1.0
 
-    def extent(self, axes: Array) -> Array:
-        """How far the bodies reach from O1 along each row of `axes` (3x3), m."""
-        far = [np.abs(axes @ s.center) + np.linalg.norm(axes @ s.axes, axis=1) for s in self.solids]
-        far += [np.abs(axes @ d.center) + d.radius for d in self.flywheels]
-        return np.asarray(np.max(far, axis=0))
-
 
 def shape_of(stand: Stand) -> Shape:
     """The bodies as solids, with what marks the picture, in E1 about O1, m."""
