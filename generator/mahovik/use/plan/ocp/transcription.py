@@ -104,7 +104,6 @@ class Node:
     bend    (z, node, stand, by y, by cost) -> second derivatives of by_y . y + by_cost cost, dense
     """
 
-    N: int
     value: Any
     slope: Any
     bend: Any
@@ -122,7 +121,6 @@ def node_functions(N: int, torque: bool, m: int = 6) -> Node:
     bend, _ = ca.hessian(ca.dot(by_y, y) + by_cost * cost, z)
     given = [z, node, stand]
     return Node(
-        N,
         ca.Function("value", given, [y, cost]),
         ca.Function("slope", given, [ca.densify(ca.jacobian(y, z)), ca.densify(ca.jacobian(cost, z))]),
         ca.Function("bend", [*given, by_y, by_cost], [ca.densify(bend)]),
