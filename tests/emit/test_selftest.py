@@ -1,7 +1,10 @@
 """The self-test: good C passes under any compiler, and each planted fault is found and named."""
 
 import math
+import os
 import re
+import subprocess
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -297,3 +300,15 @@ def test_hexadecimal_literals_are_exact(value: float, precision: Precision, text
 def test_what_has_no_literal_is_refused(value: float) -> None:
     with pytest.raises(ValueError, match="no literal"):
         hex_literal(value, DOUBLE)
+
+
+def test_its_text_does_not_depend_on_the_seed_of_hashes() -> None:
+    code = "from emit.selftests import generate_with_selftest as made; print(made('shaker2')[1])"
+    root = Path(__file__).resolve().parents[1]
+    places = os.pathsep.join((str(root), str(root.parent / "generator")))
+    texts = []
+    for seed in ("1", "2"):
+        environment = os.environ | {"PYTHONHASHSEED": seed, "PYTHONPATH": places}
+        texts.append(subprocess.run([sys.executable, "-c", code], env=environment,
+                     capture_output=True, text=True, check=True).stdout)  # fmt: skip
+    assert texts[0] == texts[1]

@@ -142,7 +142,7 @@ def _hard_demands(program: Program, function: Function, play: Play) -> Iterator[
     """Options with which a demand is damped, limited, out of reach or too much; flywheels with parallel axes."""
     (options,) = (a.type for a in function.arguments if a.name == "options")
     assert isinstance(options, Struct)
-    known = {f.name for f in options.fields}
+    known = [f.name for f in options.fields]
     near = next(name for name in known if name.startswith("near"))
     outputs = play(function, {})[2]
     structs = (value for value in outputs.values() if isinstance(value, Mapping))
