@@ -108,6 +108,36 @@ def test_evidence_is_of_what_was_delivered(part: Path, tmp_path: Path) -> None:
     result = run("evidence", SHAKER2, "--against", str(part), "-o", str(out), "--only", "delivery,equations,selftest")
     assert result.exit_code == 0, result.output
     assert (out / "c" / "shakerp.c").read_bytes() == (part / "shakerp.c").read_bytes()
+    assert (out / "c" / "provenance.json").is_file()
+
+
+def test_evidence_has_the_functions_for_many_states_of_its_folder(tmp_path: Path) -> None:
+    folder = generated(tmp_path / "c", "--only", "forward", "--batch")
+    out = tmp_path / "out"
+    result = run("evidence", SHAKER2, "--against", str(folder), "-o", str(out), "--only", "delivery")
+    assert result.exit_code == 0, result.output
+    assert (out / "c" / "shaker2_batch.c").read_bytes() == (folder / "shaker2_batch.c").read_bytes()
+
+
+@pytest.mark.slow
+def test_a_part_runs_on_targets_and_its_branches_are_counted(part: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    result = run("evidence", SHAKER2, "--against", str(part), "-o", str(out), "--only", "branches,targets,fuzz")
+    assert result.exit_code == 0, result.output
+    verdicts = {e["name"]: e for e in json.loads((out / "evidence.json").read_text())["pieces"]}
+    assert {name: verdicts[name]["verdict"] for name in ("branches", "targets")} == dict.fromkeys(
+        ("branches", "targets"), "passed"
+    )
+    assert verdicts["fuzz"]["figure"] == "the harness calls all functions, and this C has some of them"
+
+
+@pytest.mark.parametrize("words", [("cmake",), ("target", "--target", "m7")])
+def test_what_made_a_project_stands_beside_its_manifest(words: tuple[str, ...], tmp_path: Path) -> None:
+    kind, *options = words
+    assert run("export", kind, SHAKER2, *options, "-o", str(tmp_path / "p"), "--only", "forward").exit_code == 0
+    found = json.loads((tmp_path / "p" / "provenance.json").read_text())
+    assert found["stand_file"] == hashlib.sha256(Path(SHAKER2).read_bytes()).hexdigest()
+    assert "provenance.json" not in json.loads((tmp_path / "p" / "manifest.json").read_text())["files"]
 
 
 # ---- verify --against ----

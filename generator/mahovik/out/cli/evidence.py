@@ -26,6 +26,7 @@ from mahovik.out.cli.progress import can_show_line, progress
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
     from mahovik.proof.evidence.piece import PieceResult
+    from mahovik.proof.verify.delivery import Options
 
 FUZZ_SECONDS = (20, 600)
 """s of fuzzing: quick, full."""
@@ -48,7 +49,7 @@ def evidence(
     as_json: bool = json_option("Print the table as JSON."),
     real: str = REAL,
     against: str | None = file_option(
-        "--against", "DIR", "Take prefix, element type and functions of this delivered folder."
+        "--against", "DIR", "Take prefix, element type, functions and --batch of this folder."
     ),
 ) -> None:
     """Collect the evidence for the C of a stand.
@@ -68,10 +69,10 @@ def evidence(
         raise UsageError("give a stand file, or --check DIR")
     if full and quick:
         raise UsageError("--full, --quick: give only one of them")
-    stand = load_stand(stand_file)
-    functions: tuple[str, ...] = ()
+    from mahovik.proof.verify.delivery import Options, delivered_options
+
+    stand, options = load_stand(stand_file), Options(real)
     if against is not None:
-        from mahovik.proof.verify.delivery import delivered_options
         from mahovik.proof.verify.folder_stand import stand_in
 
         delivered = delivered_options(Path(against))
@@ -79,14 +80,14 @@ def evidence(
             raise UsageError(f"{against}: no manifest.json: give a folder of `mahovik generate`")
         if is_given("real") and real != delivered.real:
             raise UsageError(f"{against}: its C is {delivered.real}, expected {real}: leave --real out")
-        stand, real, functions = stand_in(Path(against), stand), delivered.real, delivered.only
+        stand, options = stand_in(Path(against), stand), delivered
     from mahovik.proof.evidence.collect import nothing_ran, select_pieces
     from mahovik.proof.evidence.page import failures
     from mahovik.proof.evidence.pieces import PIECES
 
     wanted = select_pieces(PIECES, only, without)
     folder = Path(output if output is not None else f"{stand.name}-evidence")
-    found = _collect(stand, stand_file, folder, full, seconds or FUZZ_SECONDS[full], wanted, real, functions)
+    found = _collect(stand, stand_file, folder, full, seconds or FUZZ_SECONDS[full], wanted, options)
     if as_json:
         print_json(_plain(found, folder))
     else:
@@ -120,8 +121,7 @@ def _collect(
     full: bool,
     seconds: int,
     wanted: frozenset[str],
-    real: str,
-    functions: tuple[str, ...],
+    options: Options,
 ) -> list[PieceResult]:
     """Collected pieces; a line on a terminal says what runs, elsewhere there is one line per piece."""
     from mahovik.core.stand.content import content
@@ -142,10 +142,11 @@ def _collect(
             content(Path(stand_file)),
             folder,
             PIECES,
-            real=real,
+            real=options.real,
             full=full,
             seconds=seconds,
-            only=functions,
+            only=options.only,
+            batch=options.batch,
             wanted=wanted,
             say=say,
         )

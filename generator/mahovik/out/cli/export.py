@@ -7,6 +7,7 @@ from typing import Literal
 
 import click
 
+from mahovik.core.stand.content import content
 from mahovik.errors import UsageError
 from mahovik.out.cli import quantities
 from mahovik.out.cli.group import Commands
@@ -111,7 +112,7 @@ def target(
     project is written again. Never overwrites other files of yours, nor a folder of `mahovik generate`.
     """
     from mahovik.out.export.target import exportable, project
-    from mahovik.proof.verify.delivery import deliver
+    from mahovik.proof.verify.delivery import deliver, provenance
     from mahovik.proof.verify.folder_stand import with_prefix
 
     stand_file, (name,) = stand_first(stand_file, further, {"--target": target_name}, former=("--target", STAND))
@@ -121,7 +122,8 @@ def target(
     folder = Path(output if output is not None else f"{stand.name}-{name}")
     with progress(f"generate {stand.name} for {name}"):
         files = project(stand, found, chosen, only or ())
-    done = deliver(folder, stand, chosen, files, found.name, only or (), replaceable=("main.c",))
+    made_by = provenance(content(Path(stand_file)))
+    done = deliver(folder, stand, chosen, files, found.name, only or (), replaceable=("main.c",), made_by=made_by)
     print_paths(done.paths, done.notes)
 
 
@@ -136,12 +138,13 @@ def fuzz(
     The C of the stand, a harness for libFuzzer, Makefile, README: `make run` there needs clang.
     """
     from mahovik.core.toolchain.fuzz_project import fuzz_project
-    from mahovik.proof.verify.delivery import deliver
+    from mahovik.proof.verify.delivery import deliver, provenance
 
     stand = load_stand(stand_file)
     with progress(f"generate {stand.name} for fuzzing"):
         files = fuzz_project(stand, real)
-    done = deliver(Path(output or f"{stand.name}-fuzz"), stand, real, files, "fuzz")
+    made_by = provenance(content(Path(stand_file)))
+    done = deliver(Path(output or f"{stand.name}-fuzz"), stand, real, files, "fuzz", made_by=made_by)
     print_paths(done.paths, done.notes)
 
 
@@ -249,12 +252,13 @@ def cmake(
     `mahovik generate`.
     """
     from mahovik.out.export.cmake import cmake_project
-    from mahovik.proof.verify.delivery import deliver
+    from mahovik.proof.verify.delivery import deliver, provenance
     from mahovik.proof.verify.folder_stand import with_prefix
 
     stand, chosen = with_prefix(load_stand(stand_file), prefix), only or ()
     files = cmake_project(stand, real, batch, chosen)
-    done = deliver(Path(output or f"{stand.name}-cmake"), stand, real, files, "cmake", chosen)
+    made_by = provenance(content(Path(stand_file)))
+    done = deliver(Path(output or f"{stand.name}-cmake"), stand, real, files, "cmake", chosen, made_by=made_by)
     print_paths(done.paths, done.notes)
 
 
@@ -293,7 +297,7 @@ def attitude(
     """
     from mahovik.out.export.attitude import attitude_project
     from mahovik.out.export.target import exportable
-    from mahovik.proof.verify.delivery import deliver
+    from mahovik.proof.verify.delivery import deliver, provenance
     from mahovik.use.control.attitude import LoopOptions
 
     found = exportable(target_name)
@@ -303,5 +307,6 @@ def attitude(
     folder = Path(output if output is not None else f"{stand.name}-attitude-{target_name}")
     with progress(f"attitude loop of {stand.name} for {target_name}"):
         made = attitude_project(stand, found, options, chosen)
-    done = deliver(folder, stand, chosen, made.files, f"attitude-{target_name}", only=made.only)
+    made_by = provenance(content(Path(stand_file)))
+    done = deliver(folder, stand, chosen, made.files, f"attitude-{target_name}", only=made.only, made_by=made_by)
     print_paths(done.paths, (*done.notes, *made.design.lines))

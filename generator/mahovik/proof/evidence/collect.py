@@ -17,7 +17,7 @@ from mahovik.nearest import suggestion
 from mahovik.proof.evidence.folder import FORMAT, INDEX, RECORD, require_place, seal
 from mahovik.proof.evidence.page import html
 from mahovik.proof.evidence.piece import Need, Outcome, Piece, PieceResult, Subject, Tell, Verdict
-from mahovik.proof.verify.delivery import deliver
+from mahovik.proof.verify.delivery import deliver, provenance
 from mahovik.writing import write, write_folder
 
 Say = Callable[[str, str], None]
@@ -53,10 +53,14 @@ def collect(
     full: bool = False,
     seconds: int = 20,
     only: tuple[str, ...] = (),
+    batch: bool = False,
     wanted: Collection[str] | None = None,
     say: Say = lambda name, what: None,
 ) -> list[PieceResult]:
-    """Collects the evidence of a stand, whose file has the content `text`, into a folder; `only`: as of `generate`.
+    """Collects the evidence of a stand, whose file has the content `text`, into a folder.
+
+    `only`, `batch`: as of `generate`.
+
 
     Raises UsageError if the folder holds other files, before anything is run.
     """
@@ -64,7 +68,7 @@ def collect(
 
     def fill(draft: Path) -> None:
         subject = Subject(stand, real, draft, Path(scratch), full, seconds, only)
-        deliver(subject.c, stand, real, delivery(stand, real, only=only), only=only)
+        deliver(subject.c, stand, real, delivery(stand, real, batch, only), only=only, made_by=provenance(text))
         write(draft / subject.stand_file, text)
         found.extend(_collect_piece(piece, subject, wanted, say) for piece in pieces)
         for each in found:

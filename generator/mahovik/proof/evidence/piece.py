@@ -67,8 +67,12 @@ class Subject:
 
     @property
     def of_part(self) -> str:
-        """Option of `mahovik verify` with which it judges what is delivered; nothing where that has all functions."""
+        """Option with which commands judge what is delivered; nothing where that has all functions."""
         return " --against c" if self.only else ""
+
+    def again(self, piece: str) -> str:
+        """Command that runs one piece again, of the same delivery."""
+        return f"mahovik evidence {self.stand_file} --only {piece} -o again{self.option}{self.of_part}"
 
     @property
     def stand_file(self) -> str:

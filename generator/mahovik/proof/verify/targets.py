@@ -116,15 +116,18 @@ def verify_targets(
     pairs: Sequence[tuple[Target, str]],
     sweep: int = SWEEP,
     progress: Callable[[int, int], None] | None = None,
+    only: tuple[str, ...] = (),
 ) -> TargetsReport:
     """Builds and runs the self-test for each target and element type; compares the text with the host's.
+
+    `only`: of C with these public functions alone, as of `generate`.
 
     The golden vectors in the self-test are the interpreter's: a line reads PASS only if all bits equal its bits.
     Raises ToolchainError where the host itself has no gcc or cannot run the test.
     """
     names = identities(stand)
-    sources = {real: selftest_sources(stand, real, sweep) for real in dict.fromkeys(real for _, real in pairs)}
-    programs = {real: generate_all(stand, real).program for real in sources}
+    sources = {real: selftest_sources(stand, real, sweep, only) for real in dict.fromkeys(real for _, real in pairs)}
+    programs = {real: generate_all(stand, real, only).program for real in sources}
     expected = {real: run_selftest(TARGETS["host"], stand.name, files).splitlines() for real, files in sources.items()}
     rows = []
     with side_by_side() as pool:

@@ -211,10 +211,9 @@ def _targets(subject: Subject) -> str:
 
 
 def _run_on_targets(subject: Subject, tell: Tell) -> Outcome:
-    if subject.only:
-        return Outcome(Verdict.NOTHING, "the sweep calls all functions, and this C has some of them")
     tell("compile and run")
-    found = verify_targets(subject.stand, parse_targets(_targets(subject), (subject.real,)), progress=count_to(tell))
+    pairs = parse_targets(_targets(subject), (subject.real,))
+    found = verify_targets(subject.stand, pairs, progress=count_to(tell), only=subject.only)
     rows = tuple((r.target, r.title, r.built_with, f"{r.verdict} {r.reason}".strip()) for r in found.rows)
     tools = tuple(dict.fromkeys(r.built_with for r in found.rows if r.verdict == "ok"))
     table = Table(("target", "processor", "compiler", "verdict"), rows)
@@ -226,7 +225,9 @@ ON_TARGETS = Piece(
     title="The same bits on processors",
     shows="The self-test and a sweep give on each of these, on emulators, the bits that they give on the host.",
     limits="Real silicon: run the self-test on the board, and judge its log by `mahovik judge-log`.",
-    command=lambda s: f"mahovik verify {s.stand_file} --targets {_targets(s)} --real {s.real}",
+    command=lambda s: (
+        s.again("targets") if s.only else f"mahovik verify {s.stand_file} --targets {_targets(s)} --real {s.real}"
+    ),
     run=_run_on_targets,
     needs=lambda s: _target_tools(_targets(s), s.real),
 )

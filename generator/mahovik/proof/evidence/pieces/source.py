@@ -128,7 +128,7 @@ EQUATIONS = Piece(
         "That the lines are right: other pieces judge that. Which tests notice a change in each function was found by "
         "mutation, for the example stands: `docs/results/traceability.md` of the project."
     ),
-    command=lambda s: f"mahovik evidence {s.stand_file} --only equations -o again{s.option}",
+    command=lambda s: s.again("equations"),
     run=_list_equations,
 )
 
