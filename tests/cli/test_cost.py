@@ -87,6 +87,16 @@ def edit(folder: Path, change: Callable[[dict[str, Any]], object]) -> None:
 # ---- where it writes ----
 
 
+def test_a_folder_in_float_is_measured_in_float(folder: Path, tmp_path: Path) -> None:
+    """On every usual processor, also on those that have double."""
+    place = tmp_path / "float"
+    delivery.deliver(place, load(DEMO3), "float", generated_files("demo3", "float"))
+    assert run("cost", DEMO3, "-o", str(place)).exit_code == 0
+    assert {real for _, real in accepted(place)} == {"float"}
+    assert {name for name, _ in accepted(place)} == {name for name, _ in USUAL}
+    assert run("cost", DEMO3, "-o", str(place), "--check").exit_code == 0
+
+
 def test_both_files_are_listed(folder: Path) -> None:
     result = run("cost", DEMO3, "-o", str(folder))
     assert result.exit_code == 0

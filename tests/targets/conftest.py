@@ -15,16 +15,16 @@ from mahovik.stands import path
 
 
 @cache
-def _delivered(name: str, real: str) -> dict[str, str]:
-    return firmware(load(path(name)), real)
+def _delivered(name: str, real: str, only: tuple[str, ...]) -> dict[str, str]:
+    return firmware(load(path(name)), real, only)
 
 
 @pytest.fixture(autouse=True)
 def delivered_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """For example stands only: the name says which it is."""
 
-    def once(stand: Stand, real: str) -> dict[str, str]:
-        return dict(_delivered(stand.name, real))
+    def once(stand: Stand, real: str, only: tuple[str, ...] = ()) -> dict[str, str]:
+        return dict(_delivered(stand.name, real, only))
 
     monkeypatch.setattr(targets, "firmware", once)
     monkeypatch.setattr(project, "firmware", once)
