@@ -3,12 +3,13 @@
 import pytest
 
 from emit.stands import NAMES, float_texts, generated, stand
-from mahovik.core.program.call import Argument
+from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import Const, Place, Variable, integer, real
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.core.program.types import DOUBLE, Field, Kind, Struct
 from mahovik.core.program.validate import validate
+from mahovik.core.program.walk import expressions, statements
 from program.small import argument, function, program
 from toolchain.quick import quick
 
@@ -90,6 +91,18 @@ def test_no_function_calls_itself() -> None:
 @pytest.mark.parametrize("name", quick(8, NAMES))
 def test_lowered_programs_are_valid(name: str) -> None:
     validate(generated(name).program)
+
+
+@pytest.mark.parametrize("name", [*quick(8, NAMES), "hinge5"])
+def test_a_lowered_function_writes_all_that_it_does_not_only_read(name: str) -> None:
+    """What nothing writes is `const` in C."""
+    for f in generated(name).program.functions:
+        written = {id(s.place.root) for s in statements(f.body) if isinstance(s, Set)}
+        written |= {id(s.target.root) for s in statements(f.body) if isinstance(s, Copy)}
+        calls = [e for e in expressions(f.body) if isinstance(e, Call)]
+        passed = [v for call in calls for p, v in call.pairs if p.direction != "in"]
+        written |= {id(v.root) for v in passed if isinstance(v, Place)}
+        assert [a.name for a in f.arguments if a.direction != "in" and id(a.variable) not in written] == [], f.name
 
 
 def test_lowered_float_programs_are_valid() -> None:

@@ -52,12 +52,6 @@ def results(lib: Library) -> tuple[Argument, ...]:
     return (Argument("u_dot", Kind.REAL, (lib.layout.freedoms,), "out", "SI", "rates of the freedoms"),)
 
 
-def _system(lib: Library) -> tuple[Argument, Argument]:
-    m = lib.layout.freedoms
-    P = Argument("P", Kind.REAL, (m * (m + 1) // 2,), "inout", "SI", "lower triangle, row by row")
-    return P, Argument("y", Kind.REAL, (m,), "inout", "SI")
-
-
 def project_mass(lib: Library) -> Function:
     """S^T K S."""
     table, sums = lib.table_argument(), Argument("sum", lib.layout.sums)
@@ -86,9 +80,10 @@ def project_wrench(lib: Library) -> Function:
 
 def solve_freedoms(lib: Library) -> Function:
     """P u* = y by L D L^T."""
-    P, y = _system(lib)
-    least = real(lib.layout.precision.smallest)
-    m, x = lib.layout.freedoms, y.place
+    m = lib.layout.freedoms
+    P = Argument("P", Kind.REAL, (place_of(m, 0),), unit="SI", purpose="lower triangle, row by row")
+    y = Argument("y", Kind.REAL, (m,), "inout", "SI")
+    least, x = real(lib.layout.precision.smallest), y.place
     body = Body()
     left: dict[tuple[int, int], Expr] = {(i, j): P.place[place_of(i, j)] for i in range(m) for j in range(i + 1)}
     z: list[Expr] = [x[i] for i in range(m)]
