@@ -113,5 +113,5 @@ def test_what_is_nearest_to_its_bound_is_no_worst() -> None:
 
 def test_c_of_the_other_element_type_is_refused(tmp_path: Path) -> None:
     run("generate", DEMO3, "--real", "float", "-o", str(tmp_path))
-    said = refused("verify", DEMO3, "--against", str(tmp_path))
+    said = refused("verify", DEMO3, "--against", str(tmp_path), "--real", "double")
     assert said == f"error: {tmp_path / 'demo3.h'}: its C is float, expected double: give --real float\n"

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from cli.run import refused, run
+from emit.stands import write
 from export.programmes import motion, stand
 from export.servos import HEAD, TRIM, exported, servo, written
 from mahovik.core.emit.generate import PRECISIONS
@@ -80,8 +81,7 @@ def test_servos_with_limits_and_a_name_of_their_own(tmp_path: Path) -> None:
     from export.programmes import spin, stand_files
 
     made = export_servo(stand(), spin(), motion(), servo(LIMITED), called="lap")
-    for name, text in {**stand_files("double"), **made.programme.files, **made.servo}.items():
-        (tmp_path / name).write_text(text)
+    write({**stand_files("double"), **made.programme.files, **made.servo}, tmp_path)
     found = judged(tmp_path, LIMITED, name="lap")
     assert failures(found) == set()
     assert public_functions(tmp_path / "shaker2_lap_servo.h", "shaker2_lap") <= {row.want for row in found.rows}
@@ -256,7 +256,6 @@ def test_the_command_judges_the_folder(tmp_path: Path) -> None:
 
 def test_the_missing_c_of_the_stand_is_named(tmp_path: Path) -> None:
     made = exported("spin")
-    for name, text in {**made.programme.files, **made.servo}.items():
-        (tmp_path / name).write_text(text)
+    write({**made.programme.files, **made.servo}, tmp_path)
     with pytest.raises(UsageError, match=r"shaker2.h: not there; expected what `mahovik generate -o "):
         judged(tmp_path, "")

@@ -165,20 +165,21 @@ class _SelfTest:
         """Values of the template for the trials: statements of each change, and a row for each answer."""
         numbers = {f.name: k for k, f in enumerate(self._tested)}
         changes = list(dict.fromkeys(tuple(each.changes.items()) for each in self._golden.trials))
-        rows = []
+        prepares, rows = "prepare" in numbers, []
         for each in self._golden.trials:
             words = [0] * (len(numbers) // 32 + 1)
             for name in each.functions:
                 words[numbers[name] // 32] |= 1 << numbers[name] % 32
             called = ", ".join(f"0x{word:x}u" for word in words)
-            made = int(any(is_prepared(f, each.changes) for f in self._tested if f.name in each.functions))
+            made = any(is_prepared(f, each.changes) for f in self._tested if f.name in each.functions)
+            prepared = f"{int(made)}, " if prepares else ""
             at = changes.index(tuple(each.changes.items()))
-            rows.append(f"{{ {at}, {each.status}, {made}, 0x{each.hash:08x}u, {{ {called} }} }},")
+            rows.append(f"{{ {at}, {each.status}, {prepared}0x{each.hash:08x}u, {{ {called} }} }},")
         return {
             "changes": [[line for path, value in each for line in self._change(path, value)] for each in changes],
             "trials": rows,
             "words": len(numbers) // 32 + 1,
-            "prepares": any(f.name == "prepare" for f in self._tested),
+            "prepares": prepares,
         }
 
     def _change(self, path: Path, value: float) -> list[str]:

@@ -27,14 +27,15 @@ _PATTERN = b"\xa5"
 class Library:
     """One stand's C, built into `scratch` from a header and a source that lie side by side.
 
-    The declarations come from the header itself, through the compiler's preprocessor.
+    The declarations come from the header itself, through the compiler's preprocessor. Public names begin with the
+    stand's name, and with that of the programme where the C is of one that has a name.
     """
 
-    def __init__(self, header: Path, source: Path, scratch: Path, prefix: str) -> None:
+    def __init__(self, header: Path, source: Path, scratch: Path, stand: str, programme: str = "") -> None:
         target = scratch / f"{source.stem}.so"
-        plain = f"-D{prefix.upper()}_PLAIN_NAMES"
+        plain = f"-D{stand.upper()}_PLAIN_NAMES"
         build_shared(source, target, plain)
-        self._prefix = prefix
+        self._prefix = f"{stand}_{programme}" if programme else stand
         self._ffi = cffi.FFI()
         try:
             # cffi reaches variables only: it takes a `const` object for a constant of the compiler.

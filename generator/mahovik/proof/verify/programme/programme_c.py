@@ -94,7 +94,7 @@ def load_programme_c(stand: Stand, folder: Path, name: str, scratch: Path) -> Co
             f"{facts}: its physics is {said['physics']}, expected {identities(stand).physics} of the stand "
             f"{stand.name}: export the programme again"
         )
-    return CompiledProgramme(Library(header, source, scratch, called), said["real"], said["limit"])
+    return CompiledProgramme(Library(header, source, scratch, stand.name, name), said["real"], said["limit"])
 
 
 def _facts(path: Path) -> dict[str, Any]:

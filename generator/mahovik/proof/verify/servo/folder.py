@@ -88,7 +88,8 @@ def load_servo_folder(stand: Stand, folder: Path, name: str, scratch: Path) -> C
 
     Raises UsageError: no such files, or of another stand; ToolchainError: no compiler, or it refuses the C.
     """
-    prefix = stand.name if name == "programme" else f"{stand.name}_{name}"
+    programme = "" if name == "programme" else name
+    prefix = f"{stand.name}_{programme}" if programme else stand.name
     header, source, facts = (folder / f"{prefix}_servo.{suffix}" for suffix in ("h", "c", "json"))
     own = folder / f"{stand.name}.h"
     for each in (header, source, facts, own):
@@ -101,7 +102,8 @@ def load_servo_folder(stand: Stand, folder: Path, name: str, scratch: Path) -> C
             f"{facts}: its physics is {physics}, expected {identities(stand).physics} of the stand {stand.name}: "
             "export the servo again"
         )
-    return CompiledServo(Library(header, source, scratch, prefix), prefix, real, len(stand.flywheels))
+    library = Library(header, source, scratch, stand.name, programme)
+    return CompiledServo(library, prefix, real, len(stand.flywheels))
 
 
 def _facts(path: Path) -> tuple[str, str]:
