@@ -167,6 +167,7 @@ def test_a_requirement_counts_a_line_on_the_end_of_its_band(ends: str, tmp_path:
     assert found.verdicts[0].value == pytest.approx(other.max(), rel=1e-6)
 
 
+@pytest.mark.filterwarnings("ignore:starts from rest")
 @pytest.mark.parametrize("more", ["", SUSPENSION, SUSPENSION + "[[leg]]\n" + LEG])
 @pytest.mark.parametrize("quantity", ["angle", "displacement", "acceleration", "force", "moment"])
 def test_a_balanced_stand_meets_what_is_required(more: str, quantity: str, tmp_path: Path) -> None:

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from decimal import Decimal
 from typing import Any
+
+WHOLE_TURN = 2.0 * math.pi * (1.0 + 1e-6)
+"""rad, with room for rounding."""
 
 
 def text_with_unit(raw: Any) -> str | None:
@@ -35,3 +39,11 @@ def list_item(raw: Any, index: int) -> Any:
 
 def _text(raw: Any) -> str:
     return f"[{', '.join(text_with_unit(item) or _text(item) for item in raw)}]" if isinstance(raw, list) else str(raw)
+
+
+def beyond_a_turn(name: str, raw: Any) -> list[str]:
+    """A warning, in a list, of an angle or a list of them without unit, in rad, that is beyond a whole turn."""
+    values = raw if isinstance(raw, list) else [raw]
+    if text_with_unit(raw) is not None or not any(abs(x) > WHOLE_TURN for x in values):
+        return []
+    return [f"{name}: {as_written(raw, 'rad')} is beyond a whole turn: degrees without their unit?"]

@@ -25,10 +25,10 @@ using virtual wchar_t xor xor_eq
 """
 _HEADERS = """
 assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdarg stdbool stddef stdint
-stdio stdlib string tgmath time wchar wctype
+stdio stdlib string tgmath time wchar wctype windows
 """
 C_HEADERS = frozenset(_HEADERS.split())
-"""Standard headers: a stand of such a name would have a header that hides one of them."""
+"""Standard headers and that of Windows: a stand of such a name would have a header that hides one of them."""
 
 C_KEYWORDS = frozenset(_C.split())
 CPP_KEYWORDS = frozenset(_CPP.split())

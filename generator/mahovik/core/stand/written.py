@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import typing
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -12,7 +11,7 @@ from typing import Any
 from pydantic import BaseModel
 
 from mahovik.contract.laws import parts
-from mahovik.core.stand.echoes import as_written, list_item, text_with_unit
+from mahovik.core.stand.echoes import beyond_a_turn, list_item, text_with_unit
 from mahovik.core.stand.fields import ADDED_MASS, QuantityValidator, Table
 from mahovik.core.stand.hold import HoldTable, hold_of
 from mahovik.core.stand.law_schemas import held_schemas, mounted_schemas, with_laws
@@ -24,9 +23,6 @@ from mahovik.core.stand.units import ANGLE, INERTIA, Dimension, number
 
 Quantity = tuple[Any, Any, str, str]
 """Dimension, or those of the blocks of a 6x6; value in the file; name of the body or the table, and key in it."""
-
-WHOLE_TURN = 2.0 * math.pi * (1.0 + 1e-6)
-"""rad, with room for rounding."""
 
 
 @dataclass(frozen=True)
@@ -75,14 +71,6 @@ def doubts(path: str | Path) -> list[str]:
             pairs = asymmetries(raw, blocks, SHARE if blocks == ADDED_MASS else 0.0)
             found += [f"{name}: {above} but {below}: not symmetric, their mean counts" for above, below, _ in pairs]
     return found
-
-
-def beyond_a_turn(name: str, raw: Any) -> list[str]:
-    """A warning, in a list, of an angle or a list of them without unit, in rad, that is beyond a whole turn."""
-    values = raw if isinstance(raw, list) else [raw]
-    if text_with_unit(raw) is not None or not any(abs(x) > WHOLE_TURN for x in values):
-        return []
-    return [f"{name}: {as_written(raw, 'rad')} is beyond a whole turn: degrees without their unit?"]
 
 
 def _numbers(path: str | Path) -> Iterator[Quantity]:

@@ -72,7 +72,7 @@ def check(
     from mahovik.use.simulate.friction_steps import long_steps
     from mahovik.use.study.excess import excess
     from mahovik.use.study.increments import USUAL_STEP, lost_increments
-    from mahovik.use.study.resolution import shortfalls
+    from mahovik.use.study.resolution import shortfalls, shortfalls_line
     from mahovik.use.study.task_reach import task_shortfalls
 
     step = USUAL_STEP if dt is None else _read("--dt", dt, ("a time", "s"), 1e-9, 1e3)
@@ -108,7 +108,7 @@ def check(
             found["fluid"] = fluid_object(in_fluid)
         print_json(found)
         return
-    more = [*short, *lost, *steep, *([over] if over else []), *unreached]
+    more = [*filter(None, [shortfalls_line(short)]), *lost, *steep, *([over] if over else []), *unreached]
     _print(summary, names, list(map(str, more)), written)
     if in_fluid is not None:
         print_fluid(in_fluid)

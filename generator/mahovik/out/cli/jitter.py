@@ -50,6 +50,9 @@ NOTHING, NO_MEAN = 1e-20, 1e-13
 FAR_OFF = 0.01
 """Difference of the RMS to first order from that of the full equations above which a sweep warns."""
 
+LARGE_MARGIN = 1e4
+"""Margin of a requirement from which its number says nothing more: what is left is rounding, or nothing."""
+
 
 def _table(declaration: str, help: str) -> Any:
     return option(declaration, help, metavar="NAME=FILE.csv", multiple=True)
@@ -221,7 +224,8 @@ def _print_verdicts(found: Jitter, scale: float, unit: str) -> None:
     columns = ("requirement", f"limit, {unit}>", f"largest, {unit}>", "margin>", "axis", "speed, rpm>", "")
     rows: list[tuple[Any, ...]] = []
     for each in found.verdicts:
-        numbers = (f"{scale * each.requirement.limit:.6g}", f"{scale * each.value:.6g}", f"{100 * each.margin:.4g} %")
+        margin = f"{100 * each.margin:.4g} %" if each.margin < LARGE_MARGIN else f"over {100 * LARGE_MARGIN:g} %"
+        numbers = (f"{scale * each.requirement.limit:.6g}", f"{scale * each.value:.6g}", margin)
         speed = f"{RPM * found.study.value[each.step]:.6g}"
         said = ("met", "green") if each.met else ("failed", "red")
         rows.append((each.requirement.text, *numbers, found.study.axes[each.axis], speed, said))

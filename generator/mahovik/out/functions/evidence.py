@@ -211,11 +211,11 @@ def _warn_of_float(stand: CoreStand) -> None:
     """Warn of what float does not resolve, or loses in short steps, at the motors' speeds, as `mahovik check` does."""
     from mahovik.core.stand.summary import summarize
     from mahovik.use.study.increments import USUAL_STEP, lost_increments, lost_increments_line
-    from mahovik.use.study.resolution import shortfalls
+    from mahovik.use.study.resolution import shortfalls, shortfalls_line
 
     speeds = [row.speed for row in summarize(stand, None).unbalance]
-    for short in shortfalls(stand, speeds):
-        warn(str(short))
+    if short := shortfalls(stand, speeds):
+        warn(shortfalls_line(short))
     if lost := lost_increments(stand, speeds, USUAL_STEP):
         warn(lost_increments_line(lost))
 

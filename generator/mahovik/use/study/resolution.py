@@ -217,3 +217,8 @@ def states(stand: Stand, speeds: Sequence[float], motion: str) -> Iterator[State
     for k in range(PHASES):
         phases = tuple(0.3 + 0.1 * s + k * math.pi / 2 for s in range(count))
         yield replace(rest_state(stand), phi=phases, phi_dot=tuple(speeds), V=MOTIONS[motion])
+
+
+def shortfalls_line(short: Sequence[Shortfall]) -> str:
+    """One line on all quantities that float does not resolve; empty without any."""
+    return f"{short[0]}{f' (and {len(short) - 1} more)' if len(short) > 1 else ''}" if short else ""

@@ -12,6 +12,7 @@ from mahovik.core.motion.fields import choice, per_flywheel
 from mahovik.core.motion.required.bounds import Bounds
 from mahovik.core.motion.required.model import Objective, RequiredMotion
 from mahovik.core.motion.required.slew import Array, Kind, Slew, kind_of, rows_of, sight_of
+from mahovik.core.stand.echoes import beyond_a_turn
 from mahovik.core.stand.fields import Length3, Table, Text, scalar, validator
 from mahovik.core.stand.frames import turn
 from mahovik.core.stand.mean import Unbalance
@@ -20,7 +21,6 @@ from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.shapes import direction, vec3, vector
 from mahovik.core.stand.task import TaskTable, check_tasks
 from mahovik.core.stand.units import ANGLE, PLAIN, SPEED, TIME, TORQUE, Dimension, QuantityError, show
-from mahovik.core.stand.written import beyond_a_turn
 from mahovik.errors import MotionError
 from mahovik.nearest import suggestion
 

@@ -95,6 +95,8 @@ def _read_text(text: str, quantity: Quantity) -> Requirement:
         raise UsageError(
             f'--require {text}: expected rms, rss or worst and a limit with a unit, as "rms 0.1 arcsec", or a CSV file'
         )
+    if ".." in parts[2]:
+        raise UsageError(f'--require {text}: expected a band with its unit at the end, as "10..200Hz"')
     try:
         limit = number(parts[2], _dimension(quantity))
         low, high = (float(parts[3]), float(parts[4])) if parts[3] else (0.0, np.inf)
