@@ -130,7 +130,7 @@ def test_a_part_is_measured() -> None:
 def test_drivers_of_frama_c_are_those_of_the_part() -> None:
     files = delivery(stand("sat4"), only=("forward", "torque"))
     drivers = re.findall(r"^void sat4_eva_\w+?_(\w+)\(void\)", files["verification/sat4_eva.c"], re.MULTILINE)
-    assert set(drivers) == {"forward", "torque"}
+    assert set(drivers) == {"forward", "torque", "check_motion"}  # and the check that both make
     assert (
         "any_forward" in files["verification/sat4_eva.sh"]
         and "momentum" not in files["verification/sat4_eva.sh"].partition("split=")[0]

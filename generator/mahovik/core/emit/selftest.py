@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -31,6 +30,9 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Field, Kind, Shape, Struct
 from mahovik.core.stand.identity import Identities
+
+_SPECIAL = {"inf": "infinite", "nan": "not_a_number"}
+"""Constants of the self-test for numbers that no literal of C99 is."""
 
 
 def selftest(program: Program, golden: Golden, identities: Identities) -> str:
@@ -88,8 +90,6 @@ class _SelfTest:
             mounting="mount_table" in self._structs,
             options="inverse_options" in self._structs and bool(self._golden.options_plan),
             options_draws=self._options_draws(),
-            infinite=self._bits(math.inf),
-            not_a_number=self._bits(math.nan),
             options_every=test_inputs.OPTIONS_EVERY,
             options_last=test_inputs.OPTIONS_EVERY - 1,
             omitted_every=test_inputs.OMITTED_EVERY,
@@ -165,6 +165,7 @@ class _SelfTest:
         """Values of the template for the trials: statements of each change, and a row for each answer."""
         numbers = {f.name: k for k, f in enumerate(self._tested)}
         changes = list(dict.fromkeys(tuple(each.changes.items()) for each in self._golden.trials))
+        values = {str(value) for each in changes for _, value in each}
         prepares, rows = "prepare" in numbers, []
         for each in self._golden.trials:
             words = [0] * (len(numbers) // 32 + 1)
@@ -178,6 +179,7 @@ class _SelfTest:
         return {
             "changes": [[line for path, value in each for line in self._change(path, value)] for each in changes],
             "trials": rows,
+            "specials": {_SPECIAL[x]: self._bits(float(x)) for x in _SPECIAL if x in values},
             "words": len(numbers) // 32 + 1,
             "prepares": prepares,
         }
@@ -198,8 +200,10 @@ class _SelfTest:
                 assert isinstance(type_, Struct)
                 type_ = next(f.type for f in type_.fields if f.name == part)
                 place = f"{place}.{member(part)}"
-        special = {"nan": "not_a_number.real", "inf": "infinite.real"}
-        text = special.get(str(value)) or (str(int(value)) if type_ is Kind.INT else self._code.hex(value))
+        if str(value) in _SPECIAL:
+            text = f"{_SPECIAL[str(value)]}.real"
+        else:
+            text = str(int(value)) if type_ is Kind.INT else self._code.hex(value)
         return [f"{loop}{{ {place} = {text}; }}" if loop else f"{place} = {text};"]
 
     # ---- drawing inputs ----
