@@ -124,8 +124,7 @@ def test_functions_of_other_stands(
         from mahovik.core.emit.generate import generate_all
 
         texts = generate_all(given, real).files
-    for file, text in {**texts, **files}.items():
-        (tmp_path / file).write_text(text)
+    write({**texts, **files}, tmp_path)
     named = ", ".join(f'"{("x", "y", "z", "psi", "theta", "phi")[i]}"' for i in coordinates)
     trim = f"[trim]\ncoordinates = [{named}]\nharmonics = {harmonics}\n"
     found = verify_servo(given, read_servo(HEAD + trim, given), tmp_path)
