@@ -23,6 +23,7 @@ help:
 	@echo "make test       the same, then the tests"
 	@echo "make test-slow  the longest of the tests, of their cases a fifth: minutes"
 	@echo "make test-all   every test, of the slow ones every case: an hour"
+	@echo "make nightly    every test, target, proof and campaign that judges, in parts that are taken up again; hours"
 	@echo "make net        hashes of the C of 67 stands and answers of every study, compared with those kept in tests/net"
 	@echo "make setup      virtual environment in .venv with mahovik and its pictures (run .venv/bin/mahovik)"
 	@echo "make setup-test the same environment with judges, test tools and the site's builder added"
@@ -101,6 +102,16 @@ test-slow: setup-test
 
 test-all: setup-test
 	$(BIN)/python -m pytest -q -n 2 --dist worksteal -m 'not fuzz'
+
+# A part that has passed is not run again: `rm -r build/nightly` begins anew, `make PART` runs one.
+NIGHTLY := test-all verify-targets cost-check bench-gate fuzz static-checks proofs faults traceability audits
+
+nightly: setup-test
+	@mkdir -p build/nightly
+	@for part in $(NIGHTLY); do \
+	  [ -e build/nightly/$$part.passed ] || { $(MAKE) $$part > build/nightly/$$part.log 2>&1 && touch build/nightly/$$part.passed; }; \
+	  [ -e build/nightly/$$part.passed ] && echo "passed  $$part" || echo "FAILED  $$part: build/nightly/$$part.log"; \
+	done; [ $$(ls build/nightly/*.passed | wc -l) -eq $(words $(NIGHTLY)) ]
 
 net: setup-test
 	$(BIN)/python tests/net/net.py
