@@ -51,7 +51,6 @@ CPPCHECK = (
 DEVIATIONS = {
     "2.3": "a type whose only use is that it does not compile with a header of another element type",
     "2.4": "tags of structs and enums that are used by their typedef alone",
-    "2.5": "a macro that only the next inclusion of the header reads, so that a link is checked once",
     "8.7": "functions of the header that no other file of the folder calls: they are the interface",
     "8.9": "tables that one function of the recorder reads stand at the top of its file",
     "8.14": "`restrict`: results of internal functions overlap no argument, and the compiler may know",
