@@ -103,7 +103,7 @@ test-slow: setup-test
 test-all: setup-test
 	$(BIN)/python -m pytest -q -n 2 --dist worksteal -m 'not fuzz'
 
-# A part that has passed is not run again: `rm -r build/nightly` begins anew, `make PART` runs one.
+# A part that has passed is not run again: `rm -r build/nightly` begins again, `make PART` runs one.
 NIGHTLY := test-all verify-targets cost-check bench-gate fuzz static-checks proofs faults traceability audits
 
 nightly: setup-test
