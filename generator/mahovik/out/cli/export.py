@@ -7,7 +7,6 @@ from typing import Literal
 
 import click
 
-from mahovik.core.stand.content import content
 from mahovik.errors import UsageError
 from mahovik.out.cli import quantities
 from mahovik.out.cli.group import Commands
@@ -39,6 +38,14 @@ REAL_OF_FOLDER = choice("--real", ["double", "float"], "Choose the element type;
 @click.group(cls=Commands, short_help="Write projects around the C for other tools.")
 def export() -> None:
     """Write projects around the C of a stand, for other tools and boards."""
+
+
+def _made_by(stand_file: str) -> str:
+    """Text of the provenance.json of what is made from a stand file."""
+    from mahovik.core.stand.content import content
+    from mahovik.proof.verify.delivery import provenance
+
+    return provenance(content(Path(stand_file)))
 
 
 @command(group=export)
@@ -112,7 +119,7 @@ def target(
     project is written again. Never overwrites other files of yours, nor a folder of `mahovik generate`.
     """
     from mahovik.out.export.target import exportable, project
-    from mahovik.proof.verify.delivery import deliver, provenance
+    from mahovik.proof.verify.delivery import deliver
     from mahovik.proof.verify.folder_stand import with_prefix
 
     stand_file, (name,) = stand_first(stand_file, further, {"--target": target_name}, former=("--target", STAND))
@@ -122,7 +129,7 @@ def target(
     folder = Path(output if output is not None else f"{stand.name}-{name}")
     with progress(f"generate {stand.name} for {name}"):
         files = project(stand, found, chosen, only or ())
-    made_by = provenance(content(Path(stand_file)))
+    made_by = _made_by(stand_file)
     done = deliver(folder, stand, chosen, files, found.name, only or (), replaceable=("main.c",), made_by=made_by)
     print_paths(done.paths, done.notes)
 
@@ -138,12 +145,12 @@ def fuzz(
     The C of the stand, a harness for libFuzzer, Makefile, README: `make run` there needs clang.
     """
     from mahovik.core.toolchain.fuzz_project import fuzz_project
-    from mahovik.proof.verify.delivery import deliver, provenance
+    from mahovik.proof.verify.delivery import deliver
 
     stand = load_stand(stand_file)
     with progress(f"generate {stand.name} for fuzzing"):
         files = fuzz_project(stand, real)
-    made_by = provenance(content(Path(stand_file)))
+    made_by = _made_by(stand_file)
     done = deliver(Path(output or f"{stand.name}-fuzz"), stand, real, files, "fuzz", made_by=made_by)
     print_paths(done.paths, done.notes)
 
@@ -252,12 +259,12 @@ def cmake(
     `mahovik generate`.
     """
     from mahovik.out.export.cmake import cmake_project
-    from mahovik.proof.verify.delivery import deliver, provenance
+    from mahovik.proof.verify.delivery import deliver
     from mahovik.proof.verify.folder_stand import with_prefix
 
     stand, chosen = with_prefix(load_stand(stand_file), prefix), only or ()
     files = cmake_project(stand, real, batch, chosen)
-    made_by = provenance(content(Path(stand_file)))
+    made_by = _made_by(stand_file)
     done = deliver(Path(output or f"{stand.name}-cmake"), stand, real, files, "cmake", chosen, made_by=made_by)
     print_paths(done.paths, done.notes)
 
@@ -297,7 +304,7 @@ def attitude(
     """
     from mahovik.out.export.attitude import attitude_project
     from mahovik.out.export.target import exportable
-    from mahovik.proof.verify.delivery import deliver, provenance
+    from mahovik.proof.verify.delivery import deliver
     from mahovik.use.control.attitude import LoopOptions
 
     found = exportable(target_name)
@@ -307,6 +314,6 @@ def attitude(
     folder = Path(output if output is not None else f"{stand.name}-attitude-{target_name}")
     with progress(f"attitude loop of {stand.name} for {target_name}"):
         made = attitude_project(stand, found, options, chosen)
-    made_by = provenance(content(Path(stand_file)))
+    made_by = _made_by(stand_file)
     done = deliver(folder, stand, chosen, made.files, f"attitude-{target_name}", only=made.only, made_by=made_by)
     print_paths(done.paths, (*done.notes, *made.design.lines))
