@@ -168,11 +168,11 @@ CASES: dict[str, tuple[Tolerance, Callable[[], Answers]]] = {
     "jitter two": (ROUNDING, lambda: _columns(mahovik.jitter(place("two"), **JITTER), "rms", "rss", "worst")),
     "jitter telescope": (ROUNDING, lambda: _columns(mahovik.jitter(place("telescope"), **SWEEP), "rms", "worst")),
     "simulate two": (
-        BITS,
+        ROUNDING,
         lambda: _columns(mahovik.simulate(place("two"), 0.05, regime={"default": {"speed": 150.0}})),
     ),
     "simulate pendulum": (
-        BITS,
+        ROUNDING,
         lambda: _columns(
             mahovik.simulate(place("pendulum"), 0.2, regime={"default": {"speed": 50.0}}, start={"u": [0.3]})
         ),
@@ -180,7 +180,7 @@ CASES: dict[str, tuple[Tolerance, Callable[[], Answers]]] = {
     "plan shaker2 spin": (SEARCH, lambda: _plan("shaker2", "shaker2_spin.motion.json")),
     "plan demo3": (SEARCH, lambda: _plan("demo3", "demo3.motion.json")),
     "follow shaker2": (ITERATION, _follow),
-    "campaign two": (BITS, _campaign),
+    "campaign two": (ROUNDING, _campaign),
     "identify two": (
         ITERATION,
         lambda: _columns(mahovik.identify(mahovik.load(place("two")), INPUTS / "two.csv", "w*.unbalance")),
