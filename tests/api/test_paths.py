@@ -133,7 +133,7 @@ def test_a_path_that_leads_nowhere_is_refused_in_a_line(path: str, words: str) -
 
 @pytest.mark.parametrize("path", ["leg[1].stiffness", "leg[5].stiffness", "carrier.inertia.J12", "leg[1].ground[3]"])
 def test_messages_name_a_number_by_the_path_of_campaigns(path: str) -> None:
-    """Whichever way the caller has written it."""
+    """With the index in brackets, also where the caller wrote it after a dot."""
     legs = [{"ground": [0, 0, -1], "carrier": [0, 0, 0], "length": 1, "stiffness": 9} for _ in range(2)]
     stand = mahovik.Stand.from_dict(
         {key: HELD[key] for key in ("schema", "name", "carrier", "flywheel")} | {"leg": legs}

@@ -265,8 +265,8 @@ def test_its_size_hardly_grows() -> None:
         (text,) = selftest_files(given, generate_all(given)).values()
         return len(text)
 
-    assert size(8) < 115_000
-    assert size(64) < 145_000
+    assert size(8) < 110_000
+    assert size(64) < 133_000
 
 
 def test_it_names_its_cases_and_stand() -> None:

@@ -25,7 +25,7 @@ class Query:
     """Questions to the rows of the samples that are wanted."""
 
     def __init__(self, folder: Path, state: Status) -> None:
-        """Ask only the shards that were whole. Raises UsageError: DuckDB is not installed."""
+        """Read the shards that were verified, and no other file. Raises UsageError: DuckDB is not installed."""
         try:
             self._connection: Any = import_module("duckdb").connect()
         except ImportError:
