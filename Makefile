@@ -98,7 +98,7 @@ test: demo setup-test
 
 # One case in five of each slow test, always the same ones (tests/toolchain/sampled.py).
 test-slow: setup-test
-	MAHOVIK_SAMPLE_SHARE=5 $(BIN)/python -m pytest -q -n 2 --dist worksteal -m slow
+	$(BIN)/python -m pytest -q -n 2 --dist worksteal -m slow
 
 test-all: setup-test
 	$(BIN)/python -m pytest -q -n 2 --dist worksteal -m 'not fuzz'

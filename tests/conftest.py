@@ -17,9 +17,6 @@ from hypothesis import settings
 
 from mahovik.__main__ import ALLOCATIONS, ONE_THREAD
 from toolchain import build_cache, generated_once
-from toolchain.sampled import pytest_collection_modifyitems
-
-__all__ = ["pytest_collection_modifyitems"]
 
 CACHE = Path(__file__).resolve().parents[1] / ".pytest_cache"
 TOOLS = Path(__file__).resolve().parents[1] / "tools"
