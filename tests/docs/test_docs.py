@@ -1,8 +1,8 @@
-"""The pages are correct: links, commands, C, TOML, names of code, keys, statuses, ranges, order of imports."""
+"""The pages are correct: links, C, C++, stand files, keys, statuses, ranges, the table of harmonics."""
 
 from __future__ import annotations
 
-import ast
+import math
 import re
 import subprocess
 from dataclasses import replace
@@ -16,12 +16,14 @@ from docs.pages import PAGES, ROOT, Block, anchors, blocks, cells, links, prose,
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.derive import flywheel
 from mahovik.core.emit.batch import batch_files
+from mahovik.core.emit.cpp import cpp_header
 from mahovik.core.emit.generate import generate, generate_all
 from mahovik.core.lower.limits import limits
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand import load, loads, schema
 from mahovik.core.stand.units import Dimension
 from mahovik.core.toolchain.compiler import BITS, WARNINGS, find_compiler
+from toolchain.tools import require, run
 
 PACKAGE = ROOT / "generator" / "mahovik"
 MODEL, STAND_FILE, C_INTERFACE = (ROOT / "docs" / f"{name}.md" for name in ("model", "stand-file", "c-interface"))
@@ -49,40 +51,6 @@ def test_pages_named_in_the_code_exist() -> None:
     for source in sorted(PACKAGE.rglob("*.py")):
         for name in re.findall(r"\b[a-z][a-z/-]+\.md\b", source.read_text(encoding="utf-8")):
             assert (ROOT / name).is_file() or (ROOT / "templates" / f"{name}.j2").is_file(), (source.name, name)
-
-
-@pages
-def test_tables_are_rectangular(page: Path) -> None:
-    for table in tables(page):
-        for line in table:
-            assert len(cells(line)) == len(cells(table[0])), line
-
-
-@pages
-def test_no_measured_figures_are_typed(page: Path) -> None:
-    """What depends on a machine or on the last change is printed by a command, not typed."""
-    units = r"(ns|us|µs|ms|milliseconds|cycles|instructions|operations|lines|KB|MB|KiB|MiB|tests|% faster)"
-    found = re.search(rf"\b\d[\d.,]* ?{units}\b", prose(page))
-    assert found is None, found
-
-
-@pages
-def test_named_code_exists(page: Path) -> None:
-    """`stage/file.py` `name`, `name`: the file is in the package (or the repository) and defines the names."""
-    for path, names in re.findall(r"`((?:\w+/)+\w+\.py)`((?:,? `\w+`)*)", prose(page)):
-        file = next((base / path for base in (PACKAGE, ROOT) if (base / path).is_file()), None)
-        assert file is not None, path
-        defined = _defined(file)
-        for name in re.findall(r"`(\w+)`", names):
-            assert name in defined, f"{path} {name}"
-
-
-def _defined(file: Path) -> set[str]:
-    tree = ast.parse(file.read_text(encoding="utf-8"))
-    found = {n.name for n in ast.walk(tree) if isinstance(n, ast.FunctionDef | ast.ClassDef)}
-    targets = [t for n in ast.walk(tree) if isinstance(n, ast.Assign) for t in n.targets]
-    targets += [n.target for n in ast.walk(tree) if isinstance(n, ast.AnnAssign)]
-    return found | {t.id for t in targets if isinstance(t, ast.Name)}
 
 
 # ---- C ----
@@ -139,6 +107,40 @@ def test_section_macros(tmp_path: Path) -> None:
 def _compile(arguments: list[str], folder: Path) -> None:
     done = subprocess.run([*find_compiler(), *arguments], cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_the_program_in_cpp(tmp_path: Path) -> None:
+    """The program of the page compiles without a warning and prints an acceleration."""
+    stand = load(PACKAGE / "stands" / "bench8.toml")
+    made = generate_all(stand)
+    for file, text in {**made.files, **cpp_header(stand, made)}.items():
+        (tmp_path / Path(file).name).write_text(text, encoding="ascii")
+    (program,) = (b.text for b in blocks(ROOT / "docs" / "other-programs.md") if b.language == "cpp")
+    (tmp_path / "user.cpp").write_text(program, encoding="utf-8")
+    _compile([*BITS, "-O1", "-c", "bench8.c", "-o", "stand.o"], tmp_path)
+    strict = ("-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror")
+    run(require("g++", "g++"), *strict, tmp_path / "user.cpp", tmp_path / "stand.o", "-o", tmp_path / "user")
+    assert re.fullmatch(r"-?\d\S* m/s2\n", run(tmp_path / "user"))
+
+
+def test_the_speed_that_a_hold_blocks(tmp_path: Path) -> None:
+    """The function of the page: zero of V = S u in any pose, else what is blocked; a status of a NaN."""
+    (snippet,) = (b.text for b in blocks(C_INTERFACE) if "double blocked_speed(" in b.text)
+    emit("pendulum", tmp_path)
+    states = [(0.0, 2.0, 0.0), (1.0, -3.0, 0.0), (1.0, -3.0, 0.25), (2.5, 1.0, -0.5)]
+    lines = "".join(
+        f"x.attitude[0] = {math.cos(angle / 2)!r}; x.attitude[2] = {math.sin(angle / 2)!r};\n"
+        f'x.V[4] = {speed!r}; x.V[0] = {off!r}; printf("%.17g\\n", blocked_speed(&x));\n'
+        for angle, speed, off in states
+    )
+    (tmp_path / "main.c").write_text(
+        f"#include <stdio.h>\n{snippet}\nint main(void)\n{{\n"
+        f"pendulum_state x = {{ .attitude = {{ 1 }} }};\n{lines}"
+        'x.V[4] = 0.0 / 0.0;\nprintf("%g\\n", blocked_speed(&x));\nreturn 0;\n}\n'
+    )
+    _compile([*BITS, "-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "main.c", "pendulum.c", "-o", "main"], tmp_path)
+    found = [float(x) for x in run(tmp_path / "main").split()]
+    assert found == pytest.approx([0.0, 0.0, 0.25, 0.5, -1.0], abs=1e-15)
 
 
 def test_statuses_are_those_of_the_code() -> None:

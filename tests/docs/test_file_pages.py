@@ -1,0 +1,154 @@
+"""Pages on files: their examples are read, and their tables name the keys, signals and limits of the code."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from pydantic import BaseModel
+
+from docs.pages import ROOT, blocks, rows
+from mahovik.core.motion.programme import read as programme
+from mahovik.core.motion.read import load as load_regime
+from mahovik.core.motion.required import Slew, read, slew_file
+from mahovik.core.stand import load
+from mahovik.core.stand.schema import EncoderTable, MotorTable
+from mahovik.out.campaign.campaign import Campaign
+from mahovik.out.campaign.designs import DESIGNS
+from mahovik.out.campaign.file import CampaignTable
+from mahovik.out.campaign.over import KINDS as RUNS
+from mahovik.out.campaign.signals import SIGNALS
+from mahovik.out.campaign.vary import KINDS
+from mahovik.out.campaign.wanted import STATISTICS
+from mahovik.proof.verify.programme.finding import tolerance_for
+from mahovik.stands import path
+from mahovik.use.design.freedom import PARTS
+from mahovik.use.design.read import FreedomTable, read_freedom
+
+DOCS = ROOT / "docs"
+
+
+def names(page: str, head: str) -> set[str]:
+    """Names in the first column of all tables of a page whose head begins with a cell."""
+    return {name for row in rows(DOCS / page, head) for name in re.findall(r"`\"?([\w.-]+)\"?`", row[0])}
+
+
+def fields(*models: type[BaseModel]) -> set[str]:
+    """Keys of tables of a file."""
+    return {name for model in models for name in model.model_fields}
+
+
+@pytest.mark.parametrize(
+    ("page", "head", "keys"),
+    [
+        ("campaign-file.md", "key", {"schema", *fields(CampaignTable), *KINDS}),
+        ("campaign-file.md", "design", {*DESIGNS}),
+        ("campaign-file.md", "key of `[over]`", {*RUNS}),
+        ("campaign-quantities.md", "signal", {*SIGNALS}),
+        ("campaign-quantities.md", "statistic", {*STATISTICS, "band"}),
+        ("campaign-quantities.md", "`[over]`", {*RUNS, "servo"}),
+        ("design.md", "key of `[[free]]`", {*PARTS}),
+        ("design.md", "other key", fields(FreedomTable) - {"free"}),
+    ],
+)
+def test_a_table_has_the_keys_of_the_reader(page: str, head: str, keys: set[str]) -> None:
+    assert names(page, head) == keys
+
+
+def test_keys_of_motions_programmes_and_slews_are_documented() -> None:
+    motion = {*fields(read.MotionTable, read.BoundsTable, read.ObjectiveTable), "schema", "bounds", "objective"}
+    slew = fields(slew_file.SlewTable, slew_file.StartTable, slew_file.EndTable, slew_file.SlewBounds)
+    text = (DOCS / "programmes.md").read_text(encoding="utf-8")
+    documented = set(re.findall(r"`(\w+)`", text))
+    assert motion | slew | fields(programme.ProgrammeTable) - {"report"} <= documented
+
+
+@pytest.mark.parametrize(("head", "model"), [("`motor` key", MotorTable), ("`encoder` key", EncoderTable)])
+def test_drives_are_documented_key_by_key(head: str, model: Any) -> None:
+    """Each key has a row with its SI unit, its default and its meaning."""
+    table = {row[0].strip("`"): row[1:] for row in rows(DOCS / "stand-file.md", head)}
+    assert list(table) == list(model.model_fields)
+    for name, (unit, default, meaning) in table.items():
+        info = model.model_fields[name]
+        assert unit and meaning, name
+        if info.is_required():
+            assert default == "required"
+        elif info.default is None:
+            assert default in ("no limit", "none", "not known"), name
+        else:
+            assert float(default) == info.default, name
+
+
+def test_units_of_signals_are_those_of_the_code() -> None:
+    for row in rows(DOCS / "campaign-quantities.md", "signal"):
+        for name in re.findall(r"`(\w+)`", row[0]):
+            assert name in ("sigma", "error") or SIGNALS[name].unit in row[1].split(", "), name
+
+
+def test_motions_are_read() -> None:
+    motion, turn = (block.text for block in blocks(DOCS / "programmes.md") if block.language == "json")
+    assert read.read_motion(motion, load(path("bench8"))).name == json.loads(motion)["name"]
+    slew = read.read_motion_or_slew(turn, load(path("sat4")))
+    assert isinstance(slew, Slew) and slew.name == json.loads(turn)["name"]
+
+
+def test_the_file_of_a_design_is_read() -> None:
+    (example,) = (b for b in blocks(DOCS / "design.md") if b.language == "toml" and not b.file)
+    freedom = read_freedom(example.text, load(path("shaker2")))
+    assert freedom.number == (1, 2)
+    assert freedom.ties[0].mirror == "y"
+
+
+def campaign(page: str, name: str, folder: Path) -> Campaign:
+    """A campaign of a page, all files of the page beside it."""
+    for block in blocks(DOCS / page):
+        if block.file:
+            (folder / block.file).write_text(block.text, encoding="utf-8")
+    return Campaign.load(folder / name)
+
+
+CAMPAIGNS = [("campaign-quantities.md", "shake.toml")] + [
+    pytest.param("campaign-file.md", block.file, marks=pytest.mark.slow)
+    for block in blocks(DOCS / "campaign-file.md")
+    if block.language == "toml"
+]
+
+
+@pytest.mark.parametrize(("page", "name"), CAMPAIGNS)
+def test_campaigns_give_rows(page: str, name: str, tmp_path: Path) -> None:
+    """Every sample has all quantities, which differ from sample to sample, but for the time of settling."""
+    made = campaign(page, name, tmp_path).rows(0, 3)
+    assert list(made.reason) == [""] * 3
+    for quantity, column in made.quantities.items():
+        assert np.isfinite(column).all()
+        assert len(np.unique(column)) == 3 or quantity in ("settled", "tilt")
+
+
+def test_limits_of_the_verification_of_programmes() -> None:
+    accepted = {
+        name: [float(x) for x in re.findall(r"\d[\de.-]*", row[2])]
+        for row in rows(DOCS / "programmes.md", "item")
+        for name in re.findall(r"`([^`]+)`", row[0])
+    }
+    smooth, kinked = (tolerance_for(load(path(name)), None) for name in ("bench8", "auv6"))
+    assert accepted["residual"] == [smooth.residual]
+    assert accepted["simulation"] == [smooth.error]
+    assert accepted["table"] == accepted["periodicity"] == [smooth.table]
+    assert accepted["run-up table"] == [smooth.table, smooth.joint]
+    assert accepted["run-up end"] == [smooth.runup]
+    text = (DOCS / "programmes.md").read_text(encoding="utf-8")
+    for size in (kinked.residual, kinked.error):
+        assert f"accepted to {size:.0e}".replace("e-0", "e-") in text
+
+
+@pytest.mark.parametrize("name", sorted(file.stem for file in (DOCS / "held").glob("*.toml")))
+def test_held_stands_of_the_tutorial_are_those_of_their_folder(name: str) -> None:
+    shown = {block.file: block.text for block in blocks(DOCS / "tutorial-held-examples.md")}
+    stand, regime = DOCS / "held" / f"{name}.toml", DOCS / "held" / "regimes" / f"{name}.toml"
+    assert shown[f"{name}.toml"] == stand.read_text(encoding="utf-8")
+    assert shown[f"{name}.regime.toml"] == regime.read_text(encoding="utf-8")
+    assert len(load_regime(regime, load(stand), 10.0).flywheels) == len(load(stand).flywheels)
