@@ -79,7 +79,6 @@ def isolated(stand: Stand) -> Stand:
 
 def without_added_mass(stand: Stand) -> Stand:
     """The stand without the added mass of any body."""
-    """The stand without the added mass of any body."""
     return replace(
         stand,
         carrier=replace(stand.carrier, added_mass=None),

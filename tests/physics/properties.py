@@ -1,6 +1,6 @@
 """Common parts of all properties: settings, cases, differences over the natural scale.
 
-Cases are drawn by `strategies`, so that they shrink; each test gives its case to `shown`, which writes the stand file.
+Cases are drawn by `strategies`, so that they shrink; a failure shows the smallest stand file and its state.
 """
 
 from __future__ import annotations
@@ -9,34 +9,39 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from hypothesis import HealthCheck, settings
+from hypothesis import HealthCheck, note, settings
 from hypothesis import strategies as st
 
+from mahovik.core.stand import dumps
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.scales import scales
+from mahovik.proof.verify.states import Request, state_line
 from physics.general import AnyBody, rows
 from physics.motions import vec
-from strategies import stands, states
+from strategies import held_stands, stands, states
 
 PROPERTY = settings(
     max_examples=12,
     deadline=None,
     derandomize=True,
     database=None,
-    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
+    suppress_health_check=[HealthCheck.too_slow],
 )
 ROUNDING = 1e-11
 """Accepted difference over the natural scale: some hundred operations on either side of an identity."""
 
 
 @st.composite
-def cases(draw: st.DrawFn, /, low: int = 0, high: int = 5, **has: Any) -> tuple[Stand, State]:
-    """A stand and an ordinary state of it."""
-    stand = draw(stands(low, high, **has))
-    return stand, draw(states(stand))
+def cases(draw: st.DrawFn, /, low: int = 0, high: int = 5, held: bool = False, **has: Any) -> tuple[Stand, State]:
+    """A stand and an ordinary state of it; `held`: its carrier is free or held in any way."""
+    kinds = [stands(low, high, **has), held_stands(low, high)] if held else [stands(low, high, **has)]
+    stand = draw(st.one_of(kinds))
+    state = draw(states(stand))
+    note(f"{dumps(stand)}\n{state_line(Request('smallest', state, ('matrices',)))}")
+    return stand, state
 
 
 def assert_near(found: Any, expected: Any, scale: Any, times: float = 1.0) -> None:
@@ -58,7 +63,8 @@ def value(stand: Stand, state: State, want: str, name: str) -> Any:
 
 def of_a_motion(stand: Stand, state: State) -> State:
     """The state with V* by (8) and tau of it."""
-    state = replace(state, V_dot=vec(value(stand, state, "forward", "V_dot")))
+    moved = evaluate(stand, state, ["forward"])
+    state = replace(state, V_dot=vec(moved["V_dot"]), u_dot=vec(moved.get("u_dot", ())))
     return replace(state, tau=vec(value(stand, state, "torque", "tau")))
 
 

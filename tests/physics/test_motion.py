@@ -1,10 +1,11 @@
-"""Free motion in time, integrated by SciPy's DOP853: what must stay, stays."""
+"""What free motion keeps: rates at one state, by differences alone; and in time, integrated by SciPy's DOP853."""
 
 from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
@@ -14,7 +15,8 @@ from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.proof.reference import evaluate
 from mahovik.proof.reference.array import Array
 from physics.general import draw, isolated, without_wrench
-from physics.motions import rotation, vec
+from physics.motions import motion, rate, rotation, vec
+from physics.properties import PROPERTY, assert_near, cases, of_a_motion, scale
 from toolchain.quick import quick
 
 # relative tolerance of the integrator is 1e-11 a step, a few hundred steps, errors add up at random
@@ -73,38 +75,6 @@ def integrate(stand: Stand, state: State, acceleration: Acceleration, seconds: f
     return [unpack(state, y) for y in solution.y.T]
 
 
-def test_driven_flywheels_keep_momentum_in_E0_while_energy_takes_their_work() -> None:
-    stand, state = draw(7, 3)
-    stand, state = isolated(stand), without_wrench(state)
-    amplitude, frequency, mean = np.array([3.0, 5.0, 2.0]), np.array([4.0, 7.0, 11.0]), np.array(state.phi)
-
-    def programme(t: float) -> tuple[tuple[float, ...], tuple[float, ...], tuple[float, ...]]:
-        angle = frequency * t
-        return (
-            vec(mean + amplitude * np.sin(angle)),
-            vec(amplitude * frequency * np.cos(angle)),
-            vec(-amplitude * frequency**2 * np.sin(angle)),
-        )
-
-    def on_programme(t: float, now: State) -> State:
-        phi, phi_dot, phi_ddot = programme(t)
-        return replace(now, phi=phi, phi_dot=phi_dot, phi_ddot=phi_ddot)
-
-    def driven(t: float, now: State) -> tuple[Array, Array]:
-        now = on_programme(t, now)
-        values = evaluate(stand, now, ["forward"])
-        return values["V_dot"], np.array(now.phi_ddot)
-
-    start = on_programme(0.0, state)
-    states = integrate(stand, start, driven)
-    at = [evaluate(stand, now, ["momentum"]) for now in states]
-    scale = np.abs(at[0]["Z0"]).max()
-    for later in at[1:]:
-        np.testing.assert_allclose(later["Z0"], at[0]["Z0"], rtol=0, atol=DRIFT * scale)
-    energies = [later["energy"] for later in at]
-    assert max(energies) - min(energies) > 0.1 * energies[0]  # the drives do work
-
-
 @pytest.mark.parametrize("seed", quick(1, range(2)))
 def test_undamped_legs_and_weight_keep_total_energy(seed: int) -> None:
     stand, state = draw(seed, 2)
@@ -130,3 +100,71 @@ def test_undamped_legs_and_weight_keep_total_energy(seed: int) -> None:
     scale = max(kinetic for _, kinetic in energies)
     for total, _ in energies[1:]:
         assert total == pytest.approx(energies[0][0], abs=DRIFT * scale)
+
+
+TURN = 0.03
+"""rad by the fastest in a step of the differences: its ninth power is far below the rounding of a sum."""
+
+
+def fastest(state: State) -> float:
+    """Largest speed in rad/s of anything that turns; an acceleration counts by its square root."""
+    accelerations = [*state.V_dot[3:], *state.phi_ddot]
+    return float(max(1.0, *map(abs, (*state.V[3:], *state.phi_dot)), *np.sqrt(np.abs(accelerations))))
+
+
+def free(case: tuple[Stand, State]) -> tuple[Stand, State]:
+    """The case without any external wrench, moved by (8)."""
+    stand, state = case
+    return isolated(stand), of_a_motion(isolated(stand), without_wrench(state))
+
+
+def changes(stand: Stand, state: State) -> tuple[Array, float, float]:
+    """Changes of Z in E0 (6) and of the energy over one step of the differences, and that step in s."""
+    at, h = motion(stand, state), TURN / fastest(state)
+    momentum = rate(lambda t: evaluate(stand, at(t), ["momentum"])["Z0"], h)
+    energy = rate(lambda t: evaluate(stand, at(t), ["momentum"])["energy"], h)
+    return h * momentum, h * energy, h
+
+
+@PROPERTY
+@given(case=cases(stream=False))
+def test_driven_flywheels_keep_momentum_and_energy_takes_their_work(case: tuple[Stand, State]) -> None:
+    """Flywheels of given phi(t) on a free stand."""
+    stand, state = free(case)
+    size = scale(stand, state, "momentum")
+    momentum, energy, h = changes(stand, state)
+    assert_near(momentum, np.zeros(6), size["Z0"])
+    work = h * np.dot(state.tau, state.phi_dot)
+    assert_near(energy, work, size["energy"] + h * np.abs(state.tau) @ np.abs(state.phi_dot))
+
+
+@PROPERTY
+@given(case=cases(stream=False))
+def test_free_flywheels_keep_momentum_and_energy_at_every_state(case: tuple[Stand, State]) -> None:
+    """tau = 0: V* and phi'' of the coupled form."""
+    stand, state = isolated(case[0]), without_wrench(case[1])
+    state = replace(state, tau=(0.0,) * len(state.phi))
+    found = evaluate(stand, state, ["coupled"])
+    state = replace(state, V_dot=vec(found["V_dot"]), phi_ddot=vec(found["phi_ddot"]))
+    size = scale(stand, state, "momentum")
+    momentum, energy, _ = changes(stand, state)
+    assert_near(momentum, np.zeros(6), size["Z0"])
+    assert_near(energy, 0.0, size["energy"])
+
+
+@settings(PROPERTY, max_examples=5)
+@given(case=cases(high=4, stream=False))
+def test_free_flywheels_keep_momentum_and_energy_in_time(case: tuple[Stand, State]) -> None:
+    """Integrated for two radians of the fastest."""
+    stand, state = isolated(case[0]), without_wrench(case[1])
+    state = replace(state, tau=(0.0,) * len(state.phi))
+
+    def coupled(t: float, now: State) -> tuple[Array, Array]:
+        values = evaluate(stand, now, ["coupled"])
+        return values["V_dot"], values["phi_ddot"]
+
+    at = [evaluate(stand, now, ["momentum"]) for now in integrate(stand, state, coupled, 2.0 / fastest(state))]
+    size = scale(stand, state, "momentum")
+    for later in at[1:]:
+        assert np.all(np.abs(later["Z0"] - at[0]["Z0"]) <= DRIFT * size["Z0"])
+        assert abs(later["energy"] - at[0]["energy"]) <= DRIFT * size["energy"]
