@@ -59,18 +59,6 @@ def test_sigma_are_cosines_between_carrier_and_flywheel_motion(flywheels: int) -
     assert np.all(sigma < 1)
 
 
-def test_stand_without_flywheels_reaches_only_its_own_acceleration() -> None:
-    stand, state = draw(1, 0)
-    values = evaluate(stand, state, ["inverse"])
-    assert values["status"] == "UNREACHABLE"
-    assert values["rank"] == 0
-    assert values["phi_ddot"].shape == (0,)
-    free = isolated(stand)
-    still = evaluate(free, rest_state(free), ["inverse"])
-    assert still["status"] == "OK"
-    np.testing.assert_array_equal(still["residual"], np.zeros(6))
-
-
 def copies(angle: float) -> Stand:
     """A stand of two equal balanced flywheels at one place, the second turned by `angle` (rad) about z."""
     stand, _ = draw(1, 2, instruments=0)
@@ -100,15 +88,6 @@ def test_status_tells_parallel_flywheels(angle: float, rank: int, name: str | No
     assert values["rank"] == rank
     assert set(values["status"].split("|")) == {"UNREACHABLE"} | ({name} if name else set())
     assert np.all(np.isfinite(values["phi_ddot"]))
-
-
-def test_parallel_flywheels_share_the_demand() -> None:
-    stand = copies(0.0)
-    state = replace(rest_state(stand), phi_ddot=(3.0, 5.0))
-    V_dot = evaluate(stand, state, ["forward"])["V_dot"]
-    values = evaluate(stand, replace(state, V_dot=tuple(V_dot)), ["inverse"])
-    assert values["status"] == "RANK_DEFICIENT"  # and not unreachable
-    np.testing.assert_allclose(values["phi_ddot"], [4.0, 4.0], rtol=ROUNDING)
 
 
 @pytest.mark.parametrize("seed", SEEDS)

@@ -17,18 +17,14 @@ from hypothesis import strategies as st
 import mahovik
 from laws.vessel import CARRIER
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.lower.fmu.parameters import laws
 from mahovik.core.lower.fmu.variables import Start, form
 from mahovik.core.stand import Stand, dumps, identities, loads
 from mahovik.core.stand.model import StreamProfile
-from mahovik.core.stand.random import Features, extreme_state, random_stand, random_state
-from mahovik.core.stand.random_state import EXTREMES
+from mahovik.core.stand.random import Features, random_stand, random_state
 from mahovik.errors import CheckError, StandError, StateError
 from mahovik.out.api.stands import Stand as ApiStand
 from mahovik.out.campaign.places import Places
-from mahovik.out.report.stand.surroundings import surroundings
 from mahovik.proof import reference
-from mahovik.proof.diagnose.states import separating_states
 from mahovik.proof.reference.stream import stream_at
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import draw
@@ -80,26 +76,6 @@ def test_derivations_and_C_agree() -> None:
             assert max(differences(ask, state, expected).values()) <= AGREEMENT
 
 
-def test_every_extreme_state_is_within_the_profile() -> None:
-    """The C answers it."""
-    for kind in EXTREMES:
-        state = extreme_state(sheared(), np.random.default_rng(3), kind)
-        stream_at(sheared(), state.position)  # does not refuse
-        assert min(backend().call("forward", backend().arguments(state))[0], 0) == 0
-
-
-@pytest.mark.parametrize("station", range(4))
-def test_a_wrong_velocity_of_any_station_shows_in_drawn_states(station: int) -> None:
-    """In those of `verify` by more than any rounding, and in those of a diagnosis; the lowest layer included."""
-    stand = sheared()
-    velocity = list(PROFILE.velocity)
-    velocity[station] = (velocity[station][0] + 0.01, *velocity[station][1:])
-    wrong = replace(stand, profile=replace(PROFILE, velocity=tuple(velocity)))
-    for states in (draw(stand, 0, 40), separating_states(stand)):
-        apart = [np.subtract(stream_at(stand, s.position), stream_at(wrong, s.position)) for _, s in states]
-        assert sum(np.abs(each).max() > 1e-4 for each in apart) >= 2
-
-
 def test_a_wrong_shear_of_the_lowest_layer_is_found() -> None:
     """The C with another number there is not that of the stand."""
     stand = loads(FILE)
@@ -111,14 +87,6 @@ def test_a_wrong_shear_of_the_lowest_layer_is_found() -> None:
         right, wrong = (small_backend().call("forward", inputs | more)[1]["V_dot"] for more in ({}, {"table": table}))
         found += not np.allclose(right, wrong, rtol=1e-9)
     assert found >= 3
-
-
-def test_states_are_drawn_in_every_layer_and_near_every_station() -> None:
-    """For stations at 0, 10 and 50 m, far more than the spread of a position."""
-    depths = np.array([state.position[2] for _, state in draw(loads(FILE), 0, 100)])
-    assert min(np.sum(depths < 10), np.sum(depths > 10), np.sum(depths > 30)) >= 10
-    for station in (0.0, 10.0, 50.0):
-        assert np.sum(np.abs(depths - station) < 0.5) >= 2
 
 
 def test_at_each_depth_it_is_the_uniform_stream_of_that_depth() -> None:
@@ -212,11 +180,6 @@ def test_a_run_that_leaves_the_profile_says_so() -> None:
         assert re.search(r"depth -[\d.e-]+ m is outside of stream_profile, which is given from 0 m", str(run.stopped))
 
 
-def test_the_report_names_the_velocity_of_each_station() -> None:
-    words = str(surroundings(loads(FILE))["Fluid"])
-    assert "(0.5, 0.1, 0) m/s at 10 m" in words and "0 at 50 m" in words
-
-
 def test_rates_of_an_FMU_depend_on_the_depth() -> None:
     """In its description: the tool may else take the derivative by the position as zero."""
     generated = generate_all(loads(FILE))
@@ -279,14 +242,6 @@ def test_small_motions_refuse_it_before_they_search(study: Callable[[Stand], obj
     stand = replace(sheared(), tasks=())
     with pytest.raises(StandError, match="stream_profile: found a stream that changes with depth"):
         study(stand)
-
-
-def test_simulators_see_its_numbers() -> None:
-    generated = generate_all(loads(FILE))
-    found = {m.name: m for m in laws(loads(FILE), generated.layout, generated.values)}
-    assert found["stream_profile.depth[3]"].value == 50.0
-    assert found["stream_profile.shear[1,2]"].value == pytest.approx(0.01)
-    assert found["stream_profile.shear[1,2]"].unit.name == "1/s"
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -12,10 +11,9 @@ from mahovik.contract.functions import wants_of, wants_of_carrier
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, EXTREMES, SEQUENCES, Features, random_stand
-from mahovik.proof import reference
 from mahovik.proof.second import Second
 from mahovik.proof.verify.draw import draw
-from second.agreement import AGREEMENT, differences, evaluate, expectations
+from second.agreement import AGREEMENT, differences, expectations
 from toolchain.quick import quick
 
 WANTS = tuple(want for want in wants_of("second") if want in wants_of_carrier(held=False))
@@ -35,14 +33,14 @@ def agrees(stand: Stand, seed: int, count: int) -> set[tuple[str, str]]:
     return compared
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", quick(2, EXAMPLES), ids=lambda path: path.stem)
 def test_example_stands_agree_in_every_want(path: Path) -> None:
     stand = load(path)
     compared = agrees(stand, 1, 3 * len(EXTREMES) + 1)
     assert {want for want, _ in compared} == set(WANTS)
 
 
-@pytest.mark.parametrize("flywheels", quick(2, [0, 7, 5, 1, 6, 12]))
+@pytest.mark.parametrize("flywheels", quick(1, [5, 0, 7, 1, 64]))
 @pytest.mark.parametrize("kind", KINDS)
 def test_random_general_stands_agree_in_every_want(flywheels: int, kind: str) -> None:
     angles = SEQUENCES[(flywheels + list(KINDS).index(kind)) % 3]
@@ -51,15 +49,10 @@ def test_random_general_stands_agree_in_every_want(flywheels: int, kind: str) ->
     assert {want for want, _ in compared} == set(WANTS)
 
 
-@pytest.mark.parametrize("seed", quick(12, range(30)))
+@pytest.mark.parametrize("seed", quick(8, range(30)))
 def test_many_small_random_stands_agree(seed: int) -> None:
     stand = random_stand(np.random.default_rng(seed), seed % 4)
     assert agrees(stand, seed, 6)
-
-
-def test_64_flywheels_agree() -> None:
-    stand = random_stand(np.random.default_rng(64), 64, EVERYTHING)
-    assert agrees(stand, 64, 6)
 
 
 def test_singular_attitudes_are_refused_by_both() -> None:
@@ -73,20 +66,3 @@ def test_singular_attitudes_are_refused_by_both() -> None:
             found = differences(Second(stand).evaluate, near, expectations(stand, near, ["generalized"]))
             assert (found == {}) == refused
             assert all(off <= AGREEMENT for off in found.values())
-
-
-def test_the_values_have_the_types_of_the_reference() -> None:
-    stand = random_stand(np.random.default_rng(3), 3, EVERYTHING)
-    _, state = draw(stand, 3, 2)[1]
-    state = replace(state, quaternion=None, angles=(0.3, 0.7, -0.2))
-    for want in WANTS:
-        expected, found = reference.evaluate(stand, state, [want]), evaluate(stand, state, [want])
-        assert types(found) == {name: kind for name, kind in types(expected).items() if name not in ("I0", "J0")}
-
-
-def types(values: dict[str, Any]) -> dict[str, Any]:
-    """Type, and shape, of everything in a result."""
-    return {
-        name: types(value) if isinstance(value, dict) else (type(value), np.shape(value))
-        for name, value in values.items()
-    }
