@@ -56,13 +56,7 @@ def given(name: str, states: list[State]) -> tuple[mahovik.States, Arrays, Array
         {"angles": s.angles} if s.angles else {"attitude": s.quaternion} if s.quaternion else {} for s in states
     ]
     parts = [
-        m.state(
-            position=s.position,
-            V=s.V,
-            phi=s.phi,
-            phi_dot=s.phi_dot,
-            **attitude,
-        ).array
+        m.state(position=s.position, V=s.V, phi=s.phi, phi_dot=s.phi_dot, **attitude).array
         for s, attitude in zip(states, attitudes, strict=True)
     ]
     inputs = {key: np.array([getattr(s, key) for s in states]) for key in ("V_dot", "phi_ddot", "tau")}

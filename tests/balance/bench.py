@@ -36,11 +36,7 @@ def write_data(file: Path, stand_file: Path, speeds: tuple[float, float] = SPEED
     for i in range(len(t)):
         seen = points(pieces(stand, motion.state(theta[i])), stand, rates[i, 6:])["imu"]
         rows.append([t[i], *seen["specific_force"], *seen["twist"][3:], *theta[i]])
-    names = [
-        "time [s]",
-        *(f"imu.acceleration.{x} [m/s2]" for x in AXES),
-        *(f"imu.rate.{x} [rad/s]" for x in AXES),
-    ]
+    names = ["time [s]", *(f"imu.acceleration.{x} [m/s2]" for x in AXES), *(f"imu.rate.{x} [rad/s]" for x in AXES)]
     write(file, [*names, "w1.phase [rad]", "w2.phase [rad]"], np.array(rows))
     return file
 

@@ -64,10 +64,7 @@ def test_goodman() -> None:
 
     First his least squares, 0.81 and 1.48. The limit of his weights is min-max: three equal amplitudes.
     """
-    case = {
-        "ALPHA": [["3@0", "2@180"], ["5@0", "2@180"], ["5@0", "3@180"]],
-        "A": ["1@0", "1@180", "0@0"],
-    }
+    case = {"ALPHA": [["3@0", "2@180"], ["5@0", "2@180"], ["5@0", "3@180"]], "A": ["1@0", "1@180", "0@0"]}
     assert numbers(mahovik.balance(case).to_dict()["w"]).real == pytest.approx([0.81, 1.48], abs=0.005)
     best = mahovik.balance(case, method="min-max")
     assert np.ptp(np.abs(best.residual)) < 1e-6 * np.abs(best.residual).max()

@@ -52,8 +52,6 @@ os.replace = killed
 """
 """Planted in a worker: it dies when its first shard is written and not yet in its place."""
 
-OTHER_VERSION = 'mahovik.__version__ = "0.0.9"'
-"""Planted in a worker."""
 
 SCHEDULER = """
 import sys, dask
@@ -147,18 +145,3 @@ def finish(process: subprocess.Popen[str]) -> str:
 def shard_files(out: Path) -> list[Path]:
     """Shards that are in their places."""
     return sorted(out.glob("rows/*/*.parquet"))
-
-
-def children(pid: int) -> list[int]:
-    """Processes below one, at any depth."""
-    parents = {}
-    for entry in Path("/proc").iterdir():
-        if entry.name.isdigit():
-            try:
-                parents[int(entry.name)] = int((entry / "stat").read_text().rpartition(")")[2].split()[1])
-            except OSError:
-                continue
-    found = [pid]
-    for each in found:
-        found += [child for child, parent in parents.items() if parent == each]
-    return found[1:]

@@ -10,7 +10,7 @@ import pytest
 
 import mahovik
 from campaigns.stub import load_stub, write_stub
-from mahovik.errors import CheckError, UsageError
+from mahovik.errors import UsageError
 from mahovik.out.campaign.cluster import connect
 from mahovik.out.campaign.dataset import status
 from mahovik.out.campaign.face import Campaign, CampaignFolder
@@ -43,20 +43,13 @@ def test_every_shard_alone(tmp_path: Path) -> None:
         assert np.array_equal(columns["root"], np.sqrt(columns["carrier.mass"]), equal_nan=True)
 
 
-def test_a_folder_can_be_moved_with_its_campaign(tmp_path: Path) -> None:
-    (tmp_path / "here").mkdir()
-    prepare(tmp_path / "here").shard(0)
-    (tmp_path / "here").rename(tmp_path / "there")
-    _open.cache_clear()
-    assert CampaignFolder(tmp_path / "there" / "out", load=load_stub).shard(1).number == 1
-    assert status(tmp_path / "there" / "out").rows == 16
-
-
 def test_another_campaign_is_refused(tmp_path: Path) -> None:
     prepare(tmp_path).shard(0)
-    for values, what in (({"seed": 2}, "the text of its file"), ({"samples": 50}, "the text of its file")):
+    for values in ({"seed": 2}, {"samples": 50}):
         file = write_stub(tmp_path / "c.json", **{"samples": 40, "shard_size": 8, "stand_file": "stand.toml"} | values)
-        with pytest.raises(UsageError, match=f'out: holds rows of another campaign, "stub": {what} differs; undo'):
+        with pytest.raises(
+            UsageError, match='out: holds rows of another campaign, "stub": the text of its file differs; undo'
+        ):
             Campaign(file, load=load_stub).prepare(tmp_path / "out")
         _open.cache_clear()
         with pytest.raises(UsageError, match="holds rows of another campaign"):
@@ -110,18 +103,12 @@ def test_other_folders_are_refused(tmp_path: Path) -> None:
     ("key", "value", "words"),
     [
         ("end", '"515"', 'end: expected a valid integer, found "515"'),
-        ("end", "1e3", "end: expected a valid integer, found 1000.0"),
-        ("end", "null", "end: expected a valid integer, found a NoneType"),
-        ("end", "1e12", "end: expected a valid integer, found 1000000000000.0"),
-        ("end", "true", "end: expected a valid integer, found true"),
         ("end", "41", "end: expected at most `samples`, 40, found 41"),
-        ("end", "0", "end: expected greater than or equal to 1, found 0"),
         ("samples", str(10**12), "samples: expected less than or equal to 10000000000, found 1000000000000"),
         ("shard_size", "0", "shard_size: expected greater than or equal to 1, found 0"),
         ("file", "7", "file: expected a valid string, found 7"),
         ("file", r'"\u0000"', "file: expected a path, found a NUL"),
         ("quantities", '{"root": 1}', "quantities.root: expected a valid string, found 1"),
-        ("identity", "[]", "identity: expected a valid dictionary, found a list of 0"),
         ("stand", "[" * 10_000 + "]" * 10_000, ""),
     ],
 )
@@ -162,15 +149,3 @@ def test_a_scheduler_that_cannot_be_reached(address: str) -> None:
         pass
     assert str(refused.value).startswith(f"scheduler {address}: cannot be reached, ")
     assert "\n" not in str(refused.value)
-
-
-def test_a_scheduler_and_workers_exclude_each_other() -> None:
-    with pytest.raises(UsageError, match="--workers: a scheduler has its own workers"), connect(2, "tcp://127.0.0.1:9"):
-        pass
-
-
-def test_merge_of_a_part_is_refused(tmp_path: Path) -> None:
-    found = prepare(tmp_path)
-    found.shard(3)
-    with pytest.raises(CheckError, match="4 of 5 shards are missing or damaged: 0-2, 4;"):
-        found.merge(tmp_path / "all.parquet")

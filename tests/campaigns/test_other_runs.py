@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import mahovik
-from campaigns.computing import Keys, computation, tables_of
+from campaigns.sections import Keys, computation, tables_of
 from control.following import SERVO
 from mahovik import stands
 from mahovik.core.motion.programme import programme_text

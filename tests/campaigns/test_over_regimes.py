@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 import mahovik
-from campaigns.computing import Keys, computation, tables_of
+from campaigns.sections import Keys, computation, tables_of
 from mahovik.use.study.rest import rest
 
 N = 3
@@ -74,7 +74,6 @@ def test_a_satellite_with_given_speeds_is_that_of_simulate() -> None:
         assert values["shift"][j] == expected["shift"]  # a number of the state: to the bit
 
 
-MIXED = {"default": {"torque": "0.01 N m"}, "flywheel": {"w1": {"ramp": {"to": "600 rpm", "duration": "30 ms"}}}}
 GOVERNED = {"default": {"run_up": {"torque": "0.05 N m", "to": "100 rpm"}}, "flywheel": {"w3": {"speed": 20}}}
 PUSHED = {"default": {"ramp": {"to": 60, "duration": "9 ms"}}, "wrench": {"carrier": [0, 0, 1, 0, 0.1, 0]}}
 
@@ -82,9 +81,7 @@ PUSHED = {"default": {"ramp": {"to": 60, "duration": "9 ms"}}, "wrench": {"carri
 @pytest.mark.parametrize(
     "regime",
     [
-        pytest.param({"default": {"torque": "0.01 N m"}}, id="torque", marks=pytest.mark.slow),
         pytest.param(GOVERNED, id="run-up beside a speed", marks=pytest.mark.slow),
-        pytest.param(MIXED, id="torque beside a ramp", marks=pytest.mark.slow),
         pytest.param(PUSHED, id="ramp with a wrench", marks=pytest.mark.slow),
     ],
 )
@@ -183,19 +180,3 @@ def test_a_stand_without_equilibrium_needs_a_start() -> None:
         computation(
             stand, {"regime": {"default": {"speed": 1}}, "until": 0.01}, {"a": {"peak": "rate", "at": "carrier"}}
         )
-
-
-def test_a_start_is_the_same_for_all_samples() -> None:
-    """The state of `start` is that of `simulate --start`."""
-    start = {"angles": [0.1, -0.2, 0.3], "V": [0, 0, 0, 0.1, 0.2, 0.3], "phi_dot": [10, 20, 30, 40]}
-    regime = {"default": {"torque": "1e-3 N m"}}
-    own = computation(
-        mahovik.example("sat4"), {"regime": regime, "until": "10 ms", "start": start, "order": 2},
-        {"rate": {"end": "rate", "at": "acc1"}, "s": {"end": "speed", "of": "rw3"}},
-    )  # fmt: skip
-    tables = tables_of(own, SATELLITE)
-    values, _ = own.values(tables)
-    found = columns(tables.stand(1), 0.01, regime=regime, start=start, order=2)
-    assert_allclose(values["s"][1], found["phi_dot rw3 [rad/s]"][-1], rtol=1e-13)
-    rate = np.linalg.norm(vector(found, "xyz", "gyro_{} acc1 [rad/s]"), axis=1)[-1]
-    assert_allclose(values["rate"][1], rate, rtol=1e-13)

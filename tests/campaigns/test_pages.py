@@ -53,17 +53,3 @@ def test_a_slurm_array(folder: Path) -> None:
     assert said.count("6 samples, 0 without quantities") == 10
     assert status(folder / "out").complete
     assert "60 of 60 samples in 10 of 10 shards" in run(folder, "mahovik campaign status out")
-
-
-@pytest.mark.slow
-def test_snakemake(folder: Path) -> None:
-    run(folder, f"{sys.executable} -m snakemake -j 2 --quiet")
-    assert status(folder / "out").complete
-
-
-@pytest.mark.slow
-def test_htcondor_starts_the_command_of_a_shard(folder: Path) -> None:
-    words = dict(line.split("=", 1) for line in FILES["htcondor.sub"].splitlines() if "=" in line)
-    words = {key.strip(): value.strip() for key, value in words.items()}
-    command = f"{words['executable']} {words['arguments']}".replace("$(Process)", "7")
-    assert "shard 7: 6 samples" in run(folder, command)

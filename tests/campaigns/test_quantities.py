@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-from datetime import date
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +13,7 @@ from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
 import mahovik
-from campaigns.computing import Keys, computation, refusal, tables_of
+from campaigns.sections import Keys, computation, tables_of
 from mahovik.contract import laws
 from mahovik.core import motion
 from mahovik.core.stand.random_state import random_state
@@ -62,78 +61,12 @@ def test_a_band_has_the_rms_of_what_swings_in_it(frequency: float, phase: float,
     assert_allclose(found, np.array([1.0, 2.0]) * amplitude / np.sqrt(2), rtol=1e-2, atol=2e-3)
 
 
-def test_all_of_a_band_is_the_mean_square_that_the_window_lets_through() -> None:
-    """Parseval's theorem: what is in all bands together is what is there."""
-    rng, t = np.random.default_rng(5), 1e-3 * np.arange(64)
-    values = rng.normal(size=(64, 3, 2))
-    window = np.sin(np.pi * (np.arange(64) + 0.5) / 64) ** 2
-    about = (values - values.mean(axis=0)) * window[:, None, None]
-    expected = np.sqrt((about**2).sum(axis=(0, 1)) / (window**2).sum())
-    assert_allclose(gathered(BandRms((0.0, 500.0)), t, values, []), expected, rtol=1e-13)
-
-
 def test_settling_is_the_last_time_outside() -> None:
     """exp(-t) comes within 0.1 at ln 10, a constant at once, and what swings on never: all of the run."""
     t = 0.01 * np.arange(2001)
     values = np.stack([np.exp(-t), np.ones_like(t), np.sin(t)], axis=1)[:, None, :]
     found = gathered(Settling(0.1), t, values, [7])
     assert_allclose(found, [np.log(10.0), 0.0, 20.0], atol=0.02)
-
-
-TABLE = "bench8"
-
-
-@pytest.mark.parametrize(
-    ("run", "quantity", "words"),
-    [
-        (SPEED, {"peak": "acceleraton", "at": "carrier"}, 'peak: unknown "acceleraton", did you mean "acceleration"?'),
-        (SPEED, {"peak": "acceleration"}, "at: required, but missing; expected one of carrier"),
-        (SPEED, {"peak": "acceleration", "at": "w1"}, 'at: unknown "w1", expected one of carrier'),
-        (SPEED, {"peak": "force", "of": "leg 1"}, 'of: unknown "leg 1"'),
-        (SPEED, {"peak": "force", "of": "suspensoin"}, 'did you mean "suspension"?'),
-        (SPEED, {"peak": "torque", "of": "w9"}, 'of: unknown "w9", did you mean "w1"?'),
-        (SPEED, {"peak": "torque", "at": "w1"}, "at: not allowed, expected `of`"),
-        (SPEED, {"peak": "torque", "of": "w1", "axis": "x"}, "axis: x: expected none"),
-        (SPEED, {"peak": "error"}, "no signal `error` over regime"),
-        (SPEED, {"peak": "rate", "rms": "rate", "at": "carrier"}, "expected exactly one of"),
-        (SPEED, {"peak": "rate", "at": "carrier", "band": ["1 Hz", "2 Hz"]}, "band: only allowed with `rms`"),
-        (SPEED, {"rms": "rate", "at": "carrier", "band": ["1 Hz", "900 Hz"]}, "band: 900 Hz needs `every` of at most"),
-        (SPEED, {"rms": "rate", "at": "carrier", "band": ["9 Hz", "8 Hz"]}, "band: expected a lower and a higher"),
-        (SPEED, {"rms": "rate", "at": "carrier", "band": ["9 Hz", "19 Hz"]}, "resolved in 0.01 s; needs 0.2 s"),
-        (SPEED, {"peak": "rate", "at": "carrier", "after": "1 s"}, "after: 1 s: expected less than `until`"),
-        (SPEED, {"settling": "rate", "at": "carrier"}, "within: required with `settling`"),
-        (SPEED, {"settling": "rate", "at": "carrier", "within": "1 mm"}, "expected an angular speed (rad/s)"),
-        (SPEED, {"function": "nothing"}, 'function: "nothing": expected "package.module:function"'),
-        (SPEED, {"function": "no_such_module:f"}, "function: no_such_module cannot be imported"),
-        (SPEED, {"function": "math:squareroot"}, 'function: math has no "squareroot"'),
-        (SPEED, {"function": "f.py:f"}, "function: f.py: no such file"),
-        ({"speeds": {"w1": 100}}, {"peak": "torque", "of": "w1"}, "no signal `torque` over speeds; expected one of"),
-        ({"speeds": {"w1": 100}}, {"end": "rate", "at": "carrier"}, "no statistic `end` over speeds"),
-        ({"speeds": {"w1": date(2000, 1, 1)}}, {"rms": "rate", "at": "carrier"}, "speeds: w1: expected a speed"),
-        ({"speeds": {"w1": 100, "w2": 3.14}}, {"rms": "rate", "at": "carrier"}, "over: speeds 100, 3.14"),
-        ({"speeds": {"w1": "0..100"}}, {"rms": "rate", "at": "carrier"}, "a range of speeds, expected one speed"),
-        ({"states": "none.jsonl"}, {"peak": "rate", "at": "carrier"}, "none.jsonl: no such file"),
-        ({"regime": {"default": {"hold": True}}}, {"peak": "rate", "at": "carrier"}, "until: required with `regime`"),
-        (SPEED | {"servo": "s"}, {"peak": "rate", "at": "carrier"}, "run, servo: not allowed with `regime`"),
-        (SPEED | {"states": "s"}, {"peak": "rate", "at": "carrier"}, "exactly one of regime, speeds, programme"),
-        (SPEED | {"order": 3}, {"peak": "rate", "at": "carrier"}, "run, order: 3: expected 4 or 2"),
-        (SPEED | {"dt": "1 m"}, {"peak": "rate", "at": "carrier"}, "run, dt: "),
-        ({"until": 1}, {"peak": "rate", "at": "carrier"}, "found none"),
-        (SPEED | {"regime": "no.toml"}, {"peak": "rate", "at": "carrier"}, "no.toml: no such file"),
-    ],
-)  # fmt: skip
-def test_what_does_not_fit_is_refused_in_one_line(run: Keys, quantity: Keys, words: str, tmp_path: Path) -> None:
-    """It says where, what was found and what was expected, before anything is computed."""
-    said = refusal(TABLE, run, {"q": quantity}, tmp_path)
-    assert words in said, said
-    assert said.startswith(("C.toml: ", "quantity q: ", "over: ", str(tmp_path))), said
-
-
-def test_too_much_to_keep_is_refused() -> None:
-    """A band of a long run with many times of output."""
-    run = SPEED | {"until": "900 s", "every": "0.1 ms"}
-    said = refusal(TABLE, run, {"q": {"rms": "rate", "at": "carrier", "band": ["1 Hz", "100 Hz"]}})
-    assert "expected a larger `every`" in said
 
 
 FUNCTIONS = '''
@@ -167,7 +100,9 @@ def test_a_function_of_the_user_gets_the_arrays_of_one_sample(tmp_path: Path) ->
         seen.append({name: values.shape for name, values in sample.items()})
         return float(sample["t"][-1])
 
-    own = computation(mahovik.example(TABLE), SPEED, wanted, folder=tmp_path, user_functions={"given in Python": mine})
+    own = computation(
+        mahovik.example("bench8"), SPEED, wanted, folder=tmp_path, user_functions={"given in Python": mine}
+    )
     assert own.units == {"fast": "rad/s", "picky": "", "mine": "", "sp": "rad/s"}
     values, reasons = own.values(tables_of(own, {"carrier.mass": np.linspace(11, 13, n)}))
     failed = np.array([bool(reason) for reason in reasons])
@@ -178,15 +113,6 @@ def test_a_function_of_the_user_gets_the_arrays_of_one_sample(tmp_path: Path) ->
     assert set(values["mine"][~failed]) == {0.01}
     expected = {"t": (11,), "V": (11, 6), "attitude": (11, 4), "phi": (11, 8), "tau": (11, 8), "mount w8": (11, 6)}
     assert seen[0] | expected == seen[0]
-
-
-def test_a_function_that_gives_no_number_is_a_reason(tmp_path: Path) -> None:
-    """Every sample has it, and nothing is raised."""
-    (tmp_path / "own.py").write_text(FUNCTIONS, encoding="utf-8")
-    own = computation(mahovik.example(TABLE), SPEED, {"q": {"function": "own.py:words"}}, folder=tmp_path)
-    values, reasons = own.values(tables_of(own, {"carrier.mass": np.array([12.0, 12.1])}))
-    assert reasons == ["own.py:words: gives str, expected a number"] * 2
-    assert np.isnan(values["q"]).all()
 
 
 LEGS = """

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import re
 from html import unescape
-from html.parser import HTMLParser
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import mahovik
-from campaigns.files import write
+from campaigns.sections import write
 from campaigns.stub import POISON, load_stub, write_stub
 from mahovik.errors import CheckError
 from mahovik.out.campaign.convergence import quantile_interval
@@ -57,30 +56,6 @@ def test_the_page_says_what_the_rows_say(folder: CampaignFolder, tmp_path: Path)
     assert not re.search(r'(src|href)="(http|//)', html)
 
 
-def test_the_page_is_well_formed(folder: CampaignFolder, tmp_path: Path) -> None:
-    page = folder.report(tmp_path / "page.html").page
-    stack: list[str] = []
-
-    class Checker(HTMLParser):
-        def handle_starttag(self, tag: str, attrs: object) -> None:
-            if tag not in ("meta", "rect", "path", "use", "br"):
-                stack.append(tag)
-
-        def handle_endtag(self, tag: str) -> None:
-            if tag in stack:
-                assert stack.pop() == tag
-
-    Checker().feed(page.read_text(encoding="utf-8"))
-    assert stack == []
-
-
-def test_a_page_has_one_quantile_of_95_percent(folder: CampaignFolder, tmp_path: Path) -> None:
-    """The order statistic of the table, in the head as well; not one between two samples."""
-    text = text_of(folder.report(tmp_path / "page.html", worst=0).page)
-    of_table = quantile_interval(folder.columns()["double"], 0.95).value
-    assert f"95 % below {of_table:.4g}" in text and f"95 % below {of_table:.5g}" in text
-
-
 def test_the_worst_samples_are_stand_files(folder: CampaignFolder, tmp_path: Path) -> None:
     written = folder.report(tmp_path / "page.html", worst=3)
     columns = folder.columns()
@@ -104,17 +79,6 @@ def test_missing_rows_are_said_on_top(tmp_path: Path) -> None:
     with pytest.raises(CheckError, match="no rows yet"):
         found.report(tmp_path / "page.html")
     assert not (tmp_path / "page.html").exists()
-
-
-def test_queries_give_the_columns(folder: CampaignFolder) -> None:
-    query, columns = Query(folder.path, folder.status()), folder.columns()
-    assert query.count() == 300
-    assert np.array_equal(query.with_gaps("root"), columns["root"], equal_nan=True)
-    good = columns["error"] == ""
-    assert np.array_equal(query.columns(["double"])["double"], columns["double"][good])
-    assert query.parameters_of(17) == {"carrier.mass": columns["carrier.mass"][17]}
-    thinned = query.columns(["double"], every=7)["double"]
-    assert np.array_equal(thinned, columns["double"][good & (columns["sample"] % 7 == 0)])
 
 
 def test_only_the_rows_of_the_folder_are_in_its_report(tmp_path: Path) -> None:

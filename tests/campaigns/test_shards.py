@@ -19,7 +19,7 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.out.campaign.dataset import merge, remove_drafts, status
 from mahovik.out.campaign.folder import begin, make_shard, whole_shard
 from mahovik.out.campaign.manifest import read_manifest
-from mahovik.out.campaign.shards import DamagedError, read_shard, runs_of, shard_path
+from mahovik.out.campaign.shards import DamagedError, read_shard, shard_path
 
 
 @pytest.fixture
@@ -63,13 +63,6 @@ def test_a_shard_has_the_same_bytes_whenever_it_is_written(folder: Path) -> None
     assert [shard_path(folder, k).read_bytes() for k in range(4)] == before
 
 
-def test_a_whole_shard_is_not_computed_again(folder: Path) -> None:
-    record = make_shard(folder, 2, load_stub)
-    written = shard_path(folder, 2).stat().st_mtime_ns
-    assert make_shard(folder, 2, load_stub) == record
-    assert shard_path(folder, 2).stat().st_mtime_ns == written
-
-
 def test_every_flipped_bit_is_found(folder: Path) -> None:
     make_shard(folder, 3, load_stub)
     path = shard_path(folder, 3)
@@ -87,7 +80,7 @@ def test_every_flipped_bit_is_found(folder: Path) -> None:
     flip()
 
 
-@pytest.mark.parametrize("part", [0.0, 0.1, 0.5, 0.99])
+@pytest.mark.parametrize("part", [0.0, 0.99])
 def test_a_truncated_shard_is_found_and_computed_again(part: float, folder: Path) -> None:
     make_all(folder)
     path = shard_path(folder, 1)
@@ -155,15 +148,3 @@ def test_a_number_of_no_shard_is_refused(folder: Path) -> None:
     for number in (-1, 4):
         with pytest.raises(UsageError, match=f"shard {number}: not there, expected 0 to 3"):
             make_shard(folder, number, load_stub)
-
-
-@given(st.sets(st.integers(0, 30)))
-def test_numbers_are_written_as_ranges(numbers: set[int]) -> None:
-    text = runs_of(numbers)
-    if "more" in text:
-        return
-    found: set[int] = set()
-    for part in filter(None, text.split(", ")):
-        low, _, high = part.partition("-")
-        found |= set(range(int(low), int(high or low) + 1))
-    assert found == numbers

@@ -10,9 +10,14 @@ from numpy.typing import NDArray
 from scipy import stats
 
 import mahovik
-from campaigns.files import read, refusal
+from api.models import stand
+from campaigns.sections import read
+from mahovik.out.api.stands import Stand
 from mahovik.out.campaign.designs import Random
+from mahovik.out.campaign.distributions import Fixed
+from mahovik.out.campaign.draw import Draw, Parameter
 from mahovik.out.campaign.file import CampaignFile
+from mahovik.out.campaign.places import Place, Places
 
 Array = NDArray[np.float64]
 
@@ -156,71 +161,49 @@ def test_correlated_rows_are_the_same_however_they_are_parted(tmp_path: Path, pi
             assert column.tobytes() == whole[path][first:last].tobytes()
 
 
-REFUSALS = {
-    '"rw5.mass" = { tolerance = "1 g" }': 'vary "rw5.mass": sat4 has no "rw5", did you mean "rw1"?',
-    '"wheel*.mass" = { tolerance = "1 g" }': 'no name matches "wheel*"',
-    '"rw1.unbalance.statik" = { tolerance = "1 g mm" }': 'unknown key "statik", did you mean "static"?',
-    '"rw1.mass" = { tolerance = "1 mm" }': 'tolerance: unit "mm" does not fit, expected a mass (kg)',
-    '"rw1.mass" = { normal = ["1 kg", "1 mm"] }': 'vary "rw1.mass": normal[1]: unit "mm" does not fit',
-    '"rw1.mass" = { normal = ["1 kg"] }': "normal: expected 2 numbers, found 1",
-    '"rw1.mass" = { norml = ["1 kg", "1 g"] }': 'unknown key "norml", did you mean "normal"?',
-    '"rw1.mass" = { least = "1 kg" }': 'unknown key "least"',
-    '"rw1.mass" = { normal = [1, 0.1], uniform = [1, 2] }': "expected one of normal, relative",
-    '"rw1.mass" = "1 kg"': "expected a table such as",
-    '"rw1.mass" = { uniform = ["3 kg", "2 kg"] }': "uniform: 2 is below 3 kg",
-    '"rw1.mass" = { normal = [-1, 0.1] }': "normal[0]: -1 kg is negative",
-    '"rw1.mass" = { normal = [2, -0.1] }': "is negative, expected a spread",
-    '"rw1.mass" = { normal = [2, 0.1], least = 9 }': "the distribution has no values between them",
-    '"rw1.mass" = { normal = [2, 0.1], least = 3, most = 1 }': "least: 3 is above most, 1 kg",
-    '"gravity[2]" = { relative = 0.1 }': "gravity[2] is zero in the stand file",
-    '"rw1" = { tolerance = "1 g" }': "is a table; expected the path of a number, such as rw1.mass",
-    '"rw1.name" = { tolerance = "1 g" }': "is no number",
-    '"rw1.position[3]" = { tolerance = "1 mm" }': "expected a place from [0] to [2], found [3]",
-    '"carrier.inertia" = { relative = 0.1 }': "expected an element of the matrix, such as carrier.inertia.J12",
-    '"rw1.buoyancy.displaced_mass" = { relative = 0.1 }': "has no rw1.buoyancy to vary",
-    '"rw1.motor.torque" = { relative = 0.1 }': "acts in no table of the C",
-    '"rw1..mass" = { relative = 0.1 }': "is no path",
-    '"rw1.unbalance" = { grade = "G 2.5" }': "speed: required with grade, but missing",
-    '"rw1.unbalance" = { grade = 2.5, speed = "3000 rpm" }': 'expected a balance quality grade, such as "G 2.5"',
-    '"rw1.unbalance" = { grade = "G 2.5", speed = "50 Hz" }': "speed: ",
-    '"carrier.unbalance" = { grade = "G 2.5", speed = "50 rpm" }': "carrier.unbalance",
-    '"rw1.mass" = { table = "none.csv" }': "none.csv: cannot be read",
-    '"rw1.mass" = { discrete = [] }': "discrete: expected at least one value",
-    '"rw1.mass" = { discrete = [1, 2], weights = [0, 0] }': "weights: expected numbers from 0",
-    '"rw1.mass" = { lognormal = ["0 kg", 0.1] }': "0 kg is not above 0",
-    '"rw*.mass" = { relative = 0.1 }\n"*1.mass" = { relative = 0.2 }': "rw1.mass varies twice, also by",
-}
+PATTERNS = {
+    "sat4": ("rw*.unbalance.*", "rw*.position", "carrier.center_of_mass[1]", "carrier.inertia.J12", "rw2.axis[0]",
+             "rw3.spin_inertia", "rw1.transverse_inertia", "acc1.position[2]", "carrier.mass"),
+    "demo3": ("w1.unbalance.static_at", "w*.mass", "carrier.inertia.J33"),
+    "remus6": ("carrier.added_mass[0][0]", "carrier.damping.terms[*].value", "carrier.buoyancy.center[2]"),
+    "everything": ("leg[*].stiffness", "leg[0].ground[1]", "suspension.stiffness[0][0]", "gravity[2]"),
+}  # fmt: skip
 
 
-@pytest.mark.parametrize("entry", REFUSALS)
-def test_what_cannot_vary_is_refused_by_name(tmp_path: Path, entry: str) -> None:
-    assert REFUSALS[entry] in refusal(tmp_path, f"[vary]\n{entry}\n")
+def moved(places: Places, place: Place, value: float) -> Stand:
+    """The stand with one number changed."""
+    draw = Draw((Parameter(place, Fixed(value), None),), (), None, places.matrices())
+    changes = draw.changes({place.path: np.array([value])})
+    return places.stand().replace({key: column[0] for key, column in changes.items()})
 
 
-def test_an_unbalance_varies_once(tmp_path: Path) -> None:
-    body = '[vary]\n"w1.unbalance.static" = { relative = 0.1 }\n"w1.center_of_mass[1]" = { tolerance = "1 mm" }'
-    text = refusal(tmp_path, body, stand="bench8")
-    assert "w1.center_of_mass[1] and w1.unbalance.static are the same unbalance" in text
+@pytest.mark.parametrize("name", PATTERNS)
+def test_a_number_is_found_with_its_value(name: str) -> None:
+    of = Stand.of(stand(name))
+    places = Places(of)
+    found = [place for pattern in PATTERNS[name] for place in places.find(pattern)]
+    assert len({place.path for place in found}) == len(found)
+    assert places.stand() == of  # lists in SI, with the same bits
+    for place in found[:: 1 + len(found) // 8]:
+        value = place.nominal * 1.001 + 1e-12
+        after = Places(moved(places, place, value))
+        there = {each.path: each for pattern in PATTERNS[name] for each in after.find(pattern)}
+        for each in found:
+            if each is place:
+                assert there[each.path].nominal == pytest.approx(value, rel=1e-9), each.path
+            elif "unbalance" not in place.path + each.path:  # a mass changes the unbalance of the same body
+                assert there[each.path].nominal == each.nominal, (place.path, each.path)
 
 
-def test_a_table_without_the_column_is_refused(tmp_path: Path) -> None:
-    (tmp_path / "w.csv").write_text("static [g mm],mas [kg]\n1,2\n")
-    text = refusal(tmp_path, '[vary]\n"rw1.mass" = { table = "w.csv" }')
-    assert 'w.csv has no column "mass", did you mean "mas"?' in text
-    (tmp_path / "w.csv").write_text("mass [kg]\n2\nheavy\n")
-    assert '"heavy" is not a number' in refusal(tmp_path, '[vary]\n"rw1.mass" = { table = "w.csv" }')
-
-
-CORRELATIONS = {
-    'of = ["rw1.mass"]\ncoefficient = 0.5': "expected two numbers or more",
-    'of = ["rw1.mass", "carrier.mass"]\ncoefficient = 0.5': "carrier.mass does not vary",
-    'of = ["rw*.mass"]\ncoefficient = 1': "expected above -1 and below 1",
-    'of = ["rw*.mass"]\ncoefficient = -0.5': "not positive definite",
-    'of = ["rw*.mass"]\ncoefficient = 0.1\n[[correlation]]\nof = ["rw1.mass", "rw2.mass"]\ncoefficient = 0.2': "twice",
-}
-
-
-@pytest.mark.parametrize("entry", CORRELATIONS)
-def test_correlations_that_cannot_be_are_refused(tmp_path: Path, entry: str) -> None:
-    text = refusal(tmp_path, f'[vary]\n"rw*.mass" = {{ relative = 0.01 }}\n[[correlation]]\n{entry}\n')
-    assert CORRELATIONS[entry] in text
+def test_dimensions_are_those_of_the_stand_file() -> None:
+    units = {
+        place.path: place.dimension.si
+        for pattern in PATTERNS["sat4"]
+        for place in Places(Stand.of(stand("sat4"))).find(pattern)
+    }
+    assert units["rw1.unbalance.static"] == "kg m"
+    assert units["rw4.unbalance.dynamic_at"] == "rad"
+    assert units["carrier.inertia.J12"] == "kg m^2"
+    assert units["rw2.axis[0]"] == ""
+    stiffness = Places(Stand.of(stand("everything")))
+    assert stiffness.find("suspension.stiffness[0][4]")[0].dimension.si == "N/rad"

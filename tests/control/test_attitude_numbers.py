@@ -145,10 +145,7 @@ def test_the_numbers_are_right(even: bool) -> None:
 
 
 FAULTS = {
-    "all flywheels are there": (
-        "envelope(np.delete(columns, s, axis=0)).radius",
-        "envelope(columns).radius + 0 * s",
-    ),
+    "all flywheels are there": ("envelope(np.delete(columns, s, axis=0)).radius", "envelope(columns).radius + 0 * s"),
     "the lightest flywheel is missing": ("least = min(envelope", "least = max(envelope"),
     "the least inertia": ("principal_inertia[-1]", "principal_inertia[0]"),
     "the inertia between": ("principal_inertia[-1]", "principal_inertia[1]"),
@@ -165,10 +162,7 @@ FAULTS = {
     "the last flywheel alone is checked": ("most, first = min((most, first), ", "most, first = max((0.0, ''), "),
     "another part of the no-load speed": ("0.7 * wheel.motor.speed", "0.8 * wheel.motor.speed"),
     "avoided speeds beyond the preferred ones": ('"avoid": 0.1', '"avoid": 1.1'),
-    "avoided speeds of the no-load speed": (
-        "0.1 * float(np.abs(preferred).max())",
-        "0.1 * _no_load(motors)",
-    ),
+    "avoided speeds of the no-load speed": ("0.1 * float(np.abs(preferred).max())", "0.1 * _no_load(motors)"),
     "the largest no-load speed": ("return min((m.speed for", "return max((m.speed for"),
     "the largest torque": ("torque = min((m.torque for", "torque = max((m.torque for"),
 }

@@ -27,11 +27,7 @@ angles = [0.3, 0.2, 0.1]
 """
 COUNTS = 4096
 
-HEADER = (
-    "time [s]",
-    *(f"imu.acceleration.{x} [m/s2]" for x in AXES),
-    *(f"imu.rate.{x} [rad/s]" for x in AXES),
-)
+HEADER = ("time [s]", *(f"imu.acceleration.{x} [m/s2]" for x in AXES), *(f"imu.rate.{x} [rad/s]" for x in AXES))
 
 
 @cache

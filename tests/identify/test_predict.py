@@ -66,8 +66,7 @@ def test_unknown_channels_are_named(name: str, words: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("path", "words"),
-    [("w9.mass", 'no "w9"'), ("imo.delay", 'did you mean "imu"'), ("w1.encoder.counts", "no|acts")],
+    ("path", "words"), [("w9.mass", 'no "w9"'), ("imo.delay", 'did you mean "imu"'), ("w1.encoder.counts", "no|acts")]
 )
 def test_unknown_free_numbers_are_named(path: str, words: str) -> None:
     with pytest.raises(UsageError, match=words):

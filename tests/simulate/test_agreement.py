@@ -88,9 +88,7 @@ def worst(a: Run, b: Run) -> float:
 
 
 @pytest.mark.parametrize(
-    ("text", "dt"),
-    quick(1, [(TORQUES, 1e-4), (MIXED, 5e-5), (LAWS, 1e-4)]),
-    ids=["torques", "mixed", "laws"],
+    ("text", "dt"), quick(1, [(TORQUES, 1e-4), (MIXED, 5e-5), (LAWS, 1e-4)]), ids=["torques", "mixed", "laws"]
 )
 def test_c_agrees_with_scipy(text: str, dt: float) -> None:
     """Inputs that vary within a step count as constant there: an error of dt squared."""

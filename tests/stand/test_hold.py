@@ -11,16 +11,7 @@ from hypothesis import strategies as st
 
 from mahovik.core.stand import dumps, identities, loads, structure
 from mahovik.core.stand.definite import condition_of_twists
-from mahovik.core.stand.hold import (
-    FREEDOMS,
-    has_coordinates,
-    is_closed,
-    kinds,
-    no_coordinates,
-    twist_of,
-    twists,
-    words,
-)
+from mahovik.core.stand.hold import FREEDOMS, has_coordinates, is_closed, kinds, no_coordinates, twist_of, twists, words
 from mahovik.core.stand.model import Freedom, Hold
 from mahovik.core.stand.summary import summarize
 from mahovik.errors import StandError

@@ -9,13 +9,7 @@ import mpmath
 import pytest
 
 from mahovik.core.stand import dumps, load, loads
-from mahovik.core.stand.model import (
-    Encoder,
-    Motor,
-    MountingAngles,
-    MountingAxes,
-    Point,
-)
+from mahovik.core.stand.model import Encoder, Motor, MountingAngles, MountingAxes, Point
 from mahovik.errors import StandError
 from mahovik.laws.buoyancy.data import Buoyancy
 from mahovik.laws.damping.data import Damping, DampingTerm, Factor

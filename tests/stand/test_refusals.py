@@ -52,10 +52,7 @@ CASES = {
         'flywheel "w1": unknown key "added_mass": that of a flywheel would turn with it; give it to the carrier or an '
         "instrument",
     ),
-    "bool is no number": (
-        BASE.replace("mass = 3", "mass = true"),
-        "carrier, mass: expected a mass (kg), found true",
-    ),
+    "bool is no number": (BASE.replace("mass = 3", "mass = true"), "carrier, mass: expected a mass (kg), found true"),
     "date is no number": (
         BASE.replace("mass = 3", "mass = 2024-01-01"),
         "carrier, mass: expected a mass (kg), found a date",
@@ -72,10 +69,7 @@ CASES = {
         BASE.replace("schema = 1", 'schema = 1\nphase_input = "sincos"', 1),
         'phase_input: "sincos" says how phases are given, but there is no flywheel',
     ),
-    "wrench_input a number": (
-        BASE + "wrench_input = 1",
-        "carrier, wrench_input: expected true or false, found 1",
-    ),
+    "wrench_input a number": (BASE + "wrench_input = 1", "carrier, wrench_input: expected true or false, found 1"),
     # units
     "wrong dimension": (
         BASE.replace("mass = 3", 'mass = "3 mm"'),
@@ -315,14 +309,8 @@ CASES = {
     "C keyword": (BASE + WHEEL.replace("w1", "double"), 'flywheel "double", name: "double" is a C keyword'),
     "C++ keyword": (BASE.replace('"s"', '"class"'), 'name: "class" is a C++ keyword'),
     "same name twice": (BASE + WHEEL + WHEEL, 'flywheel "w1", name: taken by a flywheel'),
-    "point named as a body": (
-        BASE + WHEEL + '[[point]]\nname = "w1"',
-        'point "w1", name: taken by a flywheel',
-    ),
-    "carrier is taken": (
-        BASE + '[[instrument]]\nname = "carrier"',
-        'instrument "carrier", name: taken by the carrier',
-    ),
+    "point named as a body": (BASE + WHEEL + '[[point]]\nname = "w1"', 'point "w1", name: taken by a flywheel'),
+    "carrier is taken": (BASE + '[[instrument]]\nname = "carrier"', 'instrument "carrier", name: taken by the carrier'),
     "unknown mount": (
         BASE + '[[instrument]]\nname = "gyro"\n' + WHEEL + 'mount = "giro"',
         'flywheel "w1", mount: unknown "giro", did you mean "gyro"?',
@@ -332,10 +320,7 @@ CASES = {
         'point "p", mount: "w1" is a flywheel, expected "carrier" or an instrument',
     ),
     # the whole
-    "no mass at all": (
-        BASE.replace("mass = 3", "mass = 0"),
-        "total mass is zero: there is no centre of mass",
-    ),
+    "no mass at all": (BASE.replace("mass = 3", "mass = 0"), "total mass is zero: there is no centre of mass"),
     "a motion without inertia": (
         HEAD + "[carrier]\nmass = 1\ninertia = [0, 0, 0]",
         "mass matrix of the whole stand, scaled to unit diagonal, has a zero on its diagonal, or overflows, "

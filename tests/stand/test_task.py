@@ -83,10 +83,7 @@ REFUSED = {
         task("[]"),
         'task "sight", rows: expected a list of rows such as ["wx", "wy", "wz"], found an empty list',
     ),
-    "twice": (
-        task('["wx", "vx", { point = "mast", rows = ["wx"] }, "vx"]'),
-        'task "sight", rows: vx is given twice',
-    ),
+    "twice": (task('["wx", "vx", { point = "mast", rows = ["wx"] }, "vx"]'), 'task "sight", rows: vx is given twice'),
     "dependent": (
         task('["wx", { point = "mast", rows = ["wy", "wx"] }]'),
         'task "sight", rows: mast.wx follows from wx at every state: rows of a task must be independent; '

@@ -15,11 +15,7 @@ UNBALANCE = 'unbalance = { static = "30 g mm", dynamic = "200 g cm^2" }\n'
     ("unbalance", "least", "words"),
     [
         ("", "225", "spin_inertia/2 = 225 g cm^2 across its axis: for"),
-        (
-            UNBALANCE,
-            "402.838",
-            "spin_inertia/2 = 225 g cm^2 across its axis, with this unbalance 402.838 g cm^2: for",
-        ),
+        (UNBALANCE, "402.838", "spin_inertia/2 = 225 g cm^2 across its axis, with this unbalance 402.838 g cm^2: for"),
     ],
 )
 def test_a_disc_thinner_than_any_is_told_the_least_transverse_inertia(unbalance: str, least: str, words: str) -> None:
