@@ -52,13 +52,6 @@ def test_a_linear_part_that_drives_does_so_at_every_speed() -> None:
     assert power.power > 0
 
 
-def test_the_speed_from_which_it_drives() -> None:
-    """X = -u + 2 u^2 drives above 0.5 m/s; found at the next speed of the search, a factor of 1.78 at most."""
-    power = fluid(hull('linear = [1, 9, 9, 1, 9, 9]\nterms = [{ wrench = "X", of = ["u", "u"], value = 2 }]'), 1.0)
-    for each in power.powers:
-        assert 0.5 < each.speed < 0.5 * 1.8
-
-
 def test_lift_damps_ahead_and_drives_astern() -> None:
     """Y = -30 u v has the power -30 u v^2."""
     astern, ahead = fluid(hull('terms = [{ wrench = "Y", of = ["u", "v"], value = -30 }]'), 1.0).powers
@@ -122,19 +115,6 @@ def test_check_prints_it(tmp_path: Path) -> None:
         message = refused("check", str(file), "--fluid", wrong)
         assert message.startswith("error: --fluid: ")
         assert words in message
-
-
-def test_the_moment_of_munk_is_taken_out_where_derivatives_contain_it(tmp_path: Path) -> None:
-    """Then nothing turns a hull without derivatives, and its course is neutral."""
-    file = tmp_path / "hull.toml"
-    file.write_text(f'{HEAD}[carrier.damping]\nderivatives = "with added-mass products"\n', encoding="utf-8")
-    text = " ".join(run("check", str(file), "--fluid", "1.5").stdout.split())
-    assert "about y, taken out with the other products on carrier" in text
-    assert "neutral" in text
-    file.write_text(f"{HEAD}[carrier.damping]\nlinear = [30, 900, 900, 20, 200, 200]\n", encoding="utf-8")
-    text = " ".join(run("check", str(file), "--fluid", "0.5").stdout.split())
-    assert "taken out" not in text
-    assert "small motions decay" in text
 
 
 def test_check_warns_of_fins_without_stall_and_of_fading_damping_that_drives(tmp_path: Path) -> None:

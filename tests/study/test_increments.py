@@ -15,7 +15,7 @@ from mahovik.core.stand.state import rest_state
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.functions.carries import end_of_steps
 from mahovik.stands import path
-from mahovik.use.study.increments import lost_increments, lost_increments_line
+from mahovik.use.study.increments import lost_increments
 
 SAT4 = load(path("sat4"))
 SPEED = 6000 * math.pi / 30
@@ -58,18 +58,6 @@ def test_check_names_step_part_and_remedy() -> None:
     given = json.loads(run("check", str(path("sat4")), "--dt", "1e-4", "--json").stdout)["increments"]
     assert [each["flywheel"] for each in given] == ["rw1", "rw2", "rw3", "rw4"]
     assert given[0]["part"] == pytest.approx(2**-15 / given[0]["increment"])
-
-
-def test_check_says_nothing_of_float_steps_without_being_asked() -> None:
-    assert "step_carried" not in run("check", str(path("sat4"))).stdout
-    assert json.loads(run("check", str(path("sat4")), "--json").stdout)["increments"] == []
-
-
-def test_no_line_where_nothing_is_lost() -> None:
-    still = replace(SAT4, flywheels=())
-    assert lost_increments(still, [], 1e-4) == [] and lost_increments_line([]) == ""
-    slow = [1e-3] * len(SAT4.flywheels)
-    assert lost_increments(SAT4, slow, 1e-4) == []
 
 
 def test_long_steps_lose_nothing_worth_a_warning() -> None:

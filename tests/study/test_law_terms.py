@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
-import pytest
 
 from mahovik.contract.laws import of_bodies
 from mahovik.core.stand.model import Carrier, Mat6, Stand
@@ -21,12 +20,9 @@ from mahovik.laws.fin.data import Fins
 from mahovik.laws.propeller.data import Propeller, Propellers
 from mahovik.proof import reference
 from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
-from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.wrench_kinds import body_wrench
 from mahovik.proof.verify.actuators import stand_at, with_drawn_actuators
-from mahovik.proof.verify.backends import CasadiBackend, NumpyBackend
-from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.states import Request
 
 VEHICLES = Path(__file__).parents[2] / "docs" / "vehicles"
@@ -113,10 +109,6 @@ def test_the_sign_of_a_lift_in_all_its_components() -> None:
     }
 
 
-def test_a_lift_that_is_missing_in_one_component() -> None:
-    assert named(found(with_fin(lift_slope=0.0), [5])) == {("N", "rudder lift", 0.0, 1.0, "rudder.lift_slope")}
-
-
 def test_a_factor_of_a_thrust_and_a_missing_torque() -> None:
     assert named(found(with_screw(thrust=(0.3, -0.4, -0.1)), [0])) == {
         ("X", "screw thrust |n| V_a", 2.0, 1.0, "screw.thrust[1]")
@@ -130,12 +122,6 @@ def test_a_station_of_a_table() -> None:
     assert named(found(with_strips(drag_z=(0.7, 1.6, 0.6)), [2])) == {
         ("Z", "cross flow (w - x q) at 0.1 m", 2.0, 1.0, "carrier.cross_flow.drag_z[1]")
     }
-
-
-def test_a_whole_table_with_the_wrong_sign_in_one_component() -> None:
-    law = law_of(vehicle(), CrossFlow)
-    result = found(with_strips(drag_z=tuple(-x for x in law.drag_z), drag_y=tuple(-x for x in law.drag_y)), [4])
-    assert named(result) == {("M", "cross flow (w - x q)", -1.0, 1.0, "carrier.cross_flow")}
 
 
 def test_an_element_of_fading_damping() -> None:
@@ -166,35 +152,3 @@ def test_parts_of_a_law_add_up_to_it() -> None:
         for detail in {term.detail for term in terms}:
             total = sum(term.value * term.wrench for term in terms if term.detail == detail)
             np.testing.assert_allclose(total, expected, rtol=1e-12, atol=1e-12 * np.abs(expected).max())
-
-
-@pytest.mark.parametrize(("product", "name"), [((1, 5), "Y_vdot"), ((2, 4), "Z_wdot")])
-def test_equal_coefficients_of_two_axes_keep_their_names(product: tuple[int, int], name: str) -> None:
-    """Y_vdot = Z_wdot: of the force ahead v r has the one, w q the other."""
-    stand = replace(vehicle(), carrier=replace(vehicle().carrier, laws=()))
-    a, b = product
-    added = np.array(stand.carrier.added_mass)
-    assert added[1, 1] == added[2, 2]
-
-    def answers(request: Request) -> Mapping[str, Any]:
-        at: Pieces = reference.pieces(stand, request.state)
-        right = at.F - bias(at)
-        right[0] -= 2 * (1 if a == 1 else -1) * added[1, 1] * at.V_r[a] * at.V_r[b]
-        V_r_dot = np.asarray(np.linalg.solve(at.K, right), dtype=np.float64)
-        return {"V_dot": at.V_dot(V_r_dot).tolist()}
-
-    (term,) = TermSearch(stand, wants=("forward",)).find(answers).terms
-    assert (term.component, term.multiple.coefficient) == ("X", name)
-    assert term.multiple.factor == -term.multiple.expected  # type: ignore[operator]
-
-
-def test_backends_take_the_actuators_of_a_state() -> None:
-    stand = load(VEHICLES / "nps_auv2.toml")
-    rng = np.random.default_rng(2)
-    still = replace(rest_state(stand), V=(1.0, 0.2, -0.1, 0.3, 0.2, -0.4))
-    moved = with_drawn_actuators(stand, still, rng)
-    answers = [each.evaluate(moved, ("forward",))["V_dot"] for each in
-               (NumpyBackend(stand), CasadiBackend(stand), CBackend(stand))]  # fmt: skip
-    np.testing.assert_allclose(answers[1], answers[0], rtol=1e-11)
-    np.testing.assert_allclose(answers[2], answers[0], rtol=1e-11)
-    assert not np.allclose(answers[0], NumpyBackend(stand).evaluate(still, ("forward",))["V_dot"], rtol=1e-3)

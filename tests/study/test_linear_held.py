@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from dataclasses import replace
 from pathlib import Path
@@ -10,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cli.run import refused, run
+from cli.run import refused
 from cli.test_eval_held import TEXT
 from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Hold, Stand
@@ -111,16 +110,6 @@ def test_the_derivatives_are_those_of_the_reference() -> None:
     turning = np.array([[0, -w, v], [w, 0, -u], [-v, u, 0]])
     assert model.A[:m, :m] == pytest.approx(-turning, abs=1e-12)  # as the axes turn
     assert model.A[:m, m : 2 * m] == pytest.approx(np.eye(m), abs=1e-12)
-
-
-def test_outputs_of_points_are_on_their_circle(tmp_path: Path) -> None:
-    (tmp_path / "pendulum.toml").write_text(TEXT)
-    made = run("linearize", str(tmp_path / "pendulum.toml"), "-o", str(tmp_path / "m.json"), "--points", "tip")
-    assert made.exit_code == 0, made.output
-    model = json.loads((tmp_path / "m.json").read_text())
-    assert model["states"] == ["q_pitch", "u_pitch", "phi w1", "phi_dot w1"]
-    moves = np.array(model["C"])[:3, 0]
-    assert moves == pytest.approx([0.3, 0, 0], abs=1e-12)  # 0.3 m from the pivot, across
 
 
 @pytest.mark.parametrize(

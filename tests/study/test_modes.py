@@ -98,11 +98,3 @@ def test_free_flywheels_hang_like_pendulums() -> None:
         assert found.modes[0].frequency == pytest.approx(expected, rel=1e-3)  # the carrier gives way a little
         assert found.modes[0].kind == ("growth" if unstable else "oscillation")
         assert not modes(linear_model(stand, state, locked=True)).unstable
-
-
-def test_drag_leaves_a_place_free_and_stops_a_speed() -> None:
-    stand = load(path("auv6"))
-    found = modes(linear_model(stand, rest(stand).state, locked=True))
-    assert [mode.kind for mode in found.modes].count("free") == 4
-    assert [mode.kind for mode in found.modes].count("decay") == 4
-    assert found.zeros == 4

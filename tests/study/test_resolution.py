@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -79,16 +78,6 @@ def test_rounding_is_what_the_estimate_allows(name: str) -> None:
                 expected = reference.evaluate(stand, state, [want], at)[quantity.key]
                 off = np.abs(np.array(c.evaluate(state, [want])[quantity.key]) - expected)
                 assert (off <= FACTOR * UNIT * quantity.terms(at, state)).all(), (want, motion)
-
-
-def test_check_says_so(tmp_path: Path) -> None:
-    file = tmp_path / "heavy.toml"
-    file.write_text(dumps(heavy()))
-    result = run("check", str(file), "--speed", str(SPEED))
-    assert result.exit_code == 0
-    assert "warning: float: the unbalance of left at 2864.8 rpm" in result.stdout
-    listed = json.loads(run("check", str(file), "--speed", str(SPEED), "--json").stdout)["float"]
-    assert ("left", "forward") in {(each["flywheel"], each["want"]) for each in listed}
 
 
 def test_generate_of_float_says_so_as_check_does(tmp_path: Path) -> None:

@@ -16,7 +16,7 @@ from mahovik.stands import path
 from mahovik.use.study.band import rms
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.response import Scene, common_period, periodic_response
-from mahovik.use.study.response.periodic import derivative, odd_length, resample
+from mahovik.use.study.response.periodic import derivative, resample
 from mahovik.use.study.response.speeds import read_speeds
 from mahovik.use.study.response.sweep import csv_text, json_text, sweep
 from physics.general import suspension_of
@@ -74,18 +74,6 @@ def test_it_solves_the_equations_between_its_nodes(bench8: Scene) -> None:
     assert np.abs(off).max() < 1e-9 * np.abs(derivative(y, found.turning.base)).max()
 
 
-def test_the_jacobian_is_that_of_the_rate(bench8: Scene) -> None:
-    rng = np.random.default_rng(3)
-    y = rng.normal(size=(4, 12)) * 0.05
-    given = bench8.drive(rng.normal(size=(4, 8)), rng.normal(size=(4, 8)) * 50)
-    J = bench8.jacobian(given, y, bench8.chart.acceleration(given, y))
-    for i in range(12):
-        aside = np.zeros(12)
-        aside[i] = 1e-5
-        column = (bench8.chart.rate(given, y + aside) - bench8.chart.rate(given, y - aside)) / 2e-5
-        assert np.abs(J[:, :, i] - column).max() < 2e-5 * np.abs(J).max()  # the third order in r, and the difference
-
-
 def test_shifting_all_phases_shifts_time(bench8: Scene) -> None:
     speeds, angle = [30.0] * 8, 0.7
     plain = periodic_response(bench8, speeds, ["carrier"]).points["carrier"].harmonics("velocity")
@@ -93,22 +81,6 @@ def test_shifting_all_phases_shifts_time(bench8: Scene) -> None:
     count = min(len(plain), len(later))
     turned = plain[:count] * np.exp(1j * angle * np.arange(count))[:, None]
     assert np.abs(turned - later[:count]).max() < 1e-10 * np.abs(plain).max()
-
-
-def test_effects_of_flywheels_do_not_add_up(bench8: Scene) -> None:
-    """The reason why speeds without a common period are refused, and not superposed."""
-    alone = [periodic_response(bench8, row, ["carrier"]) for row in np.diag([9.4, 9.4] + [0.0] * 6)[:2].tolist()]
-    both = periodic_response(bench8, [9.4, 9.4] + [0.0] * 6, ["carrier"])
-    spectra = [x.points["carrier"].harmonics("acceleration")[:9] for x in (*alone, both)]
-    missed = np.abs(spectra[0] + spectra[1] - spectra[2]).max() / np.abs(spectra[2]).max()
-    assert 1e-4 < missed < 0.3
-
-
-def test_displacement_velocity_and_acceleration_belong_together(bench8: Scene) -> None:
-    point = periodic_response(bench8, [20.0] * 8, ["carrier"]).points["carrier"]
-    for first, second in (("displacement", "velocity"), ("velocity", "acceleration")):
-        rate = derivative(getattr(point, first), 20.0)
-        assert np.abs(rate - getattr(point, second)).max() < 1e-9 * np.abs(getattr(point, second)).max()
 
 
 def test_a_floating_stand_keeps_its_centre_of_mass() -> None:
@@ -136,14 +108,6 @@ def test_a_floating_stand_keeps_its_centre_of_mass() -> None:
     size = 60.0 * np.abs(found.y[:, 6:9]).max()
     assert np.abs(momenta[0][:3]).max() < 1e-8 * size
     assert np.abs(momenta[1] - momenta[0]).max() < 1e-9
-
-
-def test_drag_pushes_a_free_stand_and_a_wrench_holds_it() -> None:
-    stand = load(path("auv6"))
-    found = periodic_response(stand, [100.0] + [0.0] * 5, ["sonar"])
-    assert 1e-6 < np.abs(found.hold).max() < 1e-2
-    free = found.scene.free_displacement @ found.y.mean(axis=0)
-    assert np.abs(free).max() < 1e-12
 
 
 def test_flywheels_at_rest_make_nothing_move(bench8: Scene) -> None:
@@ -264,17 +228,6 @@ def test_a_steady_state_that_does_not_last_is_named() -> None:
     assert not found.stable
 
 
-def test_control_c_keeps_what_is_done(bench8: Scene) -> None:
-    def interrupted(done: float) -> bool:
-        if done == 2:
-            raise KeyboardInterrupt
-        return True
-
-    found = sweep(bench8.stand, read_speeds(bench8.stand, ["w1=0..100rpm"]), 11, "carrier", go_on=interrupted)
-    assert found.interrupted
-    assert len(found.steps) == 2
-
-
 def test_lines_that_fall_together_are_one(bench8: Scene) -> None:
     found = sweep(bench8.stand, read_speeds(bench8.stand, ["w1=60..100rpm", "w2=0.5*w1"]), 2, "carrier")
     assert found.lines()[0].name in ("1 x w1 = 2 x w2", "1 x w2")
@@ -287,12 +240,3 @@ def test_rms_of_a_band() -> None:
     assert np.allclose(rms(amplitudes, frequencies), [5 / math.sqrt(2), 1 / math.sqrt(2), 0])
     assert np.allclose(rms(amplitudes, frequencies, (5.0, 15.0)), [3 / math.sqrt(2), 0, 0])
     assert np.allclose(rms(amplitudes, frequencies, (20.0, 30.0))[0], 4 / math.sqrt(2))
-
-
-def test_nodes_can_be_more_or_fewer() -> None:
-    t = np.arange(9) / 9 * 2 * np.pi
-    y = np.stack([1 + np.cos(t) + np.sin(3 * t), np.cos(2 * t)], axis=1)
-    many = resample(y, 15)
-    assert np.allclose(many[:, 0], 1 + np.cos(np.arange(15) / 15 * 2 * np.pi) + np.sin(np.arange(15) / 5 * 2 * np.pi))
-    assert np.allclose(resample(many, 9), y)
-    assert [odd_length(n) for n in (1, 2, 11, 17, 101)] == [1, 3, 15, 21, 105]

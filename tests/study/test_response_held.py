@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from dataclasses import replace
 from pathlib import Path
@@ -12,14 +11,13 @@ import numpy as np
 import pytest
 
 import mahovik
-from cli.run import refused, run
+from cli.run import refused
 from mahovik import stands
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Hold
 from mahovik.errors import CheckError
 from mahovik.use.study.response import periodic_response
-from mahovik.use.study.response.held import HeldScene
 
 HELD = Path(__file__).parents[2] / "docs" / "held"
 ZERO = (0.0, 0.0, 0.0)
@@ -92,12 +90,6 @@ def test_a_shaker_of_one_freedom(friction: bool, speed: float) -> None:
     assert found.natural == pytest.approx([math.sqrt(k / M) / (2 * math.pi)], rel=1e-9)
 
 
-def test_an_undamped_shaker() -> None:
-    found = periodic_response(stand_of(shaker(True, 0.0)), [40.0])
-    size = 0.16 * 40.0**2 / abs(4e4 - 68.0 * 40.0**2)
-    assert np.abs(found.motion_of("hold.z").harmonics("displacement")[1, 0]) == pytest.approx(size, rel=1e-9)
-
-
 def test_six_freedoms_are_the_free_carrier() -> None:
     """A hold that blocks nothing: the same motion of points, the same natural frequencies, no reaction."""
     free = load(stands.path("bench8"))
@@ -112,28 +104,6 @@ def test_six_freedoms_are_the_free_carrier() -> None:
         np.testing.assert_allclose(given, expected, rtol=0, atol=1e-8 * np.abs(expected).max())
     size = np.abs(other.motion_of("hold.reaction").harmonics("force")).max()
     assert size < 1e-9 * 10.0 * free.carrier.mass
-
-
-def held_bench(*names: str) -> HeldScene:
-    hold = Hold(tuple(FREEDOMS[name] for name in names), (0.1, -0.2, 0.3), ZERO, ZERO)
-    return HeldScene.of(replace(load(stands.path("bench8")), hold=hold))
-
-
-@pytest.mark.parametrize("names", [("x", "z", "pitch"), ("roll", "pitch", "yaw"), ("yaw",)])
-def test_states_along_the_freedoms_move_as_the_carrier_does(names: tuple[str, ...]) -> None:
-    """xi' is the rate at which the pose of exp(S xi) moves with V = S u; the Jacobian is that of the rate."""
-    scene, rng = held_bench(*names), np.random.default_rng(3)
-    m = scene.count
-    y = rng.normal(size=(4, 2 * m)) * 0.05
-    given = scene.drive(rng.normal(size=(4, 8)), rng.normal(size=(4, 8)) * 50)
-    rate = scene.rate(given, y)
-    moved = (scene.whole(y + 1e-6 * rate) - scene.whole(y - 1e-6 * rate)) / 2e-6
-    pose = scene.chart.rate(given, scene.whole(y))[:, :6]
-    np.testing.assert_allclose(moved[:, :6], pose, rtol=0, atol=1e-7 * np.abs(pose).max())
-    J = scene.jacobian(given, y, scene.acceleration(given, y))
-    for i, step in enumerate(1e-6 * np.eye(2 * m)):
-        difference = (scene.rate(given, y + step) - scene.rate(given, y - step)) / 2e-6
-        np.testing.assert_allclose(J[:, :, i], difference, rtol=0, atol=2e-4 * max(1.0, np.abs(J).max()))
 
 
 @pytest.mark.slow
@@ -166,34 +136,6 @@ def test_it_is_the_motion_of_the_c_through_time() -> None:
     assert np.abs(spectrum[1]) == pytest.approx(given, rel=1e-4)
 
 
-def test_the_command_sweeps_what_the_table_reads(tmp_path: Path) -> None:
-    """A row per speed in the file, U w^2 in the lines of its orders."""
-    path, stand = tmp_path / "table.csv", str(HELD / "force_table.toml")
-    words = ["--speed", "wheel=0..3000rpm", "--at", "hold.reaction", "--steps", "4", "-o", str(path), "--json"]
-    found = json.loads(run("response", stand, *words).stdout)
-    assert (found["quantity"], found["unit"]) == ("force", "N")
-    w = math.radians(6 * 3000)
-    assert found["lines"][0]["amplitude"][-1] == pytest.approx(math.sqrt(2) * 72e-6 * w**2, rel=1e-9)
-    assert path.read_text(encoding="utf-8").startswith("speed wheel [rpm],rms x [N],rms y [N],rms z [N],rms xyz [N]")
-
-
-def test_a_freedom_has_one_column() -> None:
-    found = mahovik.response(
-        str(HELD / "linear_shaker.toml"), {"left": "5..20", "right": "left"}, "hold.z", steps=3, quantity="velocity"
-    )
-    names = [str(column.name) for column in found.columns]
-    assert "rms z" in names and "rms xyz" not in names
-    assert found.sweep.unit == "m/s"
-
-
-def test_a_freedom_goes_by_its_number_too() -> None:
-    by_name, by_number = (
-        mahovik.response(str(HELD / "linear_shaker.toml"), {"left": 20.0}, at).sweep for at in ("hold.z", "hold.1")
-    )
-    assert by_number.point == by_name.point == "hold.z"
-    np.testing.assert_array_equal(by_number.rms(), by_name.rms())
-
-
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
@@ -219,15 +161,6 @@ def test_a_knife_edge_is_refused() -> None:
     document = shaker(False) | {"hold": {"freedoms": ["x", "yaw"]}}
     with pytest.raises(CheckError, match="not a closed set"):
         periodic_response(stand_of(document), [10.0])
-
-
-def test_a_balanced_wheel_has_no_orders() -> None:
-    """Beside the weight that the hold carries, what is left of them is rounding, and is no line."""
-    heavy = table() | {"gravity": [0, 0, -9.81]}
-    assert mahovik.response(stand_of(heavy), ["wheel=1000 rpm"], "hold.reaction").sweep.lines() == ()
-    heavy = table(static="1e-6 g mm") | {"gravity": [0, 0, -9.81]}
-    (line,) = mahovik.response(stand_of(heavy), ["wheel=1000 rpm"], "hold.reaction").sweep.lines()
-    assert line.name == "1 x wheel"
 
 
 def test_a_freedom_that_turns_has_an_angle_and_its_derivatives() -> None:

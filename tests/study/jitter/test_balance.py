@@ -16,14 +16,11 @@ from mahovik.stands import path
 from mahovik.use.study.band import in_band, rms
 from mahovik.use.study.jitter import Jitter, View, balance
 from mahovik.use.study.jitter import jitter as find
-from mahovik.use.study.jitter.balance import _Search
-from mahovik.use.study.jitter.left_out import left_out
 from mahovik.use.study.jitter.load_view import LOADS
 from mahovik.use.study.jitter.quantity import QUANTITIES
 from mahovik.use.study.linear.model import places
 from mahovik.use.study.quiet.lines import uncontrolled_mean_square
 from mahovik.use.study.response import periodic_response
-from mahovik.use.study.response.scene import Scene
 from mahovik.use.study.response.speeds import SpeedPlan, read_speeds
 from study.jitter.stands import HEAD, J_SPIN, J_TRANSVERSE, M_CARRIER, M_WHEEL, WHEEL, one_wheel
 from toolchain.quick import quick
@@ -103,41 +100,6 @@ def test_what_is_left_out_falls_with_the_order() -> None:
     left = [balance(stand, [60.0, -41.2, 20.1, 0, 0, 0, 0, 0], order=order).left_out for order in (1, 2, 3, 4)]
     assert all(after < before / 5.0 for before, after in pairwise(left))
     assert left[3] < 1e-6
-
-
-def test_a_wrong_motion_is_seen_in_what_is_left_out() -> None:
-    """A planted fault: one coefficient off by a thousandth."""
-    search = _Search(Scene.of(load(path("sat4"))), np.array([300.0, 0.0, 0.0, 211.0]), np.zeros(4))
-    found = search.at(3)
-    good = left_out(found)
-    found.c[1] *= 1.001
-    assert good < 1e-7
-    assert 2e-4 < left_out(found) < 2e-3
-
-
-def test_a_free_stand_keeps_its_place_and_needs_no_hold() -> None:
-    found = balance(load(path("sat4")), [314.0, 312.7, 261.8, -129.3])
-    assert np.abs(found.hold).max() < 1e-14
-    mean = found.c[0].real
-    assert np.abs(found.scene.free_displacement @ mean).max() < 1e-14
-
-
-def test_flywheels_at_rest_move_nothing() -> None:
-    stand = load(path("sat4"))
-    found = jitter(stand, read_speeds(stand, ["rw1=0"]), 1, "acc1")
-    assert not found.lines.rms().any() and found.left_out[0] == 0.0
-
-
-@pytest.mark.slow
-def test_quantities_are_derivatives_of_one_another() -> None:
-    stand = load(path("sat4"))
-    asked = read_speeds(stand, ["all=3000rpm", "rw2=2987rpm"])
-    found = {name: jitter(stand, asked, 1, "acc1", quantity=name).lines for name in QUANTITIES}
-    for low, high in (("angle", "rate"), ("displacement", "velocity"), ("velocity", "acceleration")):
-        for name in ("rw1", "rw2"):
-            i, j = ([each.wheel for each in found[q].names].index(name) for q in (low, high))
-            omega = 2.0 * np.pi * found[low].frequency[0, i]
-            assert found[high].sizes[0, j] == pytest.approx(omega * found[low].sizes[0, i], rel=1e-5)
 
 
 def test_an_undamped_resonance_is_said(tmp_path: Path) -> None:

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-import jitter_campaign
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand import load
 from mahovik.proof.reference import pieces
@@ -17,9 +13,7 @@ from mahovik.use.study.jitter import Balance, Lines, View, balance
 from mahovik.use.study.jitter.balance import _Search
 from mahovik.use.study.jitter.conserved import conserves
 from mahovik.use.study.jitter.exact import exact_lines, left_out_of
-from mahovik.use.study.jitter.quantity import ARCSEC
 from mahovik.use.study.linear.model import places
-from mahovik.use.study.response import periodic_response
 from mahovik.use.study.response.scene import Scene
 
 RPM = np.pi / 30
@@ -100,42 +94,3 @@ def test_momentum_gives_the_motion_that_the_equations_of_motion_give() -> None:
     other = search.at(3)
     size = np.abs(by_momentum.c).max(axis=0)
     assert np.abs(other.c - by_momentum.c).max(axis=0) / size == pytest.approx(np.zeros(12), abs=1e-6)
-
-
-def test_with_a_common_period_the_beat_is_that_of_the_response() -> None:
-    speeds = [3000.0, 2900.0, 0.0, 0.0]
-    response = periodic_response(SAT4, [RPM * x for x in speeds], ["acc1"])
-    beat = int(np.argmin(np.abs(response.frequencies - 100 / 60)))
-    wanted = np.abs(response.points["acc1"].harmonics("displacement")[beat])
-    assert amplitude(solve(speeds), "rw1 - rw2", "displacement") == pytest.approx(wanted, rel=1e-4)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("speeds", "seconds"), [([3000, 2995, 3000, 3000], 60.0), ([3000, 1501, 0, 0], 90.0)], ids=str)
-def test_a_simulation_of_the_c_has_this_beat(
-    speeds: list[float], seconds: float, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Amplitudes of 4e-6 and 4e-4 arcsec beside lines of 0.03."""
-    monkeypatch.setattr(jitter_campaign, "SECONDS", seconds)
-    found = solve(speeds)
-    t, rows = jitter_campaign.simulate(SAT4, found, 2e-4)
-    chart, own = found.scene.chart, lines(found)
-    turned = Rotation.from_matrix(chart.C.T) * Rotation.from_quat(rows[:, 3:7], scalar_first=True)
-    values = turned.as_rotvec() @ places(SAT4, ["acc1"])[0].axes
-    own = own.select((own.frequency[0] > 0.0) & (own.sizes[0].max(axis=1) > 1e-7 * own.sizes.max()))
-    f = np.unique(own.frequency[0].round(9))
-    fitted = jitter_campaign.fit(t, values, f)[0]
-    (beat,) = np.flatnonzero(f < 1.0)
-    wanted = own.amplitude[0][np.abs(own.frequency[0] - f[beat]) < 1e-8].sum(axis=0)
-    assert np.abs(fitted[beat] - wanted).max() < 0.01 * np.abs(wanted).max()
-    assert np.abs(wanted).max() * ARCSEC < 1e-3
-
-
-def test_a_planted_drift_of_momentum_is_seen() -> None:
-    found = solve(NEARLY_EQUAL[0])
-    c = found.c.copy()
-    c[1, 9:] *= 1.0001
-    wrong = replace(found, c=c)
-    theta = np.array([[0.3, 0.1, 2.0, 4.0], [2.3, 1.1, 0.2, 5.0]])
-    Z = np.array([momentum_in_E0(pieces(SAT4, wrong.state(each))) for each in theta])
-    assert np.abs(Z[0] - Z[1]).max() > 1e-9

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -117,14 +116,6 @@ def test_bad_harmonics_are_refused_in_one_line(text: str, words: str, tmp_path: 
     assert words in str(caught.value) and str(caught.value).count("\n") == 0
 
 
-def test_a_shape_missing_for_a_mount_is_named(tmp_path: Path) -> None:
-    stand = one_wheel(tmp_path, 'static = "5 g cm"')
-    only = [head for head in COLUMNS.split(",") if head.startswith("eye")]
-    file = table(tmp_path, MODES.format(",".join(only), 10, 5, "1,0,0,0,0,0"))
-    with pytest.raises(JitterFileError, match='mode shape missing for the mount of "w"'):
-        run(stand, f"w={OMEGA}", Makers(structure=read_structure(file, stand)), "angle")
-
-
 def test_a_shape_of_some_columns_says_which_to_add(tmp_path: Path) -> None:
     stand = one_wheel(tmp_path, 'static = "5 g cm"')
     file = table(tmp_path, MODES.format("w z [-],w rx [rad/m]", 10, 5, "1,0"))
@@ -175,11 +166,3 @@ def test_noise_of_a_free_mass_by_closed_form(tmp_path: Path) -> None:
     wanted: Array = np.array([1e-6, 1e-6, 4e-6]) * 100.0 / mass**2
     assert found.mean_square() == pytest.approx(wanted, rel=1e-3)
     assert found.by_wheel[0] == pytest.approx(found.mean_square())
-
-
-def test_ratios_of_the_way_back_are_mass_over_modal_mass(tmp_path: Path) -> None:
-    stand = one_wheel(tmp_path, 'static = "5 g cm"')
-    file = table(tmp_path, MODES.format(COLUMNS, 50, 8, "1,0,0,0,0,0,1,0,0,0,0,0"))
-    found = run(stand, f"w={OMEGA}", Makers(structure=read_structure(file, stand)), "angle")
-    assert found.chain.ratios[0] == pytest.approx([M_WHEEL / 8.0], rel=1e-6)
-    assert replace(found, noise=None).sums()["rms"].shape == (1, 3)

@@ -18,8 +18,6 @@ from mahovik.core.stand import Stand, load
 from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Hold
 from mahovik.out.functions.jitter import Jitter
-from mahovik.use.study.jitter.balance import balance
-from mahovik.use.study.jitter.left_out import left_out
 from mahovik.use.study.response import periodic_response
 from study.test_response_held import shaker, table
 from toolchain.quick import quick
@@ -70,11 +68,6 @@ def test_a_clamped_carrier_moves_only_the_reaction(speeds: dict[str, Any], quant
         assert found.left_out[0] < 1e-12 and found.remainder.max() < 1e-11
     else:
         assert max(check.off for check in found.study.checks) < 1e-12
-
-
-def test_points_of_a_clamped_carrier_do_not_move() -> None:
-    found = mahovik.jitter(two_wheels("72 g mm", "5 kg mm^2"), {"up": 300.0, "down": 211.7}, "carrier")
-    assert not found.orders and found.worst.max() == 0.0
 
 
 @pytest.mark.parametrize("friction", [False, True])
@@ -140,63 +133,6 @@ def test_the_shift_of_a_freedom_is_that_of_its_oscillator(last: str, quantity: s
             np.testing.assert_allclose(size(found, wheel), [z, 0.0, 0.0], rtol=1e-9, atol=1e-15)
         assert found.rms.shape == (len(found.study.value), 1)
         assert found.study.point == "hold.z"
-
-
-@pytest.mark.parametrize(
-    ("quantity", "motion"), [("angle", "displacement"), ("rate", "velocity"), ("acceleration", "acceleration")]
-)
-def test_the_angle_of_a_freedom_is_the_response(quantity: str, motion: str) -> None:
-    """A pendulum that swings far, about an axis off O1: the full equations, harmonic by harmonic."""
-    stand = stand_of(SWINGING)
-    found = mahovik.jitter(stand, {"w1": 20.0, "w2": 30.0}, "hold.pitch", quantity=quantity, order=8)
-    wanted = periodic_response(stand, [20.0, 30.0]).motion_of("hold.pitch").harmonics(motion)
-    lines, base = found.study.lines, 10.0 / (2.0 * math.pi)
-    total = np.zeros((24, 1), dtype=complex)
-    for i, hertz in enumerate(lines.frequency[0]):
-        if round(hertz / base) < len(total):
-            total[round(hertz / base)] += lines.amplitude[0, i, :1]
-    np.testing.assert_allclose(total[:8], wanted[:8], rtol=0, atol=1e-6 * np.abs(wanted[1:]).max())
-    assert found.remainder.shape == (1, 1) and found.remainder.max() < 1e-5 * found.worst.max()
-
-
-def test_one_turn_has_the_rate_of_the_carrier() -> None:
-    stand = stand_of(SWINGING)
-    speeds: dict[str, float | str] = {"w1": 20.0, "w2": 31.7}
-    of_point = mahovik.jitter(stand, speeds, "carrier", quantity="rate")
-    of_freedom = mahovik.jitter(stand, speeds, "hold.pitch", quantity="rate")
-    np.testing.assert_allclose(of_freedom.rss[:, 0], of_point.rss[:, 1], rtol=1e-12)
-    assert mahovik.jitter(stand, speeds, "hold.pitch").study.quantity == "angle"
-
-
-def test_a_freedom_in_files_and_requirements(tmp_path: Path) -> None:
-    words = [
-        "jitter",
-        str(HELD / "linear_shaker.toml"),
-        "--speed",
-        "left=20",
-        "--speed",
-        "right=31.7",
-        "--at",
-        "hold.z",
-    ]
-    given = json.loads(run(*words, "--require", "rms 1 m", "--json").stdout)
-    assert (given["point"], given["quantity"], given["axes"]) == ("hold.z", "displacement", ["z"])
-    assert all(len(given[key]) == 1 for key in ("rms", "rss", "worst", "mean", "remainder"))
-    assert len(given["orders"][0]["amplitude"]) == len(given["budget"][0]["rms"]) == 1
-    assert given["requirements"][0]["axis"] == "z"
-    table = run(*words, "-o", str(tmp_path / "a.csv"))
-    assert table.exit_code == 0 and "amplitude z, m" in table.stdout and "amplitude x" not in table.stdout
-    head = (tmp_path / "a.csv").read_text(encoding="utf-8").splitlines()[0]
-    assert "rms z [m]" in head and " x [m]" not in head
-    assert run(*words, "-o", str(tmp_path / "a.svg")).exit_code == 0
-
-
-def test_a_wrong_motion_is_seen_in_what_is_left_out() -> None:
-    """A planted fault of a thousandth in one coefficient, and one in the reaction alone: a drift of the mean place."""
-    found = balance(stand_of(SWINGING), [20.0, 31.7], order=6)
-    assert left_out(found) < 1e-5
-    wrong = replace(found, c=found.c * (1.0 + 1e-3 * (np.arange(len(found.c)) == 1))[:, None])
-    assert 1e-4 < left_out(wrong) < 1e-2
 
 
 def test_what_is_left_out_of_the_reaction_is_what_higher_orders_add() -> None:
@@ -327,23 +263,3 @@ def test_refusals(words: list[str], expected: str, tmp_path: Path, monkeypatch: 
     Path("modes.csv").write_text("frequency [Hz],damping [-],modal mass [kg]\n10,0.01,1\n")
     text = refused("jitter", str(HELD / "linear_shaker.toml"), "--speed", "all=10", *words)
     assert expected in text and len(text.splitlines()) == 1
-
-
-def test_nothing_is_printed_of_rounding() -> None:
-    """A balanced pendulum does not swing: no line is listed, and all sums are zeros."""
-    words = run("jitter", str(HELD / "pendulum.toml"), "--speed", "all=300", "--at", "hold.pitch").output
-    assert "1 x wheel" not in words and "mean" not in words and "more orders: 0 arcsec" in words
-    assert [line.split()[-1] for line in words.splitlines() if "RMS" in line or "worst" in line] == ["0"] * 3
-
-
-@pytest.mark.parametrize("quantity", ["displacement", "velocity"])
-@pytest.mark.parametrize("command", ["jitter", "response"])
-def test_a_freedom_that_turns_has_no_displacement(command: str, quantity: str) -> None:
-    words = [str(HELD / "pendulum.toml"), "--speed", "all=10", "--at", "hold.1", "--quantity", quantity]
-    text = refused(command, *words)
-    assert f"--quantity {quantity}: hold.1 has none; expected one of angle, rate, acceleration" in text
-
-
-def test_a_free_carrier_has_no_reaction() -> None:
-    text = refused("jitter", str(stands.path("sat4")), "--speed", "all=10", "--at", "hold.reaction")
-    assert "sat4 has no [hold]" in text

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mahovik.errors import CheckError
-from mahovik.use.study.jitter.torus import Torus, index_count, indices
+from mahovik.use.study.jitter.torus import Torus, indices
 
 
 @given(st.integers(1, 4), st.integers(1, 4))
@@ -20,11 +18,6 @@ def test_of_every_k_and_minus_k_one_is_there(count: int, order: int) -> None:
     assert not any(next(iter(indices(count, order).tolist())))
 
 
-@given(st.integers(0, 5), st.integers(0, 5))
-def test_indices_are_counted_without_making_them(count: int, order: int) -> None:
-    assert index_count(count, order) == len(indices(count, order))
-
-
 @given(st.integers(1, 4), st.integers(1, 3), st.integers(0, 2**32 - 1))
 def test_coefficients_come_back_from_values(count: int, order: int, seed: int) -> None:
     torus, rng = Torus.of(count, order), np.random.default_rng(seed)
@@ -33,8 +26,3 @@ def test_coefficients_come_back_from_values(count: int, order: int, seed: int) -
     values = torus.values(c)
     assert np.abs(torus.coefficients(values) - c).max() < 1e-12
     assert np.abs(torus.at(c, torus.nodes) - values).max() < 1e-10
-
-
-def test_too_many_flywheels_are_refused_in_words() -> None:
-    with pytest.raises(CheckError, match="lower the order"):
-        Torus.of(12, 5)

@@ -20,7 +20,6 @@ from mahovik.use.study.quiet import QuietOptions
 from mahovik.use.study.quiet.held_lines import HeldAmplitudes
 from mahovik.use.study.quiet.lines import Amplitudes
 from mahovik.use.study.quiet.options import Wheels
-from mahovik.use.study.response import periodic_response
 from mahovik.use.study.rest import rest
 from study.test_response_held import shaker, table
 
@@ -80,18 +79,6 @@ def test_two_exciters_cancel_at_a_point_on_a_rail(backend: str | None) -> None:
         assert found.result.agrees and after.simulated == pytest.approx(after.rms, rel=1e-2)
 
 
-def test_only_momentum_along_the_freedoms_is_kept() -> None:
-    """A table that turns about z alone keeps the speed of the wheel on z; those across are free."""
-    document = mahovik.load(HELD / "air_table.toml").to_dict()
-    document["hold"]["freedoms"] = ["yaw"]
-    stand = mahovik.Stand.from_dict(document)
-    speeds = {"wx": "3000rpm", "wy": "2000rpm", "wz": "1500rpm"}
-    found = mahovik.quiet(stand, "hold.reaction", (28.0, 200.0), speeds=speeds, backend=None)
-    assert found.result.wheels.axes == pytest.approx(np.array([[0.0, 0.0, 2.4e-3]]), abs=1e-18)
-    assert found.speeds[2] == pytest.approx(1500 * RPM, rel=1e-12)
-    assert found.reduction > 100.0
-
-
 def test_with_six_freedoms_the_amplitudes_are_those_of_the_free_carrier() -> None:
     free = load(stands.path("eye4"))
     held = replace(free, hold=Hold(tuple(FREEDOMS.values()), (0.1, -0.2, 0.3), ZERO, ZERO))
@@ -103,17 +90,6 @@ def test_with_six_freedoms_the_amplitudes_are_those_of_the_free_carrier() -> Non
         assert np.abs(one - other).max() < 1e-6 * np.abs(one).max()
         momenta = [Wheels.of(each, options).axes for each in (free, held)]
         assert momenta[1] == pytest.approx(momenta[0], abs=1e-15)
-
-
-def test_amplitudes_of_a_small_unbalance_are_those_of_the_response() -> None:
-    document = shaker(False)
-    document["flywheel"][0] |= {"unbalance": {"static": "1 g mm"}, "position": [0.1, -0.2, 0.3]}
-    stand, speed = mahovik.Stand.from_dict(document), 24.0
-    for measure in ("force", "moment"):
-        options = QuietOptions("hold.reaction", BAND, speeds=(-speed,), measure=measure)
-        found = HeldAmplitudes.of(stand, options).at(np.array([-speed]))[:, 0]
-        wanted = periodic_response(stand, [-speed]).motion_of("hold.reaction").harmonics(measure)[1]
-        assert found == pytest.approx(wanted, rel=1e-6, abs=1e-6 * np.abs(wanted).max())
 
 
 @pytest.mark.parametrize(
@@ -130,8 +106,3 @@ def test_amplitudes_of_a_small_unbalance_are_those_of_the_response() -> None:
 def test_refusals(stand: str, words: list[str], expected: str) -> None:
     text = refused("quiet", str(HELD / f"{stand}.toml"), "--band", "20..200Hz", *words)
     assert expected in text and len(text.splitlines()) == 1
-
-
-def test_a_point_of_a_free_carrier_transmits_no_force() -> None:
-    words = ("--point", "acc1", "--band", "20..200Hz", "--momentum", "0 0 1", "--measure", "force")
-    assert "sat4 has no [hold], and a point transmits no force" in refused("quiet", str(stands.path("sat4")), *words)

@@ -8,20 +8,6 @@ import pytest
 from mahovik.use.study.quiet.lines import best_phases, cancel, groups, power, uncontrolled_mean_square
 
 
-@pytest.mark.parametrize("m", [2, 3, 5])
-def test_equal_amplitudes_on_one_axis_cancel(m: int) -> None:
-    """A closed polygon."""
-    psi, least = cancel(np.ones((1, m), dtype=complex), np.random.default_rng(0))
-    assert psi[0] == 0.0
-    assert least < 1e-24
-
-
-def test_one_amplitude_above_the_sum_of_the_others_leaves_the_difference() -> None:
-    """No polygon closes: 5 - 1 - 2."""
-    _, least = cancel(np.array([[5.0, 1j, -2.0]]), np.random.default_rng(0))
-    assert least == pytest.approx(4.0, rel=1e-9)
-
-
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_the_least_is_that_of_a_grid(seed: int) -> None:
     """Three flywheels on three axes, against all phases in steps of 2 degrees."""

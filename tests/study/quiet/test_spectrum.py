@@ -28,8 +28,3 @@ def test_integrals_divide_by_frequency() -> None:
 def test_a_line_outside_is_not_heard() -> None:
     """A lobe beside the band's end: 90 dB less."""
     assert band_rms(SINES, EVERY, (52.0, 200.0), 0) < 5.0 * 10 ** (-90 / 20)
-
-
-def test_no_other_line_is_found() -> None:
-    """Where nothing is."""
-    assert line_amplitude(SINES, EVERY, 100.6, 0) < 5e-4
