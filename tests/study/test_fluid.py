@@ -41,17 +41,6 @@ def test_matrices_that_damp_are_passive() -> None:
     assert all(math.isinf(p.speed) for p in found.powers)
 
 
-def test_a_linear_part_that_drives_does_so_at_every_speed() -> None:
-    rows = np.diag([3.0, 1.0, 9.0, 0.2, 1.0, 2.0])
-    rows[1, 2] = rows[2, 1] = 4.0  # 1 * 9 < 4^2
-    power = fluid(hull(f"linear = {rows.tolist()}"), 1.0).powers[0]
-    assert power.positive
-    assert power.speed == pytest.approx(1e-3)
-    V = np.array(power.twist)
-    assert power.power == pytest.approx(float(-V @ rows @ V))
-    assert power.power > 0
-
-
 def test_lift_damps_ahead_and_drives_astern() -> None:
     """Y = -30 u v has the power -30 u v^2."""
     astern, ahead = fluid(hull('terms = [{ wrench = "Y", of = ["u", "v"], value = -30 }]'), 1.0).powers

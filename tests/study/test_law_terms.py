@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
+import pytest
 
 from mahovik.contract.laws import of_bodies
 from mahovik.core.stand.model import Carrier, Mat6, Stand
@@ -50,12 +51,12 @@ def search() -> TermSearch:
     return TermSearch(vehicle(), wants=("forward",), actuators=True)
 
 
-def found(wrong: Callable[[Stand], Stand], rows: Sequence[int] = range(6)) -> TermSearchResult:
+def terms_found(wrong: Callable[[Stand], Stand], rows: Sequence[int] = range(6)) -> TermSearchResult:
     """Search in a program that has another law in some components of the wrench."""
 
     def answers(request: Request) -> Mapping[str, Any]:
-        own = stand_at(vehicle(), request.state)
-        at, other = (reference.pieces(x, request.state) for x in (own, wrong(own)))
+        right_stand = stand_at(vehicle(), request.state)
+        at, other = (reference.pieces(x, request.state) for x in (right_stand, wrong(right_stand)))
         right = at.F - bias(at)
         change = body_wrench(other.terms["carrier"]) - body_wrench(at.terms["carrier"])
         right[list(rows)] += change[list(rows)]
@@ -65,12 +66,12 @@ def found(wrong: Callable[[Stand], Stand], rows: Sequence[int] = range(6)) -> Te
     return search().find(answers)
 
 
-def with_fin(**values: Any) -> Callable[[Stand], Stand]:
-    """The first fin with other numbers."""
+def with_fin(share: float) -> Callable[[Stand], Stand]:
+    """A share of the lift slope of the first fin."""
 
     def change(stand: Stand) -> Stand:
         first, *others = law_of(stand, Fins).fins
-        return with_law(stand, Fins((replace(first, **values), *others)))
+        return with_law(stand, Fins((replace(first, lift_slope=share * first.lift_slope), *others)))
 
     return change
 
@@ -102,36 +103,38 @@ def named(result: TermSearchResult) -> set[tuple[str, str, float, float | None, 
     }
 
 
-def test_the_sign_of_a_lift_in_all_its_components() -> None:
-    slope = law_of(vehicle(), Fins).fins[0].lift_slope
-    assert named(found(with_fin(lift_slope=-slope))) == {
-        (component, "rudder lift", -1.0, 1.0, "rudder.lift_slope") for component in "YN"
-    }
+def with_fading_element(stand: Stand) -> Stand:
+    rows = [list(row) for row in law_of(stand, FadingDamping).linear]
+    rows[2][4] *= -1
+    return with_law(stand, replace(law_of(stand, FadingDamping), linear=tuple(map(tuple, rows))))
 
 
-def test_a_factor_of_a_thrust_and_a_missing_torque() -> None:
-    assert named(found(with_screw(thrust=(0.3, -0.4, -0.1)), [0])) == {
-        ("X", "screw thrust |n| V_a", 2.0, 1.0, "screw.thrust[1]")
-    }
-    assert named(found(with_screw(torque=(0.0, -0.02, -0.01)))) == {
-        ("K", "screw torque |n| n", 0.0, 1.0, "screw.torque[0]")
-    }
-
-
-def test_a_station_of_a_table() -> None:
-    assert named(found(with_strips(drag_z=(0.7, 1.6, 0.6)), [2])) == {
-        ("Z", "cross flow (w - x q) at 0.1 m", 2.0, 1.0, "carrier.cross_flow.drag_z[1]")
-    }
-
-
-def test_an_element_of_fading_damping() -> None:
-    def change(stand: Stand) -> Stand:
-        law = law_of(stand, FadingDamping)
-        rows = [list(row) for row in law.linear]
-        rows[2][4] *= -1
-        return with_law(stand, replace(law, linear=tuple(map(tuple, rows))))
-
-    assert named(found(change)) == {("Z", "exp(-rate U) q", -1.0, 1.0, "carrier.fading_damping.linear[2][4]")}
+@pytest.mark.parametrize(
+    ("wrong", "rows", "expected"),
+    [
+        (with_fin(-1.0), range(6), {(c, "rudder lift", -1.0, 1.0, "rudder.lift_slope") for c in "YN"}),
+        (with_screw(thrust=(0.3, -0.4, -0.1)), [0], {("X", "screw thrust |n| V_a", 2.0, 1.0, "screw.thrust[1]")}),
+        (
+            with_screw(torque=(0.0, -0.02, -0.01)),
+            range(6),
+            {("K", "screw torque |n| n", 0.0, 1.0, "screw.torque[0]")},
+        ),
+        (
+            with_strips(drag_z=(0.7, 1.6, 0.6)),
+            [2],
+            {("Z", "cross flow (w - x q) at 0.1 m", 2.0, 1.0, "carrier.cross_flow.drag_z[1]")},
+        ),
+        (
+            with_fading_element,
+            range(6),
+            {("Z", "exp(-rate U) q", -1.0, 1.0, "carrier.fading_damping.linear[2][4]")},
+        ),
+    ],
+)
+def test_a_wrong_coefficient_is_named(
+    wrong: Callable[[Stand], Stand], rows: Sequence[int], expected: set[tuple[Any, ...]]
+) -> None:
+    assert named(terms_found(wrong, rows)) == expected
 
 
 def test_parts_of_a_law_add_up_to_it() -> None:

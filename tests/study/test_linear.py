@@ -92,15 +92,6 @@ def test_locked_flywheels_are_one_with_the_carrier() -> None:
     assert [str(x) for x in locked.inputs] == [f"wrench {x} [{'N' if x in 'XYZ' else 'N m'}]" for x in "XYZKMN"]
 
 
-def test_the_state_keeps_its_accelerations() -> None:
-    """V* and tau of the state are those that belong to its phi''; those given are not read."""
-    stand, state = random_case(6, 3)
-    found = linear_model(stand, replace(state, V_dot=(0.0,) * 6, tau=(7.0,) * 3)).state
-    assert found.phi_ddot == state.phi_ddot
-    assert found.V_dot == linear_model(stand, state).state.V_dot
-    assert 7.0 not in found.tau
-
-
 def test_points_are_those_named_in_that_order() -> None:
     stand = load(path("sat4"))
     assert linear_model(stand, rest_state(stand)).points == ("acc1",)
