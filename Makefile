@@ -82,7 +82,7 @@ help:
 	@echo "make static-checks  compilers, analyser, cppcheck with MISRA C:2012: fails at a new deviation"
 	@echo "make static-checks-quick  the same for one of the example stands, as CI runs it"
 	@echo "make commands-page  the --help of every command, into docs/commands.md"
-	@echo "make lint       format, lint and type checks, and the words of tests/test_words.py"
+	@echo "make lint       format, lint, types, and who imports whom"
 	@echo "make docs       the pages of docs/ as a site: build/docs/index.html; any warning is an error"
 	@echo "make clean      remove what the other targets made"
 
@@ -348,7 +348,7 @@ lint: setup-test
 	$(BIN)/ruff check generator tests tools bench
 	$(BIN)/ruff format --check generator tests tools bench
 	$(BIN)/mypy
-	$(BIN)/python -m pytest -q tests/test_words.py
+	$(BIN)/lint-imports --no-cache
 
 docs: setup-test
 	$(BIN)/python -m sphinx -W --keep-going -n -q -b html docs build/docs

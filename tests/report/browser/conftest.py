@@ -19,8 +19,7 @@ from mahovik.out.report.stand.material import gather
 from mahovik.out.report.stand.run import Run
 from mahovik.stands import path
 from mahovik.use.simulate.run import column_names
-
-from .chromium import Opened, launched
+from report.browser.chromium import Opened, launched
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser

@@ -11,9 +11,8 @@ import pytest
 from mahovik.core.emit.templates import source_text, template
 from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.panel import Line, Panel
-
-from .chromium import Opened, box_of
-from .conftest import Opener
+from report.browser.chromium import Opened, box_of
+from report.browser.conftest import Opener
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Locator, Page

@@ -13,8 +13,7 @@ from mahovik.out.report.data.page import Part, write_data_page
 from mahovik.out.report.data.panels import confidence_ellipse, order_spectra, waterfall
 from mahovik.stands import path
 from mahovik.use.measured.orders import OrderMap
-
-from .chromium import Opened
+from report.browser.chromium import Opened
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser

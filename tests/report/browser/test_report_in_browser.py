@@ -2,7 +2,7 @@
 
 import pytest
 
-from .conftest import Opener
+from report.browser.conftest import Opener
 
 pytestmark = pytest.mark.slow
 

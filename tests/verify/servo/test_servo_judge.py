@@ -29,8 +29,7 @@ from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.servo import verify_servo
 from mahovik.stands import path
-from test_architecture import PACKAGE, REPOSITORY
-from test_independence import OURS, reached
+from test_architecture import REPOSITORY
 from toolchain.quick import quick
 from verify.planting import changed
 
@@ -223,16 +222,6 @@ def test_c_that_is_not_there_or_of_another_stand_is_refused(tmp_path: Path) -> N
     source.write_text("#error no\n")
     with pytest.raises(ToolchainError):
         judged(tmp_path, "")
-
-
-@pytest.mark.slow
-def test_the_judge_knows_nothing_of_what_it_judges() -> None:
-    """Neither the program of the servo, nor its printer, nor what computes its gains."""
-    folder = PACKAGE / "proof" / "verify" / "servo"
-    found = set().union(*(reached(each, OURS) for each in folder.glob("*.py")))
-    judged_code = ("mahovik.core.lower.servo", "mahovik.core.emit.servo", "mahovik.use", "mahovik.out")
-    assert not {module for module in found if module.startswith(judged_code)}
-    assert reached(folder / "law.py", OURS) == set()
 
 
 def test_the_command_judges_the_folder(tmp_path: Path) -> None:
