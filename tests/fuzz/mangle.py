@@ -83,21 +83,9 @@ def spoiled_toml(draw: st.DrawFn, examples: Sequence[str]) -> str:
 
 
 _keys = st.sampled_from(
-    (
-        "mass",
-        "inertia",
-        "name",
-        "flywheel",
-        "a.b",
-        '""',
-        "schema",
-        "x" * 1000,
-        "a." * 50_000 + "b",
-        '"\\u0000"',
-        "é",
-        "terms",
-    )
-)
+    ("mass", "inertia", "name", "flywheel", "a.b", '""', "schema", "x" * 1000, "a." * 50_000 + "b", '"\\u0000"', "é",
+     "terms")
+)  # fmt: skip
 
 
 @st.composite
@@ -114,7 +102,7 @@ def spoiled_json(draw: st.DrawFn, examples: Sequence[Any]) -> str:
     return text
 
 
-_PIECES = (b"\0" * 300, b"\xff" * 9, b"\r", b"\n", b"\xef\xbb\xbf", b"[" * 9999)
+PIECES = (b"\0" * 300, b"\xff" * 9, b"\r", b"\n", b"\xef\xbb\xbf", b"[" * 9999)
 
 
 @st.composite
@@ -133,9 +121,44 @@ def spoiled_bytes(draw: st.DrawFn, examples: Sequence[bytes], longest: int = 1 <
             case 3 if first < len(data):
                 data = data[:first] + bytes([data[first] ^ 1 << draw(st.integers(0, 7))]) + data[first + 1 :]
             case 4:
-                data = data[:first] + draw(
-                    st.sampled_from((b"\0" * 300, b"\xff" * 9, b"\r", b"\n", b"\xef\xbb\xbf", b"[" * 9999))
-                )
+                data = data[:first] + draw(st.sampled_from(PIECES))
             case _:
                 data = draw(st.binary(max_size=200)) if draw(st.integers(0, 9)) == 0 else data[:first]
     return data[:longest]
+
+
+CELLS = (
+    "nan", "inf", "-1", "phi_dot [", "phi_dot", "torque [Nm", "M [N mm]", "1e309", "1e-400", "", " ", "x", "9" * 5000,
+    "1_0", "0x10", "t", "X", "X [", "X [N", "X [m**9**9]", '"',
+)  # fmt: skip
+
+
+@st.composite
+def spoiled_csv(draw: st.DrawFn, examples: Sequence[bytes], cells: Sequence[str]) -> bytes:
+    """A table with some cells replaced."""
+    rows = [line.split(",") for line in draw(st.sampled_from(list(examples))).decode().splitlines()]
+    for _ in range(draw(st.integers(1, 2))):
+        row = draw(st.sampled_from(rows))
+        row[draw(st.integers(0, len(row) - 1))] = draw(st.sampled_from(list(cells)))
+    return "\n".join(",".join(row) for row in rows).encode()
+
+
+_XML_VALUES = (*NUMBERS, "", "nan", "inf -inf 0", "0 0 0", "1 2", "1 2 3 4", "x" * 10_000, "fixed", "continuous",
+               "floating", "base_link", "wheel2", "hinge", "&#x202e;", "\u202e", "é", "1e200 1e200 1e200",
+               "1e-320 0 0")  # fmt: skip
+_XML_VALUE = re.compile(r'(?<==")[^"]*(?=")')
+_XML_ELEMENT = re.compile(r"<(\w+)[^>]*/>|<(\w+)[^>]*>.*?</\2>", re.DOTALL)
+
+
+@st.composite
+def spoiled_xml(draw: st.DrawFn, text: str) -> str:
+    """An XML text in which some attributes have other values, some elements are gone, twice or elsewhere."""
+    for _ in range(draw(st.integers(1, 3))):
+        of_values = draw(st.booleans())
+        places = list((_XML_VALUE if of_values else _XML_ELEMENT).finditer(text))
+        if places:
+            place = draw(st.sampled_from(places))
+            whole = ("", place[0] * 2, "<x/>", place[0][: len(place[0]) // 2])
+            new = draw(st.sampled_from(_XML_VALUES if of_values else whole))
+            text = text[: place.start()] + new + text[place.end() :]
+    return text

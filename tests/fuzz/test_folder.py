@@ -19,12 +19,10 @@ from mahovik.core.emit.manifest import manifest
 from mahovik.core.stand import load
 from mahovik.proof.cost.page import read_accepted_costs
 from mahovik.proof.verify.delivery import (
-    COST_PAGE,
     FIGURES,
     accepted_figures,
     deliver,
     differences,
-    require_place_for_cost,
 )
 from mahovik.stands import path
 
@@ -43,8 +41,14 @@ def files() -> dict[str, str]:
     return generate(DEMO3)
 
 
-MANIFESTS = st.deferred(lambda: spoiled_json([json.loads(manifest(DEMO3, "double", files()))]))
-MANIFEST_BYTES = st.deferred(lambda: spoiled_bytes([manifest(DEMO3, "double", files()).encode()]))
+MANIFESTS = st.deferred(
+    lambda: st.one_of(
+        spoiled_json([json.loads(manifest(DEMO3, "double", files()))]).map(
+            lambda text: text.encode("utf-8", "surrogatepass")
+        ),
+        spoiled_bytes([manifest(DEMO3, "double", files()).encode()]),
+    )
+)
 
 
 @pytest.fixture
@@ -63,16 +67,9 @@ def visit(folder: Path) -> None:
         assert not there.is_file() or there.read_text(encoding="utf-8") == text
 
 
-@fuzzed(40)
-@given(text=MANIFESTS)
-def test_manifest(text: str, folder: Path) -> None:
-    (folder / MANIFEST).write_bytes(text.encode("utf-8", "surrogatepass"))
-    visit(folder)
-
-
-@fuzzed(40)
-@given(data=MANIFEST_BYTES)
-def test_manifest_of_any_bytes(data: bytes, folder: Path) -> None:
+@fuzzed(80)
+@given(data=MANIFESTS)
+def test_manifest(data: bytes, folder: Path) -> None:
     (folder / MANIFEST).write_bytes(data)
     visit(folder)
 
@@ -85,21 +82,3 @@ def test_accepted_figures(text: str, folder: Path) -> None:
     if found is not None:
         read_or_refuse(lambda: read_accepted_costs(found, FIGURES))
     read_or_refuse(lambda: deliver(folder, DEMO3, "double", files()))
-
-
-@fuzzed(4)
-@given(text=MANIFESTS)
-def test_a_place_for_cost(text: str, folder: Path) -> None:
-    (folder / MANIFEST).write_bytes(text.encode("utf-8", "surrogatepass"))
-    read_or_refuse(lambda: require_place_for_cost(folder, DEMO3))
-
-
-@fuzzed(30)
-@given(
-    data=spoiled_bytes(
-        [(GENERATED / COST_PAGE).read_bytes()] if (GENERATED / COST_PAGE).is_file() else [b"# Cost of demo3\n"]
-    )
-)
-def test_cost_page(data: bytes, folder: Path) -> None:
-    (folder / COST_PAGE).write_bytes(data)
-    visit(folder)

@@ -18,6 +18,8 @@ from toolchain.tools import compile_c, require
 
 pytestmark = pytest.mark.fuzz
 
+PENDULUM = Path(__file__).resolve().parents[2] / "docs" / "held" / "pendulum.toml"
+
 RUNS = 400_000
 """Executions within which every planted fault is found; most in hundreds."""
 
@@ -97,6 +99,13 @@ def test_a_planted_fault_is_found(fault: Fault, harness: list[str], tmp_path: Pa
     assert re.search(fault.said, str(found.value))
     # AddressSanitizer ends the process itself, before the fuzzer writes the input.
     assert re.search("Test unit written|AddressSanitizer", str(found.value))
+
+
+def test_nothing_is_found_in_the_c_of_a_held_carrier(tmp_path: Path) -> None:
+    folder = tmp_path / "project"
+    assert run("export", "fuzz", str(PENDULUM), "-o", str(folder)).exit_code == 0
+    program = compile_harness(folder, ("-O0", *(f"pendulum{part}.c" for part in ("", "_fuzz", "_recorder"))))
+    assert fuzz(program, tmp_path / "corpus", runs=20_000).executions >= 20_000
 
 
 def test_without_a_fault_nothing_is_found_and_the_corpus_is_kept_small(harness: list[str], tmp_path: Path) -> None:

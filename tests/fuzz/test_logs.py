@@ -12,9 +12,8 @@ from hypothesis import strategies as st
 
 from emit.stands import stand as known_stand
 from fuzz.mangle import spoiled_bytes
-from fuzz.reading import READERS, fuzzed, read_or_refuse, soon
+from fuzz.reading import READERS, fuzzed, read_or_refuse
 from mahovik.core.lower.golden import fnv1a
-from mahovik.errors import MahovikError
 from mahovik.proof.verify.selftest_log import judge_log
 from mahovik.use.simulate import flight_log
 from mahovik.use.simulate.flight_log import Damage, Start, records
@@ -109,14 +108,3 @@ def _selftest_log() -> str:
 def test_the_log_of_a_selftest(data: st.DataObject, console: bytes) -> None:
     spoiled = data.draw(spoiled_bytes([console, console + console]))
     read_or_refuse(lambda: judge_log(spoiled.decode("utf-8", "replace"), "log"))
-
-
-@fuzzed(3)
-@given(data=st.data())
-def test_the_log_of_a_selftest_beside_its_stand(data: st.DataObject, console: bytes) -> None:
-    spoiled = data.draw(spoiled_bytes([console]))
-    with soon(120):
-        try:
-            judge_log(spoiled.decode("utf-8", "replace"), "log", STAND)
-        except MahovikError as error:
-            assert str(error)
