@@ -79,10 +79,3 @@ def test_wheels_in_a_plane_or_in_a_line_leave_a_direction_named() -> None:
     assert line.radius == 0.0 and line.worst[0][2] == 0.0 and line.facets == ()
     assert line.reach([0, 0, -1]) == pytest.approx(4.0) and line.reach([1, 0, 1]) == 0.0
     assert envelope(np.zeros((0, 3))).worst == () and envelope(np.zeros((1, 3))).reach([1, 0, 0]) == 0.0
-
-
-def test_axes_in_one_plane_make_one_facet() -> None:
-    columns = np.array([[1.0, 0, 0], [0, 1.0, 0], [1.0, 1.0, 0], [0, 0, 5.0]])
-    found = envelope(columns)
-    (top,) = (facet for facet in found.facets if facet.normal == (0.0, 0.0, 1.0))
-    assert top.inside == (0, 1, 2) and top.distance == 5.0 and len(found.vertices(top)) == 6

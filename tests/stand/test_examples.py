@@ -1,15 +1,17 @@
-"""The example stands that the package ships."""
+"""The example stands that the package ships, and files of other kinds in the place of a stand file."""
 
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from mahovik import stands
 from mahovik.core.stand import load
 from mahovik.core.stand.summary import summarize
-from mahovik.errors import UsageError
+from mahovik.errors import StandError, UsageError
 from mahovik.laws.suspension.data import Suspension
 from mahovik.stands import motions, names, path
 
@@ -69,3 +71,25 @@ def test_bench8_weight_hangs_at_its_suspension() -> None:
     held = stand.law(Suspension)
     assert held is not None
     assert held.position[2] == pytest.approx(summarize(stand).mass * 9.81 / 1633.5, rel=1e-8)
+
+
+FOLDER = stands.path("bench8").parent
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("bench8.motion.json", "is JSON, as motions and programmes are; expected a stand file (TOML)"),
+        ("servos/bench8.toml", "is a file of servos; expected a stand file, with [carrier]"),
+    ],
+)
+def test_a_file_of_another_kind_is_named(name: str, words: str) -> None:
+    with pytest.raises(StandError) as error:
+        load(FOLDER / name)
+    assert str(error.value) == f"{Path(name).name}: {words}"
+
+
+def test_a_regime_is_named(tmp_path: Path) -> None:
+    (tmp_path / "r.toml").write_text('schema = 1\n[default]\nspeed = "3000 rpm"\n')
+    with pytest.raises(StandError, match=r"r.toml: is a regime; expected a stand file"):
+        load(tmp_path / "r.toml")

@@ -11,11 +11,9 @@ from hypothesis import strategies as st
 
 from mahovik.core.stand import dumps, identities, loads, structure
 from mahovik.core.stand.definite import condition_of_twists
-from mahovik.core.stand.hold import FREEDOMS, has_coordinates, is_closed, kinds, no_coordinates, twist_of, twists, words
+from mahovik.core.stand.hold import FREEDOMS, is_closed, kinds, twists
 from mahovik.core.stand.model import Freedom, Hold
 from mahovik.core.stand.summary import summarize
-from mahovik.errors import StandError
-from mahovik.proof.reference.hold import blocked_directions
 from mahovik.proof.reference.hold import twists as literal_twists
 from mahovik.proof.second.hold import twists as moving_twists
 
@@ -62,16 +60,6 @@ def test_a_hold_is_read_and_written_back(text: str) -> None:
     assert structure(stand).hold == kinds(stand.hold)
 
 
-def test_what_turns_turns_about_the_pivot() -> None:
-    hold = hold_of(GOOD[3])
-    (column,) = twists(hold).T
-    axis = np.ones(3) / np.sqrt(3)
-    assert column[3:] == pytest.approx(axis)
-    at_pivot = column[:3] + np.cross(axis, hold.pivot)
-    assert at_pivot == pytest.approx(np.zeros(3))
-    assert twist_of(hold, [2.0]) == pytest.approx(2 * column)
-
-
 _NUMBER = st.floats(-2, 2, allow_subnormal=False)
 _VECTOR = st.tuples(_NUMBER, _NUMBER, _NUMBER)
 _AXES = _VECTOR.filter(lambda v: max(map(abs, v)) > 1e-3)
@@ -91,14 +79,6 @@ def test_three_ways_to_the_same_twists(freedoms: list[Freedom], pivot: tuple[flo
         np.testing.assert_allclose(other, S, rtol=0, atol=1e-14)
 
 
-def test_the_blocked_wrenches_do_no_work() -> None:
-    S = twists(hold_of(GOOD[5]))
-    B = blocked_directions(S)
-    assert B.shape == (6, 4)
-    assert np.abs(S.T @ B).max() < 1e-15
-    assert np.linalg.matrix_rank(np.hstack([S, B])) == 6
-
-
 @pytest.mark.parametrize(
     ("text", "closed"),
     [
@@ -116,77 +96,6 @@ def test_the_blocked_wrenches_do_no_work() -> None:
 def test_a_closed_set_of_twists_is_told_from_others(text: str, closed: bool) -> None:
     assert is_closed(hold_of(text)) is closed
     assert ("not a closed set" in summarize(loads(with_hold(text))).hold) is not closed
-
-
-def test_a_closed_basis_is_said_to_have_no_coordinates() -> None:
-    """`eval` and the C refuse them, in the same words; `rest` and `modes` take its rows."""
-    stand = loads(with_hold("basis = [[0.1, 0, 0.2, 0, 1, 0]]"))
-    assert stand.hold is not None and is_closed(stand.hold) and not has_coordinates(stand.hold)
-    said = words(stand.hold)
-    assert "a closed set: `rest`, `modes` and `plan` count along it" in said and "no coordinates in `eval`" in said
-    assert no_coordinates(stand.hold) == "a basis of [hold] has no coordinates"
-
-
-@pytest.mark.parametrize("axis", ["[1e-300, 0, 0]", "[1e200, 0, 0]"])
-def test_an_axis_of_any_length_is_shown_by_its_unit_vector(axis: str) -> None:
-    assert words(hold_of(f"axis = {axis}")).startswith("1 freedom, turning about (1, 0, 0);")
-
-
-LEG = "\n[[leg]]\nground = [0, 0, -1]\ncarrier = [0.1, 0, 0]\nlength = 0.9\nstiffness = 100\n"
-
-
-def test_a_leg_on_a_clamped_carrier_is_a_warning() -> None:
-    found = [line for line in summarize(loads(with_hold("freedoms = []") + LEG)).warnings if line.startswith("legs")]
-    assert found == ["legs: [hold] clamps the carrier: wrenches on it add to the reaction and do nothing else"]
-    assert not [line for line in summarize(loads(with_hold('freedoms = ["yaw"]') + LEG)).warnings if "legs" in line]
-
-
-@pytest.mark.parametrize("text", ['hold = ["yaw"]\n', "hold = 3\n"])
-def test_a_hold_that_is_no_table_is_shown_one(text: str) -> None:
-    with pytest.raises(StandError, match=r'expected one table, \[hold\] with a line such as freedoms = \["yaw"\]'):
-        loads(text + with_hold("freedoms = []").replace("[hold]\nfreedoms = []", ""))
-    with pytest.raises(StandError, match="expected one table"):
-        loads(with_hold("freedoms = []").replace("[hold]", "[[hold]]"))
-
-
-@pytest.mark.parametrize(
-    ("text", "reason"),
-    [
-        ('freedoms = ["yaw", "x", "yaw"]', "yaw is given twice"),
-        ('freedoms = ["jaw"]', 'unknown freedom "jaw", did you mean "yaw"?'),
-        ('freedoms = "yaw"', "expected a list of names"),
-        ("axis = [0, 0, 0]", "has no direction"),
-        ("axis = [0, 0, 1]\nslide = [0, 0, 1]", "axis, slide given together, expected one of"),
-        ("pivot = [0, 0, 1]", "it is not said how the carrier can move, expected one of"),
-        ("slide = [0, 0, 1]\npivot = [0, 0, 1]", "pivot: given together with slide"),
-        ("basis = [[1, 0, 0, 0, 0, 1], [2, 0, 0, 0, 0, 2]]", "row 1 follows from row 0"),
-        ("basis = [[1, 0, 0, 0, 0, 0], [1, 0, 0, 0, 0, 1e-13]]", "rows are nearly dependent, by masses and inertias"),
-        ("basis = [[1, 0, 0, 0, 0, 0], [1, 0, 0, 0, 0, 1e-3]]", "the difference of two rows in place of one"),
-        ("basis = [[1, 0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 0]]", "a row of zeros is no motion"),
-        ("basis = [[1, 0, 0]]", "expected 6 numbers, found 3"),
-        ("basis = []", "freedoms = [] is clamped"),
-        ('freedom = ["yaw"]', "unknown key"),
-        ('freedoms = ["yaw"]\n[task.t]\nrows = ["wx"]', "tasks of a carrier with [hold] are not there yet"),
-    ],
-)
-def test_a_hold_that_is_none_is_refused_in_one_line(text: str, reason: str) -> None:
-    with pytest.raises(StandError) as caught:
-        loads(with_hold(text))
-    (line,) = caught.value.problems
-    assert "hold" in line and reason in line
-
-
-@pytest.mark.parametrize(
-    "basis",
-    [
-        "[[1, 0, 0, 0, 0, 0], [1, 0, 0, 0, 0, 0.1]]",
-        "[[0, 0, 0, 0, 0, 1], [0.1, 0, 0, 0, 0, 1], [0, 1, 0, 1e-13, 0, 0]]",  # a screw of a very small pitch
-        "[[1, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e-9]]",  # whatever the unit of a row
-    ],
-)
-def test_rows_that_differ_are_taken_whatever_their_size(basis: str) -> None:
-    stand = loads(with_hold(f"basis = {basis}"))
-    assert stand.hold is not None and np.linalg.matrix_rank(twists(stand.hold), tol=1e-10) == len(stand.hold.freedoms)
 
 
 def test_the_condition_of_a_basis_is_that_of_its_rows_not_of_a_far_centre_of_mass() -> None:

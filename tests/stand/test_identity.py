@@ -2,31 +2,26 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass, replace
-from random import Random
 from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from mahovik.contract.laws import parts
-from mahovik.core.stand import dumps, identities, load, loads, structure
+from mahovik.core.stand import dumps, identities, loads
 from mahovik.core.stand.law_schemas import body_schemas
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.laws.control.data import Control, ControlDerivative, ControlDerivatives, Velocity
 from mahovik.laws.cross_flow.data import CrossFlow
-from mahovik.laws.damping.data import Factor
 from mahovik.laws.fading.data import FadingDamping
 from mahovik.laws.fin.data import Fin, Fins
 from mahovik.laws.friction.data import Friction, Frictions
 from mahovik.laws.propeller.data import Propeller, Propellers
 from mahovik.laws.stop.data import Stop, Stops
-from mahovik.stands import names, path
 from strategies import stands
 
 TEXT = """schema = 1
@@ -122,56 +117,9 @@ def test_names_kinds_and_order_change_both() -> None:
         assert ours.physics != theirs.physics
 
 
-def test_identities_are_eight_hexadecimal_digits_and_differ_between_examples() -> None:
-    found = [identities(load(path(name))) for name in names()]
-    digests = [digest for each in found for digest in (each.structure, each.physics)]
-    assert all(re.fullmatch("[0-9a-f]{8}", digest) for digest in digests)
-    assert len(digests) == len(set(digests))
-
-
 @settings(max_examples=30, deadline=None)
 @given(stands(max_flywheels=4))
 def test_writing_and_reading_back_is_the_same_stand(stand: Stand) -> None:
     again = loads(dumps(stand))
     assert stand == again
     assert identities(stand) == identities(again)
-
-
-@settings(max_examples=20, deadline=None)
-@given(stands(min_flywheels=2, max_flywheels=4), st.randoms(use_true_random=False))
-def test_the_order_of_flywheels_is_structure(stand: Stand, random: Random) -> None:
-    i, j = random.sample(range(len(stand.flywheels)), 2)
-    wheels = list(stand.flywheels)
-    wheels[i], wheels[j] = wheels[j], wheels[i]
-    assert identities(stand).structure != identities(replace(stand, flywheels=tuple(wheels))).structure
-
-
-def test_structure_lists_what_acts_on_which_body() -> None:
-    stand = loads(
-        'schema = 1\nname = "a"\nangles = "aircraft"\ngravity = [0, 0, 1]\nstream = [0, 0, 0]\n'
-        "[carrier]\nmass = 1\ninertia = [1, 1, 1]\nbuoyancy = { displaced_mass = 1 }\n"
-        "damping = { linear = [1, 1, 1, 1, 1, 1] }\n"
-        "[suspension]\nstiffness = [1, 1, 1, 1, 1, 1]\n"
-        "[[leg]]\nground = [0, 0, 1]\ncarrier = [0, 0, 0]\nlength = 1\n"
-        '[[instrument]]\nname = "i"\nwrench_input = true\nadded_mass = [1, 1, 1, 1, 1, 1]\n'
-        '[[flywheel]]\nname = "v"\nmass = 1\ninertia = [1, 1, 1]\nmount = "i"\nbuoyancy = { displaced_mass = 1 }\n'
-        '[[flywheel]]\nname = "w"\nmass = 1\ninertia = [1, 1, 1]\n'
-        "damping = { quadratic = [1, 1, 1, 1, 1, 1], terms = [{ wrench = 'K', of = ['p', '|p|'], value = -1 }] }\n"
-        '[[point]]\nname = "p"\nmount = "i"\n'
-    )
-    found = structure(stand)
-    assert (found.name, found.angles, found.bodies) == ("a", "aircraft", ("carrier", "i", "v", "w"))
-    assert (found.flywheel_mounts, found.points, found.point_mounts) == ((1, 0), ("p",), (1,))
-    assert found.weight and found.stream and found.added_mass and found.law("suspension") and found.law("buoyancy")
-    assert found.law("legs") == 1
-    assert (found.law("flywheel_buoyancy"), found.wrench_inputs) == ((2,), (1,))
-    assert (found.law("linear_damping"), found.law("quadratic_damping")) == ((0,), (3,))
-    assert ((3, ((3, (Factor(3, False), Factor(3, True))),)),) == found.law("damping_terms")
-
-
-def test_without_gravity_nothing_floats() -> None:
-    stand = loads(
-        'schema = 1\nname = "a"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\nbuoyancy = { displaced_mass = 1 }\n'
-    )
-    assert not structure(stand).law("buoyancy")
-    assert not structure(stand).weight

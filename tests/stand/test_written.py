@@ -7,10 +7,8 @@ from pathlib import Path
 import pytest
 
 from cli.run import run
-from mahovik import stands
-from mahovik.core.stand import load, loads
+from mahovik.core.stand import load
 from mahovik.core.stand.written import Written, doubts, written_numbers
-from mahovik.errors import StandError
 
 TEXT = """schema = 1
 name = "a"
@@ -110,59 +108,6 @@ def test_numbers_with_units_inside_lists_are_listed_as_they_are_written(tmp_path
     assert listed[0].value == (0.0, 0.0, -9.81)
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "words"),
-    [
-        ('"11 kg cm^2", 0.0012', '0.0012, "-11 kg cm^2"', "inertia[1]: -11 kg cm^2 (-0.0011 kg m^2) is negative"),
-        (
-            "[0, 0.5, 11]",
-            "[0, 0.3, 11]",
-            'flywheel "w1", inertia: not symmetric, [1][2] = 0.5 kg cm^2 (5e-05 kg m^2) but '
-            "[2][1] = 0.3 kg cm^2 (3e-05 kg m^2)",
-        ),
-        (
-            '[0, 0, "0.0011',
-            '[0, "3 g cm^2", "0.0011',
-            "[1][2] = 0 kg cm^2 (0 kg m^2) but [2][1] = 3 g cm^2 (3e-07 kg m^2)",
-        ),
-        (
-            'added_mass = ["1000 g", 1, 1, 0.1, 0.1, "1000 kg cm^2"]',
-            'added_mass = [[1, 0, 0, 0, 0, "2 g m"], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], '
-            "[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]",
-            "[0][5] = 2 g m (0.002 kg m) but [5][0] = 0",
-        ),
-    ],
-)
-def test_a_refused_number_of_a_list_is_shown_as_it_is_written(old: str, new: str, words: str) -> None:
-    assert old in LISTS
-    with pytest.raises(StandError) as found:
-        loads(LISTS.replace(old, new))
-    assert words in str(found.value)
-
-
-@pytest.mark.parametrize("name", stands.names())
-def test_the_examples_are_listed(name: str) -> None:
-    units = [each.text for each in written_numbers(stands.path(name))]
-    assert len(units) == {"eye4": 31, "remus6": 45, "sat4": 30}.get(name, 0)
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "words"),
-    [
-        ("0.05 g mm", "-3 g mm", "unbalance, static: -3 g mm (-3e-06 kg m) is negative"),
-        ("250 mm", "-250 mm", "leg[0], length: -250 mm (-0.25 m) is negative"),
-        ("6000 1/min", "0 rpm", "motor, speed: 0 rpm (0 rad/s) is not above 0"),
-        ("11 kg-cm²", "-11 kg-cm²", "transverse_inertia: -11 kg-cm² (-0.0011 kg m^2) is negative"),
-        ("value = 12000", "value = -12000", "carrier, mass: -12000 g (-12 kg) is negative"),
-        ("1e-7", "-1e-7", "unbalance, dynamic: -1e-07 kg m^2 is negative"),
-    ],
-)
-def test_a_refused_number_is_shown_as_it_is_written(old: str, new: str, words: str) -> None:
-    with pytest.raises(StandError) as found:
-        loads(TEXT.replace(old, new))
-    assert words in str(found.value)
-
-
 FIN = """schema = 1
 name = "rov"
 [carrier]
@@ -181,9 +126,7 @@ angles = [0, {4}, 0]
     [
         (("124", "124", "1.5", "1.5", "1.5"), []),
         (("124", "125", "1.5", "1.5", "1.5"), ["carrier.inertia: [0][1] = 0.124 kg m^2 but [1][0] = 0.125 kg m^2"]),
-        (("12", "121", "1.5", "1.5", "1.5"), ["carrier.inertia: [0][1] = 0.12 kg m^2 but [1][0] = 0.121 kg m^2"]),
         (("124", "124", "1.51", "1.5", "1.5"), ["carrier.added_mass: [1][5] = 1.51 kg m but [5][1] = 1.5 kg m"]),
-        (("124", "124", "0", "0.019", "1.5"), ["carrier.added_mass: [1][5] = 0 kg m but [5][1] = 0.019 kg m"]),
         (("124", "124", "1.5", "1.5", "90"), ["tip.angles: [0, 90, 0] rad is beyond a whole turn"]),
         (("124", "124", "1.5", "1.5", '"450 deg"'), []),
     ],
@@ -198,18 +141,3 @@ def test_check_names_elements_of_which_the_mean_counts_and_angles_in_degrees(
     assert all(f"warning: {line}" in shown for line in lines)
     J = load(file).carrier.inertia
     assert J[0][1] == J[1][0] == pytest.approx(0.5 * (float(f"0.{numbers[0]}") + float(f"0.{numbers[1]}")), rel=1e-15)
-
-
-@pytest.mark.parametrize(
-    ("numbers", "message"),
-    [
-        (("124", "126", "1.5", "1.5"), "inertia: not symmetric, [0][1] = 0.124 kg m^2 but [1][0] = 0.126 kg m^2"),
-        (("0", "001", "1.5", "1.5"), "inertia: not symmetric, [0][1] = 0.0 kg m^2 but [1][0] = 0.001 kg m^2"),
-        (("124", "124", "1.53", "1.5"), "added_mass: not symmetric, [1][5] = 1.53 kg m but [5][1] = 1.5 kg m"),
-    ],
-)
-def test_elements_that_differ_by_more_are_refused_as_they_are_written(numbers: tuple[str, ...], message: str) -> None:
-    """The added mass may differ by 1e-3 sqrt(40 10) = 0.02 kg m."""
-    with pytest.raises(StandError) as caught:
-        loads(FIN.format(*numbers, 0))
-    assert message in str(caught.value)
