@@ -12,13 +12,15 @@ from scipy.special import roots_legendre
 
 from audits import npsauv
 from audits.audit import Array, rigid_mass, rigid_products, to_body
-from mahovik.core.stand import Stand, State, loads
+from mahovik.core.stand import Stand, State, load, loads
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.summary import summarize
 from mahovik.laws.fin.data import Fin, Fins
 from mahovik.laws.propeller.data import Propellers
 from mahovik.proof.reference import evaluate
 from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.harness import verify_c
+from mahovik.proof.verify.report import conclusion
 
 VEHICLES = Path(__file__).parents[2] / "docs" / "vehicles"
 AGREEMENT = 1e-12
@@ -175,3 +177,10 @@ def ahead(state: State) -> State:
     """The state with u above 0: the race of NPS AUV II is published for n and u of the same sign."""
     u, v, w, p, q, r = state.V
     return replace(state, V=(abs(u), v, w, p, q, r))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", PAPERS)
+def test_the_c_of_a_vehicle_is_verified(name: str) -> None:
+    found = verify_c(load(VEHICLES / f"{name}.toml"), count=20)
+    assert found.passed, conclusion(found)

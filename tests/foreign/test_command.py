@@ -46,17 +46,6 @@ def test_what_alone_was_compared_is_told() -> None:
     assert "at 20 random states in tau alone, since it is fixed on the world there" in said
 
 
-def test_into_a_folder() -> None:
-    for folder in (".", "new/"):
-        run("import", "urdf", URDF, "-o", folder)
-    assert Path("small_sat.toml").read_bytes() == Path("new/small_sat.toml").read_bytes()
-
-
-def test_gravity_of_a_urdf() -> None:
-    assert "--gravity" not in run("import", "urdf", URDF, "--gravity", "0", "0", "-9.81").output
-    assert "gravity = [0.0, 0.0, -9.81]" in Path("small_sat.toml").read_text()
-
-
 def test_nothing_is_overwritten() -> None:
     Path("small_sat.toml").write_text("mine")
     assert refused("import", "urdf", URDF) == "error: small_sat.toml: exists already, nothing was written\n"
