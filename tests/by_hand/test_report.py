@@ -1,8 +1,9 @@
 """Figures of the report's tables of bodies, of a stand whose numbers are set one by one.
 
 A wheel of mass `m` with the static unbalance `U` has its centre of mass `e = U / m` from the axis; at `W` rad/s its
-force is `U W^2`, its moment `D W^2` by the dynamic unbalance `D`, and `e W` is what grades of balance bound. A carrier
-with the moments 1, 2, 3 whose first principal axis is turned by 30 degrees about z has the tensor `R diag(1, 2, 3) R^T`.
+force is `U W^2`, its moment `D W^2` by the dynamic unbalance `D`, and `e W` is what grades of balance bound.
+
+A carrier with the moments 1, 2, 3 whose principal axes are turned by 30 degrees about z has `R diag(1, 2, 3) R^T`.
 A wheel mounted by the angles (0, 0, a) has its first axis along x, and its second turned from y to z by a.
 """
 
@@ -23,19 +24,19 @@ Row = list[float | str]
 W = 2 * pi * 50.0  # 3000 rpm
 
 
+def rows_of(html: str) -> list[Row]:
+    """Rows of all bodies of tables."""
+    bodies_of = "".join(re.findall(r"<tbody>(.*?)</tbody>", html, re.DOTALL))
+    rows = re.findall(r"<tr.*?</tr>", bodies_of, re.DOTALL)
+    return [[number(cell) for cell in re.findall(r"<t[dh][^>]*>(.*?)</t[dh]>", row, re.DOTALL)] for row in rows]
+
+
 def tables(of: mahovik.Stand) -> dict[str, list[Row]]:
     """Rows of the tables of bodies by the heading before them."""
     made = bodies.section(Material(of, chosen_state(of), WORDS))
     assert made is not None
-    found = {}
-    for part in made.html.split("<h3>")[1:]:
-        body = re.search(r"<tbody>(.*?)</tbody>", part, re.DOTALL)
-        if body is not None:
-            rows = re.findall(r"<tr.*?</tr>", body[1], re.DOTALL)
-            found[part.split("</h3>")[0]] = [
-                [number(cell) for cell in re.findall(r"<t[dh][^>]*>(.*?)</t[dh]>", row, re.DOTALL)] for row in rows
-            ]
-    return found
+    parts = [part.split("</h3>") for part in made.html.split("<h3>")[1:]]
+    return {title: rows_of(html) for title, html in parts}
 
 
 def number(html: str) -> float | str:

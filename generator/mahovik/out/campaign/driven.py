@@ -103,7 +103,7 @@ class DrivenByTorque:
         driven = drive_torques(case.regime, self._motors, t, block.x[13 + N :])
         self._wrench(block, t, np.where(held, phi_ddot, 0.0))
         given["tau"][:] = driven
-        block.call("coupled", t)
+        block.call("coupled" if N else "forward", t)
         given["phi_ddot"][held] = phi_ddot[held][:, None]
         if held.any():
             block.call("torque", t)

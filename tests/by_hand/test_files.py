@@ -1,0 +1,75 @@
+"""Files that other programs read: units of an FMU, and the seal of a folder of evidence; speeds that `quiet` avoids.
+
+In FMI a display unit says how many of it are one SI unit: 1 rad is 180 / pi degrees, 1 rad/s is 30 / pi turns a
+minute. A mass of 20 kg on springs of the stiffness k swings at `sqrt(k / 20) / 2 pi` Hz.
+"""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from math import pi, sqrt
+from pathlib import Path
+
+import pytest
+
+import mahovik
+from by_hand.stands import stand, wheel
+from mahovik.core.stand import rest_state
+from mahovik.out.export.fmu import export_fmu
+from mahovik.proof.evidence.folder import check, seal
+
+
+@pytest.mark.parametrize("version", ["2.0", "3.0"])
+def test_display_units_of_an_fmu(version: str) -> None:
+    own = stand(wheel("w"))
+    made = export_fmu(own, version, "me", "torque", start=rest_state(own), binary=False)
+    root = ET.fromstring(made.files["modelDescription.xml"])
+    factors = {
+        (str(unit.get("name")), str(shown.get("name"))): float(str(shown.get("factor")))
+        for unit in root.iter("Unit")
+        for shown in unit.iter("DisplayUnit")
+    }
+    assert factors == {
+        ("rad", "deg"): pytest.approx(180 / pi),
+        ("rad/s", "rpm"): pytest.approx(30 / pi),
+        ("rad/s", "deg/s"): pytest.approx(180 / pi),
+        ("rad/s2", "deg/s2"): pytest.approx(180 / pi),
+        ("m", "mm"): 1e3,
+        ("kg", "g"): 1e3,
+    }
+    shown = {each.get("quantity"): each.get("displayUnit") for each in root.iter() if each.get("quantity")}
+    assert shown["AngularVelocity"] == "rpm" and shown["Angle"] == "deg" and shown["Length"] is None
+
+
+def test_links_in_sealed_evidence_are_no_files(tmp_path: Path) -> None:
+    folder, outside = tmp_path / "evidence", tmp_path / "outside"
+    (folder / "c").mkdir(parents=True)
+    outside.mkdir()
+    for name in ("a.txt", "c/b.txt"):
+        (folder / name).write_text(name)
+    seal(folder)
+    assert check(folder) == []
+    (folder / "a.txt").rename(outside / "a.txt")
+    (folder / "a.txt").symlink_to(outside / "a.txt")
+    assert check(folder) == [f"{folder / 'a.txt'}: was changed"]
+    (folder / "d").symlink_to(outside)
+    assert check(folder) == [f"{folder / 'a.txt'}: was changed", f"{folder / 'd'}: is not listed"]
+    (folder / "c" / "b.txt").unlink()
+    assert f"{folder / 'c/b.txt'}: is missing" in check(folder)
+
+
+def test_natural_frequencies_are_avoided_on_both_sides() -> None:
+    k = 20 * (2 * pi * 15.0) ** 2  # N/m: 15 Hz
+    springs = {"stiffness": [k, k, 4 * k, 1e7, 1e7, 1e7], "damping": [1, 1, 1, 1, 1, 1]}
+    own = stand(
+        *(wheel(name, unbalance={"static": "1 g mm"}) for name in "ab"), suspension=springs, point=[{"name": "eye"}]
+    )
+
+    def broken(hertz: float) -> tuple[str, ...]:
+        speeds = {"a": 2 * pi * hertz, "b": 2 * pi * hertz}
+        found = mahovik.quiet(own, "eye", (100.0, 400.0), speeds=speeds, modes=True, orders=(1,), backend=None)
+        return found.result.broken_options
+
+    found = {hertz: broken(hertz) for hertz in (13.0, 14.0, 16.0, 17.0)}
+    assert found == {13.0: (), 14.0: ("--avoid",), 16.0: ("--avoid",), 17.0: ()}
+    assert sqrt(k / 20) / (2 * pi) == pytest.approx(15.0)
