@@ -15,12 +15,10 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import mahovik
 from by_hand.stands import ALONG, SPIN, stand, wheel
-from campaigns.computing import computation, tables_of
 from mahovik.core.stand import rest_state
 from mahovik.use.study.linear import linear_model
 
@@ -38,27 +36,45 @@ def test_a_growing_force_acts_in_the_middle_of_a_step(tmp_path: Path) -> None:
     assert x == pytest.approx(t**3 / 6, abs=0.05**2 / 11)  # held within a step: h^2 t / 12
 
 
-def test_quantities_after_a_time_and_until_they_settle() -> None:
-    regime = {"wrench": {"carrier": [20, 0, 0, 0, 0, 0]}}
-    run = {"regime": regime, "start": {}, "until": "1 s", "every": "10 ms", "dt": "10 ms"}
-    velocity = {"at": "carrier", "axis": "x"}
-    own = computation(
-        PUSHED,
-        run,
-        {
-            "mean": {"mean": "velocity", **velocity},
-            "late": {"mean": "velocity", "after": "0.5 s", **velocity},
-            "least": {"least": "velocity", "after": "0.5 s", **velocity},
-            "settled": {"settling": "velocity", "within": 0.2005, **velocity},
-        },
-    )
-    values, reasons = own.values(tables_of(own, {"carrier.mass": np.array([20.0])}))
-    assert reasons == [""]
-    assert {name: float(x[0]) for name, x in values.items()} == {
-        "mean": pytest.approx(0.5),
-        "late": pytest.approx(0.75),
-        "least": pytest.approx(0.5),
-        "settled": pytest.approx(0.76),
+CAMPAIGN = """
+schema = 1
+stand = "hand.toml"
+samples = 1
+seed = 1
+design = "random"
+[vary]
+"carrier.mass" = { normal = ["20 kg", "1e-9 kg"] }
+[over]
+regime = { wrench = { carrier = [20, 0, 0, 0, 0, 0] } }
+start = { V = [0, 0, 0, 0, 0, 0] }
+until = "1 s"
+every = "10 ms"
+dt = "10 ms"
+"""
+
+QUANTITY = """
+[[quantity]]
+name = "{name}"
+what = "{what} velocity"
+at = "carrier"
+axis = "x"
+{more}
+"""
+
+
+def test_quantities_after_a_time_and_until_they_settle(tmp_path: Path) -> None:
+    wanted = {
+        "mean": ("mean", "", 0.5),
+        "late": ("mean", 'after = "0.5 s"', 0.75),
+        "least": ("least", 'after = "0.5 s"', 0.5),
+        "settled": ("settling", "within = 0.2005", 0.76),
+    }
+    quantities = [QUANTITY.format(name=name, what=what, more=more) for name, (what, more, _) in wanted.items()]
+    PUSHED.save(tmp_path / "hand.toml")
+    (tmp_path / "C.toml").write_text(CAMPAIGN + "".join(quantities))
+    found = mahovik.Campaign(tmp_path / "C.toml").rows(0, 1).quantities
+    assert {name: float(values[0]) for name, values in found.items()} == {
+        name: pytest.approx(value) for name, (*_, value) in wanted.items()
     }
 
 

@@ -10,6 +10,7 @@ A wheel mounted by the angles (0, 0, a) has its first axis along x, and its seco
 from __future__ import annotations
 
 import re
+from html import unescape
 from math import cos, pi, radians, sin
 
 import pytest
@@ -18,7 +19,6 @@ import mahovik
 from by_hand.stands import stand, wheel
 from mahovik.out.report.stand import bodies
 from mahovik.out.report.stand.material import WORDS, Material, chosen_state
-from report.stand.reports import words
 
 Row = list[float | str]
 W = 2 * pi * 50.0  # 3000 rpm
@@ -42,7 +42,7 @@ def tables(of: mahovik.Stand) -> dict[str, list[Row]]:
 def number(html: str) -> float | str:
     """A figure as a number, other cells as their words."""
     text = re.sub(r"·10<sup>(.*?)</sup>", r"e\1", html)
-    text = re.sub("[\u202f\u2007\u2008]", "", words(text)).replace("−", "-")
+    text = re.sub("[\u202f\u2007\u2008]", "", unescape(re.sub("<[^>]*>", "", text))).replace("−", "-")
     try:
         return float(text)
     except ValueError:
