@@ -1,11 +1,13 @@
-"""Emitted C of batches in this process, beside the functions for one state, by ctypes on arrays."""
+"""Emitted C of batches in this process, beside the functions for one state, by ctypes on arrays.
+
+Batches in which each state has a table of its own are tried through Python, in tests/api.
+"""
 
 from __future__ import annotations
 
 import ctypes
 import subprocess
-from collections.abc import Callable, Iterator
-from itertools import count
+from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -23,7 +25,6 @@ from toolchain.tools import FIRMWARE_WARNINGS
 OPTIONS: dict[str, float] = {"dt": 1e-5, "order": 4}
 """Arguments that are the same for all states."""
 
-
 Arrays = dict[str, NDArray[Any]]
 """Inputs or results by name, (components, states), in the element type of the C."""
 
@@ -31,37 +32,33 @@ Numbers = NDArray[np.int32]
 
 
 class Batched:
-    """C of a stand with its batches, built by a compiler with flags; `tables` of stands that differ a little."""
+    """C of a stand with its batches, built by a compiler with flags."""
 
     def __init__(
         self, name: str, real: str = "double", compiler: str = "gcc", flags: tuple[str, ...] = ("-O0",)
     ) -> None:
         given = stand(name)
-        self.generated = generate_all(given, real)
-        self.layout, self.name = self.generated.layout, name
-        self.batches = batches(self.generated.program).batches
+        made = generate_all(given, real)
+        self.layout, self.name = made.layout, name
+        self.batches = [
+            batch
+            for batch in batches(made.program).batches
+            if not batch.each and "mounting" not in {a.name for a in batch.narrow.arguments}
+        ]
         self.real: type[np.floating[Any]] = np.float32 if real == "float" else np.float64
-        files = {**self.generated.files, **batch_files(given, self.generated)}
-        files["vary.c"] = _vary(name, self.layout.table, real)
-        if self.layout.flywheels:
-            files["vary.c"] += _vary_mounting(name, self.layout.mount_table, real)
         with TemporaryDirectory() as folder:
-            write(files, Path(folder))
-            command = [compiler, *FIRMWARE_WARNINGS, "-Wno-missing-prototypes", "-ffp-contract=off", "-fPIC"]
-            command.append(f"-D{name.upper()}_PLAIN_NAMES")
+            place = Path(folder)
+            write({**made.files, **batch_files(given, made)}, place)
+            command = [compiler, *FIRMWARE_WARNINGS, "-ffp-contract=off", "-fPIC", f"-D{name.upper()}_PLAIN_NAMES"]
             base = [f for f in flags if "native" not in f]  # gcc 12 fuses in the functions for one state
-            objects = []
-            for source in files:
-                if source.endswith(".c"):
-                    objects.append(str(Path(folder) / f"{source}.o"))
-                    options = flags if source == f"{name}_batch.c" else base
-                    subprocess.run(
-                        [*command, *options, "-c", str(Path(folder) / source), "-o", objects[-1]], check=True
-                    )
-            self.object_code = Path(folder, f"{name}_batch.c.o").read_bytes()
-            library = Path(folder) / "batch.so"
-            subprocess.run([compiler, *flags, "-shared", *objects, "-o", str(library)], check=True)
-            self.library = ctypes.CDLL(str(library))
+            for source, options in ((name, base), (f"{name}_batch", flags)):
+                made_object = str(place / f"{source}.o")
+                subprocess.run([*command, *options, "-c", str(place / f"{source}.c"), "-o", made_object], check=True)
+            self.object_code = (place / f"{name}_batch.o").read_bytes()
+            objects = [str(place / f"{name}.o"), str(place / f"{name}_batch.o")]
+            subprocess.run([compiler, *flags, "-shared", *objects, "-o", str(place / "batch.so")], check=True)
+            self._library = ctypes.CDLL(str(place / "batch.so"))
+        self.table = ctypes.byref(ctypes.c_char.in_dll(self._library, f"{name}_default"))
 
     def inputs(self, rng: np.random.Generator, n: int) -> Arrays:
         """Inputs of n ordinary states by name, arrays of (components, n)."""
@@ -73,78 +70,29 @@ class Batched:
         found |= {"tau": rng.normal(size=(count, n)), "wrench": rng.normal(size=(6 * len(layout.inputs), n))}
         return {name: np.ascontiguousarray(values, dtype=self.real) for name, values in found.items()}
 
-    def one(self, batch: Batch, inputs: Arrays, j: int, table: bytes | None = None) -> tuple[int, Arrays]:
+    def one(self, batch: Batch, inputs: Arrays, j: int) -> tuple[int, Arrays]:
         """Status and results of the function for one state, of state j."""
         columns = {name: np.ascontiguousarray(values[:, j]) for name, values in inputs.items()}
-        factor = 1 + 1e-4 * j if batch.each else 1.0
-        mounting = ctypes.c_char_p(self.mounting(factor)) if self._takes_mounting(batch) else None
-        status, results = self._called(
-            batch.narrow.name, batch, columns, 1, table or self._default(), None, mounting=mounting
-        )
+        status, results = self._called(batch.narrow.name, batch, columns, 1, None)
         return status, {name: values[:, 0] for name, values in results.items()}
 
-    def many(
-        self, batch: Batch, inputs: Arrays, n: int, tables: bytes | None = None, fill: float = np.nan
-    ) -> tuple[int, Numbers, Arrays]:
+    def many(self, batch: Batch, inputs: Arrays, n: int) -> tuple[int, Numbers, Arrays]:
         """Return value of a batch, statuses (n) and results, arrays of (components, n)."""
-        name = f"{batch.narrow.name}_batch{'_of' if batch.each else ''}"
         statuses = np.full(n, 99, dtype=np.int32)
-        table: ctypes.c_char_p | ctypes.c_void_p = self._default()
-        mounting: ctypes.c_char_p | ctypes.c_void_p | None = None
-        if self._takes_mounting(batch):
-            singles = b"".join(self.mounting(1 + 1e-4 * j if batch.each else 1.0) for j in range(n))
-            mounting = ctypes.c_char_p(singles)
-            if batch.each:
-                mounting = aligned(max(1, -(-n // 8)) * self.library.size_of_wide_mounting())
-                self.library.put_mountings(singles, n, mounting)
-        if batch.each:
-            table = aligned(max(1, -(-n // 8)) * self.library.size_of_wide())
-            given = self.function("tables")
-            assert given(ctypes.c_char_p(tables), ctypes.c_size_t(n), table) == 0
-        returned, results = self._called(name, batch, inputs, n, table, statuses, fill, mounting)
+        returned, results = self._called(f"{batch.narrow.name}_batch", batch, inputs, n, statuses)
         return returned, statuses, results
-
-    def table(self, factor: float) -> bytes:
-        """A copy of the default table, every number a little larger."""
-        memory = ctypes.create_string_buffer(self.library.size_of_table())
-        self.library.vary(memory, ctypes.c_double(factor))
-        return memory.raw
-
-    def mounting(self, factor: float) -> bytes:
-        """A copy of the default mountings, every number a little larger."""
-        memory = ctypes.create_string_buffer(self.library.size_of_mounting())
-        self.library.vary_mounting(memory, ctypes.c_double(factor))
-        return memory.raw
-
-    def _takes_mounting(self, batch: Batch) -> bool:
-        return any(a.name == "mounting" for a in batch.narrow.arguments)
 
     def function(self, name: str) -> Callable[..., int]:
         """A function of the stand by its name without the prefix."""
-        found: Callable[..., int] = getattr(self.library, f"{self.name}_{name}")
+        found: Callable[..., int] = getattr(self._library, f"{self.name}_{name}")
         return found
 
-    def _default(self) -> ctypes.c_char_p:
-        return ctypes.c_char_p(self.table(1.0))
-
-    def _called(
-        self,
-        name: str,
-        batch: Batch,
-        inputs: Arrays,
-        n: int,
-        table: bytes | ctypes.c_char_p | ctypes.c_void_p,
-        statuses: Numbers | None,
-        fill: float = np.nan,
-        mounting: ctypes.c_char_p | ctypes.c_void_p | None = None,
-    ) -> tuple[int, Arrays]:
+    def _called(self, name: str, batch: Batch, inputs: Arrays, n: int, statuses: Numbers | None) -> tuple[int, Arrays]:
         passed: list[Any] = []
         results: Arrays = {}
         for a in batch.narrow.arguments:
             if a.name == "table":
-                passed.append(ctypes.c_char_p(table) if isinstance(table, bytes) else table)
-            elif a.name == "mounting":
-                passed.append(mounting)
+                passed.append(self.table)
             elif a.name == "locked":
                 passed.append(locks(len(inputs["tau"])).ctypes.data_as(ctypes.c_void_p))
             elif a.name in OPTIONS:
@@ -156,7 +104,7 @@ class Batched:
             else:
                 rows = int(a.shape[0]) if a.shape else 1
                 rows *= _reals(a.type) if isinstance(a.type, Struct) else 1
-                results[a.name] = np.full((rows, n), fill, dtype=self.real)
+                results[a.name] = np.full((rows, n), np.nan, dtype=self.real)
                 passed.append(results[a.name].ctypes.data_as(ctypes.c_void_p))
         if statuses is not None:
             passed.insert(1, ctypes.c_size_t(n))
@@ -167,89 +115,6 @@ class Batched:
 def locks(flywheels: int) -> Numbers:
     """Locks of which the second flywheel's alone is on."""
     return np.array([int(s == 1) for s in range(flywheels)] or [0], dtype=np.int32)
-
-
-class Aligned(ctypes.c_void_p):
-    """An address that keeps its memory alive."""
-
-    memory: ctypes.Array[ctypes.c_char]
-
-
-def aligned(size: int) -> Aligned:
-    """Memory at a multiple of 64 bytes."""
-    memory = ctypes.create_string_buffer(size + 64)
-    place = (ctypes.addressof(memory) + 63) // 64 * 64
-    found = Aligned(place)
-    found.memory = memory
-    return found
-
-
-def _vary(name: str, table: Struct, real: str) -> str:
-    """C that scales every number of a copy of the default table."""
-    lines = _statements(table, "t->", count(), _scale)
-    return f"""#include "{name}_batch.h"
-int size_of_table(void);
-int size_of_wide(void);
-void vary({name}_table *t, double factor);
-int size_of_table(void) {{ return (int)sizeof({name}_table); }}
-int size_of_wide(void) {{ return (int)sizeof({name}_wide_table); }}
-void vary({name}_table *t, double factor)
-{{
-    const {real} f = ({real})factor;
-    *t = {name}_default;
-    {" ".join(lines)}
-}}
-"""
-
-
-def _vary_mounting(name: str, mounting: Struct, real: str) -> str:
-    """C that scales every number of a copy of the mountings, and that puts those of n stands side by side."""
-    lines = _statements(mounting, "t->", count(), _scale)
-    put = _statements(mounting, ".", count(), _put)
-    return f"""
-int size_of_mounting(void);
-int size_of_wide_mounting(void);
-void vary_mounting({name}_mount_table *t, double factor);
-void put_mountings(const {name}_mount_table *t, int n, {name}_wide_mount_table *w);
-int size_of_mounting(void) {{ return (int)sizeof({name}_mount_table); }}
-int size_of_wide_mounting(void) {{ return (int)sizeof({name}_wide_mount_table); }}
-void vary_mounting({name}_mount_table *t, double factor)
-{{
-    const {real} f = ({real})factor;
-    (void){name}_prepare_mounts(&{name}_default_parameters, t);
-    {" ".join(lines)}
-}}
-void put_mountings(const {name}_mount_table *t, int n, {name}_wide_mount_table *w)
-{{
-    const int lanes = (int)(sizeof(w[0].flywheel[0].mass) / sizeof({real}));
-    for (int j = 0; j < (n + lanes - 1) / lanes * lanes; ++j) {{
-        const int i = j < n ? j : n - 1;
-        {" ".join(put)}
-    }}
-}}
-"""
-
-
-def _statements(struct: Struct, path: str, numbers: Iterator[int], leaf: Callable[[str, Any], str]) -> list[str]:
-    """C that does what `leaf` gives, of a place and its type, with every number of a struct, in loops."""
-    found = []
-    for f in struct.fields:
-        at, heads = f"{path}{f.name}", []
-        for length in f.shape:
-            index = f"k{next(numbers)}"
-            heads.append(f"for (int {index} = 0; {index} < {int(length)}; ++{index}) {{")
-            at += f"[{index}]"
-        inner = _statements(f.type, f"{at}.", numbers, leaf) if isinstance(f.type, Struct) else [leaf(at, f.type)]
-        found += [*heads, *inner, *("}" for _ in heads)]
-    return found
-
-
-def _put(place: str, _: Any) -> str:
-    return f"w[j / lanes]{place}.at[j % lanes] = t[i]{place};"
-
-
-def _scale(place: str, kind: Any) -> str:
-    return f"{place} *= f;" if kind is Kind.REAL else ""
 
 
 def _reals(struct: Struct) -> int:

@@ -1,4 +1,6 @@
-"""Emitted C under the strict warnings of several compilers, and what is left in its objects."""
+"""Emitted C under the strict warnings of several compilers, what is left in its objects, and choices by macros."""
+
+from __future__ import annotations
 
 import re
 from dataclasses import replace
@@ -7,81 +9,54 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from emit.stands import NAMES, float_texts, generated, stand, write
-from mahovik.core.emit.generate import generate
-from mahovik.core.program.expression import Place
-from mahovik.core.program.walk import expressions
+from emit.stands import generated, stand, write
+from mahovik.core.emit.delivery import firmware
+from mahovik.core.emit.generate import generate, generate_all
+from mahovik.core.emit.recorder import RECORDED, recorder_files
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
 from toolchain.quick import quick
-from toolchain.tools import SSE, compile_c, require, require_32_bit, run
+from toolchain.tools import compile_c, compile_elsewhere, require, run, symbols_of
 
-FLOAT_NAMES = ("bench8", "everything6", "bare0", "hung5")
-FIRST = ("everything6", "hung5")
+CASES = ("everything6 double", "hung5 float", "everything6 float", "bare0 float", "everything0 double", "held3 double")
+"""Stands and element types."""
+ARM = ("arm-none-eabi-gcc", "gcc-arm-none-eabi libnewlib-arm-none-eabi")
+RISCV = ("riscv64-unknown-elf-gcc", "gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf")
 
 
-@pytest.fixture(scope="module", params=quick(len(FIRST), sorted(NAMES, key=lambda name: name not in FIRST)))
+@pytest.fixture(scope="module", params=quick(2, CASES))
 def source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The C file of a stand, its header beside it."""
-    return write(generated(request.param).files, tmp_path_factory.mktemp(request.param))
+    """The C file of a stand, its header and its recorder beside it."""
+    name, real = request.param.split()
+    made = generate_all(stand(name), real)
+    return write(made.files | recorder_files(stand(name), made), tmp_path_factory.mktemp(name))
 
 
-@pytest.fixture(scope="module", params=quick(1, FLOAT_NAMES))
-def float_source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """C of an example in float, written."""
-    return write(float_texts(stand(request.param))[3], tmp_path_factory.mktemp(request.param))
+def test_no_warning_and_bare_objects(source: Path, tmp_path: Path) -> None:
+    """gcc -O2 has no complaint; no library is needed, nothing can change, and all names are the stand's."""
+    name, header = source.stem, source.with_suffix(".h").read_text()
+    listed = [(kind, symbol) for kind, symbol in symbols_of(source, tmp_path) if not symbol.startswith(".")]
+    assert {symbol for kind, symbol in listed if kind == "U"} <= {"memcpy", "memmove", "memset"}
+    defined = [(kind, symbol) for kind, symbol in listed if kind != "U"]
+    assert defined and {kind for kind, _ in defined} <= set("TtRr")
+    assert [symbol for _, symbol in defined if not symbol.startswith(f"{name}_")] == []
+    assert [s for kind, s in defined if kind in "TR" and not re.search(rf"\b{s}\b", header)] == []
+    recorder = symbols_of(source.with_name(f"{name}_recorder.c"), tmp_path)
+    assert {s for kind, s in recorder if kind == "U"} <= {*(f"{name}_{step}" for step in RECORDED), "memcpy", "memset"}
+    assert {kind for kind, _ in recorder} <= set("UTtRr")
 
 
-def symbols(thing: Path, *options: str) -> list[tuple[str, str]]:
-    """Kind and name of the symbols of an object, as nm lists them."""
-    lines = run(require("nm", "binutils"), *options, thing).splitlines()
-    return [(line.split()[-2], line.split()[-1]) for line in lines]
+def test_clang_and_32_bits(source: Path) -> None:
+    compile_elsewhere(source)
+    compile_elsewhere(source.with_name(f"{source.stem}_recorder.c"))
 
 
-def check_object(source: Path, tmp_path: Path) -> None:
-    """gcc -O2 has no complaint, the object needs no library and defines nothing but names of its stand."""
-    thing = tmp_path / "stand.o"
-    compile_c(require("gcc", "gcc"), source, "-O2", "-c", "-o", thing)
-    assert {name for _, name in symbols(thing, "-u")} <= {"memcpy", "memmove", "memset"}
-    defined = [(kind, name) for kind, name in symbols(thing, "--defined-only") if not name.startswith(".")]
-    assert defined
-    assert [name for _, name in defined if not name.startswith(f"{source.stem}_")] == []
-    assert {kind for kind, _ in defined} <= set("TtRr")  # code, constants, and no data that could change
-    header = source.with_suffix(".h").read_text()
-    for _, name in symbols(thing, "--defined-only", "--extern-only"):
-        assert re.search(rf"\b{name}\b", header), f"{name} is no static, and not in the header"
-
-
-@pytest.mark.slow
-def test_gcc_at_full_warnings_and_bare_objects(source: Path, tmp_path: Path) -> None:
-    check_object(source, tmp_path)
-
-
-@pytest.mark.slow
-def test_gcc_with_float(float_source: Path, tmp_path: Path) -> None:
-    check_object(float_source, tmp_path)
-
-
-def test_clang(source: Path) -> None:
-    compile_c(require("clang", "clang"), source, "-fsyntax-only")
-
-
-def test_clang_with_float(float_source: Path) -> None:
-    compile_c(require("clang", "clang"), float_source, "-fsyntax-only")
-
-
-def test_32_bits(source: Path) -> None:
-    compile_c(require_32_bit(), source, *SSE, "-fsyntax-only")
-
-
-def test_header_alone_and_twice_in_c_and_cpp(source: Path, tmp_path: Path) -> None:
-    twice = f'#include "{source.stem}.h"\n#include "{source.stem}.h"\n'
+def test_headers_twice_in_c_and_cpp(source: Path, tmp_path: Path) -> None:
+    twice = f'#include "{source.stem}.h"\n#include "{source.stem}_recorder.h"\n' * 2
     user = tmp_path / "user.c"
     user.write_text(twice)
     compile_c(require("gcc", "gcc"), user, f"-I{source.parent}", "-fsyntax-only")
-    user = tmp_path / "user.cpp"
-    user.write_text(twice)
     flags = ("-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror", f"-I{source.parent}")
-    run(require("g++", "g++"), *flags, "-fsyntax-only", user)
+    run(require("g++", "g++"), *flags, "-fsyntax-only", "-x", "c++", user)
 
 
 @pytest.mark.parametrize("compiler", ["gcc", "clang"])
@@ -89,24 +64,6 @@ def test_after_complex_and_tgmath(source: Path, compiler: str) -> None:
     """Macros of the standard library, such as I, replace no word of header or source."""
     macros = ("-include", "complex.h", "-include", "tgmath.h")
     compile_c(require(compiler, compiler), source, *macros, "-fsyntax-only")
-
-
-def test_cpp_calls_the_c(tmp_path: Path) -> None:
-    source = write(generated("bench8").files, tmp_path)
-    user, thing, program = tmp_path / "user.cpp", tmp_path / "stand.o", tmp_path / "user"
-    user.write_text("""#include "bench8.h"
-int main()
-{
-    bench8_state x = {};
-    const bench8_real phi_ddot[BENCH8_N] = {};
-    bench8_real V_dot[6];
-    x.attitude[0] = 1.0;
-    return bench8_forward(&bench8_default, &x, phi_ddot, V_dot) == BENCH8_OK ? 0 : 1;
-}
-""")
-    compile_c(require("gcc", "gcc"), source, "-c", "-o", thing)
-    run(require("g++", "g++"), "-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Werror", user, thing, "-o", program)
-    run(program)
 
 
 def test_a_header_of_another_stand_is_refused(tmp_path: Path) -> None:
@@ -125,10 +82,7 @@ NULL EOF INT32_MAX errno main abs uint64_t
 """Names of flywheels: like our own, like one another in capitals, like variables of the C, like names of libc."""
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "features"), quick(1, [("B", EVERYTHING), ("bench", BARE), ("c", EVERYTHING), ("x_", BARE)])
-)
+@pytest.mark.parametrize(("name", "features"), quick(1, [("B", EVERYTHING), ("x_", BARE)]))
 def test_names_that_clash(name: str, features: Features, tmp_path: Path) -> None:
     names = CLASHES.split()
     given = random_stand(np.random.default_rng(5), len(names), features, name)
@@ -138,12 +92,59 @@ def test_names_that_clash(name: str, features: Features, tmp_path: Path) -> None
     compile_c(require("gcc", "gcc"), source, "-fsyntax-only")
 
 
-def test_no_local_is_named_like_a_global_of_some_stand() -> None:
-    """A local `mass_table` would hide the type of a stand called `mass`."""
-    program = generated("everything6").program
-    taken = {f.name for f in program.functions} | {s.name for s in program.structs}
-    taken |= {"default", "default_parameters", "status", "real", "word", "bits_of", "real_of"}
-    local = {e.root.name for f in program.functions for e in expressions(f.body) if isinstance(e, Place)}
-    hidden = {(name, t) for name in local for t in taken if name.endswith(f"_{t}")}
-    # `wrench` of a stand called `mount` is mount_wrench, as is the result of mounts, which does not call it
-    assert hidden == {("mount_wrench", "wrench")}
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("tool", "flags", "symbol"),
+    [
+        (ARM, ("-mthumb", "-mcpu=cortex-m4", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard"), r"__aeabi_"),
+        (ARM, ("-mthumb", "-mcpu=cortex-m3", "-mfloat-abi=soft"), r"__aeabi_(c?d|[a-z]+2d)"),
+        (RISCV, ("-march=rv32imac", "-mabi=ilp32", "--specs=picolibc.specs"), r"__.*df"),
+    ],
+    ids=["m4", "m3", "rv32imac"],
+)
+def test_float_calls_no_helper_of_double(
+    tool: tuple[str, str], flags: tuple[str, ...], symbol: str, tmp_path: Path
+) -> None:
+    """`-Wdouble-promotion` alone misses conversions."""
+    source = write(generate(stand("everything6"), "float"), tmp_path)
+    thing = tmp_path / "stand.o"
+    run(require(*tool), "-std=c99", "-O2", "-ffp-contract=off", *flags, "-c", source, "-o", thing)
+    wanted = run(require("nm", "binutils"), "-u", "-f", "posix", thing).split("\n")
+    assert [line for line in wanted if re.search(symbol, line)] == []
+
+
+@pytest.mark.slow
+def test_float_has_no_instruction_of_double_on_the_m7(tmp_path: Path) -> None:
+    source = write(generate(stand("everything6"), "float"), tmp_path)
+    flags = ("-mthumb", "-mcpu=cortex-m7", "-mfpu=fpv5-d16", "-mfloat-abi=hard", "-ffp-contract=off")
+    run(require(*ARM), "-std=c99", "-O2", *flags, "-c", source, "-o", tmp_path / "stand.o")
+    objdump = require("arm-none-eabi-objdump", "binutils-arm-none-eabi")
+    listing = run(objdump, "-d", "--no-show-raw-insn", tmp_path / "stand.o")
+    assert ".f32" in listing
+    assert re.findall(r"\S*\.f64\S*", listing) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("real", "root"), [("double", "__builtin_sqrt"), ("float", "__builtin_sqrtf")])
+def test_the_root_of_the_processor_gives_the_same_bits(real: str, root: str, tmp_path: Path) -> None:
+    """NAME_SQRT: the self-test passes, and notices a root that is one unit too large."""
+    source = write(firmware(stand("shaker2"), real), tmp_path)
+    test, program = tmp_path / "verification/shaker2_selftest.c", tmp_path / "program"
+    flags = ("-O2", "-ffp-contract=off", "-fno-math-errno", "-DSHAKER2_SELFTEST_MAIN")
+    for macro in (root, f"1.0000001{'F' if real == 'float' else ''} * {root}"):
+        compile_c(require("gcc", "gcc"), source, test, *flags, f"-DSHAKER2_SQRT={macro}", "-o", program)
+        if macro == root:
+            assert run(program).splitlines()[-1] == "failures 0"
+        else:
+            with pytest.raises(AssertionError, match="program"):
+                run(program)
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+def test_a_status_is_an_int_where_enums_are_short(compiler: str, tmp_path: Path) -> None:
+    write(generated("shaker2").files, tmp_path)
+    (tmp_path / "user.c").write_text("""#include "shaker2.h"
+typedef char as_an_int[sizeof(shaker2_status) == sizeof(int) ? 1 : -1];
+typedef char rows_too[sizeof(shaker2_status[3]) == 3 * sizeof(int) ? 1 : -1];
+""")
+    compile_c(require(compiler, compiler), tmp_path / "user.c", "-fshort-enums", "-fsyntax-only")

@@ -8,12 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from emit.stands import NAMES, float_texts, generated, stand, write
+from emit.stands import generated, stand, write
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.cpp import cpp_example, cpp_header, namespace
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.stand.random import BARE, random_stand
-from toolchain.quick import quick
 from toolchain.tools import compile_c, require, run
 
 STRICT = (
@@ -21,9 +20,7 @@ STRICT = (
     *("-Wundef", "-Wcast-qual", "-Werror"),
 )
 COMPILERS = (("g++", "g++", "c++17"), ("clang++", "clang", "c++20"))
-OTHERS = (("g++", "g++", "c++20"), ("clang++", "clang", "c++17"))
-FEW = ("bench8", "auv6", "everything6", "bare0")
-HELD = ("held3", "clamped4", "edge2")
+NAMES = ("everything6", "bare0", "held3", "edge2")
 
 USER = """#include "{name}.hpp"
 #include "{name}.hpp"
@@ -51,24 +48,12 @@ def check(name: str, made: Generated, folder: Path, compilers: tuple[tuple[str, 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", (*FEW, *HELD))
+@pytest.mark.parametrize("name", NAMES)
 def test_no_warning(name: str, tmp_path: Path) -> None:
     check(name, generated(name), tmp_path, COMPILERS)
 
 
-@pytest.mark.slow
-def test_no_warning_with_float(tmp_path: Path) -> None:
-    check("auv6", generate_all(stand("auv6"), "float"), tmp_path, COMPILERS)
-    assert float_texts(stand("auv6"))[0].precision.name == "float"
-
-
-@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
-def test_no_warning_of_any(name: str, tmp_path: Path) -> None:
-    check(name, generated(name), tmp_path, (*COMPILERS, *OTHERS))
-
-
-@pytest.mark.parametrize("name", (*FEW, *HELD))
 def test_every_function_and_status_is_there(name: str) -> None:
     made = generated(name)
     text = cpp_header(stand(name), made)[f"{name}.hpp"]
@@ -136,34 +121,6 @@ def test_calls_have_the_bits_of_the_c(tmp_path: Path) -> None:
     run(program)
 
 
-FREE = """#include "bench8.hpp"
-namespace stand = mahovik::bench8;
-extern "C" int by_c(const bench8_state* x, const double phi_ddot[8], double V_dot[6]) noexcept
-{
-    return bench8_forward(&bench8_default, x, phi_ddot, V_dot);
-}
-extern "C" int by_cpp(const stand::State& x, const stand::Reals<8>& phi_ddot, stand::Reals<6>& V_dot) noexcept
-{
-    return static_cast<int>(stand::forward(stand::default_table, x, phi_ddot, V_dot));
-}
-"""
-
-
-def test_a_call_costs_what_it_costs_in_c(tmp_path: Path) -> None:
-    """The same instructions, byte by byte, of a caller that is `noexcept` itself."""
-    made = generated("bench8")
-    write({**made.files, **cpp_header(stand("bench8"), made)}, tmp_path)
-    user, thing = tmp_path / "user.cpp", tmp_path / "user.o"
-    user.write_text(FREE)
-    run(require("g++", "g++"), "-std=c++17", "-O2", "-c", user, "-o", thing)
-    printed = run(require("objdump", "binutils"), "-d", thing)
-    codes = dict(re.findall(r"<(by_\w+)>:\n(.*?)(?:\n\n|\Z)", printed, re.DOTALL))
-    until_return = {name: text.partition("ret")[0] for name, text in codes.items()}
-    bodies = {name: re.findall(r":\t((?:[0-9a-f]{2} )+)", text) for name, text in until_return.items()}
-    assert bodies["by_c"]
-    assert bodies["by_c"] == bodies["by_cpp"]
-
-
 def test_a_status_that_is_ignored_is_a_warning(tmp_path: Path) -> None:
     made = generated("bench8")
     write({**made.files, **cpp_header(stand("bench8"), made)}, tmp_path)
@@ -185,7 +142,7 @@ def test_a_header_of_another_stand_is_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", quick(2, ["std", "near", "linux", "mahovik", "N", "Real"]))
+@pytest.mark.parametrize("name", ["std", "near", "N"])
 def test_names_that_clash(name: str, tmp_path: Path) -> None:
     given = random_stand(np.random.default_rng(5), 2, BARE, name)
     made = generate_all(given)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import subprocess
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,11 +11,11 @@ import pytest
 from emit.stands import float_texts, generated, stand, write
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.delivery import selftest_files
-from mahovik.core.emit.generate import generate, generate_all
+from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.names import RESERVED
 from mahovik.core.toolchain.compiler import BITS
 from mahovik.proof.verify.selftest_log import problems, read_log
-from toolchain.tools import compile_c, require
+from toolchain.tools import require
 
 LEAVE = "-DBENCH8_ALLOW_FAST_MATH"
 
@@ -41,7 +40,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.parametrize(
     ("compiler", "flag"),
     [
-        *((compiler, flag) for compiler in ("gcc", "clang") for flag in ("-ffast-math", "-Ofast")),
+        ("gcc", "-ffast-math"),
+        ("clang", "-Ofast"),
         ("gcc", "-funsafe-math-optimizations"),
         ("gcc", "-freciprocal-math"),
     ],
@@ -56,35 +56,23 @@ def test_checks_of_numbers_are_not_compiled_away(folder: Path, compiler: str) ->
     assert "NaN would pass" in complaint(compiler, folder / "bench8.c", "-ffinite-math-only")
 
 
-@pytest.mark.parametrize("compiler", ["gcc", "clang"])
-@pytest.mark.parametrize("flags", [("-O2", *BITS), ("-O3", "-march=native"), ("-ffast-math", "-fno-fast-math", *BITS)])
-def test_exact_arithmetic_is_taken(folder: Path, compiler: str, flags: tuple[str, ...]) -> None:
-    assert "error" not in complaint(compiler, folder / "bench8.c", *flags)
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("real", ["double", "float"])
-@pytest.mark.parametrize(
-    ("compiler", "flag"), [("clang", "-funsafe-math-optimizations"), ("gcc", "-funsafe-math-optimizations")]
-)
-def test_what_clang_does_not_show_fails_in_the_self_test(compiler: str, flag: str, real: str, tmp_path: Path) -> None:
-    """The answers are wrong and the statuses OK: the header says so, and the self-test in its first line.
-
-    gcc shows the flag, and is let through.
-    """
+def test_what_clang_does_not_show_fails_in_the_self_test(real: str, tmp_path: Path) -> None:
+    """The answers are wrong and the statuses OK: the header says so, and the self-test in its first line."""
     made = generate_all(stand("bench8"), real)
     write({**made.files, **selftest_files(stand("bench8"), made)}, tmp_path)
     program = tmp_path / "selftest"
     sources = [str(tmp_path / name) for name in ("bench8.c", "verification/bench8_selftest.c")]
-    leave = [LEAVE] if compiler == "gcc" else []
-    command = [require(compiler, compiler), "-std=c99", "-O2", *BITS, flag, *leave, "-DBENCH8_SELFTEST_MAIN", *sources]
-    subprocess.run([*command, "-o", str(program)], check=True, capture_output=True)
+    flags = ("-O2", *BITS, "-funsafe-math-optimizations", "-DBENCH8_SELFTEST_MAIN")
+    subprocess.run(
+        [require("clang", "clang"), "-std=c99", *flags, *sources, "-o", str(program)], check=True, capture_output=True
+    )
     done = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 1
     assert "forward FAIL" in done.stdout
     first, second, *_ = done.stdout.splitlines()
-    flags = "-ffast-math, -Ofast, -funsafe-math-optimizations or a part of them"
-    assert first == f"wrong results: compiled with {flags}"
+    assert first == "wrong results: compiled with -ffast-math, -Ofast, -funsafe-math-optimizations or a part of them"
     assert second.startswith("mahovik selftest bench8 ")
     (log,) = read_log(done.stdout, "selftest")
     assert problems(log)[0] == first
@@ -104,31 +92,6 @@ def test_header_and_source_of_different_versions(tmp_path: Path) -> None:
     header = re.sub(r"(VERSION_MINOR )\d+", r"\g<1>99", text["bench8.h"])
     source = write({"bench8.h": header, "bench8.c": text["bench8.c"]}, tmp_path)
     assert "different versions" in complaint("gcc", source)
-
-
-@pytest.mark.parametrize(("real", "size"), [("double", 8), ("float", 4)])
-def test_the_header_tells_element_type_and_version(real: str, size: int) -> None:
-    text = generate(stand("demo3"), real)["demo3.h"]
-    assert re.search(rf"#define DEMO3_REAL_BYTES {size}\b", text)
-    assert re.findall(r"#define DEMO3_VERSION_(\w+) \d+", text) == ["MAJOR", "MINOR", "PATCH"]
-
-
-@pytest.mark.slow
-def test_no_flywheel_takes_a_name_of_a_header(tmp_path: Path) -> None:
-    """Flywheels named as macros, and `n` beside `N`, compile with everything that is generated for a stand."""
-    names = sorted(name.lower() for name in RESERVED)
-    given = stand("bench8")
-    for number in range(0, len(names), 6):
-        chosen = [*names[number : number + 6], "n", "N", "m1", "m2", "m3", "m4", "m5", "m6"][:8]
-        flywheels = tuple(replace(f, name=name) for f, name in zip(given.flywheels, chosen, strict=True))
-        odd = replace(given, flywheels=flywheels)
-        made = generate_all(odd)
-        batch = batch_files(odd, made)
-        where = tmp_path / str(number)
-        where.mkdir()
-        source = write({**made.files, **batch}, where)
-        for path in (source, where / "bench8_batch.c"):
-            compile_c("gcc", path, "-fsyntax-only")
 
 
 def test_every_macro_of_the_files_is_reserved(folder: Path) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Mapping
 from functools import cache
@@ -15,13 +14,8 @@ from export.programmes import exported as programme
 from export.servos import exported as servos
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.program.function import Program
-from mahovik.core.program.stack import stack_bound
 from mahovik.core.program.walk import called_names
-from mahovik.stands import names
-from toolchain.quick import quick
 from toolchain.tools import compile_c, require
-
-GENERATED = Path(__file__).resolve().parents[2] / "generated"
 
 ROOM = 1104
 """A stated bound may be at most three times the measured stack and this many bytes more.
@@ -79,24 +73,8 @@ def generated(name: str, real: str) -> Generated:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", names())
-def test_bounds_hold_for_the_cost_tables(name: str) -> None:
-    """Every function on every target whose stack was measured; the routines of a recorder have a test of their own."""
-    tables = json.loads((GENERATED / name / "cost.json").read_text())["targets"]
-    assert len(tables) >= 4
-    for table in tables:
-        found = generated(name, table["real"]).program
-        bounds = {f.name: stack_bound(f, found) for f in found.functions if f.public}
-        rows = {row["function"]: row["stack"] for row in table["functions"]}
-        taken = {function: size for function, size in rows.items() if function in bounds}
-        assert taken.keys() == bounds.keys()
-        check(bounds, taken, ROOM)
-
-
 @pytest.mark.parametrize("compiler", ["gcc", "clang"])
-@pytest.mark.parametrize(
-    ("name", "real"), quick(0, [("demo3", "double"), ("everything6", "float"), ("wet7", "double")])
-)
+@pytest.mark.parametrize(("name", "real"), [("demo3", "double"), ("everything6", "float")])
 def test_bounds_hold_for_every_optimisation(name: str, real: str, compiler: str, tmp_path: Path) -> None:
     found = generated(name, real).program
     source = write(generated(name, real).files, tmp_path)

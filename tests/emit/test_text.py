@@ -8,14 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from emit.stands import AIR, HELD, NAMES, float_texts, generated, other_numbers, stand
+from emit.stands import AIR, HELD, generated, other_numbers, stand
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate, generate_all
-from mahovik.core.emit.layout import WIDTH
 from mahovik.core.program.short_loops import loops_of_no_turn
-from mahovik.core.program.walk import reachable
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.random import EVERYTHING, Features, random_stand
+from mahovik.core.stand.random import Features, random_stand
 from mahovik.core.stand.structure import structure
 from mahovik.laws.damping.data import Damping
 from toolchain.quick import quick
@@ -24,7 +22,7 @@ COMMENT = re.compile(r"/\*.*?\*/", re.S)
 TABLES = "/* ---- tables ---- */"
 
 
-@pytest.fixture(scope="module", params=NAMES)
+@pytest.fixture(scope="module", params=("demo3", "sat4", "everything6", "hung5", "held3", "bare0"))
 def files(request: pytest.FixtureRequest) -> dict[str, str]:
     """File name to text of a stand."""
     return generated(request.param).files
@@ -35,78 +33,19 @@ def code_of(text: str) -> str:
     return re.sub(r'"[^"\n]*"', '""', COMMENT.sub(" ", text))
 
 
-def test_comments_end_where_they_end(files: dict[str, str]) -> None:
-    for text in files.values():
-        assert text.count("/*") == text.count("*/") == len(COMMENT.findall(text))
-        assert "*/" not in code_of(text)
-        assert "//" not in code_of(text)
-
-
-def test_lines_fit(files: dict[str, str]) -> None:
-    """Tables too: a member a line."""
-    for name, text in files.items():
-        assert [f"{name}: {line}" for line in text.splitlines() if len(line) > WIDTH] == []
-        assert [line for line in text.splitlines() if line != line.rstrip() or "\t" in line] == []
-        assert text.endswith("\n")
-        assert not text.endswith("\n\n")
-        assert "\n\n\n" not in text
-        assert text.isascii()
-
-
-def test_the_header_has_no_struct_of_the_source(files: dict[str, str]) -> None:
-    """Each is an argument of a function, a constant, or a member of such a struct; no pointer has a size with it."""
-    header, source = (code_of(text) for text in files.values())
-    for name, body in re.findall(r"typedef struct (\w+) \{(.*?)\n\}", header, re.DOTALL):
-        others = header.replace(f"typedef struct {name} {{{body}\n}} {name};", "")
-        assert re.search(rf"\b{name}\b", others), name
-    assert not re.search(r"\b\w+_(factors3|\w+_factor|sums)\b", header)
-    assert "[restrict" not in source
-
-
 def test_no_function_of_a_library(files: dict[str, str]) -> None:
     header, source = files.values()
     called = set(re.findall(r"\b(\w+)\(", code_of(source)))
     name = next(iter(files)).removesuffix(".h")
     hook = f"{name.upper()}_SQRT"
-    assert {c for c in called if not c.startswith(f"{name}_")} <= {
-        "if",
-        "for",
-        "return",
-        "real",
-        "__asm__",
-        "__attribute__",
-        hook,
-    }
+    words = {"if", "for", "return", "real", "__asm__", "__attribute__", hook}
+    assert {c for c in called if not c.startswith(f"{name}_")} <= words
     allowed = {"__attribute__((noinline))", "__attribute__((always_inline))"}
     assert set(re.findall(r"__attribute__.*", source)) <= allowed
     standard = [f"#include <{each}.h>" for each in ("stddef", "stdint", "float", "limits")]
     assert re.findall(r"#include .*", source) == [f'#include "{name}.h"', *standard]
     assert re.findall(r"#include .*", header) == []
     assert not re.search(r"\b(goto|while|static\s+\w+\s+\w+\s*=|malloc|volatile|long double)\b", code_of(source))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["bench8", "everything6", "everything0", "hung5"])
-def test_float_programs_hold_no_double(name: str) -> None:
-    for text in float_texts(stand(name))[3].values():
-        assert "double" not in text.lower().replace("double phase", "")
-        numbers = re.findall(r"(?<![\w.])\d+\.\d*(?:e[-+]?\d+)?\w*", code_of(text))
-        assert numbers
-        assert [n for n in numbers if not n.endswith("F")] == []
-        assert "uint64" not in text
-
-
-def test_every_function_is_static_or_a_contract_in_the_header(files: dict[str, str]) -> None:
-    header, source = files.values()
-    name = next(iter(files)).removesuffix(".h")
-    defined = re.findall(rf"^(static )?[\w ]+?\*?({name}_\w+)\([^;{{]*\)\n{{", source, re.M)
-    assert len(defined) > 10
-    for static, function in defined:
-        comment = rf"/\* {function.removeprefix(name + '_')}: (?:(?!\*/).)*\*/"
-        found = re.search(rf"{comment}\n[\w ]+ {function}\(", header, re.S)
-        assert bool(static) != bool(found), function
-    public = [f.removeprefix(f"{name}_") for static, f in defined if not static]
-    assert {"forward", "matrices", "momentum", "generalized", "quaternion", "prepare"} <= set(public)
 
 
 def test_contracts_name_arguments_statuses_and_cost(files: dict[str, str]) -> None:
@@ -122,12 +61,6 @@ def test_contracts_name_arguments_statuses_and_cost(files: dict[str, str]) -> No
             assert set(due) <= set(STATUS_VALUES), f.name
             assert f"Returns {', '.join(due)}." in comment
             assert re.search(r"(At most \d+ operations|No operation) on reals", comment), f.name
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_no_function_is_left_over(name: str) -> None:
-    program = generated(name).program
-    assert reachable(program.functions) == program.functions
 
 
 def test_no_place_no_host_no_date(files: dict[str, str]) -> None:
@@ -148,8 +81,7 @@ def without_numbers(text: str, name: str) -> str:
     )
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", quick(2, ["everything6", "hung5", "wet7", "auv6", "bench8"]))
+@pytest.mark.parametrize("name", quick(1, ["hung5", "everything6", "wet7"]))
 def test_structure_decides_the_text(name: str) -> None:
     given = stand(name)
     other = other_numbers(given, np.random.default_rng(8))
@@ -175,11 +107,8 @@ def copies(given: Stand, count: int) -> Stand:
     return replace(given, flywheels=tuple(wheels))
 
 
-@pytest.mark.parametrize(
-    "features",
-    quick(0, [Features("ship", 2), Features(instruments=0), Features(instruments=1, fluid=False, wrench_inputs=False)]),
-    ids=["drawn", "carrier", "instrument"],
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("features", [Features("ship", 2), Features(instruments=0)], ids=["drawn", "carrier"])
 def test_64_flywheels_are_few_lines_more_than_one(features: Features) -> None:
     """Numbers apart: the code has loops, and the header a name each."""
     given = random_stand(np.random.default_rng(2), 1, replace(features, wrench_inputs=False, tasks=0), "few")
@@ -192,23 +121,6 @@ def test_64_flywheels_are_few_lines_more_than_one(features: Features) -> None:
     made = [generate(copies(given, n)).values() for n in (1, 64)]
     one, many = (sum(text.split(TABLES)[0].count("\n") for text in texts) for texts in made)
     assert 0 < many - one <= 40
-
-
-@pytest.mark.parametrize("name", ["bench8", "everything6"])
-def test_the_same_stand_gives_the_same_text(name: str) -> None:
-    assert generate_all(stand(name)).files == generated(name).files
-
-
-def test_everything_is_in_the_everything_stand() -> None:
-    """Guard of this file: the general stand has all that a layout can have."""
-    layout = generated("everything6").layout
-    assert [law.words for law in layout.law_tables] == ["suspension", "legs", "torquers"]
-    assert layout.table.field("term") is not None
-    assert layout.own_turning
-    assert layout.own_fixed
-    assert layout.stream
-    assert layout.flywheel_displaces
-    assert EVERYTHING.instruments == layout.instruments
 
 
 @pytest.mark.parametrize("held", [False, True])
