@@ -19,7 +19,7 @@ from mahovik.use.study.jitter.maker import InnerModes, read_harmonics, read_inne
 from mahovik.use.study.jitter.structure import read_structure
 from mahovik.use.study.linear.model import places
 from mahovik.use.study.response.speeds import read_speeds
-from study.jitter.stands import M_CARRIER, M_WHEEL, one_wheel
+from study.test_jitter import M_CARRIER, M_WHEEL, one_wheel
 
 OMEGA = 240.0
 

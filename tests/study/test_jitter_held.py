@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,17 +12,12 @@ import pytest
 
 import mahovik
 from cli.run import refused, run
-from mahovik import stands
-from mahovik.core.stand import Stand, load
-from mahovik.core.stand.hold import FREEDOMS
-from mahovik.core.stand.model import Hold
+from mahovik.core.stand import Stand
 from mahovik.out.functions.jitter import Jitter
 from mahovik.use.study.response import periodic_response
 from study.test_response_held import shaker, table
-from toolchain.quick import quick
 
-HELD = Path(__file__).parents[3] / "docs" / "held"
-ZERO = (0.0, 0.0, 0.0)
+HELD = Path(__file__).parents[2] / "docs" / "held"
 
 
 def stand_of(document: dict[str, Any]) -> Stand:
@@ -70,8 +64,7 @@ def test_a_clamped_carrier_moves_only_the_reaction(speeds: dict[str, Any], quant
         assert max(check.off for check in found.study.checks) < 1e-12
 
 
-@pytest.mark.parametrize("friction", [False, True])
-@pytest.mark.parametrize("last", ["11.3", "5..11.3"])
+@pytest.mark.parametrize(("friction", "last"), [(False, "11.3"), (True, "5..11.3")])
 def test_a_shaker_of_one_freedom_is_an_oscillator(friction: bool, last: str) -> None:
     """Two exciters at speeds without a common period: m e w^2 / (k - M w^2 + i c w) of each, and m e w^2 held across.
 
@@ -85,9 +78,12 @@ def test_a_shaker_of_one_freedom_is_an_oscillator(friction: bool, last: str) -> 
     motion = mahovik.jitter(stand, speeds, "carrier", quantity="displacement", steps=2)
     held = mahovik.jitter(stand, speeds, "hold.reaction", steps=2)
     mount = mahovik.jitter(stand, speeds, "v", steps=2)
+    along_rail = mahovik.jitter(stand, speeds, "hold.z", quantity="velocity", steps=2)
+    assert along_rail.rms.shape[1] == 1
     for wheel, w in (("w", 24.0), ("v", 11.3)):
         z = me * w**2 / (k - M * w**2 + 1j * c * w)
         np.testing.assert_allclose(size(motion, wheel), [0.0, 0.0, abs(z)], rtol=1e-9, atol=1e-15)
+        np.testing.assert_allclose(size(along_rail, wheel), [w * abs(z), 0.0, 0.0], rtol=1e-9, atol=1e-15)
         np.testing.assert_allclose(size(held, wheel), [0.0, me * w**2, 0.0], rtol=1e-9, atol=1e-9)
         own = me if wheel == "v" else 0.0
         along, across = abs(w**2 * (m * z + own)), own * w**2
@@ -117,47 +113,6 @@ def test_with_a_common_period_it_is_the_response(name: str, quantity: str) -> No
         if round(hertz / base) < len(total):
             total[round(hertz / base)] += lines.amplitude[0, i]
     np.testing.assert_allclose(total[:8], wanted[:8], rtol=0, atol=1e-6 * np.abs(wanted[1:]).max())
-
-
-@pytest.mark.parametrize("last", quick(1, ["5..11.3", "11.3"]))
-@pytest.mark.parametrize(("quantity", "power"), [("displacement", 0), ("velocity", 1), ("acceleration", 2)])
-def test_the_shift_of_a_freedom_is_that_of_its_oscillator(last: str, quantity: str, power: int) -> None:
-    """m e w^2 (i w)^power / (k - M w^2 + i c w), one number for the one freedom."""
-    document = shaker(False)
-    document["flywheel"].append(document["flywheel"][0] | {"name": "v"})
-    stand = stand_of(document)
-    for name in ("hold.z", "hold.1"):
-        found = mahovik.jitter(stand, {"w": 24.0, "v": last}, name, quantity=quantity, steps=2)
-        for wheel, w in (("w", 24.0), ("v", 11.3)):
-            z = 0.16 * w ** (2 + power) / abs(4e4 - 76.0 * w**2 + 300j * w)
-            np.testing.assert_allclose(size(found, wheel), [z, 0.0, 0.0], rtol=1e-9, atol=1e-15)
-        assert found.rms.shape == (len(found.study.value), 1)
-        assert found.study.point == "hold.z"
-
-
-def test_what_is_left_out_of_the_reaction_is_what_higher_orders_add() -> None:
-    stand = stand_of(SWINGING)
-    low, high = (mahovik.jitter(stand, {"w1": 20.0, "w2": 31.7}, "hold.reaction", order=n) for n in (2, 6))
-    more = np.abs(high.worst - low.worst)[0]
-    assert more.max() > 1e-6
-    assert np.all(more <= 1.2 * low.remainder[0] + 1e-12) and np.all(low.remainder[0] <= 5.0 * more + 1e-12)
-
-
-@pytest.mark.slow
-def test_six_freedoms_are_the_free_carrier() -> None:
-    free = load(stands.path("bench8"))
-    held = replace(free, hold=Hold(tuple(FREEDOMS.values()), (0.1, -0.2, 0.3), ZERO, ZERO))
-    speeds = {"w1": 60.0, "w2": -41.2}
-    one, other = (mahovik.jitter(each, speeds, "carrier", quantity="acceleration", order=3) for each in (free, held))
-    kept = [i for i in range(len(one.study.lines.names)) if one.study.lines.frequency[0, i] > 0.0]
-    most = one.study.lines.sizes[0].max()
-    for i in kept:
-        name = one.study.lines.names[i]
-        at = other.study.lines.names.index(name) if name in other.study.lines.names else None
-        given = np.zeros(3) if at is None else other.study.lines.amplitude[0, at]
-        np.testing.assert_allclose(given, one.study.lines.amplitude[0, i], rtol=0, atol=1e-6 * most)
-    reaction = mahovik.jitter(held, speeds, "hold.reaction", order=3)
-    assert reaction.worst.max() < 1e-6 * most * free.carrier.mass
 
 
 def test_a_maker_s_table_shakes_a_force_table(tmp_path: Path) -> None:
@@ -191,25 +146,6 @@ def test_requirements_on_a_force(tmp_path: Path) -> None:
     assert "expected a force" in refused(*asked, "--require", "rms 1 arcsec")
 
 
-def test_the_mean_is_printed_where_there_is_one() -> None:
-    """The weight that the hold carries, beside the lines of the unbalance."""
-    stand = load(HELD / "force_table.toml")
-    mass = stand.carrier.mass + sum(each.mass for each in stand.flywheels)
-    asked = ("jitter", str(HELD / "force_table.toml"), "--speed", "wheel=3000rpm", "--at")
-    (row,) = [line.split() for line in run(*asked, "hold.reaction").stdout.splitlines() if "mean" in line]
-    assert float(row[-1]) == pytest.approx(-mass * stand.gravity[2], rel=1e-5)
-    assert float(row[-2]) == pytest.approx(0.0, abs=1e-9)
-
-
-@pytest.mark.slow
-def test_a_mount_of_a_free_carrier_is_that_of_its_exact_wrench() -> None:
-    """To first order and in full, of a stand with weight, a suspension and gyroscopic moments."""
-    stand = load(stands.path("bench8"))
-    for quantity in ("force", "moment"):
-        found = mahovik.jitter(stand, {"w1": "10..60", "w2": "-0.7*w1"}, "w1", quantity=quantity, steps=3)
-        assert max(check.off for check in found.study.checks) < 0.02
-
-
 def test_a_line_of_sight_of_a_held_carrier(tmp_path: Path) -> None:
     """An angle of 3 rad/m along the rail sees three times the displacement."""
     document = shaker(False) | {"point": [{"name": "eye"}]}
@@ -221,18 +157,15 @@ def test_a_line_of_sight_of_a_held_carrier(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["hold.reaction", "w2"])
-def test_it_is_the_motion_of_the_c_through_time(name: str) -> None:
+def test_it_is_the_motion_of_the_c_through_time() -> None:
     """A pendulum under two wheels, stepped with a carry until it is steady; lines fitted to what it reads over 40 s."""
     stand, speeds, every = stand_of(SWINGING), [20.0, 31.7], 0.02
-    found = mahovik.jitter(stand, dict(zip(("w1", "w2"), speeds, strict=True)), name).study.lines
+    found = mahovik.jitter(stand, dict(zip(("w1", "w2"), speeds, strict=True)), "hold.reaction").study.lines
     done = mahovik.simulate(
         stand, 50.0, regime={"flywheel": {"w1": {"speed": 20.0}, "w2": {"speed": 31.7}}}, start={"phi_dot": speeds},
-        dt=every / 8, every=every, carried=True, mounts=True,
+        dt=every / 8, every=every, carried=True,
     ).run  # fmt: skip
     columns = [f"hold.reaction.{axis} [N]" for axis in "xyz"]
-    if name != "hold.reaction":
-        columns = [f"mount_{axis.upper()} {name} [N]" for axis in "xyz"]
     t = np.arange(2001) * every + 10.0
     values = np.column_stack([done[column][-2001:] for column in columns])
     large = found.sizes[0].max(axis=1) > 1e-4 * found.sizes[0].max()
