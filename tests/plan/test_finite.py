@@ -48,15 +48,6 @@ def test_modes_are_smooth_and_start_at_rest(pinned: bool) -> None:
     assert np.all(np.diff(at.orders[1:]) > 0.0)
 
 
-def test_a_higher_degree_takes_over_all() -> None:
-    """Spaces of one set of breaks are nested."""
-    low, high = (SplineSpace(SPAN, np.linspace(0.0, SPAN, 6), degree, False) for degree in (5, 9))
-    waves = np.random.default_rng(0).normal(size=(3, low.size))
-    t = np.linspace(0.0, SPAN, 50)
-    expected = low.modes(t).value @ waves.T
-    assert high.modes(t).value @ high.convert(waves, low).T == pytest.approx(expected, abs=1e-9)
-
-
 def test_bench8_moves_from_rest_to_rest() -> None:
     """Found, and exact between the nodes; the table is as exact; flywheels start at rest."""
     stand, motion = move()

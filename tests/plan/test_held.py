@@ -14,8 +14,6 @@ from mahovik.core.motion.programme import programme_text, read_programme
 from mahovik.core.motion.required import RequiredMotion, read_motion
 from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
-from mahovik.out.functions.notices import MahovikWarning
-from mahovik.out.functions.programmes import plan
 from mahovik.proof.verify.programme import held, simulation, verify_programme
 from mahovik.use.control.coordinates import held_coordinates
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
@@ -82,13 +80,6 @@ def test_a_motor_that_is_too_weak_is_named_in_a_line() -> None:
         "w1: peak torque in the run-up 9e+09 N m"
     )
     assert motor_warnings(own, {**report, "rundown": {"reason": "none found"}}) == ()
-
-
-def test_six_numbers_with_zeros_for_what_is_blocked_are_the_same_motion() -> None:
-    one, six = (motion(PENDULUM, {"cos": row}) for row in ([0.1], [0, 0, 0, 0, 0.1, 0]))
-    t = np.linspace(0.0, 1.0, 7)
-    assert all(np.array_equal(a, b) for a, b in zip(one.at(t), six.at(t), strict=True))
-    assert six.free_mean == (True,)
 
 
 @pytest.mark.parametrize(
@@ -223,28 +214,6 @@ def test_a_neutral_carrier_swings_or_drifts(law: str, words: str) -> None:
     assert finding.words.startswith(f"largest multiplier: {words}")
 
 
-def test_a_carrier_may_drift_and_swing() -> None:
-    assert simulation._neutral((1j, -1j, 1 + 1e-6j, 1 - 1e-6j), 1e-3) == "is free to drift and swings undamped"
-    assert simulation._neutral((-1, -1, 0.5, 0.2), 1e-3) == "swings undamped"
-
-
-@pytest.mark.slow
-def test_a_programme_of_another_amplitude_is_refused() -> None:
-    required, larger = (motion(SHAKER, {"cos": [size]}, period=0.05, winding="spin") for size in (2e-3, 2.01e-3))
-    found = planned(SHAKER, required, verify=False).programmes[0]
-    refused = {each.name for each in verify_programme(SHAKER, larger, found) if not each.passed}
-    assert {"residual", "simulation"} <= refused
-
-
-def test_a_programme_is_drawn_by_its_coordinates() -> None:
-    from mahovik.out.report.plot.programme import panels
-
-    required = motion(SHAKER, {"cos": [2e-3]}, period=0.05, winding="spin")
-    found = planned(SHAKER, required, verify=False).programmes[0]
-    first = panels(found, SHAKER, required, 8)[0]
-    assert first.quantity.startswith("carrier, mm") and first.lines[0].name == "z"
-
-
 @pytest.mark.slow
 def test_a_pendulum_goes_from_rest_to_rest() -> None:
     t = np.linspace(0.0, 1.0, 25)
@@ -303,10 +272,3 @@ def test_a_small_smoothing_is_named_before_the_search(keys: str, warned: bool) -
         "pitch: its `smoothing`" in each and "0.19 rad/s" in each and "0.04 rad/s or more" in each for each in found
     )
     assert smoothing_warnings(own, motion(own, {"cos": [0.001]})) == []
-
-
-def test_the_interface_warns_of_a_small_smoothing_and_then_plans() -> None:
-    keys = 'freedoms = ["pitch"]\npivot = [0, 0, "120 mm"]\n[[hold.friction]]\ncoulomb = 1e-3\nsmoothing = 1e-3'
-    own = stand(keys, wheel(1, [0, 1, 0]))
-    with pytest.warns(MahovikWarning, match="--time"):
-        plan(own, motion(own, {"cos": [0.03]}), seconds=1e-3)

@@ -17,7 +17,6 @@ from mahovik.core.motion.programme import Fourier, Programme, RunUpTable
 from mahovik.core.motion.required import Bounds, RequiredMotion, read_motion
 from mahovik.core.stand import Stand
 from mahovik.errors import MahovikError
-from mahovik.out.report.plot.programme import panels
 from mahovik.proof.reference.hold import held_forward
 from mahovik.proof.verify.programme import held
 from mahovik.proof.verify.programme.finding import RUNUP, SMOOTH, Tolerance
@@ -30,7 +29,6 @@ from mahovik.use.plan.forward import drive, equilibrium
 from mahovik.use.plan.held_chart import HeldChart, chart_at
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.runup import with_runup
-from mahovik.use.plan.runup.boundary import boundary
 from plan.held_stands import HOLDS, stand, wheel
 
 MASS, MU, STIFFNESS, DAMPING = 3.0, 0.04, 20000.0, 20.0
@@ -94,19 +92,6 @@ def test_a_shaker_goes_through_its_resonance_by_the_closed_formula(up: bool) -> 
 
 
 @pytest.mark.slow
-def test_a_run_up_strays_less_than_the_plain_fade_in_its_resonance() -> None:
-    """Wheels that only grow faster shake at 81.6 rad/s; those that are free to turn on their way need not."""
-    own, required, programme = shaken(Bounds(), 2.4)
-    required = replace(required, runup=1.2)
-    size = float(required.at(np.zeros(1)).q[0, 0])
-    problem = boundary(Mechanics.of(own), required, programme, 1.2, up=True)
-    fade = problem.fly(np.zeros((2, problem.family.P)))
-    assert np.abs(fade.course.y[:, 0]).max() > 3.0 * size
-    found = with_runup(own, required, programme).report["runup"]
-    assert found["terminal_error"] < 1e-6 and found["deviation"]["linear"]["largest"] < 1.1 * size
-
-
-@pytest.mark.slow
 def test_the_verification_takes_the_tables_and_refuses_wrong_ones() -> None:
     own, required, programme = shaken(Bounds(torque=(1e3, 1e3), deviation=(0.2, math.inf)))
     scale = scale_of(own, required, programme)
@@ -119,17 +104,6 @@ def test_the_verification_takes_the_tables_and_refuses_wrong_ones() -> None:
     turned = replace(table.samples, phi=table.samples.phi + np.array([2e-3, 0.0]))
     wrong = runup_findings(own, required, replace(made(), runup=replace(table, samples=turned)), scale, limits)
     assert "run-up end" in {each.name for each in wrong if not each.passed}
-
-
-@pytest.mark.slow
-def test_the_picture_shows_the_way_along_the_freedom() -> None:
-    """The largest way by (8), from rest and back, is that of the report."""
-    own, required, _ = shaken(Bounds())
-    found = {each.quantity: each for each in panels(made(), own, required, 8)}
-    for key, name in (("runup", "run-up"), ("rundown", "run-down")):
-        (line,) = found[f"{name}: carrier, mm, from the mean pose"].lines
-        told = made().report[key]["deviation"]["linear"]["largest"]
-        assert line.name == "z" and np.abs(line.y).max() == pytest.approx(1e3 * told, rel=1e-2)
 
 
 def chart_of(own: Stand, q: Array) -> HeldChart:

@@ -11,9 +11,8 @@ import pytest
 from mahovik.core.motion.programme.course import Fourier
 from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.motion.required.course import Harmonics
-from mahovik.use.plan import PlanOptions, plan_motion
+from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.levenberg import StartBatch
-from mahovik.use.plan.windings import with_shortest_period
 from plan.examples import example
 
 QUICK = PlanOptions(verify=False)
@@ -110,18 +109,36 @@ def test_preflight_refuses_what_no_search_finds(seed: int) -> None:
     assert search(problem, Improver.of(problem), first.bias, seed, Budget(10**6, 8.0), most=2).found == []
 
 
-@pytest.mark.slow
-def test_a_motion_that_repeats_itself_is_planned_once() -> None:
-    """Harmonic 7 of 0.7 s is harmonic 1 of 0.1 s: the same programme, told over seven periods."""
+N = 8
+ROCKING = PlanOptions(winding="rock", verify=False)
+
+
+def planned(options: PlanOptions, **changed: Any) -> Plan:
+    """bench8 with fields of its motion changed."""
     stand, motion = example("bench8")
-    own = replace(motion, winding="spin", bounds=Bounds())
-    assert isinstance(motion.course, Harmonics)
-    seven = replace(own, span=0.7, course=replace(motion.course, period=0.7, k=(7,)))
-    (short,), (long,) = (plan_motion(stand, each, QUICK).programmes for each in (own, seven))
-    assert long.span == 0.7
-    assert [n / 7 for n in long.winding] == list(short.winding)
-    t = np.linspace(0.0, 0.7, 50)
-    assert long.at(t).phi == pytest.approx(short.at(t).phi, abs=1e-9)
-    given = replace(seven, winding=(1,) * 8)
-    assert with_shortest_period(given) is given
-    assert with_shortest_period(replace(seven, winding=(7, -7) * 4)).winding == (1, -1) * 4
+    return plan_motion(stand, replace(motion, **changed), options)
+
+
+@pytest.mark.slow
+def test_a_bound_that_cannot_be_kept() -> None:
+    """OK_LIMIT: a programme all the same, exact, with the excess that it really has, in words and in the report."""
+    found = planned(replace(ROCKING, steps=90), bounds=Bounds(acceleration=(60.0,) * N))
+    assert found.status == "OK_LIMIT"
+    (programme,) = found.programmes
+    assert programme.report["residual"] < 1e-6
+    t = np.linspace(0.0, 0.1, 3001)
+    peak = np.abs(programme.at(t).phi_ddot).max()
+    assert peak > 60.0
+    told = float(found.words[0].split(": ")[1].split()[0])
+    assert told == pytest.approx(peak, rel=1e-3)
+    assert f"bound is 60: {peak / 60.0:.2g}" in found.words[0]
+    assert programme.report["bounds_used"] == pytest.approx(peak / 60.0, rel=1e-3)
+    assert list(programme.report["exceeded"]) == list(found.words)
+
+
+def test_the_end_of_the_steps_gives_the_best_so_far() -> None:
+    """Cut in the middle of the optimisation: an exact programme, though not the best."""
+    cut = planned(replace(ROCKING, steps=25), bounds=Bounds())
+    assert cut.status == "OK"
+    assert cut.effort["steps"] == 25
+    assert cut.programmes[0].report["residual"] < 1e-6
