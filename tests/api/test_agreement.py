@@ -1,7 +1,9 @@
 """Every function gives the bits of the C for one state, and what the literal reference gives."""
 
 from collections.abc import Callable, Iterator
-from typing import Any
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -11,11 +13,20 @@ from hypothesis import strategies as st
 
 import mahovik
 from api.models import backend, given, model, random_states, stand
+from mahovik.contract.functions import WANTS
 from mahovik.core.stand import State
+from mahovik.core.stand.random_state import random_state, random_wrenches
+from mahovik.core.toolchain import arrays
+from mahovik.errors import StateError
+from mahovik.out.api.compiled import Real
+from mahovik.out.api.evaluator import KeptBackend
+from mahovik.out.api.model import Model, build
 from mahovik.proof import reference
+from mahovik.proof.verify.c_backend import CBackend
+from toolchain.build_cache import SHIPPED
 from toolchain.quick import quick
 
-WANTS: dict[str, tuple[str, tuple[str, ...]]] = {
+ASKED: dict[str, tuple[str, tuple[str, ...]]] = {
     "forward": ("forward", ("phi_ddot",)),
     "coupled": ("coupled", ("tau",)),
     "torque": ("torque", ("V_dot", "phi_ddot")),
@@ -47,7 +58,7 @@ def results(name: str, function: str, states: list[State]) -> mahovik.Result:
     x, inputs, wrench = given(name, states)
     more = {} if function in BY_WRENCH else {"wrench": wrench}
     call: Callable[..., mahovik.Result] = getattr(model(name), function)
-    return call(x, **{key: inputs[key] for key in WANTS[function][1]}, **more)
+    return call(x, **{key: inputs[key] for key in ASKED[function][1]}, **more)
 
 
 def pairs(
@@ -65,7 +76,7 @@ def pairs(
 
 
 @pytest.mark.parametrize("name", STANDS)
-@pytest.mark.parametrize("function", quick(1, WANTS))
+@pytest.mark.parametrize("function", quick(1, ASKED))
 def test_bits_of_the_function_for_one_state(name: str, function: str) -> None:
     assert (function in offered(name)) == (function not in MISSING[name])
     if function in MISSING[name]:
@@ -75,7 +86,7 @@ def test_bits_of_the_function_for_one_state(name: str, function: str) -> None:
     states = random_states(name, 11)
     result = results(name, function, states)
     for j, state in enumerate(states):
-        expected = backend(name).evaluate(state, [WANTS[function][0]])
+        expected = backend(name).evaluate(state, [ASKED[function][0]])
         for key, found, value in pairs(name, function, result, expected, j):
             assert np.array_equal(found, np.asarray(value)), key
 
@@ -83,8 +94,8 @@ def test_bits_of_the_function_for_one_state(name: str, function: str) -> None:
 @pytest.mark.parametrize("name", STANDS)
 def test_one_state_is_a_batch_of_one(name: str) -> None:
     x, inputs, wrench = given(name, random_states(name, 3))
-    for function in offered(name) & set(WANTS):
-        arguments = {key: inputs[key] for key in WANTS[function][1]}
+    for function in offered(name) & set(ASKED):
+        arguments = {key: inputs[key] for key in ASKED[function][1]}
         more = {} if function in BY_WRENCH or wrench is None else {"wrench": wrench}
         many = getattr(model(name), function)(x, **arguments, **more)
         alone = {key: value[1] for key, value in arguments.items()}
@@ -106,7 +117,7 @@ def test_the_reference_agrees(function: str, seed: int) -> None:
     states = random_states(name, 3, seed)
     result = results(name, function, states)
     for j, state in enumerate(states):
-        expected = reference.evaluate(stand(name), state, [WANTS[function][0]])
+        expected = reference.evaluate(stand(name), state, [ASKED[function][0]])
         for key, found, value in pairs(name, function, result, expected, j):
             size = np.abs(value).max(initial=1.0)
             np.testing.assert_allclose(found, np.asarray(value), rtol=0, atol=1e-10 * size, err_msg=key)
@@ -125,19 +136,6 @@ def test_steps_are_those_of_the_c() -> None:
             assert np.array_equal(found.array[j], expected)
 
 
-@pytest.mark.slow
-def test_a_step_that_is_too_long_warns_and_is_made() -> None:
-    """One of two states turns by two radians; in the batch and state by state."""
-    m = model("bench8")
-    x = m.states(2, phi_dot=[[10.0] * 8, [2000.0] * 8])
-    for function in ("step", "step_driven"):
-        call = getattr(m, function)
-        with pytest.warns(RuntimeWarning, match=rf"{function}: COARSE in 1 of 2 states: .* 1 rad in dt = 0.001 s"):
-            found = call(x, 1e-3)
-        assert np.isfinite(found.array).all()
-        call(x, 4e-4)  # no warning, which would be an error
-
-
 def test_generalized_and_slopes_are_those_of_the_c() -> None:
     m, c = model("general"), backend("general")
     states = random_states("general", 5)
@@ -154,13 +152,22 @@ def test_generalized_and_slopes_are_those_of_the_c() -> None:
                 assert np.array_equal(result[key][j], np.asarray(value)), key
 
 
-@pytest.mark.slow
+def test_a_step_that_is_too_long_warns_and_is_made() -> None:
+    """One of two states turns by two radians."""
+    m = model("bench8")
+    x = m.states(2, phi_dot=[[10.0] * 8, [2000.0] * 8])
+    for function in ("step", "step_driven"):
+        with pytest.warns(RuntimeWarning, match=rf"{function}: COARSE in 1 of 2 states: .* 1 rad in dt = 0.001 s"):
+            found = getattr(m, function)(x, 1e-3)
+        assert np.isfinite(found.array).all()
+        getattr(m, function)(x, 4e-4)  # no warning, which would be an error
+
+
 def test_locks_hold() -> None:
     m = model("bench8")
     x, inputs, _ = given("bench8", random_states("bench8", 4))
     by_name = m.coupled(x, inputs["tau"], locked=("w2", "w5"))
-    by_flag = m.coupled(x, inputs["tau"], locked=[0, 1, 0, 0, 1, 0, 0, 0])
-    assert np.array_equal(by_name.phi_ddot, by_flag.phi_ddot)
+    assert np.array_equal(by_name.phi_ddot, m.coupled(x, inputs["tau"], locked=[0, 1, 0, 0, 1, 0, 0, 0]).phi_ddot)
     assert not by_name.phi_ddot[:, [1, 4]].any() and by_name.phi_ddot[:, [0, 2, 3, 5, 6, 7]].all()
 
 
@@ -177,11 +184,70 @@ def test_options_of_inverse_reach_the_c() -> None:
     assert np.abs(only["phi_ddot", "w3"]).max() <= 1.0 and np.abs(only.phi_ddot).max() > 1.0
 
 
+CASES = (("everything", "double"), ("general", "double"), ("everything", "float"), ("rigid", "double"))
+
+
+def outcome(backend: Any, state: Any, want: str) -> Any:
+    """Result of a want, every number as Python prints it; or the words of a refusal."""
+    try:
+        return repr(plain(backend.evaluate(state, [want])))
+    except StateError as error:
+        return f"refused: {error}"
+
+
+def plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {name: plain(each) for name, each in sorted(value.items())}
+    if isinstance(value, list | tuple | np.ndarray):
+        return [plain(each) for each in value]
+    return value
+
+
+@pytest.mark.parametrize(("name", "real"), quick(1, CASES))
+def test_bits_are_those_of_the_harness(name: str, real: str) -> None:
+    of, rng = stand(name), np.random.default_rng(19)
+    kept, judged = KeptBackend(of, cast(Real, real)), CBackend(of, real)
+    states = [random_state(of, rng) for _ in range(6)]
+    states.append(replace(states[0], V=(float("nan"), 0.0, 0.0, 0.0, 0.0, 0.0)))
+    states.append(replace(states[1], angles=None, quaternion=(0.5, 0.0, 0.0, 0.0)))
+    states.append(replace(states[2], wrench=random_wrenches(rng, [body.name for body in of.bodies])))
+    seen = set()
+    for state in states:
+        for want in WANTS:
+            found = outcome(kept, state, want)
+            assert found == outcome(judged, state, want), want
+            seen.add(found.startswith("refused"))
+    assert seen == {True, False}
+
+
+COUNT = 9
+"""States: a group of lanes, and one more."""
+
+
+def answers(model: Model) -> dict[str, bytes]:
+    """Bits of the results, for equal states, of functions with and without tables of each stand."""
+    rng, n = np.random.default_rng(3), len(model.flywheels)
+    x = model.states(
+        COUNT,
+        V=rng.normal(size=(COUNT, 6)),
+        phi=rng.normal(size=(COUNT, n)),
+        phi_dot=rng.normal(size=(COUNT, n)) * 50.0,
+    )
+    tau = rng.normal(size=(COUNT, n)) * 0.1
+    tables = model.tables({"carrier.mass": np.linspace(1.0, 1.1, COUNT) * model.stand.carrier.mass})
+    found = {
+        "coupled": model.coupled(x, tau)["V_dot"],
+        "step": model.step(x, 1e-4, tau).array,
+        "tables": model.coupled(x, tau, tables=tables)["V_dot"],
+    }
+    return {name: values.tobytes() for name, values in found.items()}
+
+
 @pytest.mark.slow
-def test_float_is_float_and_near() -> None:
-    m, f = model("bench8"), model("bench8", "float")
-    x, inputs, _ = given("bench8", random_states("bench8", 7))
-    found = f.forward(f.states_of(x.array), inputs["phi_ddot"])
-    assert found.V_dot.dtype == np.float32
-    expected = m.forward(x, inputs["phi_ddot"]).V_dot
-    np.testing.assert_allclose(found.V_dot, expected, rtol=0, atol=1e-4 * np.abs(expected).max())
+@pytest.mark.parametrize("name", ["demo3", "general"])
+def test_optimisation_changes_no_bit(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    expected = answers(build(stand(name)))
+    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))  # where no library lies yet
+    for flags, value in SHIPPED.items():
+        monkeypatch.setattr(arrays, flags, value)
+    assert answers(build(stand(name))) == expected

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import math
+from collections.abc import Callable
 from functools import cache
-from html import unescape
 from pathlib import Path
 from typing import Any
 
@@ -13,13 +12,9 @@ import numpy as np
 import pytest
 
 import mahovik
-from cli.run import run
 from mahovik import stands
-from mahovik.core.stand import Stand
 from mahovik.core.stand.random import BARE, random_stand
-from mahovik.out.functions import following
-from mahovik.out.functions.table import Column, Table
-from mahovik.out.report.plot.shares import shares
+from mahovik.out.functions.table import Table
 
 SHAKER2 = str(stands.path("shaker2"))
 SPIN = str(Path(SHAKER2).parent / "shaker2_spin.motion.json")
@@ -79,20 +74,8 @@ def test_a_result_has_columns_with_units_in_every_form(name: str) -> None:
     assert repr(found).startswith("<") and "\n" not in repr(found)
 
 
-def test_speeds_are_a_mapping_texts_or_one_text() -> None:
-    given = ({"left": "600 rpm", "right": "-1*left"}, ["left=600rpm", "right=-1*left"], "all=600rpm")
-    mapping, texts, one = (mahovik.response(shaker(), speeds, "carrier").sweep.steps[0].turning for speeds in given)
-    assert mapping == texts
-    assert one.speeds == (mapping.speeds[0],) * 2
-
-
-def test_an_unknown_column_is_named() -> None:
-    with pytest.raises(mahovik.InputError, match="no such column, did you mean"):
-        results()["simulate"]["phi_dot leftt"]
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ["simulate", "response", "modes"])
 def test_a_result_is_drawn_on_new_axes_or_given_ones(name: str) -> None:
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
@@ -109,60 +92,30 @@ def test_a_result_is_drawn_on_new_axes_or_given_ones(name: str) -> None:
     pyplot.close("all")
 
 
-def test_a_verdict_is_drawn_as_shares_of_what_is_accepted() -> None:
-    """Rows with nothing but zero, or without a number, have no line; 1 is the limit."""
-    panel = shares("found", {"a": np.array([1e-13, 0.0, np.nan, 3.0]), "b": np.full(4, 1e-13)}, np.full(4, 1e-12))
-    a, b, accepted = panel.lines
-    assert np.flatnonzero(np.isfinite(a.y[1::3])).tolist() == [0, 3]
-    assert a.y[1::3][[0, 3]] == pytest.approx([0.1, 3e12]) and b.y[1::3] == pytest.approx(np.full(4, 0.1))
-    assert accepted.y.tolist() == [1.0, 1.0] and accepted.dashed and panel.log
+@pytest.mark.slow
+def test_c_is_judged_and_a_page_made(tmp_path: Path) -> None:
+    found = mahovik.verify(shaker(), states=5)
+    assert found.passed and "forward" in found["want"] and found.to_dict()["passed"] is True
+    page = mahovik.report(shaker())
+    page.save(tmp_path / "report.html")
+    assert not page.failures and (tmp_path / "report.html").read_text(encoding="utf-8") == page.html
 
 
-def test_a_table_without_rows_of_numbers_has_no_picture() -> None:
-    class Names(Table):
-        columns = (Column("name", "", np.array(["a", "b"], dtype=object)),)
-
-    found = mahovik.balance({"A": ["1@0"], "ALPHA": [["1@0"]]})
-    assert len(found._panels()) == len(found.names) - 1  # the planes are counted
-    with pytest.raises(mahovik.UsageError, match="no rows of numbers"):
-        Names().plot()
+def test_speeds_are_a_mapping_texts_or_one_text() -> None:
+    given = ({"left": "600 rpm", "right": "-1*left"}, ["left=600rpm", "right=-1*left"], "all=600rpm")
+    mapping, texts, one = (mahovik.response(shaker(), speeds, "carrier").sweep.steps[0].turning for speeds in given)
+    assert mapping == texts
+    assert one.speeds == (mapping.speeds[0],) * 2
 
 
-def test_a_simulation_goes_on_from_a_state_and_tells_its_progress() -> None:
-    told: list[mahovik.Progress] = []
-    start = {"position": [0, 0, 0.001], "phi_dot": [10.0, 0.0]}
-    found = mahovik.simulate(shaker(), 0.005, start=start, backend="scipy", progress=told.append)
-    assert found["z"][0] == 0.001 and found["phi_dot left"][0] == 10.0 and found.t[-1] == 0.005
-    assert told[-1].done == told[-1].total == 0.005
+def test_an_unknown_column_is_named() -> None:
+    with pytest.raises(mahovik.InputError, match="no such column, did you mean"):
+        results()["simulate"]["phi_dot leftt"]
 
 
 def test_warnings_are_those_of_python() -> None:
     with pytest.warns(mahovik.MahovikWarning, match="a flywheel turns"):
         mahovik.simulate(shaker(), 1e-3, regime={"default": {"speed": "9000 rpm"}}, dt=1e-3, backend="scipy")
-
-
-def test_the_same_figures_as_the_commands() -> None:
-    printed = json.loads(run("rest", SHAKER2, "--json").stdout)
-    assert printed == json.loads(json.dumps(mahovik.rest(SHAKER2).to_dict()))
-    printed = json.loads(run("modes", SHAKER2, "--json").stdout)
-    assert [each["frequency"] for each in printed["modes"]] == results()["modes"]["frequency"].tolist()
-    asked = ("--speed", "left=0..600rpm", "--speed", "right=-1*left", "--at", "carrier", "--steps", "3")
-    printed = json.loads(run("response", SHAKER2, *asked, "--json").stdout)
-    rms = [[0.0 if x is None else x for x in row] for row in printed["rms"]]
-    found = results()["response"]
-    assert np.allclose(rms, np.stack([found[f"rms {axis}"] for axis in "xyz"], axis=1), rtol=1e-15, atol=0)
-
-
-def test_a_generated_folder_is_that_of_the_command(tmp_path: Path) -> None:
-    made = mahovik.generate(shaker(), tmp_path / "a")
-    run("generate", SHAKER2, "-o", str(tmp_path / "b"))
-    here, there = (
-        {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
-        for folder in (tmp_path / "a", tmp_path / "b")
-    )
-    assert here.pop("provenance.json") != there.pop("provenance.json")  # the hash of the file, where there is one
-    assert here == there
-    assert set(made.files) == here.keys()
 
 
 def test_a_plan_without_a_programme_says_why() -> None:
@@ -199,27 +152,6 @@ def test_ctrl_c_keeps_what_there_is() -> None:
     assert found.interrupted and found.stopped is not None and 0.003 < found.t[-1] < 0.01
 
 
-@pytest.mark.slow
-def test_c_is_judged_and_a_page_made(tmp_path: Path) -> None:
-    found = mahovik.verify(shaker(), states=5)
-    assert found.passed and "forward" in found["want"]
-    assert found.to_dict()["passed"] is True
-    assert all(each.lines for each in found.plot())
-    page = mahovik.report(shaker())
-    page.save(tmp_path / "report.html")
-    assert unescape(page._repr_html_().split('"')[1]) == page.html  # as a notebook shows it
-    assert not page.failures and (tmp_path / "report.html").read_text(encoding="utf-8") == page.html
-
-
-@pytest.mark.slow
-def test_servos_follow_a_programme(tmp_path: Path) -> None:
-    servo = tmp_path / "s.toml"
-    servo.write_text('schema = 1\nsample_period = "0.5 ms"\nbandwidth = "60 Hz"\nlatency = "700 us"\n')
-    found = mahovik.follow(shaker(), SPIN, planned().programme, servo, periods=12, causes=False, backend="scipy")
-    assert found.share < 0.2 and len(found) == 6
-    assert len(found.motion) > 1000 and not found.interrupted
-
-
 @pytest.mark.parametrize(
     ("mismatch", "words"),
     [
@@ -232,23 +164,6 @@ def test_servos_follow_a_programme(tmp_path: Path) -> None:
 def test_a_mismatch_that_is_no_share_is_refused(mismatch: Any, words: str) -> None:
     with pytest.raises(mahovik.UsageError, match=f"^--mismatch {words}"):
         mahovik.follow(shaker(), SPIN, "programme.json", "servo.toml", mismatch=mismatch)
-
-
-def test_a_mismatch_is_a_share_or_a_text() -> None:
-    assert following.share_of("1%") == following.share_of(0.01) == following.share_of(" 1.0 %") == 0.01
-
-
-@pytest.mark.slow
-def test_a_point_becomes_quiet() -> None:
-    found = mahovik.quiet(mahovik.example("sat4"), "acc1", (20.0, 200.0), speeds=[200.0, 210.0, 220.0, 230.0],
-                          backend=None, seconds=5.0)  # fmt: skip
-    assert found.reduction >= 1.0 and found.speeds.shape == (4,)
-    assert "schema = 1" in found.regime and "quaternion" in found.start
-
-
-def test_stands_of_other_code_are_taken() -> None:
-    plain: Stand = random_stand(np.random.default_rng(2), 1, BARE, "plain")
-    assert mahovik.modes(plain, {"quaternion": [1, 0, 0, 0]}).stand == mahovik.Stand.of(plain)
 
 
 REFUSED: list[tuple[str, str, dict[str, Any], str]] = [
@@ -299,6 +214,49 @@ def test_values_without_meaning_are_refused_by_the_name_of_the_argument(
     assert words in str(caught.value)
 
 
-def test_modes_that_are_all_free_have_no_frequencies_in_a_line() -> None:
-    assert repr(mahovik.modes(stands.path("sat4"))) == "<Modes of sat4: 6 free>"
-    assert repr(mahovik.modes(stands.path("shaker2"))).endswith("3.129, 3.524, 3.613 Hz>")
+DEMO3, SAT4 = str(stands.path("demo3")), str(stands.path("sat4"))
+
+
+TILT = str(stands.path("shaker2").with_name("shaker2.motion.json"))
+
+
+SEARCHES: dict[str, Callable[[str], object]] = {
+    "plan": lambda limit: mahovik.plan(SHAKER2, TILT, seconds=limit),
+    "design": lambda limit: mahovik.design(SHAKER2, TILT, "phase", seconds=limit),
+    "quiet": lambda limit: mahovik.quiet(SAT4, "acc1", (20.0, 200.0), backend=None, seconds=limit),
+    "excite": lambda limit: mahovik.excite(SAT4, speed="3000 rpm", seconds=limit),
+}
+
+
+def test_a_run_of_texts_is_that_of_the_numbers() -> None:
+    texts = mahovik.simulate(DEMO3, "20 ms", dt="0.5 ms", every="2000 us")
+    numbers = mahovik.simulate(DEMO3, 0.02, dt=0.0005, every=0.002)
+    assert len(texts) == 11
+    assert texts.t[-1] == 0.02
+    np.testing.assert_array_equal(texts.run.data, numbers.run.data)
+
+
+@pytest.mark.parametrize("name", ["until", "every"])
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("1 m", 'unit "m" does not fit, expected a time (s)'),
+        ("soon", '"soon" is not a number with a unit'),
+        ("0 s", "0: expected a time above 0, in s"),
+    ],
+)
+def test_other_texts_are_refused_by_name(name: str, text: str, words: str) -> None:
+    given = {"until": 1.0, name: text}
+    with pytest.raises(mahovik.UsageError) as refused:
+        mahovik.simulate(DEMO3, **given)  # type: ignore[arg-type]
+    assert str(refused.value).startswith(f"--{name}")
+    assert words in str(refused.value)
+
+
+@pytest.mark.parametrize("name", SEARCHES)
+@pytest.mark.parametrize(
+    ("text", "words"), [("1 kg", 'seconds: unit "kg" does not fit'), ("0 s", "seconds 0: expected")]
+)
+def test_searches_read_their_limit_before_they_begin(name: str, text: str, words: str) -> None:
+    with pytest.raises(mahovik.UsageError, match=words):
+        SEARCHES[name](text)

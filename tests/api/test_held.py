@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -12,7 +14,8 @@ from mahovik.core.stand.state import State
 from mahovik.errors import InputError
 from mahovik.out.api.stands import Stand
 from mahovik.proof import reference
-from mahovik.stands import path
+from mahovik.proof.reference.coordinates import pose_of
+from mahovik.proof.reference.rotation import quaternion_rotation
 
 
 def test_what_is_of_the_freedoms_has_their_names() -> None:
@@ -43,35 +46,61 @@ def test_the_reaction_of_arrays_of_motions_is_that_of_each() -> None:
         assert found["reaction", "Z"][k] == found.reaction[k, 2]
 
 
-def test_a_free_carrier_has_no_reaction() -> None:
-    model = mahovik.build(Stand.of(path("demo3")))
-    with pytest.raises(mahovik.InputError, match=r"reaction: the stand has no \[hold\]"):
-        model.reaction(model.state())
+TURNED = TEXT.replace("pivot = [0, 0, -0.2]", "pivot = [0, 0.1, -0.2]\nposition = [1, 2, 3]\nangles = [0.3, -0.2, 0.5]")
 
 
-def test_a_reaction_without_its_motion_is_refused() -> None:
-    model = mahovik.build(Stand.of(path("demo3")).replace({"hold": {"freedoms": ["pitch"]}}))
-    with pytest.raises(mahovik.InputError, match="V_dot is missing, expected that of the motion; forward"):
-        model.reaction(model.state())
-    assert np.isfinite(model.reaction(model.state(), V_dot=0.0).reaction).all()
+def model_of(freedoms: str, text: str = TURNED) -> Any:
+    return mahovik.build(Stand.of(loads(text.replace('freedoms = ["pitch"]', freedoms))))
 
 
-def test_coordinates_of_freedoms_have_their_names_and_take_no_angles() -> None:
-    model = mahovik.build(Stand.of(loads(TEXT)))
-    x = model.state(angles=[0, 0.3, 0], V=[0.2 * 0.4, 0, 0, 0, 0.4, 0])
-    found = model.generalized(x, phi_ddot=3.0)
-    assert found.q == pytest.approx([0.3], rel=1e-14)
-    assert found["q_dot", "pitch"] == 0.4
-    assert found["q_ddot", "pitch"] == model.forward(x, phi_ddot=3.0)["u_dot", "pitch"]
-    with pytest.raises(InputError, match="angles: given, expected none, the carrier is held"):
-        model.generalized(x, [0, 0.3, 0])
+@pytest.mark.parametrize(
+    ("freedoms", "q", "q_dot"),
+    [
+        ('freedoms = ["pitch"]', [0.7], [1.5]),
+        ("axis = [0, 1, 1]", [-2.5], [0.4]),
+        ('freedoms = ["yaw", "x", "y"]', [0.7, 0.2, -0.3], [1.5, 0.1, 0.2]),
+        ('freedoms = ["x", "roll", "pitch", "yaw", "z", "y"]', [0.2, -0.4, 0.1], [0.1, 1.0, -0.5, 0.7, 0.2, 0.3]),
+    ],
+)
+def test_states_of_coordinates_are_those_of_the_literal_pose_and_come_back(
+    freedoms: str, q: list[float], q_dot: list[float]
+) -> None:
+    model = model_of(freedoms)
+    orientation = np.array([0.8, 0.0, 0.36, -0.48]) if "roll" in freedoms else None
+    given = {} if orientation is None else {"orientation": orientation}
+    x = model.state_from_coordinates(q, q_dot, **given, phi=0.3, phi_dot=20.0)
+    hold = model.stand.hold
+    there = pose_of(hold, model.stand.angles, np.array(q), orientation, np.array(q_dot), np.zeros(len(q_dot)))
+    assert np.allclose(x.position, there.position, rtol=0, atol=1e-14)
+    assert np.allclose(quaternion_rotation(*x.attitude), there.C, rtol=0, atol=1e-14)
+    assert np.allclose(x.V, there.V, rtol=0, atol=1e-14)
+    assert (x.phi[0], x.phi_dot[0]) == (0.3, 20.0)
+    back = model.generalized(x)
+    assert back.q == pytest.approx(q, rel=1e-12) and back.q_dot == pytest.approx(q_dot, rel=1e-12)
+    again = model.state(position=x.position, attitude=x.attitude, V=x.V)  # the hold allows what its coordinates give
+    assert np.array_equal(again.position, x.position)
 
 
-def test_a_twist_that_the_hold_blocks_is_refused_by_its_direction() -> None:
-    model = mahovik.build(Stand.of(loads(TEXT)))
-    good = [0.2 * 0.4, 0.0, 0.0, 0.0, 0.4, 0.0]
-    with pytest.raises(InputError, match=r"V: moves along x, which \[hold\] blocks; expected S u of the freedoms"):
-        model.state(V=[0, 0, 0, 0, 0.4, 0])
-    with pytest.raises(InputError, match="V: moves along roll"):
-        model.states(V=[good, [0.0, 0.0, 0.0, 1.0, 0.0, 0.0]])
-    assert len(model.states(V=[good, [0.0] * 6])) == 2
+def test_a_state_without_a_pose_is_at_home_and_u_is_the_speed_of_the_freedoms() -> None:
+    model = model_of('freedoms = ["pitch"]')
+    x = model.state(u=[2.0])
+    assert np.array_equal(x.array, model.state_from_coordinates(0.0, 2.0).array)
+    assert x.position == pytest.approx([1, 2, 3], abs=1e-15)
+    assert model.states(u={"pitch": [1.0, 2.0]}).V[1] == pytest.approx(x.V)
+
+
+@pytest.mark.parametrize(
+    ("freedoms", "given", "message"),
+    [
+        ('freedoms = ["pitch"]', {"angles": [0.2, 0, 0]}, r"off by 0.2 rad along yaw, which \[hold\] blocks"),
+        ('freedoms = ["pitch"]', {"position": [0.1, 0, 0]}, "off by 0.1 m along x"),
+        ('freedoms = ["pitch"]', {"position": [[0, 0, 0], [0, 0, 0.2]]}, "attitude of state 1: off by 0.2 m along z"),
+        ('freedoms = ["pitch"]', {"u": [1.0], "V": [0.2, 0, 0, 0, 1, 0]}, "V, u: both given"),
+        ('freedoms = ["pitch"]', {"u": {"yaw": 1.0}}, 'u: no freedom "yaw"'),
+        ("freedoms = []", {"position": [0.1, 0, 0]}, "expected the home pose, as clamped"),
+    ],
+)
+def test_what_the_hold_blocks_is_refused_by_its_direction(freedoms: str, given: dict[str, Any], message: str) -> None:
+    text = TEXT if freedoms != "freedoms = []" else TEXT.replace("pivot = [0, 0, -0.2]\n", "")
+    with pytest.raises(InputError, match=message):
+        model_of(freedoms, text).states(**given)

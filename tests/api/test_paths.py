@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
 import pytest
 
 import mahovik
 from mahovik.errors import UsageError
-from mahovik.out.api.samples import Samples
 from mahovik.out.campaign.places import Places
 from toolchain.quick import quick
 
@@ -102,16 +100,6 @@ def test_a_pattern_sets_all_that_it_matches() -> None:
     assert found == held_stand().replace({**both, "other.position": [1e-3] * 3})
 
 
-def test_tables_take_the_paths_of_replace() -> None:
-    stand = mahovik.example("demo3")
-    model = mahovik.build(stand)
-    values = np.array([0.01, 0.02])
-    new, old = ({path: values} for path in ("carrier.center_of_mass[2]", "carrier.center_of_mass.2"))
-    x = model.state(phi_dot=50.0)
-    found, expected = (model.forward(x, 5.0, tables=model.tables(each)).V_dot for each in (new, old))
-    assert np.array_equal(found, expected) and not np.array_equal(found[0], found[1])
-
-
 @pytest.mark.parametrize(
     ("path", "words"),
     [
@@ -129,24 +117,3 @@ def test_a_path_that_leads_nowhere_is_refused_in_a_line(path: str, words: str) -
     with pytest.raises(mahovik.MahovikError, match=r".") as caught:
         held_stand().replace({path: 1})
     assert words in str(caught.value) and len(str(caught.value).splitlines()) == 1
-
-
-@pytest.mark.parametrize("path", ["leg[1].stiffness", "leg[5].stiffness", "carrier.inertia.J12", "leg[1].ground[3]"])
-def test_messages_name_a_number_by_the_path_of_campaigns(path: str) -> None:
-    """With the index in brackets, also where the caller wrote it after a dot."""
-    legs = [{"ground": [0, 0, -1], "carrier": [0, 0, 0], "length": 1, "stiffness": 9} for _ in range(2)]
-    stand = mahovik.Stand.from_dict(
-        {key: HELD[key] for key in ("schema", "name", "carrier", "flywheel")} | {"leg": legs}
-    )
-    places, elements = {"[1]": ".1", "[3]": ".3", "[5]": ".5"}, {"inertia.J12": "inertia.0.1"}
-    plain = path
-    for new, old in (places | elements).items():
-        plain = plain.replace(new, old)
-    for given in (path, plain):
-        with pytest.raises(mahovik.MahovikError) as caught:
-            Samples.of({given: np.zeros(3), "carrier.mass": np.zeros(2)}, None)
-        assert f"{path} 3" in str(caught.value)
-        if path not in ("leg[1].stiffness", "carrier.inertia.J12"):
-            with pytest.raises(UsageError, match="expected a place from 0 to") as refused:
-                stand.replace({given: 1})
-            assert str(refused.value).startswith(f"{path}: ")

@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 
 import mahovik
 from api.models import model, stand
-from mahovik import ToolchainError
 from mahovik.core.stand.random import random_state
 from mahovik.core.stand.structure import structure
 from mahovik.core.toolchain import compiler
@@ -94,15 +93,6 @@ def test_every_compiler_gives_the_same_bits(other: str) -> None:
             assert np.array_equal(value, getattr(one, function)(x, *given)[key]), (function, key)
 
 
-@pytest.mark.slow
-def test_threads_of_openmp_give_the_same_bits() -> None:
-    one, many = mahovik.build(stand("demo3")), mahovik.build(stand("demo3"), threads=2)
-    x = one.states(phi=np.random.default_rng(1).normal(size=(999, 3)), phi_dot=50.0)
-    for function in ("forward", "coupled", "matrices", "momentum"):
-        for key, value in getattr(one, function)(x).to_dict().items():
-            assert np.array_equal(value, getattr(many, function)(x)[key])
-
-
 # ---- the store ----
 
 
@@ -157,33 +147,6 @@ def test_tables_are_compiled_where_they_are_first_asked_for(
     assert np.array_equal(heavy(mahovik.build(stand("bench8"))), first) and len(made) == 2
 
 
-def test_a_damaged_library_of_tables_is_made_anew(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]
-) -> None:
-    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
-    first = heavy(mahovik.build(stand("bench8")))
-    for library in (tmp_path / "models").glob("*.so"):
-        content = library.read_bytes()
-        library.unlink()  # another file: this process has that one loaded
-        library.write_bytes(content[: len(content) // 2])
-    assert np.array_equal(heavy(mahovik.build(stand("bench8"))), first)
-    assert made == ["bench8", "bench8, tables"] * 2
-
-
-def test_compilers_that_fail_name_themselves_where_tables_are_asked_for(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]
-) -> None:
-    """The model stays as it was, and asks again the next time."""
-    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
-    m = mahovik.build(stand("bench8"))
-    with monkeypatch.context() as broken:
-        broken.setattr(compiled, "_compile", lambda *_: (_ for _ in ()).throw(ToolchainError("cc refused it")))
-        with pytest.raises(ToolchainError, match="cc refused it"):
-            m.tables({}, 2)
-    assert works(m)
-    assert len(heavy(m)) == 2 and made == ["bench8", "bench8, tables"]
-
-
 def store_entry_is_whole(library: Path) -> bool:
     """Whether the bytes are those whose hash lies beside them."""
     facts = json.loads(library.with_suffix(".json").read_text(encoding="ascii"))
@@ -229,54 +192,6 @@ def test_stands_of_one_structure_share_a_library(made: list[str]) -> None:
     assert not np.array_equal(m.forward(x).V_dot, model("bench8").forward(x).V_dot)
 
 
-def test_numbers_of_a_further_stand_need_no_derivation(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]
-) -> None:
-    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
-    one = stand("bench8")
-
-    def build_heavier(factor: float) -> None:
-        monkeypatch.setattr(compiled, "_PROGRAMS", {})  # as another process has it
-        mahovik.build(replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * factor)))
-
-    mahovik.build(one)
-    build_heavier(1.25)
-    monkeypatch.setattr("mahovik.core.formula.derived._derive", lambda *_: pytest.fail("derived again"))
-    build_heavier(1.5)
-    assert made == ["bench8"]
-
-
-def test_keys_tell_apart_what_differs() -> None:
-    one = stand("bench8")
-    other = replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * (1 + 2**-52)))
-    assert store.numbers_key(one, "double") != store.numbers_key(other, "double")
-    forms = [structure(one), structure(replace(one, name="other"))]
-    kinds: tuple[LibraryKind, ...] = ("states", "batches", "tables")
-    keys = {
-        store.library_key(form, r, ("cc",), p, kind)
-        for form in forms
-        for r in ("double", "float")
-        for p in (False, True)
-        for kind in kinds
-    }
-    assert len(keys) == 24
-
-
-@pytest.mark.slow
-def test_what_compiles_nothing_loads_no_reader_or_printer_of_c(tmp_path: Path) -> None:
-    """Each of these makes the start of `eval` slower than it need be."""
-    code = (
-        "import sys, mahovik.out.api.evaluator as e; from mahovik.core.stand import load;"
-        "from mahovik import stands; e.KeptBackend(load(stands.path('demo3')), 'double');"
-        "print(sorted(sys.modules.keys() & set(sys.argv[1:])))"
-    )
-    slow = ["cffi", "pycparser", "sympy", "subprocess", "mahovik.core.emit.generate", "mahovik.core.lower.program"]
-    command = [sys.executable, "-c", code, *slow]
-    env = {**os.environ, "MAHOVIK_CACHE": str(tmp_path)}
-    subprocess.run(command, env=env, check=True, capture_output=True)  # compiles
-    assert subprocess.run(command, env=env, check=True, capture_output=True, text=True).stdout == "[]\n"
-
-
 @pytest.mark.parametrize("damage", ["digit", "half"])
 def test_damaged_numbers_are_not_believed(
     damage: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]
@@ -315,17 +230,3 @@ def test_without_a_cache_it_works_and_leaves_nothing(
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     assert works(mahovik.build(stand("bench8"))) and made == ["bench8"]
     assert os.listdir(tmp_path) == ["file"]
-
-
-def test_the_oldest_go(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
-    monkeypatch.setattr(store, "KEPT", 2)
-    library = tmp_path / "made.so"
-    library.write_bytes(b"code")
-    for number, name in enumerate(("a", "b", "c")):
-        store.keep(name, library, {})
-        os.utime(tmp_path / "models" / f"{name}.so", (number, number))
-    assert store.find("a") is None
-    assert store.find("b") is not None  # used: now the youngest
-    store.keep("d", library, {})
-    assert sorted(p.name for p in (tmp_path / "models").iterdir()) == ["b.json", "b.so", "d.json", "d.so"]

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import math
 import tomllib
-from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -69,12 +67,6 @@ def test_a_flywheel_given_by_its_inertia_takes_an_unbalance() -> None:
     assert heavier.mass * math.hypot(*heavier.center_of_mass[1:]) == pytest.approx(2e-6, rel=1e-14)
 
 
-def test_a_copy_does_not_keep_keys_that_are_out_of_date() -> None:
-    heavy = replace(mahovik.Stand.from_dict(SMALL), name="heavy")
-    assert heavy.to_dict()["name"] == "heavy"
-    assert heavy.replace({"carrier.mass": 3}).name == "heavy"
-
-
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
@@ -101,9 +93,3 @@ def test_all_problems_of_a_mapping_are_named() -> None:
     assert len(lines) >= 3 and all(line.startswith("trial: ") for line in lines)
     with pytest.raises(mahovik.UsageError, match="expected a mapping"):
         mahovik.Stand.from_dict([1])  # type: ignore[arg-type]  # what a user may pass
-
-
-def test_a_saved_stand_is_the_same(tmp_path: Path) -> None:
-    stand = mahovik.Stand.from_dict(SMALL).replace({"w1.unbalance.static": "2 g mm"})
-    stand.save(tmp_path / "small.toml")
-    assert mahovik.load(tmp_path / "small.toml") == stand

@@ -14,6 +14,7 @@ from mahovik.core.lower.variants import law_struct, reals, variant
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.stand.structure import structure
 from mahovik.out.api.compiled import lower_structure
+from mahovik.out.api.possible import possible_tables
 from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.variants import variants
@@ -107,19 +108,6 @@ def test_every_function_has_the_bits_of_models_of_their_own(name: str) -> None:
                 assert value.tobytes() == np.ascontiguousarray(found.to_dict()[key][j]).tobytes(), (function, key, j)
 
 
-def test_one_state_is_of_all_stands_and_a_carry_is_kept() -> None:
-    m, n = model("general"), 4
-    tables = m.tables({"carrier.mass": stand("general").carrier.mass * (1 - 1e-3 * np.arange(n))})
-    x = m.state(V=[1, 0, 0, 0, 0, 1])
-    found = m.forward(x, tables=tables)
-    assert found.V_dot.shape == (n, 6)
-    assert len(np.unique(found.V_dot[:, 0])) == n
-    carry = m.carry(n)
-    later = m.step(m.states(n), 1e-3, carry=carry, tables=tables)
-    assert later.array.shape[0] == n
-    assert m.forward(m.states(0), tables=m.tables({}, 0)).V_dot.shape == (0, 6)
-
-
 def test_units_and_values_for_all_samples() -> None:
     m, wheel = model("demo3"), "w1"
     grams = np.array([0.1, 0.3, 1.7])
@@ -177,17 +165,42 @@ def test_tables_of_another_model_and_of_another_number_are_refused() -> None:
         m.forward(m.state(), tables=[1])  # type: ignore[arg-type]  # what a user may pass
 
 
-def test_thin_discs_are_bodies_without_being_read_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    m, n = model("demo3"), 50
-    spin = m.stand.flywheels[0].inertia[0][0] * (1 + 1e-3 * np.random.default_rng(0).uniform(-1, 1, n))
-    tensor = np.zeros((n, 3, 3))
-    tensor[:, 0, 0], tensor[:, 1, 1], tensor[:, 2, 2] = spin, spin / 2, spin / 2
-    name = m.flywheels[0]
-    monkeypatch.setattr("mahovik.out.api.tables.check_sample", lambda *_: pytest.fail("read by itself"))
-    base = Stand.of(m.stand).to_dict()
-    wheel = next(each for each in base["flywheel"] if each["name"] == name)
-    if "spin_inertia" in wheel:
-        changes: dict[str, Any] = {f"{name}.spin_inertia": spin, f"{name}.transverse_inertia": spin / 2}
-    else:
-        changes = {f"{name}.inertia": tensor, f"{name}.center_of_mass": np.zeros((n, 3))}
-    assert len(m.tables(changes)) == n
+@pytest.mark.slow
+@settings(max_examples=5, deadline=None)
+@given(seed=st.integers(0, 10**6), spread=st.sampled_from([1e-3, 0.3, 1.0, 5.0]))
+def test_exactly_the_samples_that_no_stand_file_may_have_are_left_out(seed: int, spread: float) -> None:
+    m, n, rng = model("demo3"), 6, np.random.default_rng(seed)
+    of, wheel = Stand.of(m.stand), m.flywheels[0]
+    changes = {
+        "carrier.mass": of.carrier.mass * (1 + spread * rng.normal(size=n)),
+        f"{wheel}.mass": of.flywheels[0].mass * (1 + spread * rng.normal(size=n)),
+        f"{wheel}.unbalance.static": 1e-6 * (1 + spread * rng.normal(size=n)),
+    }
+    found = possible_tables(m, changes)
+    assert sorted([*found.numbers, *found.reasons]) == list(range(n))
+    for j in range(n):
+        try:
+            own = of.replace({path: column[j] for path, column in changes.items()})
+        except StandError as error:
+            assert found.reasons[j] in str(error), j
+        else:
+            (place,) = np.flatnonzero(found.numbers == j)
+            assert found.tables.stand(int(place)) == own
+    alone = m.tables({path: column[found.numbers] for path, column in changes.items()})
+    assert found.tables.block("table").tobytes() == alone.block("table").tobytes()
+
+
+def test_what_is_wrong_with_all_samples_is_no_reason() -> None:
+    m = model("demo3")
+    with pytest.raises(UsageError, match="did you mean"):
+        possible_tables(m, {"carier.mass": np.ones(2)})
+    with pytest.raises(InputError, match="different numbers of samples"):
+        possible_tables(m, {"carrier.mass": np.ones(2), "w1.mass": np.ones(3)})
+
+
+def test_another_structure_is_a_reason() -> None:
+    m = model("general")
+    assert any(m.stand.gravity)
+    found = possible_tables(m, {"gravity": np.array([m.stand.gravity, (0.0, 0.0, 0.0)])})
+    assert found.numbers.tolist() == [0]
+    assert "another structure" in found.reasons[1]
