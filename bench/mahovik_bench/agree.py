@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from mahovik_bench.cases import Array, Case
-from mahovik_bench.loaded import Contestant
+from mahovik_bench.contestant import Contestant
 from mahovik_bench.works import WORKS
 
 ACCEPTED = 1e-11

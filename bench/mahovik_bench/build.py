@@ -163,9 +163,9 @@ class Recipe:
 
 def generated(name: str, *arguments: str) -> tuple[Path, Effort]:
     """The folder of what `python -m mahovik_bench.NAME FOLDER ARGUMENTS` writes, cached by the text of the package."""
-    sources = sorted((ROOT / "generator" / "mahovik").rglob("*.py")) if name == "write_own" else []
+    sources = sorted((ROOT / "generator" / "mahovik").rglob("*.py")) if name == "own" else []
     sources += [ROOT / "bench" / "mahovik_bench" / f"{each}.py" for each in (name, "cases", "harmonic", "literal")]
-    sources += sorted((ROOT / "templates").glob("*.j2")) if name == "write_own" else []
+    sources += sorted((ROOT / "templates").glob("*.j2")) if name == "own" else []
     texts = [path.read_text(encoding="utf-8") for path in sources]
     folder = CACHE / key(name, *arguments, *texts)
     record = folder / "generated.json"

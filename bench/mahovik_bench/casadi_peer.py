@@ -7,7 +7,7 @@ import os
 
 from mahovik_bench.build import NATIVE, Recipe, generated
 from mahovik_bench.cases import Case
-from mahovik_bench.peer import Peer
+from mahovik_bench.contestant import Peer
 
 FORMS = {
     "naive": ("forward",),

@@ -11,7 +11,7 @@ from pathlib import Path
 from mahovik.errors import ToolchainError
 from mahovik_bench.build import Built, tool
 from mahovik_bench.cases import Case
-from mahovik_bench.peer import Peer
+from mahovik_bench.contestant import Peer
 from mahovik_bench.works import WORKS
 
 HEADER = Path("/usr/include/valgrind/callgrind.h")

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from mahovik_bench.build import CACHE, NATIVE, Recipe
 from mahovik_bench.cases import Case
-from mahovik_bench.peer import Peer
+from mahovik_bench.contestant import Peer
 
 
 def peers(case: Case) -> list[Peer]:

@@ -8,7 +8,7 @@ from pathlib import Path
 from mahovik.proof.verify.judges.rigid import tree
 from mahovik_bench.build import CACHE, NATIVE, Recipe
 from mahovik_bench.cases import Case
-from mahovik_bench.peer import Peer
+from mahovik_bench.contestant import Peer
 
 DEFINITIONS = (
     "-DBOOST_MPL_LIMIT_LIST_SIZE=30",

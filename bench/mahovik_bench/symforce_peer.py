@@ -5,7 +5,7 @@ from __future__ import annotations
 from mahovik_bench.build import NATIVE, Recipe, generated
 from mahovik_bench.casadi_peer import BUILDS
 from mahovik_bench.cases import Case
-from mahovik_bench.peer import Peer
+from mahovik_bench.contestant import Peer
 from mahovik_bench.pinocchio_peer import prefix
 
 LARGEST = 12

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.evaluate import evaluate
 from mahovik_bench.cases import Case
-from mahovik_bench.loaded import Contestant
+from mahovik_bench.contestant import Contestant
 from mahovik_bench.works import Work
 
 BLOCK = 40_000.0

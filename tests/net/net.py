@@ -76,6 +76,12 @@ def accept(measured: Iterable[tuple[str, str, Any]]) -> None:
     HASHES.write_text(_rows(hashes) + "\n", encoding="utf-8", newline="\n")
 
 
+def record(sentence: str, names: Iterable[str]) -> None:
+    """Keep the sentence that says why these cases changed."""
+    with ACCEPTED.open("a", encoding="utf-8") as file:
+        file.write(f"* {sentence} ({', '.join(names)})\n")
+
+
 def _file(name: str) -> str:
     return f"{name.replace(' ', '-')}.json"
 
@@ -105,9 +111,7 @@ def main() -> int:
         print("not accepted: a case failed, or not all of them were measured")
         return 1
     accept(measured)
-    with ACCEPTED.open("a", encoding="utf-8") as file:
-        names = ", ".join(name for _, name in differing) if len(differing) < len(tasks) else "all"
-        file.write(f"* {options.accept} ({names})\n")
+    record(options.accept, [name for _, name in differing] if len(differing) < len(tasks) else ["all"])
     return 0
 
 

@@ -1,0 +1,117 @@
+"""The example stands on processors: the same bits as here, and no function that costs more than was accepted.
+
+python tests/net/targets.py                       one target of each kind, this machine among them
+python tests/net/targets.py --all                 every target for bench8, and the costs of five
+python tests/net/targets.py --accept "SENTENCE"   keep the costs of five as they are now; the sentence says why
+
+`cost.json` has instructions, stack and code of every function by stand, target and element type. A figure more than 2 %
+above the accepted one, one that was never accepted and one of another compiler are failures: names of stands, or all.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import mahovik
+from mahovik.core.stand import Stand
+from mahovik.core.toolchain.targets import TARGETS, Target
+from mahovik.proof.cost.check import COMPARED_FIGURES, compare
+from mahovik.proof.cost.measure import USUAL, Costs, TargetCost, measure
+from mahovik.proof.verify.targets import parse_targets, verify_targets
+from net import HERE, record
+
+COSTS = HERE / "cost.json"
+HOST = ("host", "double")
+ONE_OF_A_KIND = (HOST, ("m4", "float"), ("rv64gc", "double"))
+"""This machine, a Cortex-M, a RISC-V; both element types."""
+
+
+def named(pairs: tuple[tuple[str, str], ...]) -> list[tuple[Target, str]]:
+    """Targets by their names, with element types."""
+    return [(TARGETS[target], real) for target, real in pairs]
+
+
+def kept(target: TargetCost) -> dict[str, Any]:
+    """What is accepted of a target's costs."""
+    functions = {f.function: [getattr(f, figure) for figure in COMPARED_FIGURES] for f in target.functions}
+    return {
+        "compiler": target.compiler,
+        "text": target.text,
+        "constants": target.constants,
+        "functions": functions,
+    }
+
+
+def accepted(stand: str, costs: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
+    """The accepted costs of a stand, a row for each target as `mahovik cost` keeps them."""
+    for key, row in costs.get(stand, {}).items():
+        target, real = key.split()
+        functions = [
+            {"function": name, **dict(zip(COMPARED_FIGURES, figures, strict=True))}
+            for name, figures in row["functions"].items()
+        ]
+        yield {**row, "target": target, "real": real, "functions": functions}
+
+
+def text(costs: Mapping[str, Any]) -> str:
+    """Accepted costs as JSON with a line for each function, so that a change is a line."""
+    lines = []
+    for stand, targets in sorted(costs.items()):
+        rows = []
+        for key, row in sorted(targets.items()):
+            functions = ",\n".join(f"    {json.dumps(name)}: {json.dumps(f)}" for name, f in row["functions"].items())
+            rest = ", ".join(
+                f"{json.dumps(name)}: {json.dumps(row[name])}" for name in ("compiler", "text", "constants")
+            )
+            rows.append(f'  {json.dumps(key)}: {{{rest}, "functions": {{\n{functions}}}}}')
+        lines.append(f" {json.dumps(stand)}: {{\n" + ",\n".join(rows) + "}")
+    return "{\n" + ",\n".join(lines) + "\n}\n"
+
+
+def rises(costs: Costs, before: Mapping[str, Any]) -> Iterator[str]:
+    """Lines about what costs more than was accepted, or was not accepted."""
+    result = compare(costs, list(accepted(costs.stand, before)), [(t.target, t.real) for t in costs.targets])
+    for line in (*result.rises, *(f"not accepted: {m}" for m in result.missing), *result.other):
+        yield f"{costs.stand}: {line}"
+
+
+def differing_bits(name: str, stand: Stand, everything: bool) -> Iterator[str]:
+    """Lines about targets whose bits are not those of this machine, or that did not run."""
+    words = "all" if everything and name == "bench8" else "quick"
+    report = verify_targets(stand, parse_targets(words) if everything else named(ONE_OF_A_KIND))
+    if not report.passed:
+        yield f"{name}: {report.conclusion}"
+        yield from (f"{name}: {row.target} {row.real}: {row.reason}" for row in report.rows if row.verdict != "ok")
+
+
+def main() -> int:
+    """Compare or accept. Returns the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--all", action="store_true")
+    parser.add_argument("--accept", metavar="SENTENCE")
+    parser.add_argument("stands", nargs="*", default=mahovik.examples())
+    options = parser.parse_args()
+    before = json.loads(COSTS.read_text(encoding="utf-8")) if COSTS.is_file() else {}
+    pairs = named((*USUAL, HOST) if options.all or options.accept else ONE_OF_A_KIND)
+    wrong = []
+    for name in options.stands:
+        stand = mahovik.example(name)
+        costs = measure(stand, pairs)
+        if options.accept:
+            before[name] = {f"{t.target} {t.real}": kept(t) for t in costs.targets}
+            continue
+        lines = [*differing_bits(name, stand, options.all), *rises(costs, before)]
+        print(*(lines or [f"{name}: same bits, no rise of cost on {len(pairs)} targets"]), sep="\n", flush=True)
+        wrong += lines
+    if options.accept:
+        COSTS.write_text(text(before), encoding="utf-8", newline="\n")
+        record(options.accept, [f"cost of {name}" for name in options.stands])
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,80 @@
+"""What is too long for every change: each part once for a commit, and a list of those that failed.
+
+python tools/nightly.py [PART ...]
+
+A part that has passed on this commit is not run again; `build/nightly` has the output of each. Exit status 1 where one
+failed. `make nightly` runs all of them.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+import sys
+import time
+from functools import partial
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+KEPT = ROOT / "build" / "nightly"
+
+PYTEST = "python -m pytest -q -n 2 --dist worksteal"
+PARTS = {
+    "slow": [f"{PYTEST} -m slow"],
+    "targets": ["make targets"],
+    "proofs": ["make proofs"],
+    "fuzz": ["make fuzz"],
+    "faults": ["make faults"],
+    "judges": ["python tools/judges_table.py", "python tools/audits_campaign.py"],
+    "campaigns": [],
+}
+"""Commands of each part, from the root of the repository."""
+
+
+def head() -> str:
+    """The commit that is checked out, with a mark where files differ from it."""
+    commit = subprocess.run(
+        ["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    changed = subprocess.run(["git", "status", "--porcelain"], cwd=ROOT, capture_output=True, text=True, check=True)
+    return commit.stdout.strip() + ("+" if changed.stdout else "")
+
+
+def run(part: str) -> tuple[bool, float]:
+    """Whether all commands of a part pass, and the seconds that they took; its output goes into a file."""
+    environment = {**os.environ, "PATH": f"{ROOT / '.venv' / 'bin'}{os.pathsep}{os.environ['PATH']}"}
+    start = time.monotonic()
+    with (KEPT / f"{part}.log").open("w", encoding="utf-8") as log:
+        run_one = partial(subprocess.run, cwd=ROOT, env=environment, stdout=log, stderr=subprocess.STDOUT, check=False)
+        passed = [run_one(command.split()).returncode == 0 for command in PARTS[part]]
+    return all(passed), time.monotonic() - start
+
+
+def main() -> int:
+    """Runs what is asked for. Returns the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("parts", nargs="*", metavar="PART", help=", ".join(PARTS))
+    parts = parser.parse_args().parts or list(PARTS)
+    if unknown := [part for part in parts if part not in PARTS]:
+        parser.error(f"unknown part {unknown[0]}: expected one of {', '.join(PARTS)}")
+    KEPT.mkdir(parents=True, exist_ok=True)
+    commit, failed = head(), []
+    for part in parts:
+        stamp = KEPT / f"{part}.passed"
+        if stamp.is_file() and stamp.read_text(encoding="utf-8") == commit:
+            print(f"passed before  {part}")
+            continue
+        passed, seconds = run(part)
+        print(f"{'passed' if passed else 'FAILED'}  {part}, {seconds / 60:.0f} min", flush=True)
+        if passed:
+            stamp.write_text(commit, encoding="utf-8")
+        else:
+            failed.append(part)
+            print(f"        {(KEPT / f'{part}.log').relative_to(ROOT)}", flush=True)
+    print(f"{commit}: {len(parts) - len(failed)} passed, {len(failed)} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

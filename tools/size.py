@@ -1,0 +1,72 @@
+"""How large the house is: lines of Python, of templates, words of the pages, targets of `make`, beside their limits.
+
+python tools/size.py
+
+Exit status 1 where a limit is passed. Python counts as ruff formats it. Not counted: results, `generated/`, the page of
+commands that is made of their help, the headers of the FMI standard and the plot library of the report.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+
+LIMITS = {
+    "package": 127_600,
+    "templates": 9_600,
+    "tests": 45_000,
+    "tools and bench": 5_000,
+    "words of the pages": 84_600,
+    "targets of make": 16,
+}
+
+
+def files(*patterns: str) -> list[Path]:
+    """Files of the repository by patterns of git."""
+    listed = subprocess.run(["git", "ls-files", *patterns], cwd=ROOT, capture_output=True, text=True, check=True)
+    return [path for line in listed.stdout.splitlines() if (path := ROOT / line).is_file()]
+
+
+def lines(*patterns: str) -> int:
+    """Lines of these files."""
+    return sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files(*patterns))
+
+
+def words() -> int:
+    """Words of README and pages, without kept results, notebooks and the page that is made of the commands."""
+    made = ("docs/commands.md", "docs/results")
+    pages = [p for p in files("README.md", "docs/*.md") if not str(p.relative_to(ROOT)).startswith(made)]
+    return sum(len(path.read_text(encoding="utf-8").split()) for path in pages)
+
+
+def sizes() -> dict[str, int]:
+    """Each size by its name in LIMITS."""
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    phony = re.search(r"^\.PHONY: (.*)$", makefile, re.M)
+    return {
+        "package": lines("generator/mahovik/*.py", "generator/mahovik/*.pyi"),
+        "templates": lines(
+            "templates", ":!templates/fmu/fmi?Fun*.h", ":!templates/fmu/fmi?*Types*.h", ":!templates/uplot"
+        ),
+        "tests": lines("tests/*.py"),
+        "tools and bench": lines("tools/*.py", "bench/*.py"),
+        "words of the pages": words(),
+        "targets of make": len(phony[1].split()) if phony else 0,
+    }
+
+
+def main() -> int:
+    """Prints the table. Returns the exit status."""
+    measured = sizes()
+    for name, size in measured.items():
+        over = "  over the limit" if size > LIMITS[name] else ""
+        print(f"{name:20} {size:8,} of at most {LIMITS[name]:8,}{over}")
+    return 1 if any(size > LIMITS[name] for name, size in measured.items()) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
