@@ -24,7 +24,7 @@ from mahovik.use.control.finite import tracking
 from mahovik.use.control.loop import Case, close_loop
 from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.plan.slew import plan_slew
-from plan.slew.stands import ATTITUDE, PYRAMID, about, inertia, satellite, slew
+from plan.slew_stands import ATTITUDE, PYRAMID, about, inertia, satellite, slew
 
 SERVO = 'schema = 1\nsample_period = "20 ms"\nlatency = "1 ms"\nbandwidth = "2 Hz"\n'
 ANGLE = 0.3

@@ -17,7 +17,7 @@ from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand import Stand
 from mahovik.proof.verify.programme import verify_programme
 from mahovik.use.plan.slew import plan_slew
-from plan.slew.stands import PYRAMID, about, satellite, slew
+from plan.slew_stands import PYRAMID, about, satellite, slew
 
 
 @cache

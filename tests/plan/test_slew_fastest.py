@@ -1,4 +1,4 @@
-"""Fastest slews against bang-bang limits that are known in closed form, and against the motors' limits in between."""
+"""Slews: fastest against bang-bang limits that are known in closed form, time laws, and what wheels cannot do."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
@@ -14,9 +16,11 @@ from mahovik.core.motion.motor import available_torque, required_torque
 from mahovik.core.motion.programme import Programme
 from mahovik.core.stand import Stand
 from mahovik.core.stand.capacity import torque_capacity
+from mahovik.use.plan.outcome import Plan
 from mahovik.use.plan.residual import Mechanics, prescribe, torques
 from mahovik.use.plan.slew import plan_slew
-from plan.slew.stands import PYRAMID, about, inertia, sat4, satellite, slew
+from mahovik.use.plan.slew.timing import KNOTS, Sharp, quietest, sharpest, smooth
+from plan.slew_stands import ATTITUDE, PYRAMID, about, inertia, sat4, satellite, slew
 
 SLOW = pytest.mark.slow
 NEAR = 1.02
@@ -53,12 +57,10 @@ def test_one_wheel_on_its_axis_turns_bang_bang(
     assert np.argmax(speed) / 1000 == pytest.approx(braking / (driving + braking), abs=0.01)
 
 
-@pytest.mark.parametrize(
-    "axis", [(0.3, -1, 0.5), *(pytest.param(a, marks=SLOW) for a in ((0, 0, 1), (1, 0, 0), (1, 1, 0.1)))]
-)
-def test_a_pyramid_gives_all_of_its_zonotope(axis: tuple[float, ...]) -> None:
+def test_a_pyramid_gives_all_of_its_zonotope() -> None:
     """From zero momentum the torque about a turn's axis is along J a, whatever the axis: no gyroscopic part."""
-    stand, angle, unit = satellite(PYRAMID), 1.0, np.array(axis) / np.linalg.norm(axis)
+    stand, angle, axis = satellite(PYRAMID), 1.0, (0.3, -1, 0.5)
+    unit = np.array(axis) / np.linalg.norm(axis)
     along = inertia(stand) @ unit
     acceleration = torque_capacity(stand).envelope.reach(along) / np.linalg.norm(along)
     limit = 2.0 * np.sqrt(angle / acceleration)
@@ -157,3 +159,117 @@ def test_momentum_at_the_start_stays_in_space() -> None:
     wanted = slew(stand, start={"phi_dot": speeds}, end=about((1, 0.4, 0), 0.8))
     turned = wanted.path(np.array([wanted.angle]))[0]
     assert turned @ end == pytest.approx(start, abs=1e-6 * float(np.linalg.norm(start)))
+
+
+@settings(max_examples=10, deadline=None)
+@given(st.floats(0.01, 3.0), st.floats(0.01, 5.0), st.floats(0.01, 5.0), st.floats(0.2, 3.0))
+def test_constant_limits_give_bang_coast_bang(angle: float, up: float, down: float, share: float) -> None:
+    """sigma'' from -down to up; the cap is a share of the peak without it."""
+    peak = np.sqrt(2.0 * angle * up * down / (up + down))
+    cap = share * peak
+    sharp = sharpest(angle, lambda _, __: (-down, up), lambda _: cap)
+    assert isinstance(sharp, Sharp)
+    v = min(cap, peak)
+    expected = v / up + v / down + (angle - v * v / 2 / up - v * v / 2 / down) / v
+    assert sharp.duration == pytest.approx(expected, rel=1e-3)
+    law = smooth(sharp, angle)
+    assert law.duration == pytest.approx(sharp.duration * (1 + 4 / KNOTS), rel=1e-12)
+    sigma, speed, acceleration = law.at(np.linspace(0.0, law.duration, 4001))
+    assert sigma[0] == 0.0 and sigma[-1] == pytest.approx(angle, rel=1e-12)
+    assert speed.min() > -1e-12 and speed.max() <= v * 1.003
+    assert acceleration.max() <= up * 1.003 and acceleration.min() >= -down * 1.003
+    assert speed[[0, -1]] == pytest.approx(0.0, abs=1e-12) and acceleration[[0, -1]] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_without_acceleration_it_says_where() -> None:
+    assert sharpest(1.0, lambda sigma, _: (-1.0, 1.0 if sigma > 0 else 0.0), lambda _: 9.0) == 0.0
+    assert sharpest(1.0, lambda _, __: (-1.0, 1.0), lambda sigma: 0.5 - sigma) == pytest.approx(1.0)
+
+
+def test_no_other_law_from_rest_to_rest_has_less_mean_jerk() -> None:
+    """Against the quintic plus any polynomial that vanishes with two derivatives at both ends: exact integrals."""
+    law, own = quietest(1.0, 1.0), np.polynomial.Polynomial([0, 0, 0, 10, -15, 6])
+    t = np.linspace(0.0, 1.0, 21)
+    assert law.at(t)[0] == pytest.approx(own(t), abs=1e-14)
+    for k in range(3):
+        aside = np.polynomial.Polynomial([0, 1]) ** (3 + k) * np.polynomial.Polynomial([1, -1]) ** 3
+        for size in (-0.3, 0.2):
+            other = own + size * aside
+            mean, least = ((each.deriv(3) ** 2).integ() for each in (other, own))
+            assert mean(1.0) - mean(0.0) > least(1.0) - least(0.0)
+
+
+QUARTER = about((0, 0, 1), 0.5)
+
+
+def planned_or_refused(stand: Stand, verify: bool = False, **keys: Any) -> Plan:
+    return plan_slew(stand, slew(stand, **keys), verify=verify)
+
+
+WEAK = '{ torque = 0.2, speed = "1000 rpm" }'
+MIDDLE = {"point": "middle", "rows": ["vx", "vy", "vz"]}
+SENSOR = {"point": "sensor", "rows": ["vx"]}
+BOTH_AXES = {"start": {"phi_dot": ["800 rpm", "800 rpm", 0]}, "end": about((0, 0, 1), np.pi / 2)}
+"""A quarter turn brings 1.6 H of two wheels onto one axis, which has one wheel."""
+
+
+@pytest.mark.parametrize(
+    ("axes", "motor", "keys", "reason", "words"),
+    [
+        (PYRAMID[:2], "{ torque = 0.2 }", {"end": about((1, 0, 0), 0.5)}, "SPAN", "no moment about ("),
+        (PYRAMID, "{ torque = 0.2 }", {"rows": [*ATTITUDE, SENSOR], "end": QUARTER}, "SPAN", "no force along (1, 0, 0"),
+        (np.eye(3), WEAK, BOTH_AXES, "BOUND_REACH", "at most 104.72 rad/s"),
+        (
+            PYRAMID,
+            WEAK,
+            {"start": {"phi_dot": [110, 0, 0, 0]}, "end": QUARTER},
+            "BOUND_REACH",
+            "momentum saturation: w1 starts at 110 rad/s, at most 104.72 rad/s",
+        ),
+        (PYRAMID, "{ torque = 0.2 }", {"end": about((0, 1, 0), 2.0)}, "", "cos theta reaches 0"),
+    ],
+)
+def test_what_wheels_cannot_do_is_refused(axes: Any, motor: str, keys: dict[str, Any], reason: str, words: str) -> None:
+    found = planned_or_refused(satellite(np.array(axes).tolist(), motor), **keys)
+    assert found.status == ("NO_PROGRAM" if reason else "SINGULAR_ATTITUDE")
+    assert found.reason in (reason, None) and words in found.words[0]
+
+
+def test_the_centre_of_mass_stays_at_rest_by_itself() -> None:
+    """Six rows, but the linear ones need no force there; alone they leave nothing to do."""
+    turn = planned_or_refused(satellite(PYRAMID), verify=True, rows=[*ATTITUDE, MIDDLE], end=QUARTER, duration=8)
+    assert turn.status == "OK"
+    still = planned_or_refused(satellite(PYRAMID), rows=[MIDDLE], duration=2, start={"phi_dot": 30})
+    assert still.status == "OK" and still.programmes[0].report["peak_acceleration"].max() < 1e-9
+
+
+def test_too_short_a_duration_names_the_motor_and_a_duration_that_does() -> None:
+    found = planned_or_refused(satellite(PYRAMID), end=QUARTER, duration=1)
+    assert found.reason == "BOUND_REACH" and "torque of w" in found.words[0]
+    longer = float(found.words[0].split("a duration of about ")[1].split(" s")[0])
+    assert planned_or_refused(satellite(PYRAMID), end=QUARTER, duration=1.001 * longer).status == "OK"
+
+
+def test_nothing_is_fastest_without_limits_of_torque() -> None:
+    stand = satellite(PYRAMID, '{ speed = "6000 rpm" }')
+    assert planned_or_refused(stand, end=QUARTER).status == "OK"  # `inverse_most` stands in for the motor's torque
+
+
+@pytest.mark.parametrize("goal", [pytest.param({}, marks=pytest.mark.slow), {"duration": 20}])
+def test_a_line_of_sight_leaves_the_turn_about_it_free(goal: dict[str, float]) -> None:
+    """Three wheels, of which the one along the line of sight is missing."""
+    stand = satellite([(0, 1, 0.2), (0, 0.1, 1)])
+    direction = [0.8, 0.5, -0.33]
+    found = planned_or_refused(stand, verify=True, rows=["wy", "wz"], end={"direction": direction}, **goal)
+    assert found.status == "OK", found.words
+    items = {each["name"]: each["value"] for each in found.programmes[0].report["verification"]}
+    assert items["slew end"] < 0.01 and items["slew path"] < 1e-9
+    assert found.programmes[0].carrier is not None
+    roll = found.programmes[0].carrier.q[-1, 5]
+    assert abs(roll) > 1e-3  # nobody held it
+
+
+@pytest.mark.parametrize(("end", "warned"), [([40, 0, 0], True), (["40 deg", 0, 0], False), ([0.7, 0, 0], False)])
+def test_an_attitude_beyond_a_turn_is_asked_about(end: list[Any], warned: bool) -> None:
+    found = planned_or_refused(satellite(PYRAMID), end={"angles": end}, duration=20)
+    assert found.warnings == (f"end.angles: {end} rad is beyond a whole turn: degrees without their unit?",) * warned

@@ -18,7 +18,7 @@ from mahovik.proof.verify.programme.simulation import simulate
 from mahovik.use.plan.outcome import Plan
 from mahovik.use.plan.slew import plan_slew
 from mahovik.use.plan.unbalance import twist_at_rest, unbalance_effect
-from plan.slew.stands import sat4, slew
+from plan.slew_stands import sat4, slew
 
 SLOW = pytest.mark.slow
 ARCSEC = np.pi / 648000.0
@@ -44,16 +44,13 @@ def quick() -> Programme:
     return planned(end=about_z(5), duration=10, start=against(314)).programmes[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "keys",
     [
-        pytest.param({"end": about_z(5), "duration": 10, "start": against(500)}, marks=SLOW),
-        pytest.param({"end": about_z(30), "duration": 20, "start": against(100)}, marks=SLOW),
-        pytest.param({"end": about_z(10), "duration": 10, "start": against(60)}, marks=SLOW),
-        pytest.param({"end": about_z(30), "duration": 60, "start": against(100)}, marks=SLOW),
-        pytest.param({"end": about_z(30), "start": against(314)}, marks=SLOW),
-        pytest.param({"end": about_z(30), "start": against(500)}, marks=SLOW),
-        pytest.param({"end": about_z(90), "start": {"phi_dot": 500}}, marks=SLOW),
+        {"end": about_z(30), "duration": 60, "start": against(100)},
+        {"end": about_z(30), "start": against(500)},
+        {"end": about_z(90), "start": {"phi_dot": 500}},
     ],
 )
 def test_wheels_at_working_speeds_slew(keys: dict[str, Any]) -> None:
