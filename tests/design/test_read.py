@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from design.problems import FREE, freedom, shaker
+from design.test_design import FREE, freedom, shaker
 from mahovik.errors import DesignError
 from mahovik.use.design import freedom_of_keys
 from mahovik.use.design.freedom import PARTS
@@ -42,28 +42,19 @@ WRONG = [
     ("schema = 1", "schema = 2", "schema: expected 1, found 2"),
     ("harmonics = 1", "harmonic = 1", 'unknown key "harmonic", did you mean "harmonics"?'),
     ("harmonics = 1", "harmonics = 9", "harmonics: 9: expected 0 to 8"),
-    ("quality = 1e-9", "quality = 0", "quality: 0: expected above 0, at most 0.1"),
-    ("quality = 1e-9", "quality = 1", "quality: 1: expected above 0, at most 0.1"),
     ("quality = 1e-9", "number = [2, 1]", "number: least 2 is above most 1"),
     ("quality = 1e-9", "number = [1, 3]", "number: 3 flywheels, but the stand has 2"),
-    ("quality = 1e-9", "number = 2", "number: expected least and most, as [2, 4], found 2"),
     ("quality = 1e-9", "phase = 1", "phase: expected true or false, found 1"),
     ("speed = [-1, 1]", "speed = []", "speed: expected turns per period to choose from"),
-    ("speed = [-1, 1]", "speed = [0.5]", "speed: expected a whole number, found 0.5"),
     ("[[free]]", '[[free]]\nflywheels = ["lefd"]', 'flywheels: unknown "lefd", did you mean "left"?'),
     ("[[free]]", "[[free]]\nmass = { min = 0, max = 1 }", "mass: min 0: expected a minimum above 0"),
-    ("[[free]]", "[[free]]\nmass = { min = 2, max = 1 }", "mass: min 2 is above max 1 kg"),
-    ("[[free]]", "[[free]]\nmass = { min = 2 }", "max: required, but missing"),
-    ("[[free]]", "[[free]]\nmass = 3", "mass: expected true, false or { min = .., max = .. }, found 3"),
     ("min = 0,", "min = -1,", "unbalance: min -1 is negative"),
     ("min = 0,", 'min = "1 kg",', 'unbalance, min: unit "kg" does not fit'),
     ("[limits]", "[limits]\ntotal_mass = 0.1", "total_mass: 0.1 kg is below the sum of the least, 1"),
     ('"100 mm"', "-1", "distance: -1 m is negative"),
-    ("[limits]", "[cost]\ntorque = -1\n[limits]", "cost, torque: -1 is negative"),
     ("[limits]", '[[group]]\nflywheels = ["left"]\n[limits]', "a group needs two or more flywheels, found 1"),
     ("[limits]", '[[group]]\nflywheels = ["left", "right"]\n[limits]', "expected `same`, `mirror` or both"),
     ("[limits]", '[[group]]\nflywheels = ["left", "right"]\nmirror = "w"\n[limits]', "expected one of x, y, z"),
-    ("[limits]", '[[group]]\nflywheels = ["left", "right"]\nsame = ["w"]\n[limits]', 'same: unknown key "w"'),
 ]
 
 

@@ -1,0 +1,228 @@
+"""Designs: numbers of a stand as unknowns, two flywheels for one axis, what binds, sensitivities, the front."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mahovik import stands
+from mahovik.core.motion.required import Bounds, RequiredMotion, load_motion
+from mahovik.core.stand import load, loads
+from mahovik.core.stand.model import Flywheel, Stand
+from mahovik.core.stand.random import EVERYTHING, random_stand
+from mahovik.core.stand.write import dumps
+from mahovik.errors import DesignError
+from mahovik.laws.suspension.data import Suspension
+from mahovik.use.design import DesignOptions, Outcome, design_stand
+from mahovik.use.design.freedom import PARTS, WIDTH, Freedom, Limits, Mask, Tie, Weights
+from mahovik.use.design.read import read_freedom
+from mahovik.use.design.search import Cost, Point, pareto_points
+from mahovik.use.design.space import Space, flywheel_numbers
+from mahovik.use.design.task import Design, Task, Weighing
+from mahovik.use.plan.problem import Periodic, uniform
+from mahovik.use.plan.residual import Mechanics, Norm, prescribe, residual
+from mahovik.use.plan.residual.spatial import mount_axes
+from plan.problems import required
+
+FREE = """
+schema = 1
+speed = [-1, 1]
+harmonics = 1
+quality = 1e-9
+[[free]]
+position = { min = ["-80 mm", "-80 mm", "-80 mm"], max = ["80 mm", "80 mm", "80 mm"] }
+angles = { min = ["-20 deg", "-20 deg"], max = ["20 deg", "20 deg"] }
+unbalance = { min = 0, max = "3 kg mm" }
+[limits]
+distance = "100 mm"
+"""
+
+
+def shaker() -> Stand:
+    """shaker2 with its flywheels out of place."""
+    stand = load(stands.path("shaker2"))
+    places = ((0.03, 0.06, 0.01), (-0.02, -0.07, 0.02))
+    wheels = tuple(replace(w, position=p) for w, p in zip(stand.flywheels, places, strict=True))
+    return replace(stand, flywheels=wheels)
+
+
+def motion_of(stand: Stand) -> RequiredMotion:
+    """0.3 mm along z at 20 Hz."""
+    return load_motion(stands.path("shaker2").with_name("shaker2.motion.json"), stand)
+
+
+def freedom(text: str = FREE, **changes: str) -> Freedom:
+    """Free numbers of the shaker, with words of FREE changed."""
+    for old, new in changes.items():
+        text = text.replace(old, new)
+    return read_freedom(text, shaker())
+
+
+def all_free(stand: Stand, **more: Any) -> Freedom:
+    """Everything of every flywheel, within wide bounds."""
+    now = np.array([flywheel_numbers(s) for s in stand.flywheels])
+    span = np.array([0.3] * 3 + [np.inf] * 2 + [1.0, np.inf, 1.0, 0.5])
+    least, most = now - span, now + span
+    least[:, 5:] = np.maximum(least[:, 5:], [0.0, -np.inf, 1e-2, 0.5])
+    free: Mask = np.ones((len(now), WIDTH), dtype=bool)
+    return replace(Freedom(least, most, free), **more)
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_the_stand_as_it_is_has_a_place_among_the_designs(seed: int) -> None:
+    """Angles or axes, on carrier or instrument, inertia about any point: the same tables."""
+    stand = random_stand(np.random.default_rng(seed), 3, EVERYTHING)
+    space = Space.of(stand, all_free(stand))
+    assert space.P == 3 * WIDTH
+    built = space.stand_of(space.start)
+    for ours, given in zip(built.flywheels, stand.flywheels, strict=True):
+        assert abs(mount_axes(ours) - mount_axes(given)).max() <= 1e-14
+    found, known = Mechanics.of(built).tables, Mechanics.of(stand).tables
+    assert abs(found.Theta - known.Theta).max() <= 1e-13 * abs(known.Theta).max()
+    assert abs(found.weight - known.weight).max() <= 1e-13 * abs(known.weight).max()
+
+
+def test_ties_make_flywheels_alike() -> None:
+    """Mirrored through each plane; equal in mass; a third that hangs on the second."""
+    stand = random_stand(np.random.default_rng(8), 3)
+    for axis, name in enumerate("xyz"):
+        ties = (Tie((0, 1), ("unbalance", "mass"), name), Tie((1, 2), ("mass",), None))
+        loose = all_free(stand, ties=ties)
+        loose.least[:], loose.most[:] = loose.least.min(axis=0), loose.most.max(axis=0)
+        loose.least[:, :3], loose.most[:, :3] = -0.3, 0.3
+        space = Space.of(stand, loose)
+        assert space.P == 3 * WIDTH - 5 - 3
+        first, second, third = space.stand_of(space.random(np.random.default_rng(axis))).flywheels
+        mirror = np.where(np.arange(3) == axis, -1.0, 1.0)
+        assert np.allclose(second.position, mirror * first.position, atol=1e-15)
+        assert np.allclose(mount_axes(second)[:, 0], mirror * mount_axes(first)[:, 0], atol=1e-15)
+        assert first.mass == pytest.approx(second.mass) == pytest.approx(third.mass)
+
+
+def test_ties_against_bounds_are_refused() -> None:
+    """Mirrored places of which one is held somewhere else."""
+    stand = random_stand(np.random.default_rng(3), 2)
+    free = all_free(stand)
+    free.least[1, PARTS["position"]] = free.most[1, PARTS["position"]] = (5.0, 5.0, 5.0)
+    with pytest.raises(DesignError, match="x must be equal"):
+        Space.of(stand, replace(free, ties=(Tie((0, 1), (), "x"),)))
+
+
+def test_rows_have_the_derivatives_of_differences() -> None:
+    """Residual, limits of the whole, bounds of the motion, cost: by every unknown."""
+    stand = random_stand(np.random.default_rng(21), 2)
+    bounds = Bounds(speed=(30.0,) * 2, torque=(1e-3,) * 2, acceleration=(1.0,) * 2, angle=(0.01,) * 2)
+    motion = required(2, bounds=bounds)
+    mass = sum(s.mass for s in stand.flywheels)
+    ties = (Tie((0, 1), ("unbalance",), None),)
+    free = all_free(stand, limits=Limits(10.0, 0.1 * mass, 1e-4), ties=ties)
+    task = Task.of(stand, motion, free)
+    rng = np.random.default_rng(1)
+    course = Periodic(motion.span, np.array([1.0, -1.0]), rng.normal(size=(2, 3)), np.zeros(6))
+    design = Design(task.space.random(rng), course)
+    weighing = Weighing(1.0, 0.7, 0.3)
+    J, z = task.jacobian(design, weighing), task.pack(design)
+    for k in range(len(z) - int(task.start.free.sum())):  # by the bias, rows of torque are left out: it is small
+        e = 1e-6 * np.eye(len(z))[k]
+        around = [task.rows(task.unpack(z + sign * e, course), weighing) for sign in (1.0, -1.0)]
+        D = (around[0] - around[1]) / 2e-6
+        rounding = 1e-9 * abs(around[0]).max()  # of differences of the largest rows, divided by the step
+        assert abs(J[:, k] - D).max() <= 2e-5 * max(abs(D).max(), 1e-3) + rounding, k
+
+
+@cache
+def one_axis() -> Outcome:
+    """The shaker's design, once."""
+    return design_stand(shaker(), motion_of, freedom(), DesignOptions(seed=2, starts=20))
+
+
+@pytest.mark.slow
+def test_two_flywheels_for_one_axis() -> None:
+    """Exact, verified, inside bounds and limits, with the least unbalance that there is; the file says the same."""
+    found = one_axis()
+    assert (found.status, found.words) == ("OK", ())
+    assert found.residual < 1e-9
+    assert found.stand is not None
+    assert found.programme is not None
+    assert found.programme.report["verified"] is True
+    assert loads(dumps(found.stand)) == found.stand
+    assert found.totals["after"]["nearest"]["distance"] >= 0.1
+    places = np.array([s.position for s in found.stand.flywheels])
+    assert abs(places).max() <= 0.08
+    # +-mu Omega^2 of each pair is the whole force that moves mass and suspension: nothing is wasted across
+    Omega = 2 * np.pi * 20
+    needed = 3e-4 * abs(7.0 - 1105.398 / Omega**2 + 10j / Omega)
+    assert found.totals["after"]["unbalance"] == pytest.approx(needed, rel=2e-3)
+
+
+def test_sensitivities_are_those_of_stands_that_are_built_so() -> None:
+    """1 mm and 1 g mm of error: the residual that the programme then has."""
+    found = one_axis()
+    built, programme = found.stand, found.programme
+    assert built is not None
+    assert programme is not None
+    motion = motion_of(built)
+    t = uniform(motion.span, 256)
+    told = {(each.flywheel, each.name): each for each in found.changes}
+    assert len(told) == 2 * 7
+
+    def relative(wheel: Flywheel) -> float:
+        stand = replace(built, flywheels=(wheel, built.flywheels[1]))
+        at = prescribe(Mechanics.of(stand), motion.at(t), np.array(programme.bias))
+        angles = programme.at(t)
+        own = Norm.of(prescribe(Mechanics.of(built), motion.at(t)), motion.span)
+        return own.relative(residual(at, angles.phi, angles.phi_dot, angles.phi_ddot))
+
+    wheel = built.flywheels[0]
+    x, y, z = wheel.position
+    along, y_c, z_c = wheel.center_of_mass
+    longer = 1.0 + 1e-6 / (wheel.mass * float(np.hypot(y_c, z_c)))
+    moved = relative(replace(wheel, position=(x, y + 1e-3, z)))
+    heavier = relative(replace(wheel, center_of_mass=(along, longer * y_c, longer * z_c)))
+    assert told["left", "y"].sensitivity == pytest.approx(moved, rel=0.05)
+    assert told["left", "unbalance"].sensitivity == pytest.approx(heavier, rel=0.05)
+
+
+def test_what_binds_is_named() -> None:
+    """Unbalances that are all too large for rest of the force; nothing is written of a design that is none."""
+    text = 'schema = 1\nspeed = [-1, 1]\nharmonics = 0\n[[free]]\nunbalance = { min = "1.2 kg mm", max = "2 kg mm" }\n'
+    stand = shaker()
+    good = replace(
+        stand,
+        flywheels=tuple(
+            replace(w, position=p) for w, p in zip(stand.flywheels, ((0, 0.08, 0), (0, -0.08, 0)), strict=True)
+        ),
+    )
+    found = design_stand(good, motion_of, read_freedom(text, good), DesignOptions(starts=4))
+    assert found.status == "NO_DESIGN"
+    assert found.stand is None
+    assert found.residual > 1e-2
+    assert "does not prove" in found.words[0]
+    assert found.words[1].startswith("bounds of unbalance bind")
+
+
+def test_a_motion_that_no_design_can_do_is_refused() -> None:
+    """Too little unbalance for the amplitude; a weight that nothing carries."""
+    little = freedom(**{'"3 kg mm"': '"0.9 kg mm"'})
+    with pytest.raises(DesignError, match=r"no design does this: along z it needs a first moment"):
+        design_stand(shaker(), motion_of, little)
+    with pytest.raises(DesignError, match=r"no design does this: a mean force of 68\.67 N along z"):
+        design_stand(shaker().without_laws(Suspension), motion_of, freedom())
+
+
+def test_time_cuts_and_says_so() -> None:
+    """Nothing was found yet."""
+    found = design_stand(shaker(), motion_of, freedom(), DesignOptions(seconds=1e-3))
+    assert found.status == "NO_DESIGN"
+    assert found.effort["cut_by_time"]
+    assert "cut by time" in found.words[0]
+
+
+def test_designs_that_others_beat_are_no_front() -> None:
+    """Kept: less torque for more unbalance."""
+    points = [Point(Weights(), Cost(u, t, 0.0), 0.0) for u, t in ((1, 5), (2, 6), (3, 4), (3, 4), (2, 5), (9, 1))]
+    assert [(p.cost.unbalance, p.cost.torque) for p in pareto_points(points)] == [(1, 5), (3, 4), (9, 1)]
