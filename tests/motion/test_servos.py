@@ -68,18 +68,12 @@ def test_the_servos_of_the_examples_are_good() -> None:
         ("latency = 1", "latency: 1 s is more than 16 sample periods of 0.001 s"),
         ('integral = "60 Hz"', "integral: 376.991 rad/s is above the bandwidth, 314.159 rad/s"),
         ("integral = 4", 'integral: expected a frequency with its unit, such as "40 Hz"'),
-        ('integral = "4 kg"', 'integral: unit "kg" does not fit, expected a frequency (Hz)'),
         ("damping_ratio = 0", "damping_ratio: 0: expected above 0, at most 5"),
-        ("torque_limit = [1]", "torque_limit: expected 2 numbers, found 1"),
         ("torque_limit = -1", "torque_limit: -1 N m: expected above 0, at most 1e+09"),
-        ("feedforward = 1", "feedforward: expected true or false, found 1"),
         ('encoder = "stnd"', 'encoder: unknown "stnd", did you mean "stand"?'),
         ("trim = true", f"trim: expected a table with {', '.join(TrimTable.model_fields)}, or false, found true"),
         ("trim = { harmonics = 99 }", "trim, harmonics: 99: expected 1 to 16"),
-        ("trim = { gain = 2 }", "trim, gain: 2: expected above 0, at most 1"),
         ('trim = { coordinates = ["psy"] }', 'trim, coordinates: unknown "psy", did you mean "psi"?'),
-        ('trim = { coordinates = ["x", "x"] }', 'trim, coordinates: "x" appears twice'),
-        ("trim = { limit = 0 }", "trim, limit: 0 rad is not above 0"),
     ],
 )  # fmt: skip
 def test_one_line_a_problem(text: str, reason: str) -> None:

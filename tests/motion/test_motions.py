@@ -1,17 +1,21 @@
-"""Motion files: what is read, in which units; every bad input one line, all of a file together."""
+"""Required motions: what a file says in which units, every bad input one line, courses against differences."""
 
 from __future__ import annotations
 
 import json
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
 
 from mahovik import stands
 from mahovik.core.motion.required import load_motion, read_motion
-from mahovik.core.motion.required.course import Harmonics
+from mahovik.core.motion.required.course import Harmonics, SampledCourse
 from mahovik.core.stand import load as load_stand
 from mahovik.errors import MotionError
 
@@ -105,53 +109,29 @@ def test_units_bounds_and_weights() -> None:
         ({"schema": 2}, "m.json: schema: expected 1, found 2"),
         ({"perod": 1}, 'm.json: unknown key "perod", did you mean "period"?'),
         ({"type": "cyclic"}, 'm.json: type: expected "periodic", "finite" or "slew", found "cyclic"'),
-        ({"period": -0.1}, "m.json: period: -0.1 s is not above 0"),
         ({"period": "-5 ms"}, "m.json: period: -5 ms (-0.005 s) is not above 0"),
         ({"period": "10 Hz"}, 'm.json: period: unit "Hz" does not fit, expected a time (s)'),
-        ({"period": None}, "m.json: period: expected a time (s), found a NoneType"),
         ({"duration": 1}, 'm.json: duration: not allowed with type "periodic", which has `period`'),
-        ({"units": {"linear": "mrad"}}, 'm.json: units, linear: unit "mrad" does not fit, expected a length (m)'),
-        ({"units": {"lin": "mm"}}, 'm.json: units: unknown key "lin", did you mean "linear"?'),
         ({"mean": [0] * 5}, "m.json: mean: expected 6 numbers, found 5"),
-        ({"mean": ["1 deg", 0, 0, 0, 0, 0]}, 'm.json: mean[0]: unit "deg" does not fit, expected a length (m)'),
-        ({"free_mean": [True]}, "m.json: free_mean: expected 6 of true, false, found a list of 1"),
         ({"harmonics": [{"k": 0}]}, "m.json: harmonics[0], k: expected 1 to 1000, found 0; a constant is `mean`"),
-        ({"harmonics": [{"k": 1.5}]}, "m.json: harmonics[0], k: expected a whole number, found 1.5"),
         ({"harmonics": [{"k": 1}, {"k": 1}]}, "m.json: harmonics[1], k: 1 appears twice"),
-        ({"harmonics": [{"k": 1, "cos": [1]}]}, "m.json: harmonics[0], cos: expected 6 numbers, found 1"),
-        ({"harmonics": [{"cosine": SIX, "k": 1}]}, 'm.json: harmonics[0]: unknown key "cosine", did you mean "cos"?'),
         ({"samples": {}}, "m.json: expected one of harmonics, samples, found harmonics and samples"),
         ({"winding": "spinn"}, 'm.json: winding: unknown "spinn", did you mean "spin"?'),
         (
             {"winding": [1]},
             'm.json: winding: expected 2 whole numbers (one per flywheel), "any", "spin" or "rock", found 1 numbers',
         ),
-        ({"winding": [1, 0.5]}, "m.json: winding[1]: expected a whole number, found 0.5"),
-        ({"runup": 0}, "m.json: runup: 0 s is not above 0"),
         (
             {"bounds": {"deviation": {"linear": "1 mm"}}},
             "m.json: bounds, deviation: needs `runup`: it bounds the carrier on the way there and back",
         ),
-        (
-            {"runup": 1, "bounds": {"deviation": {"angular": 0}}},
-            "m.json: bounds, deviation, angular: 0 rad is not above 0",
-        ),
         ({"runup": 1, "bounds": {"deviation": {}}}, "m.json: bounds, deviation: expected linear, angular, or both"),
-        ({"bounds": {"sped": 1}}, 'm.json: bounds: unknown key "sped", did you mean "speed"?'),
-        (
-            {"bounds": {"speed": "50 Hz"}},
-            'm.json: bounds, speed: unit "Hz" does not fit, expected an angular speed (rad/s), '
-            "a frequency is not one: write rpm or rad/s",
-        ),
-        ({"bounds": {"torque": [1]}}, "m.json: bounds, torque: expected 2 numbers, found 1"),
         ({"bounds": {"speed": -1}}, "m.json: bounds, speed: -1 is not above 0: a bound is a magnitude"),
-        ({"bounds": {"acceleration": -1}}, "m.json: bounds, acceleration: -1 is not above 0: a bound is a magnitude"),
         ({"bounds": {"bias": 1}}, "m.json: bounds, bias: expected 6 numbers (m, rad), found 1"),
         (
             {"bounds": {"start": {}}},
             'm.json: bounds, start: not allowed with type "periodic", which begins where it ends',
         ),
-        ({"objective": {"torque": -1}}, "m.json: objective, torque: -1 is negative, expected a weight"),
         (
             {"objective": {"power": 1}},
             'm.json: objective, power: flywheels "left", "right" have no motor with `constant` and `resistance`: '
@@ -184,21 +164,9 @@ def test_all_problems_are_told_together() -> None:
     assert len(found) == 5
 
 
-@pytest.mark.parametrize("missing", ["schema", "type", "period"])
-def test_required_keys(missing: str) -> None:
-    line = f"m.json: {missing}: required, but missing"
-    assert line in problems({key: value for key, value in PLAIN.items() if key != missing})
-
-
 @pytest.mark.parametrize("text", ["", "[]", "{", '{"schema": 1, "schema": 1}', '{"schema": true}', "[" * 100000])
 def test_what_is_no_motion_file(text: str) -> None:
     assert len(problems(text)) == 1
-
-
-@pytest.mark.parametrize("number", ["NaN", "1e999", "-Infinity"])
-def test_numbers_that_are_none(number: str) -> None:
-    (line,) = problems(json.dumps(PLAIN).replace("0.0001", number))
-    assert line.startswith("m.json: harmonics[0], cos[2]: ")
 
 
 def test_a_singular_attitude_is_refused() -> None:
@@ -214,12 +182,6 @@ def test_a_step_in_the_samples_is_refused() -> None:
     assert line.startswith("m.json: samples, q[") and "a jump" in line
     (line,) = problems(sampled(1e-4 * np.arange(33) / 33))  # a sawtooth
     assert "a jump" in line
-
-
-def test_samples_of_a_smooth_motion_are_taken() -> None:
-    x = 2 * np.pi * np.arange(24) / 24
-    motion = read_motion(json.dumps(sampled(1e-4 * (np.cos(x) + 0.3 * np.sin(2 * x)))), SHAKER)
-    assert motion.harmonics[:2] == (1, 2)
 
 
 @pytest.mark.parametrize(
@@ -262,14 +224,6 @@ def test_finite_motions_that_do_not_are_refused(shape: Any, words: str) -> None:
     assert words in line and "starts and ends at rest" in line
 
 
-def test_keys_that_are_periodic_only() -> None:
-    found = problems(finite(winding="rock", runup=1, period=1))
-    assert [line.split(":")[1].strip() for line in found] == ["period", "winding", "runup"]
-    assert problems({**FINITE, "harmonics": []}) == [
-        'm.json: harmonics: not allowed with type "finite", which has `samples`'
-    ]
-
-
 def test_deviation_on_the_way() -> None:
     """Units; what is left out is not bounded."""
     motion = read_motion(json.dumps({**PLAIN, "runup": 1, "bounds": {"deviation": {"linear": "2 mm"}}}), SHAKER)
@@ -284,3 +238,59 @@ def test_start_of_a_finite_motion() -> None:
     assert (bounds.start_phi, bounds.start_phi_dot) == ((math.pi / 2, -1.0), (-50.0, -50.0))
     (first, _) = problems(finite(bounds={"start": start, "speed": 10}))
     assert first == "m.json: bounds, start: phi_dot[0]: -50 rad/s is outside speed_min, speed: 0 to 10"
+
+
+AMPLITUDES = arrays(np.float64, (3, 6), elements=st.floats(-1.0, 1.0))
+
+
+def harmonics(cos: np.ndarray, sin: np.ndarray) -> Harmonics:
+    return Harmonics(0.1, (1, 2, 5), cos, sin)
+
+
+@given(AMPLITUDES, AMPLITUDES)
+def test_derivatives_are_those_of_the_course(cos: np.ndarray, sin: np.ndarray) -> None:
+    course = harmonics(cos, sin)
+    t, h = np.linspace(-0.1, 0.3, 41), 1e-6
+    before, at, after = course.at(t - h), course.at(t), course.at(t + h)
+    omega = 2 * np.pi * 5 / 0.1
+    # differences: h^2 omega^3 / 6 of truncation, eps / h of rounding
+    assert (after.q - before.q) / (2 * h) == pytest.approx(at.q_dot, abs=1e-4 * omega)
+    assert (after.q_dot - before.q_dot) / (2 * h) == pytest.approx(at.q_ddot, abs=1e-4 * omega**2)
+
+
+def test_a_spline_of_samples_is_the_motion_it_samples() -> None:
+    rng = np.random.default_rng(1)
+    course = harmonics(rng.normal(size=(3, 6)), rng.normal(size=(3, 6)))
+    t = 0.1 * np.arange(160) / 160
+    sampled = SampledCourse(0.1, True, t, course.at(t).q)
+    fine = np.linspace(-0.25, 0.35, 777)
+    for (ours, theirs), off in zip(
+        zip(sampled.at(fine), course.at(fine), strict=True), (1e-6, 1e-5, 1e-3), strict=True
+    ):
+        assert np.abs(ours - theirs).max() < off * np.abs(theirs).max()
+    assert sampled.harmonics[:3] == (1, 2, 5)
+
+
+BENCH8 = load_stand(stands.path("bench8"))
+BENCH8_MOTION = load_motion(stands.motions("bench8")[0], BENCH8)
+
+
+def sampled_bench8(folder: Path, count: int, share: float = 1.0) -> Path:
+    """bench8's motion by samples, over a share of its period."""
+    given: dict[str, Any] = json.loads(stands.motions("bench8")[0].read_text(encoding="utf-8"))
+    del given["harmonics"]
+    t = share * BENCH8_MOTION.span * np.arange(count) / count
+    given |= {"units": {}, "samples": {"t": t.tolist(), "q": (BENCH8_MOTION.at(t).q - BENCH8_MOTION.mean).tolist()}}
+    path = folder / "m.json"
+    path.write_text(json.dumps(given), encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("count", [16, 24, 31, 32, 64])
+def test_the_images_of_a_spline_are_no_harmonics(count: int, tmp_path: Path) -> None:
+    assert load_motion(sampled_bench8(tmp_path, count), BENCH8).harmonics == BENCH8_MOTION.harmonics == (1,)
+
+
+def test_samples_of_a_part_of_the_period_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(MotionError, match="is it the period of these samples"):
+        load_motion(sampled_bench8(tmp_path, 32, 0.5), BENCH8)

@@ -49,8 +49,6 @@ def test_a_line_of_sight_is_the_axis_that_no_row_names() -> None:
     ("keys", "words"),
     [
         ({}, "expected one of task, rows, found none"),
-        ({"task": "pointng"}, 'task: unknown "pointng", did you mean "pointing"?'),
-        ({"task": "pointing"}, "end: expected angles or quaternion, found none"),
         ({"task": "pointing", "end": {"direction": [1, 0, 0]}}, "end: expected angles or quaternion, found direction"),
         ({"task": "pointing", "end": {"angles": [0, 0, 0]}}, "end: is the attitude of the start"),
         ({"rows": ["wx"]}, "rows: one angular row alone has no end"),
@@ -62,14 +60,9 @@ def test_a_line_of_sight_is_the_axis_that_no_row_names() -> None:
             {"rows": ["vx"], "duration": 1, "end": {"angles": [1, 0, 0]}},
             "end: angles: not allowed without angular rows",
         ),
-        ({"rows": ["wx", "wx"]}, "wx is given twice"),
         ({"task": "pointing", "end": {"angles": [1, 0, 0]}, "goal": "quietest"}, "duration: required with the goal"),
         ({"task": "pointing", "goal": "fastest", "duration": 3}, "duration: not allowed with the goal fastest"),
-        ({"task": "pointing", "goal": "fast"}, 'goal: unknown "fast"'),
-        ({"task": "pointing", "bounds": {"torque": -1}}, "bounds, torque: -1 is not above 0"),
         ({"task": "pointing", "end": {"quaternion": [1, 1, 0, 0]}}, "end, quaternion: length 1.41421"),
-        ({"task": "pointing", "start": {"phi_dot": [1, 2]}}, "start, phi_dot"),
-        ({"task": "pointing", "perod": 3}, 'unknown key "perod"'),
     ],
 )
 def test_one_line_for_each_bad_input(keys: dict[str, Any], words: str) -> None:
