@@ -1,4 +1,4 @@
-"""The C of a held carrier against the literal reference and the second derivation; its self-test, its bad input."""
+"""The program of a held carrier against both other derivations and motions known in closed form."""
 
 from __future__ import annotations
 
@@ -9,68 +9,27 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from cli.test_eval_held import TEXT
-from mahovik.contract.functions import FUNCTIONS
+from export.held_servos import ARM, MASS, SPIN, WHOLE, pendulum
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand.hold import FREEDOMS, twist_of
-from mahovik.core.stand.model import Freedom, Hold, Stand
-from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
+from mahovik.core.stand.model import Hold, MountingAxes, Stand
+from mahovik.core.stand.random import Features
 from mahovik.core.stand.read import loads
-from mahovik.core.stand.state import State, rest_state
+from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
-from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
-from mahovik.proof.verify.program_backend import with_all_inputs
+from mahovik.proof.verify.c_backend import InterpreterBackend
 from toolchain.quick import quick
-from verify.test_held_judges import worst
+from verify.holds import DRY, HOLDS, PENDULUM, PIVOT, WET, agree, held_stand, state_of, worst
 
-PIVOT = (0.3, -0.2, 0.15)
-HOLDS: dict[str, tuple[Freedom, ...]] = {
-    "clamped": (),
-    "hinge": (Freedom("turn", (1.0, -2.0, 0.5)),),
-    "knife edge": (Freedom("twist", twist=(1.0, 0.2, 0.0, 0.0, 0.0, 0.3)), FREEDOMS["yaw"]),
-    "ball joint": (FREEDOMS["roll"], FREEDOMS["pitch"], FREEDOMS["yaw"]),
-    "all but one": tuple(FREEDOMS[name] for name in ("z", "x", "y", "pitch", "roll")),
-    "free": tuple(FREEDOMS.values()),
-}
-DRY = replace(BARE, gravity=True, instruments=1, points=1, wrench_inputs=True)
-WET = replace(EVERYTHING, tasks=0)
 WANTS = ("forward", "coupled", "torque", "mounts", "points", "reaction", "momentum", "matrices")
 
 
-def stand_of(name: str, seed: int, features: Features = DRY, flywheels: int = 3) -> Stand:
-    stand = random_stand(np.random.default_rng(seed), flywheels, features)
-    return replace(stand, hold=Hold(HOLDS[name], PIVOT, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)))
-
-
-def state_of(stand: Stand, seed: int) -> State:
-    assert stand.hold is not None
-    rng = np.random.default_rng(seed)
-    u, u_dot = (tuple(rng.normal(size=len(stand.hold.freedoms)).tolist()) for _ in range(2))
-    state = replace(random_state(stand, rng, phase_limit=3.0), u=u, u_dot=u_dot)
-    return replace(state, V=twist_of(stand.hold, u), V_dot=twist_of(stand.hold, u_dot))
-
-
-def agree(stand: Stand, state: State, own: Any, judge: Any, want: str, most: float) -> None:
-    """Both answers to a want are equal; a reaction by what it balances, which may be far larger: K V*."""
-    found, other = own.evaluate(state, [want]), judge.evaluate(state, [want])
-    assert found.keys() == other.keys()
-    for name, reading in found.pop("points", {}).items():
-        assert worst(reading, other["points"][name]) < most
-    if "reaction" in found:
-        K = NumpyBackend(stand).evaluate(state, ["matrices"])["K"]
-        left = found.pop("reaction") - np.array(other.pop("reaction"))
-        for half in (slice(0, 3), slice(3, 6)):
-            scale = float(np.abs(K[half]) @ np.abs(other.get("V_dot", state.V_dot)) @ np.ones(3))
-            assert np.abs(left[half]).max() <= most * max(scale, 1.0), (want, "reaction")
-    assert not found or worst(found, other) < most, want
-
-
-@pytest.mark.slow
 @pytest.mark.parametrize(("name", "features"), quick(3, [(name, (DRY, WET)[k % 2]) for k, name in enumerate(HOLDS)]))
 def test_the_program_agrees_with_both_derivations(name: str, features: Features) -> None:
-    stand = stand_of(name, 3, features)
+    stand = held_stand(name, 3, features)
     own = InterpreterBackend(generate_all(stand))
     for seed in range(2):
         state = state_of(stand, seed)
@@ -85,7 +44,7 @@ def test_the_program_agrees_with_both_derivations(name: str, features: Features)
 @pytest.mark.parametrize("flywheels", [0, 1])
 def test_few_unknowns_have_an_answer_of_both_derivations(name: str, flywheels: int) -> None:
     """Without a freedom, with one flywheel or none: the second derivation answers, and likewise."""
-    stand = stand_of(name, 3, DRY, flywheels)
+    stand = held_stand(name, 3, DRY, flywheels)
     state = replace(state_of(stand, 0), wrench={})
     for want in ("forward", "coupled", "reaction"):
         agree(stand, state, NumpyBackend(stand), Second(stand), want, 1e-10)
@@ -93,7 +52,7 @@ def test_few_unknowns_have_an_answer_of_both_derivations(name: str, flywheels: i
 
 def test_a_blocked_direction_moves_nothing_and_the_reaction_bears_it() -> None:
     """A weight on a hinge: turned about the vertical it does not fall, and the hinge bears weight and its moment."""
-    text = TEXT.replace('freedoms = ["pitch"]', 'freedoms = ["yaw"]')
+    text = PENDULUM.replace('freedoms = ["pitch"]', 'freedoms = ["yaw"]')
     stand = loads(text)
     found = InterpreterBackend(generate_all(stand)).evaluate(rest_state(stand), ["forward"])
     assert found["u_dot"] == [0.0]
@@ -101,8 +60,8 @@ def test_a_blocked_direction_moves_nothing_and_the_reaction_bears_it() -> None:
 
 
 def test_what_the_c_has_not_is_an_error_line_and_no_function() -> None:
-    stand = loads(TEXT)
-    knife_edge = stand_of("knife edge", 3)
+    stand = loads(PENDULUM)
+    knife_edge = held_stand("knife edge", 3)
     with pytest.raises(StateError, match='no "generalized" of a hold whose freedoms have no coordinates'):
         InterpreterBackend(generate_all(knife_edge)).evaluate(rest_state(knife_edge), ["generalized"])
     clamped = replace(stand, hold=Hold((), PIVOT, (0.0,) * 3, (0.0,) * 3))
@@ -121,7 +80,7 @@ def test_what_the_c_has_not_is_an_error_line_and_no_function() -> None:
     ("name", "flywheels"), quick(2, [("all but one", 6), ("hinge", 1), ("hinge", 3), ("ball joint", 2)])
 )
 def test_inverse_has_a_row_for_each_freedom(name: str, flywheels: int) -> None:
-    stand = stand_of(name, 11, DRY if flywheels == 3 else WET, flywheels)
+    stand = held_stand(name, 11, DRY if flywheels == 3 else WET, flywheels)
     own, judge = InterpreterBackend(generate_all(stand)), NumpyBackend(stand)
     for seed in range(2):
         state = replace(state_of(stand, seed), wrench={})
@@ -133,16 +92,10 @@ def test_inverse_has_a_row_for_each_freedom(name: str, flywheels: int) -> None:
         assert worst(found, other) < 1e-10
 
 
-def test_one_freedom_takes_no_solve_of_six() -> None:
-    names = {f.name for f in generate_all(loads(TEXT)).program.functions}
-    assert "solve_freedoms" in names
-    assert names.isdisjoint({"factor3", "solve3", "factor_carrier", "solve_carrier", "factor_schur", "solve_schur"})
-
-
 @pytest.mark.parametrize("name", ["clamped", "knife edge"])
 def test_a_lock_leaves_a_flywheel_as_part_of_the_carrier(name: str) -> None:
     """phi'' of a locked flywheel is zero, and the others and the carrier move as for this given acceleration."""
-    stand = stand_of(name, 6, WET)
+    stand = held_stand(name, 6, WET)
     own, state = InterpreterBackend(generate_all(stand)), replace(state_of(stand, 2), wrench={})
     inputs = own.arguments(state)
     _, found = own.call("coupled", {**inputs, "locked": [0, 1, 0]})
@@ -151,17 +104,6 @@ def test_a_lock_leaves_a_flywheel_as_part_of_the_carrier(name: str) -> None:
     assert np.allclose(given["V_dot"], found["V_dot"], rtol=0, atol=1e-11 * np.abs(found["V_dot"]).max())
     _, torque = own.call("torque", {**inputs, "V_dot": found["V_dot"], "phi_ddot": found["phi_ddot"]})
     assert np.array(torque["tau"])[[0, 2]] == pytest.approx(np.array(state.tau)[[0, 2]], rel=1e-9)
-
-
-@pytest.mark.slow
-def test_compiled_c_gives_the_bits_of_the_interpreter_and_float_its_digits() -> None:
-    stand = stand_of("knife edge", 8, DRY)
-    state, made = replace(state_of(stand, 3), wrench={}), generate_all(stand)
-    found, same = (
-        backend.evaluate(state, ["forward"]) for backend in (CBackend(stand, generated=made), InterpreterBackend(made))
-    )
-    assert found == same
-    agree(stand, state, CBackend(stand, "float"), NumpyBackend(stand), "forward", 1e-4)
 
 
 def run_steps(stand: Stand, x: dict[str, Any], dt: float, count: int, order: int = 4) -> dict[str, Any]:
@@ -177,7 +119,7 @@ def run_steps(stand: Stand, x: dict[str, Any], dt: float, count: int, order: int
 
 def test_steps_swing_as_the_pendulum_does_about_a_pivot_that_stays() -> None:
     """The physical pendulum with a wheel that turns freely about its axis, by its own equation in the angle."""
-    stand, angle = loads(TEXT), 2.0
+    stand, angle = loads(PENDULUM), 2.0
     x = {"position": [-0.1, 0.2, 0.3], "attitude": [np.cos(1.0), 0, np.sin(1.0), 0], "V": [0.0] * 6}
     found = run_steps(stand, {**x, "phi": [0.0], "phi_dot": [0.0]}, 1e-3, 400)
     inertia, weight = 0.02 + 2.5 * 0.2**2, 2.5 * 9.81 * 0.2
@@ -195,7 +137,7 @@ def test_steps_swing_as_the_pendulum_does_about_a_pivot_that_stays() -> None:
 
 def test_a_plane_lets_the_pivot_slide_in_it_alone() -> None:
     stand = replace(
-        loads(TEXT), hold=Hold(tuple(FREEDOMS[n] for n in ("x", "z", "pitch")), PIVOT, (0.0,) * 3, (0.0,) * 3)
+        loads(PENDULUM), hold=Hold(tuple(FREEDOMS[n] for n in ("x", "z", "pitch")), PIVOT, (0.0,) * 3, (0.0,) * 3)
     )
     assert stand.hold is not None
     V = twist_of(stand.hold, (0.5, -0.3, 2.0))
@@ -207,10 +149,47 @@ def test_a_plane_lets_the_pivot_slide_in_it_alone() -> None:
     assert found["position"] == pytest.approx(start * 0.1 - np.array([0, 0, 9.81 * 0.01 / 2]), abs=1e-12)
 
 
-def test_the_functions_have_the_rows_of_the_contract() -> None:
-    stand = replace(with_all_inputs(loads(TEXT)), phase_input="sincos")
-    functions = [f for f in generate_all(stand).program.functions if f.public]
-    for f in functions:
-        taken = [a.name for a in f.arguments if a.direction != "out"]
-        assert [name for name in FUNCTIONS[f.name].takes if name in taken] == taken, f.name
-    assert {"forward_at", "coupled_at", "torque_at", "step", "inverse"} <= {f.name for f in functions}
+def answer(own: InterpreterBackend, stand: Stand, state: Any, function: str, **options: Any) -> tuple[int, np.ndarray]:
+    """Status without EXCESSIVE, and phi''."""
+    given = own.arguments(state)
+    status, found = own.call(function, {**given, "options": {**given["options"], **options}})
+    phi_ddot = found.get("out", found).get("phi_ddot", np.full(len(stand.flywheels), np.nan))
+    return status & ~STATUS_VALUES["EXCESSIVE"] if status > 0 else status, np.array(phi_ddot)
+
+
+def test_inverse_fast_of_a_wheel_on_a_hinge_by_the_closed_formula() -> None:
+    """WHOLE theta'' + SPIN phi'' = -MASS g ARM sin theta."""
+    stand, theta, wanted = pendulum(), 0.7, 3.0
+    state = replace(
+        rest_state(stand), quaternion=(np.cos(theta / 2), 0.0, np.sin(theta / 2), 0.0),
+        u=(0.4,), V=(0, 0, 0, 0, 0.4, 0),
+        u_dot=(wanted,), V_dot=(0, 0, 0, 0, wanted, 0), phi_dot=(90.0,),
+    )  # fmt: skip
+    status, found = answer(InterpreterBackend(generate_all(stand)), stand, state, "inverse_fast")
+    assert status == 0
+    expected = -(WHOLE * wanted + MASS * 9.81 * ARM * np.sin(theta)) / SPIN
+    assert found == pytest.approx([expected], rel=1e-14)
+
+
+@pytest.mark.parametrize(("name", "flywheels"), quick(2, [("ball joint", 2), ("hinge", 3), ("all but one", 7)]))
+def test_inverse_fast_is_the_answer_of_inverse_with_weights(name: str, flywheels: int) -> None:
+    """With fewer flywheels than freedoms the least residual, in the norm of (S^T K S)^-1, else the least phi''."""
+    stand = replace(held_stand(name, 12, DRY, flywheels), phase_input="sincos")
+    own = InterpreterBackend(generate_all(stand))
+    weight = [float(w) for w in np.linspace(1.0, 4.0, flywheels)]
+    state = replace(state_of(stand, 0), wrench={})
+    _, expected = answer(own, stand, state, "inverse", weight=weight)
+    status, found = answer(own, stand, state, "inverse_fast", weight=weight)
+    assert status == 0
+    assert np.abs(found - expected).max() <= 1e-9 * np.abs(expected).max()
+    same_status, same = answer(own, stand, state, "inverse_fast_at", weight=weight)
+    assert (same_status, same.tolist()) == (status, found.tolist())
+
+
+def test_a_freedom_that_no_flywheel_drives_is_refused_without_damping() -> None:
+    """A balanced wheel across the hinge has no moment along it."""
+    hinge = pendulum()
+    wheel = replace(hinge.flywheels[0], mounting=MountingAxes((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)))
+    stand = replace(hinge, flywheels=(wheel,))
+    own, state = InterpreterBackend(generate_all(stand)), replace(rest_state(stand), V_dot=(0, 0, 0, 0, 1.0, 0))
+    assert answer(own, stand, state, "inverse_fast")[0] == STATUS_VALUES["NOT_POSITIVE_DEFINITE"]

@@ -1,0 +1,156 @@
+"""Rows of `verify` about held carriers: errors are seen, rounding where nothing acts is not, absences are told."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any, cast
+
+import numpy as np
+import pytest
+
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.read import loads
+from mahovik.core.stand.state import State
+from mahovik.proof import reference
+from mahovik.proof.reference.hold import held_forward
+from mahovik.proof.second import Second
+from mahovik.proof.verify import harness
+from mahovik.proof.verify.bounds import DOUBLE
+from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
+from mahovik.proof.verify.compare import Judge
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.functions.abilities import excess_rows
+from mahovik.proof.verify.functions.case import Case, ordinary
+from mahovik.proof.verify.functions.reactions import hold_rows
+from mahovik.proof.verify.scales import scales
+from mahovik.proof.verify.states import Request
+from verify.holds import PENDULUM, held_stand
+
+STILL = """
+schema = 1
+name = "still"
+carrier = { mass = 1, inertia = [1, 1, 1] }
+hold = { freedoms = ["yaw"] }
+"""
+LEG = """
+[[leg]]
+ground = [0, 0, -1]
+carrier = [0, 0, 0]
+length = 0.9
+stiffness = 100
+"""
+WHEEL = """
+[[flywheel]]
+name = "w"
+position = [0.1, 0, 0]
+axis = [0, 1, 0]
+zero = [0, 0, 1]
+mass = 0.2
+spin_inertia = 1e-4
+transverse_inertia = 6e-5
+"""
+PULLED = LEG.replace("carrier = [0, 0, 0]", "carrier = [0.1, 0, 0]")
+
+
+def judged(stand: Stand, wants: tuple[str, ...], error: float = 0.0) -> dict[tuple[str, str], float]:
+    """Worst difference of any pair over its bound, of the reference as the judged program; `error` added to u_dot."""
+    judge = Judge(stand, DOUBLE, Second(stand))
+    for name, state in draw(stand, 1, 6):
+        for want in wants:
+            found = reference.evaluate(stand, state, [want])
+            if "u_dot" in found:
+                found["u_dot"] = found["u_dot"] + error
+            judge.compare(Request(name, state, (want,)), want, found)
+    return {(row.want, row.quantity): row.excess for row in judge.rows()}
+
+
+@pytest.mark.parametrize("tables", ["", LEG, LEG + WHEEL, PULLED, WHEEL])
+def test_rounding_passes_where_nothing_acts_along_the_freedom_and_an_error_does_not(tables: str) -> None:
+    """A billionth of a rad/s2 along a freedom without forces is no rounding of what the states have."""
+    stand = loads(STILL + tables)
+    assert max(judged(stand, ("forward", "coupled", "generalized")).values()) <= 1.0
+    assert judged(stand, ("forward",), 1e-9)["forward", "u_dot"] > 1.0
+
+
+def test_a_scale_is_that_of_the_terms_where_they_are_not_small() -> None:
+    """u_dot of a hinge under gravity: its moment, m g r over the inertia, with no share of what the hold bears."""
+    arm = "1, 1, 1], inertia_about = 'origin', center_of_mass = [0.5, 0, 0] }"
+    text = STILL.replace("yaw", "pitch").replace("1, 1, 1] }", arm)
+    stand = loads(text.replace("carrier", "gravity = [0, 0, -10]\ncarrier", 1))
+    still = dict(draw(stand, 1, 1))["rest 0"]
+    own = scales(stand, still, reference.pieces(stand, still), "forward")["u_dot"]
+    found = reference.evaluate(stand, still, ["forward"])["u_dot"]
+    assert np.abs(found[0]) > 0.1
+    assert own[0] < 10 * np.abs(found[0])
+
+
+def test_a_refusal_where_no_flywheel_acts_along_the_freedom_is_right() -> None:
+    stand = loads(STILL + WHEEL)
+    backend = cast(CBackend, InterpreterBackend(generate_all(stand)))
+    states = ordinary(draw(stand, 1, 3), (), 2)
+    (row,) = excess_rows(Case(stand, backend, states, DOUBLE, Second(stand), 1), "inverse_fast")
+    assert (row.verdict, row.states) == ("ok", len(states)), row.reason
+
+
+def test_what_a_held_carrier_does_not_have_is_a_row_with_the_reason() -> None:
+    assert not harness.free_only_rows(loads(PENDULUM))
+    assert "generalized" in {row.want for row in harness.free_only_rows(held_stand("knife edge", 3))}
+    clamped = harness.free_only_rows(loads(PENDULUM.replace('["pitch"]\npivot = [0, 0, -0.2]', "[]")))
+    assert {"inverse", "inverse_fast"} <= {row.want for row in clamped}
+    assert all(row.verdict == "not compared" and "held carrier" in row.reason for row in clamped)
+
+
+@pytest.mark.parametrize("quantity", ["u_dot", "V_dot", "reaction"])
+def test_an_error_of_a_digit_is_seen(quantity: str) -> None:
+    """A relative error of 1e-9 in the answer of the program fails, at ordinary states."""
+    stand = held_stand("hinge", 4)
+    own = Judge(stand, DOUBLE)
+    for name, state in draw(stand, 1, 6, wrenches=False):
+        expected = own.expected_answer(state, "forward")
+        assert expected is not None
+        if quantity in expected:
+            wrong = {**expected, quantity: np.array(expected[quantity]) * (1 + 1e-9)}
+            own.compare(Request(name, state, ("forward",)), "forward", wrong)
+    verdicts = {row.quantity: row.verdict for row in own.rows()}
+    assert verdicts.pop(quantity) == "FAILED" and set(verdicts.values()) == {"ok"}
+
+
+def test_accelerations_out_of_range_have_no_reaction_and_all_else_is_compared() -> None:
+    """A drive torque at its limit turns a small wheel faster than `reaction` takes: `coupled` answers, and passes."""
+    stand = loads(PENDULUM)
+    state = next(state for name, state in draw(stand, 1, 22, wrenches=False) if name.startswith("limits"))
+    own = InterpreterBackend(generate_all(stand))
+    found = own.evaluate(state, ["coupled"])
+    assert max(map(abs, found["phi_ddot"])) > 1e9 and "reaction" not in found
+    compared = Judge(stand, DOUBLE)
+    compared.compare(Request("limits", state, ("coupled",)), "coupled", found)
+    verdicts = {row.quantity: row.verdict for row in compared.rows()}
+    assert verdicts == dict.fromkeys(("u_dot", "V_dot", "phi_ddot"), "ok")
+
+
+class ByReference:
+    """Answers of `reaction` by the literal reference, off by a factor."""
+
+    def __init__(self, stand: Stand, factor: float) -> None:
+        self.stand, self.factor, self.layout = stand, factor, SimpleNamespace(precision=SimpleNamespace(name="double"))
+
+    def arguments(self, state: State) -> dict[str, Any]:
+        return {"state": state}
+
+    def call(self, function: str, inputs: dict[str, Any]) -> tuple[int, dict[str, Any]]:
+        """That of the motion which the hold allows, and K times what the given V_dot is beyond it."""
+        assert function == "reaction" and self.stand.hold is not None
+        state = inputs["state"]
+        at = reference.pieces(self.stand, state)
+        moved = held_forward(at, self.stand.hold, np.array(state.phi_ddot))
+        more = at.K @ (np.array(state.V_dot) - moved.V_dot)
+        return 0, {"reaction": self.factor * (moved.reaction + more)}
+
+
+@pytest.mark.parametrize(("factor", "verdict"), [(1.0, "ok"), (1.0 + 1e-9, "FAILED"), (-1.0, "FAILED")])
+def test_the_judge_of_the_reaction_sees_a_digit_and_a_sign(factor: float, verdict: str) -> None:
+    stand = held_stand("hinge", 4)
+    some = [each for each in draw(stand, 1, 8, wrenches=False) if each[0].startswith("random")]
+    case = Case(stand, cast(Any, ByReference(stand, factor)), some, DOUBLE, Second(stand), 1)
+    assert {row.verdict for row in hold_rows(case)} == {verdict}

@@ -1,0 +1,187 @@
+"""Right C passes, whatever the stand: three ways agree on general stands, free and held, of none to 64 flywheels."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from random_stands import WHAT_MATTERS, random_stands
+
+from mahovik import stands
+from mahovik.core.stand import Stand, load, loads
+from mahovik.core.stand.random import Features, random_stand
+from mahovik.core.stand.state import rest_state
+from mahovik.laws.control.data import ControlDerivatives
+from mahovik.laws.cross_flow.data import CrossFlow
+from mahovik.laws.fading.data import FadingDamping
+from mahovik.laws.fin.data import Fins
+from mahovik.laws.propeller.data import Propellers
+from mahovik.proof.verify.backends import NumpyBackend
+from mahovik.proof.verify.harness import verify_c
+from mahovik.proof.verify.judges.compare import verify_judges
+from mahovik.proof.verify.report import Report, conclusion
+from toolchain.quick import quick
+from verify.build import everything
+from verify.holds import DRY, WET, held_stand
+
+STATES = 13
+"""At rest, four of the extreme kinds, ordinary ones with and without run-time wrenches."""
+
+HELD = sorted((Path(__file__).parents[2] / "docs" / "held").glob("*.toml"))
+RANDOM = [*random_stands(WHAT_MATTERS)]
+LATER_LAWS = (CrossFlow, Fins, Propellers, FadingDamping, ControlDerivatives)
+
+WHEEL = """
+[[flywheel]]
+name = "{name}"
+mass = "{mass}"
+angles = {angles}
+spin_inertia = "{spin}"
+transverse_inertia = "{across}"
+unbalance = {{ static = "{static}", static_at = "40 deg", dynamic = "{dynamic}" }}
+motor = {{ torque = "0.5 mN m", speed = "8000 rpm" }}
+"""
+PICO = {"mass": "5 g", "spin": "0.9 g cm^2", "across": "0.5 g cm^2", "static": "0.1 g mm", "dynamic": "0 g mm^2"}
+NANO = {"mass": "20 g", "spin": "12 g cm^2", "across": "7 g cm^2", "static": "0.2 g mm", "dynamic": "1 g mm^2"}
+
+
+def small_wheels(carrier: str, count: int, wheel: dict[str, str]) -> Stand:
+    """Wheels that are small for the drawn torques on a carrier of this mass."""
+    head = f'schema = 1\nname = "small"\ncarrier = {{ mass = "{carrier}", inertia = [0.0022, 0.0022, 0.0021] }}\n'
+    angles = ("[0, 0]", "[1.5707963, 0]", "[0, -1.5707963]")
+    return loads(head + "".join(WHEEL.format(name=f"w{i}", angles=angles[i], **wheel) for i in range(count)))
+
+
+def of_bench8(count: int) -> Stand:
+    """bench8 with so many of its first flywheel."""
+    bench = load(stands.path("bench8"))
+    first = bench.flywheels[0]
+    wheels = tuple(replace(first, name=f"w{k}", position=(0.01 * k, 0.2, -0.1)) for k in range(count))
+    return replace(bench, flywheels=wheels)
+
+
+def flowing() -> Stand:
+    """A stand with every law of a fluid."""
+    stand = random_stand(np.random.default_rng(3), 2, Features(instruments=1, flow=True, stream=True, points=1))
+    assert all(stand.carrier.law(law) is not None for law in LATER_LAWS)
+    return stand
+
+
+UNREACHED = """
+schema = 1
+name = "held"
+gravity = [0, 0, -9.81]
+carrier = {{ mass = 0.3, inertia = [6e-4, 6e-4, 2e-5] }}
+hold = {{ {hold} }}
+[[flywheel]]
+name = "wheel"
+position = [0, 0, 0.12]
+axis = [0, 1, 0]
+zero = [0, 0, 1]
+mass = 0.25
+spin_inertia = 4e-4
+transverse_inertia = 2.2e-4
+"""
+SLOW_STREAM = """
+schema = 1
+name = "held"
+stream = [-2, 0, 0]
+carrier = { mass = 30, inertia = [1, 1, 1], damping = { linear = [5, 5, 5, 1, 1, 1] } }
+hold = { freedoms = [] }
+"""
+VANISHING_REACH = """
+schema = 1
+name = "held"
+carrier = { mass = 12, inertia = [0.2, 0.2, 0.2] }
+hold = { freedoms = ["x"] }
+[[flywheel]]
+name = "wheel"
+axis = [0, 0, 1]
+zero = [1, 0, 0]
+mass = 2
+spin_inertia = 4e-3
+transverse_inertia = 2.5e-3
+unbalance = { static = "72 g mm" }
+"""
+"""A stand whose only singular value is the sine of the phase times a number; in the C 0 where its square underflows."""
+
+Case = tuple[Callable[[], Stand], str]
+
+QUICK: dict[str, Case] = {
+    "one flywheel": (lambda: RANDOM[1], "double"),
+    "hinge": (lambda: held_stand("hinge", 3, DRY, 1), "double"),
+}
+SLOW: dict[str, Case] = {
+    "no flywheel": (lambda: RANDOM[0], "double"),
+    **{f"{len(stand.flywheels)} flywheels": (lambda stand=stand: stand, "double") for stand in RANDOM[2:]},
+    **{name: (lambda name=name: load(stands.path(name)), "double") for name in stands.names()},
+    **{path.stem: (lambda path=path: load(path), "double") for path in HELD},
+    "everything": (lambda: everything("euler"), "double"),
+    "everything, float": (lambda: everything("euler"), "float"),
+    "random, float": (lambda: RANDOM[3], "float"),
+    "flowing": (flowing, "double"),
+    "64 equal flywheels": (lambda: of_bench8(64), "double"),
+    "pico": (lambda: small_wheels("1.3 kg", 1, PICO), "double"),
+    "nano": (lambda: small_wheels("4 kg", 3, NANO), "double"),
+    "ball joint": (lambda: held_stand("ball joint", 3, DRY, 3), "double"),
+    "clamped": (lambda: held_stand("clamped", 9, WET, 4), "double"),
+    "knife edge": (lambda: held_stand("knife edge", 9, WET, 4), "double"),
+    "all but one": (lambda: held_stand("all but one", 9, DRY, 4), "double"),
+    "hinge, float": (lambda: held_stand("hinge", 9, WET, 4), "float"),
+    "clamped, unreached": (lambda: loads(UNREACHED.format(hold="freedoms = []")), "double"),
+    "plane, unreached": (lambda: loads(UNREACHED.format(hold="freedoms = ['x', 'y', 'yaw']")), "double"),
+    "clamped in a stream": (lambda: loads(SLOW_STREAM), "double"),
+    "vanishing reach": (lambda: loads(VANISHING_REACH), "double"),
+}
+CASES = QUICK | SLOW
+
+
+@pytest.mark.parametrize("name", quick(len(QUICK), CASES))
+def test_right_c_passes(name: str) -> None:
+    stand, real = CASES[name][0](), CASES[name][1]
+    found = verify_c(stand, seed=1, count=STATES, real=real)
+    assert found.passed, conclusion(found)
+    assert compared(found, stand) <= {(row.want, row.quantity) for row in found.rows if row.verdict == "ok"}
+    assert all(row.between is not None for row in found.rows if row.second is not None and row.states)
+
+
+def compared(found: Report, stand: Stand) -> set[tuple[str, str]]:
+    """Rows that a stand must have, the second derivation beside reference and C in those of motions."""
+    held = stand.hold is not None
+    expected = {("forward", "V_dot"), ("coupled", "V_dot"), ("momentum", "energy")}
+    three = {(row.want, row.quantity) for row in found.rows if row.second is not None}
+    assert three >= expected
+    assert (("torque", "tau") in three) == bool(stand.flywheels)
+    assert (("points", "points") in three) == bool(stand.points or stand.instruments)
+    if held and stand.hold is not None and stand.hold.freedoms:
+        expected |= {("forward", "u_dot")}
+    if stand.flywheels and not held:
+        expected |= {("inverse", "phi_ddot"), ("inverse", "residual")}
+    return expected | {("", "interpreter = C, bit for bit"), ("", "bad inputs refused, outputs untouched")}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("file", HELD, ids=lambda file: file.stem)
+def test_joints_of_others_agree_with_the_held_stands_of_the_docs(file: Path) -> None:
+    """Pinocchio has no joint without freedoms."""
+    found = verify_judges(load(file), count=6, names=("pinocchio", "mujoco"), bare=True)
+    assert found.passed
+    silent = {row.want for row in found.rows if row.verdict == "not compared"}
+    assert silent == ({"pinocchio"} if file.stem == "force_table" else set())
+
+
+def test_exciters_of_the_shaker_cancel_across_the_rail() -> None:
+    """Of two masses m at radius r, in phase and against each other: 2 m r phi'^2 sin phi on the rail."""
+    stand = load(next(file for file in HELD if file.stem == "linear_shaker"))
+    speed, phase = 50.0, 0.7
+    state = replace(rest_state(stand), phi=(phase, phase), phi_dot=(speed, speed))
+    across, one_way = (
+        abs(NumpyBackend(stand).evaluate(replace(state, phi=phi), ["forward"])["reaction"][1])
+        for phi in ((phase, phase), (phase, -phase))
+    )
+    assert across < 1e-12 * one_way
+    assert math.isclose(one_way, 2 * 0.16 * speed**2 * math.sin(phase), rel_tol=1e-12)
