@@ -19,7 +19,7 @@ from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import InterpreterBackend
 from toolchain.quick import quick
-from verify.test_held_c import DRY, PIVOT, agree, state_of
+from verify.holds import DRY, PIVOT, agree, state_of
 
 SETS = [tuple(each) for each in chain.from_iterable(combinations(FREEDOMS, m) for m in range(1, 7))]
 ALONG: dict[str, tuple[Freedom, ...]] = {

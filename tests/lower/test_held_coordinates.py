@@ -29,7 +29,7 @@ from mahovik.proof.verify.functions.attitudes import freedom_row
 from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.harness import judge
 from toolchain.quick import quick
-from verify.test_held_c import state_of
+from verify.holds import state_of
 
 __all__ = ["file"]
 

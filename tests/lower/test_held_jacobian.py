@@ -31,7 +31,7 @@ from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.jacobians import jacobian_rows
 from mahovik.proof.verify.harness import free_only_rows
 from strategies import held_stands
-from verify.test_held_c import DRY, HOLDS, WET, stand_of
+from verify.holds import DRY, HOLDS, WET, random_held_stand
 
 SPIN = 0.001
 """Inertia of the pendulum's flywheel about its axis, kg m2; the hinge is parallel to it."""
@@ -65,7 +65,7 @@ def rows_of(stand: Stand, seed: int = 1) -> list[Row]:
 def test_the_jacobians_are_the_derivatives_of_the_second_derivation(
     name: str, features: Features, flywheels: int
 ) -> None:
-    found = rows_of(stand_of(name, 3, features, flywheels))
+    found = rows_of(random_held_stand(name, 3, features, flywheels))
     assert [(row.want, row.verdict, row.reason) for row in found] == [
         ("forward_jacobian", "ok", ""),
         ("coupled_jacobian", "ok", ""),
@@ -111,7 +111,7 @@ def test_the_pendulum_has_the_derivatives_of_its_closed_formulas() -> None:
 
 
 def test_a_lock_leaves_no_derivative_of_its_flywheel() -> None:
-    stand = stand_of("ball joint", 5)
+    stand = random_held_stand("ball joint", 5)
     own = InterpreterBackend(generate_all(stand))
     _, state = draw(stand, 1, 6, wrenches=False)[1]
     _, found = own.call("coupled_jacobian", {**own.arguments(state), "locked": [0, 1, 0]})
@@ -121,8 +121,8 @@ def test_a_lock_leaves_no_derivative_of_its_flywheel() -> None:
 
 
 def test_a_clamped_carrier_has_none_and_verify_says_so() -> None:
-    stand = stand_of("clamped", 3)
+    stand = random_held_stand("clamped", 3)
     names = {f.name for f in generate_all(stand).program.functions}
     assert names.isdisjoint(FUNCTIONS)
     assert set(FUNCTIONS) <= {row.want for row in free_only_rows(stand)}
-    assert set(FUNCTIONS).isdisjoint(row.want for row in free_only_rows(stand_of("hinge", 3)))
+    assert set(FUNCTIONS).isdisjoint(row.want for row in free_only_rows(random_held_stand("hinge", 3)))

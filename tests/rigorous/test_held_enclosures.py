@@ -28,14 +28,14 @@ from rigorous.balls import flat, middles
 from rigorous.test_enclosures import SEEDS, check_agreement
 from strategies import held_stands
 from verify.build import generated
-from verify.test_held_c import DRY, HOLDS, WET, stand_of
+from verify.holds import DRY, HOLDS, WET, random_held_stand
 from verify.test_rounding import Changed, measured
 
 
 @pytest.mark.parametrize("name", HOLDS)
 def test_balls_of_every_hold_are_where_the_reference_is(name: str) -> None:
     for features in (DRY, WET):
-        stand = stand_of(name, 3, features)
+        stand = random_held_stand(name, 3, features)
         for _, state in draw(stand, 3, 11):
             check_agreement(stand, state)
 
@@ -63,7 +63,7 @@ def twist_of_unit(stand: Stand, k: int, m: int) -> tuple[float, ...]:
 @pytest.mark.parametrize("want", ["forward", "coupled"])
 def test_the_reaction_has_no_power_and_makes_the_free_carrier_move_so(want: str) -> None:
     """S^T R = 0; the carrier without hold, with R as a wrench on it, moves as the held one does."""
-    stand = stand_of("all but one", 4, WET)
+    stand = random_held_stand("all but one", 4, WET)
     free = replace(stand, hold=None)
     for _, state in draw(stand, 2, 6):
         found, S = motion_of(stand, state, want)
@@ -101,7 +101,7 @@ def test_the_program_along_the_freedoms_is_the_literal_equations_to_sixty_digits
 
 def test_rates_of_another_number_than_the_freedoms_are_refused() -> None:
     with pytest.raises(StateError, match="expected 1 number, found 2"):
-        twist(stand_of("hinge", 1), (0.0,) * 6, (1.0, 2.0))
+        twist(random_held_stand("hinge", 1), (0.0,) * 6, (1.0, 2.0))
 
 
 @pytest.mark.parametrize("hold", ['freedoms = ["pitch"]', "freedoms = []"])

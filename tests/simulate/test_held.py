@@ -26,7 +26,7 @@ from mahovik.use.simulate import Case, simulate
 from mahovik.use.simulate.held import allowed_start, home, move
 from simulate.test_agreement import LAWS, MIXED, TORQUES, worst
 from toolchain.quick import quick
-from verify.test_held_c import HOLDS
+from verify.holds import HOLDS
 
 PENDULUM: dict[str, Any] = {
     "schema": 1,

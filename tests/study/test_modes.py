@@ -23,7 +23,7 @@ from mahovik.stands import path
 from mahovik.use.simulate.held import home, move, rates
 from mahovik.use.study.linear import linear_model, modes
 from mahovik.use.study.rest import rest
-from verify.test_held_c import HOLDS
+from verify.holds import HOLDS
 
 SPRUNG = """
 schema = 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
@@ -116,3 +117,14 @@ def _flip(body: tuple[Statement, ...], number: int, seen: int = 0) -> tuple[tupl
 
 def _is_real(value: Expr) -> bool:
     return value.kind.value == "real" and not (isinstance(value, Const) and value.value == 0)
+
+
+def changed(pattern: str, new: str, count: int = 1) -> Callable[[str], str]:
+    """The source with a pattern replaced, which it must hold."""
+
+    def change(text: str) -> str:
+        text, found = re.subn(pattern, new, text, count=count)
+        assert found
+        return text
+
+    return change

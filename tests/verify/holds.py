@@ -48,7 +48,7 @@ position = [0, 0, 0.1]
 """
 
 
-def held_stand(name: str, seed: int, features: Features = DRY, flywheels: int = 3) -> Stand:
+def random_held_stand(name: str, seed: int, features: Features = DRY, flywheels: int = 3) -> Stand:
     """A random stand that is held so."""
     return held_by(HOLDS[name], seed, features, flywheels)
 

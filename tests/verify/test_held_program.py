@@ -22,14 +22,14 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import InterpreterBackend
 from toolchain.quick import quick
-from verify.holds import DRY, HOLDS, PENDULUM, PIVOT, WET, agree, held_stand, state_of, worst
+from verify.holds import DRY, HOLDS, PENDULUM, PIVOT, WET, agree, random_held_stand, state_of, worst
 
 WANTS = ("forward", "coupled", "torque", "mounts", "points", "reaction", "momentum", "matrices")
 
 
 @pytest.mark.parametrize(("name", "features"), quick(3, [(name, (DRY, WET)[k % 2]) for k, name in enumerate(HOLDS)]))
 def test_the_program_agrees_with_both_derivations(name: str, features: Features) -> None:
-    stand = held_stand(name, 3, features)
+    stand = random_held_stand(name, 3, features)
     own = InterpreterBackend(generate_all(stand))
     for seed in range(2):
         state = state_of(stand, seed)
@@ -44,7 +44,7 @@ def test_the_program_agrees_with_both_derivations(name: str, features: Features)
 @pytest.mark.parametrize("flywheels", [0, 1])
 def test_few_unknowns_have_an_answer_of_both_derivations(name: str, flywheels: int) -> None:
     """Without a freedom, with one flywheel or none: the second derivation answers, and likewise."""
-    stand = held_stand(name, 3, DRY, flywheels)
+    stand = random_held_stand(name, 3, DRY, flywheels)
     state = replace(state_of(stand, 0), wrench={})
     for want in ("forward", "coupled", "reaction"):
         agree(stand, state, NumpyBackend(stand), Second(stand), want, 1e-10)
@@ -61,7 +61,7 @@ def test_a_blocked_direction_moves_nothing_and_the_reaction_bears_it() -> None:
 
 def test_what_the_c_has_not_is_an_error_line_and_no_function() -> None:
     stand = loads(PENDULUM)
-    knife_edge = held_stand("knife edge", 3)
+    knife_edge = random_held_stand("knife edge", 3)
     with pytest.raises(StateError, match='no "generalized" of a hold whose freedoms have no coordinates'):
         InterpreterBackend(generate_all(knife_edge)).evaluate(rest_state(knife_edge), ["generalized"])
     clamped = replace(stand, hold=Hold((), PIVOT, (0.0,) * 3, (0.0,) * 3))
@@ -80,7 +80,7 @@ def test_what_the_c_has_not_is_an_error_line_and_no_function() -> None:
     ("name", "flywheels"), quick(2, [("all but one", 6), ("hinge", 1), ("hinge", 3), ("ball joint", 2)])
 )
 def test_inverse_has_a_row_for_each_freedom(name: str, flywheels: int) -> None:
-    stand = held_stand(name, 11, DRY if flywheels == 3 else WET, flywheels)
+    stand = random_held_stand(name, 11, DRY if flywheels == 3 else WET, flywheels)
     own, judge = InterpreterBackend(generate_all(stand)), NumpyBackend(stand)
     for seed in range(2):
         state = replace(state_of(stand, seed), wrench={})
@@ -95,7 +95,7 @@ def test_inverse_has_a_row_for_each_freedom(name: str, flywheels: int) -> None:
 @pytest.mark.parametrize("name", ["clamped", "knife edge"])
 def test_a_lock_leaves_a_flywheel_as_part_of_the_carrier(name: str) -> None:
     """phi'' of a locked flywheel is zero, and the others and the carrier move as for this given acceleration."""
-    stand = held_stand(name, 6, WET)
+    stand = random_held_stand(name, 6, WET)
     own, state = InterpreterBackend(generate_all(stand)), replace(state_of(stand, 2), wrench={})
     inputs = own.arguments(state)
     _, found = own.call("coupled", {**inputs, "locked": [0, 1, 0]})
@@ -174,7 +174,7 @@ def test_inverse_fast_of_a_wheel_on_a_hinge_by_the_closed_formula() -> None:
 @pytest.mark.parametrize(("name", "flywheels"), quick(2, [("ball joint", 2), ("hinge", 3), ("all but one", 7)]))
 def test_inverse_fast_is_the_answer_of_inverse_with_weights(name: str, flywheels: int) -> None:
     """With fewer flywheels than freedoms the least residual, in the norm of (S^T K S)^-1, else the least phi''."""
-    stand = replace(held_stand(name, 12, DRY, flywheels), phase_input="sincos")
+    stand = replace(random_held_stand(name, 12, DRY, flywheels), phase_input="sincos")
     own = InterpreterBackend(generate_all(stand))
     weight = [float(w) for w in np.linspace(1.0, 4.0, flywheels)]
     state = replace(state_of(stand, 0), wrench={})

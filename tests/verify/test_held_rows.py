@@ -25,7 +25,7 @@ from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.reactions import hold_rows
 from mahovik.proof.verify.scales import scales
 from mahovik.proof.verify.states import Request
-from verify.holds import PENDULUM, held_stand
+from verify.holds import PENDULUM, random_held_stand
 
 STILL = """
 schema = 1
@@ -95,7 +95,7 @@ def test_a_refusal_where_no_flywheel_acts_along_the_freedom_is_right() -> None:
 
 def test_what_a_held_carrier_does_not_have_is_a_row_with_the_reason() -> None:
     assert not harness.free_only_rows(loads(PENDULUM))
-    assert "generalized" in {row.want for row in harness.free_only_rows(held_stand("knife edge", 3))}
+    assert "generalized" in {row.want for row in harness.free_only_rows(random_held_stand("knife edge", 3))}
     clamped = harness.free_only_rows(loads(PENDULUM.replace('["pitch"]\npivot = [0, 0, -0.2]', "[]")))
     assert {"inverse", "inverse_fast"} <= {row.want for row in clamped}
     assert all(row.verdict == "not compared" and "held carrier" in row.reason for row in clamped)
@@ -104,7 +104,7 @@ def test_what_a_held_carrier_does_not_have_is_a_row_with_the_reason() -> None:
 @pytest.mark.parametrize("quantity", ["u_dot", "V_dot", "reaction"])
 def test_an_error_of_a_digit_is_seen(quantity: str) -> None:
     """A relative error of 1e-9 in the answer of the program fails, at ordinary states."""
-    stand = held_stand("hinge", 4)
+    stand = random_held_stand("hinge", 4)
     own = Judge(stand, DOUBLE)
     for name, state in draw(stand, 1, 6, wrenches=False):
         expected = own.expected_answer(state, "forward")
@@ -150,7 +150,7 @@ class ByReference:
 
 @pytest.mark.parametrize(("factor", "verdict"), [(1.0, "ok"), (1.0 + 1e-9, "FAILED"), (-1.0, "FAILED")])
 def test_the_judge_of_the_reaction_sees_a_digit_and_a_sign(factor: float, verdict: str) -> None:
-    stand = held_stand("hinge", 4)
+    stand = random_held_stand("hinge", 4)
     some = [each for each in draw(stand, 1, 8, wrenches=False) if each[0].startswith("random")]
     case = Case(stand, cast(Any, ByReference(stand, factor)), some, DOUBLE, Second(stand), 1)
     assert {row.verdict for row in hold_rows(case)} == {verdict}

@@ -26,7 +26,7 @@ from mahovik.proof.verify.judges.compare import verify_judges
 from mahovik.proof.verify.report import Report, conclusion
 from toolchain.quick import quick
 from verify.build import everything
-from verify.holds import DRY, WET, held_stand
+from verify.holds import DRY, WET, random_held_stand
 
 STATES = 13
 """At rest, four of the extreme kinds, ordinary ones with and without run-time wrenches."""
@@ -113,7 +113,7 @@ Case = tuple[Callable[[], Stand], str]
 
 QUICK: dict[str, Case] = {
     "one flywheel": (lambda: RANDOM[1], "double"),
-    "hinge": (lambda: held_stand("hinge", 3, DRY, 1), "double"),
+    "hinge": (lambda: random_held_stand("hinge", 3, DRY, 1), "double"),
 }
 SLOW: dict[str, Case] = {
     "no flywheel": (lambda: RANDOM[0], "double"),
@@ -127,11 +127,11 @@ SLOW: dict[str, Case] = {
     "64 equal flywheels": (lambda: of_bench8(64), "double"),
     "pico": (lambda: small_wheels("1.3 kg", 1, PICO), "double"),
     "nano": (lambda: small_wheels("4 kg", 3, NANO), "double"),
-    "ball joint": (lambda: held_stand("ball joint", 3, DRY, 3), "double"),
-    "clamped": (lambda: held_stand("clamped", 9, WET, 4), "double"),
-    "knife edge": (lambda: held_stand("knife edge", 9, WET, 4), "double"),
-    "all but one": (lambda: held_stand("all but one", 9, DRY, 4), "double"),
-    "hinge, float": (lambda: held_stand("hinge", 9, WET, 4), "float"),
+    "ball joint": (lambda: random_held_stand("ball joint", 3, DRY, 3), "double"),
+    "clamped": (lambda: random_held_stand("clamped", 9, WET, 4), "double"),
+    "knife edge": (lambda: random_held_stand("knife edge", 9, WET, 4), "double"),
+    "all but one": (lambda: random_held_stand("all but one", 9, DRY, 4), "double"),
+    "hinge, float": (lambda: random_held_stand("hinge", 9, WET, 4), "float"),
     "clamped, unreached": (lambda: loads(UNREACHED.format(hold="freedoms = []")), "double"),
     "plane, unreached": (lambda: loads(UNREACHED.format(hold="freedoms = ['x', 'y', 'yaw']")), "double"),
     "clamped in a stream": (lambda: loads(SLOW_STREAM), "double"),

@@ -21,7 +21,7 @@ from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.proof.verify.programme.programme_c import compiled_findings
 from mahovik.stands import path
 from toolchain.quick import quick
-from verify.planting import changed
+from verify.build import changed
 
 
 def judged(folder: Path, programme: str = "started") -> dict[str, Finding]:

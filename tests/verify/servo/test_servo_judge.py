@@ -31,7 +31,7 @@ from mahovik.proof.verify.servo import verify_servo
 from mahovik.stands import path
 from test_architecture import REPOSITORY
 from toolchain.quick import quick
-from verify.planting import changed
+from verify.build import changed
 
 LIMITED = (
     'integral = "4 Hz"\nspeed_filter = "900 Hz"\ntorque_limit = "0.2 N m"\ntorque_rate = "50 N m/s"\n'
