@@ -14,7 +14,7 @@ import pytest
 import mahovik
 from mahovik import stands
 from mahovik.core.stand.random import BARE, random_stand
-from mahovik.out.functions.table import Table
+from mahovik.out.functions.table import Column, Table
 
 SHAKER2 = str(stands.path("shaker2"))
 SPIN = str(Path(SHAKER2).parent / "shaker2_spin.motion.json")
@@ -113,6 +113,14 @@ def test_an_unknown_column_is_named() -> None:
         results()["simulate"]["phi_dot leftt"]
 
 
+def test_a_table_without_rows_of_numbers_has_no_picture() -> None:
+    class Names(Table):
+        columns = (Column("name", "", np.array(["a", "b"], dtype=object)),)
+
+    with pytest.raises(mahovik.UsageError, match="no rows of numbers"):
+        Names().plot()
+
+
 def test_warnings_are_those_of_python() -> None:
     with pytest.warns(mahovik.MahovikWarning, match="a flywheel turns"):
         mahovik.simulate(shaker(), 1e-3, regime={"default": {"speed": "9000 rpm"}}, dt=1e-3, backend="scipy")
@@ -193,6 +201,7 @@ REFUSED: list[tuple[str, str, dict[str, Any], str]] = [
     ("judge", "demo3", {"tolerance": math.nan}, "tolerance nan: expected a number above 0"),
     ("judge", "demo3", {"timeout": 0}, "timeout 0: expected a number above 0"),
     ("judge", "demo3", {"want": ["forwards"]}, 'want: unknown "forwards", did you mean "forward"?'),
+    ("judge", "demo3", {"timeout": "1 kg"}, 'timeout: unit "kg" does not fit'),
     ("excite", "sat4", {"harmonics": 1.5}, "harmonics 1.5: expected a whole number from 0 to 20"),
     ("excite", "sat4", {"seed": -1}, "seed -1: expected a whole number of at least 0"),
 ]

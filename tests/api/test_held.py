@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,6 @@ import mahovik
 from cli.test_eval_held import TEXT
 from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import State
-from mahovik.errors import InputError
 from mahovik.out.api.stands import Stand
 from mahovik.proof import reference
 from mahovik.proof.reference.coordinates import pose_of
@@ -89,18 +89,34 @@ def test_a_state_without_a_pose_is_at_home_and_u_is_the_speed_of_the_freedoms() 
     assert model.states(u={"pitch": [1.0, 2.0]}).V[1] == pytest.approx(x.V)
 
 
-@pytest.mark.parametrize(
-    ("freedoms", "given", "message"),
-    [
-        ('freedoms = ["pitch"]', {"angles": [0.2, 0, 0]}, r"off by 0.2 rad along yaw, which \[hold\] blocks"),
-        ('freedoms = ["pitch"]', {"position": [0.1, 0, 0]}, "off by 0.1 m along x"),
-        ('freedoms = ["pitch"]', {"position": [[0, 0, 0], [0, 0, 0.2]]}, "attitude of state 1: off by 0.2 m along z"),
-        ('freedoms = ["pitch"]', {"u": [1.0], "V": [0.2, 0, 0, 0, 1, 0]}, "V, u: both given"),
-        ('freedoms = ["pitch"]', {"u": {"yaw": 1.0}}, 'u: no freedom "yaw"'),
-        ("freedoms = []", {"position": [0.1, 0, 0]}, "expected the home pose, as clamped"),
-    ],
-)
-def test_what_the_hold_blocks_is_refused_by_its_direction(freedoms: str, given: dict[str, Any], message: str) -> None:
-    text = TEXT if freedoms != "freedoms = []" else TEXT.replace("pivot = [0, 0, -0.2]\n", "")
-    with pytest.raises(InputError, match=message):
-        model_of(freedoms, text).states(**given)
+PITCH, BALL, CLAMPED = 'freedoms = ["pitch"]', 'freedoms = ["roll", "pitch", "yaw"]', "freedoms = []"
+REFUSED: list[tuple[str, Callable[[Any], Any], str]] = [
+    ("", lambda m: m.reaction(m.state()), "reaction: the stand has no [hold]"),
+    ("", lambda m: m.state_from_coordinates(), "state_from_coordinates: the stand has no [hold]"),
+    ("", lambda m: m.state(u=[1.0]), "u: the stand has no [hold], expected V"),
+    (PITCH, lambda m: m.reaction(m.state()), "V_dot is missing, expected that of the motion; forward"),
+    (PITCH, lambda m: m.generalized(m.state(), [0, 0.3, 0]), "angles: given, expected none, the carrier is held"),
+    (PITCH, lambda m: m.state(V=[0, 0, 0, 0, 0.4, 0]), "V: moves along x, which [hold] blocks; expected S u of the"),
+    (PITCH, lambda m: m.state_from_coordinates(orientation=[1, 0, 0, 0]), "expected q of pitch"),
+    (PITCH, lambda m: m.states(angles=[0.2, 0, 0]), "off by 0.2 rad along yaw, which [hold] blocks"),
+    (PITCH, lambda m: m.states(position=[0.1, 0, 0]), "off by 0.1 m along x"),
+    (PITCH, lambda m: m.states(position=[[0, 0, 0], [0, 0, 0.2]]), "attitude of state 1: off by 0.2 m along z"),
+    (PITCH, lambda m: m.states(u=[1.0], V=[0.2, 0, 0, 0, 1, 0]), "V, u: both given"),
+    (PITCH, lambda m: m.tables({"hold.axis": np.ones((2, 3))}), "hold.axis: decides how the carrier can move"),
+    (PITCH, lambda m: m.states(u={"yaw": 1.0}), 'u: no freedom "yaw"'),
+    (BALL, lambda m: m.state_from_coordinates([0.1, 0.2, 0.3]), "expected orientation"),
+    (CLAMPED, lambda m: m.state_from_coordinates(), "a clamped carrier has no freedoms"),
+    (CLAMPED, lambda m: m.states(position=[0.1, 0, 0]), "expected the home pose, as clamped"),
+    (CLAMPED, lambda m: m.inverse(m.states(2), 0.0), 'no "inverse" of a hold that clamps the carrier, ask for forward'),
+]
+
+
+@pytest.mark.parametrize(("freedoms", "call", "message"), REFUSED, ids=[words for *_, words in REFUSED])
+def test_what_a_hold_does_not_allow_is_refused_in_words(
+    freedoms: str, call: Callable[[Any], Any], message: str
+) -> None:
+    text = TEXT if freedoms != CLAMPED else TEXT.replace("pivot = [0, 0, -0.2]\n", "")
+    model = model_of(freedoms, text) if freedoms else mahovik.build(mahovik.example("demo3"))
+    with pytest.raises(mahovik.MahovikError) as refused:
+        call(model)
+    assert message in str(refused.value)

@@ -85,6 +85,7 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "attitude: expected shape (4,) or (n, 4) (w, x, y, z), found (3,)": lambda m: m.state(attitude=[1, 0, 0]),
     "order: expected 2 or 4, found 3": lambda m: m.step(m.state(), 1e-3, order=3),
     "dt: expected one number for all states, found shape (2,)": lambda m: m.step(m.state(), [1e-3, 1e-3]),
+    'dt: unit "m" does not fit, expected a time (s)': lambda m: m.step(m.state(), "1 m"),
     "step: BAD_ARGUMENT: dt is -1 s, expected above 0 and at most 10": lambda m: m.step(m.state(), -1.0),
     'on_error: expected "raise" or "nan", found \'ignore\'': lambda m: m.forward(m.state(), on_error="ignore"),
     '"phidot": no such name, did you mean "phi_dot"?': lambda m: m.state()["phidot"],

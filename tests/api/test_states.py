@@ -71,6 +71,8 @@ def test_inverse_of_a_rigid_body_says_what_wrench_is_missing() -> None:
     np.testing.assert_allclose(found.hardest[0] @ np.linalg.solve(K, found.hardest[0]), 1.0, rtol=1e-12)
     with pytest.raises(mahovik.InputError, match="weight"):
         m.inverse(x, free, weight={"w1": 2.0})
+    with pytest.raises(mahovik.InputError, match='phi_ddot: no flywheel "w1": there is none'):
+        m.forward(x, {"w1": 1.0})
 
 
 def test_states_and_results_can_be_pickled() -> None:

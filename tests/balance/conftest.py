@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from balance.bench import write_data, write_stand
+from balance.bench import write_bench
 
 
 @pytest.fixture(scope="session")
 def bench(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with two.toml and run.csv."""
     folder = tmp_path_factory.mktemp("bench")
-    write_data(folder / "run.csv", write_stand(folder / "two.toml"))
+    write_bench(folder)
     return folder

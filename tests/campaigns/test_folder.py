@@ -149,3 +149,5 @@ def test_a_scheduler_that_cannot_be_reached(address: str) -> None:
         pass
     assert str(refused.value).startswith(f"scheduler {address}: cannot be reached, ")
     assert "\n" not in str(refused.value)
+    with pytest.raises(UsageError, match="--workers: a scheduler has its own workers"), connect(2, address):
+        pass

@@ -111,6 +111,9 @@ def test_a_function_of_the_user_gets_the_arrays_of_one_sample(tmp_path: Path) ->
     assert np.isnan(values["fast"]).tolist() == failed.tolist()
     assert set(values["fast"][~failed]) == {100.0}
     assert set(values["mine"][~failed]) == {0.01}
+    wordy = computation(mahovik.example("bench8"), SPEED, {"q": {"function": "own.py:words"}}, folder=tmp_path)
+    failing, said = wordy.values(tables_of(wordy, {"carrier.mass": np.array([12.0, 12.1])}))
+    assert said == ["own.py:words: gives str, expected a number"] * 2 and np.isnan(failing["q"]).all()
     expected = {"t": (11,), "V": (11, 6), "attitude": (11, 4), "phi": (11, 8), "tau": (11, 8), "mount w8": (11, 6)}
     assert seen[0] | expected == seen[0]
 

@@ -136,6 +136,20 @@ def test_keys_that_mean_nothing_are_refused(tmp_path: Path, keys: str) -> None:
     assert "\n" not in str(found.value)
 
 
+ENDS = {
+    '"w1.mass" = { discrete = [0.5, 0.6, "-1 kg"] }': "at one of its values, w1.mass = -1 kg: ",
+    '"w1.mass" = { normal = [0.5, 0.3], most = 0.6, least = -1 }': "at its lower end, w1.mass = -0.",
+    '"w*.mass" = { uniform = ["-1 kg", "1 kg"], group = "batch" }': "w1.mass = -1 kg, w2.mass = -1 kg, w3.mass = -1 ",
+}
+
+
+@pytest.mark.parametrize("entry", ENDS)
+def test_ends_are_tried_before_the_run(tmp_path: Path, entry: str) -> None:
+    with pytest.raises(CampaignError) as found:
+        Campaign.load(write(tmp_path, f"[vary]\n{entry}\n{RUN}", stand="demo3"))
+    assert ENDS[entry] in str(found.value) and "; sample " in str(found.value)
+
+
 def test_what_is_computed_must_be_there(tmp_path: Path) -> None:
     for body, words in (
         (VARY, "over: required, but missing"),

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from cli.run import BENCH8, refused, run
-from identify.stands import bench8
+from identify.data import bench8
 from mahovik.core.motion.programme import load_programme
 from mahovik.out.identify.excite import face
 from mahovik.out.identify.excite.search import search

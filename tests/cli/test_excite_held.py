@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from cli.run import refused, run
-from identify.test_excite_held import STICK
+from identify.test_excite import STICK
 from mahovik.core.motion.programme import load_programme
 from mahovik.out.api.stands import Stand
 from mahovik.out.identify.excite import face

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import mahovik
-from cli.run import run
 from mahovik.core.stand import identities, loads
 from mahovik.out.campaign.distributions import Fixed
 from mahovik.out.campaign.draw import Draw, Parameter
@@ -72,23 +71,3 @@ def test_a_number_keeps_its_form(path: str, value: float, line: str, tmp_path: P
     (changed,) = set(text.splitlines()) - set(TEXT.splitlines())
     assert changed == line
     assert identities(loads(text)) == identities(new)
-
-
-def test_products_of_a_diagonal_matrix_make_it_whole(tmp_path: Path) -> None:
-    file = tmp_path / "bench.toml"
-    file.write_text(TEXT, encoding="utf-8")
-    new, places = with_value(mahovik.load(file), "suspension.stiffness[0][1]", 5.0)
-    assert identities(loads(with_numbers(TEXT, new, places))) == identities(new)
-
-
-@pytest.mark.slow
-def test_the_command_takes_the_keys_of_the_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A flywheel given by its data sheet: `unbalance` in the file is written, without centre of mass and inertia."""
-    monkeypatch.chdir(tmp_path)
-    Path("bench.toml").write_text(TEXT, encoding="utf-8")
-    Path("regime.toml").write_text('schema = 1\ndefault = { speed = "1500 rpm" }\n', encoding="utf-8")
-    assert run("simulate", "bench.toml", "--until", "0.4", "--regime", "regime.toml", "-o", "run.csv").exit_code == 0
-    result = run("identify", "bench.toml", "--data", "run.csv", "--free", "w1.unbalance.static", "-o", "new.toml")
-    assert result.exit_code == 0, result.output
-    assert "spin_inertia = 0.0016" in Path("new.toml").read_text(encoding="utf-8")
-    assert run("check", "new.toml").exit_code == 0

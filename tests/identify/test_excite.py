@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import os
-import signal
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,20 +12,20 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import mahovik
-from identify.experiments import HIGH, LOW, STEEP, check_predicted_errors
-from identify.stands import bench8
-from mahovik.core.motion.programme import load_programme, programme_text, read_programme
-from mahovik.core.motion.read import load, loads_regime
-from mahovik.errors import RegimeError
+from identify.data import HIGH, LOW, STEEP, bench8, check_predicted_errors
+from identify.test_held import START, TRUE, table
+from mahovik.core.motion.programme import load_programme, programme_text
+from mahovik.errors import UsageError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
-from mahovik.out.identify.channels import six_axes
+from mahovik.out.identify.channels import chosen_channels, six_axes
 from mahovik.out.identify.deviations import Deviations
 from mahovik.out.identify.estimate import PRIOR, PRIOR_START
 from mahovik.out.identify.excite import face
 from mahovik.out.identify.excite.bounds import Bounds, bounds_of
 from mahovik.out.identify.excite.course import Courses
 from mahovik.out.identify.excite.information import quality_of
+from mahovik.out.identify.excite.noise import noise_of_channels
 from mahovik.out.identify.free import Free
 
 SECONDS = 0.5
@@ -58,25 +57,6 @@ def test_all_numbers_give_programmes_inside_the_bounds(numbers: list[float], sha
     assert np.abs(acceleration).max() <= STEEP * (1 + 1e-12)
     assert np.allclose(phi[-1] - phi[0], 2 * np.pi * np.array(programme.winding))
     assert np.allclose(np.gradient(phi[:, 0], 2.0 / 800)[1:-1], speed[1:-1, 0], atol=1e-2)
-
-
-def test_modulations_use_what_is_allowed() -> None:
-    """The whole room about the mean speed, or the whole acceleration."""
-    numbers = np.tile([0.5, 1.0, 0.5, 0.5, 0.5], (3, 1))
-    own = courses()
-    assert np.abs(own.programme(numbers).at(np.linspace(0.0, 2.0, 801)).phi_ddot).max() == pytest.approx(STEEP)
-    wide = Courses(own.stand, bounds_of(own.stand, HIGH, LOW, None, None, 2.0), 2.0, 2)
-    speeds = wide.programme(numbers).at(np.linspace(0.0, 2.0, 801)).phi_dot
-    assert np.ptp(speeds[:, 0]) > 0.9 * (HIGH - LOW)
-
-
-def test_constant_speeds_are_distinct_and_reach_both_bounds() -> None:
-    own = courses(8)
-    programme = own.programme(own.even())
-    speed = programme.at(np.zeros(1)).phi_dot[0]
-    assert len(set(programme.winding)) == 8
-    assert HIGH - own.base < speed[-1] <= HIGH and LOW <= speed[0] < LOW + own.base
-    assert np.ptp(programme.at(np.linspace(0.0, 2.0, 50)).phi_dot, axis=0).max() == 0.0
 
 
 @pytest.mark.slow
@@ -123,15 +103,6 @@ def test_a_search_lowers_the_variance_inside_the_bounds(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("few")
-def test_a_moment_of_inertia_needs_changing_speeds() -> None:
-    """The moment about its axis acts mostly by the acceleration of the flywheel."""
-    found = moderate(1, free="w1.inertia.J11", speed="300 rpm", speed_min=None)
-    assert found.gain > 100.0
-    assert found.found.peaks.acceleration.max() > 1.0 and found.even.peaks.acceleration.max() == 0.0
-
-
-@pytest.mark.slow
-@pytest.mark.usefixtures("few")
 def test_motors_limit_the_modulation() -> None:
     options = {"free": "w1.inertia.J11", "speed": "300 rpm", "speed_min": "60 rpm"}
     loose = moderate(1, **options)
@@ -146,32 +117,6 @@ def test_motors_limit_the_modulation() -> None:
     assert impossible.status == "OK_LIMIT" and "w1: torque of" in impossible.words[0]
 
 
-@pytest.mark.slow
-def test_ctrl_c_keeps_the_best_so_far() -> None:
-    def press(now: mahovik.Progress) -> None:
-        if now.done == 12:
-            os.kill(os.getpid(), signal.SIGINT)
-
-    found = moderate(2, progress=press)
-    assert found.interrupted and found.effort["tried"] <= 14 and found.gain >= 1.0
-
-
-def test_a_programme_is_a_regime(tmp_path: Path) -> None:
-    own = courses(2)
-    programme = own.programme(np.full((2, 5), 0.7))
-    text = programme_text(programme)
-    path = tmp_path / "p.json"
-    path.write_text(text, encoding="utf-8")
-    t = np.linspace(0.0, 3.0, 11)
-    phi, speed, acceleration = load(path, own.stand, 3.0).motion(t)
-    expected = read_programme(text).at(t)
-    assert np.allclose(phi, expected.phi - expected.phi[0], rtol=0, atol=1e-11)
-    assert np.allclose(speed, expected.phi_dot, rtol=1e-14)
-    assert np.allclose(acceleration, expected.phi_ddot, rtol=0, atol=1e-11)
-    with pytest.raises(RegimeError, match="programme of the flywheels w1, w2; the stand has w1"):
-        loads_regime(text, bench8(1), 1.0, is_json=True)
-
-
 def test_bounds_by_name_and_by_motor() -> None:
     keys = bench8(2).to_dict()
     keys["flywheel"][0]["motor"] = {"torque": 0.4, "speed": 50.0}
@@ -181,3 +126,47 @@ def test_bounds_by_name_and_by_motor() -> None:
     own = np.array([0.1, 0.1, -0.1])
     assert np.allclose(found.available(stand, 0, own, np.array([0.0, 25.0, 25.0])), [0.4, 0.2, 0.4])
     assert isinstance(found, Bounds)
+
+
+STICK: dict[str, Any] = {
+    "schema": 1, "name": "stick", "gravity": [0, 0, -9.81],
+    "carrier": {"mass": 0.4, "center_of_mass": [0, 0, -0.15], "inertia": [3e-3] * 3, "inertia_about": "center_of_mass"},
+    "hold": {"freedoms": ["pitch"], "friction": [{"viscous": "0.004 N m s/rad"}]},
+    "flywheel": [{"name": "wheel", "axis": [0, 1, 0], "zero": [0, 0, 1], "mass": 0.1, "spin_inertia": 1e-4,
+                  "transverse_inertia": 6e-5}],
+    "point": [{"name": "gyro", "position": [0, 0, -0.3]}],
+}  # fmt: skip
+
+
+QUICK: dict[str, Any] = {"speed": "1000 rpm", "duration": 0.5, "rate": 500.0}
+
+
+@pytest.mark.usefixtures("few")
+@pytest.mark.parametrize("name", ["first", "second"])
+def test_on_a_force_table_errors_are_those_of_a_closed_formula(name: str) -> None:
+    """A static unbalance U turns with a force U w^2 in two directions: T samples tell each of its two parts to
+    sigma / (w^2 sqrt T).
+    """
+    found = mahovik.excite(
+        TRUE, free=f"{name}.unbalance.static,{name}.unbalance.static_at", channels=["hold.reaction.[xyz]"],
+        noise={"force": "50 mN"}, harmonics=0, **QUICK,
+    )  # fmt: skip
+    (static, at), (U, _) = found["error"], found["value"]
+    speed = found.found.peaks.speed[[wheel.name for wheel in TRUE.flywheels].index(name)]
+    assert static == pytest.approx(0.05 / speed**2 / np.sqrt(250.0), rel=1e-3)
+    assert at == pytest.approx(static / U, rel=1e-3)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("freedoms", [[], ["pitch"], ["x", "z", "pitch"]])
+def test_predicted_errors_of_a_held_carrier_are_those_of_the_estimation(freedoms: list[str]) -> None:
+    """An estimate from data with this noise states the same covariance."""
+    stand = table(freedoms, **START)
+    channels = chosen_channels(stand, ())
+    check_predicted_errors(stand, ["*.unbalance"], channels, noise_of_channels(channels, {}))
+
+
+def test_a_free_carrier_has_no_reaction() -> None:
+    free = {key: value for key, value in STICK.items() if key != "hold"}
+    with pytest.raises(UsageError, match=r'no channel of stick is called "hold.reaction.x"'):
+        mahovik.excite(Stand.from_dict(free), channels=["hold.reaction.x"], **QUICK)

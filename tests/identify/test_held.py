@@ -12,8 +12,6 @@ import mahovik
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
-from mahovik.out.identify.deviations import Deviations
-from mahovik.out.identify.phases import fit_motion
 from mahovik.proof import reference
 from mahovik.use.measured import read_recordings
 from mahovik.use.simulate.held import home
@@ -126,54 +124,6 @@ def test_channels_of_a_hold_need_one(tmp_path: Path, exact: Array) -> None:
         mahovik.identify(TRUE, tmp_path / "other.csv", ["first.unbalance.static"])
 
 
-def test_what_a_hold_does_is_the_same_in_all_samples() -> None:
-    model = mahovik.build(table(["pitch"], **START))
-    with pytest.raises(UsageError, match=r"hold.axis: decides how the carrier can move"):
-        model.tables({"hold.axis": np.zeros((2, 3))})
-
-
-@pytest.mark.parametrize("freedoms", [[], ["pitch"], ["roll", "pitch", "yaw"], ["x", "z", "pitch"]])
-def test_starts_of_a_held_carrier_are_where_its_freedoms_take_it(freedoms: list[str]) -> None:
-    """A point of the carrier that turns about a pivot keeps its distance, however far it is turned."""
-    keys = table(freedoms, **START).to_dict()
-    keys["hold"] |= {"pivot": [0.1, 0.2, -0.3]} if "pitch" in freedoms else {}
-    keys["hold"] |= {"position": [1.0, 2.0, 3.0], "angles": [0.4, 0.1, -0.2]}
-    stand = Stand.from_dict(keys)
-    own = Deviations(stand)
-    assert own.count == 2 * len(freedoms)
-    steps = np.random.default_rng(1).normal(size=(own.count, 5))
-    found = own.states(home(stand), steps)
-    places = np.array([1.0, 2.0, 3.0])[:, None]
-    if not freedoms:
-        assert np.array_equal(found[:3], np.repeat(places, 5, axis=1)) and not found[7:].any()
-        return
-    pivot = np.array(keys["hold"]["pivot"])
-    at = [_place(column, pivot) for column in found.T]
-    home_pivot = _place(np.concatenate([np.array([1.0, 2.0, 3.0]), np.array(home(stand).quaternion)]), pivot)
-    if "x" not in freedoms:
-        assert np.allclose(at, home_pivot, atol=1e-12)
-    else:
-        moved = np.array(at) - home_pivot
-        across = mahovik.build(stand).state(angles=[0.4, 0.1, -0.2])
-        assert np.ptp(moved @ _axes(across.attitude)[:, 1]) < 1e-12 < np.ptp(moved)  # in the plane alone
-
-
-def _axes(q: Array) -> Array:
-    w, x, y, z = np.asarray(q, dtype=float)
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-
-
-def _place(column: Array, point: Array) -> Array:
-    """Place in E0 of a point of E1, of a pose (7)."""
-    return np.asarray(column[:3] + _axes(column[3:7]) @ point)
-
-
 @pytest.mark.slow
 def test_friction_and_mass_of_a_pendulum_are_told_by_its_swing(tmp_path: Path) -> None:
     """A stick with a rate gyro swings freely from an unknown angle; its pivot is on a table that reads the force."""
@@ -216,12 +166,3 @@ def test_the_end_of_a_ramp_is_a_corner_of_the_phases(tmp_path: Path) -> None:
     assert own.standard_error < 1e-6 * own.value
     (note,) = (each for each in found.notes if "jumps" in each)
     assert note.endswith("jumps at 0.3 s: the samples nearest to it are left out")
-
-
-@pytest.mark.parametrize("law", ["smooth", "noise", "counts"])
-def test_a_phase_without_a_corner_has_none(law: str) -> None:
-    t = np.arange(0.0, 2.0, 1e-3)
-    phi = 100.0 * t + 3.0 * np.sin(9.0 * t)
-    phi += 1e-3 * np.random.default_rng(3).normal(size=len(t)) if law == "noise" else 0.0
-    phi = np.floor(phi * 100.0) / 100.0 if law == "counts" else phi
-    assert fit_motion("w1", t, phi).law.breaks == ()

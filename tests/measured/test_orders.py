@@ -46,13 +46,6 @@ def test_an_order_has_its_amplitude_at_every_speed(
     assert found.speed.max() <= max(speed, speed + 10 * rise) * 1.01
 
 
-def test_orders_above_the_sampling_rate_are_blank() -> None:
-    found = orders_of(recording(1000.0 * T, np.cos(1000.0 * T)))
-    shown = np.isfinite(found.amplitude).all(axis=0)
-    assert found.orders[shown].max() == pytest.approx(0.9 * np.pi, abs=0.1)
-    assert np.isnan(found.spectrum[~shown]).all()
-
-
 def test_values_of_a_model_are_blank_where_data_is() -> None:
     x = np.cos(100.0 * T)
     x[:5000] = np.nan

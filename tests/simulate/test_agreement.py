@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 from dataclasses import replace
 from functools import cache
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -20,7 +19,6 @@ from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
 from mahovik.proof import reference
 from mahovik.use.simulate import Case, Run, simulate
-from mahovik.use.simulate import run as run_module
 from toolchain.quick import quick
 
 LAWS = """
@@ -120,12 +118,6 @@ def test_order_of_the_error_in_dt(name: str) -> None:
     assert np.log2(coarse / fine) == pytest.approx(expected, abs=0.2)
 
 
-def test_constant_speeds_are_of_fourth_order() -> None:
-    text = "schema = 1\ndefault = { speed = 50 }\n"
-    judge = simulate(case(free(), text), "scipy")
-    assert worst(simulate(case(free(), text, dt=2e-4)), judge) < 1e-8
-
-
 @pytest.mark.parametrize(("text", "first"), [(LAWS, 0), (MIXED, 1)], ids=["laws", "mixed"])
 def test_speed_laws_are_kept_exactly(text: str, first: int) -> None:
     found = simulate(case(busy(), text, every=0.0037))
@@ -148,16 +140,6 @@ def energy(stand: Stand, found: Run, row: int) -> float:
         phi_dot=tuple(found[f"phi_dot {n} [rad/s]"][row] for n in names),
     )
     return float(reference.evaluate(stand, state, ["momentum"])["energy"])
-
-
-def test_energy_is_the_work_of_constant_torques() -> None:
-    """On a free stand; phases counted through, over many turns."""
-    found = simulate(case(free(), "schema = 1\ndefault = { torque = 0.5, initial_speed = 90 }\n", until=0.5))
-    assert found.stopped is None
-    work = sum(0.5 * (found[c][-1] - found[c][0]) for c in found.names if c.startswith("phi w"))
-    gained = energy(free(), found, -1) - energy(free(), found, 0)
-    assert work > 20.0  # J: several turns
-    assert gained == pytest.approx(work, rel=1e-7)
 
 
 @pytest.mark.parametrize("text", [LAWS.partition("[wrench]")[0], MIXED], ids=["laws", "mixed"])
@@ -217,19 +199,6 @@ def test_interruption_keeps_what_was_computed() -> None:
     assert len(found.data) == 4
 
 
-def test_a_rigid_body_can_be_simulated() -> None:
-    stand = random_stand(np.random.default_rng(1), 0, BARE, name="brick")
-    moving = replace(rest_state(stand), V=(1.0, 0, 0, 0.5, 2.0, -1.0))
-    cases = Case(stand, steady_regime(stand, []), moving, 0.1, every=0.05)
-    assert worst(simulate(cases), simulate(cases, "scipy")) < 1e-9
-
-
-def test_times_end_at_until() -> None:
-    stand = free()
-    assert case(stand, TORQUES, until=0.025).times == pytest.approx([0.0, 0.01, 0.02, 0.025], abs=0)
-    assert len(case(stand, TORQUES, until=0.3, every=0.1).times) == 4
-
-
 @pytest.mark.parametrize(
     "wrong", [{"dt": 0.0}, {"dt": -1.0}, {"dt": float("nan")}, {"every": 0.0}, {"until": float("inf")}, {"order": 3}]
 )
@@ -237,16 +206,3 @@ def test_bad_numbers_are_refused(wrong: dict[str, Any]) -> None:
     given = {"until": 0.1, "every": 0.01, **wrong}
     with pytest.raises(UsageError, match="expected"):
         Case(free(), steady_regime(free(), [0.0] * 3), rest_state(free()), **given)
-
-
-def test_an_unknown_backend_is_refused() -> None:
-    with pytest.raises(UsageError, match="expected one of c, scipy"):
-        simulate(case(free(), TORQUES), "matlab")
-    assert run_module.BACKENDS == ("c", "scipy")
-
-
-def test_frozen_states_hold_the_wrench_of_their_time() -> None:
-    found = case(busy(), LAWS)
-    state = found.state(0.0, np.zeros(3), np.array([2.0, 0, 0, 0]), np.zeros(6), np.zeros(3), np.zeros(3))
-    assert state.wrench == MappingProxyType({"carrier": (1, 2, 3, 0.1, 0, 0), "w1": (0, 0.1, 0, 0.01, 0, 0)})
-    assert state.quaternion == (1.0, 0.0, 0.0, 0.0)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
 import pytest
 
 import mahovik
@@ -14,7 +13,7 @@ from mahovik.core.motion import loads_regime
 from mahovik.core.stand import load, rest_state
 from mahovik.errors import UsageError
 from mahovik.use.simulate import Case, Run, simulate
-from simulate.test_agreement import MIXED, busy, case, worst
+from simulate.test_agreement import MIXED, busy, case
 
 PUSHED = 'schema = 1\ndefault = { torque = "10 mN m", initial_speed = 200 }\n'
 
@@ -41,18 +40,6 @@ def test_a_carried_run_in_float_keeps_what_a_plain_one_loses() -> None:
     assert error(plain, speed) > 20 * error(carried, speed)
     assert error(plain, "x [m]") == 1.0
     assert error(carried, "x [m]") < 0.02  # the place of a float 200 m away
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("real", ["float", "double"])
-def test_given_speeds_are_kept_in_a_carried_run(real: str) -> None:
-    """Flywheels of given speed have it at every row, and a carried run in double is the plain one but for rounding."""
-    given = case(busy(), MIXED, real=real, carried=True, dt=4e-4)
-    found, plain = simulate(given), simulate(case(busy(), MIXED, dt=4e-4))
-    assert worst(found, plain) < (1e-9 if real == "double" else 1e-3)
-    speeds = given.motion(found["t [s]"])[1]
-    unit = np.finfo(np.float32 if real == "float" else np.float64).eps
-    assert np.abs(found["phi_dot w2 [rad/s]"] - speeds[:, 1]).max() < 100 * unit
 
 
 def test_a_plain_run_in_float_warns_of_lost_increments(recwarn: pytest.WarningsRecorder) -> None:

@@ -56,21 +56,6 @@ def test_a_pendulum_with_stribeck_friction_swings_as_its_equation() -> None:
     assert np.abs(expected[0][-10:]).max() < 0.85 * 2.0  # the friction matters
 
 
-@pytest.mark.slow
-def test_coulomb_friction_takes_the_same_angle_in_each_half_swing() -> None:
-    """Small swings lose 2 F_c / (m g a) between turning points, until rest (textbook solution of linear pieces)."""
-    coulomb, first = 0.01, 0.12
-    run = mahovik.simulate(
-        pendulum(friction=[{"coulomb": coulomb, "smoothing": 1e-4}]), 2.3,
-        start={"angles": [0.0, first, 0.0]}, every=2e-3, dt=1e-4,
-    )  # fmt: skip
-    q = angles(run)
-    turning = np.flatnonzero(np.diff(np.sign(np.diff(q)))) + 1
-    peaks = np.abs(np.concatenate([[first], q[turning[:4]]]))
-    lost = 2.0 * coulomb / (MASS * GRAVITY * ARM)
-    assert -np.diff(peaks) == pytest.approx(np.full(4, lost), rel=0.01)
-
-
 def test_a_stop_gives_back_the_speed_of_hunt_and_crossley() -> None:
     """m x'' = -x (k + d x'): in and out speeds satisfy one equation, whatever the depth; published for n = 1."""
     stiffness, damping, speed, mass = 2.0e4, 4.0e4, 0.3, 2.0

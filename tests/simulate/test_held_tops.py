@@ -8,9 +8,7 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-import pinocchio as pin
 import pytest
-from scipy.integrate import solve_ivp
 from scipy.special import ellipj
 
 import mahovik
@@ -161,29 +159,3 @@ def test_spherical_joints_of_others_give_the_same_acceleration_and_reaction(docu
                 for name, (a, b) in pairs.items():
                     scale = ARM * force if name == "reaction" else angular
                     assert np.abs(a - b).max(initial=0.0) < 1e-12 * scale, (want, name)
-
-
-def test_a_gyroscope_nods_as_the_joint_of_pinocchio_does() -> None:
-    """Articulated bodies of Pinocchio, integrated by SciPy in the quaternion of the joint, and the steps of our C."""
-    judge = HeldPinocchio(mahovik.Stand.from_dict(GYROSCOPE))
-    model, u, rate = judge.model, np.array([0.4, -0.3, 1.0]), 60.0
-    data = model.createData()
-
-    def rates(t: float, y: Any) -> Any:
-        q, v = y[: model.nq], y[model.nq :]
-        unit = np.concatenate([q[:4] / np.linalg.norm(q[:4]), q[4:]])
-        x, w = q[:3], q[3]
-        turning = 0.5 * np.append(w * v[:3] + np.cross(x, v[:3]), -x @ v[:3])
-        return np.concatenate([turning, v[3:], pin.aba(model, data, unit, v, np.zeros(4))])
-
-    times = np.linspace(0.0, 1.0, 11)
-    first = np.concatenate([pin.neutral(model), u, [rate]])
-    theirs = solve_ivp(rates, (0.0, 1.0), first, method="DOP853", rtol=1e-12, atol=1e-12, t_eval=times).y
-    run = mahovik.simulate(
-        mahovik.Stand.from_dict(GYROSCOPE), 1.0, start={"u": u.tolist(), "phi_dot": [rate]}, every=0.1, dt=1e-4
-    ).run
-    ours = np.stack([run[name] for name in ("qx", "qy", "qz", "qw")])
-    sign = np.sign(np.sum(ours * theirs[:4], axis=0))
-    assert np.ptp(axis(run)[2]) > 0.1  # it nods
-    assert np.abs(ours * sign - theirs[:4]).max() < 1e-10
-    assert np.abs(run["phi_dot rotor [rad/s]"] - theirs[-1]).max() < 1e-10 * rate

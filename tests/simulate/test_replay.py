@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import random
-import re
-import struct
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -13,11 +11,11 @@ import numpy as np
 import pytest
 
 from emit.stands import stand as known_stand
-from mahovik.core.emit.log_format import MAGIC, RESERVED
+from mahovik.core.emit.log_format import MAGIC
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.lower.golden import fnv1a
 from mahovik.errors import CheckError, UsageError
-from mahovik.use.simulate.flight_log import Damage, Start, Step, load, records
+from mahovik.use.simulate.flight_log import Damage, Start, load, records
 from mahovik.use.simulate.replay import CMachine, InterpreterMachine, Outcome, check_stand, explain, replay
 from simulate.flights import Recorder
 
@@ -93,23 +91,6 @@ def test_the_interpreter_needs_no_compiler(flown: Recorder) -> None:
     found = list(replay(machine, records(flown.log)))
     assert len(found) == STEPS
     assert all(isinstance(o, Outcome) and o.equal for o in found)
-
-
-def test_all_kinds_of_input_were_there(flown: Recorder) -> None:
-    """The flights above are worth something."""
-    steps = [r for r in records(flown.log) if isinstance(r, Step)]
-    layout = flown.generated.layout
-    assert {name for s in steps for name in s.written} >= ({"position", "phi"} if layout.flywheels else {"position"})
-    assert len({s.dt for s in steps}) == 2
-    assert any(s.stream is not None for s in steps) == layout.stream
-    assert any(s.wrench.any() for s in steps) == bool(layout.inputs)
-    assert {s.function for s in steps if not s.driven} == {"step", "step_carried"}
-    assert any(s.carry is not None for s in steps)
-    assert any(s.carried and s.carry is None for s in steps)
-    if layout.flywheels:
-        assert any(s.driven and s.carried for s in steps)
-        assert any(any(s.locked) for s in steps)
-        assert any(s.status == -1 for s in steps)
 
 
 def test_a_step_is_one_call_of_the_stated_size(flown: Recorder) -> None:
@@ -218,34 +199,10 @@ def test_a_log_that_ends_early_is_replayed_to_there(bench8: Recorder) -> None:
     assert "ends inside the record of step 5" in found[-1].message
 
 
-def test_a_length_that_lies_is_no_end(bench8: Recorder) -> None:
-    """A flag that asks for more bytes than the log has, with whole records behind it."""
-    bench8.new("recorder")
-    bench8.fly(6, every=10**9)
-    data = bytearray(bench8.log)
-    data[len(data) - sum(map(len, bench8.calls[-2:])) + 1] |= 0x1F  # all members of the state, in the last but one
-    found = steps_of(bench8, bytes(data))
-    assert isinstance(found[-1], Damage)
-    assert not found[-1].end
-
-
 def test_a_lost_start_is_named(bench8: Recorder) -> None:
     bench8.new("recorder")
     bench8.fly(4, every=10**9)
-    first = bench8.log
-    bench8.new("recorder")
-    bench8.fly(4, every=10**9)
-    assert "comes where step 4 was expected" in damages(first + b"".join(bench8.calls[-4:]))[0]
-
-
-def test_damage_is_jumped_over_to_the_next_start(bench8: Recorder) -> None:
-    bench8.new("recorder")
-    bench8.fly(STEPS, every=5)
-    data = bytearray(bench8.log)
-    data[bench8.log.index(MAGIC, 1) - 40] ^= 4  # in the last step before the second start
-    found = steps_of(bench8, bytes(data))
-    assert sum(isinstance(o, Damage) for o in found) == 1
-    assert [o.step.count for o in found if isinstance(o, Outcome)] == [0, 1, 2, 3, *range(5, STEPS)]
+    assert "comes where step 4 was expected" in damages(bench8.log + b"".join(bench8.calls[-4:]))[0]
 
 
 def test_another_format_is_named(bench8: Recorder) -> None:
@@ -279,11 +236,6 @@ def test_a_spoiled_line_is_named(bench8: Recorder, tmp_path: Path) -> None:
     assert "step 4 missing" in damages(data)[0]
 
 
-def test_a_log_of_spoiled_lines_only_is_not_called_empty(tmp_path: Path) -> None:
-    with pytest.raises(UsageError, match="no log in its @ lines, 2 damaged: line 1: expected an even number of hex"):
-        load(written(tmp_path, b"@894d4\n@535\n"))
-
-
 @pytest.mark.parametrize("width", [2, 4, 8])
 def test_swapped_bytes_are_recognised(bench8: Recorder, tmp_path: Path, width: int) -> None:
     data = bench8.log + bytes(-len(bench8.log) % 8)
@@ -301,6 +253,7 @@ def test_swapped_bytes_are_recognised(bench8: Recorder, tmp_path: Path, width: i
         (lambda data: b"", "is empty"),
         (lambda data: b"{}", "no flight log"),
         (lambda data: data[1:8], "no flight log"),
+        (lambda data: b"@894d4\n@535\n", "no log in its @ lines, 2 damaged: line 1: expected an even number of hex"),
     ],
 )
 def test_what_is_no_log_is_refused(
@@ -308,9 +261,6 @@ def test_what_is_no_log_is_refused(
 ) -> None:
     with pytest.raises(UsageError, match=words):
         load(written(tmp_path, spoil(bench8.log)))
-
-
-def test_no_such_file(tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="cannot be read"):
         load(tmp_path / "none.log")
 
@@ -346,23 +296,11 @@ def test_the_hash_is_fnv() -> None:
     assert fnv1a(b"foobar") == 0xBF9CF968
 
 
-def test_no_flywheel_takes_a_name_of_the_recorder(flown: Recorder) -> None:
-    """The names in capitals in the header are those that `generate` forbids."""
-    text = recorder_files(flown.stand, flown.generated)[f"{flown.name}_recorder.h"]
-    prefix = f"{flown.name.upper()}_"
-    defined = set(re.findall(rf"(?:#define {prefix}|^ +{prefix})(RECORD\w+)", text, re.MULTILINE))
-    assert len(defined) >= 10
-    assert defined <= RESERVED
-
-
 def test_null_pointers_are_refused_without_a_record(bench8: Recorder) -> None:
     bench8.new("recorder")
     null = bench8.ffi.NULL
-    assert bench8.call("step", null, [0] * 8, 1e-3, 4) == -5
-    assert bench8.call("step_driven", null, 1e-3, 4) == -5
+    assert bench8.call("step", null, [0] * 8, 1e-3, 4) == bench8.call("step_driven", null, 1e-3, 4) == -5
     assert bench8.library.bench8_recorder_start(bench8.recorder, null, bench8.x) == -5
-    bench8.recorder.write = null
-    assert bench8.call("start") == -5
     assert bench8.log == b""
 
 
@@ -386,12 +324,3 @@ def test_a_write_that_fails_is_counted_and_the_flight_goes_on(bench8: Recorder) 
     steps = [each for each in found if isinstance(each, Outcome)]
     assert [each.step.count for each in steps] == [0, 1, 2, 6]
     assert all(each.equal for each in steps)
-
-
-def test_the_count_wraps(bench8: Recorder) -> None:
-    bench8.new("recorder")
-    bench8.recorder.count = 2**32 - 2
-    bench8.fly(4, every=10**9)
-    found = outcomes(steps_of(bench8))
-    assert [struct.pack("<I", o.step.count) for o in found][2] == b"\0\0\0\0"
-    assert all(o.equal for o in found)

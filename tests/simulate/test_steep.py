@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
@@ -11,7 +9,7 @@ from mahovik import stands
 from mahovik.core.motion import loads_regime
 from mahovik.core.motion.laws import RunUp
 from mahovik.core.motion.motor import drive, steepness
-from mahovik.core.stand import Stand, load, rest_state
+from mahovik.core.stand import Stand, load
 from mahovik.core.stand.model import Motor
 from mahovik.errors import UsageError
 from mahovik.use.simulate import Case, Run, simulate
@@ -47,46 +45,12 @@ def test_a_strong_run_up_agrees_with_scipy(torque: float) -> None:
         assert np.abs(found["tau left [N m]"][1:]).max() < 0.031
 
 
-@pytest.mark.slow
-def test_a_steep_run_up_beside_a_speed_that_varies() -> None:
-    text = '[flywheel.left]\nrun_up = { torque = 5, to = "300 rpm" }\n'
-    text += "[flywheel.right]\nharmonic = { mean = 20, amplitude = 10, frequency = 12 }"
-    judge = simulate(case(text), "scipy")
-    found = simulate(case(text))
-    assert largest_difference(found, judge, "phi_dot left") < 1e-4
-    assert largest_difference(found, judge, "tau left") < 5e-3  # 16 N m per rad/s
-    for name in ("phi right [rad]", "phi_dot right [rad/s]"):
-        np.testing.assert_array_equal(found[name], judge[name])
-
-
-@pytest.mark.slow
-def test_dry_friction_that_sets_in_steeply() -> None:
-    """0.05 N m within 1e-3 rad/s: brings a flywheel to a stop, and holds it there."""
-    motor = Motor(1.0, 100.0, None, None, None, 0.0, 0.05, 1e-3)
-    stand = replace(SHAKER, flywheels=tuple(replace(s, motor=motor) for s in SHAKER.flywheels))
-    text = "default = { torque = 0, initial_speed = 0.05 }"
-    judge, found = simulate(case(text, stand), "scipy"), simulate(case(text, stand))
-    assert np.abs(judge["phi_dot left [rad/s]"][1:]).max() < 1e-2
-    assert largest_difference(found, judge, "phi_dot") < 1e-5
-    assert largest_difference(found, judge, "tau") < 1e-3
-
-
 def test_what_is_too_steep_is_refused_before_the_run() -> None:
     with pytest.raises(
         UsageError, match=r"flywheel left: its torque falls by up to 5e\+03 N m per rad/s.* wider `band`"
     ):
         simulate(case(run_up(50.0, band=0.01)))
     CMotion(case(run_up(50.0, band=0.01), dt=1e-6))  # as the refusal proposes: taken
-
-
-def test_gentle_laws_are_not_cut() -> None:
-    """So the order of their error in dt is that of the step."""
-    mobility = np.eye(2) * 100.0
-    for text in ("default = { torque = 3 }", "default = { speed = 3 }", run_up(0.3, band=20.0)):
-        steep = Steepness(case(text))
-        assert steep.matters == ("run_up" in text)
-        if steep.matters:
-            assert steep.parts(1e-4, mobility, np.zeros(2), np.zeros(2)) == 1
 
 
 def test_a_step_is_cut_where_it_comes_near_the_band() -> None:
@@ -108,7 +72,3 @@ def test_steepness_bounds_every_difference(seed: int) -> None:
         torques = [drive(each, law.command(0.0, w), w) for w in speeds]
         most = np.abs(np.diff(torques) / np.diff(speeds)).max()
         assert most <= steepness(each, law.steepness(low, high), low, high) * (1 + 1e-9) + 1e-12
-
-
-def test_a_stand_at_rest_without_a_regime_has_no_steep_law() -> None:
-    assert not Steepness(Case(SHAKER, case("default = { hold = true }").regime, rest_state(SHAKER), 1.0)).matters

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from mahovik.core.stand import dumps, identities, loads, structure
 from mahovik.core.stand.definite import condition_of_twists
-from mahovik.core.stand.hold import FREEDOMS, is_closed, kinds, twists
+from mahovik.core.stand.hold import FREEDOMS, has_coordinates, is_closed, kinds, no_coordinates, twists, words
 from mahovik.core.stand.model import Freedom, Hold
 from mahovik.core.stand.summary import summarize
 from mahovik.proof.reference.hold import twists as literal_twists
@@ -113,7 +113,18 @@ hold = {{ basis = [[1, 0, 0, 0, 0, 0], [1, 0, 0, 0, 0, {x}]] }}
         assert found == pytest.approx((1 + cosine) / (1 - cosine), rel=1e-9)
 
 
+def test_a_closed_basis_is_said_to_have_no_coordinates() -> None:
+    """`eval` and the C refuse them, in the same words; `rest` and `modes` take its rows."""
+    hold = hold_of("basis = [[0.1, 0, 0.2, 0, 1, 0]]")
+    assert is_closed(hold) and not has_coordinates(hold)
+    assert "a closed set: `rest`, `modes` and `plan` count along it" in words(hold)
+    assert no_coordinates(hold) == "a basis of [hold] has no coordinates"
+
+
 def test_a_suspension_on_what_is_blocked_is_a_warning() -> None:
+    leg = "\n[[leg]]\nground = [0, 0, -1]\ncarrier = [0.1, 0, 0]\nlength = 0.9\nstiffness = 100\n"
+    clamped = "legs: [hold] clamps the carrier: wrenches on it add to the reaction and do nothing else"
+    assert clamped in summarize(loads(with_hold("freedoms = []") + leg)).warnings
     suspended = with_hold('freedoms = ["z"]') + "[suspension]\nstiffness = [5, 0, 7, 0, 0, 0]\n"
     warnings = summarize(loads(suspended)).warnings
     (found,) = [line for line in warnings if "blocks" in line]

@@ -73,6 +73,8 @@ CASES = [
         inertia("[1, 1, 1, 0, 0, 0]"),
         "carrier, inertia: expected three rows of three numbers, or a diagonal of three, found 6 items",
     ),
+    (mass('"much"'), 'carrier, mass: "much" is not a number with a unit, expected a mass (kg)'),
+    (BASE.replace('"s"', '"class"'), 'name: "class" is a C++ keyword'),
     (mass("nan"), "carrier, mass: not finite: nan"),
     (mass("1e400"), "carrier, mass: not finite in double precision"),
     (mass("-3"), "carrier, mass: -3 kg is negative"),
@@ -166,6 +168,11 @@ OF_CARRIER = [
         'damping = { terms = [{ wrench = "Y", of = ["u", "r"], value = "1 N" }] }',
         'damping, terms[0], value: unit "N" does not fit, expected a hydrodynamic derivative (N s^2/m/rad)',
     ),
+    ("damping = { terms = 3 }", "damping, terms: expected a list, found 3"),
+    (
+        'inertia_about = "centre_of_mass"',
+        'inertia_about: expected "origin" or "center_of_mass", found "centre_of_mass"',
+    ),
     ("center_of_mass = 1", "center_of_mass: expected 3 numbers, found 1"),
     (
         "added_mass = [1, 1, 1, 1, 1]",
@@ -215,6 +222,7 @@ OF_WHEEL = [
         'motor, speed: unit "Hz" does not fit, expected an angular speed (rad/s), a frequency is not one: write '
         "rpm or rad/s",
     ),
+    ('angles = ["3 dB", 0]', 'angles[0]: unit "dB" has an offset or is logarithmic, expected an angle (rad)'),
     ("angles = [1]", "angles: expected 2 or 3 numbers, found 1"),
     ("motor = { speed = 0 }", "motor, speed: 0 rad/s is not above 0"),
     ("encoder = { counts = 0 }", "encoder, counts: expected at least 1 count per turn, found 0"),
@@ -333,6 +341,7 @@ TASKS = [
         task('[{ point = "mast", rows = ["x", 3] }]'),
         'task "sight", rows[0]: rows[0]: unknown component "x", did you mean "vx"?',
     ),
+    (task("[3]"), 'task "sight", rows[0]: expected one of vx, vy, vz, wx, wy, wz, found 3'),
     (task("[]"), 'task "sight", rows: expected a list of rows such as ["wx", "wy", "wz"], found an empty list'),
     (task('["wx", "vx", { point = "mast", rows = ["wx"] }, "vx"]'), 'task "sight", rows: vx is given twice'),
     (
