@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import inspect
 import re
-import sys
 from dataclasses import replace
 from functools import cache
-from types import ModuleType
 
 import numpy as np
 import pytest
@@ -20,8 +17,7 @@ from mahovik.errors import UsageError
 from mahovik.out.export.attitude import attitude_sources
 from mahovik.proof import reference
 from mahovik.stands import path
-from mahovik.use.control import attitude
-from mahovik.use.control.attitude import LoopOptions
+from mahovik.use.control.attitude import LoopOptions, design_attitude
 
 Array = NDArray[np.float64]
 
@@ -91,10 +87,10 @@ def reach_without_one(given: Stand) -> tuple[float, float]:
     return momentum, torque
 
 
-def wrong_numbers(module: ModuleType, even: bool) -> list[str]:
-    """Names of the numbers that are wrong in the design of a module."""
+def wrong_numbers(even: bool) -> list[str]:
+    """Names of the numbers that are wrong in the design."""
     given, momentum = stand(even), 1.0
-    design = module.design_attitude(given, module.LoopOptions(momentum=momentum))
+    design = design_attitude(given, LoopOptions(momentum=momentum))
     made, speeds, no_load = design.settings, np.array(design.speeds), limits(given, "speed")
     per_speed, inertia = spins(given), largest_inertia(given)
     left = 1.0 - np.abs(speeds).max() / no_load.min()
@@ -119,18 +115,18 @@ def wrong_numbers(module: ModuleType, even: bool) -> list[str]:
     ]
     if not 0.0 < made["avoid"] < np.abs(preferred).min():
         found.append("a preferred speed is among the avoided")
-    share = largest_share_of_speed(module, given)
+    share = largest_share_of_speed(given)
     return found if abs(share - 0.7) < 1e-3 else [*found, f"speeds up to {share:.3f} of no-load"]
 
 
-def largest_share_of_speed(module: ModuleType, given: Stand) -> float:
+def largest_share_of_speed(given: Stand) -> float:
     """Largest part of its no-load speed that a flywheel begins with, at the largest momentum that is taken."""
     low, high = 0.0, 100.0
     share = 0.0
     for _ in range(25):
         middle = (low + high) / 2
         try:
-            design = module.design_attitude(given, module.LoopOptions(momentum=middle))
+            design = design_attitude(given, LoopOptions(momentum=middle))
         except UsageError as error:
             assert "70 % of its no-load speed" in str(error)
             high = middle
@@ -141,42 +137,7 @@ def largest_share_of_speed(module: ModuleType, given: Stand) -> float:
 
 @pytest.mark.parametrize("even", [True, False])
 def test_the_numbers_are_right(even: bool) -> None:
-    assert wrong_numbers(attitude, even) == []
-
-
-FAULTS = {
-    "all flywheels are there": ("envelope(np.delete(columns, s, axis=0)).radius", "envelope(columns).radius + 0 * s"),
-    "the lightest flywheel is missing": ("least = min(envelope", "least = max(envelope"),
-    "the least inertia": ("principal_inertia[-1]", "principal_inertia[0]"),
-    "the inertia between": ("principal_inertia[-1]", "principal_inertia[1]"),
-    "the speeds at the beginning take nothing": ("1.0 - speed /", "1.0 - 0 * speed /"),
-    "momentum and torque exchanged": (
-        "(momentum_capacity(stand), torque_capacity(stand))",
-        "(torque_capacity(stand), momentum_capacity(stand))",
-    ),
-    "the sign of a preferred speed in the check": (
-        "- math.copysign(1.0, more) * speed)",
-        "+ math.copysign(1.0, more) * speed)",
-    ),
-    "no preferred speed in the check": ("- math.copysign(1.0, more) * speed)", "- 0 * speed)"),
-    "the last flywheel alone is checked": ("most, first = min((most, first), ", "most, first = max((0.0, ''), "),
-    "another part of the no-load speed": ("0.7 * wheel.motor.speed", "0.8 * wheel.motor.speed"),
-    "avoided speeds beyond the preferred ones": ('"avoid": 0.1', '"avoid": 1.1'),
-    "avoided speeds of the no-load speed": ("0.1 * float(np.abs(preferred).max())", "0.1 * _no_load(motors)"),
-    "the largest no-load speed": ("return min((m.speed for", "return max((m.speed for"),
-    "the largest torque": ("torque = min((m.torque for", "torque = max((m.torque for"),
-}
-
-
-@pytest.mark.parametrize("fault", FAULTS)
-def test_a_planted_fault_is_noticed(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    before, after = FAULTS[fault]
-    source = inspect.getsource(attitude)
-    assert source.count(before) == 1
-    planted = ModuleType("planted_attitude")
-    monkeypatch.setitem(sys.modules, planted.__name__, planted)
-    exec(compile(source.replace(before, after), planted.__name__, "exec"), planted.__dict__)
-    assert wrong_numbers(planted, False) or wrong_numbers(planted, True)
+    assert wrong_numbers(even) == []
 
 
 def test_the_emitted_settings_are_these_numbers() -> None:

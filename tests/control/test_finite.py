@@ -19,7 +19,6 @@ from mahovik.core.stand import Stand
 from mahovik.core.stand.model import Mat3
 from mahovik.core.stand.write import dumps
 from mahovik.proof.verify.programme.slew import ARCSEC
-from mahovik.use.control.causes import contributions
 from mahovik.use.control.finite import tracking
 from mahovik.use.control.loop import Case, close_loop
 from mahovik.use.control.reference_motion import ReferenceMotion
@@ -92,26 +91,6 @@ def test_a_stand_with_more_inertia_turns_less_by_the_law_of_momentum() -> None:
     assert found.share_end == pytest.approx(found.share, rel=1e-3)
 
 
-@pytest.mark.slow
-def test_what_limits_it_is_the_other_inertia() -> None:
-    largest, *_ = contributions(case("attitude", heavier(0.02)))
-    assert largest.cause.name == "mismatch"
-    assert largest.without is not None
-    assert largest.without < 1e-5
-
-
-def test_before_and_after_it_the_wheels_turn_evenly_and_the_carrier_rests() -> None:
-    wanted = planned("attitude")
-    span = wanted.motion.span
-    angles = wanted.angles(np.array([-2.0, 0.0, span, span + 2.0]))
-    assert angles.phi[1] - angles.phi[0] == pytest.approx(2.0 * angles.phi_dot[1])
-    assert angles.phi[3] - angles.phi[2] == pytest.approx(2.0 * angles.phi_dot[2])
-    assert not angles.phi_ddot[[0, 3]].any()
-    q = wanted.required_course(np.array([-2.0, 0.0, span, span + 2.0]))
-    assert (q[0] == q[1]).all()
-    assert (q[2] == q[3]).all()
-
-
 @pytest.fixture
 def files(tmp_path: Path) -> dict[str, str]:
     """The satellite, a slew of its attitude, its programme and servos, as files."""
@@ -126,19 +105,6 @@ def files(tmp_path: Path) -> dict[str, str]:
 def arguments(files: dict[str, str]) -> list[str]:
     pairs = (("--programme", "P.json"), ("--motion", "M.json"), ("--servo", "S.toml"))
     return [files["sat.toml"], *(x for option, name in pairs for x in (option, files[name]))]
-
-
-@pytest.mark.slow
-def test_the_command_says_where_the_slew_ends(files: dict[str, str]) -> None:
-    said = run("simulate", *arguments(files), "--no-causes", "--json")
-    assert said.exit_code == 0, said.output
-    found = json.loads(said.stdout)
-    assert found["slew_end"]["angle"] < 0.1 * ARCSEC
-    assert found["coordinates"]["psi"]["end"] == pytest.approx(0.0, abs=1e-6)
-    assert "periods" not in found
-    said = run("simulate", *arguments(files), "--no-causes")
-    assert "% at the end; mismatch 0%, seed 1" in said.stdout
-    assert "arcsec from its end" in said.stdout
 
 
 @pytest.mark.parametrize(

@@ -10,15 +10,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.core.motion.programme import Fourier, Programme, Samples
+from mahovik.core.motion.programme import Fourier, Programme
 from mahovik.core.motion.required import RequiredMotion, read_motion
 from mahovik.core.motion.servo import read_servo
 from mahovik.core.stand import Stand
 from mahovik.out.functions.following import Following, follow
-from mahovik.out.report.plot.run import following_panels, follows_programme
 from mahovik.use.control.coordinates import coordinates
 from mahovik.use.control.loop import Case, starting_state
-from mahovik.use.control.plant import plant
 from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.control.servo import lightness
 from mahovik.use.plan.certificate import make_programme
@@ -89,24 +87,6 @@ def test_mismatch_swings_the_pendulum_by_the_linear_formula() -> None:
     assert abs(q - SWING) > 3 * abs(q - expected)
 
 
-@pytest.mark.slow
-def test_both_plants_go_the_same_way() -> None:
-    """Emitted C and SciPy on the literal reference, 20 ms under the same torques, with friction of the axle."""
-    own = pendulum('[[hold.friction]]\nfreedom = "pitch"\nviscous = 0.1')
-    required, programme = swinging(own)
-    state = starting_state(
-        Case(ReferenceMotion.of(own, required, programme, None), own, read_servo(SERVO, own), 2, start="programme")
-    )
-    ends = []
-    for backend in ("c", "scipy"):
-        it = plant(own, state, backend)
-        for n in range(5):
-            it.advance(np.array([0.2 - 0.01 * n]), n * 4e-3, (n + 1) * 4e-3)
-        ends.append(np.concatenate([it.position, it.attitude, it.V, it.phi, it.phi_dot]))
-    assert np.abs(ends[0] - ends[1]).max() < 1e-8
-    assert abs(ends[0][-1]) > 0.05 and abs(ends[0][11]) > 1e-3
-
-
 @pytest.mark.parametrize("hold", HOLDS)
 def test_coordinates_are_found_again_from_the_pose(hold: str) -> None:
     own = stand(hold, wheel(1, [0, 0, 1]))
@@ -120,41 +100,12 @@ def test_coordinates_are_found_again_from_the_pose(hold: str) -> None:
     assert np.abs(coordinates(own, O1, attitude, near) - q).max() < 1e-12
 
 
-def test_whole_turns_of_an_axle_are_those_near_the_required_angle() -> None:
-    own = stand('freedoms = ["yaw"]', wheel(1, [0, 0, 1]))
-    turned = np.array([[math.cos(0.1), 0.0, 0.0, math.sin(0.1)]])
-    found = coordinates(own, np.zeros((1, 3)), turned, np.array([[4 * math.pi]]))
-    assert found[0, 0] == pytest.approx(4 * math.pi + 0.2, abs=1e-12)
-
-
 def test_rotors_feel_the_freedoms_alone() -> None:
     """J (J - J^2 / K)^-1 = K / (K - J) of a wheel along the axle; 1 of a wheel across it."""
     along, across = (stand('freedoms = ["yaw"]', wheel(1, axis)) for axis in ([0, 0, 1], [0, 1, 0]))
     inertia = 0.01 + 0.01
     assert lightness(along) == pytest.approx(inertia / (inertia - 0.01), rel=1e-12)
     assert lightness(across) == 1.0
-
-
-@pytest.mark.slow
-def test_a_finite_programme_is_followed_once() -> None:
-    """yaw = a s(t/T), J yaw'' = -J_w phi'': the wheel turns back by J/J_w of the carrier's turn."""
-    own = stand('freedoms = ["yaw"]', wheel(1, [0, 0, 1]))
-    t = np.linspace(0.0, 1.0, 101)
-    s, s1, s2 = t**3 * (10 - 15 * t + 6 * t * t), 30 * t**2 * (1 - t) ** 2, 60 * t * (1 - t) * (1 - 2 * t)
-    samples = {"t": t.tolist(), "q": (0.5 * s)[:, None].tolist()}
-    document = {"schema": 1, "type": "finite", "duration": 1.0, "samples": samples}
-    required = read_motion(json.dumps(document), own, "m.json")
-    course = Samples(t, *(-0.5 * 0.02 / 0.01 * x[:, None] for x in (s, s1, s2)))
-    programme = make_programme(own, required, np.zeros(1), (0,), course, {})
-    found = follow(own, required, programme, read_servo(SERVO, own), mismatch=0.0, causes=False)
-    assert found.errors is not None and found.share < 1e-3
-    run = found.motion.run
-    assert "q yaw [rad]" in run.names and run["required yaw [rad]"][-1] == pytest.approx(0.5)
-    assert run["q yaw [rad]"][-1] == pytest.approx(0.5, abs=1e-3)
-    columns = {name: run[name] for name in run.names}
-    assert follows_programme(columns)
-    panel = following_panels(columns)[0]
-    assert panel.quantity.startswith("freedoms, mrad") and panel.lines[0].name == "yaw"
 
 
 @pytest.mark.slow

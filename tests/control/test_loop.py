@@ -1,4 +1,4 @@
-"""The closed loop of a small stand: it follows, mismatch disturbs it, the trim puts it right; both plants agree."""
+"""The closed loop of a small stand: it follows, mismatch disturbs it, the trim puts it right; what mismatch draws."""
 
 from __future__ import annotations
 
@@ -6,16 +6,25 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
-from control.following import design, run, servo, wanted
+from control.following import run, servo, wanted
+from mahovik import stands as examples
 from mahovik.core.motion.programme import RunUpTable, Samples
+from mahovik.core.stand import Stand, load
+from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Encoder
 from mahovik.errors import UsageError
+from mahovik.laws.suspension.data import Suspension
 from mahovik.use.control.controller import Encoders
-from mahovik.use.control.loop import Case, close_loop, starting_state, step_error
+from mahovik.use.control.loop import Case, close_loop, starting_state
+from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.control.plant import plant
 from mahovik.use.control.record import following
+from mahovik.use.plan.residual.spatial import mount_axes
 from mahovik.use.plan.runup.boundary import transient_family
+from strategies import stands
 from verify.programme.programmes import shaker
 
 Z = 2
@@ -39,11 +48,6 @@ def test_mismatch_disturbs_and_the_trim_takes_its_harmonics_away() -> None:
     assert before > 5e-3
     assert after < 1e-5  # two wheels have no more: what it costs is a third harmonic
     assert run(0.02, trim=True).rounds == 6
-
-
-def test_nothing_is_left_by_finer_steps() -> None:
-    own = run(0.0, trim=False)
-    assert 0.0 < step_error(Case(wanted(), shaker()[0], servo(), 12), own) < 1e-9
 
 
 def test_both_plants_go_the_same_way() -> None:
@@ -109,13 +113,51 @@ def test_encoders_count_and_keep_the_sign() -> None:
     assert np.array_equal(found[:, 1], angles)
 
 
-def test_the_design_tells_how_fast_and_how_sure() -> None:
-    own = design()
-    assert 0.2 < own.radius < 1.0
-    assert 0.0 < own.margin < 1.0
-
-
 def test_a_finite_programme_is_not_tabulated_again() -> None:
     stand, motion, programme = shaker()
     with pytest.raises(UsageError, match="finite"):
         type(wanted()).of(stand, motion, replace(programme, periodic=False), 64)
+
+
+SHARE = 0.01
+
+
+BENCH8 = load(examples.path("bench8"))
+
+
+@settings(max_examples=15)
+@given(stands(max_flywheels=4), st.integers(0, 99))
+def test_any_stand_stays_one_and_near(stand: Stand, seed: int) -> None:
+    """The checks of the stand file hold inside `with_mismatch`; masses and positions are within the share."""
+    found = with_mismatch(stand, SHARE, seed)
+    for own, other in zip(stand.bodies, found.bodies, strict=True):
+        assert abs(other.mass / own.mass - 1.0) <= SHARE
+        c = np.array(own.center_of_mass)
+        assert np.linalg.norm(np.array(other.center_of_mass) - c) <= SHARE * np.linalg.norm(c) * (1 + 1e-12)
+        moment = np.trace(inertia_about_center(own))
+        assert abs(np.trace(inertia_about_center(other)) / moment - 1.0) <= SHARE + 1e-12
+
+
+def test_every_number_that_is_measured_is_wrong() -> None:
+    """No flywheel keeps mass, centre, inertia, place or axis, nor the suspension its stiffness."""
+    found = with_mismatch(BENCH8, SHARE, 1)
+    for own, other in zip(BENCH8.flywheels, found.flywheels, strict=True):
+        assert own.mass != other.mass
+        assert own.center_of_mass != other.center_of_mass
+        assert np.abs(inertia_about_center(own) - inertia_about_center(other)).diagonal().min() > 0.0
+        assert own.position != other.position
+        turned = mount_axes(own).T @ mount_axes(other)
+        angle = np.arccos(np.clip((np.trace(turned) - 1.0) / 2.0, -1.0, 1.0))
+        assert 0.0 < angle <= SHARE
+        assert (own.motor, own.encoder, own.name) == (other.motor, other.encoder, other.name)
+    hung, moved = BENCH8.law(Suspension), found.law(Suspension)
+    assert hung is not None
+    assert moved is not None
+    assert hung.stiffness != moved.stiffness
+    assert (BENCH8.gravity, BENCH8.name) == (found.gravity, found.name)
+
+
+@pytest.mark.parametrize("share", [-0.01, 0.5, float("nan")])
+def test_a_share_out_of_range_is_refused(share: float) -> None:
+    with pytest.raises(UsageError, match="--mismatch"):
+        with_mismatch(BENCH8, share, 1)
