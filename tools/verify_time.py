@@ -2,7 +2,7 @@
 
 python tools/verify_time.py [--states 13]
 
-These are the stands of tests/verify/test_random_stands.py. Seconds of processor time, of this process and of the
+These are the stands of tests/verify/test_stands_pass.py. Seconds of processor time, of this process and of the
 compiler, so that other work on the machine does not count. Exit status 1 where the comparison takes over 20 s, or
 disagrees.
 """

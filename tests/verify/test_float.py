@@ -7,51 +7,20 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from random_stands import random_stands
 
 from cli.run import DEMO3, refused, run
 from mahovik.core.emit.generate import generate
 from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.program.types import FLOAT as SINGLE
-from mahovik.core.stand import Stand, load
+from mahovik.core.stand import load
 from mahovik.proof.second import Second
-from mahovik.proof.verify.bounds import DOUBLE, FLOAT
+from mahovik.proof.verify.bounds import FLOAT
 from mahovik.proof.verify.compare import Judge, Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import verify_c
 from mahovik.proof.verify.report import Report, conclusion
 from mahovik.stands import path
-from strategies import stands
 from verify.build import everything
-
-
-@pytest.mark.slow
-def test_a_stand_with_everything_passes_in_float() -> None:
-    found = verify_c(everything("euler"), count=24, real="float")
-    assert found.passed
-    assert {row.verdict for row in found.rows} == {"ok"}
-    worst = {(row.want, row.quantity): row.worst for row in found.rows if row.want}
-    # float, and not double in disguise: but within its bounds
-    assert 1e-9 < worst["forward", "V_dot"] < FLOAT.of("forward", "V_dot")
-    assert all(row.second is None or row.second < DOUBLE.derivations for row in found.rows)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("number", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in (3, 5))])
-def test_random_stands_of_none_and_more_flywheels(number: int) -> None:
-    *_, stand = random_stands(number + 1)
-    assert verify_c(stand, count=9, real="float", against=None).passed
-
-
-@pytest.mark.slow
-@settings(max_examples=3, deadline=None)
-@given(stands(max_flywheels=4))
-def test_any_stand_gives_the_bits_of_the_interpreter(stand: Stand) -> None:
-    found = verify_c(stand, count=12, real="float")
-    (row,) = (row for row in found.rows if row.quantity == "interpreter = C, bit for bit")
-    assert row.verdict == "ok"
-    assert found.passed
 
 
 @pytest.mark.slow
@@ -81,18 +50,6 @@ def test_rank_is_decided_by_the_thresholds_of_float() -> None:
     drawn = [state for _, state in draw(stand, 1, 30, "float")]
     kept = [found for state in drawn if (found := judge.expected_answer(state, "inverse")) is not None]
     assert len(kept) >= len(drawn) / 4  # and not all of them hang on rounding
-
-
-def test_float_is_of_the_generated_c_alone() -> None:
-    assert "--real float: only for the generated C" in refused("verify", DEMO3, "--real", "float", "--judges")
-
-
-@pytest.mark.slow
-def test_the_command() -> None:
-    result = run("verify", DEMO3, "--real", "float", "--states", "6")
-    assert result.exit_code == 0
-    assert "passed: nearest to its bound " in result.stdout
-    assert any({"worst", "accepted"} <= set(line.split()) for line in result.stdout.splitlines())
 
 
 def test_what_is_nearest_to_its_bound_is_no_worst() -> None:

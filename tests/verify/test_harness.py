@@ -23,10 +23,9 @@ from mahovik.proof.verify.compare import Row, difference, same_bits
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge, verify_c
 from mahovik.proof.verify.report import as_json, as_junit, conclusion, worst_lines
-from mahovik.proof.verify.states import read_line, state_line
+from mahovik.proof.verify.states import read_line
 from mahovik.stands import path
 from toolchain.quick import quick
-from verify.build import everything
 
 DEMO = load(path("demo3"))
 
@@ -49,35 +48,6 @@ def rows_of(change: Any, wants: Sequence[str] = ("forward", "momentum")) -> dict
 
 def nudged(name: str, by: float) -> Any:
     return lambda found: found | ({name: np.asarray(found[name]) * (1 + by)} if name in found else {})
-
-
-@pytest.mark.slow
-def test_a_stand_with_everything_passes_as_c() -> None:
-    found = verify_c(everything("euler"), count=40)
-    assert found.passed
-    assert {row.verdict for row in found.rows if "order" not in row.quantity} == {"ok"}
-    assert max(row.worst for row in found.rows if row.request is not None) < 1e-14
-    kinds = {row.quantity: row.states for row in found.rows}
-    assert kinds["interpreter = C, bit for bit"] == 40
-    assert kinds["bad inputs refused, outputs untouched"] > 500
-
-
-@pytest.mark.parametrize(
-    "count", [0, pytest.param(1, marks=pytest.mark.slow), pytest.param(64, marks=pytest.mark.slow)]
-)
-def test_any_number_of_flywheels(count: int) -> None:
-    wheel = load(path("bench8")).flywheels[0]
-    wheels = tuple(replace(wheel, name=f"w{k}", position=(0.01 * k, 0.2, -0.1)) for k in range(count))
-    stand = replace(load(path("bench8")), flywheels=wheels)
-    assert verify_c(stand, count=10).passed
-
-
-def test_the_same_seed_gives_the_same_states_and_another_seed_others() -> None:
-    stand = everything()
-    assert draw(stand, 7, 20) == draw(stand, 7, 20)
-    assert draw(stand, 7, 20)[:10] == draw(stand, 7, 10)
-    assert draw(stand, 7, 20)[1:] != draw(stand, 8, 20)[1:]
-    assert len({name for name, _ in draw(stand, 7, 20)}) == 20
 
 
 def test_a_difference_of_ten_tolerances_fails_and_of_a_tenth_does_not() -> None:
@@ -161,7 +131,7 @@ EMITTED = {
 @pytest.mark.parametrize("name", quick(1, EMITTED))
 def test_a_term_broken_in_the_emitted_c_is_caught(name: str, tmp_path: Path) -> None:
     old, new, expected = EMITTED[name]
-    stand = load(path("bench8"))
+    stand = load(path("shaker2"))
 
     def change(file: str, text: str) -> str:
         if file.endswith(".h"):
@@ -169,7 +139,7 @@ def test_a_term_broken_in_the_emitted_c_is_caught(name: str, tmp_path: Path) -> 
         assert old in text
         return text.replace(old, new, 1)
 
-    found = verify_c(stand, count=10, against=written(tmp_path, stand, change))
+    found = verify_c(stand, count=6, against=written(tmp_path, stand, change))
     assert not found.passed
     assert expected <= {row.quantity for row in found.failures}
     assert any(row.verdict == "not compared" for row in found.rows)
@@ -177,23 +147,6 @@ def test_a_term_broken_in_the_emitted_c_is_caught(name: str, tmp_path: Path) -> 
     lines = worst_lines(found).splitlines()
     assert lines
     assert {read_line(stand, line).want[0] for line in lines} <= set(WANTS)
-
-
-@pytest.mark.slow
-def test_a_check_left_out_of_the_emitted_c_is_caught(tmp_path: Path) -> None:
-    def change(file: str, text: str) -> str:
-        return text if file.endswith(".h") else _without_range_of_speeds(text)
-
-    found = verify_c(DEMO, count=4, against=written(tmp_path, DEMO, change))
-    (row,) = (row for row in found.rows if row.quantity.startswith("bad inputs"))
-    assert row.failed
-    assert "phi_dot" in row.state
-    assert not found.passed
-
-
-def _without_range_of_speeds(text: str) -> str:
-    assert "x->phi_dot, DEMO3_N, DEMO3_MAX_SPEED" in text
-    return text.replace("x->phi_dot, DEMO3_N, DEMO3_MAX_SPEED", "x->phi_dot, 0, DEMO3_MAX_SPEED")
 
 
 def test_c_of_another_stand_or_none_is_refused(tmp_path: Path) -> None:
@@ -236,22 +189,6 @@ def test_bits_that_differ_from_the_interpreter_are_caught(monkeypatch: pytest.Mo
     assert read_line(DEMO, worst_lines(found)).state == rest_state(DEMO)
 
 
-@pytest.mark.slow
-def test_outputs_written_by_a_refusal_are_caught(tmp_path: Path) -> None:
-    """A forward that clears one number before it has checked its inputs."""
-    source = generate(DEMO)["demo3.c"]
-    start = source.index("demo3_status demo3_forward(")
-    check = source.index("    demo3_status status = ", start)
-    early = source[:check] + "    V_dot[5] = 0.0;\n" + source[check:]
-    found = verify_c(
-        DEMO, count=4, against=written(tmp_path, DEMO, lambda name, text: early if text == source else text)
-    )
-    row = next(row for row in found.rows if row.quantity == "bad inputs refused, outputs untouched")
-    assert row.verdict == "FAILED"
-    assert row.reason == "refused, but outputs were written"
-    assert row.state.startswith("forward: ")
-
-
 def test_reports_as_json_and_junit() -> None:
     found = verify_c(DEMO, count=4)
     table = json.loads(as_json(found), parse_constant=pytest.fail)
@@ -278,11 +215,3 @@ def test_nothing_but_not_offered_is_no_pass() -> None:
     found = replace(verify_c(DEMO, count=1), rows=(Row("torque", "torque", verdict="not offered"),))
     assert not found.passed
     assert conclusion(found) == "nothing was compared"
-
-
-def test_the_worst_state_replays() -> None:
-    rows = judge(DEMO, Wrong(DEMO, nudged("V_dot", 1e-6)), draw(DEMO, 2, 12), ["forward"])
-    (row,) = rows
-    assert row.request is not None
-    again = read_line(DEMO, state_line(row.request))
-    assert again == row.request

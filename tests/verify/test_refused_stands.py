@@ -3,19 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
-import pytest
 
 from mahovik.core.stand import loads
 from mahovik.errors import StateError
-from mahovik.proof.evidence.piece import Subject, Verdict
-from mahovik.proof.evidence.pieces import agreement
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, Comparison
 from mahovik.proof.verify.functions.reactions import mount_rows
@@ -72,18 +67,3 @@ def test_a_stand_that_is_none_without_fluid_is_skipped_with_the_reason() -> None
         assert (row.verdict, row.states) == ("not compared", 0)
         assert row.reason.startswith("the stand without carrier: added_mass has no positive definite mass matrix")
     assert not found.passed
-
-
-def subject(folder: Path) -> Subject:
-    return Subject(HELD, "double", folder, folder)
-
-
-def test_evidence_says_that_there_is_nothing_to_judge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    found = agreement._ask_judges(subject(tmp_path), lambda _: None)
-    assert found.verdict is Verdict.NOTHING
-    assert "no positive definite mass matrix" in found.figure
-    refused = [Row(name, "all quantities", verdict="not compared", reason=f"{name}: too light") for name in "ab"]
-    report = replace(verify_judges(POINT, count=1, names=(), until=0.0), rows=tuple(refused))
-    monkeypatch.setattr(agreement, "verify_judges", lambda *_, **__: report)
-    found = agreement._ask_judges(subject(tmp_path), lambda _: None)
-    assert (found.verdict, found.figure) == (Verdict.NOTHING, "a: too light; b: too light")

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import re
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -91,23 +89,6 @@ def test_c_that_is_not_there_or_of_another_stand_is_refused(tmp_path: Path) -> N
     source.write_text("#error no\n")
     with pytest.raises(ToolchainError):
         judged(tmp_path, "spin")
-
-
-@pytest.mark.slow
-def test_a_bad_manifest_is_refused_without_assertions_too(tmp_path: Path) -> None:
-    facts = tmp_path / "shaker2_programme.json"
-    facts.write_text('{"physics": "1", "real": "half", "limit": 1e-6}')
-    code = (
-        "import sys, pathlib\n"
-        "from mahovik.proof.verify.programme import programme_c\n"
-        "from mahovik.errors import UsageError\n"
-        "try: programme_c._facts(pathlib.Path(sys.argv[1]))\n"
-        "except UsageError as error: print(error)"
-    )
-    done = subprocess.run(
-        [sys.executable, "-O", "-c", code, str(facts)], capture_output=True, text=True, check=True, timeout=60
-    )
-    assert "not as `mahovik export programme` writes it" in done.stdout
 
 
 @pytest.mark.slow

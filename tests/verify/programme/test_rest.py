@@ -7,8 +7,6 @@ import pytest
 
 from mahovik import stands
 from mahovik.core.stand import Stand, load
-from mahovik.errors import StateError
-from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.programme.mechanics import pieces_at
 from mahovik.proof.verify.programme.simulation import rate, rest_near
@@ -39,9 +37,3 @@ def test_it_is_the_pose_that_another_search_finds() -> None:
     phi = np.linspace(0.0, 3.0, 8)
     q, _, _ = rest_of(stand, phi, np.zeros(6))
     assert q[:3] == pytest.approx(rest(stand, phi.tolist()).state.position, abs=1e-9)
-
-
-def test_a_carrier_that_falls_has_no_rest() -> None:
-    stand = load(stands.path("bench8")).without_laws(Suspension)
-    with pytest.raises(StateError, match="no equilibrium to start from"):
-        rest_of(stand, np.zeros(8), np.zeros(6))

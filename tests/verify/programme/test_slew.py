@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -12,7 +11,7 @@ import pytest
 
 from mahovik.core.motion.course import PlannedCourse
 from mahovik.core.motion.programme import Programme
-from mahovik.core.motion.required import Slew, read_motion_or_slew
+from mahovik.core.motion.required import Slew
 from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand import Stand
 from mahovik.proof.verify.programme import verify_programme
@@ -52,18 +51,6 @@ def test_another_end_is_seen() -> None:
 
 
 @pytest.mark.slow
-def test_another_plane_is_seen() -> None:
-    stand, wanted, programme = case()
-    aside = replace(wanted, normal=_tilted(wanted.normal))
-    assert {"slew end", "slew path"} <= failed(stand, aside, programme)
-
-
-def _tilted(normal: np.ndarray) -> np.ndarray:
-    other = normal + 1e-3 * np.cross(normal, [0.0, 0.0, 1.0])
-    return np.asarray(other / np.linalg.norm(other))
-
-
-@pytest.mark.slow
 def test_a_course_that_the_wheels_do_not_make_is_seen() -> None:
     stand, wanted, programme = case()
     assert programme.carrier is not None
@@ -86,19 +73,3 @@ def test_weaker_motors_are_seen() -> None:
     _, wanted, programme = case()
     for motor, name in (("{ torque = 0.01 }", "motor torque"), ('{ torque = 0.2, speed = "150 rpm" }', "motor speed")):
         assert failed(satellite(PYRAMID, motor), wanted, programme) >= {"stand", name}
-
-
-@pytest.mark.slow
-def test_the_slew_is_that_of_the_file_again() -> None:
-    """JSON of the same slew resolves to the same findings: nothing of the planner is in the requirement."""
-    stand, wanted, programme = case()
-    text = json.dumps(
-        {
-            "schema": 1, "type": "slew", "name": wanted.name, "rows": ["wx", "wy", "wz"], "duration": 6,
-            "end": about((1, 2, 0), 0.4), "start": {"phi_dot": [20, 0, 5, 0]},
-        }
-    )  # fmt: skip
-    again = read_motion_or_slew(text, stand, "turn")
-    assert isinstance(again, Slew)
-    assert failed(stand, again, programme) == set()
-    assert again.angle == pytest.approx(0.4)

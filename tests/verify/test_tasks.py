@@ -1,4 +1,4 @@
-"""The judges of tasks: satisfied with what is generated, and with no planted fault."""
+"""The judges of tasks and of torques for them: satisfied with what is generated, and with no planted fault."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ import numpy as np
 import pytest
 
 import mahovik
-from mahovik.core.stand.model import COMPONENTS, Stand, Task, TaskRow
-from mahovik.core.stand.random import EVERYTHING, Features, random_stand
-from mahovik.proof.reference import pieces
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.proof.reference.task import TaskRows, task_rows
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.registry import rows_of
@@ -34,7 +34,8 @@ def stand() -> Stand:
     return sat.replace({"point": [*sat.to_dict()["point"], POINT], "task.sight.rows": SIGHT})
 
 
-FUNCTIONS = ("inverse_sight", "inverse_fast_sight", "inverse_pointing", "inverse_fast_pointing")
+INVERSE = ("inverse_sight", "inverse_fast_sight", "inverse_pointing", "inverse_fast_pointing")
+TORQUE = ("torque_for_sight", "torque_for_pointing")
 
 FAULTS = {
     "sign of s": (
@@ -77,13 +78,48 @@ FAULTS = {
         r"needed <= has",
         "needed <= 3.0 * has",
     ),
+    "braking limited as driving": (
+        "torque_for_pointing",
+        r"most\[s\] = \(speed > 0\.0\) \? driving : whole",
+        "most[s] = driving",
+    ),
+    "no bias in the torques": ("torque_demand_turning", r" \+ drive\.bias", ""),
+    "the whole demand in the place of the share": (
+        "torque_for_pointing",
+        r"start\[i\] = r\[i\] - towards\[i\]",
+        "start[i] = r[i]",
+    ),
+    "a rate in the place of the rest of it": (
+        "torque_for_pointing",
+        r"options->target_rate \* \(target - speed\)",
+        "options->target_rate * target",
+    ),
+    "a bound stops nobody": ("bounded_least_squares_3", r"part < length", "part < 0.0"),
+    "the pivot's row is not divided": (
+        "largest_share_3",
+        r"tableau\[leave\]\[j\] / unit",
+        "tableau[leave][j] / (2.0 * unit)",
+    ),
 }
 
 
-def test_the_judges_are_satisfied() -> None:
+def rows_about(case: Case) -> list[Row]:
+    """Rows of all functions of tasks."""
+    return [row for name in (*INVERSE, *TORQUE) for row in rows_of(case, name)]
+
+
+def failed(rows: list[Row]) -> list[tuple[str, str, float, str, str]]:
+    """What to see of rows that failed."""
+    return [(row.want, row.quantity, row.worst, row.state, row.reason) for row in rows if row.failed]
+
+
+def test_the_judges_are_satisfied_and_wrong_inputs_refused() -> None:
     case = case_of("sat4", stand=stand())
-    rows = [row for name in FUNCTIONS for row in rows_of(case, name)]
-    assert [(row.want, row.quantity, row.worst, row.reason) for row in rows if row.failed] == []
+    rows = rows_about(case)
+    assert failed(rows) == []
+    assert {row.verdict for row in rows if row.want == "torque_for_pointing"} == {"ok"}
+    found = check_refusals(case.backend.program, good_inputs(case.backend, case.states), raw_call(case.backend))
+    assert found.verdict == "ok", (found.reason, found.state)
 
 
 @pytest.mark.parametrize("fault", quick(1, FAULTS))
@@ -91,8 +127,17 @@ def test_a_planted_fault_is_noticed(fault: str, tmp_path: Path) -> None:
     place, pattern, wrong = FAULTS[fault]
     folder = planted("sat4", tmp_path, place, pattern, wrong, stand())
     case = case_of("sat4", folder, stand=stand())
-    rows = [row for name in FUNCTIONS for row in rows_of(case, name)]
-    assert any(row.verdict == "FAILED" for row in rows)
+    case = replace(case, states=ordinary(draw(case.stand, 3, 60), case.backend.inputs, 12))
+    assert any(row.verdict == "FAILED" for row in rows_about(case))
+
+
+@pytest.mark.slow
+def test_a_thousand_demands_within_bounds_are_those_of_scipy() -> None:
+    """Least error by `lsq_linear`, the share by `linprog`; half of the demands keep wanted speeds."""
+    case = case_of("sat4", stand=stand())
+    case = replace(case, states=ordinary(draw(case.stand, 11, 1600, wrenches=False), case.backend.inputs, 1000))
+    assert len(case.states) == 1000
+    assert failed(rows_of(case, "torque_for_pointing")) == []
 
 
 @pytest.mark.parametrize("function", ["inverse_sight", "torque_for_sight"])
@@ -118,10 +163,7 @@ def test_a_sign_of_s_that_C_and_reference_have_alike_is_noticed(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("seed", "real"),
-    quick(1, [(1, "double"), (2, "float"), *((k, "double") for k in range(3, 30))]),
-)
+@pytest.mark.parametrize(("seed", "real"), [(1, "double"), (2, "float"), *((k, "double") for k in range(3, 20))])
 def test_tasks_of_random_stands(seed: int, real: str) -> None:
     """All kinds of bodies, rows of all kinds: reference and C agree within the bounds; wrong inputs are refused."""
     rng = np.random.default_rng(700 + seed)
@@ -131,32 +173,7 @@ def test_tasks_of_random_stands(seed: int, real: str) -> None:
     case = Case(given, backend, ordinary(states, backend.inputs, 6), BOUNDS[real], Second(given), seed)
     names = [f.name for f in backend.program.functions if f.public and f.name.startswith("inverse")]
     assert len(names) == 6
-    rows = [row for name in names for row in rows_of(case, name)]
-    assert [(row.want, row.quantity, row.worst, row.reason) for row in rows if row.failed] == []
+    names += [f"torque_for_{task.name}" for task in given.tasks]
+    assert failed([row for name in names for row in rows_of(case, name)]) == []
     if real == "double":
         assert check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)).verdict == "ok"
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("flywheels", [4, 8])
-def test_all_six_rows_of_o1_are_the_inverse_problem(flywheels: int) -> None:
-    """phi'', sigma and rank those of (12), its residual -K times the task's; also with weights."""
-    given = random_stand(np.random.default_rng(flywheels), flywheels, Features(motors=False, tasks=0), "six")
-    given = replace(given, tasks=(Task("six", tuple(TaskRow("", name) for name in COMPONENTS)),))
-    backend = CBackend(given)
-    for _, state in ordinary(draw(given, 5, 30, wrenches=False), backend.inputs, 5):
-        inputs = backend.arguments(replace(state, task="six", demand=state.V_dot))
-        inputs["options"] = inputs["options"] | {"weight": list(np.linspace(1, 4, flywheels))}
-        status, six = backend.call("inverse", inputs)
-        same, task = backend.call("inverse_six", inputs)
-        assert status == same >= 0
-        six, task = six["out"], task["out"]
-        size = np.abs(six["phi_ddot"]).max()
-        np.testing.assert_allclose(task["phi_ddot"], six["phi_ddot"], rtol=0, atol=1e-9 * size)
-        np.testing.assert_allclose(task["sigma"], six["sigma"], rtol=1e-10)
-        assert task["rank"] == six["rank"]
-        K = pieces(given, state).K
-        wrench = float((np.abs(K) @ np.abs(np.array(state.V_dot))).max())
-        np.testing.assert_allclose(-K @ task["residual"], six["residual"], rtol=0, atol=1e-9 * wrench)
-        fast = [backend.call(name, inputs)[1]["phi_ddot"] for name in ("inverse_fast", "inverse_fast_six")]
-        np.testing.assert_allclose(fast[0], fast[1], rtol=0, atol=1e-5 * size)
