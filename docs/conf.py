@@ -39,7 +39,6 @@ html_show_copyright = False
 
 LISTS = {
     "index": "",
-    "results/index": "",
     "python": "python/",
     "tutorial": "tutorial-",
     "batch": "campaign",
@@ -96,5 +95,6 @@ def show(app: Sphinx, tree: nodes.document, name: str) -> None:
 
 
 def setup(app: Sphinx) -> None:
+    """Called by Sphinx as it starts."""
     app.connect("source-read", read)
     app.connect("doctree-resolved", show)

@@ -1,128 +1,183 @@
-"""Common parts of the tools: options, seeds and processes, and the block that each writes into a page.
+"""Run a campaign of tools/campaigns, keep its rows in docs/results/NAME.json, render docs/results.md from what is kept.
 
-Import it before NumPy: linear algebra then has one thread in each process.
+python tools/campaign.py NAME [--write] [--only TABLE] [options of the campaign]
+python tools/campaign.py --render | --check
+
+Exit status 1 where a row is not as promised, or, with --check, where the page is not what the kept rows say.
 """
 
 from __future__ import annotations
 
 import argparse
-import os
+import json
+import math
 import platform
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+import subprocess
+import sys
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass
+from datetime import UTC, datetime
+from importlib import import_module
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
-from mahovik.__main__ import ONE_THREAD
+from campaigns import ROOT, Row
 
-for _name in ONE_THREAD:
-    os.environ.setdefault(_name, "1")
+NAMES = (
+    "verification", "judges", "audits", "targets", "proofs", "fuzz", "cost", "benchmarks", "generation",
+    "vibration", "planning", "identification", "balancing", "campaigns",
+)  # fmt: skip
+"""Campaigns in the order of the page."""
 
-ROOT = Path(__file__).resolve().parents[1]
+FOLDER = ROOT / "docs" / "results"
+PAGE = ROOT / "docs" / "results.md"
 
-HELP = {
-    "first": "first seed",
-    "jobs": "processes at once",
-    "page": "write the page",
-    "rows": "only rows whose line holds this text; nothing is written",
-    "seconds": "limit of each run, s",
-    "seeds": "number of seeds",
-    "stands": "number of stands, of each row where there are rows",
-    "states": "states of each stand",
-    "write": "write the result into the page",
-}
+HEAD = """# Results
+
+Every figure here was measured once, by the command, at the commit, on the day and the processor that stand behind it;
+it does not follow the code. `python tools/campaign.py NAME --write` measures again, keeps the rows in
+`docs/results/NAME.json` and writes this page. `make nightly` runs the campaigns that judge. Differences are relative to
+the [natural scale](verification.md#the-natural-scale).
+
+## What was measured
+
+"""
 
 
 @dataclass(frozen=True)
-class Block:
-    """The part of a page between the marks `<!-- opening -->` and `<!-- end of ... -->`, which a tool writes.
+class Result:
+    """Rows of a table as they are kept: by which command, at which commit, when and on which processor (or "")."""
 
-    page      path from the root of the repository
-    opening   words of the first mark; those before its colon are in the last mark as well
-    """
-
-    page: str
-    opening: str
+    command: str
+    commit: str
+    date: str
+    processor: str
+    rows: list[dict[str, Any]]
 
     @property
-    def path(self) -> Path:
-        """The page."""
-        return ROOT / self.page
-
-    def _split(self) -> tuple[str, str, str]:
-        begin, end = f"<!-- {self.opening} -->", f"<!-- end of {self.opening.partition(':')[0]} -->"
-        before, found, rest = self.path.read_text(encoding="utf-8").partition(begin)
-        text, ended, after = rest.partition(end)
-        if not found or not ended:
-            raise SystemExit(f"{self.page}: expected {begin} and then {end}")
-        return before + begin, text, end + after
-
-    def text(self) -> str:
-        """What stands between the marks, without blank lines around it. Raises SystemExit: no such marks."""
-        return self._split()[1].strip("\n")
-
-    def page_with(self, text: str) -> str:
-        """The whole page with this text between the marks. Raises SystemExit: no such marks."""
-        before, _, after = self._split()
-        inner = text.strip("\n")
-        return f"{before}\n\n{inner}\n\n{after}"
-
-    def write(self, text: str) -> None:
-        """Write the text between the marks. Raises SystemExit: no such marks."""
-        self.path.write_text(self.page_with(text), encoding="utf-8", newline="\n")
+    def provenance(self) -> str:
+        """All but the rows, in words."""
+        return ", ".join(filter(None, (f"`{self.command}`", f"commit {self.commit}", self.date, self.processor)))
 
 
-def parser(about: str | None, **defaults: Any) -> argparse.ArgumentParser:
-    """The parser of a tool: `about` is its docstring, and each option has a default, `stands=4` for `--stands 4`.
-
-    An option whose default is False is a flag.
-    """
-    made = argparse.ArgumentParser(description=(about or "").partition("\n")[0])
-    for name, default in defaults.items():
-        option = f"--{name.replace('_', '-')}"
-        if default is False:
-            made.add_argument(option, action="store_true", help=HELP.get(name))
-        else:
-            made.add_argument(option, type=type(default), default=default, help=HELP.get(name))
-    return made
+def load(name: str) -> ModuleType:
+    """The module of a campaign."""
+    return import_module(f"campaigns.{name}")
 
 
-def cores() -> int:
-    """Number of processors."""
-    return os.cpu_count() or 1
+def results(name: str) -> dict[str, Result]:
+    """Kept results of a campaign by table."""
+    path = FOLDER / f"{name}.json"
+    kept = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
+    return {table: Result(**fields) for table, fields in kept.items()}
 
 
-def seeds(first: int, count: int) -> range:
-    """`count` seeds from the first."""
-    return range(first, first + count)
+def keep(name: str, table: str, rows: Iterable[Row], command: str) -> None:
+    """Keep rows that were measured just now, and render the page."""
+    said = subprocess.run(
+        ["git", "rev-parse", "--short=8", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    day = datetime.now(UTC).date().isoformat()
+    write(name, results(name) | {table: Result(command, said.stdout.strip(), day, processor(), [*map(plain, rows)])})
+    try:
+        PAGE.write_text(page(), encoding="utf-8", newline="\n")
+    except ModuleNotFoundError as error:  # the environment of the benchmark has no judges
+        print(f"docs/results.md: not written, no {error.name} here: run `python tools/campaign.py --render` elsewhere")
 
 
-def map_rows(function: Callable[..., Any], jobs: int, *columns: Sequence[Any]) -> Iterator[Any]:
-    """Results of the function for each row of the columns, in order: in `jobs` processes, or in this one."""
-    if jobs == 1:
-        yield from map(function, *columns)
-        return
-    with ProcessPoolExecutor(jobs) as pool:
-        yield from pool.map(function, *columns)
+def write(name: str, kept: dict[str, Result]) -> None:
+    """The file of a campaign: a row on a line."""
+    texts = []
+    for table, result in kept.items():
+        fields = asdict(result)
+        rows = ",\n".join(f"    {json.dumps(row, ensure_ascii=False)}" for row in fields.pop("rows"))
+        head = "".join(
+            f"\n  {json.dumps(key)}: {json.dumps(value, ensure_ascii=False)}," for key, value in fields.items()
+        )
+        texts.append(f'{json.dumps(table)}: {{{head}\n  "rows": [\n{rows}\n  ]\n}}')
+    (FOLDER / f"{name}.json").write_text("{\n" + ",\n".join(texts) + "\n}\n", encoding="utf-8", newline="\n")
 
 
-def row(*cells: object) -> str:
-    """A row of a Markdown table, without an end of line."""
-    return f"| {' | '.join(map(str, cells))} |"
-
-
-def table(head: Sequence[object], rows: Sequence[Sequence[object]], words: int | None = 1) -> str:
-    """A Markdown table: its first columns hold words, the others numbers. `words` None: all hold words."""
-    first = len(head) if words is None else words
-    rule = [*["---"] * first, *["---:"] * (len(head) - first)]
-    return "".join(f"{row(*cells)}\n" for cells in (head, rule, *rows))
+def plain(value: Any) -> Any:
+    """The value in what JSON has: no tuples, no types of NumPy; None for numbers that are not finite."""
+    if isinstance(value, dict):
+        return {key: plain(part) for key, part in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(part) for part in value]
+    number = value.item() if hasattr(value, "item") else value
+    return None if isinstance(number, float) and not math.isfinite(number) else number
 
 
 def processor() -> str:
     """Name of the processor as Linux has it; else the machine's kind."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-    except OSError:
-        return platform.machine()
+    info = Path("/proc/cpuinfo")
+    lines = info.read_text(encoding="utf-8").splitlines() if info.is_file() else []
     return next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), platform.machine())
+
+
+def page() -> str:
+    """docs/results.md: a line for each claim, then the tables."""
+    claims, sections = "", ""
+    for name in NAMES:
+        kept, module = results(name), load(name)
+        tables = {table: module.TABLES[table] for table in module.TABLES if table in kept}
+        if tables:
+            sections += f"\n## {name.capitalize()}\n"
+        for table, shown in tables.items():
+            claims += f"* {shown.claim(kept[table].rows)} ({kept[table].provenance})\n"
+            sections += f"\n{shown.note}\n\n{shown.text(kept[table].rows)}"
+    return HEAD + claims + sections
+
+
+def parse() -> argparse.Namespace:
+    """The command line; options of a campaign are those that its module has."""
+    about, _, usage = (__doc__ or "").partition("\n")
+    parser = argparse.ArgumentParser(
+        description=about, epilog=usage, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("name", nargs="?", choices=NAMES, metavar="NAME", help=", ".join(NAMES))
+    parser.add_argument("--write", action="store_true", help="keep the rows, and render the page")
+    parser.add_argument("--render", action="store_true", help="render the page from what is kept")
+    parser.add_argument("--check", action="store_true", help="exit status 1 where the page is not what is kept")
+    if len(sys.argv) > 1 and sys.argv[1] in NAMES:
+        module = load(sys.argv[1])
+        parser.add_argument("--only", choices=module.TABLES, help="one table of the campaign")
+        for option, default in module.OPTIONS.items():
+            kind: dict[str, Any] = {"action": "store_true"} if default is False else {"type": type(default)}
+            parser.add_argument(f"--{option.replace('_', '-')}", default=default, help=f"default: {default}", **kind)
+    given = parser.parse_args()
+    if not (given.name or given.render or given.check):
+        parser.error("expected the name of a campaign, --render or --check")
+    return given
+
+
+def run(given: argparse.Namespace) -> bool:
+    """Measure and print the tables; keep them where asked to. Whether all rows are as promised."""
+    good = True
+    for name, table in load(given.name).TABLES.items():
+        if given.only in (None, name):
+            rows = []
+            for row in table.rows(table.measure(given)):
+                rows.append(plain(row))
+                promised = table.good(row)
+                good &= promised
+                print(name, *row.values(), *([] if promised else ["NOT AS PROMISED"]), sep="  ", flush=True)
+            if given.write:
+                keep(given.name, name, rows, " ".join(["python", "tools/campaign.py", *sys.argv[1:]]))
+    return good
+
+
+def main() -> int:
+    """Exit status."""
+    given = parse()
+    if given.check:
+        return int(PAGE.read_text(encoding="utf-8") != page())
+    if given.render:
+        PAGE.write_text(page(), encoding="utf-8", newline="\n")
+        return 0
+    return int(not run(given))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

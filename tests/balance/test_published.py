@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from balance_campaign import TURBOGENERATOR as PLAIN
 
 import mahovik
+from balance.published import BRUEL_KJAER, FEESE, GOODMAN, KELM, TURBOGENERATOR
 from mahovik.use.balance.polar import read_polar
 
 
@@ -16,22 +16,14 @@ def numbers(texts: list[str]) -> np.ndarray:
 
 def test_bruel_kjaer_17_227() -> None:
     """J. Vaughan, Static and Dynamic Balancing, Brüel & Kjær 17-227, example 4: two planes."""
-    runs = {"A": ["170@112", "53@78"], "B": [["235@94", "185@115"], ["58@68", "77@104"]], "U": ["1.15@0", "1.15@0"]}
-    found = mahovik.balance(runs).to_dict()
+    found = mahovik.balance(BRUEL_KJAER).to_dict()
     assert found["w"] == ["1.979@236.2", "1.071@121.8"]
     assert found["left"] == ["0@0", "0@0"]
 
 
 def test_feese_grazier() -> None:
     """T. D. Feese, P. E. Grazier, Balance This!, Turbomachinery Symposium 2004: two planes, trial weights stay on."""
-    found = mahovik.balance(
-        {
-            "A": [".68@32", ".56@86", "1.94@231", "2.07@335"],
-            "B": [["1.31@1", ".54@9"], ["1.25@75", ".52@75"], [".93@251", ".81@196"], ["1@342", ".9@296"]],
-            "U": ["11.1@35", "3.7@135"],
-            "keep_trial": True,
-        }
-    )
+    found = mahovik.balance(FEESE)
     assert [f"{abs(x):.1f}@{np.degrees(np.angle(x)) % 360:.0f}" for x in found.w] == ["15.3@3", "6.6@113"]
     trial = numbers(["11.1@35", "3.7@135"])
     assert np.allclose(numbers(found.to_dict()["add"]), found.w - trial, atol=0.02)
@@ -43,17 +35,7 @@ def test_kelm_pavelek() -> None:
     Influences are printed with two digits, so amplitudes agree to 3 %. The angle of their second plane is 8 degrees off
     the least squares of the printed figures: theirs leaves more.
     """
-    found = mahovik.balance(
-        {
-            "ALPHA": [
-                ["0.04@58", "0.029@47.9"],
-                ["0.034@123.3", "0.051@358"],
-                ["0.039@31.8", "0.025@115.4"],
-                ["0.046@311.5", "0.034@57.0"],
-            ],
-            "A": ["0.97@175", "2.2@168", "0.84@327", "0.58@318.5"],
-        }
-    )
+    found = mahovik.balance(KELM)
     assert abs(found.w) == pytest.approx([17.5, 30.3], rel=0.03)
     printed = found.problem.A + found.problem.alpha @ numbers(["17.5@230", "30.3@0"])
     assert np.linalg.norm(found.residual) < np.linalg.norm(printed)
@@ -64,15 +46,14 @@ def test_goodman() -> None:
 
     First his least squares, 0.81 and 1.48. The limit of his weights is min-max: three equal amplitudes.
     """
-    case = {"ALPHA": [["3@0", "2@180"], ["5@0", "2@180"], ["5@0", "3@180"]], "A": ["1@0", "1@180", "0@0"]}
-    assert numbers(mahovik.balance(case).to_dict()["w"]).real == pytest.approx([0.81, 1.48], abs=0.005)
-    best = mahovik.balance(case, method="min-max")
+    assert numbers(mahovik.balance(GOODMAN).to_dict()["w"]).real == pytest.approx([0.81, 1.48], abs=0.005)
+    best = mahovik.balance(GOODMAN, method="min-max")
     assert np.ptp(np.abs(best.residual)) < 1e-6 * np.abs(best.residual).max()
 
 
 def test_foiles_min_max() -> None:
     """Foiles, Allaire, Gunter: four planes, eleven vibrations; their weights are those of min-max."""
-    found = mahovik.balance(PLAIN, method="min-max")
+    found = mahovik.balance(TURBOGENERATOR, method="min-max")
     printed = numbers(["4.42@88", "2.92@352", "1.588@322", "1.928@304"])
     assert np.abs(found.w - printed).max() < 0.03 * np.abs(printed).max()
     theirs = np.abs(found.problem.A + found.problem.alpha @ printed).max()
@@ -82,7 +63,7 @@ def test_foiles_min_max() -> None:
 
 def test_foiles_limited() -> None:
     """Weights of the same case, at most 3.402 in a plane."""
-    found = mahovik.balance({**PLAIN, "most": 3.402}, method="min-max")
+    found = mahovik.balance({**TURBOGENERATOR, "most": 3.402}, method="min-max")
     printed = numbers(["3.402@91", "2.325@354", "1.361@318", "1.786@305"])
     assert np.abs(found.w).max() <= 3.402 * (1 + 1e-9)
     assert np.abs(found.residual).max() <= np.abs(found.problem.A + found.problem.alpha @ printed).max() * (1 + 1e-3)

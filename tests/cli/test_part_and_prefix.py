@@ -11,7 +11,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from flight import flight
 
 from cli.run import DEMO3, refused, run
 from mahovik.core.stand import load
@@ -21,6 +20,7 @@ from mahovik.core.toolchain.targets import TARGETS
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.harness import verify_c
 from mahovik.stands import path
+from targets.flight import flight
 from toolchain.quick import quick
 from toolchain.tools import compile_c, require
 

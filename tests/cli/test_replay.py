@@ -7,7 +7,6 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from flight import flight
 
 from cli.run import BENCH8, DEMO3, refused, run
 from mahovik.core.emit.log_format import MAGIC
@@ -17,6 +16,7 @@ from mahovik.core.toolchain.board import run as run_program
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.stands import path
 from simulate.flights import Recorder
+from targets.flight import flight
 from toolchain.tools import require
 
 STEPS = 720

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import click
-import commands_page
+import pages
 import pytest
 
 from docs.execute import Session, name, steps
@@ -47,7 +49,6 @@ SLOW = {
     "docs/planning.md",
     "docs/programmes.md",
     "docs/proofs.md",
-    "docs/results/rounding.md",
     "docs/studies.md",
     "docs/targets.md",
     "docs/tutorial-held-examples.md",
@@ -106,8 +107,18 @@ def test_the_lists_name_what_is_there() -> None:
 
 
 def test_the_page_of_commands_is_what_help_says() -> None:
-    """`make commands-page` rewrites it."""
-    assert commands_page.PAGE.read_text(encoding="utf-8") == commands_page.text()
+    """`python tools/pages.py` rewrites it."""
+    assert pages.COMMANDS.read_text(encoding="utf-8") == pages.commands_page()
+
+
+def test_the_page_of_results_is_what_is_kept() -> None:
+    """`python tools/campaign.py --render` rewrites it."""
+    subprocess.run([sys.executable, ROOT / "tools" / "campaign.py", "--check"], check=True)
+
+
+def test_the_table_of_functions_is_that_of_the_contract() -> None:
+    """`python tools/pages.py` rewrites it."""
+    assert pages.ARCHITECTURE.read_text(encoding="utf-8") == pages.architecture_page()
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name)

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pil import Run, processor_in_the_loop, read_run
 
 from emit.stands import write
 from export.held_servos import exported, hung, motion, pendulum, programme, servo
@@ -23,6 +22,7 @@ from mahovik.out.export.servo import ExportedServo, export_servo
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.servo import verify_servo
 from targets.boards import target
+from targets.pil import Run, processor_in_the_loop, read_run
 from toolchain.tools import compile_c
 
 MAIN = "verification/hinge_servo_main.c"

@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from flight import flight
 
 from mahovik.core.stand import load as load_stand
 from mahovik.core.toolchain.board import build, run
@@ -13,6 +12,7 @@ from mahovik.stands import path
 from mahovik.use.simulate.flight_log import Start, load, records
 from mahovik.use.simulate.replay import CMachine, Outcome, replay
 from targets.boards import target
+from targets.flight import flight
 
 
 @pytest.mark.slow

@@ -6,16 +6,13 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from pil import Run, processor_in_the_loop, read_run
 
 from export.programmes import stand
 from export.servos import exported
-from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.board import build, run
-from mahovik.errors import UsageError
-from mahovik.stands import path
 from targets.boards import target
+from targets.pil import Run, processor_in_the_loop, read_run
 
 BOARDS = [("m4", "float"), ("rv64gc", "double"), ("m55", "double")]
 
@@ -53,8 +50,3 @@ def test_other_boards(board: str, real: str, tmp_path: Path) -> None:
     host, found = (ran(name, "trimmed", real, 400, tmp_path) for name in ("host", board))
     assert found.torques == host.torques
     assert found.limited == host.limited
-
-
-def test_the_stands_must_be_of_one_structure() -> None:
-    with pytest.raises(UsageError, match='"bench8": another structure than "shaker2", only numbers may differ'):
-        processor_in_the_loop(stand(), load(path("bench8")), exported("spin"), 10)

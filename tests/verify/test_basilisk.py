@@ -46,7 +46,7 @@ RAW = {name: bare_stand(load(path(name))) for name in ("bench8", "remus6", "sat4
 }
 ITS = {name: basilisk_stand(stand) for name, stand in RAW.items()}
 QUICK, UNTIL = 5, 0.3
-"""States of a comparison, the first at rest; s of its motion, about a turn. docs/results/judges.md has more of both."""
+"""States of a comparison, the first at rest; s of its motion, about a turn. docs/results.md has more of both."""
 SHORT = motion_name(UNTIL)
 OFFERED = {*(QUANTITIES[key] for key in ("K", "V_dot", "phi_ddot")), SHORT}
 

@@ -4,7 +4,7 @@ Method. With a >= b >= 0 the larger and the smaller of |x| and |y|, the angle of
 
 * atan(b/a) where b <= a/2, and otherwise pi/4 + atan((b - a)/(b + a)), where b - a is exact (Sterbenz) and the
   quotient between -1/3 and 0;
-* atan t = t + t^3 A(t^2) with a minimax polynomial (tools/minimax.py).
+* atan t = t + t^3 A(t^2) with a minimax polynomial by Remez exchange.
 
 Octants: |y| > |x| turns the angle to pi/2 - angle, a negative x to pi - angle; together a multiple of pi/4 plus or
 minus atan t. The multiple is taken of pi/4 in two parts, the first short enough for an exact product with 3. The
@@ -31,7 +31,7 @@ from mahovik.core.routines.real_constants import PI, polynomial, sign_bit, split
 
 @dataclass(frozen=True)
 class ArcTangentPolynomial:
-    """atan t = t + t^3 A(t^2) for |t| <= 1/2, from tools/minimax.py, and its relative error."""
+    """atan t = t + t^3 A(t^2) for |t| <= 1/2, and its relative error."""
 
     coefficients: tuple[float, ...]
     error: float

@@ -9,7 +9,7 @@ Waite 1980, chapter 6):
 * The difference is kept as r = r_hi + r_tail, where r_tail has the rounding error of r_hi.
 
 exp r = cosh r + sinh r, with cosh r = 1 + z/2 + z^2 C(z), sinh r = r + r^3 S(z), z = r^2, by minimax polynomials of
-our own (tools/minimax.py), added up from the smallest. exp x = 2^k exp r: k is added to the exponent's bits, which is
+our own by Remez exchange, added up from the smallest. exp x = 2^k exp r: k is added to the exponent's bits, which is
 exact.
 
 Below LOWEST the result is 0, by definition and on every processor. LOWEST lies above the logarithm of the smallest
@@ -37,7 +37,7 @@ LOWEST = {"double": -708.0, "float": -87.0}
 
 @dataclass(frozen=True)
 class ExponentialPolynomials:
-    """sinh r = r + r^3 S(z) and cosh r = 1 + z/2 + z^2 C(z) for |r| <= 0.3466, z = r^2, from tools/minimax.py.
+    """sinh r = r + r^3 S(z) and cosh r = 1 + z/2 + z^2 C(z) for |r| <= 0.3466, z = r^2.
 
     The errors are relative for the hyperbolic sine and absolute for the hyperbolic cosine.
     """

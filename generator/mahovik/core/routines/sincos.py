@@ -11,13 +11,13 @@ Method. x is reduced to r = x - k pi/2, |r| <= pi/4, with pi/2 in three parts (C
 * The difference is kept as r = r_hi - r_tail, where r_tail has the rounding error of r_hi (Dekker 1971: exact, as the
   minuend is a multiple of the last place of the subtrahend) and the third part.
 
-The polynomials are our own (tools/minimax.py); r_tail enters to first order: sin(r) = sin(r_hi) - r_tail cos(r_hi).
+The polynomials are our own, by Remez exchange; r_tail enters to first order: sin(r) = sin(r_hi) - r_tail cos(r_hi).
 In 1 - z/2 the rounding error is computed and added back. Quadrant k mod 4 exchanges and negates the results, on bits.
 
 Error below 0.9 units in the last place of the result for |x| <= 8 pi, and below 1e-16 (float: 6e-8) for all accepted x.
 Its parts, in units of the last place of [1/2, 1): the final addition 0.5; in the cosine the rounding of z = r^2 0.25,
 the rest below 0.1; in the sine four roundings in r^3 S(z) of 0.04 to 0.07 each and that of its sum with the tail 0.06;
-approximation below 0.04. Proven, operation by operation: tools/math_proof.py. Measured: docs/results/arithmetic.md.
+approximation below 0.04. Measured: tests/routines.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from mahovik.core.routines.real_constants import PI, nearest, polynomial, sign_b
 
 @dataclass(frozen=True)
 class SincosPolynomials:
-    """sin r = r + r^3 S(z) and cos r = 1 - z/2 + z^2 C(z) for |r| <= pi/4, z = r^2, from tools/minimax.py.
+    """sin r = r + r^3 S(z) and cos r = 1 - z/2 + z^2 C(z) for |r| <= pi/4, z = r^2.
 
     The errors are relative for the sine and absolute for the cosine.
     """

@@ -53,7 +53,7 @@ _FLOAT = {
     ("inverse", "phi_ddot"): 5e-7,
     ("inverse", "sigma"): 5e-7,
 }
-"""Three to ten times what tools/float_bounds.py measures (docs/results/verification.md), by its reason."""
+"""Three to ten times what `tools/campaign.py verification` measures (docs/results.md), by its reason."""
 
 FLOAT = Bounds(
     default=1e-6,

@@ -231,7 +231,7 @@ FAULTS = Piece(
     ),
     limits=(
         "Faults that the dictionary does not have, and faults of the C as C, such as a loop bound: these are planted "
-        "in the emitted text by the project's own tests, for its example stands: `docs/results/planted-faults.md`."
+        "in the emitted text by the project's own tests, for its example stands: `make faults`."
     ),
     command=lambda s: f'mahovik judge {s.stand_file} --with "mahovik eval {s.stand_file}{s.option}" --explain',
     run=_plant_faults,

@@ -125,8 +125,8 @@ EQUATIONS = Piece(
         "has one."
     ),
     limits=(
-        "That the lines are right: other pieces judge that. Which tests notice a change in each function was found by "
-        "mutation, for the example stands: `docs/results/traceability.md` of the project."
+        "That the lines are right: other pieces judge that. That tests notice a change in them, `make faults` of the "
+        "project shows by planted faults, for its example stands."
     ),
     command=lambda s: s.again("equations"),
     run=_list_equations,

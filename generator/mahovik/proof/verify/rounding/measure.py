@@ -47,7 +47,7 @@ in one number would pass by the tolerance alone.
 """
 
 MARGIN = 3.0
-"""Least ratio of a tolerance of `verify` to the possible difference of C and judge (docs/results/rounding.md)."""
+"""Least ratio of a tolerance of `verify` to the possible difference of C and judge (docs/results.md)."""
 
 
 def ball_precision(precision: Precision) -> Precision:

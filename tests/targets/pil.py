@@ -1,0 +1,71 @@
+"""Processor in the loop: a program with servos and the stand that they drive, which may have other numbers."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from mahovik.core.emit.constant import initialiser
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.servo import servo_program_text
+from mahovik.core.stand.identity import identities
+from mahovik.core.stand.model import Stand
+from mahovik.out.export.servo import ExportedServo
+
+_COUNT = re.compile(r"(# )?(.+?) (\d+)")
+
+
+@dataclass(frozen=True)
+class Run:
+    """Output of a board.
+
+    torques    one line per sample: the bits
+    followed   largest error of an angle in the last quarter, rad
+    limited    samples with a torque cut
+    counts     the board's own, by what they count
+    """
+
+    torques: tuple[str, ...]
+    followed: float
+    limited: int
+    counts: dict[str, int]
+
+
+def processor_in_the_loop(stand: Stand, real_stand: Stand, made: ExportedServo, samples: int) -> dict[str, str]:
+    """C texts by file name for `board.build`: servos made for `stand` against `real_stand`, of the same structure."""
+    assert identities(stand).structure == identities(real_stand).structure
+    precision = made.program.precision
+    generated, other = generate_all(stand, precision.name), generate_all(real_stand, precision.name)
+    words = "as its file says" if real_stand == stand else "with other numbers than its file"
+    main = servo_program_text(
+        "pil.c.j2",
+        stand,
+        made.program,
+        made.form,
+        made.tables,
+        parameters=initialiser(generated.layout.parameters, other.values.parameters, precision, {}),
+        other=words,
+        hex_digits=precision.width // 4,
+        pil_samples=samples,
+        pil_last=samples * 3 // 4,
+    )
+    name = stand.name
+    own = {f"{name}.h", f"{name}.c"}
+    tables = {f"{name}_programme{end}" for end in (".h", ".c")}
+    servo = {f"{name}_servo{end}" for end in (".h", ".c")}
+    files = generated.files | made.programme.files | made.servo
+    return {file: text for file, text in files.items() if file in own | tables | servo} | {"pil.c": main}
+
+
+def read_run(printed: str) -> Run:
+    """Output of the program."""
+    lines = printed.splitlines()
+    torques = tuple(line for line in lines if line.startswith(" "))
+    numbers: dict[str, int] = {}
+    counts: dict[str, int] = {}
+    for line in lines[len(torques) :]:
+        found = _COUNT.fullmatch(line)
+        assert found is not None, line
+        (counts if found[1] else numbers)[found[2]] = int(found[3])
+    followed = numbers["largest error of an angle in the last part, urad"] * 1e-6
+    return Run(torques, followed, numbers["samples with a torque cut"], counts)

@@ -1,0 +1,281 @@
+"""Vibration against judges: jitter and steady responses against the generated C, linear models against CasADi."""
+
+from __future__ import annotations
+
+import time
+from argparse import Namespace
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from campaigns import Rows, Table, at_most
+from mahovik.core import motion
+from mahovik.core.motion.laws import WrenchTable
+from mahovik.core.stand import Stand, load
+from mahovik.core.stand.random import random_stand, random_state
+from mahovik.proof.second.linear import linear
+from mahovik.stands import path
+from mahovik.use.simulate import Case, simulate
+from mahovik.use.simulate.by_c import compiled_backend
+from mahovik.use.simulate.case import wrap_phases
+from mahovik.use.study.jitter import Balance, Makers, View, balance, jitter
+from mahovik.use.study.jitter.exact import exact_lines
+from mahovik.use.study.jitter.lines import UNBALANCE
+from mahovik.use.study.jitter.maker import Harmonics
+from mahovik.use.study.jitter.structure import Structure
+from mahovik.use.study.linear import linear_model
+from mahovik.use.study.linear.model import places
+from mahovik.use.study.response import Periodic, periodic_response
+from mahovik.use.study.response.speeds import read_speeds
+from mahovik.use.study.rest import rest
+
+Array = NDArray[np.float64]
+
+OPTIONS = {"stands": 40, "first": 1, "speeds": 6000}
+"""Random stands of each number of flywheels and their first seed; speeds of the sweep."""
+
+RPM = np.pi / 30
+SECONDS, SEEN = 1000.0, 1e-6
+"""Length of the runs that jitter is compared with; part of the largest amplitude below which lines are not compared."""
+
+EVERY = 13
+"""Steps between rows: their rate is in no whole ratio to the wheels'."""
+
+DRIFT = 5
+"""Degree of the drift of a free stand: errors of the steps sum up there."""
+
+ACCEPTED_JITTER, ACCEPTED_RESPONSE, ACCEPTED_LINEAR = 0.01, 1e-6, 1e-10
+"""Parts of RMS and of each amplitude; of the amplitude; of the largest number of a row."""
+
+SWEEP = 20.0
+"""Promised seconds of the sweep."""
+
+
+@dataclass(frozen=True)
+class Course:
+    """Speeds (rpm) on an example stand, and the seconds from rest or the step of a simulation."""
+
+    stand: str
+    rpm: tuple[float, ...]
+    seconds: float | None
+    point: str = ""
+
+    @property
+    def words(self) -> str:
+        """The speeds."""
+        return ", ".join(f"{x:.6g}" for x in self.rpm)
+
+
+JITTERS = (
+    Course("sat4", (3000.0, 2987.0, 2500.1, -1234.5), 1e-3, "acc1"),
+    Course("bench8", (*(x / RPM for x in (60.0, -41.2, 20.1, 33.77)), 0.0, 0.0, 0.0, 0.0), 2.5e-3, "carrier"),
+)
+RESPONSES = (
+    Course("bench8", (90.0,) + (0.0,) * 7, 40.0),
+    Course("bench8", (600.0,) * 8, 40.0),
+    Course("bench8", (200.0, -300.0) + (0.0,) * 5 + (100.0,), 40.0),
+    Course("shaker2", (1200.0, -1200.0), 40.0),
+    Course("shaker2", (120.0, 60.0), 40.0),
+    Course("sat4", (6000.0, 0.0, -3000.0, 0.0), None),
+    Course("sat4", (3000.0, 3010.0, 2990.0, 3020.0), None),
+    Course("auv6", (600.0,) * 6, None),
+)
+
+
+def run_c(stand: Stand, motion: Balance, step_length: float, seconds: float) -> tuple[Array, Array]:
+    """Times (n) and pose and V (n, 13) by the C, from the motion of a balance, phases set exactly at every step."""
+    backend, speeds = compiled_backend(stand), motion.speeds
+    ffi, N = backend.library.ffi, len(speeds)
+    x = ffi.new(f"{stand.name}_state *")
+    view = np.frombuffer(ffi.buffer(x), dtype=np.float64)
+    start = motion.state(np.zeros(len(motion.turning)))
+    view[:13] = [*start.position, *(start.quaternion or ()), *start.V]
+    view[13 + N : 13 + 2 * N] = speeds
+    phi_ddot = np.zeros(N)
+    known = {
+        "table": backend.library.default("default"), "x": x, "next": x, "dt": step_length, "order": 4,
+        "phi_ddot": ffi.cast(f"{stand.name}_real *", phi_ddot.ctypes.data),
+    }  # fmt: skip
+    arguments = [known[a.name] for a in backend.program.function("step_driven").arguments]
+    step, count = backend.library.function("step_driven"), int(seconds / step_length)
+    times, rows = [], []
+    for first in range(0, count, EVERY):
+        times.append(first * step_length)
+        rows.append(view[:13].copy())
+        for phi in wrap_phases(np.outer(np.arange(first, first + EVERY) * step_length, speeds)):
+            view[13 : 13 + N] = phi
+            if step(*arguments) < 0:
+                raise RuntimeError(f"{stand.name}: the C refused a step")
+    return np.array(times), np.array(rows)
+
+
+def fit_lines(t: Array, values: Array, frequency: Array, seconds: float) -> tuple[NDArray[np.complex128], Array]:
+    """Amplitudes (n, 3) of lines at frequencies (n, Hz) by least squares, and the values (m, 3) without their drift."""
+    wave = np.exp(2j * np.pi * np.outer(t, frequency))
+    drift = np.polynomial.chebyshev.chebvander(2.0 * t / seconds - 1.0, DRIFT)
+    basis = np.hstack([drift, wave.real, -wave.imag])
+    window = np.sin(np.pi * t / seconds)[:, None] ** 2  # what drifts otherwise does not leak into lines
+    fitted = np.linalg.lstsq(window * basis, window * values, rcond=None)[0]
+    first, n = DRIFT + 1, len(frequency)
+    return fitted[first : first + n] + 1j * fitted[first + n :], values - drift @ fitted[:first]
+
+
+def jitter_rows(course: Course) -> Iterator[tuple[Any, ...]]:
+    """Largest differences of RMS (part of it), of orders of single wheels (part of each amplitude) and of combinations.
+
+    A combination's is part of its amplitude, after SEEN of the largest amplitude.
+    """
+    stand = load(path(course.stand))
+    solved, place = balance(stand, [x * RPM for x in course.rpm]), places(stand, [course.point])[0]
+    t, rows = run_c(stand, solved, course.seconds or 1e-3, SECONDS)
+    chart = solved.scene.chart
+    attitude = Rotation.from_matrix(chart.C.T) * Rotation.from_quat(rows[:, 3:7], scalar_first=True)
+    y = np.hstack([(rows[:, :3] - chart.O1) @ chart.C, attitude.as_rotvec(), rows[:, 7:]])
+    for quantity in ("angle", "rate", "displacement"):
+        view = View.of(place, quantity)
+        lines = exact_lines(solved, view, np.zeros(len(course.rpm)))
+        values = view.values(y, np.zeros((len(y), 6)))
+        size = np.abs(lines.amplitude[0]).max(axis=1)
+        large = (lines.frequency[0] > 0.0) & (size > SEEN * size[lines.frequency[0] > 0.0].max())
+        fitted, moving = fit_lines(t, values, lines.frequency[0, large], SECONDS)
+        a = lines.amplitude[0, large]
+        off, sizes = np.abs(fitted - a).max(axis=1), np.abs(a).max(axis=1)
+        single = np.array([name.source == UNBALANCE for name in lines.names])[large]
+        rms, wanted = np.sqrt((moving**2).mean(axis=0)), lines.rms()[0]
+        beyond = np.maximum(off - SEEN * sizes.max(), 0.0)
+        differences = np.abs(rms - wanted) / wanted, (off / sizes)[single], (beyond / sizes)[~single]
+        worst = [float(x.max(initial=0.0)) for x in differences]
+        yield course.stand, course.words, quantity, int(large.sum()), *worst, max(worst)
+
+
+def sweep(options: Namespace) -> Iterator[tuple[Any, ...]]:
+    """Seconds of a sweep of sat4's four wheels with tables of harmonics and structural modes."""
+    stand, rng, harmonics, modes = load(path("sat4")), np.random.default_rng(1), 20, 50
+    names = [s.name for s in stand.flywheels]
+    tables = {
+        name: Harmonics(
+            np.sort(rng.uniform(0.5, 10.0, harmonics)),
+            rng.uniform(0.0, 1e-7, (harmonics, 4)) * [1.0, 1.0, 1.0, 0.0],
+            np.full(harmonics, 0.1),
+        )
+        for name in names
+    }
+    shapes = {name: rng.normal(size=(6, modes)) for name in (*names, "acc1")}
+    structure = Structure(
+        Path("modes.csv"), 2 * np.pi * rng.uniform(20, 400, modes), np.full(modes, 0.005), np.full(modes, 20.0), shapes
+    )
+    view, makers = View.of(places(stand, ["acc1"])[0], "angle"), Makers(tables, structure=structure)
+    begin = time.perf_counter()
+    result = jitter(stand, read_speeds(stand, ["all=0..6000rpm"]), options.speeds, view, makers=makers)
+    result.sums()
+    seconds = time.perf_counter() - begin
+    yield len(names), options.speeds, harmonics, modes, len(result.lines.names), seconds, SWEEP
+
+
+def distance_from_course(stand: Stand, course: Periodic, until: float | None) -> float:
+    """Distance of a run of the C from a steady response, at eight moments of its last period, part of the amplitude."""
+    period, chart = course.turning.period, course.scene.chart
+    periods = 1 if until is None else int(np.ceil(until / period))
+    start = rest(stand).state
+    if until is None:
+        C = chart.C @ Rotation.from_rotvec(course.y[0, 3:6]).as_matrix()
+        q = tuple(Rotation.from_matrix(C).as_quat(scalar_first=True).tolist())
+        position = tuple((chart.O1 + chart.C @ course.y[0, :3]).tolist())
+        start = replace(start, position=position, angles=None, quaternion=q, V=tuple(course.y[0, 6:].tolist()))
+    hold = WrenchTable(np.zeros(1), course.hold[None])
+    regime = replace(motion.steady_regime(stand, course.turning.speeds), wrenches={stand.carrier.name: hold})
+    step = 0.02 / max(map(abs, course.turning.speeds))
+    run = simulate(Case(stand, regime, start, periods * period, period / 8, step), "c")
+    pose = [run.names.index(name) for name in ("x [m]", "y [m]", "z [m]", "qx", "qy", "qz", "qw")]
+    last = run.data[-9:, pose]
+    x = (last[:, :3] - chart.O1) @ chart.C
+    r = Rotation.from_matrix(chart.C.T @ Rotation.from_quat(last[:, 3:]).as_matrix()).as_rotvec()
+    spectrum = np.fft.rfft(course.y[:, :6], axis=0) / len(course.y)
+    k = np.arange(len(spectrum))
+    waves = np.exp(2j * np.pi * np.outer(np.arange(9) / 8, k))
+    expected = np.real(waves @ (spectrum * np.where(k == 0, 1.0, 2.0)[:, None]))
+    off, size = np.abs(np.hstack([x, r]) - expected), np.ptp(course.y[:, :6], axis=0)
+    return float(max(off[:, a].max() / size[a].max() for a in (slice(0, 3), slice(3, 6))))
+
+
+def response_row(course: Course) -> tuple[Any, ...]:
+    """A steady response against the generated C, from rest for long, or begun on the course for a period."""
+    stand = load(path(course.stand))
+    steady = periodic_response(stand, [x * RPM for x in course.rpm])
+    how = "one period from the course" if course.seconds is None else f"{course.seconds:g} s from rest"
+    off = distance_from_course(stand, steady, course.seconds)
+    return course.stand, course.words, len(steady.y), how, off, ACCEPTED_RESPONSE
+
+
+def linear_models(options: Namespace) -> Iterator[tuple[Any, ...]]:
+    """Random stands, each at a random state: the largest difference of each matrix, part of the largest of its row."""
+    for N in (0, 1, 2, 4, 8):
+        worst = dict.fromkeys("ABCD", 0.0)
+        for seed in range(options.first, options.first + options.stands):
+            rng = np.random.default_rng([seed, N])
+            stand = random_stand(rng, N)
+            state = random_state(stand, rng)
+            models = linear_model(stand, state), linear(stand, state)
+            for name in worst:
+                a, b = (np.asarray(getattr(model, name)) for model in models)
+                size = np.abs(b).max(axis=1, keepdims=True, initial=0.0) if b.size else np.ones((1, 1))
+                off = float((np.abs(a - b) / np.where(size > 0.0, size, 1.0)).max(initial=0.0))
+                worst[name] = max(worst[name], off)
+        yield N, options.stands, *worst.values(), max(worst.values())
+
+
+def largest(rows: Rows, column: str) -> float:
+    """The largest figure of a column."""
+    return float(max(row[column] for row in rows))
+
+
+DIFFERENCES = {"RMS": "{:.0e}", "orders": "{:.0e}", "combinations": "{:.0e}", "worst": "{:.0e}"}
+
+TABLES = {
+    "jitter": Table(
+        lambda options: (row for course in JITTERS for row in jitter_rows(course)),
+        {"stand": "`{}`", "speeds, rpm": "{}", "quantity": "{}", "lines": "{}", **DIFFERENCES},
+        lambda rows: f"Jitter of wheels at incommensurable speeds is that of {SECONDS:g} s of the generated C: largest "
+        f"difference {largest(rows, 'worst'):.0e} of RMS and amplitudes",
+        lambda row: row["worst"] <= ACCEPTED_JITTER,
+        f"Harmonic balance against simulation, lines fitted by least squares: largest relative differences of the RMS, "
+        f"of the amplitudes of every order, and of combinations after {SEEN:g} of the largest amplitude.",
+        hidden=("worst",),
+    ),
+    "sweep": Table(
+        sweep,
+        {
+            "wheels": "{}", "speeds": "{}", "harmonics": "{}", "modes": "{}", "lines": "{}", "seconds": "{:.1f}",
+            "promised": "{:g}",
+        },
+        lambda rows: f"A jitter sweep of {rows[0]['wheels']} wheels over {rows[0]['speeds']:,} speeds with "
+        f"{rows[0]['harmonics']} harmonics and {rows[0]['modes']} modes takes {rows[0]['seconds']:.1f} s on two cores",
+        at_most("seconds", "promised"),
+        "Tables of harmonics (radial force, axial force, radial moment) and structural modes, all sums.",
+    ),
+    "response": Table(
+        lambda options: map(response_row, RESPONSES),
+        {
+            "stand": "`{}`", "speeds, rpm": "{}", "nodes": "{}", "simulated": "{}", "apart": "{:.0e}",
+            "accepted": "{:.0e}",
+        },
+        lambda rows: f"Steady responses are those of the generated C: largest distance {largest(rows, 'apart'):.0e} of "
+        "the amplitude",
+        at_most("apart", "accepted"),
+        "Largest distance in place and attitude over the last period, part of the amplitude.",
+    ),
+    "linear": Table(
+        linear_models,
+        {"flywheels": "{}", "stands": "{}", **dict.fromkeys("ABCD", "{:.0e}"), "worst": "{:.0e}"},
+        lambda rows: f"Linear models of {sum(row['stands'] for row in rows)} random stands are the second derivation's "
+        f"by automatic differentiation: largest difference {largest(rows, 'worst'):.0e}",
+        lambda row: row["worst"] <= ACCEPTED_LINEAR,
+        "Random stands, each at a random state: differences as parts of the largest number of a row.",
+        hidden=("worst",),
+    ),
+}  # fmt: skip

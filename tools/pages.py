@@ -1,0 +1,131 @@
+"""Write what pages show of the code: docs/commands.md, the table of functions in docs/architecture.md, pictures.
+
+python tools/pages.py [--pictures]
+
+`--pictures`: also run the commands of some pages, and keep the pictures that they draw.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import click
+
+from mahovik.contract.functions import CHOSEN, ROWS
+from mahovik.out.cli import SECTIONS, main
+
+ROOT = Path(__file__).resolve().parents[1]
+COMMANDS, ARCHITECTURE = ROOT / "docs" / "commands.md", ROOT / "docs" / "architecture.md"
+
+DRAWN = ("README.md", "docs/tutorial-pendulum.md", "docs/tutorial-held-examples.md")
+"""Pages whose own commands draw their pictures."""
+
+FUNCTIONS = "<!-- functions: tools/pages.py -->\n\n", "\n<!-- end of functions -->"
+"""Marks around the table of functions."""
+
+HEAD = """# Commands
+
+Look up what every command and option does: what `mahovik COMMAND --help` prints. `mahovik completion bash|zsh|fish`
+makes a shell complete names. `mahovik doctor` says which compilers, emulators and extras are installed, and how to
+install the others.
+
+```sh
+mahovik new bench8
+mahovik check bench8.toml
+mahovik check bench8.toml --json
+mahovik new --list --json
+```
+
+| exit status | meaning |
+|---|---|
+| 0 | success |
+| 1 | a check failed, or some states were refused |
+| 2 | bad input or usage; nothing was computed |
+| 130 | Ctrl-C |
+| 141 | whoever reads standard output has closed it, as `head` does |
+
+**Messages** are on standard error, one line for each problem: where, what was found, what was expected. A misspelt
+name of a command, option, key, unit, body, point or target gives a suggestion, or the list of all known names.
+
+**JSON.** Every command that prints a table has `--json`: one document on standard output, in SI, with the names of
+files and C, the same bytes for the same input. A failed check still prints its table, or `{"error": [...]}`;
+with status 2 there is no output. Commands without a table print the files that they wrote.
+
+**Progress** is a line on standard error for work of more than a second, only on a terminal (not where `TERM` is
+`dumb`). **Colours** are used on terminals only; `NO_COLOR=1` switches them off, `FORCE_COLOR=1` on. Tables fold in
+narrow terminals and never in a pipe.
+
+**Files** are written whole or not at all, also after Ctrl-C; searches and runs keep their results so far and say
+so. Folders given with `-o` are created. `new`, `generate` and `export` never overwrite a file that mahovik did not
+write. `-o` also takes a device or a FIFO, such as `/dev/null`: it gets the format that its name ends in, else the first
+one that the help lists.
+
+How long a start takes is [measured](results.md#generation). The rest of this page is written by
+`python tools/pages.py`.
+
+"""
+
+WIDTH = 100
+"""Columns of the help."""
+
+
+def commands_page() -> str:
+    """The page of commands: the --help text of each, section by section."""
+    root = click.Context(
+        main, info_name="mahovik", max_content_width=WIDTH, terminal_width=WIDTH, **main.context_settings
+    )
+    parts = [HEAD]
+    for title, commands in SECTIONS.items():
+        parts.append(f"## {title}\n\n")
+        for command in commands:
+            parts += help_texts(command, root)
+    return "".join(parts).rstrip("\n") + "\n"
+
+
+def help_texts(command: click.Command, parent: click.Context) -> Iterator[str]:
+    """A command, then the commands that it groups."""
+    context = click.Context(command, parent, command.name, max_content_width=WIDTH, terminal_width=WIDTH)
+    yield f"### {context.command_path}\n\n```text\n{command.get_help(context)}\n```\n\n"
+    if isinstance(command, click.Group):
+        for name in command.list_commands(context):
+            yield from help_texts(command.commands[name], context)
+
+
+def architecture_page() -> str:
+    """The page with one line for each row of the contract; forms that take sines have the row of their function."""
+    lines = ["| function | equation | gives | want | batch | judges |", "| --- | --- | --- | --- | --- | --- |"]
+    for row in (ROWS | CHOSEN).values():
+        if not row.name.endswith("_at"):
+            marks = ("yes" if row.want else "", "yes" if row.batch else "")
+            cells = (f"`{row.name}`", row.equation, ", ".join(row.gives), *marks, ", ".join(row.judges))
+            lines.append(f"| {' | '.join(cells)} |")
+    before, _, rest = ARCHITECTURE.read_text(encoding="utf-8").partition(FUNCTIONS[0])
+    _, end, after = rest.partition(FUNCTIONS[1])
+    return before + FUNCTIONS[0] + "".join(f"{line}\n" for line in lines) + end + after
+
+
+def draw(page: Path) -> None:
+    """Run the commands of a page, and keep the pictures that it shows. Raises AssertionError where a command fails."""
+    sys.path.append(str(ROOT / "tests"))
+    from docs.execute import Session, steps
+
+    with tempfile.TemporaryDirectory() as scratch:
+        session = Session(page, Path(scratch))
+        for step in steps(page):
+            session.run(step)
+        for shown in re.findall(r"!\[[^\]]*\]\(([\w/-]+\.svg)\)", page.read_text(encoding="utf-8")):
+            picture = Path(scratch) / Path(shown).name
+            if picture.is_file():
+                (page.parent / shown).write_text(picture.read_text(encoding="utf-8"), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    COMMANDS.write_text(commands_page(), encoding="utf-8")
+    ARCHITECTURE.write_text(architecture_page(), encoding="utf-8")
+    if "--pictures" in sys.argv[1:]:
+        for name in DRAWN:
+            draw(ROOT / name)
