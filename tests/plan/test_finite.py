@@ -1,7 +1,8 @@
-"""Finite motions: the space of splines, and a move of bench8 from rest to rest."""
+"""Finite motions: bench8 from rest to rest, and held carriers whose wheels follow (12) in time and turn many times."""
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,16 +10,19 @@ import numpy as np
 import pytest
 
 from mahovik.core.motion.programme import Angles, load_programme, save_programme
-from mahovik.core.motion.required import Bounds, RequiredMotion
+from mahovik.core.motion.required import Bounds, RequiredMotion, read_motion
 from mahovik.core.motion.required.course import SampledCourse
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand import Stand, loads
+from mahovik.proof.reference.hold import acceleration
 from mahovik.proof.verify.programme import verify_programme
+from mahovik.proof.verify.programme.mechanics import pieces_at, twist, twist_rate
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.finite import FiniteProblem, SplineSpace, search_finite, table_of
+from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, search_finite, table_of
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Problem
 from plan.examples import example
+from toolchain.quick import quick
 
 SPAN = 0.3
 
@@ -31,21 +35,6 @@ def move() -> tuple[Stand, RequiredMotion]:
     way = x**3 * (10 - 15 * x + 6 * x * x)
     course = SampledCourse(SPAN, False, t, np.outer(way, [1.5e-4, 0.0, 0.0, 0.0, 3e-4, 0.0]))
     return stand, replace(motion, periodic=False, span=SPAN, course=course)
-
-
-@pytest.mark.parametrize("pinned", [False, True])
-def test_modes_are_smooth_and_start_at_rest(pinned: bool) -> None:
-    """Slope 0 at 0, and value where it is pinned; the first is 1; each equals its own derivatives by differences."""
-    space = SplineSpace(SPAN, np.linspace(0.0, SPAN, 6), 7, pinned)
-    start = space.modes(np.zeros(1))
-    assert np.abs(start.first).max() <= 1e-9 * np.abs(space.modes(np.linspace(0, SPAN, 99)).first).max()
-    assert space.modes(np.linspace(0, SPAN, 9)).value[:, 0] == pytest.approx(1.0, abs=1e-14)
-    assert (np.abs(start.value[0, 1:]).max() < 1e-9) == pinned
-    t, h = np.array([0.07, 0.06, 0.2]), 1e-6
-    before, at, after = (space.modes(t + d) for d in (-h, 0.0, h))
-    assert at.first == pytest.approx((after.value - before.value) / (2 * h), rel=1e-6, abs=1e-5)
-    assert at.second == pytest.approx((after.first - before.first) / (2 * h), rel=1e-6, abs=1e-2)
-    assert np.all(np.diff(at.orders[1:]) > 0.0)
 
 
 def test_bench8_moves_from_rest_to_rest() -> None:
@@ -86,3 +75,75 @@ def test_a_finite_programme_is_verified_by_the_reference(tmp_path: Path) -> None
     programme = load_programme(tmp_path / "p.json")
     assert all(each.passed for each in verify_programme(stand, motion, programme))
     assert programme.at(np.zeros(1)).phi[0] == pytest.approx(angles, abs=1e-9)
+
+
+PIVOT = """
+schema = 1
+name = "pivot"
+gravity = [0, 0, -9.81]
+[carrier]
+mass = "2 kg"
+center_of_mass = ["5 mm", 0, "-60 mm"]
+inertia = [6e-3, 7e-3, 5e-3]
+inertia_about = "center_of_mass"
+[hold]
+freedoms = ["pitch"]
+pivot = [0, 0, "40 mm"]
+[[flywheel]]
+name = "w1"
+position = [0, "20 mm", "-120 mm"]
+axis = [0, 1, 0]
+zero = [0, 0, 1]
+mass = "250 g"
+spin_inertia = 4e-4
+transverse_inertia = [2.2e-4, 2.5e-4]
+unbalance = { static = "20 g mm", dynamic = "40 g mm^2" }
+"""
+"""A carrier that sags beside its pivot, so that the wheel turns faster and faster to hold it."""
+
+
+def turn(own: Stand, samples: int, free: bool = True) -> RequiredMotion:
+    """0.2 rad in 1 s, from the home pose or (`free`) from where the carrier hangs."""
+    t = np.linspace(0.0, 1.0, samples)
+    q = 0.2 * (10 * t**3 - 15 * t**4 + 6 * t**5)
+    table = {"t": t.tolist(), "q": q[:, None].tolist()}
+    document = {"schema": 1, "type": "finite", "duration": 1.0, "samples": table, "free_mean": [free]}
+    return read_motion(json.dumps(document), own, "m.json")
+
+
+def found_for(required: RequiredMotion, own: Stand) -> tuple[FiniteProblem, FiniteSolution]:
+    problem = Problem.of(own, required)
+    finite = FiniteProblem.from_problem(problem)
+    (solved,) = search_finite(finite, preflight(problem).bias, 0, Budget(2000)).found
+    return finite, solved
+
+
+@pytest.mark.parametrize(
+    ("samples", "free", "parts"),
+    quick(1, [(16, True, 4), (41, False, 4)]),
+)
+def test_one_unbalanced_wheel_turns_a_carrier_on_a_pivot(samples: int, free: bool, parts: int) -> None:
+    """The wheel's motion gives the required acceleration by the reference; few samples need breaks between them."""
+    own = loads(PIVOT)
+    required = turn(own, samples, free)
+    finite, solved = found_for(required, own)
+    assert len(solved.space.breaks) == parts * (samples - 1) + 1
+    table = table_of(finite, solved)
+    assert np.ptp(table.phi) > 9 * 2 * np.pi and np.abs(table.phi_dot[0]).max() < 1e-9
+    t = np.linspace(0.013, 0.987, 40)
+    course, angles = required.at(t, solved.motion.bias), table.at(t)
+    errors, wanted = [], []
+    for k in range(len(t)):
+        V = twist(own, course.q[k], course.q_dot[k])
+        at = pieces_at(own, course.q[k], V, angles.phi[k], angles.phi_dot[k])
+        wanted.append(twist_rate(own, course.q[k], course.q_dot[k], course.q_ddot[k]))
+        errors.append(acceleration(at, own, angles.phi_ddot[k]) - wanted[-1])
+    assert np.abs(errors).max() < 1e-5 * np.abs(wanted).max()
+
+
+def test_a_wheel_across_the_freedom_is_not_followed() -> None:
+    """Only its unbalance acts along the freedom, in vain at rest: no programme, and no warning of NumPy."""
+    own = loads(PIVOT.replace("axis = [0, 1, 0]", "axis = [1, 0, 0]"))
+    problem = Problem.of(own, turn(own, 41))
+    state = search_finite(FiniteProblem.from_problem(problem), np.zeros(1), 0, Budget(40))
+    assert not state.found and state.starts > 0

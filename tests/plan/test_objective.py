@@ -20,7 +20,6 @@ from mahovik.use.plan.objective import (
     Rows,
     exceeded_bounds,
     hinge_rows,
-    utilisation,
 )
 from mahovik.use.plan.residual import PrescribedMotion, linear, prescribe
 from plan.courses import RandomCourse, random_course
@@ -71,14 +70,6 @@ def test_rows_are_what_they_say(kind: str) -> None:
         "power": power / (J * OMEGA**3),
     }[kind]
     assert found == pytest.approx(expected, rel=1e-12)
-
-
-def test_value_is_the_sum_of_weighted_mean_squares() -> None:
-    """Constant accelerations cost weight times square, summed over flywheels."""
-    cost, motion, at = setting("acceleration")
-    angles = Angles(motion.phi, motion.phi_dot, np.full_like(motion.phi, 2.0 * OMEGA**2))
-    torque = Rows.torque(linear(at, *angles))
-    assert cost.value(angles, np.zeros(N), torque) == pytest.approx({"acceleration": 4.0 * sum(WEIGHTS)}, rel=1e-12)
 
 
 def test_power_without_motor_constants_is_refused() -> None:
@@ -156,14 +147,3 @@ def test_a_flywheel_that_turns_back_has_stood_still() -> None:
     angles = Angles(speed * 0, speed, speed * 0)
     (one,) = exceeded_bounds(Bounds(speed_min=(5.0,) * N), stand, np.arange(4.0), angles, speed, speed, np.zeros(6))
     assert (one.of, one.value, one.time) == (stand.flywheels[1].name, 0.0, 1.0)
-
-
-def test_utilisation_is_one_at_the_limit() -> None:
-    """The largest of all; of a least speed above one where it is missed."""
-    flat = np.ones((4, N))
-    angles = Angles(flat, 20.0 * flat, 100.0 * flat)
-    none, zero, turns = np.zeros((4, N)), np.zeros(6), np.ones(N)
-    assert utilisation(Bounds(), angles, none, none, zero, turns) == 0.0
-    assert utilisation(Bounds(acceleration=(100.0, 400.0, 400.0)), angles, none, none, zero, turns) == 1.0
-    assert utilisation(Bounds(speed_min=(20.0, 0.0, 10.0)), angles, none, none, zero, turns) == 1.0
-    assert utilisation(Bounds(speed_min=(20.0, 0.0, 10.0)), angles, none, none, zero, -turns) > 2.0

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-import sys
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -28,9 +26,6 @@ from plan.examples import example
 from plan.examples import problem as example_problem
 from plan.held_stands import stand, wheel
 from plan.test_held import motion
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
-from plan_stands import campaign_move, campaign_stand
 
 
 def of_bench8() -> Problem:
@@ -63,17 +58,6 @@ def tilted() -> Stand:
 def scaled(problem: Problem) -> ScaledProblem:
     Omega = 2.0 * math.pi / problem.motion.span
     return ScaledProblem(problem, Cost.of(problem.mechanics, problem.motion.objective, Omega))
-
-
-def test_collocation_is_exact_for_polynomials_of_its_degree() -> None:
-    """Derivative at the nodes, continuation, interpolation, mean; of one degree more it is not."""
-    mesh = Mesh(np.array([0.0, 0.2, 0.7, 1.0]), 3)
-    x, t, nodes = mesh.times, np.linspace(0.0, 1.0, 11), mesh.nodes
-    np.testing.assert_allclose(x**3 @ mesh.derive, 3.0 * nodes**2, atol=1e-12)
-    np.testing.assert_allclose(x**3 @ mesh.jumps, 0.0, atol=1e-12)
-    np.testing.assert_allclose(mesh.interpolate(t, 1) @ x**3, 3.0 * t**2, atol=1e-12)
-    np.testing.assert_allclose(mesh.weights @ nodes**5, 1.0 / 6.0, atol=1e-14)
-    assert np.abs(x**4 @ mesh.jumps).max() > 1e-5
 
 
 @pytest.mark.parametrize(("problem", "m", "N"), [(of_bench8, 6, 8), (of_table, 2, 4)])
@@ -145,18 +129,6 @@ def test_bench8_is_solved() -> None:
     assert own["objective"] <= own["objective_of_start"] * (1.0 + 1e-6)
     assert report["residual"] < 1e-6 < own["raw_residual"]
     assert sum(line.startswith("IPOPT: iteration") for line in lines) >= own["iterations"]
-
-
-@pytest.mark.slow
-def test_a_finite_motion_starts_in_x_of_t0() -> None:
-    """From rest, verified, and no worse than its start."""
-    found = plan_motion(campaign_stand(1, 8), campaign_move(1, 8), PlanOptions(method="ocp"))
-    assert found.status == "OK"
-    programme = found.programmes[0]
-    own: Any = programme.report["ocp"]
-    assert programme.report["verified"]
-    assert own["objective"] <= own["objective_of_start"] * (1.0 + 1e-6)
-    np.testing.assert_allclose(programme.at(np.zeros(1)).phi_dot, 0.0, atol=1e-9)
 
 
 @pytest.mark.slow

@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 
 from mahovik.core.motion.required import Bounds
-from mahovik.core.stand.random import EVERYTHING, Features
+from mahovik.core.stand.random import EVERYTHING
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import figures
 from mahovik.use.plan.objective import Cost
 from mahovik.use.plan.optimise import ImprovedMotion, evaluate, exceeded_by, improve
 from mahovik.use.plan.optimise.improve import make_stage
-from mahovik.use.plan.optimise.merit import Stage, harmonic_coefficients
+from mahovik.use.plan.optimise.merit import Stage
 from mahovik.use.plan.problem import Periodic
 from plan.improvable import UNTIL, N, improved, plain, setting
 from plan.problems import problem, wheels
@@ -41,18 +41,6 @@ def stage(free: tuple[bool, ...] = (True,) * 6, bounds: Bounds = TIGHT) -> tuple
     return make_stage(found, cost, H, 30.0, 0.8, 1.1), wheels(WHEELS, H)
 
 
-def test_coefficients_hold_the_mean_square() -> None:
-    """A signal with harmonics 0..9 is split at 4: squares of both parts add to the mean square."""
-    rng = np.random.default_rng(0)
-    t = np.arange(40) / 40
-    wave = [np.cos(2 * np.pi * k * t)[:, None] * rng.normal(size=6) for k in range(10)]
-    R = np.sum(wave, axis=0)
-    low, high = harmonic_coefficients(R, 0, 4), harmonic_coefficients(R, 5, 9)
-    assert low @ low + high @ high == pytest.approx(np.mean(np.sum(R**2, axis=1)), rel=1e-12)
-    assert low == pytest.approx(harmonic_coefficients(np.sum(wave[:5], axis=0), 0, 4), abs=1e-12)
-    assert len(low) == 6 * 9 and len(high) == 6 * 10
-
-
 @pytest.mark.parametrize("free", [(True,) * 6, (True, False, True, False, False, True)])
 def test_derivatives_of_constraints_and_value(free: tuple[bool, ...]) -> None:
     """Derivatives of constraints and value by every wave of every flywheel and every free component of the bias."""
@@ -70,29 +58,6 @@ def test_derivatives_of_constraints_and_value(free: tuple[bool, ...]) -> None:
         assert abs(model.A[:, column] - by_c).max() <= 2e-5 * max(abs(by_c).max(), 1e-3 * abs(model.A).max())
         by_value = (ahead.value - behind.value) / (2 * step)
         assert model.gradient[column] == pytest.approx(by_value, rel=2e-5, abs=1e-6 * abs(model.gradient).max())
-
-
-def test_curvature_is_positive_and_makes_the_quadratic_model() -> None:
-    """Gauss-Newton: exact along any direction for rows that are linear, such as those of speed and acceleration."""
-    features = Features()
-    weights = {"acceleration": 1.0, "speed_variation": 0.5}
-    found, _ = problem(5, WHEELS, features, **weights)
-    cost = Cost.of(found.mechanics, found.motion.objective, 2 * np.pi / found.motion.span)
-    here, motion = make_stage(found, cost, H, 0.0), wheels(WHEELS, H)
-    point = here.at(motion)
-    model = point.model(here.problem.bias_perturbations(here.grid.course, motion.bias))
-    d = np.random.default_rng(4).normal(size=len(model.gradient)) * 0.1
-    there = here.at(motion.step(d, found.free))
-    expected = point.value + model.gradient @ d + d @ model.curvature @ d / 2
-    assert there.value == pytest.approx(expected, rel=1e-10)
-    all_rows, wheel_motion = stage()
-    curvature = (
-        all_rows.at(wheel_motion)
-        .model(all_rows.problem.bias_perturbations(all_rows.grid.course, wheel_motion.bias))
-        .curvature
-    )
-    assert np.linalg.eigvalsh(curvature).min() >= -1e-9 * np.linalg.norm(curvature)
-    assert curvature == pytest.approx(curvature.T, rel=1e-12)
 
 
 @cache

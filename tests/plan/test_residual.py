@@ -13,19 +13,15 @@ from mahovik.core.motion.required import Course
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features, random_stand
 from mahovik.core.stand.state import State
-from mahovik.errors import CheckError, StateError
+from mahovik.errors import StateError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.forward import forward
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import (
     Chart,
-    acceleration_rates,
     course,
     drive,
     equilibrium,
-    integrate,
-    linearise,
-    linearise_along,
 )
 from mahovik.use.plan.residual import Mechanics, linear, prescribe, residual, torques
 from plan.courses import literal, random_course
@@ -149,28 +145,6 @@ def test_course_is_that_of_an_adaptive_integration() -> None:
     assert abs(found - expected).max() <= 1e-8
 
 
-def test_derivatives_of_a_course_are_those_of_differences() -> None:
-    """Derivatives at the end by the start and by the flywheels' motion."""
-    rng = np.random.default_rng(9)
-    chart = chart_of(random_stand(rng, 2, EVERYTHING), rng)
-    start, until, nodes = rng.normal(size=12) * 0.3, 0.1, 40
-    t = np.linspace(0.0, until, nodes + 1)
-    motion, y = wave(t, 2), followed(chart, start, until, nodes)
-    given = drive(chart.mechanics, *motion)
-    added = [after - before for before, after in zip(motion, wave(t, 2, 1.0), strict=True)]
-    rates = np.zeros((nodes + 1, 12, 13))
-    for B, d in zip(acceleration_rates(given, linearise_along(chart, given, y, motion[2])), added, strict=True):
-        rates[:, 6:, 12] += B[:, :, 0] * d[:, :1]
-    x0 = np.hstack([np.eye(12), np.zeros((12, 1))])
-    exact = linearise(chart, given, t[1], y).solve(integrate(rates, t[1]), x0)[-1]
-    for column in range(13):
-        step = 1e-5 * x0[:, column]
-        shift = 1e-5 if column == 12 else 0.0
-        ends = [followed(chart, start + sign * step, until, nodes, sign * shift)[-1] for sign in (1.0, -1.0)]
-        difference = (ends[0] - ends[1]) / 2e-5
-        assert abs(exact[:, column] - difference).max() <= 1e-5 * abs(difference).max()
-
-
 def test_a_carrier_thrown_about_is_said_so() -> None:
     """A course that leaves the chart is not followed."""
     rng = np.random.default_rng(6)
@@ -193,11 +167,3 @@ def test_rest_is_rest_and_moves_with_the_angles(seed: int) -> None:
         ahead, behind = (equilibrium(chart, phi + d, found.y).y for d in (step, -step))
         difference = (ahead - behind) / 2e-5
         assert abs(found.by_phi[:, s] - difference).max() <= 1e-5 * abs(difference).max()
-
-
-def test_a_stand_that_falls_has_no_rest() -> None:
-    """Weight and nothing that carries it: said in one line."""
-    rng = np.random.default_rng(1)
-    chart = chart_of(random_stand(rng, 2, replace(BARE, gravity=True)), rng)
-    with pytest.raises(CheckError, match="nothing holds it"):
-        equilibrium(chart, np.zeros(2))

@@ -1,77 +1,49 @@
-"""Programmes of the example stands, windings, and motions that are refused before any search."""
+"""Plans of the example stands: programmes, windings, refusals before any search, statuses and words, interruption."""
 
 from __future__ import annotations
 
 import time
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
+from mahovik.core.motion.programme.course import Fourier
 from mahovik.core.motion.required import Bounds, RequiredMotion, Winding
 from mahovik.core.motion.required.course import Harmonics
 from mahovik.laws.suspension.data import Suspension
+from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.levenberg import StartBatch
 from mahovik.use.plan.optimise import evaluate
 from mahovik.use.plan.planner import not_found_message
 from mahovik.use.plan.preflight import Preflight, preflight
-from mahovik.use.plan.problem import EXACT, EXACT_WITH_KINKS, Problem
+from mahovik.use.plan.problem import EXACT_WITH_KINKS, Problem
 from mahovik.use.plan.search import Candidate, Improver, Search, search
-from mahovik.use.plan.windings import allowed_windings, kinds_in_order
+from mahovik.use.plan.windings import allowed_windings
 from plan.examples import example, problem
 from plan.improvable import N, Plain, plain, setting
 from plan.problems import PERIOD, required
 
 
-def search_result(
-    stand: str, motion: str | None = None, seed: int = 0, **changed: object
-) -> tuple[Search[Candidate], float]:
-    """Result of a search, and the tolerance."""
-    own = problem(stand, motion, **changed)
-    return search(own, Plain(Improver.of(own)), preflight(own).bias, seed, Budget(4000, None)), own.tolerance
-
-
-@pytest.mark.parametrize("winding", ["spin", "rock"])
-def test_bench8_spins_and_rocks(winding: str) -> None:
-    """Both policies; 1e-6 between the nodes, and windings as asked for."""
-    result, tolerance = search_result("bench8", winding=winding)
-    (first, *_) = result.found
-    assert tolerance == EXACT
-    assert first.residual < 1e-7
-    assert set(np.abs(first.motion.winding)) == ({1.0} if winding == "spin" else {0.0})
-
-
-def test_demo3_turns_exactly_with_the_given_windings() -> None:
-    """Three balanced flywheels, rotation only, 12, -15, 10 turns per period."""
-    result, _ = search_result("demo3")
-    assert result.found[0].residual < 1e-9
-    assert result.found[0].motion.winding.tolist() == [12.0, -15.0, 10.0]
-
-
-def test_shaker2_rocks_and_spins_at_one_amplitude() -> None:
-    """Two wheels, one axis."""
-    rocking, _ = search_result("shaker2")
-    assert rocking.found[0].kind == "rock"
-    spinning, _ = search_result("shaker2", "shaker2_spin")
-    assert spinning.found[0].residual < 1e-9
-    assert spinning.found[0].motion.winding.tolist() == [1.0, -1.0]
-
-
-def test_auv6_with_kinks_in_its_drag() -> None:
-    """V|V|: 1e-5."""
-    result, tolerance = search_result("auv6", winding="rock")
-    assert tolerance == EXACT_WITH_KINKS
-    assert result.found[0].residual < 1e-5
-
-
-def test_what_is_not_there_is_not_found() -> None:
-    """shaker2 spins at 0.577 mm only: at 0.3 mm with +1, -1 nothing is given, and the effort is reported."""
-    own = problem("shaker2", winding=(1, -1))
-    result = search(own, Plain(Improver.of(own)), preflight(own).bias, 0, Budget(4000, None), most=2)
-    assert result.found == []
-    assert result.best > 1e-3
-    assert result.starts == 512
-    assert result.tried == {"given": 512}
+@pytest.mark.parametrize(
+    ("stand", "motion", "wanted", "residual", "kind", "winding"),
+    [
+        ("demo3", None, {}, 1e-9, "given", [12, -15, 10]),
+        ("shaker2", None, {}, 1e-7, "rock", [0, 0]),
+        ("shaker2", "shaker2_spin", {}, 1e-9, "given", [1, -1]),
+        ("auv6", None, {"winding": "rock"}, EXACT_WITH_KINKS, "rock", [0] * 6),
+    ],
+)
+def test_programmes_of_the_examples_are_exact(
+    stand: str, motion: str | None, wanted: dict[str, Any], residual: float, kind: str, winding: list[int]
+) -> None:
+    """demo3 has balanced flywheels and turns alone, auv6 V|V| in its drag."""
+    own = problem(stand, motion, **wanted)
+    (first, *_) = search(own, Plain(Improver.of(own)), preflight(own).bias, 0, Budget(4000, None)).found
+    assert first.residual < residual
+    assert (first.kind, first.motion.winding.tolist()) == (kind, winding)
 
 
 ONE = 2 * np.pi / PERIOD
@@ -100,15 +72,6 @@ def test_mean_speeds_lie_inside_the_bounds(
     assert allowed_windings("spin", own, 1) == spin
     assert allowed_windings("rock", own, 1) == rock
     assert set(allowed_windings("mixed", own, 1)) == set(spin) | (set(rock) if least == 0.0 else set())
-
-
-def test_kinds_that_no_flywheel_can_have_are_not_tried() -> None:
-    """Unless the motion asks for them."""
-    assert kinds_in_order(motion(Bounds()), 3) == ("rock", "spin", "mixed")
-    assert kinds_in_order(motion(Bounds(speed=(0.5 * ONE,) * 3)), 3) == ("rock",)
-    assert kinds_in_order(motion(Bounds(speed_min=(0.5 * ONE,) * 3)), 3) == ("spin",)
-    assert kinds_in_order(motion(Bounds(speed_min=(0.5 * ONE, 0.0, 0.0))), 3) == ("rock", "spin", "mixed")
-    assert kinds_in_order(motion(Bounds(), winding="spin"), 3) == ("spin",)
 
 
 def pushed() -> tuple[Improver, Search[Candidate]]:
@@ -201,3 +164,103 @@ def test_mean_pose_carries_the_weight() -> None:
     assert 0.01 < np.abs(found.bias[3:]).max() < 0.3
     assert any(line.startswith("the mean pose is tilted") and "phi" in line for line in found.warnings)
     assert any("1e-05 is accepted" in line for line in found.warnings)
+
+
+QUICK = PlanOptions(verify=False)
+
+
+def test_the_best_few_are_kept_and_ordered() -> None:
+    """`keep` programmes, best first, each with its figures; all different."""
+    stand, motion = example("bench8")
+    found = plan_motion(stand, replace(motion, winding="rock", bounds=Bounds()), replace(QUICK, keep=2))
+    assert found.status == "OK"
+    first, second = found.programmes
+    assert first.report["objective"] <= second.report["objective"]
+    assert isinstance(first.course, Fourier) and isinstance(second.course, Fourier)
+    assert not np.array_equal(first.course.mean, second.course.mean)
+    assert first.report["residual"] < 1e-6
+    assert not any("of the unbalance" in line for line in found.warnings)
+    assert len(first.report["peak_torque"]) == 8
+    assert found.effort["windings_tried"] == {"rock": 256}
+
+
+def test_what_no_search_finds_is_said_to_be_no_proof() -> None:
+    """Two wheels that turn at constant speed have one amplitude: at another none is found in any time."""
+    stand, motion = example("shaker2")
+    found = plan_motion(stand, replace(motion, winding=(1, -1)), replace(QUICK, seconds=1.5))
+    assert (found.status, found.reason) == ("NO_PROGRAM", "SEARCH")
+    (words,) = found.words
+    assert "does not prove" in words
+    assert "cut by time" in words
+    assert found.effort["cut_by_time"]
+    assert any("of the unbalance is needed along z" in line for line in found.warnings)
+
+
+def test_an_interrupted_search_gives_what_it_has(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ctrl-C in the second round: the programme of the first is given, and it is said."""
+    stand, motion = example("shaker2", "shaker2_spin")
+    calls = []
+    improve = StartBatch.improve
+
+    def interrupted(self: StartBatch, *arguments: Any) -> None:
+        calls.append(self)
+        if self.windings.any():
+            raise KeyboardInterrupt
+        improve(self, *arguments)
+
+    monkeypatch.setattr(StartBatch, "improve", interrupted)
+    found = plan_motion(stand, replace(motion, winding="any", course=_half(motion)), QUICK)
+    assert found.interrupted
+    assert found.status == "OK"
+    assert found.programmes[0].report["kind"] == "rock"
+    found = plan_motion(stand, motion, QUICK)
+    assert found.interrupted
+    assert (found.status, found.reason) == ("NO_PROGRAM", "SEARCH")
+    assert "interrupted" in found.words[0]
+
+
+def _half(motion: RequiredMotion) -> Harmonics:
+    """Half the amplitude of a motion of harmonics."""
+    course = motion.course
+    assert isinstance(course, Harmonics)
+    return replace(course, cos=course.cos / 2, sin=course.sin / 2)
+
+
+def test_a_singular_attitude_is_told() -> None:
+    """A leg that shrinks to nothing on the way has no direction."""
+    from mahovik.laws.leg.data import Leg, Legs
+
+    stand, motion = example("bench8")
+    leg = Leg(ground=(0.0, 0.0, 0.0), carrier=(0.0, 0.0, 0.0), length=0.1, stiffness=1.0, damping=0.0)
+    still = Harmonics(0.1, (), np.zeros((0, 6)), np.zeros((0, 6)))
+    found = plan_motion(stand.with_laws(Legs((leg,))), replace(motion, course=still), QUICK)
+    assert found.status == "SINGULAR_ATTITUDE"
+    assert "its length is zero" in found.words[0]
+
+
+@pytest.mark.slow
+def test_a_bound_that_cannot_be_kept() -> None:
+    """OK_LIMIT: a programme all the same, exact, with the excess that it really has, in words and in the report."""
+    stand, motion = example("bench8")
+    bounded = replace(motion, bounds=Bounds(acceleration=(60.0,) * 8))
+    found = plan_motion(stand, bounded, replace(QUICK, winding="rock", steps=90))
+    assert found.status == "OK_LIMIT"
+    (programme,) = found.programmes
+    assert programme.report["residual"] < 1e-6
+    t = np.linspace(0.0, 0.1, 3001)
+    peak = np.abs(programme.at(t).phi_ddot).max()
+    assert peak > 60.0
+    told = float(found.words[0].split(": ")[1].split()[0])
+    assert told == pytest.approx(peak, rel=1e-3)
+    assert f"bound is 60: {peak / 60.0:.2g}" in found.words[0]
+    assert programme.report["bounds_used"] == pytest.approx(peak / 60.0, rel=1e-3)
+    assert list(programme.report["exceeded"]) == list(found.words)
+
+
+def test_the_end_of_the_steps_gives_the_best_so_far() -> None:
+    """Cut in the middle of the optimisation: an exact programme, though not the best."""
+    stand, motion = example("bench8")
+    cut = plan_motion(stand, replace(motion, bounds=Bounds()), replace(QUICK, winding="rock", steps=25))
+    assert cut.status == "OK"
+    assert cut.effort["steps"] == 25
+    assert cut.programmes[0].report["residual"] < 1e-6

@@ -11,8 +11,6 @@ import pytest
 
 from mahovik.core.motion.programme import Programme, programme_text
 from mahovik.core.motion.required.slew_file import motion_of_slew
-from mahovik.core.stand.mean import mean_stand
-from mahovik.core.stand.whole import mass_properties
 from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.proof.verify.programme.simulation import simulate
 from mahovik.use.plan.outcome import Plan
@@ -85,14 +83,6 @@ def test_what_unbalance_adds_is_what_the_reference_simulates() -> None:
     assert aside[:, 3:] == pytest.approx(yaw_pitch_roll, abs=2e-3 * float(np.abs(found.turn).max()))
 
 
-def test_the_carrier_begins_with_the_momentum_of_the_mean_stand() -> None:
-    """So it does not drift: over ten seconds the shift of O1 stays what it is in one turn of the wheels."""
-    figures = quick().report["unbalance"]
-    assert figures["shift"]["largest"] < 3.0 * figures["shift"]["rms"]
-    stand, speeds = mean_stand(sat4()), np.array([314.0, -314.0, 314.0, -314.0])
-    assert twist_at_rest(stand, np.zeros(6), np.zeros(4), speeds) == pytest.approx(np.zeros(6), abs=1e-15)
-
-
 def test_near_rest_unbalance_can_be_resisted() -> None:
     """The flywheels' ripple is in the programme, and nothing is added; wheels from rest do not pass zero speed."""
     found = planned(end=about_z(3), duration=5, unbalance="resisted", verify=True)
@@ -118,17 +108,3 @@ def test_torque_of_the_motor_is_within_its_limit_where_friction_brakes_too() -> 
     report = found.programmes[0].report
     assert report["peak_torque"].max() > 0.1 >= report["peak_motor_torque"].max() > 0.099
     assert report["verified"], report["verification"]  # the bound of the file is one of the motor
-
-
-def accelerometer(*rows: str) -> list[Any]:
-    return [{"point": "acc1", "rows": list(rows)}]
-
-
-def test_a_point_that_unbalance_alone_would_hold_is_refused_by_its_direction() -> None:
-    """Along the line through the centre of mass no moment accelerates it."""
-    found = planned(rows=accelerometer("vx", "vy", "vz"), start=against(100), duration=1, unbalance="resisted")
-    words = found.words[0]
-    assert found.reason == "SPAN" and "they give no acceleration of acc1 along (" in words
-    direction = np.array([float(x) for x in words.split("(")[1].split(")")[0].split(",")])
-    line = np.array(sat4().points[0].position) - mass_properties(sat4()).center_of_mass
-    assert np.linalg.norm(np.cross(direction, line / np.linalg.norm(line))) < 2e-3

@@ -181,11 +181,6 @@ def test_constant_limits_give_bang_coast_bang(angle: float, up: float, down: flo
     assert speed[[0, -1]] == pytest.approx(0.0, abs=1e-12) and acceleration[[0, -1]] == pytest.approx(0.0, abs=1e-9)
 
 
-def test_without_acceleration_it_says_where() -> None:
-    assert sharpest(1.0, lambda sigma, _: (-1.0, 1.0 if sigma > 0 else 0.0), lambda _: 9.0) == 0.0
-    assert sharpest(1.0, lambda _, __: (-1.0, 1.0), lambda sigma: 0.5 - sigma) == pytest.approx(1.0)
-
-
 def test_no_other_law_from_rest_to_rest_has_less_mean_jerk() -> None:
     """Against the quintic plus any polynomial that vanishes with two derivatives at both ends: exact integrals."""
     law, own = quietest(1.0, 1.0), np.polynomial.Polynomial([0, 0, 0, 10, -15, 6])
@@ -248,11 +243,6 @@ def test_too_short_a_duration_names_the_motor_and_a_duration_that_does() -> None
     assert found.reason == "BOUND_REACH" and "torque of w" in found.words[0]
     longer = float(found.words[0].split("a duration of about ")[1].split(" s")[0])
     assert planned_or_refused(satellite(PYRAMID), end=QUARTER, duration=1.001 * longer).status == "OK"
-
-
-def test_nothing_is_fastest_without_limits_of_torque() -> None:
-    stand = satellite(PYRAMID, '{ speed = "6000 rpm" }')
-    assert planned_or_refused(stand, end=QUARTER).status == "OK"  # `inverse_most` stands in for the motor's torque
 
 
 @pytest.mark.parametrize("goal", [pytest.param({}, marks=pytest.mark.slow), {"duration": 20}])
