@@ -214,14 +214,6 @@ def test_a_motion_that_no_design_can_do_is_refused() -> None:
         design_stand(shaker().without_laws(Suspension), motion_of, freedom())
 
 
-def test_time_cuts_and_says_so() -> None:
-    """Nothing was found yet."""
-    found = design_stand(shaker(), motion_of, freedom(), DesignOptions(seconds=1e-3))
-    assert found.status == "NO_DESIGN"
-    assert found.effort["cut_by_time"]
-    assert "cut by time" in found.words[0]
-
-
 def test_designs_that_others_beat_are_no_front() -> None:
     """Kept: less torque for more unbalance."""
     points = [Point(Weights(), Cost(u, t, 0.0), 0.0) for u, t in ((1, 5), (2, 6), (3, 4), (3, 4), (2, 5), (9, 1))]

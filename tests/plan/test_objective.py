@@ -14,12 +14,9 @@ from mahovik.core.stand.random import EVERYTHING
 from mahovik.errors import MotionError
 from mahovik.use.plan.objective import (
     KINDS,
-    KNEE,
-    RHO,
     Cost,
     Rows,
     exceeded_bounds,
-    hinge_rows,
 )
 from mahovik.use.plan.residual import PrescribedMotion, linear, prescribe
 from plan.courses import RandomCourse, random_course
@@ -89,31 +86,12 @@ ALL = Bounds(
     torque=(0.5,) * N,
     angle=(1.0,) * N,
 )
-WINDING = np.array([1.0, -1.0, -2.0])
 
 
 def bounded_setting() -> tuple[Any, RandomCourse, Any]:
     """A stand and drawn motions, which exceed every bound somewhere and keep it elsewhere."""
     stand, mechanics, motion = random_course(33, N, EVERYTHING, M=12)
     return stand, motion, prescribe(mechanics, motion.course)
-
-
-def hinges_at(at: Any, angles: tuple[Any, ...], wider: float = 1.0) -> dict[str, Rows]:
-    return hinge_rows(ALL, Angles(*angles), angles[0], Rows.torque(linear(at, *angles)), WINDING, wider)
-
-
-def test_hinges_are_zero_inside_and_rise_outside() -> None:
-    """RHO (|y|/L - KNEE) above the knee, exactly; of least speeds along the winding; limits as wide as asked."""
-    _, motion, at = bounded_setting()
-    for wider in (1.0, 1.7):
-        found = hinges_at(at, motion[3:], wider)
-        for kind, y in (("speed", motion.phi_dot), ("acceleration", motion.phi_ddot), ("angle", motion.phi)):
-            over = abs(y) / (wider * np.array(getattr(ALL, kind))) - KNEE
-            assert (over > 0).any() and (over < 0).any()
-            assert found[kind].value == pytest.approx(np.maximum(0.0, RHO * over), rel=1e-12)
-        slow = found["speed_min"].value
-        assert not slow[:, 1].any()
-        assert slow[:, 2] == pytest.approx(np.maximum(0.0, RHO * (2 - KNEE + motion.phi_dot[:, 2] * wider / 5.0)))
 
 
 def test_what_is_exceeded_is_told_by_flywheel_value_and_time() -> None:

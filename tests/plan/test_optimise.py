@@ -11,14 +11,13 @@ import pytest
 
 from mahovik.core.motion.required import Bounds
 from mahovik.core.stand.random import EVERYTHING
-from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import figures
 from mahovik.use.plan.objective import Cost
-from mahovik.use.plan.optimise import ImprovedMotion, evaluate, exceeded_by, improve
+from mahovik.use.plan.optimise import ImprovedMotion, evaluate, exceeded_by
 from mahovik.use.plan.optimise.improve import make_stage
 from mahovik.use.plan.optimise.merit import Stage
 from mahovik.use.plan.problem import Periodic
-from plan.improvable import UNTIL, N, improved, plain, setting
+from plan.improvable import N, improved, plain, setting
 from plan.problems import problem, wheels
 
 WHEELS, H = 3, 4
@@ -86,29 +85,6 @@ def test_bounds_that_the_start_breaks_are_kept() -> None:
     assert exceeded_by(own.problem, own.cost, found.motion) == ()
     assert found.utilisation < 1.0
     assert found.residual < own.problem.tolerance
-
-
-def test_bias_is_bounded_and_fixed_where_its_bound_is_zero() -> None:
-    """The mean pose stays where it was in a component with bound 0."""
-    own = setting(Bounds(bias=(2e-4, 2e-4, 0.0, 1e-2, 1e-2, 1e-2)))
-    found = improved(own, "rock")
-    assert found.motion.bias[2] == plain("rock").bias[2]
-    unfixed = [each for each in exceeded_by(own.problem, own.cost, found.motion) if each.of != "z"]
-    assert unfixed == []
-
-
-def test_what_cannot_be_kept_is_told() -> None:
-    """A tenth of what is possible: the excess is that of the motion given, recomputed on another grid."""
-    own = setting(Bounds(acceleration=(60.0,) * N))
-    budget = Budget(UNTIL)
-    found = own.rescue(own.candidate(improve(own.problem, own.cost, plain("rock"), budget), "rock"), None)
-    assert found is not None and found.exact and not found.is_programme
-    worst = found.exceeded_bounds[0]
-    peaks = np.abs(found.motion.at(own.problem.grid(4001, found.motion.H).basis).phi_ddot).max(axis=0)
-    assert worst.value == pytest.approx(peaks.max(), rel=1e-4)
-    assert worst.ratio == pytest.approx(worst.value / 60.0)
-    assert {each.of for each in found.exceeded_bounds} == {f"w{s + 1}" for s in np.flatnonzero(peaks > 60.0)}
-    assert found.utilisation == pytest.approx(worst.ratio, rel=1e-6)
 
 
 @pytest.mark.slow

@@ -28,14 +28,12 @@ from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.diagnose.faults import DICTIONARY
 from mahovik.proof.diagnose.faults.stream import PROFILE_FAULTS
 from mahovik.proof.diagnose.predict import FaultyProgram, Part
-from mahovik.proof.diagnose.states import separating_states
 from mahovik.proof.diagnose.terms.coefficients import Multiple
 from mahovik.proof.diagnose.terms.search import TermSearchResult, WrongTerm
 from mahovik.proof.diagnose.words import as_object, name_of, sentences
 from mahovik.proof.reference.hold import twists
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
-from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.states import Request
 from mahovik.stands import path
 from physics.motions import vec
@@ -128,14 +126,6 @@ def test_the_flywheel_that_has_it_is_named(name: str) -> None:
     assert "in w2 alone" in " ".join(sentences(found))
 
 
-def test_the_file_read_wrongly_is_found() -> None:
-    """Planted without the dictionary: the reference itself, on a stand whose instruments have no added mass."""
-    wrong = replace(stand(), instruments=tuple(replace(p, added_mass=None) for p in stand().instruments))
-    assert wrong != stand()
-    found = diagnoser().diagnose(answers(NumpyBackend(wrong).evaluate))
-    assert names(found)[0] == {("added mass of instruments missing", None)}
-
-
 def test_the_state_read_wrongly_is_found() -> None:
     right = NumpyBackend(stand())
 
@@ -159,17 +149,6 @@ def test_two_at_once() -> None:
     found = planted(Part(BY_NAME["K* missing"]), Part(BY_NAME["buoyancy, sign"]))
     assert names(found)[0] == {("K* missing", None), ("buoyancy, sign", None)}
     assert sentences(found)[0] == "two faults at once found:"
-
-
-@pytest.mark.slow
-def test_a_fault_in_one_function_only() -> None:
-    right, wrong = (
-        FaultyProgram(stand()).answer,
-        FaultyProgram(stand(), (Part(BY_NAME["added mass missing in Phi K"]),)).answer,
-    )
-    found = diagnoser().diagnose(lambda request: (wrong if request.want == ("forward",) else right)(request))
-    assert names(found)[0] == {("added mass missing in Phi K", None)}
-    assert found.causes[0].only_in == ("forward: V_dot",)
 
 
 def test_correct_programs_have_no_fault() -> None:
@@ -222,14 +201,6 @@ def test_a_diagnosis_in_words_and_as_data() -> None:
     assert 0.9 < data["confidence"] <= 1.0
     (line,) = sentences(Diagnosis("equal", failed=("inverse status (2 where the reference has 0)",)))
     assert "no fault" not in line and "inverse status (2 where the reference has 0)" in line
-
-
-def test_only_bodies_that_take_a_wrench_get_one() -> None:
-    takes = {body.name for body in stand().bodies if body.wrench_input}
-    assert 0 < len(takes) < len(stand().bodies)
-    for _, state in (*separating_states(stand()), *draw(stand(), 1, 40, wrenches=False)):
-        assert set(state.wrench) <= takes
-    assert any(set(request.state.wrench) == takes for request in diagnoser().requests)
 
 
 PROFILE = StreamProfile((0.0, 0.0, 1.0), (0.0, 10.0, 50.0), ((0.5, 0.0, 0.1), (0.25, 0.0, 0.0), (0.0, 0.0, 0.0)))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from dataclasses import replace
 from functools import cache
@@ -29,8 +28,6 @@ from mahovik.use.study.resolution import FACTOR, MOTIONS, QUANTITIES, UNIT, bala
 from physics.general import rows
 from toolchain.quick import quick
 
-SPEED = 300.0
-
 
 @cache
 def heavy() -> Stand:
@@ -52,29 +49,6 @@ def test_the_examples_are_fine(name: str) -> None:
     assert shortfalls(stand, speeds(stand)) == []
 
 
-def test_a_tiny_unbalance_on_a_heavy_carrier_is_too_much() -> None:
-    found = shortfalls(heavy(), [SPEED, SPEED])
-    assert ("left", "forward") in {(each.flywheel, each.want) for each in found}
-    assert all(each.effect < 2 * each.rounding for each in found)
-    assert all("double" in str(each) and each.flywheel in str(each) for each in found)
-
-
-@pytest.mark.slow
-def test_the_c_in_float_does_lose_it() -> None:
-    """In the claimed motion the error of the C in V_dot is larger than the whole effect of the unbalance."""
-    stand = heavy()
-    (claim,) = (each for each in shortfalls(stand, [SPEED, SPEED]) if (each.flywheel, each.want) == ("left", "forward"))
-    without = replace(stand, flywheels=(balanced_flywheel(stand.flywheels[0]), *stand.flywheels[1:]))
-    single, double = CBackend(stand, "float"), CBackend(stand)
-    for state in map(round_to_float, states(stand, [SPEED, SPEED], claim.motion)):
-        exact = reference.evaluate(stand, state, ["forward"])["V_dot"]
-        effect = np.abs(exact - reference.evaluate(without, state, ["forward"])["V_dot"])
-        off = np.abs(np.array(single.evaluate(state, ["forward"])["V_dot"]) - exact)
-        fine = np.abs(np.array(double.evaluate(state, ["forward"])["V_dot"]) - exact)
-        assert off.max() > effect.max()
-        assert fine.max() < off.max() * 1e-6
-
-
 @pytest.mark.parametrize("name", quick(1, ["sat4", "auv6"]))
 def test_rounding_is_what_the_estimate_allows(name: str) -> None:
     stand = load(path(name))
@@ -94,12 +68,10 @@ def test_generate_of_float_says_so_as_check_does(tmp_path: Path) -> None:
     warned = [line for line in run("check", str(file)).stdout.splitlines() if line.startswith("warning: ")]
     of_float, singular = ([line for line in warned if line.startswith(f"warning: {of}")] for of in ("float: ", "(12)"))
     assert len(of_float) == len(singular) == 1
-    result = run("generate", str(file), "--real", "float", "-o", str(tmp_path / "float"))
+    result = run("generate", str(file), "--real", "float", "--only", "forward", "-o", str(tmp_path / "f"))
     unbalance, steps, *others = result.stderr.splitlines()
     assert (result.exit_code, unbalance, others) == (0, *of_float, singular)
     assert steps.startswith("warning: float: steps of 0.0001 s lose")
-    double = run("generate", str(file), "-o", str(tmp_path / "double"))
-    assert (double.exit_code, double.stderr.splitlines()) == (0, singular)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -149,29 +121,16 @@ def test_the_c_loses_at_most_the_part_that_is_named_and_much_of_it() -> None:
     assert np.all(np.abs(carried / exact - 1.0) < 0.1 * part + 1e-4)
 
 
-def test_a_torque_below_the_lost_one_does_nothing() -> None:
-    """Half of it, since the carrier turns back, so that a flywheel gains more speed than by its own inertia."""
-    dt, N = 1e-5, len(SAT4.flywheels)
-    lost = lost_increments(SAT4, [TOP_SPEED] * N, dt)[0]
-    still = replace(SAT4, gravity=(0.0, 0.0, 0.0))
-    start = replace(rest_state(still), phi_dot=(TOP_SPEED,) * N, tau=(0.5 * lost.lost_torque,) * N)
-    end = end_of_steps(CBackend(still, "float"), "step", start, 100 * dt, 100)["phi_dot"]
-    assert np.all(end == np.float32(TOP_SPEED))
-
-
 def test_check_names_step_part_and_remedy() -> None:
     found = run("check", str(path("sat4")), "--dt", "0.1 ms")
     text = " ".join(found.stdout.split())
     assert "warning: float: a step of 0.0001 s adds" in text and "use step_carried or double" in text
     assert "at 6000 rpm by up to 3.1e-05 rad/s" in text
-    given = json.loads(run("check", str(path("sat4")), "--dt", "1e-4", "--json").stdout)["increments"]
-    assert [each["flywheel"] for each in given] == ["rw1", "rw2", "rw3", "rw4"]
-    assert given[0]["part"] == pytest.approx(2**-15 / given[0]["increment"])
+    for wrong in ("0", "-1", "1 m", "inf"):
+        assert "--dt: " in run("check", str(path("sat4")), "--dt", wrong).stderr
 
 
 def test_long_steps_lose_nothing_worth_a_warning() -> None:
     assert lost_increments(SAT4, [TOP_SPEED] * 4, 0.1) == []
     bare = replace(SAT4, flywheels=tuple(replace(s, motor=None) for s in SAT4.flywheels))
     assert lost_increments(bare, [TOP_SPEED] * 4, 1e-2) == [] and len(lost_increments(bare, [TOP_SPEED] * 4, 1e-4)) == 4
-    for wrong in ("0", "-1", "1 m", "inf"):
-        assert "--dt: " in run("check", str(path("sat4")), "--dt", wrong).stderr

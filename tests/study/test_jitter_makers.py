@@ -11,15 +11,14 @@ from mahovik.core.stand import Stand, load
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.mounts import mounts
 from mahovik.stands import path
-from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter import Jitter, Makers, View, balance, jitter
 from mahovik.use.study.jitter.csv_table import JitterFileError
 from mahovik.use.study.jitter.exact import mount_wrenches
-from mahovik.use.study.jitter.maker import InnerModes, read_harmonics, read_inner_modes, read_noise
+from mahovik.use.study.jitter.maker import InnerModes, read_harmonics, read_inner_modes
 from mahovik.use.study.jitter.structure import read_structure
 from mahovik.use.study.linear.model import places
 from mahovik.use.study.response.speeds import read_speeds
-from study.test_jitter import M_CARRIER, M_WHEEL, one_wheel
+from study.test_jitter import M_CARRIER, one_wheel
 
 OMEGA = 240.0
 
@@ -152,17 +151,3 @@ def test_rocking_splits_into_whirls(tmp_path: Path) -> None:
         w = np.array([0, 0, 0, 0, 1, -1j]), np.array([0, 0, 0, 0, 1, 1j])
         passed = [abs(inner.transmit(each, np.array(omega), np.array(speed))[4]) for each in w]
         assert passed == pytest.approx(rotor(inner, omega, speed), rel=1e-9)
-
-
-def test_noise_of_a_free_mass_by_closed_form(tmp_path: Path) -> None:
-    """A flat density of force gives a flat density of acceleration, by the mass squared."""
-    stand = one_wheel(tmp_path, 'static = "0.0001 g cm"')
-    noise = read_noise(
-        table(tmp_path, "frequency [Hz],radial force [N^2/Hz],axial force [N^2/Hz]\n10,1e-6,4e-6\n110,1e-6,4e-6\n")
-    )
-    found = run(stand, f"w={OMEGA}", Makers(noise={"w": noise}), "acceleration").noise
-    assert found is not None
-    mass = M_CARRIER + M_WHEEL
-    wanted: Array = np.array([1e-6, 1e-6, 4e-6]) * 100.0 / mass**2
-    assert found.mean_square() == pytest.approx(wanted, rel=1e-3)
-    assert found.by_wheel[0] == pytest.approx(found.mean_square())

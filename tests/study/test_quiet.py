@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from dataclasses import replace
 from pathlib import Path
@@ -13,7 +12,6 @@ import pytest
 
 import mahovik
 from cli.run import refused
-from mahovik.core.motion import loads_regime
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import rest_state
@@ -23,13 +21,10 @@ from mahovik.proof.reference.momentum import momentum
 from mahovik.stands import path
 from mahovik.use.study.band import rms
 from mahovik.use.study.quiet import QuietOptions, QuietResult, quiet
-from mahovik.use.study.quiet.lines import Amplitudes, cancel, power
 from mahovik.use.study.quiet.options import Wheels
-from mahovik.use.study.quiet.result import as_object, regime_text
 from mahovik.use.study.quiet.search import Search, SpeedChoice
 from mahovik.use.study.quiet.simulation import band_rms, line_amplitude
 from mahovik.use.study.response.periodic import periodic_response
-from mahovik.use.study.rest import rest
 from study.test_response_held import shaker, table
 
 RPM = math.pi / 30.0
@@ -102,22 +97,6 @@ def test_limits_hold(sat4: Stand) -> None:
     assert np.abs(held.after.speeds - held.before.speeds).max() <= 20.0 * RPM * (1 + 1e-8)
 
 
-def test_modes_of_the_suspension_are_avoided(sat4: Stand) -> None:
-    """A stand on springs: no order within the margin of a natural frequency."""
-    from mahovik.laws.suspension.data import Suspension
-
-    k = 60.0 * (2 * math.pi * 40.0) ** 2
-    stiff = tuple(tuple(k * (1.0 if i < 3 else 0.04) * (i == j) for j in range(6)) for i in range(6))
-    damp = tuple(tuple(x * 1e-4 for x in row) for row in stiff)
-    stand = sat4.with_laws(Suspension(stiff, damp, (0.0,) * 3, (0.0,) * 3))  # type: ignore[arg-type]
-    wish = replace(SAT4, momentum=(0.0, 0.0, 11.0), speeds=None, modes=True, measure="angle")
-    got = quiet_result(stand, wish)
-    assert len(got.natural) == 6
-    turns = np.abs(got.after.speeds) / (2 * math.pi)
-    for f in got.natural:
-        assert all(np.all(np.abs(order * turns / f - 1.0) >= 0.1 - 1e-6) for order in (1, 2))
-
-
 def test_the_exact_steady_state_is_ten_times_quieter(sat4: Stand, chosen: QuietResult) -> None:
     """Motion by collocation of the whole equations, all orders in the band, for the speeds and phases found."""
     got = chosen
@@ -127,31 +106,6 @@ def test_the_exact_steady_state_is_ten_times_quieter(sat4: Stand, chosen: QuietR
     assert got.before.free / float(np.linalg.norm(values)) >= 10.0
     assert np.abs(got.after.speeds - AWAY).max() < 10.0 * RPM
     assert got.momentum_error < 1e-13
-
-
-def test_the_files_are_read_back(sat4: Stand, chosen: QuietResult) -> None:
-    """The regime by `simulate`'s reader, the result as strict JSON."""
-    got = chosen
-    regime = loads_regime(regime_text(got), sat4, 1.0)
-    _, phi_dot, _ = regime.motion(np.zeros(1))
-    assert phi_dot[0].tolist() == got.after.speeds.tolist()
-    assert [each.phase for each in regime.flywheels] == got.after.phases.tolist()
-    said = json.loads(json.dumps(as_object(got), allow_nan=False))
-    assert said["after"]["start"]["phi_dot"] == got.after.speeds.tolist()
-    assert said["after"]["lines"][0]["flywheels"] == ["rw1", "rw2", "rw3", "rw4"]
-
-
-def test_phases_off_by_what_is_said_double_what_is_left(sat4: Stand, chosen: QuietResult) -> None:
-    """Drawn errors, root mean square over draws."""
-    got = chosen
-    assert got.hold is not None
-    a = Amplitudes.of(sat4, SAT4, rest(sat4).state).at(got.after.speeds)
-    rng = np.random.default_rng(0)
-    errors = rng.normal(0.0, got.hold, (4000, 4))
-    sums = np.exp(1j * np.sign(got.after.speeds) * (got.after.phases + errors)) @ a.T
-    assert math.sqrt(float(np.mean(np.sum(np.abs(sums) ** 2, axis=1))) / 2) == pytest.approx(
-        2 * got.after.rms, rel=0.03
-    )
 
 
 def test_what_binds_is_said(sat4: Stand) -> None:
@@ -192,20 +146,6 @@ def test_stands_that_have_nothing_free_are_refused(sat4: Stand) -> None:
         quiet_result(pair, speeds=None)
     along = Wheels.of(pair, replace(SAT4, momentum=(1.0, 1.0, 1.0), speeds=None))
     assert along.nullspace.shape == (2, 1)
-
-
-@pytest.mark.parametrize("seed", [1, 2, 3])
-def test_the_least_is_that_of_a_grid(seed: int) -> None:
-    """Three flywheels on three axes, against all phases in steps of 2 degrees."""
-    rng = np.random.default_rng(seed)
-    a = rng.normal(size=(3, 3)) + 1j * rng.normal(size=(3, 3))
-    psi, least = cancel(a, rng)
-    grid = np.exp(1j * np.radians(np.arange(0.0, 360.0, 2.0)))
-    sums = a[:, :1, None] + a[:, 1, None, None] * grid[:, None] + a[:, 2, None, None] * grid
-    best = float(np.sum(np.abs(sums) ** 2, axis=0).min())
-    assert least == pytest.approx(power(a, psi))
-    assert least <= best
-    assert least > 0.98 * best - 1e-3
 
 
 def test_rms_of_a_line_in_the_band() -> None:

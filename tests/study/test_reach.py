@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import json
 import re
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 from mahovik.core.stand import load, loads
 from mahovik.core.stand.model import Stand
-from mahovik.out.cli import main
 from mahovik.stands import names, path
 from mahovik.use.study.excess import excess
 from mahovik.use.study.task_reach import task_shortfalls
@@ -92,17 +88,3 @@ def test_a_force_of_unbalance_alone_is_too_much_for_the_motors() -> None:
     (found,) = task_shortfalls(replace(stand, flywheels=wheels))
     assert found.flywheel in ("a", "b") and 1.0 < found.share < np.inf
     assert "(EXCESSIVE)" in str(found)
-
-
-def test_check_warns_in_one_line(tmp_path: Path) -> None:
-    text = path("eye4").read_text(encoding="utf-8")
-    head, first, second, *_, rest = text.split("[[flywheel]]")
-    file = tmp_path / "two.toml"
-    two = "[[flywheel]]".join([head, first, second]) + rest[rest.index("[[point]]") :]
-    file.write_text(two.replace('"eye4"', '"two"'), encoding="utf-8")
-    printed = CliRunner().invoke(main, ["check", str(file)])
-    assert printed.exit_code == 0
-    (line,) = (each for each in printed.output.splitlines() if "UNREACHABLE" in each)
-    assert "task pointing" in line and "wy" in line and "wz" in line and "remove a row" in line
-    found = json.loads(CliRunner().invoke(main, ["check", str(file), "--json"]).output)
-    assert [each["task"] for each in found["unreached"]] == ["pointing"]

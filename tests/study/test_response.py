@@ -15,6 +15,7 @@ from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
+from mahovik.proof import reference
 from mahovik.stands import path
 from mahovik.use.simulate import Case, simulate
 from mahovik.use.study.band import rms
@@ -68,37 +69,30 @@ def test_small_unbalance_is_answered_as_the_linear_model_says() -> None:
     assert left[1] < left[0] / 5
 
 
-def test_shifting_all_phases_shifts_time(bench8: Scene) -> None:
-    speeds, angle = [30.0] * 8, 0.7
-    plain = periodic_response(bench8, speeds, ["carrier"]).points["carrier"].harmonics("velocity")
-    later = periodic_response(bench8, speeds, ["carrier"], [angle] * 8).points["carrier"].harmonics("velocity")
-    count = min(len(plain), len(later))
-    turned = plain[:count] * np.exp(1j * angle * np.arange(count))[:, None]
-    assert np.abs(turned - later[:count]).max() < 1e-10 * np.abs(plain).max()
+def state_at(found: Periodic, node: int = 0) -> State:
+    """The state of a periodic course at a node; the first is that of t = 0."""
+    chart, y = found.scene.chart, found.y[node]
+    q = Rotation.from_matrix(chart.C @ Rotation.from_rotvec(y[3:6]).as_matrix()).as_quat(scalar_first=True)
+    turned = 2 * np.pi * np.array(found.turning.turns) * node / len(found.y)
+    return replace(
+        found.scene.rest,
+        position=vec(chart.O1 + chart.C @ y[:3]),
+        angles=None,
+        quaternion=vec(q),
+        V=vec(y[6:]),
+        phi=vec(turned + found.scene.rest.phi),
+        phi_dot=found.turning.speeds,
+    )
 
 
 def test_a_floating_stand_keeps_its_centre_of_mass() -> None:
     """sat4: no wrench is needed to hold its mean place, and its momentum is the same at all nodes, in E0: none."""
-    from scipy.spatial.transform import Rotation
-
-    from mahovik.proof import reference
-    from mahovik.proof.reference.rotation import quaternion_rotation
-
     stand = load(path("sat4"))
     found = periodic_response(stand, [628.0, 0.0, 314.0, 0.0])
     assert np.abs(found.hold).max() < 1e-14
     assert found.stable
     assert np.abs(found.y[:, :6].mean(axis=0) @ np.eye(6)).max() < 1e-18 + 1e-9 * np.abs(found.y[:, :6]).max()
-    chart, momenta = found.scene.chart, []
-    for i in (0, len(found.y) // 3):
-        q = Rotation.from_rotvec(found.y[i, 3:6]).as_quat(scalar_first=True)
-        phi = tuple(2 * np.pi * n * i / len(found.y) for n in found.turning.turns)
-        state = replace(
-            found.scene.rest, position=tuple(chart.O1 + found.y[i, :3]), quaternion=tuple(q), V=tuple(found.y[i, 6:]),
-            phi=phi, phi_dot=found.turning.speeds,
-        )  # fmt: skip
-        assert np.allclose(quaternion_rotation(*q), chart.C @ quaternion_rotation(*q))
-        momenta.append(reference.evaluate(stand, state, ["momentum"])["Z0"])
+    momenta = [reference.evaluate(stand, state_at(found, i), ["momentum"])["Z0"] for i in (0, len(found.y) // 3)]
     size = 60.0 * np.abs(found.y[:, 6:9]).max()
     assert np.abs(momenta[0][:3]).max() < 1e-8 * size
     assert np.abs(momenta[1] - momenta[0]).max() < 1e-9
@@ -231,26 +225,11 @@ POSE_AND_V = (
 )
 
 
-def begin(found: Periodic) -> State:
-    """The state of a periodic course at t = 0."""
-    chart, y = found.scene.chart, found.y[0]
-    C = chart.C @ Rotation.from_rotvec(y[3:6]).as_matrix()
-    q = Rotation.from_matrix(C).as_quat(scalar_first=True)
-    return replace(
-        found.scene.rest,
-        position=vec(chart.O1 + chart.C @ y[:3]),
-        angles=None,
-        quaternion=vec(q),
-        V=vec(y[6:]),
-        phi_dot=found.turning.speeds,
-    )
-
-
 def returned(found: Periodic, periods: int) -> float:
     """Distance of the carrier from where it began after some periods, relative to its amplitude."""
     until = periods * found.turning.period
     regime = motion.steady_regime(found.scene.stand, found.turning.speeds)
-    run = simulate(Case(found.scene.stand, regime, begin(found), until, until), "scipy")
+    run = simulate(Case(found.scene.stand, regime, state_at(found), until, until), "scipy")
     data = run.data[:, [run.names.index(name) for name in POSE_AND_V]]
     off, size = np.abs(data[-1] - data[0]), np.ptp(found.y, axis=0)
     parts = ((slice(0, 3), 1.0), (slice(3, 7), 2.0), (slice(7, 10), 1.0), (slice(10, 13), 1.0))
@@ -267,11 +246,3 @@ def test_the_reference_comes_back_after_a_period() -> None:
 )
 def test_the_reference_comes_back_at_several_speeds(name: str, speeds: list[float]) -> None:
     assert returned(periodic_response(load(path(name)), speeds), 1) < 1e-8
-
-
-@pytest.mark.slow
-def test_a_floating_stand_comes_back_after_a_period() -> None:
-    """In place as well: nothing drifts. SciPy's absolute tolerance, 1e-12, is felt beside an amplitude of 2e-8 m."""
-    found = periodic_response(load(path("sat4")), [628.0, 0.0, -314.0, 0.0])
-    assert np.abs(found.hold).max() < 1e-14
-    assert returned(found, 4) < 1e-6

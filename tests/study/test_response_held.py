@@ -16,7 +16,6 @@ from mahovik import stands
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Hold
-from mahovik.errors import CheckError
 from mahovik.use.study.response import periodic_response
 
 HELD = Path(__file__).parents[2] / "docs" / "held"
@@ -154,13 +153,6 @@ def test_refusals(words: list[str], expected: str) -> None:
 def test_a_free_carrier_has_no_reaction() -> None:
     text = refused("response", str(stands.path("sat4")), "--speed", "all=10", "--at", "hold.reaction")
     assert "sat4 has no [hold]" in text
-
-
-def test_a_knife_edge_is_refused() -> None:
-    """Poses of a knife edge have more coordinates than freedoms."""
-    document = shaker(False) | {"hold": {"freedoms": ["x", "yaw"]}}
-    with pytest.raises(CheckError, match="not a closed set"):
-        periodic_response(stand_of(document), [10.0])
 
 
 def test_a_freedom_that_turns_has_an_angle_and_its_derivatives() -> None:

@@ -206,15 +206,6 @@ def test_a_term_of_a_suspension_is_not_one_that_should_not_be_there(
     assert "should not be there" not in " ".join(sentences(Diagnosis("unknown").with_terms(result)))
 
 
-def test_a_constant_has_a_unit_and_that_of_a_reaction_its_own_sign() -> None:
-    def force(_: Any, right: Any, at: Pieces) -> None:
-        right[2] -= 0.5
-
-    lines = sentences(Diagnosis("unknown").with_terms(terms_found("pendulum", force, "reaction")))
-    constant = "a constant of the reaction of 0.5 N (-0.5 on the right-hand side), which should not be there"
-    assert f"  reaction, Z: {constant}; 100% of the error" in lines
-
-
 def test_terms_of_torques() -> None:
     """Of phases in the motion are those of the table above."""
     stand = stand_of("demo3")
@@ -227,24 +218,6 @@ def test_terms_of_torques() -> None:
     result = search("demo3", "torque").find(answers)
     assert result.whole
     assert {(x.want, x.component, x.term) for x in result.terms} == {("torque", "w2", "p q")}
-
-
-@pytest.mark.slow
-def test_terms_of_the_momentum() -> None:
-    stand = stand_of("demo3")
-
-    def answers(request: Request) -> Mapping[str, Any]:
-        at = reference.pieces(stand, request.state)
-        values = reference.evaluate(stand, request.state, request.want, at)
-        values["Z"][4] -= 2 * at.K[4, 4] * at.V_r[4]
-        values["Z"][5] += 0.01 * at.phi_dot[1]
-        return values
-
-    result = TermSearch(stand, wants=("momentum",)).find(answers)
-    assert result.whole
-    assert {(x.component, x.term) for x in result.terms} == {("M", "q"), ("N", "w2.speed")}
-    (inertia,) = (x.multiple for x in result.terms if x.component == "M")
-    assert (inertia.factor, inertia.expected, inertia.coefficient) == (-1.0, 1.0, "I_yy")
 
 
 @pytest.mark.slow
