@@ -1,4 +1,4 @@
-"""The attitude loop closed by the exact plant: slews, failed flywheels, momentum; faults in its C are noticed."""
+"""The attitude loop closed by the exact plant: slews, failed flywheels, momentum; what is refused."""
 
 from __future__ import annotations
 
@@ -33,9 +33,7 @@ def numbers_in(line: str) -> list[float]:
     return [float(text) for text in re.findall(r"\d+\.\d+", line)]
 
 
-@pytest.mark.parametrize(
-    ("real", "failure"), quick(1, [("double", "coasts"), ("float", "held"), ("float", "coasts"), ("double", "none")])
-)
+@pytest.mark.parametrize(("real", "failure"), quick(1, [("double", "coasts"), ("float", "held")]))
 def test_a_slew_a_failed_wheel_and_the_momentum(real: str, failure: str, tmp_path: Path) -> None:
     """Within 1 arcsec after the slew and at the end; torques and speeds within the motors; 1 N m s down to 0.5 %."""
     printed = example(written(exported(real, LoopOptions(failure=failure)), tmp_path))  # type: ignore[arg-type]
@@ -65,31 +63,6 @@ def test_without_a_wrench_of_the_carrier_momentum_stays_and_the_page_says_so(tmp
     assert printed["failures"] == "failures 0"
     assert "momentum" not in printed
     assert max(numbers_in(printed["pointing"])[1:]) < 1.0
-
-
-FAULTS = {
-    "the sign of the error": ("(q[0] < 0) ? -2 : 2", "(q[0] < 0) ? 2 : -2"),
-    "what fails is not known": ("(failed[s] != EYE4_ATTITUDE_WORKS", "(failed[s] > EYE4_ATTITUDE_HELD"),
-    "the sign of the moment": ("moment[i] = -rate", "moment[i] = rate"),
-    "the moment is not balanced": ("wrench[3 + i] = made.moment[i];", "wrench[3 + i] = 0;"),
-    "the damping": ("- 2 * config->damping * config->bandwidth", "+ 2 * config->damping * config->bandwidth"),
-    "no friction": ("tau + friction(config, s, speed)", "tau - friction(config, s, speed)"),
-    "the axis of the slew": ("sign * turn[i + 1] / length", "sign * turn[3 - i] / length"),
-}
-
-
-@pytest.mark.parametrize("what", quick(1, FAULTS))
-def test_a_fault_in_the_loop_is_noticed(what: str, tmp_path: Path) -> None:
-    """The example itself finds a fault: its last line, or an error three times as large as without it."""
-    folder = written(exported(), tmp_path)
-    source = folder / "eye4_attitude.c"
-    before, after = FAULTS[what]
-    text = source.read_text()
-    assert text.count(before) == 1
-    source.write_text(text.replace(before, after))
-    printed = example(folder)
-    refused = any("refused with status" in line for line in printed.values())
-    assert refused or printed["failures"] != "failures 0" or numbers_in(printed["pointing"])[0] > 240.0
 
 
 @pytest.fixture(scope="module")
@@ -178,14 +151,12 @@ def _changed(text: tuple[str, str] | str, folder: Path) -> Stand:
     return load(file)
 
 
-def test_stands_without_a_task_or_enough_axes_are_refused(tmp_path: Path) -> None:
+def test_stands_without_a_task_or_enough_axes_are_refused() -> None:
     with pytest.raises(UsageError, match="no task: add"):
         attitude_sources(load(path("bench8")), LoopOptions(), "double")
-    text = path("eye4").read_text(encoding="utf-8")
-    two = re.sub(r'\[\[flywheel\]\]\nname = "rw[34]".*?\n\n', "", text, flags=re.DOTALL)
-    (tmp_path / "eye4.toml").write_text(two, encoding="utf-8")
+    whole = load(path("eye4"))
     with pytest.raises(UsageError, match="the spin axes of its flywheels do not span space"):
-        attitude_sources(load(tmp_path / "eye4.toml"), LoopOptions(), "double")
+        attitude_sources(replace(whole, flywheels=whole.flywheels[:2]), LoopOptions(), "double")
 
 
 def test_clang_32_bits_cpp_and_bare_objects(tmp_path: Path) -> None:
@@ -237,13 +208,3 @@ def test_motors_without_limits_are_told() -> None:
     assert any(
         "no torque of rw1, rw2, rw3, rw4 is bounded" in line for line in design_attitude(free, LoopOptions()).lines
     )
-
-
-@pytest.mark.slow
-def test_a_failure_that_is_told_late_fails_after_the_slew(tmp_path: Path) -> None:
-    """The error is small again at the end; what is left of it right after the slew decides."""
-    written(exported(), tmp_path)
-    lines = example(tmp_path, "-DTOLD=2000")
-    after, end = re.findall(r"([0-9.]+) arcsec", lines["pointing"])[1:]
-    assert float(end) < 1.0 < float(after)
-    assert lines["failures"] == "failures 1"

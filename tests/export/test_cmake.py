@@ -1,4 +1,4 @@
-"""The CMake project: used as a folder and installed, from C and from C++, with the bits of a plain build."""
+"""CMake projects of a free stand and of held ones: from C and C++, with the bits of a plain build, and examples."""
 
 from __future__ import annotations
 
@@ -9,12 +9,17 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from cli.run import AUV6, BENCH8, DEMO3, refused, run
+from cli.run import BENCH8, refused, run
 from mahovik.core.stand import load
+from mahovik.core.stand.hold import twist_of
 from mahovik.out.export.cmake import cmake_project
+from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.stands import path
+from mahovik.use.simulate.held import home
+from toolchain.quick import quick
 from toolchain.tools import require
 
 IN_C = """#include <stdio.h>
@@ -135,12 +140,11 @@ def plain(exported: Path, tmp_path_factory: pytest.TempPathFactory) -> str:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("flags", ["-O2 -march=native -ffast-math", ""])
-def test_as_a_folder_of_a_project(exported: Path, plain: str, flags: str, tmp_path: Path) -> None:
+def test_as_a_folder_of_a_project(exported: Path, plain: str, tmp_path: Path) -> None:
     """The C is compiled with its own flags, independent of those of the project."""
     made = build(
         user(tmp_path / "mine", f'add_subdirectory("{exported}" bench8)'),
-        f"-DCMAKE_C_FLAGS={flags}",
+        "-DCMAKE_C_FLAGS=-O2 -march=native -ffast-math",
         "-G",
         "Unix Makefiles",
     )
@@ -163,66 +167,6 @@ def test_installed_and_found(exported: Path, plain: str, tmp_path: Path) -> None
 
 
 @pytest.mark.slow
-def test_batches_floats_and_two_stands_in_one_project(tmp_path: Path) -> None:
-    """Also with clang and shared libraries."""
-    clang, other = require("clang", "clang"), require("clang++", "clang")
-    for stand_file, *options in ((DEMO3, "--batch"), (AUV6, "--real", "float")):
-        name = Path(stand_file).stem
-        result = run("export", "cmake", stand_file, "-o", str(tmp_path / name), *options)
-        assert result.exit_code == 0, result.output
-    (tmp_path / "CMakeLists.txt").write_text("""cmake_minimum_required(VERSION 3.15)
-project(both C)
-add_subdirectory(demo3)
-add_subdirectory(auv6)
-enable_testing()
-add_executable(both both.c)
-target_link_libraries(both PRIVATE mahovik::demo3_batch mahovik::auv6)
-""")
-    (tmp_path / "both.c").write_text("""#include "auv6.h"
-#include "demo3_batch.h"
-int main(void) { return sizeof(auv6_real) == 4 && sizeof(demo3_real) == 8 ? demo3_wrap(7, &(demo3_real){ 0 }) : 1; }
-""")
-    tests = ("-DDEMO3_TESTS=ON", "-DAUV6_TESTS=ON", "-DDEMO3_EXAMPLE=ON", "-DAUV6_EXAMPLE=ON")
-    made = build(
-        tmp_path, *tests, "-DBUILD_SHARED_LIBS=ON", f"-DCMAKE_C_COMPILER={clang}", f"-DCMAKE_CXX_COMPILER={other}"
-    )
-    call(made / "both")
-    assert ctest(made) == 4
-
-
-@pytest.mark.slow
-def test_threads_of_batches_are_found_with_the_package(tmp_path: Path) -> None:
-    folder = tmp_path / "demo3"
-    assert run("export", "cmake", DEMO3, "-o", str(folder), "--batch").exit_code == 0
-    made = build(
-        folder,
-        "-DDEMO3_OPENMP=ON",
-        "-DDEMO3_TESTS=OFF",
-        "-DDEMO3_EXAMPLE=OFF",
-        f"-DCMAKE_C_COMPILER={require('gcc', 'gcc')}",
-    )
-    call(cmake(), "--install", made, "--prefix", tmp_path / "prefix")
-    mine = tmp_path / "mine"
-    mine.mkdir()
-    (mine / "CMakeLists.txt").write_text("""cmake_minimum_required(VERSION 3.15)
-project(mine C)
-find_package(demo3 CONFIG REQUIRED)
-add_executable(main main.c)
-target_link_libraries(main PRIVATE mahovik::demo3_batch)
-""")
-    (mine / "main.c").write_text("""#include "demo3_batch.h"
-int main(void)
-{
-    demo3_real x[13 + 2 * DEMO3_N] = { 0 }, phi_ddot[DEMO3_N] = { 0 }, V_dot[6];
-    demo3_status status[1];
-    x[3] = 1;
-    return demo3_forward_batch(&demo3_default, 1, x, phi_ddot, V_dot, status);
-}
-""")
-    call(build(mine, f"-DCMAKE_PREFIX_PATH={tmp_path / 'prefix'}", "-DCMAKE_C_COMPILER=gcc") / "main")
-
-
-@pytest.mark.slow
 def test_cross_compiled(exported: Path, tmp_path: Path) -> None:
     """For a Cortex-M7: no C++ compiler of this machine is asked."""
     require("arm-none-eabi-gcc", "gcc-arm-none-eabi")
@@ -236,13 +180,6 @@ set(CMAKE_C_FLAGS_INIT "-mcpu=cortex-m7 -mfpu=fpv5-d16 -mfloat-abi=hard --specs=
     image = (made / "libmahovik_bench8.a").read_bytes()
     assert b"bench8_forward" in image
     assert not (made / "mahovik_bench8_example").exists()
-
-
-@pytest.mark.slow
-def test_without_a_compiler_for_cpp(exported: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Firmware has C alone: the example is left out, nothing fails."""
-    monkeypatch.setenv("CXX", "no-such-compiler")
-    assert ctest(build(exported, where=str(tmp_path / "made"))) == 1
 
 
 @pytest.mark.slow
@@ -269,3 +206,84 @@ def test_a_part_under_another_name_has_neither_recorder_nor_example() -> None:
     assert "fw_example" not in files["CMakeLists.txt"]
     assert "--real float --only torque" in files["README.md"]
     assert "fw_forward(" not in files["fw.h"]
+
+
+# ---- held stands ----
+
+HELD = """schema = 1
+name = "arm"
+gravity = [0, 0, -9.81]
+
+[carrier]
+mass = 2.0
+inertia = [0.02, 0.03, 0.04]
+inertia_about = "center_of_mass"
+center_of_mass = [0.02, 0, 0.05]
+
+[[flywheel]]
+name = "w1"
+mass = 0.4
+inertia = [[2e-3, 1e-5, 0], [1e-5, 1.1e-3, 0], [0, 0, 1.2e-3]]
+inertia_about = "center_of_mass"
+center_of_mass = [0, 1e-3, 0]
+position = [0.1, 0, 0]
+
+[hold]
+position = [0.1, 0.2, 0.3]
+angles = ["30 deg", 0.1, "-20 deg"]
+"""
+HOLDS = {
+    "hinge": "axis = [1, -2, 0.5]\npivot = [0.1, 0, 0.2]",
+    "screw": "basis = [[0, 0.2, 0.01, 0.3, 0, 1]]",
+    "ball joint": 'freedoms = ["roll", "pitch", "yaw"]',
+    "clamped": "freedoms = []",
+}
+
+
+def project(name: str, folder: Path, *options: str) -> Path:
+    """The stand file of a hold; its project is in `folder`/arm."""
+    folder.mkdir(exist_ok=True)
+    (folder / "arm.toml").write_text(HELD + HOLDS[name])
+    result = run("export", "cmake", str(folder / "arm.toml"), "-o", str(folder / "arm"), *options)
+    assert result.exit_code == 0, result.output
+    return folder / "arm.toml"
+
+
+def expected(file: Path) -> list[float]:
+    """V_dot at the state of the example, by the reference: w1 at 100 rad/s, u = 1 of the first freedom."""
+    stand = load(str(file))
+    assert stand.hold is not None
+    u = tuple(float(k == 0) for k in range(len(stand.hold.freedoms)))
+    state = replace(home(stand), u=u, V=twist_of(stand.hold, u), phi_dot=(100.0,))
+    return list(np.array(NumpyBackend(stand).evaluate(state, ["forward"])["V_dot"]))
+
+
+@pytest.mark.parametrize("name", quick(1, ["screw", "hinge", "ball joint", "clamped"]))
+def test_the_example_answers_what_the_reference_does(name: str, tmp_path: Path) -> None:
+    file = project(name, tmp_path)
+    folder, program = tmp_path / "arm", tmp_path / "example"
+    call(
+        require("gcc", "gcc"), "-std=c99", "-ffp-contract=off", "-O0", "-c", folder / "arm.c", "-o", tmp_path / "arm.o"
+    )
+    call(require("g++", "g++"), "-std=c++17", "-Wall", "-Wextra", "-Werror",
+         folder / "example.cpp", tmp_path / "arm.o", "-o", program)  # fmt: skip
+    found = [float(x) for x in call(program).split()]
+    assert found == pytest.approx(expected(file), rel=6e-9, abs=1e-11)  # nine digits: off by up to 5e-9
+    assert any(found) == (name != "clamped")
+
+
+@pytest.mark.slow
+def test_a_float_batch_of_a_held_stand_builds_and_its_tests_pass(tmp_path: Path) -> None:
+    """Also within another project."""
+    project("hinge", tmp_path, "--real", "float", "--batch")
+    assert ctest(build(tmp_path / "arm", where=str(tmp_path / "made"))) == 2
+    (tmp_path / "CMakeLists.txt").write_text("""cmake_minimum_required(VERSION 3.15)
+project(mine C)
+add_subdirectory(arm)
+add_executable(main main.c)
+target_link_libraries(main PRIVATE mahovik::arm_batch)
+""")
+    (tmp_path / "main.c").write_text("""#include "arm_batch.h"
+int main(void) { return sizeof(arm_real) == 4 ? arm_wrap(7, &(arm_real){ 0 }) : 1; }
+""")
+    call(build(tmp_path) / "main")

@@ -9,13 +9,11 @@ from pathlib import Path
 import pytest
 
 from cli.run import refused, run
-from export.programmes import motion, spin, stand, stand_files, started, swaying
+from export.programmes import motion, spin, stand, stand_files
 from mahovik import stands
 from mahovik.core.motion.programme import Programme, save_programme
 from mahovik.errors import CheckError
 from mahovik.out.export.programme import export_programme
-from toolchain.tools import compile_c
-from toolchain.tools import run as run_program
 
 EXPORT = ("export", "programme")
 STAND = str(stands.path("shaker2"))
@@ -49,50 +47,11 @@ def test_files_and_what_is_said(saved: str, tmp_path: Path) -> None:
     assert "programme: fourier, 2 harmonics, double" in again.stdout
 
 
-def test_two_programmes_lie_in_one_image(saved: str, tmp_path: Path) -> None:
-    """Names of one have its own name; nothing of it is called as the other or as the stand's C."""
-    for name in ("lap", "rest"):
-        result = run(
-            "export", "programme", STAND, "--programme", saved, "-o", str(tmp_path), "--nodes", "64", "--name", name
-        )
-        assert result.exit_code == 0, result.output
-    assert sorted(path.name for path in tmp_path.rglob("*.*")) == sorted(
-        [
-            "P.json",
-            *(f"shaker2_{name}{end}" for name in ("lap", "rest") for end in (".c", ".h", ".json", ".md", "_test.c")),
-        ]
-    )
-    again = run(
-        "export", "programme", STAND, "--programme", saved, "-o", str(tmp_path), "--nodes", "128", "--name", "lap"
-    )
-    assert again.exit_code == 0, again.output
-    assert run("generate", STAND, "-o", str(tmp_path / "c")).exit_code == 0
-    (tmp_path / "main.c").write_text("""#include "shaker2_lap.h"
-#include "shaker2_rest.h"
-int main(void)
-{
-    shaker2_lap_clock one;
-    shaker2_rest_clock other;
-    return (int)shaker2_lap_start(400, 1, &one) + (int)shaker2_rest_start(300, 1, &other);
-}
-""")
-    sources = [tmp_path / name for name in ("main.c", "shaker2_lap.c", "shaker2_rest.c")]
-    program = tmp_path / "program"
-    compile_c("gcc", *sources, f"-I{tmp_path / 'c'}", "-o", program)
-    run_program(program)
-
-
-@pytest.mark.parametrize("name", ["forward", "servo", "left", "Left", "default", "2nd", "mount"])
+@pytest.mark.parametrize("name", ["forward", "left", "2nd"])
 def test_a_name_that_the_stand_has_is_refused(name: str, saved: str, tmp_path: Path) -> None:
     message = refused("export", "programme", STAND, "--programme", saved, "-o", str(tmp_path / "new"), "--name", name)
     assert f"--name {name}: " in message
     assert not (tmp_path / "new").exists()
-
-
-def test_without_a_motion_there_are_no_torques(saved: str, tmp_path: Path) -> None:
-    result = run(*EXPORT, STAND, "--programme", saved, "-o", str(tmp_path), "--nodes", "64")
-    assert "no drive torques: no motion was given" in result.stdout
-    assert "tau" not in (tmp_path / "shaker2_programme.h").read_text()
 
 
 def test_the_element_type_is_that_of_the_header(saved: str, tmp_path: Path) -> None:
@@ -106,25 +65,6 @@ def test_the_element_type_is_that_of_the_header(saved: str, tmp_path: Path) -> N
     physics = text.split("SHAKER2_PHYSICS   0x")[1][:8]
     header.write_text(text.replace(physics, "00000000"))
     assert "is of another stand" in refused(*EXPORT, STAND, "--programme", saved, "-o", str(tmp_path), status=1)
-
-
-def test_a_programme_of_another_stand_exits_1(saved: str, tmp_path: Path) -> None:
-    said = refused(*EXPORT, str(stands.path("bench8")), "--programme", saved, "-o", str(tmp_path / "x"), status=1)
-    assert "P.json: programme of another stand: name is shaker2, of the stand bench8" in said
-    assert not (tmp_path / "x").exists()
-
-
-def test_another_motion_exits_1(saved: str, tmp_path: Path) -> None:
-    other = str(stands.path("shaker2").parent / "shaker2.motion.json")
-    said = refused(*EXPORT, STAND, "--programme", saved, "--motion", other, "-o", str(tmp_path / "x"), status=1)
-    assert "name is shaker2_spin, of the motion shaker2_z" in said
-
-
-def test_too_coarse_exits_1_and_writes_nothing(tmp_path: Path) -> None:
-    saved = save(swaying(), tmp_path)
-    said = refused(*EXPORT, STAND, "--programme", saved, "--nodes", "64", "-o", str(tmp_path / "x"), status=1)
-    assert "above 1e-06: give more nodes (--nodes 128)" in said
-    assert not (tmp_path / "x").exists()
 
 
 def test_what_is_not_ours_is_not_overwritten(saved: str, tmp_path: Path) -> None:
@@ -153,21 +93,6 @@ def test_a_delivered_folder_keeps_its_manifest(saved: str, tmp_path: Path) -> No
     assert (tmp_path / "made" / "shaker2_programme.c").is_file()
     listed = json.loads((tmp_path / "made" / "manifest.json").read_text())["files"]
     assert not any("programme" in name for name in listed)
-
-
-def test_run_ups_are_told(tmp_path: Path) -> None:
-    saved = save(started(), tmp_path)
-    result = run(*EXPORT, STAND, "--programme", saved, "-o", str(tmp_path / "made"), "--real", "float")
-    assert result.exit_code == 0, result.output
-    assert "run-up: quintic, 128 intervals, float, 0.2 s" in result.stdout
-    assert "run-down: quintic, " in result.stdout
-
-
-def test_bad_files_are_one_line(tmp_path: Path) -> None:
-    (tmp_path / "P.json").write_text('{"schema": 1}')
-    said = refused("export", "programme", STAND, str(tmp_path / "P.json"))
-    assert "error: P.json: stand: required, but missing" in said.splitlines()
-    assert "--nodes" in refused("export", "programme", STAND, str(tmp_path / "P.json"), "--nodes", "100")
 
 
 @pytest.mark.parametrize("part", ["", "runup"])

@@ -30,7 +30,6 @@ from mahovik.use.study.rest import rest
 _FOLDER = Path(tempfile.mkdtemp(prefix="mahovik-fmus-"))
 atexit.register(shutil.rmtree, _FOLDER, ignore_errors=True)
 
-STANDS = ("bench8", "rigid", "auv6", "driven")
 KINDS: tuple[Kind, ...] = ("cs", "me")
 INPUTS: tuple[Inputs, ...] = ("torque", "acceleration")
 COMBINATIONS = tuple((v, k, i) for v in ("2.0", "3.0") for k in KINDS for i in INPUTS)

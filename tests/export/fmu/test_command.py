@@ -59,16 +59,6 @@ def test_refusals(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_folder_in_its_place_and_an_old_file(tmp_path: Path) -> None:
-    target = tmp_path / "demo.fmu"
-    target.mkdir()
-    assert "is a directory" in refused(*DRY, "-o", str(target))
-    target.rmdir()
-    target.write_bytes(b"old")
-    refused(*DRY, "-o", str(target), "--dt", "-1")
-    assert target.read_bytes() == b"old"
-
-
 def test_without_a_compiler_there_are_sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setenv("PATH", str(tmp_path))

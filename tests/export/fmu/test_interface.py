@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import pytest
 
@@ -12,10 +11,10 @@ from export.fmu.fmus import Instance
 from mahovik.core.motion import loads_regime
 from mahovik.core.stand.state import rest_state
 from mahovik.use.simulate import Case, simulate
+from toolchain.quick import quick
 
 SEEN = ("carrier.position[1]", "carrier.attitude[2]", "carrier.V[6]", "w1.phi", "w2.phi_dot", "energy")
 DRIVEN = {"w1.tau": 0.03, "w2.tau": -0.02, "carrier.V[1]": 0.2, "w1.phi_dot": 50.0, "carrier.wrench[3]": 2.0}
-SLOW = pytest.mark.slow
 
 
 def begun(one: Instance) -> None:
@@ -43,11 +42,13 @@ def test_any_communication_step() -> None:
     assert found[2] == pytest.approx(found[0], rel=1e-12, abs=1e-13)  # the same steps inside, but for rounding of h
 
 
-def roundtrip(version: str, kind: Any = "cs") -> None:
+@pytest.mark.slow
+@pytest.mark.parametrize("version", ["2.0", "3.0"])
+def test_states_are_kept(version: str) -> None:
     """A state that is kept, also as bytes, goes on as the instance itself."""
     with (
-        fmus.instance("driven", version, kind, "torque") as one,
-        fmus.instance("driven", version, kind, "torque") as two,
+        fmus.instance("driven", version, "cs", "torque") as one,
+        fmus.instance("driven", version, "cs", "torque") as two,
     ):
         fmu = one.fmu
         get, put, free = (fmu.getFMUstate, fmu.setFMUstate, fmu.freeFMUstate) if version == "2.0" else (
@@ -79,16 +80,6 @@ def roundtrip(version: str, kind: Any = "cs") -> None:
         free(kept)
 
 
-@pytest.mark.slow
-def test_states_are_kept() -> None:
-    roundtrip("2.0")
-
-
-@SLOW
-def test_states_are_kept_in_the_other_version() -> None:
-    roundtrip("3.0")
-
-
 def test_instances_know_nothing_of_one_another_and_reset_begins_anew() -> None:
     with fmus.instance("driven", "2.0", "cs", "torque") as one, fmus.instance("driven", "2.0", "cs", "torque") as two:
         begun(one)
@@ -105,27 +96,8 @@ def test_instances_know_nothing_of_one_another_and_reset_begins_anew() -> None:
         assert one.get(*SEEN) == first
 
 
-def test_phases_count_their_turns() -> None:
-    with fmus.instance("driven", "2.0", "cs", "torque") as one:
-        one.put({"w1.phi_dot": 300.0})
-        one.begin()
-        one.step(0.0, 0.5)
-        phi, speed = one.get("w1.phi", "w1.phi_dot")
-        assert phi == pytest.approx(150.0, rel=0.05)
-        assert speed == pytest.approx(300.0, rel=0.05)
-
-
-def test_events_are_logged_where_that_is_asked_for() -> None:
-    with fmus.instance("driven", "2.0", "cs", "torque", talks=True) as one:
-        one.begin()
-        assert [(category, message[:11]) for _, category, message in one.log] == [("logEvents", "initialized")]
-        one.fmu.reset()
-        one.fmu.setDebugLogging(0, [])
-        one.begin()
-        assert len(one.log) == 1
-
-
-def tuned(version: str) -> None:
+@pytest.mark.parametrize("version", quick(1, ["2.0", "3.0"]))
+def test_tuned_parameters_are_those_of_another_stand(version: str) -> None:
     """A parameter that is tuned in the middle of a run gives what a stand with that parameter gives from there on."""
     found = fmus.stand("driven")
     heavy = replace(fmus.heavier(found, 1.01), gravity=(0.3, -0.2, -5.0))
@@ -141,25 +113,3 @@ def tuned(version: str) -> None:
     assert carrier[:3] == pytest.approx([run[f"{a} [m]"][-1] for a in "xyz"], rel=1e-9, abs=1e-12)
     expected = [run[f"v_{a} [m/s]"][-1] for a in "xyz"] + [run[f"omega_{a} [rad/s]"][-1] for a in "xyz"]
     assert carrier[3:] == pytest.approx(expected, rel=1e-9, abs=1e-12)
-
-
-@SLOW
-@pytest.mark.parametrize("version", ["2.0", "3.0"])
-def test_tuned_parameters_are_those_of_another_stand(version: str) -> None:
-    tuned(version)
-
-
-def test_a_parameter_tuned_is_one_that_was_set_before() -> None:
-    heavier = {"carrier.mass": 1.1 * fmus.stand("driven").carrier.mass, "w1.position[2]": 0.3, "stream[1]": 0.4}
-    found = []
-    for late in (False, True, None):
-        with fmus.instance("driven", "2.0", "cs", "torque") as one:
-            if late is False:
-                one.put(heavier)
-            begun(one)
-            if late:
-                one.put(heavier)
-            one.step(0.0, 0.02)
-            found.append(one.get(*SEEN))
-    assert found[1] == found[0]
-    assert found[2] != pytest.approx(found[0], rel=1e-3)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -13,7 +12,6 @@ from export.fmu import fmus
 from export.fmu.fmus import Instance
 
 WARNING, ERROR = 1, 3
-NONE: dict[str, float] = {}
 
 
 def logged_line(one: Instance, call: Any) -> str:
@@ -56,25 +54,6 @@ def test_wrong_start_values_are_refused(values: dict[str, float], expected: str)
         one.fmu.reset()  # and all is well again
         one.begin()
         one.step(0.0, 0.01)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("version", "kind"), [("2.0", "me"), ("3.0", "cs"), ("3.0", "me")])
-@pytest.mark.parametrize(("values", "expected"), WRONG[:-1], ids=[next(iter(v)) for v, _ in WRONG[:-1]])
-def test_by_every_interface(version: str, kind: Any, values: dict[str, float], expected: str) -> None:
-    with fmus.instance("driven", version, kind, "torque") as one:
-        one.put(values)
-        assert logged_line(one, one.begin).startswith(expected)
-
-
-@pytest.mark.slow
-def test_the_page_shows_what_is_said() -> None:
-    page = (Path(__file__).resolve().parents[3] / "docs" / "other-programs.md").read_text(encoding="utf-8")
-    wrong = ({"carrier.mass": -3.0}, {"carrier.attitude[1]": 0.5}, {"w2.inertia.J22": 5.0}, {"w1.tau": math.nan})
-    for values in wrong:
-        with fmus.instance("bench8", "2.0", "cs", "torque") as one:
-            one.put(values)
-            assert f"\n{logged_line(one, one.begin)}\n" in page
 
 
 def test_wrong_calls_are_refused() -> None:

@@ -11,14 +11,12 @@ import pytest
 from fmpy.build import build_platform_binary
 
 from export.fmu import fmus
-from export.fmu.fmus import COMBINATIONS, STANDS
+from export.fmu.fmus import COMBINATIONS
 from mahovik.core.emit.fmu import HEADERS
 from mahovik.core.lower.fmu.variables import Inputs, Kind
-from mahovik.core.stand.state import rest_state
 from mahovik.core.toolchain.compiler import WARNINGS
 from mahovik.core.toolchain.module import STRICT
-from mahovik.out.export.fmu import export_fmu
-from toolchain.tools import SSE, require
+from toolchain.tools import require
 
 
 def unpacked(name: str, version: str, kind: Kind, inputs: Inputs, folder: Path) -> list[Path]:
@@ -44,14 +42,6 @@ def test_no_warning(version: str, kind: Kind, inputs: Inputs, compiler: str, tmp
     compile_strictly([compiler], unpacked("driven", version, kind, inputs, tmp_path))
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("compiler", ["gcc", f"gcc {' '.join(SSE)}", "clang", f"clang {' '.join(SSE)}"])
-@pytest.mark.parametrize("name", STANDS)
-def test_no_warning_in_any(name: str, compiler: str, tmp_path: Path) -> None:
-    for k, (version, kind, inputs) in enumerate(COMBINATIONS):
-        compile_strictly(compiler.split(), unpacked(name, version, kind, inputs, tmp_path / str(k)))
-
-
 @pytest.mark.parametrize("version", ["2.0", "3.0"])
 def test_headers_are_those_of_the_standard(version: str) -> None:
     files = fmus.fmu_of("driven", version, "cs", "torque", binary=False).files
@@ -75,10 +65,3 @@ def test_sources_alone_are_enough(version: str, kind: Kind, tmp_path: Path) -> N
     theirs = fmpy.simulate_fmu(str(tmp_path), **given)
     ours = fmpy.simulate_fmu(fmus.path("driven", version, kind, "torque"), **given)
     assert theirs.tolist() == ours.tolist()
-
-
-@pytest.mark.slow
-def test_binaries_are_the_same_twice() -> None:
-    found = fmus.stand("rigid")
-    first, again = (export_fmu(found, "2.0", "cs", start=rest_state(found)) for _ in range(2))
-    assert first.content == again.content
