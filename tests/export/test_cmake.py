@@ -184,11 +184,11 @@ set(CMAKE_C_FLAGS_INIT "-mcpu=cortex-m7 -mfpu=fpv5-d16 -mfloat-abi=hard --specs=
 
 @pytest.mark.slow
 def test_again_and_where_it_may_not_be(exported: Path, tmp_path: Path) -> None:
-    before = {path: path.read_bytes() for path in exported.iterdir()}
+    before = {path: path.read_bytes() for path in exported.rglob("*") if path.is_file()}
     assert run("export", "cmake", BENCH8, "-o", str(exported)).exit_code == 0
-    assert {path: path.read_bytes() for path in exported.iterdir()} == before
+    assert {path: path.read_bytes() for path in exported.rglob("*") if path.is_file()} == before
     readme = (exported / "README.md").read_text()
-    assert [name for name in (p.name for p in before if p.is_file()) if name not in readme] == ["README.md"]
+    assert [path.name for path in before if path.name not in readme] == ["README.md"]
     delivered = tmp_path / "bench8"
     assert run("generate", BENCH8, "-o", str(delivered)).exit_code == 0
     assert "holds what `mahovik generate` delivers" in refused("export", "cmake", BENCH8, "-o", str(delivered))

@@ -221,7 +221,14 @@ def test_a_caller_of_another_servo_does_not_link(tmp_path: Path) -> None:
             compile_c("gcc", each, "-c", "-O2", "-o", each.with_suffix(".o"))
         objects[name, real] = code.with_suffix(".o"), caller.with_suffix(".o")
     for (_, real), (_, caller) in objects.items():
-        command = ["gcc", objects["spin", "double"][0], caller, "-Wl,--gc-sections", "-o", tmp_path / "program"]
+        command = [
+            "gcc",
+            str(objects["spin", "double"][0]),
+            str(caller),
+            "-Wl,--gc-sections",
+            "-o",
+            str(tmp_path / "program"),
+        ]
         message = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60).stderr
         width = {"double": 64, "float": 32}[real]
         undefined = rf"undefined (reference|symbol).*shaker2_servo_reset_f{width}_[0-9a-f]{{8}}"

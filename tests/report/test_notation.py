@@ -14,7 +14,6 @@ from mahovik.out.report.derivation.notation import (
     Fence,
     Fraction,
     FunctionName,
-    Grid,
     Node,
     Number,
     Operator,
@@ -109,74 +108,8 @@ def test_all_notation_of_the_documents_is_read_and_printed() -> None:
     assert all(b.text.count("`") % 2 == 0 for b in blocks() if isinstance(b, Text))
 
 
-@pytest.mark.parametrize(
-    ("name", "text"),
-    [
-        ("mu[0]", "mu_1"),
-        ("mu_c[1]", "mu^c_2"),
-        ("J[3]", "J_{12}"),
-        ("J_2s[5]", "J^{2s}_{23}"),
-        ("J_dot[2]", "dot(J)_{33}"),
-        ("R[5]", "R_{23}"),
-        ("h_rel[0]", "h^{rel}_1"),
-        ("q[0]", "q_0"),
-        ("phi_dot", "dot(phi)"),
-        ("phi_ddot", "ddot(phi)"),
-        ("dc", "dot(c)"),
-        ("dds", "ddot(s)"),
-        ("ds2", "dot(s)_2"),
-        ("c_psi", "c_psi"),
-        ("omega_dot[1]", "omega*_2"),
-    ],
-)
-def test_symbols_get_proper_indices(name: str, text: str) -> None:
-    """`mu[0]` is a letter with an index, a rate has dots."""
-    assert symbol(name) == parse(text)
-
-
-@pytest.mark.parametrize(
-    ("text", "latex"),
-    [
-        ("K_s = L_s Theta_s L_s^T", r"{K}_{s}={L}_{s}{\Theta }_{s}{L}_{s}^{T}"),
-        ("K* V*", "{K}^{*}{V}^{*}"),
-        ("dot(phi)_s", r"{\dot{\varphi }}_{s}"),
-        ("<omega> A", r"\langle \omega \rangle A"),
-        ("{E, 0}", "\\begin{bmatrix}\nE & \\cdot\n\\end{bmatrix}"),
-        ("1/2 (a + b)", r"\tfrac{1}{2}(a+b)"),
-        ('"kg m"^2', r"{\text{kg m}}^{2}"),
-    ],
-)
-def test_latex(text: str, latex: str) -> None:
-    """What amsmath is given."""
-    assert parse(text).tex() == latex
-
-
-def test_numbers_stay_before_sums() -> None:
-    """A half of a sum is not multiplied out, a sum of negative terms is turned round."""
-    a, b, c = sp.symbols("a b c")
-    half = sp.Mul(sp.Rational(1, 2), a + b, evaluate=False)
-    assert notation(half) == parse("1/2 (a + b)")
-    assert notation((-a - b) * c) == parse("-(a + b) c")
-    assert notation(sp.Mul(-1, a + b, evaluate=False)) == parse("-(a + b)")
-    assert notation(-a / b) == notation(-(a / b))
-
-
-def test_mathml() -> None:
-    """Presentation elements, zeros marked as such."""
-    assert parse("mu_1 = 0").math() == "<math><mrow><msub><mi>μ</mi><mn>1</mn></msub><mo>=</mo><mn>0</mn></mrow></math>"
-    assert parse("cos phi").math().startswith("<math><mrow><mi>cos</mi><mspace")
-    assert 'class="zero"' in notation(sp.Matrix([[0, 1]])).math()
-    assert Grid(((Number("2", -5),),)).math().count("2·10⁻⁵") == 1
-
-
 @pytest.mark.parametrize("text", ["<a", "{a, b", "a)", "(a", "a ? b", "_a", "dot phi"])
 def test_text_that_is_no_notation_is_an_error(text: str) -> None:
     """With the text in the message."""
     with pytest.raises(NotationError, match="in "):
         parse(text)
-
-
-def test_expressions_without_notation_are_an_error() -> None:
-    """Not printed as something else."""
-    with pytest.raises(TypeError, match="no notation"):
-        notation(sp.Symbol("x") ** sp.Symbol("y") + sp.exp(sp.Symbol("z")))

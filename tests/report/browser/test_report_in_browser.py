@@ -15,27 +15,6 @@ def test_no_errors_and_no_requests(opened: Opener, name: str) -> None:
     assert found.requests == [found.address]
 
 
-INK = "getComputedStyle(document.querySelector('svg.drawing text')).fill"
-
-
-def test_dark_mode_changes_the_page(opened: Opener) -> None:
-    """The button changes the theme, and back."""
-    page = opened("bench8").page
-    ink = page.evaluate(INK)
-    page.locator("#theme").click()
-    assert page.evaluate(INK) != ink
-    page.locator("#theme").click()
-    assert page.evaluate(INK) == ink
-
-
-def test_dark_mode_follows_the_system(opened: Opener) -> None:
-    """The page follows the theme of the system, also when that changes."""
-    page = opened("demo3", color_scheme="dark").page
-    dark = page.evaluate(INK)
-    page.emulate_media(color_scheme="light")
-    assert page.evaluate(INK) != dark
-
-
 @pytest.mark.parametrize("width", [320, 400])
 def test_narrow_pages_do_not_overflow(opened: Opener, width: int) -> None:
     """On a phone what is wide scrolls in its own frame."""
@@ -52,21 +31,3 @@ def test_paper_shows_everything_but_controls(opened: Opener) -> None:
     assert not page.locator("#theme").is_visible()
     page.pdf()
     assert page.evaluate("[...document.querySelectorAll('details')].every((each) => each.open)")
-
-
-def test_every_control_has_a_name(opened: Opener) -> None:
-    """For readers who hear the page."""
-    nameless = opened("bench8").page.evaluate(
-        """[...document.querySelectorAll("button, input, select")].filter((each) =>
-           !(each.textContent.trim() || each.getAttribute("aria-label") || (each.labels && each.labels.length)))
-           .map((each) => each.outerHTML)"""
-    )
-    assert nameless == []
-
-
-def test_focus_is_seen(opened: Opener) -> None:
-    """A button that is reached by the keyboard has a ring."""
-    page = opened("bench8").page
-    page.keyboard.press("Tab")
-    assert page.evaluate("document.activeElement.id") == "theme"
-    assert page.evaluate("getComputedStyle(document.activeElement).outlineStyle") == "solid"

@@ -35,21 +35,6 @@ def test_natural_frequencies_are_those_of_the_linear_model(name: str, speed: flo
     assert natural[np.isfinite(natural)] == pytest.approx(linear_frequencies(stand, speed), rel=1e-6)
 
 
-def test_at_rest_they_are_those_of_modes_but_for_the_phases() -> None:
-    """`mahovik modes` has the flywheels at phi = 0; unbalance moves the masses a little."""
-    stand = example("bench8")
-    A = linear_model(stand, Scene.of(stand).rest, [], locked=True).A
-    values = np.linalg.eigvals(A)
-    still = np.sort(np.abs(values[values.imag > 1e-4])) / (2 * np.pi)
-    assert natural_at(Scene.of(stand), np.zeros(1))[0][0] == pytest.approx(still, rel=5e-3)
-
-
-def test_spin_splits_a_pair() -> None:
-    found = campbell(example("shaker2"), np.array([0.0, 300.0]))
-    still, fast = found.natural
-    assert fast[3] < still[3] and fast[5] > still[5]
-
-
 def test_two_speeds_tell_all_where_no_damping_is_of_second_degree() -> None:
     scene, speed = Scene.of(example("bench8")), np.array([0.0, 11.0, 120.0, 300.0])
     assert np.allclose(mean_equations(scene, speed), _average_matrices(scene, speed), rtol=1e-9, atol=1e-9)
@@ -104,18 +89,3 @@ def test_frequencies_that_come_with_speed_are_no_crossings(ties: int) -> None:
         natural = natural_at(scene, each.speed * np.array([1.0 - 1e-4, 1.0, 1.0 + 1e-4]))[0][:, each.mode - 1]
         assert natural == pytest.approx(each.frequency, rel=1e-2)
         assert each.order * each.speed / (2 * np.pi) == pytest.approx(each.frequency, rel=1e-5)
-
-
-def test_no_equilibrium_is_said() -> None:
-    found = section.section(material(example("remus6")))
-    assert found is not None and "no static equilibrium" in found.html and "<svg" not in found.html
-
-
-def test_crossings_are_listed_and_marked() -> None:
-    found = section.section(material(example("shaker2")))
-    assert found is not None and found.html.count("<tr>") == 13
-    assert found.html.count('class="mark"') == 24 and "where the orders cross" in found.html
-
-
-def test_without_flywheels_there_is_nothing_to_turn() -> None:
-    assert section.section(material(replace(example("shaker2"), flywheels=()))) is None

@@ -16,7 +16,6 @@ from mahovik.core.stand.hold import twists
 from mahovik.out.report.stand import (
     bodies,
     campbell,
-    drawing,
     histories,
     hold,
     jitter,
@@ -38,21 +37,6 @@ from report.stand.reports import read, words
 from report.stand.runs import material, run_of
 
 HELD = Path(__file__).resolve().parents[3] / "docs" / "held"
-
-SKATE = """
-schema = 1
-name = "skate"
-[carrier]
-mass = 2.0
-inertia = [0.02, 0.03, 0.01]
-[hold]
-freedoms = ["x", "yaw"]
-[[flywheel]]
-name = "wheel"
-mass = 0.5
-spin_inertia = 0.01
-transverse_inertia = 0.006
-"""
 
 
 def held_stand(name: str) -> Stand:
@@ -149,37 +133,6 @@ def test_the_balance_of_a_held_carrier_has_the_reaction() -> None:
     assert pytest.approx(answer["V_dot"], rel=1e-3, abs=1e-9) == V_dot
 
 
-def test_an_axis_is_said_in_words_beside_its_number() -> None:
-    stand = loads(SKATE.replace('freedoms = ["x", "yaw"]', "axis = [0, 1, 1]"))
-    found = hold_text(stand)
-    assert "1 turning about (0, 0.707107, 0.707107) angle, rad rad/s" in found
-    assert "1 is turning about (0, 0.707107, 0.707107)" in found
-    made = matrices.section(shown(stand))
-    assert made is not None
-    assert "1 is turning about (0, 0.707107, 0.707107)" in text(made.html)
-
-
-def test_freedoms_without_coordinates_say_why_there_is_no_equilibrium() -> None:
-    stand = loads(SKATE)
-    found = hold_text(stand)
-    assert "not a closed set" in found
-    assert "no static equilibrium" in found and "as mahovik check says" in found
-    assert "jitter" not in found and "the freedoms of [hold] have no coordinates." in found
-    made = response.section(shown(stand))
-    assert made is not None
-    assert "So there is no steady reaction to show" in text(made.html)
-
-
-def test_a_carrier_is_drawn_with_its_pivot() -> None:
-    stand = held_stand("cube")
-    drawn = drawing.section(material(stand))
-    assert drawn is not None
-    assert "pivot of the hold" in text(drawn.html)
-    made = bodies.section(material(stand))
-    assert made is not None
-    assert "Hold 3 freedoms, roll, pitch, yaw" in text(made.html)
-
-
 def test_the_residual_of_a_run_has_the_reaction_beside_the_forces() -> None:
     stand = held_stand("pendulum")
     regime = loads_regime("schema = 1\ndefault = { torque = 0.01 }\n", stand, 0.02)
@@ -235,18 +188,6 @@ def test_friction_and_stops_are_shown_with_their_units() -> None:
         assert words_ in found
     free = bodies.section(material(held_stand("pendulum")))
     assert free is not None and "along the freedoms" not in text(free.html)
-
-
-def test_a_carrier_above_critical_damping_is_said_to_have_a_stiffness() -> None:
-    """J s^2 + c s + m g l = 0, J of carrier and wheel, has two real roots."""
-    J, c, k = 0.03 + 2.0 * 0.05**2 + 0.006, 2.0, 2.0 * 9.81 * 0.05
-    roots = np.sort(np.roots([J, c, k]).real)
-    made = campbell.section(material(loads(BRAKED)))
-    assert made is not None
-    found = text(made.html)
-    assert "has a stiffness in every direction" in found
-    assert f"eigenvalues of {roots[0]:.4g}, {roots[1]:.4g} 1/s" in found
-    assert "Nothing brings" not in found
 
 
 TILTED_WHEEL = """

@@ -75,12 +75,6 @@ def test_along_axes_it_is_what_the_reference_reaches_in_a_turn(name: str) -> Non
     assert reach(stand).wrench(np.array([speed]))[0] == pytest.approx(expected, rel=1e-9, abs=1e-9 * expected.max())
 
 
-def test_a_flywheel_at_its_limit_goes_no_faster() -> None:
-    found = reach(example("sat4"))
-    top = float(found.limits.max())
-    assert np.array_equal(found.wrench(np.array([top]))[0], found.wrench(np.array([3 * top]))[0])
-
-
 def test_the_section_shows_the_limit_and_the_sum_of_forces() -> None:
     stand = example("sat4")
     found = section.section(material(stand))
@@ -90,10 +84,3 @@ def test_the_section_shows_the_limit_and_the_sum_of_forces() -> None:
     for panel in section.panels(reach(stand)):
         (edge,) = (line for line in panel.lines if line.tag == "limit")
         assert edge.x == pytest.approx([6000.0, 6000.0])
-
-
-def test_nothing_to_reach_with() -> None:
-    bare = replace(loads(ONE), flywheels=())
-    assert section.section(material(bare)) is None
-    balanced = section.section(material(loads(ONE.replace("[0, 0.003, 0.004]", "[0, 0, 0]"))))
-    assert balanced is not None and "m e ω²," not in balanced.html.split("<table")[0]

@@ -10,17 +10,19 @@ import numpy as np
 import pytest
 
 from mahovik.core.stand import load
+from mahovik.core.stand.capacity import torque_capacity
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.summary import summarize
 from mahovik.core.stand.whole import mass_properties
-from mahovik.out.report.stand import bodies, matrices
-from mahovik.out.report.stand.markup import figure, figures, table
+from mahovik.out.report.stand import bodies, campbell, envelopes, jitter, matrices, response
+from mahovik.out.report.stand.markup import figure, table
 from mahovik.out.report.stand.material import WORDS, Material, choose_state, chosen_state
-from mahovik.out.report.stand.matrices import SHADES, Side, matrix, shade
-from mahovik.out.report.stand.page import ORDER
+from mahovik.out.report.stand.matrices import SHADES, Side, matrix
 from mahovik.proof import reference
 from mahovik.stands import names, path
+from mahovik.use.study.response.periodic import periodic_response
+from mahovik.use.study.response.scene import Scene
 from report.stand.reports import read, words
 from report.stand.runs import run_through
 
@@ -46,21 +48,6 @@ def test_a_figure_is_printed_as_one_writes_it(value: float, text: str) -> None:
     assert figure(value) == text
 
 
-def test_points_of_a_column_are_aligned() -> None:
-    """Each number has its own significant digits, and after them the room of those of the others."""
-    point, digit = "\N{PUNCTUATION SPACE}", "\N{FIGURE SPACE}"
-    assert figures([12.0, 0.8, -0.751234567], 5) == [f"12{point}{5 * digit}", f"0.8{4 * digit}", "−0.75123"]
-    assert figures([1.0, 2.0]) == ["1", "2"]
-    assert figures([1e-9, 1.0]) == ["1·10<sup>−9</sup>", "1"]
-    assert figures([]) == []
-
-
-def test_small_and_large_numbers_of_a_table_keep_their_digits() -> None:
-    html = table(("a", "n, kg m²>"), [[["x", figure(0.41970)], ["y", figure(0.00071234)]]], foot=["all", "12.5"])
-    assert [len(cell) for cell in re.findall(r'<td class="right">(.*?)</td>', html)] == [10, 10, 11]
-    assert "0.00071234" in html
-
-
 def test_products_of_inertia_total_inertia_and_axes_are_shown() -> None:
     stand = load(path("bench8"))
     made = bodies.section(material(stand))
@@ -74,17 +61,6 @@ def test_products_of_inertia_total_inertia_and_axes_are_shown() -> None:
     text = plain(made.html)
     assert f"{tensor[0, 0]:.5g}" in text[text.index("Inertia of the whole") :]
     assert "Axes of the flywheels" in text
-
-
-def test_motion_comes_first_and_the_evidence_last() -> None:
-    assert ORDER[:2] == ("histories", "programme") and ORDER[-3:] == ("matrices", "verification", "cost")
-
-
-@pytest.mark.parametrize("value", [3.21987e-7, 0.98765432, 1.0e3, 54321.0, 9.99996e5])
-def test_a_figure_reads_back_to_its_digits(value: float) -> None:
-    text = str(figure(value)).replace("\u202f", "").replace("−", "-")
-    read_back = float(re.sub(r"·10<sup>(.*)</sup>", r"e\1", text))
-    assert read_back == pytest.approx(value, rel=5e-5)
 
 
 def test_cells_are_escaped() -> None:
@@ -105,23 +81,6 @@ def test_zero_rounding_and_numbers_are_told_apart() -> None:
     assert f'"edge n{SHADES}"' in html
 
 
-def test_shades_rise_with_magnitude() -> None:
-    found = [shade(10.0**-k, 1.0) for k in range(6)]
-    assert found[0] == SHADES
-    assert found == sorted(found, reverse=True)
-    assert found[-1] == 1
-    assert shade(0.0, 1.0) == 0
-
-
-@pytest.mark.parametrize("name", names())
-def test_sections_of_every_example_are_well_formed(name: str) -> None:
-    found = material(load(path(name)))
-    for made in (bodies.section(found), matrices.section(found)):
-        assert made is not None
-        assert read(made.html).wrong == []
-        assert "nan" not in words(made.html)
-
-
 @pytest.mark.parametrize("name", names())
 def test_unbalance_is_that_of_check(name: str) -> None:
     stand = load(path(name))
@@ -135,19 +94,6 @@ def test_unbalance_is_that_of_check(name: str) -> None:
         assert float(spin) == pytest.approx(row.spin_inertia, rel=1e-3)
         assert float(static) == pytest.approx(1e6 * row.static, rel=1e-2, abs=1e-6)
         assert float(dynamic) == pytest.approx(1e9 * row.dynamic, rel=1e-2, abs=1e-6)
-
-
-def test_the_fluid_is_told() -> None:
-    made = bodies.section(material(load(path("remus6"))))
-    assert made is not None
-    text = words(made.html)
-    assert "Added mass of carrier: kg, kg m, kg m²" in text
-    assert "damping of carrier" in text
-    assert "light by" in text
-    drives = bodies.section(material(load(path("sat4"))))
-    assert drives is not None
-    assert "Drives and encoders" in words(drives.html)
-    assert "6000" in words(drives.html)
 
 
 def numbers_of(html: str, caption: str) -> list[float]:
@@ -173,26 +119,6 @@ def test_matrices_are_those_of_the_reference(name: str) -> None:
         values = np.asarray(found[key]).ravel()
         shown = numbers_of(made.html[made.html.index("<h3>Carrier") :], caption)
         assert shown == pytest.approx(values.tolist(), rel=6e-4, abs=1e-9 * np.abs(values).max())
-
-
-def test_many_flywheels_are_shown_as_rows() -> None:
-    stand = load(path("bench8"))
-    one = stand.flywheels[0]
-    many = replace(stand, flywheels=tuple(replace(one, name=f"f{i}") for i in range(40)))
-    made = matrices.section(material(many))
-    assert made is not None
-    assert "transposed" in words(made.html)
-    few = matrices.section(material(stand))
-    assert few is not None
-    assert "transposed" not in words(few.html)
-
-
-def test_a_singular_attitude_is_said() -> None:
-    stand = load(path("bench8"))
-    state = replace(chosen_state(stand), angles=None, quaternion=(math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0))
-    made = matrices.section(material(stand, state))
-    assert made is not None
-    assert "Not shown: " in words(made.html)
 
 
 def test_terms_of_the_balance_sum_to_what_is_left() -> None:
@@ -233,3 +159,35 @@ def test_the_state_of_a_run_at_rest_is_not_shown() -> None:
         shown, said = choose_state(stand, run_through(stand, [rest, last]))
         assert (shown.V, shown.phi_dot) == (last.V, last.phi_dot)
         assert said == "the last row of the run, t = 0.01 s"
+
+
+def test_vibration_of_a_satellite_is_that_of_the_periodic_state() -> None:
+    stand = load(path("sat4"))
+    limit = max(row.speed for row in summarize(stand).unbalance)
+    ((swept,),) = response._sweeps(stand, limit, [(name, None) for name in response.measured_points(stand)])
+    assert swept.point == stand.points[0].name
+    size, speed = response._largest(swept)
+    assert speed == pytest.approx(limit)  # nothing resonates
+    found = periodic_response(Scene.of(stand), [limit] * 4, [swept.point]).points[swept.point]
+    spectrum = found.harmonics("acceleration")
+    assert size == pytest.approx(np.linalg.norm(spectrum[1:]) / np.sqrt(2.0), rel=1e-9)
+    shown = jitter.section(material(stand))
+    assert shown is not None and shown.html.count('<figure class="chart"') == 4
+    assert "arcsec RMS over all phases at acc1" in shown.summary
+
+
+def test_envelopes_of_a_satellite_have_all_facets() -> None:
+    stand = load(path("sat4"))
+    shown = envelopes.section(material(stand))
+    assert shown is not None
+    assert shown.html.count("<title>") == 2 * 2 * len(torque_capacity(stand).envelope.facets)
+    assert "326.6 mN m in every direction" in shown.summary and "19.596" in shown.html  # N m s in every direction
+
+
+def test_sections_without_anything_to_show_say_why_or_are_left_out() -> None:
+    bare = replace(load(path("demo3")), flywheels=())
+    assert [each.section(material(bare)) for each in (response, jitter, envelopes, campbell)] == [None] * 4
+    for name, words_ in (("demo3", "Nothing shakes O1"), ("remus6", "no static equilibrium")):
+        shown = response.section(material(load(path(name))))
+        assert shown is not None and words_ in shown.html and "<figure" not in shown.html
+        assert jitter.section(material(load(path(name)))) is None
