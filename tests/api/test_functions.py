@@ -138,28 +138,6 @@ def test_a_plan_without_a_programme_says_why() -> None:
         mahovik.verify_programme(rigid, motion, found)
 
 
-def test_a_programme_is_saved_and_judged(tmp_path: Path) -> None:
-    made = planned().programme
-    made.save(tmp_path / "p.json")
-    verdict = mahovik.verify_programme(SHAKER2, SPIN, tmp_path / "p.json")
-    assert verdict.passed and verdict["item"].tolist() == results()["verify_programme"]["item"].tolist()
-    of_plan = mahovik.verify_programme(SHAKER2, SPIN, planned())
-    assert of_plan["found"].tolist() == results()["verify_programme"]["found"].tolist()
-    phi, phi_dot, _ = made.at([0.0, made.programme.span])
-    assert np.allclose(phi_dot[0], phi_dot[1])
-    assert phi.shape == (2, 2)
-
-
-@pytest.mark.slow
-def test_ctrl_c_keeps_what_there_is() -> None:
-    def stop(now: mahovik.Progress) -> None:
-        if now.done is not None and now.done > 0.003:
-            raise KeyboardInterrupt
-
-    found = mahovik.simulate(shaker(), 0.01, start={"phi_dot": [10.0, 0.0]}, backend="scipy", progress=stop)
-    assert found.interrupted and found.stopped is not None and 0.003 < found.t[-1] < 0.01
-
-
 @pytest.mark.parametrize(
     ("mismatch", "words"),
     [

@@ -9,7 +9,6 @@ import pytest
 import mahovik
 from mahovik.errors import UsageError
 from mahovik.out.campaign.places import Places
-from toolchain.quick import quick
 
 PATTERNS = (
     "*.mass", "*.position", "*.center_of_mass", "*.inertia.J11", "*.inertia.J12", "*.inertia.J32", "*.unbalance.static",
@@ -23,24 +22,18 @@ HELD: dict[str, Any] = {
     "hold": {"freedoms": ["pitch"]},
     "suspension": {"stiffness": [0, 0, 0, 0, "3 N m/rad", 0]},
     "flywheel": [
-        {
-            "name": name,
-            "axis": [0, 1, 0],
-            "zero": [0, 0, 1],
-            "position": {"value": [0, 20, 0], "unit": "mm"},
-            "mass": 0.5,
-            "inertia": {"value": [9, 6, 6], "unit": "kg cm^2"},
-        }
+        {"name": name, "axis": [0, 1, 0], "zero": [0, 0, 1], "position": {"value": [0, 20, 0], "unit": "mm"},
+         "mass": 0.5, "inertia": {"value": [9, 6, 6], "unit": "kg cm^2"}}
         for name in ("w1", "w2", "other")
     ],
-}
+}  # fmt: skip
 
 
 def held_stand() -> mahovik.Stand:
     return mahovik.Stand.from_dict(HELD)
 
 
-@pytest.mark.parametrize("name", quick(3, ["held", "auv6", "sat4", "bench8", "shaker2"]))
+@pytest.mark.parametrize("name", ["held", "auv6", "sat4"])
 def test_every_path_of_a_campaign_is_one_of_replace(name: str) -> None:
     """The stand does not change where its own value is set by the path."""
     stand = held_stand() if name == "held" else mahovik.example(name)
@@ -106,10 +99,8 @@ def test_a_pattern_sets_all_that_it_matches() -> None:
         ("hold.pivto[2]", 'unknown key "pivto", did you mean "pivot"'),
         ("w1.position[3]", "expected a place from 0 to 2"),
         ("w1.position[", "is no path; expected names joined by dots"),
-        ("w1.position[x]", "is no path; expected names joined by dots"),
         ("v*.mass", 'no name matches "v'),
         ("w1.mass[0]", "mass"),
-        ("w1.inertia.J12[0]", "inertia"),
         ("w*.mazz*", "matches no key"),
     ],
 )

@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import mahovik
 from api.models import model, stand
@@ -25,7 +24,6 @@ from mahovik.core.stand.structure import structure
 from mahovik.core.toolchain import compiler
 from mahovik.out.api import compiled, store
 from mahovik.proof.verify.c_backend import CBackend
-from toolchain.tools import require
 
 if TYPE_CHECKING:
     from mahovik.core.emit.arrays import LibraryKind
@@ -48,73 +46,29 @@ def test_a_pickled_model_is_the_same_model() -> None:
     assert np.array_equal(again.forward(x).V_dot, model("bench8").forward(x).V_dot)
 
 
-WORKERS = """
-import multiprocessing, sys
-import numpy as np
-import mahovik
-
-def work(given):
-    model, x = given
-    return model.coupled(x, 0.1).phi_ddot
-
-if __name__ == "__main__":
-    model = mahovik.build(mahovik.example("demo3"), threads={threads})
-    x = model.states(500, phi=np.random.default_rng(1).normal(size=(500, 3)))
-    expected = model.coupled(x, 0.1).phi_ddot  # threads of OpenMP exist from here on
-    with multiprocessing.get_context(sys.argv[1]).Pool(2) as pool:
-        found = pool.map_async(work, [(model, x)] * 4).get(timeout=60)
-    assert all(np.array_equal(each, expected) for each in found)
-    print("same", model)
-"""
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize("threads", [1, 2])
-@pytest.mark.parametrize("start", ["fork", "spawn"])
-def test_worker_processes(start: str, threads: int, tmp_path: Path) -> None:
-    script = tmp_path / "workers.py"
-    script.write_text(WORKERS.replace("{threads}", str(threads)), encoding="utf-8")
-    command = [sys.executable, "-W", "ignore", str(script), start]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
-    assert done.stdout.startswith("same"), done.stderr
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("other", ["gcc", "clang"])
-def test_every_compiler_gives_the_same_bits(other: str) -> None:
-    require(other, other)
-    m, one = mahovik.build(stand("general"), compiler=other), model("general")
-    rng = np.random.default_rng(1)
-    x = m.states(V=rng.normal(size=(99, 6)), phi=rng.normal(size=(99, 2)), phi_dot=rng.normal(size=(99, 2)) * 100)
-    assert m.compiler == other
-    for function in ("forward", "coupled", "torque", "matrices", "mounts", "momentum", "step"):
-        given = [1e-3] if function == "step" else []
-        for key, value in getattr(m, function)(x, *given).to_dict().items():
-            assert np.array_equal(value, getattr(one, function)(x, *given)[key]), (function, key)
-
-
-# ---- the store ----
+def test_threads_of_openmp_give_the_same_bits() -> None:
+    one, many = mahovik.build(stand("demo3")), mahovik.build(stand("demo3"), threads=2)
+    x = one.states(phi=np.random.default_rng(1).normal(size=(999, 3)), phi_dot=50.0)
+    for function in ("forward", "coupled", "matrices", "momentum"):
+        for key, value in getattr(one, function)(x).to_dict().items():
+            assert np.array_equal(value, getattr(many, function)(x)[key])
 
 
 @pytest.fixture
 def made(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """Stands compiled from now on, by name and kind of library; what comes out lay in the store before."""
+    """Names of stands compiled from now on; what comes out lay in the store before."""
     model("bench8")
-    model("bench8").tables({}, 1)
-    kinds: tuple[LibraryKind, ...] = ("batches", "tables")
-    command = tuple(compiler.find_compiler())
-    keys = {kind: store.library_key(structure(stand("bench8")), "double", command, False, kind) for kind in kinds}
-    there: dict[str, tuple[bytes, dict[str, Any]]] = {}
-    for kind, key in keys.items():
-        entry = store.find(key)
-        assert entry is not None
-        there[kind] = entry[0].read_bytes(), entry[1]
+    key = store.library_key(structure(stand("bench8")), "double", tuple(compiler.find_compiler()), False, "batches")
+    entry = store.find(key)
+    assert entry is not None
+    library, facts = entry[0].read_bytes(), entry[1]
     found: list[str] = []
 
     def copied(source: compiled.Source, kind: LibraryKind, scratch: Path) -> tuple[Path, dict[str, Any]]:
-        found.append(source.stand.name if kind == "batches" else f"{source.stand.name}, {kind}")
-        (scratch / "copy.so").write_bytes(there[kind][0])
-        return scratch / "copy.so", there[kind][1]
+        found.append(source.stand.name)
+        (scratch / "copy.so").write_bytes(library)
+        return scratch / "copy.so", facts
 
     monkeypatch.setattr(compiled, "_compile", copied)
     return found
@@ -128,23 +82,6 @@ def works(m: mahovik.Model) -> bool:
 
 def test_the_second_build_compiles_nothing(made: list[str]) -> None:
     assert works(mahovik.build(stand("bench8"))) and made == []
-
-
-def heavy(m: mahovik.Model) -> NDArray[Any]:
-    """Accelerations of two stands, one of them heavier, in one call."""
-    return m.forward(m.state(phi_dot=1.0), 1.0, tables=m.tables({"carrier.mass": np.array([40.0, 50.0])})).V_dot
-
-
-def test_tables_are_compiled_where_they_are_first_asked_for(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]
-) -> None:
-    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
-    m = mahovik.build(stand("bench8"))
-    assert works(m) and made == ["bench8"]
-    first = heavy(m)
-    assert made == ["bench8", "bench8, tables"] and not np.array_equal(first[0], first[1])
-    assert np.array_equal(heavy(m), first) and len(made) == 2
-    assert np.array_equal(heavy(mahovik.build(stand("bench8"))), first) and len(made) == 2
 
 
 def store_entry_is_whole(library: Path) -> bool:
@@ -192,32 +129,18 @@ def test_stands_of_one_structure_share_a_library(made: list[str]) -> None:
     assert not np.array_equal(m.forward(x).V_dot, model("bench8").forward(x).V_dot)
 
 
-@pytest.mark.parametrize("damage", ["digit", "half"])
-def test_damaged_numbers_are_not_believed(
-    damage: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]
-) -> None:
-    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
-    mahovik.build(stand("bench8"))
-    (numbers,) = (tmp_path / "models").glob("*.numbers")
-    content = numbers.read_bytes()
-    numbers.write_bytes(content[:2000] if damage == "half" else content.replace(b"18.3", b"19.3"))
-    assert numbers.read_bytes() != content
-    assert works(mahovik.build(stand("bench8"))) and numbers.read_bytes() == content
-
-
-@pytest.mark.parametrize("damage", ["truncated", "empty", "no facts", "other facts", "a list"])
+@pytest.mark.parametrize("damage", ["truncated", "no facts", "other facts"])
 def test_what_is_damaged_is_made_anew(
     damage: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]
 ) -> None:
     monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
     mahovik.build(stand("bench8"))
     (library,), (facts,) = (tmp_path / "models").glob("*.so"), (tmp_path / "models").glob("*.json")
-    if damage in ("truncated", "empty"):
+    if damage == "truncated":
         library.unlink()  # another file: this process has that one loaded
-        library.write_bytes(b"" if damage == "empty" else b"\x7fELF" + bytes(5000))
+        library.write_bytes(b"\x7fELF" + bytes(5000))
     else:
-        facts.write_text({"no facts": "", "other facts": "{}", "a list": "[]"}[damage], encoding="utf-8")
-    assert works(mahovik.build(stand("bench8"))) and made == ["bench8"] * 2
+        facts.write_text({"no facts": "", "other facts": "{}"}[damage], encoding="utf-8")
     assert works(mahovik.build(stand("bench8"))) and made == ["bench8"] * 2
 
 

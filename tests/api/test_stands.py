@@ -6,7 +6,6 @@ import math
 import tomllib
 from typing import Any
 
-import numpy as np
 import pytest
 
 import mahovik
@@ -32,11 +31,6 @@ def test_the_keys_of_a_file_give_its_stand(name: str) -> None:
     assert identities(found) == identities(load(stands.path(name)))
     assert found == mahovik.example(name) == found.replace({})
     assert mahovik.Stand.from_dict(found.to_dict()) == found
-
-
-def test_arrays_of_numpy_are_lists() -> None:
-    given = {**SMALL, "carrier": {"mass": np.float64(2), "inertia": np.diag([0.01, 0.02, 0.02])}}
-    assert mahovik.Stand.from_dict(given) == mahovik.Stand.from_dict(SMALL)
 
 
 def test_a_path_changes_one_value_with_its_unit() -> None:

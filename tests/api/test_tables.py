@@ -165,31 +165,6 @@ def test_tables_of_another_model_and_of_another_number_are_refused() -> None:
         m.forward(m.state(), tables=[1])  # type: ignore[arg-type]  # what a user may pass
 
 
-@pytest.mark.slow
-@settings(max_examples=5, deadline=None)
-@given(seed=st.integers(0, 10**6), spread=st.sampled_from([1e-3, 0.3, 1.0, 5.0]))
-def test_exactly_the_samples_that_no_stand_file_may_have_are_left_out(seed: int, spread: float) -> None:
-    m, n, rng = model("demo3"), 6, np.random.default_rng(seed)
-    of, wheel = Stand.of(m.stand), m.flywheels[0]
-    changes = {
-        "carrier.mass": of.carrier.mass * (1 + spread * rng.normal(size=n)),
-        f"{wheel}.mass": of.flywheels[0].mass * (1 + spread * rng.normal(size=n)),
-        f"{wheel}.unbalance.static": 1e-6 * (1 + spread * rng.normal(size=n)),
-    }
-    found = possible_tables(m, changes)
-    assert sorted([*found.numbers, *found.reasons]) == list(range(n))
-    for j in range(n):
-        try:
-            own = of.replace({path: column[j] for path, column in changes.items()})
-        except StandError as error:
-            assert found.reasons[j] in str(error), j
-        else:
-            (place,) = np.flatnonzero(found.numbers == j)
-            assert found.tables.stand(int(place)) == own
-    alone = m.tables({path: column[found.numbers] for path, column in changes.items()})
-    assert found.tables.block("table").tobytes() == alone.block("table").tobytes()
-
-
 def test_what_is_wrong_with_all_samples_is_no_reason() -> None:
     m = model("demo3")
     with pytest.raises(UsageError, match="did you mean"):

@@ -102,12 +102,6 @@ def test_a_demand_out_of_reach_is_made_smaller_and_not_turned() -> None:
         assert np.all(np.abs(tau) <= 0.2)
 
 
-def test_three_wheels_do_the_part_of_a_failed_one() -> None:
-    found = MODEL.torque_for(state(), "pointing", [0.02, -0.01, 0.015], locked=["rw2"])
-    assert found["tau", "rw2"] == 0.0
-    np.testing.assert_allclose(found.V_dot[3:], [0.02, -0.01, 0.015], rtol=1e-12)
-
-
 def test_wanted_speeds_are_approached_without_a_change_of_the_motion() -> None:
     target = np.array([100.0, -100.0, 100.0, -100.0])  # a null space of the pyramid
     demand = [0.01, 0.0, 0.0]

@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import mahovik
-from balance.bench import PLANES, SPEEDS, read, write
+from balance.bench import PLANES, read, write
 from cli.run import refused, run
 from mahovik.core.stand import load
 from mahovik.core.stand.inertia import inertia_about_origin
-from mahovik.core.stand.model import Flywheel
 from mahovik.errors import BalanceError
-from mahovik.use.balance.by_model import Planes, WheelBalance, balance_wheels
+from mahovik.use.balance.by_model import Planes, balance_wheels
 from mahovik.use.measured import read_recordings
-from mahovik.use.study.jitter.balance import balance as steady
 
 
 def test_static_and_dynamic_unbalance_are_undone(bench: Path) -> None:
@@ -81,27 +78,3 @@ def test_alike_speeds_and_changing_speeds_are_refused(bench: Path, tmp_path: Pat
             mahovik.balance_stand(str(bench / "two.toml"), tmp_path / "other.csv")
     with pytest.raises(BalanceError, match="w1: planes at 0 mm, 1 mm, 2 mm act alike on these channels"):
         mahovik.balance_stand(str(bench / "two.toml"), bench / "run.csv", planes={"w1": [0, 0.001, 0.002]})
-
-
-def test_the_corrected_stand_is_quiet_by_the_full_equations(bench: Path) -> None:
-    """Weights of finite mass at 30 mm in both planes; the carrier's motion by (8), before and after."""
-    stand = load(bench / "two.toml")
-    found = mahovik.balance_stand(stand, bench / "run.csv", planes=PLANES)
-    corrected = tuple(with_weights(f, each) for f, each in zip(stand.flywheels, found.wheels, strict=True))
-    before, after = (
-        np.abs(steady(replace(stand, flywheels=each), SPEEDS).c[1:, 6:]).max() for each in (stand.flywheels, corrected)
-    )
-    assert after < 0.01 * before
-
-
-def with_weights(flywheel: Flywheel, wheel: WheelBalance) -> Flywheel:
-    """The flywheel with the corrections as point masses at 30 mm from the axis."""
-    radius, mass, J = 0.03, flywheel.mass, inertia_about_origin(flywheel)
-    moment = mass * np.array(flywheel.center_of_mass)
-    for x, w in zip(wheel.positions, wheel.w, strict=True):
-        m, at = abs(w) / radius, np.array([x, *(radius * np.array([w.real, w.imag]) / abs(w))])
-        mass, moment, J = mass + m, moment + m * at, J + m * (at @ at * np.eye(3) - np.outer(at, at))
-    a, b, c = (moment / mass).tolist()
-    (p, q, r), (s, t, u), (v, k, n) = J.tolist()
-    inertia = ((p, q, r), (s, t, u), (v, k, n))
-    return replace(flywheel, mass=mass, center_of_mass=(a, b, c), inertia=inertia, inertia_about="origin")

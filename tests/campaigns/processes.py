@@ -45,13 +45,6 @@ from distributed.cli.dask_worker import main
 main([sys.argv[1], "--nthreads", "1", "--no-nanny", "--no-dashboard", "--memory-limit", "0", "--name", sys.argv[2]])
 """
 
-BETWEEN = """
-def killed(*_):
-    os.kill(os.getpid(), signal.SIGKILL)
-os.replace = killed
-"""
-"""Planted in a worker: it dies when its first shard is written and not yet in its place."""
-
 
 SCHEDULER = """
 import sys, dask

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from campaigns.processes import BETWEEN, Processes, finish, processes, shard_files, until
+from campaigns.processes import Processes, finish, processes, shard_files, until
 from campaigns.stub import load_stub, write_stub
 from mahovik.errors import UsageError
 from mahovik.out.campaign.dataset import status
@@ -49,20 +49,6 @@ def test_any_number_of_workers_gives_the_same_bits(workers: int, run: Processes,
     said = finish(client)
     assert client.returncode == 0, said
     assert "200 of 200 samples in 23 of 23 shards" in said
-    require_all(file, tmp_path / "out")
-
-
-def test_a_worker_is_killed_between_write_and_rename(run: Processes, tmp_path: Path) -> None:
-    file = write_stub(tmp_path / "c.json", samples=200, shard_size=9, pause=0.05)
-    address, _ = run.scheduler()
-    bad = run.worker(address, "bad", BETWEEN)
-    client = run.client(file, tmp_path / "out", scheduler=address)
-    assert bad.wait(60.0) == -signal.SIGKILL
-    assert shard_files(tmp_path / "out") == []
-    assert status(tmp_path / "out").drafts == 1  # whole, and not in its place
-    run.worker(address, "good")
-    said = finish(client)
-    assert client.returncode == 0, said
     require_all(file, tmp_path / "out")
 
 

@@ -10,14 +10,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 import mahovik
 from campaigns.sections import Keys, computation, tables_of
 from cli.test_eval_held import TEXT
 from export.held_servos import FRICTION, PERIOD, SWAY, hung, programme
 from identify.test_held import table
-from mahovik.core.motion.programme import load_programme, programme_text
+from mahovik.core.motion.programme import programme_text
 from mahovik.core.motion.required import read_motion
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.read import loads
@@ -26,7 +25,6 @@ from mahovik.use.control.loop import close_loop
 from mahovik.use.control.record import following
 from mahovik.use.plan import PlanOptions, plan_motion
 from plan.held_stands import stand, wheel
-from study.test_response_held import shaker
 
 PENDULUM = stand('freedoms = ["pitch"]\npivot = [0, 0, "120 mm"]', wheel(1, [0, 1, 0]))
 SHAKER = stand(
@@ -36,7 +34,6 @@ SHAKER = stand(
 )
 CYCLE, A = 0.05, 1e-3
 SHAKE: dict[str, Any] = {"period": CYCLE, "winding": "spin", "harmonics": [{"k": 1, "cos": [A]}]}
-SWING: dict[str, Any] = {"period": 1.0, "winding": "rock", "harmonics": [{"k": 1, "cos": [0.3]}]}
 RUN = {"programme": "p.json", "motion": "m.json", "dt": 2e-4, "periods": 2}
 SERVO = 'schema = 1\nsample_period = "10 ms"\nlatency = "2 ms"\nbandwidth = "4 Hz"\n'
 SERVO_RUN: dict[str, Any] = {"programme": "p.json", "motion": "m.json", "servo": "s.toml", "periods": 11}
@@ -67,27 +64,6 @@ def test_constant_speeds_need_no_run_in_time() -> None:
     found, reasons = own.values(tables_of(own, {"first.unbalance.static": unbalance}))
     assert not any(reasons) and own.units == {"x": "N"}
     assert found["x"] == pytest.approx(unbalance * speed**2 / np.sqrt(2.0), rel=1e-9)
-
-
-@pytest.mark.slow
-def test_points_over_constant_speeds_are_an_oscillator() -> None:
-    """m e w^2 / (k - M w^2 + i c w) of a shaker on its rail, for each mass; the reaction across it."""
-    of, w = mahovik.Stand.from_dict(shaker(True) | {"point": [{"name": "eye", "position": [0.1, 0.2, 0.3]}]}), 24.0
-    wanted = {
-        "moved": {"peak": "displacement", "at": "eye", "axis": "z"},
-        "shaken": {"rms": "acceleration", "at": "carrier"},
-        "turned": {"rms": "rate", "at": "eye"},
-        "force": {"rms": "force", "of": "hold"},
-    }
-    own = computation(of, {"speeds": {"w": w}}, wanted)
-    mass = np.array([40.0, 60.0, 90.0])
-    found, reasons = own.values(tables_of(own, {"carrier.mass": mass}))
-    assert not any(reasons) and own.units == {"moved": "m", "shaken": "m/s2", "turned": "rad/s", "force": "N"}
-    z = 0.16 * w**2 / np.abs(4e4 - (mass + 8.0) * w**2 + 300j * w)
-    assert found["moved"] == pytest.approx(z, rel=0.02)  # seen at the nodes
-    assert found["shaken"] == pytest.approx(z * w**2 / np.sqrt(2.0), rel=1e-9)
-    assert found["force"] == pytest.approx(0.16 * w**2 / np.sqrt(2.0), rel=1e-9)
-    assert np.all(found["turned"] == 0.0)
 
 
 PLACES: dict[str, Any] = {
@@ -160,31 +136,6 @@ def test_a_heavier_shaker_misses_its_motion_by_the_closed_formula(tmp_path: Path
     assert found["z"] == pytest.approx(expected, rel=1e-6, abs=1e-7 * A)
     assert found["share"][0] < 1e-6 and 3e-3 < found["share"][1] < found["share"][2]
     assert found["across"] == pytest.approx(found["across"][0], rel=1e-9)
-
-
-@pytest.mark.slow
-def test_the_error_of_a_programme_counts_from_the_own_home_pose(tmp_path: Path) -> None:
-    """Another place in E0 changes nothing, another pivot what the equation of the pendulum says."""
-    write_files(tmp_path, PENDULUM, SWING)
-    wanted: dict[str, Keys] = {"e": {"peak": "error", "axis": "pitch"}}
-    own = computation(Stand.of(PENDULUM), {**RUN, "periods": 1, "dt": 1e-3}, wanted, folder=tmp_path)
-    changes = {
-        "hold.position": np.array([[0.0, 0, 0], [3.0, -1, 2], [0, 0, 0]]),
-        "hold.pivot": np.array([[0.0, 0, 0.12], [0, 0, 0.12], [0, 0, 0.13]]),
-    }
-    found, reasons = own.values(tables_of(own, changes))
-    assert not any(reasons)
-    assert found["e"][0] < 1e-6 and found["e"][1] < 1e-6
-    course, pivot = load_programme(tmp_path / "p.json"), 0.13
-
-    def rates(time: float, y: Any) -> Any:  # J theta'' + m g l sin theta = -J_w phi''
-        phi_ddot = course.at(np.array([time])).phi_ddot[0, 0]
-        return [y[1], -(2.5 * 9.81 * pivot * np.sin(y[0]) + 0.01 * phi_ddot) / (0.04 + 2.5 * pivot**2)]
-
-    t = np.linspace(0.0, 1.0, 1001)
-    y = solve_ivp(rates, (0.0, 1.0), [0.3 + course.bias[0], 0.0], t_eval=t, rtol=1e-9, atol=1e-12).y[0]
-    expected = np.abs(y - 0.3 * np.cos(2 * np.pi * t) - course.bias[0]).max()
-    assert found["e"][2] == pytest.approx(expected, rel=1e-4) and expected > 1e-4
 
 
 @pytest.mark.slow

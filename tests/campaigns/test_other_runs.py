@@ -86,22 +86,6 @@ ERRORS: dict[str, Keys] = {
 
 
 @pytest.mark.slow
-def test_a_programme_open_loop_is_exact_on_its_own_stand(tmp_path: Path) -> None:
-    """On a heavier carrier it is not: the programme then excites the springs."""
-    shaker_files(tmp_path)
-    own = computation(
-        mahovik.example("shaker2"), {"programme": "p.json", "motion": "m.json", "periods": 2}, ERRORS, folder=tmp_path
-    )
-    mass = shaker()[0].carrier.mass
-    values, reasons = own.values(tables_of(own, {"carrier.mass": np.array([mass, 1.01 * mass])}))
-    assert reasons == [""] * N
-    amplitude = abs(float(shaker()[1].course.at(np.zeros(1)).q[0, 2]))
-    assert values["share"][0] < 1e-9  # the programme is exact, the steps are of fourth order
-    assert values["share"][1] > 0.1
-    assert values["z"][0] < 1e-9 * amplitude
-
-
-@pytest.mark.slow
 def test_a_programme_with_servos_is_that_of_follow(tmp_path: Path) -> None:
     """The errors of `follow` on the stand that the programme was planned for, and larger ones on another."""
     shaker_files(tmp_path)

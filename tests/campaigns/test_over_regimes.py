@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose, assert_array_equal
+from numpy.testing import assert_allclose
 
 import mahovik
 from campaigns.sections import Keys, computation, tables_of
@@ -122,30 +122,6 @@ def test_samples_begin_at_their_own_rest() -> None:
         assert_allclose(values["lift"][j], force, rtol=max(1e-9, 4 * tilted**2))
     assert np.all(values["a"] < 1e-10)
     assert np.all(values["moved"] < 1e-13)
-
-
-@pytest.mark.slow
-def test_the_bits_of_a_sample_do_not_depend_on_the_others() -> None:
-    """Rows are the same however samples are parted: one by one, some, all."""
-    n = 21
-    rng = np.random.default_rng(3)
-    changes = {"w1.unbalance.static": rng.uniform(1e-6, 1e-3, n), "carrier.mass": rng.uniform(11.5, 12.5, n)}
-    wanted: dict[str, Keys] = WANTED | {
-        "band": {"rms": "acceleration", "at": "carrier", "band": ["20 Hz", "200 Hz"]},
-        "settled": {"settling": "speed", "of": "w1", "within": "1e-3 rad/s"},
-        "turned": {"peak": "rotation", "at": "carrier"},
-        "lift": {"rms": "force", "of": "suspension"},
-        "sigma": {"least": "sigma"},
-    }
-    own = computation(mahovik.example("bench8"), {"regime": {"default": {"speed": 100}}, "until": "20 ms"}, wanted)
-    whole, _ = own.values(tables_of(own, changes))
-    for size in (1, 8, 13):
-        parts = [
-            own.values(tables_of(own, {path: x[first : first + size] for path, x in changes.items()}))[0]
-            for first in range(0, n, size)
-        ]
-        for name, values in whole.items():
-            assert_array_equal(np.concatenate([part[name] for part in parts]), values, err_msg=f"{name}, {size}")
 
 
 def test_a_sample_that_leaves_its_ranges_has_a_reason_and_the_others_have_numbers() -> None:

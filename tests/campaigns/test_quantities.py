@@ -200,20 +200,3 @@ def test_torques_of_many_are_those_of_one(speeds: list[float]) -> None:
     found = drive_torques(regime, motors, 0.3, np.array([speeds, speeds[::-1]]).T)
     for column, given_speeds in zip(found.T, (speeds, speeds[::-1]), strict=True):
         assert_allclose(column, regime.torques(0.3, np.array(given_speeds), motors), rtol=1e-14, atol=1e-17)
-
-
-@given(st.integers(0, 2**32 - 1))
-def test_rotations_of_many_are_those_of_scipy(seed: int) -> None:
-    """Matrix, product, rotation vector, and back."""
-    rng = np.random.default_rng(seed)
-    first, second = Rotation.random(6, rng), Rotation.random(6, rng)
-    p, q = (np.roll(each.as_quat(), 1, axis=1).T for each in (first, second))
-    assert_allclose(np.moveaxis(pose.rotation(p), -1, 0), first.as_matrix(), atol=1e-14)
-    both = pose.rotation_vector(pose.compose(p, q)).T
-    assert_allclose(both, (first * second).as_rotvec(), atol=1e-12)
-    v = rng.normal(size=(6, 3))
-    assert_allclose(pose.turn(pose.rotation(p), v.T).T, first.apply(v), atol=1e-14)
-    assert_allclose(pose.turn_back(pose.rotation(p), v.T).T, first.inv().apply(v), atol=1e-14)
-    small = 1e-3 * v.T
-    assert_allclose(pose.rotation_vector(pose.small_rotation(small)), small, rtol=1e-12)
-    assert_allclose(pose.rotation_vector(pose.conjugate(pose.small_rotation(small))), -small, rtol=1e-12)

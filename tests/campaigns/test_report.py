@@ -12,13 +12,10 @@ import pytest
 import mahovik
 from campaigns.sections import write
 from campaigns.stub import POISON, load_stub, write_stub
-from mahovik.errors import CheckError
 from mahovik.out.campaign.convergence import quantile_interval
 from mahovik.out.campaign.face import Campaign, CampaignFolder
 from mahovik.out.campaign.folder import load_campaign
 from mahovik.out.campaign.report.influence import influences
-from mahovik.out.campaign.report.query import Query
-from mahovik.out.campaign.shards import shard_path
 from toolchain.quick import quick
 
 
@@ -64,38 +61,6 @@ def test_the_worst_samples_are_stand_files(folder: CampaignFolder, tmp_path: Pat
     assert masses == {columns["carrier.mass"][k] for k in order}
     assert {path.name for path in written.stands} == {f"shaker2-{k}.toml" for k in order}
     assert folder.report(tmp_path / "none.html", worst=0).stands == ()
-
-
-def test_missing_rows_are_said_on_top(tmp_path: Path) -> None:
-    file = write_stub(tmp_path / "c.json", samples=300, shard_size=100)
-    found = Campaign(file, load=load_stub).prepare(tmp_path / "out")
-    with pytest.raises(CheckError, match="no rows yet; `mahovik campaign resume"):
-        found.report(tmp_path / "page.html")
-    found.shard(1)
-    assert "FAIL 200 of 300 samples are missing" in text_of(found.report(tmp_path / "page.html").page)
-    path = shard_path(found.path, 1)
-    path.write_bytes(path.read_bytes()[:-1])
-    (tmp_path / "page.html").unlink()
-    with pytest.raises(CheckError, match="no rows yet"):
-        found.report(tmp_path / "page.html")
-    assert not (tmp_path / "page.html").exists()
-
-
-def test_only_the_rows_of_the_folder_are_in_its_report(tmp_path: Path) -> None:
-    """Whatever its name means as a pattern, and whatever else lies among its shards."""
-    for name, seed in (("g1", 1), ("g[1]", 2)):
-        (tmp_path / name).mkdir()
-        file = write_stub(tmp_path / name / "c.json", samples=20, shard_size=10, seed=seed)
-        found = Campaign(file, load=load_stub).prepare(tmp_path / name / "out")
-        for number in range(2):
-            found.shard(number)
-    path = shard_path(found.path, 0)
-    path.with_name("copied.parquet").write_bytes(path.read_bytes())
-    state, columns = found.status(), found.columns()
-    query = Query(found.path, state)
-    assert query.count() == state.rows == 20
-    assert query.with_gaps("root").tobytes() == columns["root"].tobytes()
-    assert "20 samples in 2 shards" in text_of(found.report(tmp_path / "page.html", worst=0).page)
 
 
 OWN = """
@@ -165,15 +130,3 @@ def test_shares_of_the_variance_are_those_of_ishigami() -> None:
     assert [each.parameter for each in found[:2]] == ["x2", "x1"]
     assert abs(next(each.change for each in found if each.parameter == "x2")) < 0.02
     assert explained == pytest.approx(0.19, abs=0.02)
-
-
-def test_influences_of_a_straight_line() -> None:
-    rng = np.random.default_rng(2)
-    x = {"a": rng.normal(0.0, 2.0, 5000), "b": rng.normal(5.0, 1.0, 5000), "still": np.full(5000, 3.0)}
-    found, explained = influences(x, 2.0 * x["a"] - 3.0 * x["b"])
-    assert [each.parameter for each in found] == ["a", "b"]
-    assert explained == pytest.approx(1.0, abs=1e-9)
-    assert found[0].change == pytest.approx(0.8, abs=0.02) and found[1].change == pytest.approx(-0.6, abs=0.02)
-    assert found[0].share == pytest.approx(0.64, abs=0.03)
-    assert influences(x, np.ones(5000)) == ([], 0.0)
-    assert influences({k: v[:30] for k, v in x.items()}, np.arange(30.0)) == ([], 0.0)

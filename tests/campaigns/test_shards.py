@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import shutil
 from pathlib import Path
 
@@ -16,7 +15,7 @@ from pyarrow import parquet
 
 from campaigns.stub import POISON, load_stub, write_stub
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.campaign.dataset import merge, remove_drafts, status
+from mahovik.out.campaign.dataset import merge, status
 from mahovik.out.campaign.folder import begin, make_shard, whole_shard
 from mahovik.out.campaign.manifest import read_manifest
 from mahovik.out.campaign.shards import DamagedError, read_shard, shard_path
@@ -53,16 +52,6 @@ def test_every_sample_is_there_once(folder: Path) -> None:
     assert found.failed == sum(map(bool, expected.reason))
 
 
-def test_a_shard_has_the_same_bytes_whenever_it_is_written(folder: Path) -> None:
-    make_all(folder)
-    before = [shard_path(folder, k).read_bytes() for k in range(4)]
-    assert len(set(before)) == 4
-    shutil.rmtree(folder / "rows")
-    for number in (3, 1, 0, 2):
-        make_shard(folder, number, load_stub)
-    assert [shard_path(folder, k).read_bytes() for k in range(4)] == before
-
-
 def test_every_flipped_bit_is_found(folder: Path) -> None:
     make_shard(folder, 3, load_stub)
     path = shard_path(folder, 3)
@@ -96,12 +85,6 @@ def test_a_truncated_shard_is_found_and_computed_again(part: float, folder: Path
     assert path.read_bytes() == content
 
 
-def test_a_shard_in_the_place_of_another_is_found(folder: Path) -> None:
-    make_all(folder)
-    shutil.copyfile(shard_path(folder, 0), shard_path(folder, 1))
-    assert "other samples than 7 to 13" in status(folder).damaged[1]
-
-
 def test_a_shard_of_another_campaign_is_found(folder: Path, tmp_path: Path) -> None:
     make_all(folder)
     other = write_stub(tmp_path / "d.json", samples=25, shard_size=7, seed=2)
@@ -127,21 +110,6 @@ def test_what_is_missing_is_said(folder: Path) -> None:
     assert "missing shards: 0-1, 3" in list(found.lines())
     with pytest.raises(CheckError, match="3 of 4 shards are missing or damaged: 0-1, 3; `mahovik campaign resume"):
         merge(folder, folder / "all.parquet")
-
-
-def test_a_draft_does_not_count(folder: Path) -> None:
-    make_all(folder)
-    draft = shard_path(folder, 1).with_name(".000000001.parquet.0123456789abcdef")
-    shard_path(folder, 1).rename(draft)
-    found = status(folder)
-    assert found.missing == (1,) and found.drafts == 1
-    query = f"select count(*) from read_parquet('{folder}/rows/*/*.parquet')"
-    assert duckdb.connect().execute(query).fetchall() == [(18,)]
-    remove_drafts(folder)
-    assert draft.exists()  # some process may write it just now
-    os.utime(draft, (0.0, 0.0))
-    remove_drafts(folder)
-    assert not draft.exists()
 
 
 def test_a_number_of_no_shard_is_refused(folder: Path) -> None:

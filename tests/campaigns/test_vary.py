@@ -1,6 +1,5 @@
 """Numbers that vary: paths and patterns, values about those of the stand, groups, tables, correlations."""
 
-import itertools
 import math
 from pathlib import Path
 
@@ -98,18 +97,6 @@ def test_a_grade_gives_the_permissible_unbalance_in_any_direction(tmp_path: Path
     assert stats.kstest(part["rw1.unbalance.static"], stats.uniform(0, most).cdf).pvalue > 0.01
 
 
-def test_numbers_of_a_group_have_the_same_quantile(tmp_path: Path) -> None:
-    found = values(
-        tmp_path,
-        '[vary]\n"rw*.mass" = { uniform = ["2 kg", "3 kg"], group = "batch" }\n'
-        '"rw*.spin_inertia" = { normal = [0.019, 1e-4], group = "batch" }',
-    )
-    u = found["rw1.mass"] - 2
-    for i in (2, 3, 4):
-        assert np.array_equal(found[f"rw{i}.mass"], found["rw1.mass"])
-    assert found["rw3.spin_inertia"] == pytest.approx(stats.norm(0.019, 1e-4).ppf(u), rel=1e-9)
-
-
 def test_columns_of_a_table_are_of_the_same_measured_part(tmp_path: Path) -> None:
     rows = [(0.5, 10.0), (1.5, 200.0), (2.5, -30.0), (0.7, 90.0)]
     table = "".join(f"{static},x{i},{at}\n" for i, (static, at) in enumerate(rows))
@@ -146,21 +133,6 @@ def test_correlated_numbers_keep_their_distributions(tmp_path: Path) -> None:
     assert stats.kstest(found["carrier.mass"], stats.uniform(49.4, 2).cdf).pvalue > 0.01
 
 
-@pytest.mark.parametrize("pieces", [(0, 100), (0, 1, 2, 50, 100), (0, 37, 100)])
-def test_correlated_rows_are_the_same_however_they_are_parted(tmp_path: Path, pieces: tuple[int, ...]) -> None:
-    file = read(
-        tmp_path,
-        '[vary]\n"rw*.mass" = { normal = ["2.4 kg", "1 g"] }\n'
-        '"rw*.unbalance.static" = { lognormal = ["1 g mm", 0.3] }\n'
-        '[[correlation]]\nof = ["rw*.mass"]\ncoefficient = 0.3\n',
-    )
-    design = Random(file.draw.factors, 100, 1)
-    whole = file.draw.values(design.unit(0, 100))
-    for first, last in itertools.pairwise(pieces):
-        for path, column in file.draw.values(design.unit(first, last - first)).items():
-            assert column.tobytes() == whole[path][first:last].tobytes()
-
-
 PATTERNS = {
     "sat4": ("rw*.unbalance.*", "rw*.position", "carrier.center_of_mass[1]", "carrier.inertia.J12", "rw2.axis[0]",
              "rw3.spin_inertia", "rw1.transverse_inertia", "acc1.position[2]", "carrier.mass"),
@@ -193,17 +165,3 @@ def test_a_number_is_found_with_its_value(name: str) -> None:
                 assert there[each.path].nominal == pytest.approx(value, rel=1e-9), each.path
             elif "unbalance" not in place.path + each.path:  # a mass changes the unbalance of the same body
                 assert there[each.path].nominal == each.nominal, (place.path, each.path)
-
-
-def test_dimensions_are_those_of_the_stand_file() -> None:
-    units = {
-        place.path: place.dimension.si
-        for pattern in PATTERNS["sat4"]
-        for place in Places(Stand.of(stand("sat4"))).find(pattern)
-    }
-    assert units["rw1.unbalance.static"] == "kg m"
-    assert units["rw4.unbalance.dynamic_at"] == "rad"
-    assert units["carrier.inertia.J12"] == "kg m^2"
-    assert units["rw2.axis[0]"] == ""
-    stiffness = Places(Stand.of(stand("everything")))
-    assert stiffness.find("suspension.stiffness[0][4]")[0].dimension.si == "N/rad"

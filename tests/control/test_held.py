@@ -59,16 +59,6 @@ def followed(own: Stand, text: str = SERVO, **options: Any) -> Following:
     return follow(own, required, programme, servo, **{"periods": 11, "causes": False, **options})
 
 
-@pytest.mark.slow
-def test_a_pendulum_follows_its_programme_along_its_freedom() -> None:
-    found = followed(pendulum(), begin="programme")
-    assert found.errors is not None
-    assert found.columns[0].values.tolist() == ["pitch"]
-    assert found.errors.amplitude[0] == pytest.approx(SWING, rel=1e-6)
-    assert found.share < 1e-4
-    assert found.errors.as_json()["coordinates"].keys() == {"pitch"}
-
-
 def test_mismatch_swings_the_pendulum_by_the_linear_formula() -> None:
     """A pivot 1 % further away, small swing: theta = J_w phi'' / (m g l - J w^2) of the real pendulum."""
     own = pendulum()

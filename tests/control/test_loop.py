@@ -88,19 +88,6 @@ def test_a_run_up_is_followed_from_rest() -> None:
     assert np.abs(record.apart).max() < 1e-4
 
 
-@pytest.mark.slow
-def test_encoders_cost_what_a_count_is() -> None:
-    """Finer counts, less noise; both follow."""
-    stand, motion, programme = shaker()
-    apart = []
-    for counts in (1000, 30000):
-        coded = replace(stand, flywheels=tuple(replace(s, encoder=Encoder(counts, 0.0, 5e-5)) for s in stand.flywheels))
-        own = Case(type(wanted()).of(coded, motion, programme, 64), coded, replace(servo(), encoder="stand"), 12)
-        apart.append(following(close_loop(own), 10).apart.max())
-    assert 1e-5 < apart[0] < 2 * np.pi / 1000
-    assert apart[1] < apart[0] / 10
-
-
 def test_encoders_count_and_keep_the_sign() -> None:
     stand = shaker()[0]
     own = replace(stand.flywheels[0], encoder=Encoder(-100, 7.0, 1e-4))

@@ -101,22 +101,6 @@ def test_a_search_lowers_the_variance_inside_the_bounds(tmp_path: Path) -> None:
     assert kept_file.report["peak_speed"] == kept.speed.tolist()
 
 
-@pytest.mark.slow
-@pytest.mark.usefixtures("few")
-def test_motors_limit_the_modulation() -> None:
-    options = {"free": "w1.inertia.J11", "speed": "300 rpm", "speed_min": "60 rpm"}
-    loose = moderate(1, **options)
-    most = 0.5 * float(loose.found.peaks.torque[0])
-    found = moderate(1, **options, torque=most)
-    if found.status == "OK":
-        assert found.found.peaks.torque[0] <= most
-    else:
-        assert "torque" in found.words[0]
-    assert found.found.peaks.acceleration[0] < loose.found.peaks.acceleration[0]
-    impossible = moderate(1, **options, torque=1e-6)
-    assert impossible.status == "OK_LIMIT" and "w1: torque of" in impossible.words[0]
-
-
 def test_bounds_by_name_and_by_motor() -> None:
     keys = bench8(2).to_dict()
     keys["flywheel"][0]["motor"] = {"torque": 0.4, "speed": 50.0}

@@ -11,7 +11,7 @@ from mahovik.errors import UsageError
 from mahovik.out.api.model import build
 from mahovik.out.identify.channels import channel_of, six_axes
 from mahovik.out.identify.free import Free
-from mahovik.out.identify.gauss_newton import LOSSES, Loss, minimise, triangle
+from mahovik.out.identify.gauss_newton import LOSSES, Loss, minimise
 from mahovik.out.identify.jacobian import slopes, values
 from mahovik.out.identify.predict import Predictor
 from mahovik.use.simulate.by_scipy import SciPyMotion
@@ -61,16 +61,6 @@ def test_unknown_channels_are_named(name: str, words: str) -> None:
 def test_unknown_free_numbers_are_named(path: str, words: str) -> None:
     with pytest.raises(UsageError, match=words):
         Free(build(bench8(1)), [path])
-
-
-@pytest.mark.parametrize("condition", [1.0, 1e6, 1e10])
-def test_triangle_has_the_singular_values_of_the_matrix(condition: float) -> None:
-    rng = np.random.default_rng(1)
-    Q, _ = np.linalg.qr(rng.normal(size=(3000, 12)))
-    V, _ = np.linalg.qr(rng.normal(size=(12, 12)))
-    A = (Q * np.geomspace(1.0, 1.0 / condition, 12)) @ V
-    found = np.linalg.svd(triangle(A), compute_uv=False)
-    assert np.allclose(found, np.linalg.svd(A, compute_uv=False), rtol=1e-6, atol=1e-14)
 
 
 @pytest.mark.parametrize("loss", LOSSES)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from mahovik.errors import InputError
 from mahovik.use.measured import Channel, Recording
 from mahovik.use.measured.orders import OrderMap, merge_maps, order_map
-from mahovik.use.measured.recording import Array, Kind
+from mahovik.use.measured.recording import Array
 
 T: Array = np.asarray(1e-3 * np.arange(10_000), dtype=np.float64)
 
@@ -68,21 +68,3 @@ def test_few_turns_are_refused(phase: Array, words: str) -> None:
         orders_of(recording(phase, np.cos(T)))
     with pytest.raises(InputError, match="no phase of w2"):
         order_map(recording(T, T), "w2", recording(T, T).channels[1])
-
-
-@pytest.mark.parametrize(
-    ("channel", "unit"),
-    [
-        (("hold", "hold", "reaction", "x"), "N"),
-        (("hold", "hold", "reaction", "k"), "N m"),
-        (("mount", "w1", "mount", "n"), "N m"),
-        (("instrument", "gyro", "rate", "x"), "rad/s"),
-        (("point", "acc1", "acceleration", "x"), "m/s2"),
-        (("flywheel", "w1", "count", ""), ""),
-    ],
-)
-def test_amplitudes_have_the_unit_of_their_channel(channel: tuple[Kind, str, str, str], unit: str) -> None:
-    """Whatever unit the file has: values are in SI."""
-    values = np.cos(100.0 * T)
-    found = recording(100.0 * T, values)
-    assert order_map(found, "w1", Channel(*channel, "mN", values)).unit == unit

@@ -157,20 +157,6 @@ def with_motors(motor: Motor) -> Stand:
     return replace(stand, flywheels=tuple(replace(s, motor=motor) for s in stand.flywheels))
 
 
-@pytest.mark.slow
-def test_a_motor_ends_at_the_speed_where_the_line_meets_friction() -> None:
-    """0.05 (1 - w/100) = 1e-4 w + 2e-3: in balance."""
-    stand = with_motors(Motor(0.05, 100.0, None, None, None, 1e-4, 2e-3, 0.1))
-    stand = replace(stand, gravity=(0.0, 0.0, 0.0))
-    regime = loads_regime("schema = 1\ndefault = { torque = 5 }\n", stand, 12.0)
-    found = simulate(Case(stand, regime, rest_state(stand), 12.0, every=0.1, dt=1e-3, order=2))
-    expected = (0.05 - 2e-3) / (0.05 / 100 + 1e-4)
-    assert found["phi_dot left [rad/s]"][-20:].mean() == pytest.approx(expected, rel=1e-2)  # it shakes about it
-    assert found["motor left [N m]"][0] == pytest.approx(0.05, rel=1e-12)
-    assert found["margin left [N m]"].min() > -1e-12
-    assert found.weak_motors == {}
-
-
 def test_a_speed_law_that_the_motor_cannot_give_is_told() -> None:
     stand = with_motors(Motor(0.01, None, None, None, None, 0.0, 0.0, 0.1))
     text = "schema = 1\n[flywheel.left]\nramp = { to = 100, duration = 0.1 }\n[flywheel.right]\nhold = true\n"

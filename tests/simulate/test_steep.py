@@ -13,7 +13,7 @@ from mahovik.core.stand import Stand, load
 from mahovik.core.stand.model import Motor
 from mahovik.errors import UsageError
 from mahovik.use.simulate import Case, Run, simulate
-from mahovik.use.simulate.by_c import CMotion, Steepness
+from mahovik.use.simulate.by_c import CMotion
 from mahovik.use.study.rest import rest
 
 SHAKER = load(stands.path("shaker2"))
@@ -51,14 +51,6 @@ def test_what_is_too_steep_is_refused_before_the_run() -> None:
     ):
         simulate(case(run_up(50.0, band=0.01)))
     CMotion(case(run_up(50.0, band=0.01), dt=1e-6))  # as the refusal proposes: taken
-
-
-def test_a_step_is_cut_where_it_comes_near_the_band() -> None:
-    steep, mobility = Steepness(case(run_up(20.0))), np.eye(2) * 1000.0
-    far, near, rate = np.zeros(2), np.full(2, 29.0), np.full(2, 2e4)
-    assert steep.parts(1e-4, mobility, far, rate) == 1
-    assert steep.parts(1e-4, mobility, near, 0 * rate) == 1
-    assert steep.parts(1e-4, mobility, near, rate) > 20
 
 
 @pytest.mark.parametrize("seed", range(5))

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
-from dataclasses import replace
 
 import pytest
 
@@ -12,7 +10,6 @@ from mahovik.core.stand import load, loads
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.summary import summarize
 from mahovik.stands import path
-from mahovik.use.study.excess import excess
 
 BASE = 'schema = 1\nname = "a"\nangles = "{angles}"\ngravity = {gravity}\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n'
 
@@ -83,14 +80,3 @@ def test_weight_that_nothing_carries_is_a_warning() -> None:
     warnings = summarize(stand(gravity="[0, 0, -9.81]")).warnings
     assert warnings == ("nothing carries the weight (no suspension, leg or buoyancy): the stand falls freely",)
     assert summarize(load(path("bench8"))).warnings == ()
-
-
-def test_a_thousand_flywheels_cost_no_more_each_than_ten() -> None:
-    """Processor time of the figures and of the search for what (12) needs: both were quadratic, half a minute."""
-    wheel = load(path("bench8")).flywheels[0]
-    many = tuple(replace(wheel, name=f"w{k}", position=(0.01 * k, 0.0, 0.0)) for k in range(1000))
-    of_many = replace(load(path("bench8")), flywheels=many)
-    begin = time.process_time()
-    assert len(summarize(of_many).unbalance) == 1000
-    excess(of_many)
-    assert time.process_time() - begin < 8.0

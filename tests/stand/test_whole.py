@@ -4,24 +4,19 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
-from mahovik.core.stand import Stand, load, loads
+from mahovik.core.stand import Stand, loads
 from mahovik.core.stand.balance import GRADES, grade
 from mahovik.core.stand.capacity import momentum_capacity, torque_capacity
-from mahovik.core.stand.definite import _least
 from mahovik.core.stand.mean import mean_stand
-from mahovik.core.stand.polar import polar
 from mahovik.core.stand.random import random_stand, random_state
 from mahovik.core.stand.state import State
 from mahovik.core.stand.summary import summarize
 from mahovik.core.stand.whole import mass_properties
 from mahovik.proof import reference
-from mahovik.stands import path
 
 CARRIER = 'schema = 1\nname = "a"\n[carrier]\nmass = 3\ninertia = [0.5, 0.6, 0.7]\n'
 
@@ -74,21 +69,6 @@ def test_capacity_of_three_wheels_on_the_axes() -> None:
     assert (torque.total, torque.direction) == pytest.approx((0.6, 0.1))
 
 
-def test_the_least_reach_is_below_that_of_random_directions() -> None:
-    rng = np.random.default_rng(3)
-    axes = rng.normal(size=(5, 3))
-    limits = rng.uniform(0.1, 1.0, size=5)
-    wheels = [
-        wheel(f"w{k}", str(axis.tolist()), f"motor = {{ torque = {limit} }}")
-        for k, (axis, limit) in enumerate(zip(axes, limits, strict=True))
-    ]
-    found = torque_capacity(stand(*wheels)).direction
-    columns = limits[:, None] * axes / np.linalg.norm(axes, axis=1)[:, None]
-    n = rng.normal(size=(200_000, 3))
-    reach = np.abs(columns @ (n / np.linalg.norm(n, axis=1)[:, None]).T).sum(axis=0)
-    assert found <= reach.min() <= 1.02 * found
-
-
 @pytest.mark.parametrize(("tilt", "direction"), [(1.2e-9, 0.0), (1.7e-9, 1.7e-9)])
 def test_wheels_reach_across_a_plane_that_they_leave_by_more_than_rounding(tilt: float, direction: float) -> None:
     """Two wheels along one axis but for a tilt, across which the least singular value of the axes is tilt/sqrt 2."""
@@ -124,17 +104,6 @@ def test_angles_of_unbalance_are_those_of_the_file(
         assert found is None or expected is None or math.degrees(found) == pytest.approx(expected)
 
 
-@pytest.mark.parametrize("flywheels", [0, 1, 6, 7, 20, 200])
-@pytest.mark.parametrize("size", [0.01, 0.3])
-def test_the_small_matrix_has_the_least_eigenvalue_of_the_whole(flywheels: int, size: float) -> None:
-    rng = np.random.default_rng(flywheels)
-    root = rng.normal(size=(6, 6))
-    coupling = size * rng.normal(size=(6, flywheels))
-    whole = np.block([[root @ root.T, coupling], [coupling.T, np.eye(flywheels)]])
-    expected = np.linalg.eigvalsh(whole)[0]
-    assert _least(whole) == pytest.approx(expected, rel=0, abs=1e-12 * float(np.linalg.norm(whole)))
-
-
 PHASES = 2.0 * np.pi * np.arange(8) / 8.0
 
 
@@ -156,43 +125,3 @@ def test_k_and_i_are_their_means_over_the_phases(seed: int) -> None:
     for k, mean in enumerate(matrices(mean_stand(stand), state)):
         expected = np.mean([pair[k] for pair in each], axis=0)
         assert mean == pytest.approx(expected, rel=1e-12, abs=1e-12 * np.abs(expected).max())
-
-
-def test_a_mean_stand_is_its_own_mean() -> None:
-    stand = mean_stand(load(path("sat4")))
-    assert mean_stand(stand) == stand
-    assert all(wheel.center_of_mass[1:] == (0.0, 0.0) for wheel in stand.flywheels)
-
-
-Array = NDArray[np.float64]
-
-
-def one_by_one(length: Any, angle: Any, divisor: Any) -> tuple[Array, Array]:
-    found = [
-        polar(float(a), float(b), float(c))
-        for a, b, c in np.broadcast(np.asarray(length), np.asarray(angle), np.asarray(divisor))
-    ]
-    return np.array([x for x, _ in found]), np.array([y for _, y in found])
-
-
-def arguments(n: int) -> dict[str, tuple[Any, Any, Any]]:
-    rng = np.random.default_rng(3)
-    lengths, angles, masses = 10.0 ** rng.uniform(-12, 2, n), rng.uniform(-50, 50, n), 10.0 ** rng.uniform(-3, 4, n)
-    quarters = np.pi / 2 * rng.integers(-40, 40, n)
-    return {
-        "all": (lengths, angles, masses),
-        "one angle": (lengths, 0.7, masses),
-        "one angle near a zero": (lengths, np.pi / 2, 2.0),
-        "one length": (-1e-3, angles, 1.0),
-        "near zeros": (lengths, quarters, masses),
-        "far away": (lengths, angles * 1e5, masses),
-        "no length": (np.zeros(n), angles, masses),
-        "tiny": (lengths * 1e-300, angles, masses),
-    }
-
-
-@pytest.mark.parametrize("case", arguments(1))
-def test_arrays_have_the_bits_of_single_numbers(case: str) -> None:
-    given = arguments(300)[case]
-    for found, expected in zip(polar(*given), one_by_one(*given), strict=True):
-        assert expected.tobytes() == np.asarray(found).tobytes()
