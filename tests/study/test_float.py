@@ -65,12 +65,10 @@ def test_rounding_is_what_the_estimate_allows(name: str) -> None:
 def test_generate_of_float_says_so_as_check_does(tmp_path: Path) -> None:
     file = tmp_path / "heavy.toml"
     file.write_text(dumps(heavy()))
-    warned = [line for line in run("check", str(file)).stdout.splitlines() if line.startswith("warning: ")]
-    of_float, singular = ([line for line in warned if line.startswith(f"warning: {of}")] for of in ("float: ", "(12)"))
-    assert len(of_float) == len(singular) == 1
+    warned = [line for line in run("check", str(file)).stdout.splitlines() if line.startswith("warning: float: ")]
     result = run("generate", str(file), "--real", "float", "--only", "forward", "-o", str(tmp_path / "f"))
-    unbalance, steps, *others = result.stderr.splitlines()
-    assert (result.exit_code, unbalance, others) == (0, *of_float, singular)
+    unbalance, steps = result.stderr.splitlines()
+    assert (result.exit_code, [unbalance]) == (0, warned)
     assert steps.startswith("warning: float: steps of 0.0001 s lose")
 
 
