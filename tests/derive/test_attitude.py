@@ -144,8 +144,3 @@ def test_quaternion_product_is_the_product_of_rotations() -> None:
 
     assert remainders(turn(ab) - turn(a) * turn(b), units) == []
     assert remainders([ab.dot(ab) - a.dot(a) * b.dot(b)]) == []
-
-
-def test_rotation_product() -> None:
-    """C a, as the emitted code names it."""
-    assert derived.rotation_product() == matrix("C") * vector("a")

@@ -8,6 +8,8 @@ import sympy as sp
 from derive import table
 from derive.exact import circle, remainders, rotation, trigonometric
 from mahovik.core.derive import accumulate, carrier, flywheel
+from mahovik.core.derive.document.carrier import velocity_matrix
+from mahovik.core.derive.document.flywheel import in_mounting_axes
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.derive.screw import L, Phi, Theta, blocks, cross, elementary, f
 from mahovik.core.derive.symbols import from_six, matrix, symmetric, vector
@@ -16,6 +18,8 @@ W = flywheel.generic()
 PHI_DDOT = sp.Symbol("phi_ddot")
 SO3 = (*circle(sp.Symbol("c"), sp.Symbol("s")), *rotation(W.R))
 V = carrier.V
+c, s = sp.symbols("c s")
+DOUBLE_PHASE = {sp.Symbol("c2"): c * c - s * s, sp.Symbol("s2"): 2 * s * c}
 
 
 def rigid() -> tuple[sp.Matrix, sp.Matrix]:
@@ -97,14 +101,6 @@ def test_kinetic_energy_is_that_of_the_bodies() -> None:
     assert remainders([found.xreplace({sp.Symbol("spin"): spin}) - energy], SO3) == []
 
 
-def test_momentum_in_E0_is_1() -> None:
-    """Z0 = L1 Z, with the force part written once."""
-    C, Z = matrix("C"), vector("p").col_join(vector("h"))
-    found = carrier.momentum_in_E0()
-    named = found.xreplace(table.bind("p0", found[:3, :]))
-    assert remainders(named - L(vector("r"), C) * Z) == []
-
-
 class Reduced:
     """The 3x3 solve with its constants bound: with added mass A^-1 = adj A / det A, without it A = m E."""
 
@@ -158,22 +154,6 @@ def test_schur_coupling_is_the_one_the_solve_uses(added_mass: bool) -> None:
     assert remainders(full - from_six(reduced(carrier.reduced_inertia(added_mass))), reduced.relations) == []
 
 
-def test_inverse_of_symmetric() -> None:
-    """A adj(A) = det(A) E, with the determinant by its first row."""
-    adjugate, determinant = carrier.inverse_of_symmetric()
-    A = symmetric("A")
-    det = determinant.xreplace(table.bind("cofactor", adjugate))
-    assert remainders(A * from_six(adjugate) - det * sp.eye(3)) == []
-    assert remainders([det - A.det()]) == []
-
-
-def test_velocity_column_is_a_column_of_9() -> None:
-    """Column by column, Phi(V) times a matrix is Phi K of (9)."""
-    K = carrier.mass_matrix(True)
-    columns = [carrier.velocity_column().xreplace(table.bind("column", K[:, j])) for j in range(6)]
-    assert remainders(sp.Matrix.hstack(*columns) - Phi(V) * K) == []
-
-
 def test_weights_are_derivatives_along_the_motion() -> None:
     """c2, s2 are those of the double phase, and twice those; dc ... dds the first and second rates, for any phi(t)."""
     time = sp.Symbol("t")
@@ -195,11 +175,46 @@ def test_weights_are_derivatives_along_the_motion() -> None:
         assert remainders([found[sp.Symbol(name)] - named], SO3[:1]) == [], name
 
 
-def test_block_form_of_the_mass_matrix() -> None:
-    """K = [[A, B^T], [B, J]] is symmetric; without added mass it is the spatial inertia of m, mu, J."""
-    assert remainders(carrier.mass_matrix(True) - carrier.mass_matrix(True).T) == []
-    plain = Theta(sp.Symbol("m"), vector("mu"), symmetric("J"))
-    assert remainders(carrier.mass_matrix(False) - plain) == []
-    B = carrier.coupling_block(True)
-    wanted = blocks(symmetric("A"), B.T, B, symmetric("J"))
-    assert remainders(carrier.mass_matrix(True) - wanted) == []
+def test_momentum_in_E0_is_1() -> None:
+    """Z0 = L1 Z, with the force part written once."""
+    C, Z = matrix("C"), vector("p").col_join(vector("h"))
+    found = carrier.momentum_in_E0()
+    named = found.xreplace(table.bind("p0", found[:3, :]))
+    assert remainders(named - L(vector("r"), C) * Z) == []
+
+
+def test_inverse_of_symmetric() -> None:
+    """A adj(A) = det(A) E, with the determinant by its first row."""
+    adjugate, determinant = carrier.inverse_of_symmetric()
+    A = symmetric("A")
+    det = determinant.xreplace(table.bind("cofactor", adjugate))
+    assert remainders(A * from_six(adjugate) - det * sp.eye(3)) == []
+    assert remainders([det - A.det()]) == []
+
+
+def test_velocity_column_is_a_column_of_9() -> None:
+    """Column by column, Phi(V) times a matrix is Phi K of (9)."""
+    K = carrier.mass_matrix(True)
+    columns = [carrier.velocity_column().xreplace(table.bind("column", K[:, j])) for j in range(6)]
+    assert remainders(sp.Matrix.hstack(*columns) - Phi(V) * K) == []
+
+
+def test_terms_in_mounting_axes_are_the_literal_ones() -> None:
+    """K, K*, I, J for O = 0, R = E; K* without its factor phi', in the double phase."""
+    w = flywheel.generic()
+    own = flywheel.Generic(w.m, w.b, w.J, sp.zeros(3, 1), sp.eye(3), w.phi, w.phi_dot)
+    literal, shown = flywheel.literal(own, carrier.V), in_mounting_axes()
+    K_dot = shown.K_dot.xreplace(DOUBLE_PHASE) * w.phi_dot
+    for printed, form in ((literal.K, shown.K), (literal.K_dot, K_dot), (literal.I, shown.I), (literal.J, shown.J)):
+        assert remainders(trigonometric(printed, w.phi) - form, circle(c, s)) == []
+
+
+@pytest.mark.parametrize("added_mass", [False, True])
+def test_velocity_matrix_is_9(added_mass: bool) -> None:
+    """M = Phi K + K*, with B for the lower left block of K."""
+    K = carrier.mass_matrix(added_mass)
+    M = velocity_matrix(added_mass)
+    if added_mass:
+        B = matrix("B")
+        K = blocks(K[:3, :3], B.T, B, K[3:, 3:])
+    assert remainders(M - Phi(carrier.V) * K - carrier.mass_matrix_rate()) == []

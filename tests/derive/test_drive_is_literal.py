@@ -41,13 +41,6 @@ def test_the_drive_torque() -> None:
     assert remainders([literal[3] - by_the_table()], SO3) == []
 
 
-def test_no_speed_is_left_in_it() -> None:
-    """phi' cancels: the torque of a flywheel does not depend on its own speed."""
-    literal = trigonometric(drive.literal_torque(W, carrier.V), W.phi)
-    assert remainders([literal[3].diff(W.phi_dot)], SO3) == []
-    assert remainders([literal[4].diff(W.phi_dot)], SO3) != []
-
-
 def test_products_of_spin() -> None:
     """-omega . J omega / 2 for any symmetric J."""
     omega = vector("omega")

@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 
 from derive import table
-from derive.exact import circle, orthogonal, remainders, rotation, trigonometric
+from derive.exact import circle, remainders, rotation, trigonometric
 from mahovik.core.derive import accumulate, carrier, flywheel
 from mahovik.core.derive.screw import Phi, T, Theta, bracket, elementary
 from mahovik.core.derive.symbols import from_six, six_of, symmetric, vector
@@ -18,7 +18,6 @@ from mahovik.core.derive.symbols import from_six, six_of, symmetric, vector
 W = flywheel.generic()
 CIRCLE = circle(sp.Symbol("c"), sp.Symbol("s"))
 SO3 = (*CIRCLE, *rotation(W.R))
-O3 = (*CIRCLE, *orthogonal(W.R))
 
 
 @pytest.fixture(scope="module")
@@ -69,14 +68,6 @@ def test_J(literal: flywheel.Literal, columns: accumulate.Columns) -> None:
     assert remainders(literal.J - table_form, SO3) == []
 
 
-def test_orthogonality_alone_does_not_carry_K_dot(literal: flywheel.Literal, sums: accumulate.Sums) -> None:
-    """K* needs <R b> = R <b> R^T, which a reflection breaks: axes have to be right-handed, as `prepare` makes them."""
-    difference = literal.K_dot - of_sums(carrier.mass_matrix_rate(), sums)
-    assert remainders(difference, O3) != []
-    cofactors = (*CIRCLE, *(W.R.adjugate().T - W.R))
-    assert remainders(difference, cofactors) == []
-
-
 @pytest.mark.slow
 def test_literal_K_dot_is_the_derivative_of_K() -> None:
     """(6) is d/dt of (2) at the phase's rate, for the factors as they are printed: R needs no property at all."""
@@ -95,22 +86,6 @@ def test_spun_inertia_sums_to_the_turned_inertia() -> None:
     C1 = bracket(elementary(1, W.phi))
     difference = (total - C1 * Theta(W.m, W.b, W.J) * C1.T).applyfunc(sp.expand_trig)
     assert remainders(trigonometric(difference, W.phi), CIRCLE) == []
-
-
-def test_first_moment_has_no_second_harmonic_and_spin_inertia_none() -> None:
-    """Omitted columns are 0: mu and t of harmonics 2c, 2s; mass and inertia about the spin axis of all but 0."""
-    columns = table.row(W)
-    for harmonic, part in flywheel.spun_inertia(W).items():
-        assert part.m == (W.m if harmonic == "0" else 0)
-        assert part.J[0] == (W.J[0] if harmonic == "0" else 0)
-    left_out = [columns[sp.Symbol(f"{name}_{k}[{i}]")] for name in ("mu", "t") for k in ("2c", "2s") for i in range(3)]
-    assert remainders(left_out, SO3) == []
-
-
-def test_harmonics_refuse_what_the_table_cannot_hold() -> None:
-    """A third harmonic is an error, not a silent loss."""
-    with pytest.raises(ValueError, match="no Fourier polynomial of second order"):
-        flywheel.harmonics(sp.cos(W.phi) ** 3, W.phi)
 
 
 def test_inertia_about_the_origin_from_central() -> None:

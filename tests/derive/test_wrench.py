@@ -9,9 +9,8 @@ from derive import table
 from derive.exact import remainders, rotation, trigonometric
 from mahovik.core.derive import wrench as derived
 from mahovik.core.derive.attitude import quaternion_product, rotation_of_quaternion
-from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.derive.screw import L, Phi, T, bracket, cross, e_bracket, elementary, f
-from mahovik.core.derive.symbols import from_six, matrix, six_of, symmetric, vector
+from mahovik.core.derive.symbols import matrix, vector
 from mahovik.laws.leg import derive as leg
 from mahovik.laws.suspension import derive as suspension
 from mahovik.laws.weight import derive as weight
@@ -22,12 +21,6 @@ TIME = sp.Symbol("t")
 def cross_product(a: sp.Matrix, b: sp.Matrix) -> sp.Matrix:
     """a x b by SymPy's own."""
     return a.cross(b)
-
-
-def test_cross() -> None:
-    """<a> b = a x b."""
-    a, b = vector("a"), vector("b")
-    assert remainders(cross(a) * b - cross_product(a, b)) == []
 
 
 @pytest.mark.parametrize("axis", [1, 2, 3])
@@ -66,15 +59,6 @@ def test_rate_of_L_along_a_turning_flywheel() -> None:
     assert bracket(R) * f == sp.zeros(3, 1).col_join(R[:, 0])
 
 
-def test_six_numbers_of_a_symmetric_matrix() -> None:
-    """Order 11 22 33 12 13 23, there and back."""
-    J = symmetric("J")
-    assert remainders(J - J.T) == []
-    assert six_of(J) == vector("J", 6)
-    assert from_six(vector("J", 6)) == J
-    assert [J[i, j].name for i, j in SYMMETRIC] == [f"J[{k}]" for k in range(6)]
-
-
 def test_weight_acts_at_the_mass_centre_of_all_bodies() -> None:
     """(m g, mu x g); buoyancy takes away the displaced mass at its centre."""
     g, mu, displaced = vector("g"), vector("mu"), vector("displaced_moment")
@@ -93,12 +77,6 @@ def test_transfer_of_points_is_the_paper_s_T() -> None:
     assert remainders(derived.moment_of_force() - (T(O) * vector("f").col_join(sp.zeros(3, 1)))[3:, :]) == []
     assert remainders(derived.rotated() - C * a) == []
     assert remainders(derived.rotated_back() - C.T * a) == []
-
-
-def test_axes_of_a_turned_flywheel() -> None:
-    """R C1(phi)."""
-    phi = sp.Symbol("phi")
-    assert remainders(derived.turned_axes() - trigonometric(matrix("R") * elementary(1, phi), phi)) == []
 
 
 @pytest.mark.slow
@@ -132,8 +110,13 @@ def test_leg_rate_is_the_derivative_of_its_length() -> None:
     assert found.tension == k * (sp.Symbol("distance") - length) + d * sp.Symbol("rate")
 
 
-def test_row_times() -> None:
-    """One row of a 6x6 law."""
-    assert derived.row_times("row", "column") == sum(
-        sp.Symbol(f"row[{i}]") * sp.Symbol(f"column[{i}]") for i in range(6)
-    )
+def test_cross() -> None:
+    """<a> b = a x b."""
+    a, b = vector("a"), vector("b")
+    assert remainders(cross(a) * b - cross_product(a, b)) == []
+
+
+def test_axes_of_a_turned_flywheel() -> None:
+    """R C1(phi)."""
+    phi = sp.Symbol("phi")
+    assert remainders(derived.turned_axes() - trigonometric(matrix("R") * elementary(1, phi), phi)) == []

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 import sympy as sp
 
@@ -39,22 +37,3 @@ def test_the_order(expression: sp.Expr, expected: Formula) -> None:
 def test_what_no_program_can_do_is_refused(expression: sp.Expr) -> None:
     with pytest.raises(TypeError, match="no form in a program"):
         to_formulas(expression)
-
-
-def value(formula: Any, numbers: dict[str, sp.Integer]) -> sp.Expr:
-    """A formula by exact numbers."""
-    match formula:
-        case str():
-            return numbers[formula]
-        case ("-", one):
-            return -value(one, numbers)
-        case (operator, left, right):
-            one, two = value(left, numbers), value(right, numbers)
-            return {"+": one + two, "-": one - two, "*": one * two}[operator]
-    return sp.Rational(formula)
-
-
-def test_a_formula_has_the_value_of_its_expression() -> None:
-    expression = (a - 2 * b) * (c + x2**2) - sp.Rational(1, 4) * s * x10 + 3
-    primes = dict(zip((a, b, c, s, x2, x10), map(sp.Integer, (2, 3, 5, 7, 11, 13)), strict=True))
-    assert value(to_formulas(expression), {x.name: n for x, n in primes.items()}) == expression.subs(primes)

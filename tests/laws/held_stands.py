@@ -62,6 +62,33 @@ def table(kind: str, **keys: Any) -> str:
     return f"[[hold.{kind}]]\n" + "\n".join(given) + "\n"
 
 
+FRICTION = {
+    "rail": table("friction", viscous="3 N s/m", coulomb="2 N", breakaway=3, stribeck_speed="50 mm/s"),
+    "skew rail": table("friction", coulomb=2),
+    "hinge": table("friction", viscous="0.2 N m s/rad", coulomb="1 N m", smoothing="1 rpm"),
+    "skew hinge": table("friction", freedom="1", breakaway=3, stribeck_speed=0.5),
+    "plane": table("friction", freedom="z", viscous=0.2) + table("friction", freedom="pitch", coulomb=0.7),
+    "cylinder": table("friction", freedom="pitch", breakaway=1, stribeck_speed=2),
+    "ball": table("friction", freedom="yaw", viscous=0.01, coulomb=0.2),
+    "basis": table("friction", freedom="2", viscous=0.4, coulomb=0.3, breakaway=0.6, stribeck_speed=0.3),
+}
+"""Tables of friction for each hold of HOLDS."""
+
+STOPS = {
+    "rail": table("stop", at="-10 mm", stiffness="10 N/mm", damping=100) + table("stop", at="10 mm", stiffness=900),
+    "skew rail": table("stop", at=0.0, side="above", stiffness=30),
+    "hinge": table("stop", at="-20 deg", side="above", stiffness="5 N m/deg", damping=3)
+    + table("stop", at="-120 deg", stiffness=4),
+    "skew hinge": table("stop", at=2, side="below", stiffness=7, damping=0.3) + table("stop", at=2.5, stiffness=9),
+    "plane": table("stop", freedom="pitch", at="10 deg", side="above", stiffness=40)
+    + table("stop", freedom="3", at="-150 deg", stiffness=30),
+    "cylinder": table("stop", freedom="y", at=0.1, stiffness=50, damping=3)
+    + table("stop", freedom="pitch", at=-0.1, stiffness=20)
+    + table("stop", freedom="pitch", at=2.9, stiffness=10, damping=1),
+}
+"""Tables of stops for each hold that has a coordinate."""
+
+
 def agree(stand: Stand, seeds: Sequence[int]) -> None:
     """The literal reference, the second derivation and the compiled C answer alike, and the file comes back."""
     from mahovik.proof.second import Second

@@ -12,14 +12,16 @@ import numpy as np
 import pytest
 
 import mahovik
-from laws.vessel import CARRIER, POD, PROPELLER, RUDDER, STRIPS
+from laws.stands import CARRIER, FADING, FINS, POD, PROPELLERS, STRIPS, bearing
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.lower.fmu.parameters import laws
 from mahovik.core.stand import dumps, loads, rest_state
-from mahovik.errors import StandError
+from mahovik.out.api.stands import Stand
+from mahovik.out.campaign.places import Places
 from mahovik.proof import reference
 from mahovik.proof.verify.c_backend import CBackend
 
-FILE = CARRIER + STRIPS + POD + RUDDER + PROPELLER + "axis = [1, 0.1, 0]\n"
+FILE = CARRIER + STRIPS + FADING + POD + FINS + PROPELLERS
 
 
 def test_each_state_has_its_own_inputs() -> None:
@@ -31,6 +33,7 @@ def test_each_state_has_its_own_inputs() -> None:
         "rudder.span": [[0, 0.1, -1], [0, 0, -1], [0.2, 0, -1]],
         "main.speed": [-50.0, 0.0, 80.0],
         "main.axis": [[1, 0.1, 0], [0, 1, 0.5], [1, 1, 0]],
+        "carrier.fading_damping.rate": [3.0, 0.5, 0.7],
         "carrier.cross_flow.drag_z": [[1.0, 1.1, 1.0], [0.5, 1.0, 2.0], [0.0, 1.0, 0.0]],
     }
     tables = model.tables(numbers)
@@ -66,7 +69,7 @@ def test_an_input_that_is_no_number_is_refused(who: str, array: str, member: str
     c = backend()
     judged = c if who == "C" else c.interpreter
     state = rest_state(loads(FILE))
-    inputs = c.arguments(replace(state, V=(1.0, 0.2, 0.1, 0.0, 0.05, 0.1))) | {"dt": 1e-3, "order": 4}
+    inputs = c.arguments(replace(state, V=(1.0, 0.2, 0.1, 0.0, 0.05, 0.1))) | {"dt": 1e-6, "order": 4}
     known = {f.name: f for f in c.program.functions if f.public}
     asked = [name for name in USERS if name in known]
     assert {"forward", "wrench", "matrices", "forward_jacobian", "step"} <= set(asked)
@@ -86,16 +89,20 @@ def test_momentum_asks_no_fin() -> None:
 
 def test_the_header_numbers_fins_and_propellers() -> None:
     """In the order of the table: body by body."""
-    second = RUDDER.replace('"rudder"', '"bow"').replace('mount = "pod"\n', "")
-    text = generate_all(loads(FILE + second)).files["vessel.h"]
-    assert "enum { VESSEL_FIN_BOW, VESSEL_FIN_RUDDER, VESSEL_FINS = 2 };" in text
-    assert "enum { VESSEL_PROPELLER_MAIN, VESSEL_PROPELLERS = 1 };" in text
-    assert "vessel_fin fin[VESSEL_FINS];" in text
-    other = generate_all(loads(CARRIER + STRIPS)).files["vessel.h"]
-    assert "FINS" not in other
-    assert "PROPELLERS" not in other
+    text = generate_all(loads(FILE)).files["vessel.h"]
+    assert "enum { VESSEL_FIN_HULL, VESSEL_FIN_STERN, VESSEL_FIN_RUDDER, VESSEL_FINS = 3 };" in text
+    assert "enum { VESSEL_PROPELLER_MAIN, VESSEL_PROPELLER_BOW, VESSEL_PROPELLERS = 2 };" in text
+    assert "vessel_fin fin[VESSEL_FINS];" in text and "may be set at run time" in text
 
 
-def test_a_speed_beyond_the_range_of_the_C_is_refused() -> None:
-    with pytest.raises(StandError, match="is above 100000"):
-        loads(FILE + 'speed = "1e6 rad/s"\n')
+def test_simulators_see_numbers_with_units_and_campaigns_vary_them() -> None:
+    stand = bearing("control")
+    generated = generate_all(stand)
+    found = {m.name: m for m in laws(stand, generated.layout, generated.values)}
+    assert found["control_derivative[1]"].unit.name == "N.s2/(m.rad2)"
+    assert "X += value u r rudder.deflection" in found["control_derivative[1]"].description
+    assert found["carrier.control_derivatives.race"].value == 2e-4
+    places = Places(Stand.of(loads(FILE)))
+    (place,) = places.find("main.diameter")
+    assert place.nominal == 0.14
+    assert [each.path for each in places.find("bow.thrust")] == [f"bow.thrust[{k}]" for k in range(3)]

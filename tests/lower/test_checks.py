@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import math
 from functools import cache
 from typing import Any
@@ -15,10 +14,7 @@ from hypothesis import strategies as st
 from mahovik.contract.quantities import BOUNDS
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN
-from mahovik.core.program.refusal import without_returns
-from mahovik.core.program.statement import Shortcut
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
-from mahovik.core.program.walk import statements
 from mahovik.core.stand import load
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.stands import path
@@ -110,8 +106,7 @@ def cases(draw: st.DrawFn) -> tuple[str, dict[str, list[float]], list[float], st
     return real, x, arrays["values"], of
 
 
-@pytest.mark.slow
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(cases())
 def test_the_status_is_that_of_the_first_bad_number(
     case: tuple[str, dict[str, list[float]], list[float], str],
@@ -129,46 +124,6 @@ def test_the_status_is_that_of_the_first_bad_number(
     assert status == STATUS_VALUES[expected(x, [0.0], real, of)]
 
 
-@settings(max_examples=200, deadline=None)
-@given(st.data(), st.sampled_from(sorted(PRECISIONS)))
-def test_six_numbers_are_looked_at_after_the_others(data: st.DataObject, real: str) -> None:
-    """Acceleration of the carrier, for torque: its status counts where state and flywheels are in order."""
-    c, bound = backend(real), limit("MAX_ACCELERATION", real)
-    pool = st.sampled_from([float(PRECISIONS[real].scalar(e)) for e in (0.5, *edges(bound, PRECISIONS[real]))])
-    V_dot = data.draw(st.lists(pool, min_size=6, max_size=6))
-    phi_ddot = [0.25, data.draw(pool), 0.25]
-    x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.5] * 6, "phi": [1.0] * N, "phi_dot": [2.0] * N}
-    status, _ = c.call("torque", {"table": c.table(), "x": x, "V_dot": V_dot, "phi_ddot": phi_ddot})
-    found = [first_bad(phi_ddot, bound), first_bad(V_dot, bound)]
-    assert status == STATUS_VALUES[next((each for each in found if each != "OK"), "OK")]
-
-
-@pytest.mark.parametrize("real", sorted(PRECISIONS))
-def test_squares_of_limits_are_finite(real: str) -> None:
-    """Else every sum would be below them."""
-    for bound in BOUNDS.values():
-        assert math.isfinite(float(PRECISIONS[real].scalar(bound.at(real)) ** 2)), bound.name
-
-
-def test_states_side_by_side_have_no_shortcut() -> None:
-    """Their probes look at all numbers at once."""
-    functions = backend("double").program.functions
-    assert any(isinstance(s, Shortcut) for f in functions for s in statements(f.body))
-    wide = without_returns(tuple(f for f in functions if f.name in ("within", "check_state")), DOUBLE)
-    assert not any(isinstance(s, Shortcut) for f in wide.values() for s in statements(f.body))
-
-
-@pytest.mark.parametrize("member", ["position", "axis", "zero"])
-def test_each_element_of_a_flywheel_s_place_is_looked_at(member: str) -> None:
-    """`prepare` refuses a vector with one element beyond the bound, whichever it is."""
-    c = backend("double")
-    for i in range(3):
-        parameters = copy.deepcopy(c.generated.values.parameters)
-        parameters["flywheel"][1][member] = [2e15 if k == i else float(k == (i + 1) % 3) for k in range(3)]
-        status, _ = c.library.run(c.program.function("prepare"), {"parameters": parameters})
-        assert status == STATUS_VALUES["RANGE"], i
-
-
 @pytest.mark.parametrize(("member", "bound"), [("position", 1e6), ("angles", 1e7), ("q_dot", 1e5), ("q_ddot", 1e9)])
 def test_each_element_of_coordinates_is_looked_at(member: str, bound: float) -> None:
     c = backend("double")
@@ -183,13 +138,4 @@ def test_each_element_of_coordinates_is_looked_at(member: str, bound: float) -> 
     for i in range(len(asked[member])):
         wrong = asked | {member: [2 * bound if k == i else 0.0 for k in range(len(asked[member]))]}
         status, _ = c.library.run(c.program.function("state_from_coordinates"), wrong)
-        assert status == STATUS_VALUES["RANGE"], i
-
-
-def test_each_element_of_a_point_s_place_is_looked_at() -> None:
-    c = CBackend(load(path("sat4")))
-    for i in range(3):
-        parameters = copy.deepcopy(c.generated.values.parameters)
-        parameters["point"][0]["position"] = [2e15 if k == i else 0.0 for k in range(3)]
-        status, _ = c.library.run(c.program.function("prepare"), {"parameters": parameters})
         assert status == STATUS_VALUES["RANGE"], i

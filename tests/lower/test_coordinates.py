@@ -9,7 +9,6 @@ import pytest
 
 from lower.test_inverse import ask, backend_of
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.stand import rest_state
 from mahovik.core.stand.model import Sequence
 from mahovik.core.stand.random import BARE, random_stand
 from mahovik.proof.verify.c_backend import CBackend
@@ -76,23 +75,3 @@ def test_the_cheap_inverse_agrees_with_the_careful_one(count: int) -> None:
         assert np.array(fast["phi_ddot"]) == pytest.approx(np.array(out["phi_ddot"]), abs=1e-14 * ratio**2 * scale)
         compared += 1
     assert compared >= 2
-
-
-def test_damping_of_the_cheap_inverse_lowers_the_answer() -> None:
-    c = backend_of(6)
-    given, _, out = ask(c, damping=0.3)
-    status, fast = c.call("inverse_fast", given)
-    assert status == 0
-    assert np.linalg.norm(fast["phi_ddot"]) < np.linalg.norm(out["phi_ddot"])
-
-
-def test_weights_of_the_stand_file_are_the_default_options() -> None:
-    from dataclasses import replace
-
-    stand = random_stand(np.random.default_rng(8), 2, BARE, name="weighted")
-    heavy = replace(stand.flywheels[1], inverse_weight=4.0)
-    c = CBackend(replace(stand, flywheels=(stand.flywheels[0], heavy)))
-    options = c.library.default("default_options")
-    assert list(options.weight) == [1.0, 4.0]
-    state = rest_state(stand)
-    assert c.call("inverse", c.arguments(state) | {"options": options})[0] >= 0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -10,7 +9,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cli.run import run
 from cli.test_eval_held import TEXT, answers, file
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
@@ -112,13 +110,6 @@ def test_a_pendulum_has_its_angle_and_falls_by_its_formula(file: str, backend: s
     assert set(found) == {"id", "q", "q_dot", "q_ddot"}
     half = {"quaternion": [-np.cos(2.0), 0, -np.sin(2.0), 0], "want": ["generalized"]}  # 4 rad, the other sign
     assert answers(file, half, backend=backend)[0]["q"] == pytest.approx([4.0 - 2 * np.pi], rel=1e-14)
-
-
-def test_a_hold_without_coordinates_is_an_error_line(file: str) -> None:
-    with open(file, "w") as out:
-        out.write(TEXT.replace('freedoms = ["pitch"]', 'freedoms = ["roll", "pitch"]'))
-    result = run("eval", file, "--backend", "numpy", stdin=json.dumps({"want": ["generalized"]}))
-    assert "no coordinates; ask for forward" in result.stdout and result.exit_code == 1
 
 
 @pytest.mark.parametrize(

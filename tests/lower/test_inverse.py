@@ -58,23 +58,6 @@ def test_residual_and_equations_agree(count: int) -> None:
         assert np.abs(out["residual"]).max() < 1e-10 * np.abs(left).max()
 
 
-@pytest.mark.slow
-def test_weights_choose_among_flywheels() -> None:
-    """One of 12 flywheels, weighted heavily, moves less; the target is still met, with the least weighted norm."""
-    c = backend_of(12)
-    _, _, plain = ask(c)
-    weight = [1.0] * 12
-    weight[3] = 1e4
-    given, status, out = ask(c, weight=weight)
-    assert status == 0
-    assert abs(out["phi_ddot"][3]) < 0.01 * abs(plain["phi_ddot"][3])
-    matrix = np.array(c.call("matrices", given)[1]["out"]["I"])
-    theta = np.array([row["spin"] for row in c.table()["flywheel"]]) * weight
-    # the least norm has no part in the null space of I: theta phi'' lies in the row space
-    null = np.linalg.svd(matrix)[2][6:]
-    assert null @ (theta * out["phi_ddot"]) == pytest.approx(0, abs=1e-9 * np.abs(theta * out["phi_ddot"]).max())
-
-
 def scaled(c: CBackend, given: dict[str, Any]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """K^-1/2 I, K^-1/2 times the demand, and the spin inertias, by the matrices of the C."""
     m = c.call("matrices", given)[1]["out"]
@@ -97,37 +80,6 @@ def test_singular_values_and_rank_know_no_weights(count: int, spread: float) -> 
     matrix, _, theta = scaled(c, given)
     sigma = np.linalg.svd(matrix / np.sqrt(theta), compute_uv=False)
     assert out["sigma"] == pytest.approx(sigma[: min(6, count)], rel=1e-9, abs=1e-13 * sigma[0])
-
-
-def test_limits_are_kept_and_told() -> None:
-    """Where too many flywheels are limited: accelerations at their limits, the mask, what is missing."""
-    c = backend_of(7)
-    _, _, free = ask(c)
-    bound = 0.5 * max(abs(a) for a in free["phi_ddot"])
-    _, status, out = ask(c, limit=[bound] * 7)
-    assert status & STATUS_VALUES["LIMITED"]
-    assert status & STATUS_VALUES["UNREACHABLE"]
-    assert max(abs(a) for a in out["phi_ddot"]) == bound
-    assert out["limited"] == [int(abs(a) == bound) for a in out["phi_ddot"]]
-
-
-@pytest.mark.parametrize("count", [7, 8, 12])
-@pytest.mark.parametrize("seed", range(4))
-def test_others_give_what_a_limited_flywheel_cannot(count: int, seed: int) -> None:
-    """One flywheel held below what it would give: seven and more still meet the demand; the free ones at least norm."""
-    c = backend_of(count)
-    _, _, free = ask(c, seed)
-    worst = int(np.argmax(np.abs(free["phi_ddot"])))
-    limit = [float("inf")] * count
-    limit[worst] = 0.8 * abs(free["phi_ddot"][worst])
-    given, status, out = ask(c, seed, limit=limit)
-    assert status == STATUS_VALUES["LIMITED"]
-    assert out["limited"] == [int(s == worst) for s in range(count)]
-    matrix, demand, theta = scaled(c, given)
-    rest = [s for s in range(count) if s != worst]
-    others = matrix[:, rest] / np.sqrt(theta[rest])
-    least = np.linalg.pinv(others) @ (demand - matrix[:, worst] * out["phi_ddot"][worst]) / np.sqrt(theta[rest])
-    assert np.array(out["phi_ddot"])[rest] == pytest.approx(least, rel=1e-6, abs=1e-8 * np.abs(least).max())
 
 
 @pytest.mark.parametrize("count", LIMITED)
@@ -202,19 +154,6 @@ def test_the_hardest_direction_has_the_least_singular_value() -> None:
     assert abs(u @ root @ out["hardest"]) == pytest.approx(1, rel=1e-9)
 
 
-@pytest.mark.parametrize("count", [1, 5])
-def test_the_hardest_direction_is_out_of_reach(count: int) -> None:
-    """With fewer than six flywheels it is K^-1-orthogonal to every column of I, and of unit size."""
-    c = backend_of(count)
-    given, _, out = ask(c)
-    m = c.call("matrices", given)[1]["out"]
-    K, matrix, hardest = np.array(m["K"]), np.array(m["I"]), np.array(out["hardest"])
-    assert hardest @ np.linalg.solve(K, hardest) == pytest.approx(1, rel=1e-12)
-    pairing = np.linalg.solve(K, hardest) @ matrix
-    size = np.sqrt(np.einsum("is,is->s", matrix, np.linalg.solve(K, matrix)))
-    assert pairing / size == pytest.approx(0, abs=1e-12)
-
-
 @pytest.mark.parametrize(
     "options",
     [
@@ -234,17 +173,6 @@ def test_not_a_number_among_options_is_refused() -> None:
     assert ask(backend_of(6), weight=[float("nan")] + [1.0] * 5)[1] == STATUS_VALUES["NOT_FINITE"]
     assert ask(backend_of(6), limit=[float("nan")] * 6)[1] == STATUS_VALUES["NOT_FINITE"]
     assert ask(backend_of(6), near_singular=float("nan"))[1] == STATUS_VALUES["NOT_FINITE"]
-
-
-def test_the_fast_variant_reads_weights_and_damping_only() -> None:
-    """The same answer as inverse for weighted flywheels; its other options are nobody's business."""
-    c = backend_of(12)
-    weight = [1.0 + s for s in range(12)]
-    given, _, out = ask(c, weight=weight)
-    given["options"] |= {"limit": [float("nan")] * 12, "near_singular": 7.0}
-    status, fast = c.call("inverse_fast", given)
-    assert status == 0
-    assert fast["phi_ddot"] == pytest.approx(out["phi_ddot"], rel=1e-7)
 
 
 @pytest.mark.parametrize("weight", [0.0, -1.0, 0.99e-6, 1.01e6])

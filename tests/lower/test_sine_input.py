@@ -13,7 +13,6 @@ import pytest
 from emit.compiled import bits
 from lower.refusals import FILL
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.emit.generate import generate_all
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
 from mahovik.core.toolchain.library import uniform_data
@@ -73,29 +72,6 @@ def test_the_sines_of_the_phases_give_the_bits_of_the_phases(name: str, function
         assert (same, bits(got)) == (status, bits(want))
 
 
-@pytest.mark.parametrize("function", FUNCTIONS)
-def test_compiled_and_interpreted_agree(function: str) -> None:
-    c = backend("turned3")
-    inputs = inputs_of(c)
-    wanted = {a.name for a in c.program.function(f"{function}_at").arguments if a.direction != "out"}
-    given = {n: v for n, v in inputs.items() if n in wanted} | {"table": c.generated.values.table}
-    assert bits(c.interpreter._run(f"{function}_at", given)[1]) == bits(run(c, f"{function}_at", inputs)[1])
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["turned1", "turned3"])
-def test_the_key_changes_no_bit_of_the_other_functions(name: str) -> None:
-    c = backend(name)
-    plain = CBackend(replace(c.generated.values._stand, phase_input="angle"))
-    inputs = inputs_of(c)
-    for function in plain.program.functions:
-        needed = {a.name for a in function.arguments if a.direction != "out"}
-        if function.public and "x" in needed and needed <= set(inputs):
-            ours, theirs = (run(b, function.name, inputs | {"table": b._table}) for b in (c, plain))
-            assert bits(ours) == bits(theirs), function.name
-    assert not any(f.name.endswith("_at") for f in plain.program.functions)
-
-
 def refused(c: CBackend, function: str, inputs: dict[str, Any], due: str) -> None:
     status, outputs = run(c, function, inputs)
     assert status == STATUS_VALUES[due]
@@ -127,14 +103,3 @@ def test_the_length_of_sine_and_cosine_is_one_within_a_thousandth(length: float,
             assert run(c, "forward_at", inputs | given)[0] == 0
         else:
             refused(c, "forward_at", inputs | given, "RANGE")
-
-
-def test_a_run_time_wrench_on_the_carrier_alone_leaves_torque_without_it() -> None:
-    """It does not act on the drives: neither `torque` and `torque_at` nor the function that they share take it."""
-    count, features = STANDS["turned1"]
-    stand = random_stand(np.random.default_rng(5), count, features, "pushed")
-    stand = replace(stand, phase_input="sincos", carrier=replace(stand.carrier, wrench_input=True))
-    program = generate_all(stand).program
-    functions = ("forward", "forward_at", "torque", "torque_at", "balance")
-    takers = {name for name in functions if "wrench" in {a.name for a in program.function(name).arguments}}
-    assert takers == {"forward", "forward_at"}

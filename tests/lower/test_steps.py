@@ -16,9 +16,8 @@ from mahovik.core.stand import load
 from mahovik.core.stand.state import rest_state
 from mahovik.core.toolchain import library
 from mahovik.core.toolchain.compiler import build_shared
-from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
+from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.functions.carries import end_of_steps
-from toolchain.quick import quick
 
 STANDS = Path(__file__).parents[2] / "generator" / "mahovik" / "stands"
 COARSE, RANGE = STATUS_VALUES["COARSE"], STATUS_VALUES["RANGE"]
@@ -108,47 +107,3 @@ def test_a_carry_keeps_the_increments_of_short_steps_in_float(dt: float) -> None
     carried = np.abs(speeds("float", "step_carried", dt, 2.0) - exact).max() / size
     assert carried < 2e-6
     assert without > 100 * carried
-
-
-def test_a_carry_moves_what_is_far_from_the_origin() -> None:
-    """200 m away and at 5 mm/s, a float's last place is 15 um: three steps of 1 ms."""
-    c = compiled("sat4", "float")
-    far = moving(c, position=[200.0, 0.0, 0.0], V=[5e-3, 0, 0, 0, 0, 0])
-    plain, carried, carry = far, far, good(c)["carry"]
-    for _ in range(1000):
-        plain = c.call("step", good(c, x=plain))[1]["next"]
-        found = c.call("step_carried", good(c, x=carried, carry=carry))[1]
-        carried, carry = found["next"], found["carry"]
-    assert plain["position"][0] == 200.0
-    assert carried["position"][0] + carry["rounding"][0] == pytest.approx(200.005, abs=1e-6)
-
-
-@pytest.mark.parametrize("real", quick(1, ["float", "double"]))
-def test_one_step_with_an_empty_carry_is_a_step(real: str) -> None:
-    """The same bits, but for the attitude, which is brought to unit length with fewer roundings."""
-    c = compiled("bench8", real)
-    N = len(c.layout.structure.flywheels)
-    x = moving(c, V=[0.1, -0.2, 0.3, 0.4, 0.5, -0.6], phi=np.linspace(-2, 2, N).tolist(), phi_dot=[100.0] * N)
-    for function in ("step", "step_driven"):
-        for order in (2, 4):
-            one = c.call(function, good(c, x=x, order=order))[1]["next"]
-            other = c.call(f"{function}_carried", good(c, x=x, order=order))[1]["next"]
-            assert {k: v for k, v in one.items() if k != "attitude"} == {k: other[k] for k in one if k != "attitude"}
-            assert one["attitude"] == pytest.approx(
-                other["attitude"], abs=2 * float(np.finfo(c.layout.precision.scalar).eps)
-            )
-
-
-def test_the_interpreter_has_the_bits_of_the_c() -> None:
-    c = compiled("sat4", "float")
-    interpreted = InterpreterBackend(c.generated)
-    rng = np.random.default_rng(4)
-    N = len(c.layout.structure.flywheels)
-    x = moving(c, phi=rng.uniform(-3.14, 3.14, N).tolist(), phi_dot=rng.normal(0, 300, N).tolist(), V=[0.3] * 6)
-    carry = {"rounding": (rng.normal(size=13 + 2 * N) * 1e-8).tolist()}
-    table = interpreted.arguments(rest_state(load(STANDS / "sat4.toml")))["table"]
-    for _ in range(20):
-        given = good(c, x=x, carry=carry)
-        found = c.call("step_carried", given)
-        assert found == interpreted.call("step_carried", given | {"table": table})
-        x, carry = found[1]["next"], found[1]["carry"]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -12,10 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from emit.compiled import compiled
-from lower.refusals import refuses
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower import parameters as lowered
 from mahovik.core.lower.checks import within
 from mahovik.core.lower.layout import Layout
@@ -24,11 +20,9 @@ from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
-from mahovik.core.stand import Stand, structure
+from mahovik.core.stand import structure
 from mahovik.core.stand.random import BARE, random_stand
 from mahovik.proof.verify.c_backend import CBackend
-from strategies import stands
-from toolchain.quick import quick
 
 Array = NDArray[np.float64]
 PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)
@@ -75,7 +69,7 @@ def random_body(seed: int, moments: Array) -> tuple[Array, float, Array, Array]:
 
 
 @PRECISIONS
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(
     seed=SEEDS,
     moments=st.tuples(*[st.sampled_from([0.0, 1e-12, 1e-3, 0.5, 1.0]) | st.floats(0, 1)] * 3).filter(any),
@@ -87,7 +81,7 @@ def test_every_body_that_can_be_is_taken(precision: Precision, seed: int, moment
 
 
 @PRECISIONS
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(seed=SEEDS, moments=st.tuples(st.floats(0, 1), st.floats(0.1, 1)), excess=st.floats(8, 1e5))
 def test_a_triangle_that_does_not_close_is_refused(
     precision: Precision, seed: int, moments: tuple[float, float], excess: float
@@ -125,18 +119,6 @@ def test_bodies_by_hand(precision: Precision, J: list[float], good: bool) -> Non
         assert inertia_status(precision, 1.0, np.zeros(3), np.diag(J) * size) == (OK if good else REFUSED)
 
 
-@PRECISIONS
-def test_mass_off_the_origin_has_inertia_there(precision: Precision) -> None:
-    """A point mass 2 at (0.3, 0, 0.4): J about the origin is 2 (0.25 E - c c^T), not a thousandth less."""
-    center = np.array([0.3, 0.0, 0.4])
-    J = about_origin(np.zeros(3), np.eye(3), 2.0, center)
-    assert inertia_status(precision, 2.0, center, J) == OK
-    assert inertia_status(precision, 2.0, center, J * 0.999) == REFUSED
-    assert inertia_status(precision, 2.0, center, J * 0) == REFUSED
-    assert inertia_status(precision, 2.002, center, J) == REFUSED
-    assert inertia_status(precision, 1.998, center, J) == OK
-
-
 def definite(rng: np.random.Generator, rank: int) -> Array:
     """A positive semidefinite 6x6 of this rank, its rows of very different size."""
     factor = rng.normal(size=(6, rank)) * 10 ** rng.uniform(-3, 3, 6)[:, None]
@@ -145,7 +127,7 @@ def definite(rng: np.random.Generator, rank: int) -> Array:
 
 
 @PRECISIONS
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(seed=SEEDS, rank=st.integers(0, 6), dry=st.sets(st.integers(0, 5)))
 def test_every_semidefinite_added_mass_is_taken(precision: Precision, seed: int, rank: int, dry: set[int]) -> None:
     added = definite(np.random.default_rng(seed), rank)
@@ -156,7 +138,7 @@ def test_every_semidefinite_added_mass_is_taken(precision: Precision, seed: int,
 
 
 @PRECISIONS
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(seed=SEEDS, rank=st.integers(1, 5), excess=st.floats(20, 1e4))
 def test_an_added_mass_with_a_negative_direction_is_refused(
     precision: Precision, seed: int, rank: int, excess: float
@@ -190,55 +172,7 @@ def test_added_mass_by_hand(precision: Precision) -> None:
                 assert added_status(precision, skew) == REFUSED
 
 
-@pytest.mark.slow
-@PRECISIONS
-@settings(max_examples=25, deadline=None)
-@given(stand=stands(max_flywheels=3))
-def test_prepare_takes_every_random_stand(precision: Precision, stand: Stand) -> None:
-    """generate_all runs prepare on the parameters, and raises where it refuses them."""
-    assert generate_all(stand, precision.name).values.table["mass"] > 0
-
-
-def with_value(parameters: Any, path: tuple[Any, ...], value: Any) -> Any:
-    found = copy.deepcopy(parameters)
-    place = found
-    for step in path[:-1]:
-        place = place[step]
-    place[path[-1]] = value
-    return found
-
-
-@pytest.mark.parametrize("name", ["everything1", "wet7"])
-def test_the_compiled_prepare_refuses_each_kind_in_any_body_and_writes_nothing(name: str) -> None:
-    c = compiled(name)
-    good = c.values.parameters
-    bodies: list[tuple[Any, ...]] = [("carrier",)]
-    bodies += [(kind, k, "body") for kind in ("instrument", "flywheel") for k in range(len(good.get(kind, ())))]
-    inputs = {"table": c.table()}
-
-    def refused(path: tuple[Any, ...], value: Any, due: str = "NOT_POSITIVE_DEFINITE") -> None:
-        refuses(c, "prepare", inputs | {"parameters": with_value(good, path, value)}, due)
-
-    for body in bodies:
-        given = good
-        for step in body:
-            given = given[step]
-        J = [float(x) for x in given["inertia"]]
-        refused((*body, "inertia"), [J[0], J[1], J[0] + 1.01 * J[1], *J[3:]])
-        refused((*body, "inertia"), [J[0] + J[1] + 1.01 * J[2], J[1], J[2], *J[3:]])
-        refused((*body, "inertia"), [*J[:5], 2 * max(J)])
-        refused((*body, "center_of_mass"), [1.0, 2.0, 30.0])
-        refused((*body, "mass"), -1e-9, "RANGE")
-        if "displaced_mass" in given:
-            refused((*body, "displaced_mass"), -1e-9, "RANGE")
-    if "added_mass" in good:
-        refused(("added_mass", 3, 3), -1e-9)
-        refused(("added_mass", 4, 4), 1e-9)
-        refused(("added_mass", 5, 0), 1e-3 + float(good["added_mass"][5][0]))
-
-
-@pytest.mark.parametrize("real", quick(1, ["double", "float"]))
-@pytest.mark.parametrize("tiny", [1e-310, 1e-40])
+@pytest.mark.parametrize(("real", "tiny"), [("double", 1e-310), ("float", 1e-40)])
 def test_what_has_no_inverse_is_refused(real: str, tiny: float) -> None:
     """A spin inertia or a total mass so small that its inverse is no number counts as none."""
     c = CBackend(random_stand(np.random.default_rng(5), 2, BARE, name="tiny"), real)

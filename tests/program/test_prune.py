@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mahovik.core.program.build import Body, call
-from mahovik.core.program.call import Argument, Call
+from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, integer, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.interpret import Interpreter
@@ -45,38 +45,6 @@ FILL = function("fill", [argument("x"), argument("a", R, (2,), "out")], lambda b
 STATUS = function("status", [argument("a", R, (2,), "out")], lambda body, a: body.ret(integer(0)), Kind.STATUS)
 
 
-def test_what_is_only_written_goes() -> None:
-    def write(body: Body, x: Place, out: Place) -> None:
-        dead = body.local("dead", (2,))
-        chain = body.let("chain", x * 2)
-        body.set(dead[0], chain)
-        with body.loop("i", 2) as i:
-            body.set(dead[i], x)
-        body.set(out[0], x)
-
-    found = cut(write)
-    assert list(names(found.body)) == []
-    assert [type(s) for s in found.body] == [Loop, Set]
-
-
-def test_calls_that_only_write_the_dead_go() -> None:
-    def write(body: Body, x: Place, out: Place) -> None:
-        dead = body.local("dead", (2,))
-        body.call(FILL, x, dead)
-        body.set(out[0], x)
-
-    assert [type(s) for s in cut(write).body] == [Set]
-
-
-def test_calls_whose_result_is_read_stay() -> None:
-    def write(body: Body, x: Place, out: Place) -> None:
-        alive = body.local("alive", (2,))
-        body.call(FILL, x, alive)
-        body.set(out[0], alive[0])
-
-    assert [type(s) for s in cut(write).body] == [Declare, Do, Set]
-
-
 def test_calls_with_a_status_stay() -> None:
     def write(body: Body, x: Place, out: Place) -> None:
         a = body.local("a", (2,))
@@ -84,26 +52,6 @@ def test_calls_with_a_status_stay() -> None:
         body.set(out[0], x)
 
     assert [type(s) for s in cut(write).body] == [Declare, Do, Set]
-
-
-def test_a_variable_that_is_an_index_lives() -> None:
-    def write(body: Body, x: Place, out: Place) -> None:
-        k = body.local("k", (), I)
-        body.set(k, 1)
-        body.set(out[k], x)
-
-    assert list(names(cut(write).body)) == ["k"]
-
-
-def test_a_variable_that_a_condition_or_bound_reads_lives() -> None:
-    def write(body: Body, x: Place, out: Place) -> None:
-        sign = body.let("sign", x < 0)
-        count = body.local("count", (), I)
-        body.set(count, 2)
-        with body.when(sign), body.loop("i", count) as i:
-            body.set(out[i], x)
-
-    assert list(names(cut(write).body)) == ["sign", "count"]
 
 
 def test_arguments_without_use_are_dropped() -> None:
@@ -176,30 +124,6 @@ def test_pruning_changes_no_bit(seed: int) -> None:
     results = [Interpreter(program(FILL, f)).run("f", {"x": x}) for f in (full, short)]
     assert results[0] == results[1]
     assert all(np.isfinite(results[0][1]["out"]))
-
-
-def test_pruning_does_something_to_most_random_bodies() -> None:
-    """Guard of the property above."""
-    shorter = 0
-    for seed in range(50):
-        full = function("f", [argument("x", R, (3,)), argument("out", R, (4,), "out")], Writer(seed).write)
-        shorter += len(list(names(prune(full).body))) < len(list(names(full.body)))
-    assert shorter > 25
-
-
-def test_the_value_of_a_call_in_an_expression_lives() -> None:
-    value = function("value", [argument("a", R, (2,))], lambda body, a: body.ret(a[0]), R)
-    x, out = argument("x"), argument("out", R, (2,), "out")
-    body = Body()
-    a = body.local("a", (2,))
-    body.call(FILL, x.place, a)
-    body.set(out.place[0], call(value, a))
-    found = prune(Function("f", "f.", (x, out), body.statements))
-    assert any(isinstance(s, Do) for s in found.body)
-    last = found.body[-1]
-    assert isinstance(last, Set)
-    assert isinstance(last.value, Call)
-    assert isinstance(last.value.arguments[0], Place)
 
 
 @pytest.mark.parametrize("added", [False, True])

@@ -19,44 +19,8 @@ def copy() -> Function:
     return Function("copy", "A copy.", (source, target), body.statements)
 
 
-def passing(public: bool = True) -> tuple[Function, Argument, Argument, Body]:
-    inner = copy()
-    pair = Argument("pair", PAIR, (), "inout")
-    other = Argument("other", Kind.REAL, (3,), "out")
-    return inner, pair, other, Body()
-
-
 def program(*functions: Function) -> Program:
     return Program("small", DOUBLE, (), (PAIR,), functions)
-
-
-def test_members_of_one_struct_lie_apart() -> None:
-    inner, pair, _, body = passing()
-    body.call(inner, pair.place.a, pair.place.b)
-    assert restrictable(program(inner, Function("f", "", (pair,), body.statements, public=True))) == {
-        ("copy", "target")
-    }
-
-
-def test_one_call_on_one_place_takes_the_promise_away() -> None:
-    inner, pair, other, body = passing()
-    body.call(inner, pair.place.a, other.place)
-    body.call(inner, pair.place.b, pair.place.b)
-    assert restrictable(program(inner, Function("f", "", (pair, other), body.statements, public=True))) == set()
-
-
-def test_elements_by_index_may_be_the_same() -> None:
-    inner = copy()
-    rows = Argument("rows", Kind.REAL, (4, 3), "inout")
-    body = Body()
-    with body.loop("i", 4) as i:
-        body.call(inner, rows.place[0], rows.place[i])
-    assert restrictable(program(inner, Function("f", "", (rows,), body.statements, public=True))) == set()
-    constant = Body()
-    constant.call(inner, rows.place[0], rows.place[1])
-    assert restrictable(program(inner, Function("f", "", (rows,), constant.statements, public=True))) == {
-        ("copy", "target")
-    }
 
 
 def test_what_a_caller_cannot_promise_its_callee_cannot_either() -> None:

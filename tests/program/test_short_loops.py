@@ -12,7 +12,7 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.idle_calls import without_idle_calls
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.short_loops import without_short_loops
-from mahovik.core.program.statement import Declare, Let, Loop, Note
+from mahovik.core.program.statement import Declare
 from mahovik.core.program.types import Kind, NamedCount
 from mahovik.core.program.validate import validate
 from mahovik.core.program.walk import called_names, statements
@@ -68,13 +68,6 @@ def test_results_keep_their_bits(rows: int, x: list[float]) -> None:
     )
 
 
-def test_one_row_has_no_loops() -> None:
-    body = list(statements(without_short_loops(solver(1)).body))
-    assert not any(isinstance(s, Loop | Note) for s in body)
-    names = [s.variable.name for s in body if isinstance(s, Let | Declare)]
-    assert len(names) == len(set(names)) == 2
-
-
 def test_a_loop_of_no_turn_is_no_program() -> None:
     """Also where only the index of the loop around it shows that, over flywheels of which there is one."""
     count = NamedCount("N", 1)
@@ -88,16 +81,6 @@ def test_a_loop_of_no_turn_is_no_program() -> None:
     with pytest.raises(ValueError, match="f: the loop over k has no turn"):
         validate(program(f))
     assert not list(statements(without_short_loops(f).body))
-
-
-def test_a_function_with_longer_loops_alone_stays_the_same() -> None:
-    def write(body: Body, x: Place, out: Place) -> None:
-        with body.loop("i", ROWS) as i:
-            body.set(out[i], x[i])
-
-    arguments = [argument("x", Kind.REAL, (ROWS,)), argument("out", Kind.REAL, (ROWS,), "out")]
-    f = function("f", arguments, write)
-    assert without_short_loops(f) is f
 
 
 def test_calls_that_only_return_ok_go_with_their_checks() -> None:

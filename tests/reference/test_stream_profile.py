@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import mahovik
-from laws.vessel import CARRIER
+from laws.stands import CARRIER
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.fmu.variables import Start, form
 from mahovik.core.stand import Stand, dumps, identities, loads

@@ -11,6 +11,7 @@ import pytest
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from routines.compiled import run
 from routines.run import call, call_sincos
+from routines.test_exponential import exponents
 
 PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)
 NEAR_ZERO = 8 * np.pi
@@ -56,39 +57,37 @@ def numbers_of_every_size(precision: Precision, count: int) -> np.ndarray:
     return draw.integers(0, infinity, count, dtype=precision.word).view(precision.scalar)
 
 
-@PRECISIONS
-def test_compiled_sincos_is_the_interpreter_bit_for_bit(precision: Precision) -> None:
-    angles = np.concatenate([angles_of_every_kind(precision, 1500), [0.0, -0.0, 1e-40, precision.max_phase]])
-    angles = angles.astype(precision.scalar)
-    compiled = np.array(run(precision, "sincos", angles)).T
-    assert compiled.tobytes() == np.array([call_sincos(precision, x) for x in angles]).tobytes()
+def arguments_of_every_kind(precision: Precision, count: int) -> dict[str, tuple[np.ndarray, ...]]:
+    """Arguments of each routine by its name, of the element type."""
+    angles = [*angles_of_every_kind(precision, count), 0.0, -0.0, 1e-40, precision.max_phase]
+    found = {
+        "sincos": (np.array(angles),),
+        "sqrt": (numbers_of_every_size(precision, count),),
+        "atan2": points_of_every_kind(precision, count),
+        "exp": (np.array([*exponents(precision, count), -1e4, -1e30, -1e-40]),),
+    }
+    return {name: tuple(a.astype(precision.scalar) for a in arguments) for name, arguments in found.items()}
 
 
 @PRECISIONS
-def test_compiled_square_root_is_the_interpreter_bit_for_bit(precision: Precision) -> None:
-    numbers = numbers_of_every_size(precision, 2000)
-    (compiled,) = run(precision, "sqrt", numbers)
-    assert compiled.tobytes() == np.array([call(precision, "sqrt", x) for x in numbers]).tobytes()
-
-
-@PRECISIONS
-def test_compiled_arc_tangent_is_the_interpreter_bit_for_bit(precision: Precision) -> None:
-    y, x = (v.astype(precision.scalar) for v in points_of_every_kind(precision, 1000))
-    (compiled,) = run(precision, "atan2", y, x)
-    assert compiled.tobytes() == np.array([call(precision, "atan2", *p) for p in zip(y, x, strict=True)]).tobytes()
+def test_compiled_is_the_interpreter_bit_for_bit(precision: Precision) -> None:
+    for name, arguments in arguments_of_every_kind(precision, 700).items():
+        compiled = np.array(run(precision, name, *arguments)).T
+        rows = list(zip(*arguments, strict=True))
+        if name == "sincos":
+            interpreted = np.array([call_sincos(precision, x) for (x,) in rows])
+        else:
+            interpreted = np.array([call(precision, name, *row) for row in rows])
+        assert compiled.tobytes() == interpreted.tobytes(), name
 
 
 @PRECISIONS
 @pytest.mark.parametrize("flags", (("-O0",), ("-O3",), ("-Os",)), ids=lambda f: f[0])
 def test_optimisation_changes_no_bit(precision: Precision, flags: tuple[str, ...]) -> None:
     """-O3 vectorises the loop over sincos."""
-    angles = angles_of_every_kind(precision, 50_000)
-    numbers = numbers_of_every_size(precision, 100_000)
-    points = points_of_every_kind(precision, 50_000)
-    for name, arguments in (("sincos", (angles,)), ("sqrt", (numbers,)), ("atan2", points)):
-        plain = run(precision, name, *arguments)
-        other = run(precision, name, *arguments, flags=flags)
-        assert [a.tobytes() for a in plain] == [a.tobytes() for a in other]
+    for name, arguments in arguments_of_every_kind(precision, 50_000).items():
+        plain, other = run(precision, name, *arguments), run(precision, name, *arguments, flags=flags)
+        assert [a.tobytes() for a in plain] == [a.tobytes() for a in other], name
 
 
 @PRECISIONS
@@ -127,17 +126,6 @@ def test_every_float_significand_has_the_right_root() -> None:
 @PRECISIONS
 def test_million_roots(precision: Precision) -> None:
     numbers = numbers_of_every_size(precision, 2_000_000)
-    (root,) = run(precision, "sqrt", numbers)
-    assert np.array_equal(root, np.sqrt(numbers))
-
-
-@PRECISIONS
-def test_million_subnormal_roots(precision: Precision) -> None:
-    draw = np.random.default_rng(5)
-    words = draw.integers(0, 1 << (precision.significand - 1), 500_000, dtype=precision.word)
-    numbers = (words >> draw.integers(0, precision.significand - 1, len(words), dtype=precision.word)).view(
-        precision.scalar
-    )
     (root,) = run(precision, "sqrt", numbers)
     assert np.array_equal(root, np.sqrt(numbers))
 

@@ -41,23 +41,9 @@ def worst_error(precision: Precision, x: np.ndarray, got: np.ndarray) -> float:
 
 @PRECISIONS
 def test_error_is_below_what_is_promised(precision: Precision) -> None:
-    x = exponents(precision, 8000)
+    x = exponents(precision, 4000)
     (got,) = run(precision, "exp", x)
     assert 0.5 < worst_error(precision, x, got) < WORST
-
-
-@PRECISIONS
-def test_compiled_is_the_interpreter_bit_for_bit(precision: Precision) -> None:
-    x = np.concatenate([exponents(precision, 700), np.array([-1e4, -1e30, -1e-40])]).astype(precision.scalar)
-    (compiled,) = run(precision, "exp", x)
-    assert compiled.tobytes() == np.array([call(precision, "exp", value) for value in x]).tobytes()
-
-
-@PRECISIONS
-@pytest.mark.parametrize("flags", (("-O0",), ("-O3",), ("-Os",)), ids=lambda f: f[0])
-def test_optimisation_changes_no_bit(precision: Precision, flags: tuple[str, ...]) -> None:
-    x = exponents(precision, 100_000)
-    assert run(precision, "exp", x)[0].tobytes() == run(precision, "exp", x, flags=flags)[0].tobytes()
 
 
 @PRECISIONS
@@ -110,11 +96,4 @@ def test_every_float_of_two_binades() -> None:
     """-1/2 to -2: k is 1, 2 or 3."""
     sign = 1 << 31
     worst, where = scan(sign | 126 << 23, sign | 128 << 23)
-    assert 0.5 < worst < WORST, where
-
-
-@pytest.mark.slow
-def test_every_float() -> None:
-    """All 1,119 million of them from -0 to -87."""
-    worst, where = scan(1 << 31, int(np.float32(LOWEST["float"]).view(np.uint32)) + 1)
     assert 0.5 < worst < WORST, where

@@ -1,19 +1,101 @@
-"""Every refusal of validate, and what it lets pass."""
+"""What no program may be is refused: by the builder and its expressions, and by the validation of a whole program."""
+
+from collections.abc import Callable
 
 import pytest
 
-from emit.stands import NAMES, float_texts, generated, stand
+from emit.stands import generated
+from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument, Call
-from mahovik.core.program.expression import Const, Place, Variable, integer, real
+from mahovik.core.program.expression import (
+    BitCast,
+    Const,
+    Convert,
+    Expr,
+    Place,
+    Variable,
+    as_expr,
+    compare,
+    equal,
+    integer,
+    real,
+    select,
+    unequal,
+)
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
-from mahovik.core.program.types import DOUBLE, Field, Kind, Struct
+from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Return, Set, Statement, When
+from mahovik.core.program.types import DOUBLE, Field, Kind, NamedCount, Struct
 from mahovik.core.program.validate import validate
 from mahovik.core.program.walk import expressions, statements
 from program.small import argument, function, program
-from toolchain.quick import quick
 
-R, I = Kind.REAL, Kind.INT
+R, W, I = Kind.REAL, Kind.WORD, Kind.INT
+PAIR = Struct("pair", "Two.", (Field("a", R), Field("b", R, (2,))))
+OTHER = Struct("other", "Two.", (Field("a", R), Field("b", R, (2,))))
+N = NamedCount("N", 3)
+
+a, b = (Variable(name, R).place for name in "ab")
+w, n = Variable("w", W).place, Variable("n", I).place
+x3, x6 = Variable("x3", R, (3,)).place, Variable("x6", R, (6,)).place
+matrix = Variable("matrix", R, (2, 3)).place
+pair, other = Variable("pair", PAIR).place, Variable("other", OTHER).place
+
+
+@pytest.mark.parametrize(
+    ("build", "message"),
+    [
+        (lambda: a + w, "kinds differ"),
+        (lambda: w & n, "kinds differ"),
+        (lambda: compare("<", w, n), "kinds differ"),
+        (lambda: select(a < b, a, w), "kinds differ"),
+        (lambda: equal(a, b), "not compared for equality"),
+        (lambda: unequal(a, 0), "not compared for equality"),
+        (lambda: Convert(a, I), "use the bits"),
+        (lambda: BitCast(n, R), "between real and word"),
+        (lambda: bool(a < b), "no truth value"),
+        (lambda: as_expr(0.5, I), "is no int"),
+        (lambda: w & 0.5, "is no word"),
+        (lambda: a[0], "is not an array"),
+        (lambda: pair.c, "struct pair has no member c"),
+        (lambda: a.b, "is not a struct"),
+        (lambda: Body().set(x3, 1), "x3 is not a scalar"),
+        (lambda: Body().copy_array(x3, x6), "x3 has 3 elements, x6 6"),
+        (lambda: call(callee(), a, b), "callee takes 1 arguments, not 2"),
+        (lambda: call(callee(returns=None), a), "callee returns nothing"),
+    ],
+)
+def test_expressions_that_do_not_fit(build: Callable[[], object], message: str) -> None:
+    with pytest.raises(TypeError, match=message):
+        build()
+
+
+def callee(
+    kind: Kind | Struct = R, shape: tuple[int | NamedCount, ...] = (), direction: str = "in", returns: Kind | None = R
+) -> Function:
+    """A function of one argument."""
+    return function("callee", [argument("x", kind, shape, direction)], lambda body, x: body.ret(real(1)), returns)
+
+
+@pytest.mark.parametrize(
+    ("function", "value", "message"),
+    [
+        (callee(R, (6,)), x3, "x3 has 3 elements, expected 6"),
+        (callee(R, (N,)), x6, "x6 has 6 elements, expected 3"),
+        (callee(R, (3,)), matrix, "does not fit"),
+        (callee(R, (3,)), a, "does not fit"),
+        (callee(PAIR), other, "does not fit"),
+        (callee(R, (), "out"), real(1), "does not fit"),
+        (callee(R), n, "int given, real expected"),
+        (callee(W), n, "int given, word expected"),
+    ],
+)
+def test_arguments_that_do_not_fit(function: Function, value: Expr, message: str) -> None:
+    with pytest.raises(TypeError, match=message):
+        call(function, value)
+    with pytest.raises(TypeError, match=message):
+        Body().call(function, value)
+
+
 X = Argument("x", R)
 OUT = Argument("out", R, (2,), "out")
 A, OTHER_A = Variable("a", R), Variable("a", R)
@@ -32,22 +114,15 @@ def program_of(*body: Statement) -> Program:
     [
         ([USE_A, LET_A], "f: a is used outside its block"),
         ([USE_A], "f: a is used outside its block"),
-        ([LET_A, Set(OUT.place[0], OTHER_A.place), USE_A], "f: a is used outside its block"),
         ([When(X.place < 0, (LET_A, USE_A)), USE_A], "f: a is used outside its block"),
         ([When(X.place < 0, (LET_A, USE_A), (USE_A,))], "f: a is used outside its block"),
-        ([When(A.place < 0, (Note("nothing"),))], "f: a is used outside its block"),
         ([Loop(K, integer(0), integer(2), (LET_A, USE_A)), USE_A], "f: a is used outside its block"),
-        ([Loop(K, integer(0), K.place, ())], "f: k is used outside its block"),
         ([Loop(K, K.place, integer(2), ())], "f: k is used outside its block"),
-        ([Let(A, A.place + 1)], "f: a is used outside its block"),
         ([LET_A, USE_A, Let(OTHER_A, real(2)), Set(OUT.place[1], OTHER_A.place)], "f: a hides another a"),
         ([Declare(Variable("x", R))], "f: x hides another x"),
-        ([LET_A, USE_A, When(X.place < 0, (Let(OTHER_A, real(1)),))], "f: a hides another a"),
         ([LET_A, USE_A, Loop(Variable("a", I), integer(0), integer(2), ())], "f: a hides another a"),
         ([LET_A], "f: a is never used"),
         ([Loop(K, integer(0), integer(2), (LET_A,))], "f: a is never used"),
-        ([When(X.place < 0, (), (LET_A,))], "f: a is never used"),
-        ([Declare(A)], "f: a is never used"),
         ([Set(Place(OUT.variable, (Const(0, R),), R, ()), real(1))], "an index that is no int"),
         ([Return(Place(OUT.variable, (X.place,), R, ()))], "an index that is no int"),
         ([Copy(A.place, X.place)], "f: a is used outside its block"),
@@ -56,11 +131,6 @@ def program_of(*body: Statement) -> Program:
 def test_refusals(body: list[Statement], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         validate(program_of(*body))
-
-
-def test_the_same_name_in_two_blocks_is_good() -> None:
-    blocks = [When(X.place < 0, (Let(v, real(1)), Set(OUT.place[0], v.place))) for v in (A, OTHER_A)]
-    validate(program_of(*blocks, Loop(K, integer(0), integer(2), (Set(OUT.place[K.place], X.place),))))
 
 
 def test_two_things_of_one_name() -> None:
@@ -88,14 +158,10 @@ def test_no_function_calls_itself() -> None:
         validate(program(calls))
 
 
-@pytest.mark.parametrize("name", quick(8, NAMES))
-def test_lowered_programs_are_valid(name: str) -> None:
-    validate(generated(name).program)
-
-
-@pytest.mark.parametrize("name", [*quick(8, NAMES), "hinge5"])
+@pytest.mark.parametrize("name", ["everything6", "hinge5"])
 def test_a_lowered_function_writes_all_that_it_does_not_only_read(name: str) -> None:
     """What nothing writes is `const` in C."""
+    validate(generated(name).program)
     for f in generated(name).program.functions:
         written = {id(s.place.root) for s in statements(f.body) if isinstance(s, Set)}
         written |= {id(s.target.root) for s in statements(f.body) if isinstance(s, Copy)}
@@ -103,7 +169,3 @@ def test_a_lowered_function_writes_all_that_it_does_not_only_read(name: str) -> 
         passed = [v for call in calls for p, v in call.pairs if p.direction != "in"]
         written |= {id(v.root) for v in passed if isinstance(v, Place)}
         assert [a.name for a in f.arguments if a.direction != "in" and id(a.variable) not in written] == [], f.name
-
-
-def test_lowered_float_programs_are_valid() -> None:
-    validate(float_texts(stand("everything6"))[1])
