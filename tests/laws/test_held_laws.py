@@ -79,18 +79,18 @@ def test_balls_hold_the_wrench_and_planning_has_its_slopes(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("kind", "other", "word"),
+    ("kind", "other", "file", "word"),
     [
-        (FRICTION["hinge"], table("friction", viscous=7), "held_rub("),
-        (STOPS["hinge"], table("stop", at=1, stiffness=7) + table("stop", at=-1, stiffness=7), "stop"),
+        (FRICTION["hinge"], table("friction", viscous=7), "held.c", "held_rub("),
+        (STOPS["hinge"], table("stop", at=1, stiffness=7) + table("stop", at=-1, stiffness=7), "held.h", "stop"),
     ],
 )
-def test_numbers_are_no_structure_and_nothing_is_there_without_it(kind: str, other: str, word: str) -> None:
+def test_numbers_are_no_structure_and_nothing_is_there_without_it(kind: str, other: str, file: str, word: str) -> None:
     stand, changed, bare = held_stand("hinge", kind), held_stand("hinge", other), held_stand("hinge")
     assert identities(changed).structure == identities(stand).structure != identities(bare).structure
     assert identities(changed).physics != identities(stand).physics
-    assert word in generate_all(stand).files["held.c"]
-    assert word not in generate_all(bare).files["held.c"]
+    assert word in generate_all(stand).files[file]
+    assert word not in generate_all(bare).files[file]
 
 
 @pytest.mark.parametrize("name", HOLDS)

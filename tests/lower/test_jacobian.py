@@ -39,8 +39,8 @@ LOCKED = 0.02 + 2.5 * 0.2**2
 FUNCTIONS = ("forward_jacobian", "coupled_jacobian")
 
 STANDS = {
-    "free": lambda: random_stand(np.random.default_rng(1), 2, replace(EVERYTHING, wrench_inputs=False)),
     "hinge": lambda: random_held_stand("hinge", 3, DRY, 1),
+    "free": lambda: random_stand(np.random.default_rng(1), 2, replace(EVERYTHING, instruments=1, wrench_inputs=False)),
     "bare": lambda: random_stand(np.random.default_rng(6), 5, BARE),
     "no flywheel": lambda: random_stand(np.random.default_rng(4), 0, BARE),
     "many": lambda: random_stand(np.random.default_rng(8), 64, BARE),
@@ -52,15 +52,15 @@ STANDS = {
 }
 
 
-def rows_of(stand: Stand, without: type | None = None) -> list[Row]:
+def rows_of(stand: Stand, without: type | None = None, functions: tuple[str, ...] = FUNCTIONS) -> list[Row]:
     """Rows of both Jacobians at ordinary states, by the interpreter, which may lack a law."""
     own = InterpreterBackend(generate_all(stand.without_laws(without) if without else stand))
     some = ordinary(draw(stand, 1, 12, wrenches=False), own.inputs, 12)
     case = Case(stand, cast(Any, own), some, DOUBLE, Second(stand), 1)
-    return [row for name in FUNCTIONS if stand.flywheels or name[0] == "f" for row in jacobian_rows(case, name)]
+    return [row for name in functions if stand.flywheels or name[0] == "f" for row in jacobian_rows(case, name)]
 
 
-@pytest.mark.parametrize("name", quick(2, STANDS))
+@pytest.mark.parametrize("name", quick(1, STANDS))
 def test_they_are_the_derivatives_of_the_second_derivation(name: str) -> None:
     """Without locks and with some."""
     stand = STANDS[name]()
@@ -96,9 +96,9 @@ def test_they_are_differences_of_the_literal_reference(want: str) -> None:
 def test_friction_and_stops_have_their_part(name: str) -> None:
     """Their derivatives by the speed are those of the second derivation; without them the comparison fails."""
     stand = held_stand(name, FRICTION[name] + STOPS[name])
-    assert [row.reason for row in rows_of(stand) if row.verdict != "ok"] == []
+    assert [row.verdict for row in rows_of(stand, functions=FUNCTIONS[:1])] == ["ok"]
     for law in (Frictions, Stops):
-        assert rows_of(stand, law)[0].verdict == "FAILED"
+        assert [row.verdict for row in rows_of(stand, law, FUNCTIONS[:1])] == ["FAILED"]
 
 
 def test_the_pendulum_has_the_derivatives_of_its_closed_formulas() -> None:
