@@ -60,7 +60,7 @@ def test_95_percent_of_a_plane() -> None:
 def test_grades_of_balance() -> None:
     """2 kg at 3000 rpm: G 2.5 admits 15.9 g mm, and 20 g mm are 3.1 mm/s."""
     assert permissible_unbalance(grade_of("G 2.5"), W, 2.0) == pytest.approx(2.0 * 2.5e-3 / W)
-    found = WheelBalance("w", 2.0, W, (0.0,), np.zeros(1), np.zeros((1, 1)), 1.0)
+    found = WheelBalance("w", 2.0, W, (0.0,), np.zeros(1, complex), np.zeros((1, 1), complex), 1.0)
     assert [found.grade(each) for each in (1.59e-5, 1.6e-5, 0.0)] == ["G 2.5", "G 6.3", "-"]
 
 

@@ -19,13 +19,13 @@ from __future__ import annotations
 
 from math import pi, sqrt
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 import mahovik
 from by_hand.stands import ACROSS, SPIN, stand, wheel
+from mahovik.out.functions.jitter import Jitter
 
 M = 20.0
 W = 300.0
@@ -44,7 +44,7 @@ def noise_between(low: float, high: float) -> float:
 
 
 @pytest.fixture(scope="module")
-def shaken(tmp_path_factory: pytest.TempPathFactory) -> mahovik.out.functions.jitter.Jitter:
+def shaken(tmp_path_factory: pytest.TempPathFactory) -> Jitter:
     """Acceleration of the mass by two orders of wheel `a`, and noise of both wheels."""
     folder = tmp_path_factory.mktemp("makers")
     orders, of_a, of_b = folder / "orders.csv", folder / "a.csv", folder / "b.csv"
@@ -62,7 +62,7 @@ def shaken(tmp_path_factory: pytest.TempPathFactory) -> mahovik.out.functions.ji
     )
 
 
-def test_sums_of_lines_and_noise(shaken: Any) -> None:
+def test_sums_of_lines_and_noise(shaken: Jitter) -> None:
     noise = noise_between(0, 200)
     rss = sqrt((A1**2 + A2**2) / 2 + noise)
     assert shaken.rss[0] == pytest.approx([rss, rss, 0.0], rel=GRID)
@@ -74,7 +74,7 @@ def test_sums_of_lines_and_noise(shaken: Any) -> None:
     assert found[2.5][0] == pytest.approx(F2) and found[2.5][1] == pytest.approx([A2, A2, 0.0])
 
 
-def test_requirements_with_tolerances_within_their_bands(shaken: Any) -> None:
+def test_requirements_with_tolerances_within_their_bands(shaken: Jitter) -> None:
     wanted = [
         sqrt((1.1 * A1) ** 2 / 2 + noise_between(40, 60)),
         1.1 * A1 + 1.2 * A2 + 3 * sqrt(noise_between(0, 200)),
@@ -87,7 +87,7 @@ def test_requirements_with_tolerances_within_their_bands(shaken: Any) -> None:
     assert margins == pytest.approx([0.1 / wanted[0] - 1, 1.0 / wanted[1] - 1, 0.1 / wanted[2] - 1], rel=0.02)
 
 
-def test_budget_cumulative_and_density(shaken: Any) -> None:
+def test_budget_cumulative_and_density(shaken: Jitter) -> None:
     made = shaken.to_dict()
     budget = {(each["wheel"], each["what"]): each["rms"][0] for each in made["budget"]}
     assert budget == {
