@@ -1,0 +1,34 @@
+"""Program, literal reference and second derivation answer alike, and nothing is compiled: the quickest judge of all."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from mahovik.core.stand import Stand
+from mahovik.core.stand.random import Features, random_stand
+from mahovik.proof.second import Second
+from mahovik.proof.verify.c_backend import InterpreterBackend
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.harness import judge
+from verify.build import everything, generated
+from verify.holds import WET, random_held_stand
+
+FLOWING = Features(instruments=1, flow=True, stream=True, points=1)
+
+STANDS: dict[str, Callable[[], Stand]] = {
+    "everything": everything,
+    "held": lambda: random_held_stand("hinge", 3, WET, 2),
+    "flowing": lambda: random_stand(np.random.default_rng(3), 2, FLOWING),
+}
+
+
+@pytest.mark.parametrize("name", STANDS)
+def test_program_reference_and_second_derivation_agree(name: str) -> None:
+    stand = STANDS[name]()
+    backend = InterpreterBackend(generated(stand))
+    rows = judge(stand, backend, draw(stand, 5, 10, wrenches=False), backend.wants, second=Second(stand))
+    assert {row.quantity: row.disagreement for row in rows if row.failed} == {}
+    assert {"V_dot", "energy", "tau", "points"} <= {row.quantity for row in rows if row.second is not None}
