@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 
@@ -49,29 +48,11 @@ def everything(angles: Sequence = "ship") -> Stand:
     raise AssertionError("no such stand in a thousand")
 
 
-def generated(
-    stand: Stand,
-    numbers_of: Stand | None = None,
-    rewrite: Callable[[Program], Program] | None = None,
-    table: Callable[[dict[str, Any]], None] | None = None,
-) -> Generated:
-    """The program of a stand, without C. `numbers_of`: another stand's numbers; `rewrite`, `table`: changes after."""
+def generated(stand: Stand) -> Generated:
+    """The program of a stand and its numbers, without C."""
     layout = Layout(structure(stand), DOUBLE)
     program = lower_layout(layout)
-    values = Values(numbers_of or stand, layout, program)
-    if rewrite is not None:
-        program = rewrite(program)
-    if table is not None:
-        table(values.table)
-    return Generated(layout, program, values, {})
-
-
-def failing(stand: Stand, made: Generated, states: int = 12) -> set[str]:
-    """Names of the quantities that the harness finds wrong."""
-    backend = InterpreterBackend(made)
-    rows = judge(stand, backend, draw(stand, 5, states, wrenches=False), backend.wants)
-    assert {"K", "V_dot", "q_ddot"} <= {row.quantity for row in rows}
-    return {row.quantity for row in rows if row.failed}
+    return Generated(layout, program, Values(stand, layout, program), {})
 
 
 def caught(stand: Stand, made: Generated, states: int = 8) -> bool:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from mahovik.core.stand import Stand
+from mahovik.core.stand.model import StreamProfile
 from mahovik.core.stand.random import Features, random_stand
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import InterpreterBackend
@@ -16,12 +18,19 @@ from mahovik.proof.verify.harness import judge
 from verify.build import everything, generated
 from verify.holds import WET, random_held_stand
 
-FLOWING = Features(instruments=1, flow=True, stream=True, points=1)
+FLOWING = Features(instruments=1, flow=True, stream=True, points=1, gravity=True)
+BY_DEPTH = StreamProfile((0.0, 0.1, 1.0), (-2.5, 0.4, 3.0), ((0.5, 0.1, -0.3), (0.2, 0.3, 0.0), (-0.1, 0.0, 0.2)))
+
+
+def flowing() -> Stand:
+    """A stand with every law of a fluid, in a stream that changes with depth."""
+    return replace(random_stand(np.random.default_rng(3), 2, FLOWING), profile=BY_DEPTH)
+
 
 STANDS: dict[str, Callable[[], Stand]] = {
     "everything": everything,
     "held": lambda: random_held_stand("hinge", 3, WET, 2),
-    "flowing": lambda: random_stand(np.random.default_rng(3), 2, FLOWING),
+    "flowing": flowing,
 }
 
 
