@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What `make proofs` and `make static-checks` need: Debian packages, only what is missing.
+# What `make proofs` needs: Debian packages, only what is missing.
 set -euo pipefail
 
 missing=()
