@@ -93,13 +93,12 @@ targets: setup-test
 
 fuzz: setup-test
 	tools/fuzz-packages.sh
-	$(BIN)/python tools/fuzz_campaign.py
+	$(BIN)/python tools/campaign.py fuzz
 	MAHOVIK_FUZZ_TIMES=20 $(BIN)/python -m pytest -q -n 2 --dist worksteal -m fuzz tests/fuzz
 
 proofs: setup-test
 	tools/proofs-packages.sh
-	$(BIN)/python tools/static_checks.py
-	$(BIN)/python tools/proofs.py
+	$(BIN)/python tools/campaign.py proofs
 
 faults: setup-test
 	$(BIN)/python tools/faults.py
@@ -107,7 +106,7 @@ faults: setup-test
 bench: setup-test
 	@[ -e $(BENCH)/.ready ] || { $(PYTHON) -m venv $(BENCH) && $(BENCH)/bin/python -m pip install --quiet \
 	  --disable-pip-version-check -c bench/constraints.txt -r bench/requirements.txt && touch $(BENCH)/.ready; }
-	PYTHONPATH=bench:generator $(BENCH)/bin/python -m mahovik_bench bench
+	PYTHONPATH=generator $(BENCH)/bin/python tools/campaign.py benchmarks --write
 
 nightly: setup-test
 	$(BIN)/python tools/nightly.py $(PARTS)

@@ -26,8 +26,15 @@ PARTS = {
     "proofs": ["make proofs"],
     "fuzz": ["make fuzz"],
     "faults": ["make faults"],
-    "judges": ["python tools/judges_table.py", "python tools/audits_campaign.py"],
-    "campaigns": [],
+    "judges": ["python tools/campaign.py judges", "python tools/campaign.py audits"],
+    "coverage": [
+        f"python -m coverage run {PYTEST.removeprefix('python ')}",
+        "python -m coverage combine",
+        *(
+            f"python -m coverage report --include=*/{wing}/* --format=total"
+            for wing in ("core", "laws", "proof", "use")
+        ),
+    ],
 }
 """Commands of each part, from the root of the repository."""
 
