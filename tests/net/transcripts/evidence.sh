@@ -1,0 +1,8 @@
+mahovik evidence $STANDS/demo3.toml --only delivery -o out
+mahovik evidence --check out
+echo more >> out/c/demo3.c
+mahovik evidence --check out
+mahovik evidence $STANDS/demo3.toml --only deliver -o other
+mahovik cost $STANDS/demo3.toml --targets m8
+mahovik cost $STANDS/demo3.toml --check
+ONLY_PATH=/nowhere mahovik doctor | grep -v 'extra\|───'

@@ -1,0 +1,13 @@
+cat > car.urdf <<END
+<robot name="car">
+ <link name="body"><inertial><mass value="3"/><inertia ixx="0.1" iyy="0.2" izz="0.2" ixy="0" ixz="0" iyz="0"/></inertial></link>
+ <link name="rotor"><inertial><origin xyz="0 0.001 0"/><mass value="0.2"/><inertia ixx="2e-4" iyy="1e-4" izz="1e-4" ixy="0" ixz="0" iyz="0"/></inertial></link>
+ <joint name="spin" type="continuous"><parent link="body"/><child link="rotor"/><origin xyz="0 0 0.1"/><axis xyz="0 0 1"/></joint>
+</robot>
+END
+mahovik import urdf car.urdf
+mahovik check car.toml
+sed 's/continuous/prismatic/' car.urdf > slider.urdf
+mahovik import urdf slider.urdf -o slider.toml
+mahovik import mjcf car.urdf -o mjcf.toml
+mahovik import urdf missing.urdf

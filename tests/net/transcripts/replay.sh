@@ -1,0 +1,8 @@
+# $INPUTS/flight.log: eight steps of demo3, recorded by tools/flight.py on this machine; record it again if `step` changes
+log=$INPUTS/flight.log
+mahovik replay --log $log -o states.csv
+mahovik replay $STANDS/shaker2.toml --log $log
+sed '5s/00/01/' $log > damaged.log
+mahovik replay --log damaged.log
+mahovik replay --log $log -o states.txt
+mahovik replay --log $STANDS/demo3.toml
