@@ -64,7 +64,7 @@ def claim(rows: Rows) -> str:
     *of_state, motion = (max(row[judge] or 0.0 for judge in EXACT) for row in rows)
     return (
         f"The C agrees with Pinocchio, MuJoCo and Basilisk where their models are exact: largest difference of a state "
-        f"{max(of_state):.0e}, of a motion of 2 s {motion:.0e}"
+        f"{max(of_state):.1e}, of a motion of 2 s {motion:.1e}"
     )
 
 
