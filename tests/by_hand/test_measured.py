@@ -7,13 +7,16 @@ edges are the zeros of the phase.
 
 from __future__ import annotations
 
-from math import pi
+from math import pi, sqrt
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+import mahovik
 from by_hand.stands import stand, wheel
 from mahovik.core.motion.laws import Constant
+from mahovik.out.identify.gauss_newton import Loss
 from mahovik.out.identify.phases import motion_of
 from mahovik.use.measured.recording import Channel, Recording
 from mahovik.use.measured.tacho import find_pulses, phase_of
@@ -40,3 +43,30 @@ def test_a_tacho_is_zero_where_it_rises() -> None:
     seen = phase_of(found, T, 1.0)
     known = np.isfinite(seen)
     assert seen[known] == pytest.approx(phase[known], abs=W * 1.2e-3)
+
+
+U, AT, NOISE, SAMPLES = 1e-4, 0.8, 0.05, 2000  # kg m, rad, N
+
+
+@pytest.mark.parametrize("loss", ["linear", "soft_l1"])
+def test_unbalance_on_a_force_table_and_its_standard_errors(loss: Loss, tmp_path: Path) -> None:
+    """The table holds the carrier with `-U W^2 (cos, sin)` of the phase; n samples of both leave `s / (W^2 sqrt n)`.
+
+    The loss soft_l1 counts a sample that is off by z deviations as 1 / sqrt(1 + z^2) of one.
+    """
+    t = 1e-3 * np.arange(SAMPLES)
+    forces = -U * W**2 * np.stack([np.cos(W * t + AT), np.sin(W * t + AT)], axis=1)
+    measured = forces + np.random.default_rng(1).normal(scale=NOISE, size=forces.shape)
+    head = "time [s],hold.reaction.x [N],hold.reaction.y [N],w.phase [rad]"
+    rows = np.column_stack([t, measured, W * t])
+    np.savetxt(tmp_path / "run.csv", rows, fmt="%.12g", delimiter=",", header=head, comments="")
+    given = wheel("w", transverse_inertia=0.011, unbalance={"static": 1.5 * U, "static_at": 0.5})
+    own = stand(given, hold={"freedoms": []})
+    found = mahovik.identify(own, tmp_path / "run.csv", "w.unbalance.static*", loss=loss).parameters
+    z = np.linspace(-8.0, 8.0, 1601)
+    counts = np.exp(-(z**2) / 2) / np.sqrt(1 + z**2) / sqrt(2 * pi) * 0.01
+    error = NOISE / W**2 / sqrt(SAMPLES * (1.0 if loss == "linear" else counts.sum()))
+    size, at = (found[f"w.unbalance.static{key}"] for key in ("", "_at"))
+    assert size.standard_error == pytest.approx(error, rel=0.05)
+    assert at.standard_error == pytest.approx(error / U, rel=0.05)
+    assert abs(size.value - U) < 4 * error and abs(at.value - AT) < 4 * error / U
