@@ -1,4 +1,4 @@
-"""Stands in Python: of mappings, edited by path; the same identities as those of files."""
+"""Stands in Python: of mappings, edited by path as in campaigns; the same identities as those of files."""
 
 from __future__ import annotations
 
@@ -11,6 +11,8 @@ import pytest
 import mahovik
 from mahovik import stands
 from mahovik.core.stand import identities, load
+from mahovik.errors import UsageError
+from mahovik.out.campaign.places import Places
 
 SMALL: dict[str, Any] = {
     "name": "small",
@@ -87,3 +89,105 @@ def test_all_problems_of_a_mapping_are_named() -> None:
     assert len(lines) >= 3 and all(line.startswith("trial: ") for line in lines)
     with pytest.raises(mahovik.UsageError, match="expected a mapping"):
         mahovik.Stand.from_dict([1])  # type: ignore[arg-type]  # what a user may pass
+
+
+PATTERNS = (
+    "*.mass", "*.position", "*.center_of_mass", "*.inertia.J11", "*.inertia.J12", "*.inertia.J32", "*.unbalance.static",
+    "gravity", "stream", "leg[*].stiffness", "leg[*].ground", "suspension.stiffness[2][2]", "suspension.damping[0][0]",
+    "carrier.added_mass[1][5]", "carrier.damping.linear[3][3]", "hold.pivot", "*.buoyancy.center",
+)  # fmt: skip
+
+
+HELD: dict[str, Any] = {
+    "schema": 1,
+    "name": "held",
+    "carrier": {"mass": "2 kg", "inertia": [0.02, 0.02, 0.01]},
+    "hold": {"freedoms": ["pitch"]},
+    "suspension": {"stiffness": [0, 0, 0, 0, "3 N m/rad", 0]},
+    "flywheel": [
+        {"name": name, "axis": [0, 1, 0], "zero": [0, 0, 1], "position": {"value": [0, 20, 0], "unit": "mm"},
+         "mass": 0.5, "inertia": {"value": [9, 6, 6], "unit": "kg cm^2"}}
+        for name in ("w1", "w2", "other")
+    ],
+}  # fmt: skip
+
+
+def held_stand() -> mahovik.Stand:
+    return mahovik.Stand.from_dict(HELD)
+
+
+@pytest.mark.parametrize("name", ["held", "auv6", "sat4"])
+def test_every_path_of_a_campaign_is_one_of_replace(name: str) -> None:
+    """The stand does not change where its own value is set by the path."""
+    stand = held_stand() if name == "held" else mahovik.example(name)
+    found = 0
+    for pattern in PATTERNS:
+        try:
+            places = Places(stand).find(pattern)
+        except UsageError:
+            continue  # no such table in this stand
+        for place in places:
+            if place.key in ("inertia", "center_of_mass") and "spin_inertia" in _table(stand, place.body):
+                continue  # the file gives them as a data sheet does
+            same = stand.replace({place.path: place.nominal})
+            if place.key != "static":  # an amount is recomputed from the centre of mass
+                assert same == stand, place.path
+            found += 1
+    assert found > 10
+
+
+def _table(stand: mahovik.Stand, name: str) -> dict[str, Any]:
+    document = stand.to_dict()
+    lists = [each for items in document.values() if isinstance(items, list) for each in items]
+    named = {each["name"]: each for each in lists if isinstance(each, dict) and "name" in each}
+    return dict(document.get(name) or named[name])
+
+
+def test_a_place_is_set_whatever_way_the_file_gives_its_list() -> None:
+    """Left out as zero; with one unit for all; a matrix by its diagonal, whose elements mirror."""
+    found = held_stand().replace(
+        {
+            "hold.pivot[2]": "-40 mm",
+            "w1.position[0]": "5 mm",
+            "carrier.inertia.J12": 1e-3,
+            "suspension.stiffness[4][4]": "4 N m/rad",
+            "gravity[2]": -9.81,
+        }
+    )
+    assert found.hold is not None and found.hold.pivot == (0.0, 0.0, -0.04)
+    assert found.flywheels[0].position == pytest.approx((0.005, 0.02, 0.0)) and found.gravity == (0.0, 0.0, -9.81)
+    assert found.carrier.inertia == ((0.02, 1e-3, 0.0), (1e-3, 0.02, 0.0), (0.0, 0.0, 0.01))
+    whole = {
+        "hold": {"freedoms": ["pitch"], "pivot": [0, 0, "-40 mm"]},
+        "w1.position": ["5 mm", "20 mm", 0],
+        "carrier.inertia": [[0.02, 1e-3, 0], [1e-3, 0.02, 0], [0, 0, 0.01]],
+        "suspension": {"stiffness": [0, 0, 0, 0, 4, 0]},
+        "gravity": [0, 0, -9.81],
+    }
+    assert found == held_stand().replace(whole)
+
+
+def test_a_pattern_sets_all_that_it_matches() -> None:
+    found = held_stand().replace({"w*.mass": "300 g", "w*.inertia.J11": "8 kg cm^2", "other.position[*]": "1 mm"})
+    assert [each.mass for each in found.flywheels] == [0.3, 0.3, 0.5]
+    assert [each.inertia[0][0] for each in found.flywheels] == pytest.approx([8e-4, 8e-4, 9e-4])
+    assert found.flywheels[2].position == (1e-3, 1e-3, 1e-3)
+    both = {f"w{i}.mass": 0.3 for i in (1, 2)} | {f"w{i}.inertia[0]": 8e-4 for i in (1, 2)}
+    assert found == held_stand().replace({**both, "other.position": [1e-3] * 3})
+
+
+@pytest.mark.parametrize(
+    ("path", "words"),
+    [
+        ("hold.pivto[2]", 'unknown key "pivto", did you mean "pivot"'),
+        ("w1.position[3]", "expected a place from 0 to 2"),
+        ("w1.position[", "is no path; expected names joined by dots"),
+        ("v*.mass", 'no name matches "v'),
+        ("w1.mass[0]", "mass"),
+        ("w*.mazz*", "matches no key"),
+    ],
+)
+def test_a_path_that_leads_nowhere_is_refused_in_a_line(path: str, words: str) -> None:
+    with pytest.raises(mahovik.MahovikError, match=r".") as caught:
+        held_stand().replace({path: 1})
+    assert words in str(caught.value) and len(str(caught.value).splitlines()) == 1

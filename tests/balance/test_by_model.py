@@ -1,4 +1,4 @@
-"""Corrections without trial weights: data of the full equations, read by the literal reference at the sensor."""
+"""Corrections without trial weights, of any size and such as can be made: data of the full equations."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from balance.bench import PLANES, read, write
 from cli.run import refused, run
 from mahovik.core.stand import load
 from mahovik.core.stand.inertia import inertia_about_origin
-from mahovik.errors import BalanceError
+from mahovik.errors import BalanceError, UsageError
+from mahovik.out.functions.stand_balancing import StandBalance
 from mahovik.use.balance.by_model import Planes, balance_wheels
 from mahovik.use.measured import read_recordings
 
@@ -78,3 +79,91 @@ def test_alike_speeds_and_changing_speeds_are_refused(bench: Path, tmp_path: Pat
             mahovik.balance_stand(str(bench / "two.toml"), tmp_path / "other.csv")
     with pytest.raises(BalanceError, match="w1: planes at 0 mm, 1 mm, 2 mm act alike on these channels"):
         mahovik.balance_stand(str(bench / "two.toml"), bench / "run.csv", planes={"w1": [0, 0.001, 0.002]})
+
+
+HOLES = """
+[all]
+positions = ["-10 mm", "10 mm"]
+pieces = { holes = 12, amounts = ["5 g", "20 g", "50 g", "100 g"], radii = ["30 mm"], most = 2, remove = true }
+[w2]
+positions = ["-10 mm", "10 mm"]
+pieces = [{ positions = [0, 120, 240], amounts = ["200 g"], radii = ["4 cm"], split = true }, {}]
+"""
+
+
+@pytest.fixture(scope="module")
+def made(bench: Path) -> StandBalance:
+    (bench / "planes.toml").write_text(HOLES, encoding="utf-8")
+    return mahovik.balance_stand(str(bench / "two.toml"), bench / "run.csv", planes=bench / "planes.toml")
+
+
+def test_the_simulation_agrees_before_and_after(made: StandBalance) -> None:
+    """The full equations with the pieces as masses leave what the linear model expects of noiseless data."""
+    for wheel in made.wheels:
+        assert len(wheel.simulated) == 2
+        for (name, measured, expected), (same, before, after) in zip(wheel.vibration, wheel.simulated, strict=True):
+            assert name == same
+            assert before == pytest.approx(measured, rel=5e-3)
+            assert abs(after - expected) < 3e-3 * measured
+    holes = made.wheels[0].vibration
+    assert all(1e-3 * before < after < 0.05 * before for _, before, after in holes)
+
+
+def test_holes_and_screws_are_as_allowed(made: StandBalance) -> None:
+    figures = made.to_dict()["flywheels"]
+    for plane in figures[0]["planes"]:
+        pieces = plane["pieces"]
+        assert 1 <= len(pieces) <= 2
+        assert all(each["remove"] and each["degrees"] % 30 == pytest.approx(0, abs=1e-9) for each in pieces)
+        moment = -sum(
+            each["count"] * each["amount"] * each["radius"] * np.exp(1j * np.radians(each["degrees"]))
+            for each in pieces
+        )
+        made_there = plane["made"]["g mm"] * 1e-6 * np.exp(1j * np.radians(plane["made"]["degrees"]))
+        assert abs(moment - made_there) < 1e-12
+        off = made_there - plane["correction"]["g mm"] * 1e-6 * np.exp(1j * np.radians(plane["correction"]["degrees"]))
+        assert plane["residual"] >= abs(off)
+    screws, free = figures[1]["planes"]
+    for plane in (screws, free):
+        assert plane["made"] == pytest.approx(plane["correction"], rel=2e-2)
+    assert all(0 < each["count"] <= 1 for each in screws["pieces"])
+    assert free["pieces"] == []
+
+
+def test_one_hole_is_the_best_of_all(bench: Path) -> None:
+    """In one plane the vibration is proportional to the distance of the correction from the exact one."""
+    pieces = {"holes": 8, "amounts": ["50 g", "100 g"], "radii": ["3 cm"], "most": 1, "forbidden": [[130, 140]]}
+    planes = {"w1": {"positions": [0], "pieces": pieces}}
+    wheel = mahovik.balance_stand(str(bench / "two.toml"), bench / "run.csv", planes=planes).wheels[0]
+    allowed = [m * 0.03 * np.exp(1j * np.radians(45 * k)) for k in range(8) for m in (0.05, 0.1) if k != 3]
+    best = min(allowed, key=lambda w: abs(w - wheel.w[0]))
+    assert wheel.made is not None and wheel.made.proven
+    assert abs(wheel.applied[0] - best) < 1e-12
+
+
+REFUSED = (
+    ({"w1": {"positions": [0], "piece": {}}}, UsageError, 'planes of w1: unknown key "piece"'),
+    ({"w1": {"positions": 3}}, UsageError, "expected a list of positions, found 3"),
+    ({"w1": {"pieces": {"holes": 3, "amounts": ["1 g"]}}}, BalanceError, "radii: missing"),
+    ({"w1": {"pieces": {"holes": 3, "amounts": ["1 m"], "radii": [0.1]}}}, UsageError, "amounts"),
+    ({"w1": {"pieces": {"holes": 0, "amounts": [1], "radii": [0.1]}}}, BalanceError, "whole number above 0"),
+    ({"w1": {"pieces": [None, None]}}, BalanceError, "a list of 2, but the number of planes is 1"),
+)
+
+
+@pytest.mark.parametrize(("planes", "kind", "words"), REFUSED)
+def test_refused_planes(bench: Path, planes: dict[str, object], kind: type[Exception], words: str) -> None:
+    with pytest.raises(kind) as error:
+        mahovik.balance_stand(str(bench / "two.toml"), bench / "run.csv", planes=planes)  # type: ignore[arg-type]
+    assert words in str(error.value)
+
+
+def test_refused_arguments(bench: Path, tmp_path: Path) -> None:
+    stand, data = str(bench / "two.toml"), str(bench / "run.csv")
+    (tmp_path / "bad.toml").write_text("[all", encoding="utf-8")
+    assert "not TOML" in refused("balance", stand, "--data", data, "--plane", str(tmp_path / "bad.toml"))
+    assert "No such file" in refused("balance", stand, "--data", data, "--plane", str(tmp_path / "none.toml"))
+    assert "expected NAME=X,.." in refused("balance", stand, "--data", data, "--plane", "w1")
+    assert "w1 is given twice" in refused("balance", stand, "--data", data, "--plane", "w1=0", "--plane", "w1=1mm")
+    assert "expected" in refused("balance", stand, "--data", data, "--report", str(tmp_path / "page.pdf"))
+    assert "--report: need a stand" in refused("balance", "--influence", data, "--report", "p.html")

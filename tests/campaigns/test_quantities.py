@@ -15,11 +15,9 @@ from scipy.spatial.transform import Rotation
 import mahovik
 from campaigns.sections import Keys, computation, tables_of
 from mahovik.contract import laws
-from mahovik.core import motion
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.structure import structure
 from mahovik.out.campaign import pose
-from mahovik.out.campaign.many_torques import drive_torques
 from mahovik.out.campaign.statistics import BandRms, End, Least, Mean, Peak, Rms, Settling, Statistic
 from mahovik.proof.reference import pieces
 
@@ -176,27 +174,3 @@ def test_what_ties_transmit_is_that_of_the_literal_reference(tmp_path: Path) -> 
                     assert_allclose(values[3:, j], expected[3:], atol=1e-12 * np.abs(expected).max())
             checked.append(name)
     assert checked == ["suspension", "leg 1", "leg 2"]
-
-
-MOTORS = """
-schema = 1
-[flywheel.rw1]
-torque = 0.1
-[flywheel.rw2]
-run_up = { torque = 0.15, to = 300, band = 20 }
-[flywheel.rw3]
-torque = -0.3
-[flywheel.rw4]
-speed = 10
-"""
-
-
-@given(st.lists(st.floats(-700.0, 700.0), min_size=4, max_size=4))
-def test_torques_of_many_are_those_of_one(speeds: list[float]) -> None:
-    """Driving and braking, beyond the limit and the no-load speed, with friction; a given speed has none."""
-    stand = mahovik.example("sat4")
-    regime = motion.loads_regime(MOTORS, stand, 1.0)
-    motors = tuple(s.motor for s in stand.flywheels)
-    found = drive_torques(regime, motors, 0.3, np.array([speeds, speeds[::-1]]).T)
-    for column, given_speeds in zip(found.T, (speeds, speeds[::-1]), strict=True):
-        assert_allclose(column, regime.torques(0.3, np.array(given_speeds), motors), rtol=1e-14, atol=1e-17)

@@ -9,14 +9,9 @@ from numpy.typing import NDArray
 from scipy import stats
 
 import mahovik
-from api.models import stand
 from campaigns.sections import read
-from mahovik.out.api.stands import Stand
 from mahovik.out.campaign.designs import Random
-from mahovik.out.campaign.distributions import Fixed
-from mahovik.out.campaign.draw import Draw, Parameter
 from mahovik.out.campaign.file import CampaignFile
-from mahovik.out.campaign.places import Place, Places
 
 Array = NDArray[np.float64]
 
@@ -131,37 +126,3 @@ def test_correlated_numbers_keep_their_distributions(tmp_path: Path) -> None:
         column = found[f"rw{i}.unbalance.static"]
         assert stats.kstest(column, stats.lognorm(0.3, scale=1e-6).cdf).pvalue > 0.01
     assert stats.kstest(found["carrier.mass"], stats.uniform(49.4, 2).cdf).pvalue > 0.01
-
-
-PATTERNS = {
-    "sat4": ("rw*.unbalance.*", "rw*.position", "carrier.center_of_mass[1]", "carrier.inertia.J12", "rw2.axis[0]",
-             "rw3.spin_inertia", "rw1.transverse_inertia", "acc1.position[2]", "carrier.mass"),
-    "demo3": ("w1.unbalance.static_at", "w*.mass", "carrier.inertia.J33"),
-    "remus6": ("carrier.added_mass[0][0]", "carrier.damping.terms[*].value", "carrier.buoyancy.center[2]"),
-    "everything": ("leg[*].stiffness", "leg[0].ground[1]", "suspension.stiffness[0][0]", "gravity[2]"),
-}  # fmt: skip
-
-
-def moved(places: Places, place: Place, value: float) -> Stand:
-    """The stand with one number changed."""
-    draw = Draw((Parameter(place, Fixed(value), None),), (), None, places.matrices())
-    changes = draw.changes({place.path: np.array([value])})
-    return places.stand().replace({key: column[0] for key, column in changes.items()})
-
-
-@pytest.mark.parametrize("name", PATTERNS)
-def test_a_number_is_found_with_its_value(name: str) -> None:
-    of = Stand.of(stand(name))
-    places = Places(of)
-    found = [place for pattern in PATTERNS[name] for place in places.find(pattern)]
-    assert len({place.path for place in found}) == len(found)
-    assert places.stand() == of  # lists in SI, with the same bits
-    for place in found[:: 1 + len(found) // 8]:
-        value = place.nominal * 1.001 + 1e-12
-        after = Places(moved(places, place, value))
-        there = {each.path: each for pattern in PATTERNS[name] for each in after.find(pattern)}
-        for each in found:
-            if each is place:
-                assert there[each.path].nominal == pytest.approx(value, rel=1e-9), each.path
-            elif "unbalance" not in place.path + each.path:  # a mass changes the unbalance of the same body
-                assert there[each.path].nominal == each.nominal, (place.path, each.path)

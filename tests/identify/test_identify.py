@@ -62,25 +62,6 @@ def test_unbalances_are_found_within_their_standard_errors(files: Path, truth: m
 
 
 @pytest.mark.slow
-def test_the_file_keeps_its_words_and_units(files: Path) -> None:
-    result = run("identify", "stand.toml", "--data", "run.csv", "--free", "w1.unbalance,imu.position", "-o", "new.toml",
-                 "--json")  # fmt: skip
-    found = json.loads(result.stdout)
-    old, new = ((files / name).read_text(encoding="utf-8").splitlines() for name in ("stand.toml", "new.toml"))
-    changed = [line for line, other in zip(old, new, strict=True) if line != other]
-    assert changed and all(line.split("=")[0].strip() in ("center_of_mass", "inertia", "position") for line in changed)
-    place = next(line for line in new if line.startswith("position") and "cm" in line)
-    assert place.count("cm") == 3
-    parameters = found["parameters"]
-    assert parameters["imu.position[0]"]["unit"] == "m"
-    written = mahovik.load("new.toml")
-    again = mahovik.identify(written, "run.csv", ["w1.unbalance", "imu.position"])
-    for path, each in again.parameters.items():
-        assert each.before == pytest.approx(parameters[path]["value"], rel=1e-9, abs=1e-15), path
-        assert isinstance(parameters[path]["standard_error"], float)
-
-
-@pytest.mark.slow
 def test_two_flywheels_at_one_speed_are_named(tmp_path: Path, truth: mahovik.Stand) -> None:
     rows = recorded(truth, (150.0, 150.0), 0.5)
     found = mahovik.identify(truth, write_csv(tmp_path / "same.csv", with_noise(rows, 10.0, 2)), "w*.unbalance")

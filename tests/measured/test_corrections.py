@@ -1,4 +1,4 @@
-"""Faults of measured data: each is planted, and found in one line; corrected where that is safe."""
+"""Faults of measured data, each found in one line and corrected where that is safe; orders against speed."""
 
 from __future__ import annotations
 
@@ -10,9 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import make_interp_spline
 
-from mahovik.use.measured import Recording, read_recordings
-from mahovik.use.measured.clock import clock_drift, clock_offset
+from mahovik.errors import InputError
+from mahovik.use.measured import Channel, Recording, read_recordings
+from mahovik.use.measured.clock import clock_offset
 from mahovik.use.measured.counters import modulus_of, unwrap
+from mahovik.use.measured.orders import OrderMap, merge_maps, order_map
 from mahovik.use.measured.recording import Array
 from mahovik.use.measured.tacho import find_pulses, phase_of
 from measured.stand_of_tests import STAND, clock, read_one, values, write_csv
@@ -207,25 +209,6 @@ def test_the_offset_of_a_clock_is_found(offset: float, seed: int) -> None:
         assert abs(found.seconds - offset) < 4e-4
 
 
-@settings(max_examples=10, deadline=None)
-@given(st.sampled_from([0.0, -8e-4, 4e-4, 1e-3]), st.integers(0, 10**6))
-def test_the_drift_of_a_clock_is_found(rate: float, seed: int) -> None:
-    """Times are right to a fifth of the coarser step after ten seconds, with noise on both sides."""
-    rng = np.random.default_rng(seed)
-    t = clock(10_000)
-    knots = np.arange(0.0, 10.1, 0.05)
-    signal = make_interp_spline(knots, rng.normal(size=len(knots)), k=3)
-    other = t[::2] - rate * (t[::2] - 5.0)  # nearly the same on the whole
-    noise = [0.05 * rng.normal(size=len(x)) for x in (t, other)]
-    found = clock_drift(t, signal(t) + noise[0], other, signal(t[::2]) + noise[1])
-    if rate == 0.0:
-        assert found is None
-        return
-    assert found is not None
-    corrected = found[0] * other + found[1]
-    assert np.abs(corrected - t[::2]).max() < 4e-4
-
-
 def test_two_files_of_one_run(tmp_path: Path) -> None:
     """Sensors and flywheels of two loggers: the offset by what both have, the flywheels at the times of the sensors."""
     t = clock(4000)
@@ -303,3 +286,61 @@ def test_flywheels_of_another_time_are_not_taken(tmp_path: Path) -> None:
     assert [channel.label for channel in found.channels] == ["acc1.rate.x"]
     assert lines(found, "no sample at the times of the sensors: not taken")
     assert alone.find("w1", "phase") is not None
+
+
+T: Array = np.asarray(1e-3 * np.arange(10_000), dtype=np.float64)
+
+
+def recording(phase: Array, values: Array) -> Recording:
+    channels = (
+        Channel("flywheel", "w1", "phase", "", "rad", phase),
+        Channel("point", "acc1", "acceleration", "x", "m/s2", values),
+    )
+    return Recording(T, channels, "run.csv")
+
+
+def orders_of(found: Recording, values: Array | None = None) -> OrderMap:
+    return order_map(found, "w1", found.channels[1], values)
+
+
+@settings(max_examples=10, deadline=None)
+@given(st.floats(60, 120), st.floats(-2, 10), st.sampled_from([-1.0, 1.0]), st.integers(1, 6), st.floats(0, 6))
+def test_an_order_has_its_amplitude_at_every_speed(
+    speed: float, rise: float, sense: float, half: int, at: float
+) -> None:
+    """a cos(o phi + at) beside an offset; every fiftieth sample is missing."""
+    phase = sense * (speed * T + 0.5 * rise * T**2)
+    x = 3.0 + 0.7 * np.cos(0.5 * half * phase + at)
+    x[::50] = np.nan
+    found = orders_of(recording(phase, x))
+    own = int(np.argmin(np.abs(found.orders - 0.5 * half)))
+    assert found.orders[own] == pytest.approx(0.5 * half)
+    assert found.amplitude[:, own] == pytest.approx(0.7, rel=0.02)
+    far = np.abs(found.orders - 0.5 * half) > 0.3
+    assert np.nanmax(found.amplitude[:, far]) < 0.03
+    assert found.speed.min() >= min(speed, speed + 10 * rise) * 0.99
+    assert found.speed.max() <= max(speed, speed + 10 * rise) * 1.01
+
+
+def test_values_of_a_model_are_blank_where_data_is() -> None:
+    x = np.cos(100.0 * T)
+    x[:5000] = np.nan
+    found = recording(100.0 * T, x)
+    model = np.where(np.arange(len(T)) < 5000, 1e3, np.cos(100.0 * T))
+    assert np.allclose(orders_of(found).amplitude, orders_of(found, model).amplitude, atol=1e-12)
+
+
+def test_recordings_at_close_speeds_are_one_row() -> None:
+    maps = [orders_of(recording(w * T, a * np.cos(w * T))) for w, a in ((100.0, 3.0), (100.1, 4.0), (200.0, 1.0))]
+    found = merge_maps(maps)
+    assert found.speed == pytest.approx([100.05, 200.0], rel=1e-3)
+    first = found.amplitude[:, found.orders == 1.0][:, 0]
+    assert first == pytest.approx([np.sqrt(12.5), 1.0], rel=0.01)
+
+
+@pytest.mark.parametrize(("phase", "words"), [(0.5 * T, "turns with samples"), (np.full(len(T), np.nan), "0 turns")])
+def test_few_turns_are_refused(phase: Array, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        orders_of(recording(phase, np.cos(T)))
+    with pytest.raises(InputError, match="no phase of w2"):
+        order_map(recording(T, T), "w2", recording(T, T).channels[1])

@@ -1,4 +1,4 @@
-"""The C against SciPy on the literal reference; energy against work; laws kept; motors; early ends."""
+"""The C against SciPy on the literal reference; energy against work; steep and given torques; motors; early ends."""
 
 from __future__ import annotations
 
@@ -10,15 +10,20 @@ from typing import Any
 import numpy as np
 import pytest
 
+import mahovik
 from mahovik import stands
 from mahovik.core.motion import loads_regime, steady_regime
-from mahovik.core.stand import load, rest_state
-from mahovik.core.stand.model import Motor, Stand
+from mahovik.core.motion.laws import RunUp
+from mahovik.core.motion.motor import drive, steepness
+from mahovik.core.stand import Stand, load, rest_state
+from mahovik.core.stand.model import Motor
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
 from mahovik.proof import reference
 from mahovik.use.simulate import Case, Run, simulate
+from mahovik.use.simulate.by_c import CMotion
+from mahovik.use.study.rest import rest
 from toolchain.quick import quick
 
 LAWS = """
@@ -192,3 +197,70 @@ def test_bad_numbers_are_refused(wrong: dict[str, Any]) -> None:
     given = {"until": 0.1, "every": 0.01, **wrong}
     with pytest.raises(UsageError, match="expected"):
         Case(free(), steady_regime(free(), [0.0] * 3), rest_state(free()), **given)
+
+
+SHAKER = load(stands.path("shaker2"))
+
+
+def steep_case(text: str, stand: Stand = SHAKER, dt: float = 1e-4) -> Case:
+    return Case(stand, loads_regime(f"schema = 1\n{text}\n", stand, 0.05), rest(stand).state, 0.05, every=0.01, dt=dt)
+
+
+def run_up(torque: float, **more: float) -> str:
+    rest_of_it = "".join(f", {key} = {value}" for key, value in more.items())
+    return f'default = {{ run_up = {{ torque = {torque}, to = "300 rpm"{rest_of_it} }} }}'
+
+
+def largest_difference(a: Run, b: Run, quantity: str) -> float:
+    assert (a.stopped, b.stopped) == (None, None)
+    return float(max(np.abs(a[name] - b[name]).max() for name in a.names if name.startswith(quantity)))
+
+
+@pytest.mark.parametrize("torque", [3.0, *(pytest.param(x, marks=pytest.mark.slow) for x in (0.3, 20.0))])
+def test_a_strong_run_up_agrees_with_scipy(torque: float) -> None:
+    """The figures of docs/studies.md. Torques of 20 N m settle to 0.03 N m, so both are asked of them."""
+    judge = simulate(steep_case(run_up(torque)), "scipy")
+    found = simulate(steep_case(run_up(torque)))
+    assert largest_difference(found, judge, "tau") < 1e-4
+    assert largest_difference(found, judge, "phi_dot") < 1e-5
+    assert largest_difference(found, judge, "v_dot") < 1e-4
+    if torque >= 3.0:
+        assert np.abs(found["tau left [N m]"][1:]).max() < 0.031
+
+
+def test_what_is_too_steep_is_refused_before_the_run() -> None:
+    with pytest.raises(
+        UsageError, match=r"flywheel left: its torque falls by up to 5e\+03 N m per rad/s.* wider `band`"
+    ):
+        simulate(steep_case(run_up(50.0, band=0.01)))
+    CMotion(steep_case(run_up(50.0, band=0.01), dt=1e-6))  # as the refusal proposes: taken
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_steepness_bounds_every_difference(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    law = RunUp(*rng.uniform(0.1, 2.0, 1), *rng.uniform(-9, 9, 1), *rng.uniform(0.1, 2.0, 1))
+    motor = Motor(rng.uniform(0.5, 3.0), 8.0, None, None, None, 0.05, 0.3, 0.4)
+    for each in (None, motor):
+        low, high = sorted(rng.uniform(-12, 12, 2))
+        speeds = np.linspace(low, high, 2001)
+        torques = [drive(each, law.command(0.0, w), w) for w in speeds]
+        most = np.abs(np.diff(torques) / np.diff(speeds)).max()
+        assert most <= steepness(each, law.steepness(low, high), low, high) * (1 + 1e-9) + 1e-12
+
+
+def test_a_plain_run_in_float_warns_of_lost_increments(recwarn: pytest.WarningsRecorder) -> None:
+    given: dict[str, Any] = {"regime": {"default": {"torque": "0.1 mN m", "initial_speed": 200}}}
+    mahovik.simulate(mahovik.load(stands.path("sat4")), 0.001, real="float", dt=1e-5, **given)
+    assert ["use --carried, or --real double" in str(each.message) for each in recwarn] == [True]
+    recwarn.clear()
+    mahovik.simulate(mahovik.load(stands.path("sat4")), 0.001, real="float", dt=1e-5, carried=True, **given)
+    assert not recwarn.list
+
+
+def test_scipy_has_no_float_and_no_carry() -> None:
+    for more in ({"real": "float"}, {"carried": True}):
+        with pytest.raises(UsageError, match="--backend scipy: not allowed with --"):
+            simulate(case(busy(), MIXED, **more), "scipy")
+    with pytest.raises(UsageError, match="--real half: expected double or float"):
+        case(busy(), MIXED, real="half")

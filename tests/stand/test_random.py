@@ -19,16 +19,6 @@ from mahovik.core.stand.random import EVERYTHING, EXTREMES, extreme_state, rando
 from mahovik.core.stand.state import State
 from mahovik.proof.verify.draw import LEAST_EXPONENT, draw
 
-
-def test_the_same_seed_gives_the_same_stand_and_states() -> None:
-    def draw() -> tuple[Stand, list[State]]:
-        rng = np.random.default_rng(7)
-        stand = random_stand(rng, 5, EVERYTHING)
-        return stand, [random_state(stand, rng, extreme=bool(k % 2)) for k in range(20)]
-
-    assert draw() == draw()
-
-
 Array = NDArray[np.float64]
 
 
@@ -67,12 +57,6 @@ def spread_of(symbol: str, count: int) -> Array:
     row = QUANTITIES[symbol]
     assert 0 < max(row.deviation) <= row.ordinary
     return np.array(np.repeat(row.deviation, count // len(row.deviation)), dtype=np.float64)
-
-
-@pytest.mark.parametrize("symbol", NORMAL)
-def test_inputs_are_normal_numbers_of_their_spread(symbol: str) -> None:
-    values = np.array([getattr(state, symbol) for state in many()])
-    check_normal(values, spread_of(symbol, values.shape[1]))
 
 
 def at_limits(state: State, symbol: str) -> bool:

@@ -14,7 +14,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mahovik.core.stand import loads
 from mahovik.core.stand.units import (
     ANGLE,
     DYNAMIC_UNBALANCE,
@@ -36,7 +35,6 @@ from mahovik.core.stand.units import (
     number,
 )
 from mahovik.core.stand.usual_units import UNITS
-from mahovik.laws.leg.data import legs_of
 from mahovik.stands import path
 
 DECIMALS = st.decimals(allow_nan=False, allow_infinity=False, places=6, min_value=-(10**6), max_value=10**6)
@@ -85,19 +83,6 @@ def test_angles_are_correctly_rounded(x: Decimal) -> None:
         rpm = mpmath.mpf(str(x)) * mpmath.pi / 30
         assert float(degree) == number(f"{x} deg", ANGLE)
         assert float(rpm) == number(f"{x} rpm", SPEED)
-
-
-@given(DECIMALS, st.sampled_from(["mm", "cm", "km", "um", "inch"]))
-def test_a_stand_does_not_depend_on_the_unit(x: Decimal, unit: str) -> None:
-    meters = {"mm": "0.001", "cm": "0.01", "km": "1000", "um": "0.000001", "inch": "0.0254"}[unit]
-    exact = Fraction(x) * Fraction(meters)
-    decimal = Decimal(exact.numerator) / Decimal(exact.denominator)  # terminates: a power of ten below
-    head = (
-        'schema = 1\nname = "a"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n[[leg]]\ncarrier = [0, 0, 0]\nlength = 1\n'
-    )
-    plain = loads(head + f"ground = [0, {float(decimal)!r}, 1]")
-    assert plain == loads(head + f'ground = [0, "{x} {unit}", 1]')
-    assert legs_of(plain) == legs_of(loads(head + f'ground = ["0 {unit}", {{ value = {x}, unit = "{unit}" }}, 1]'))
 
 
 @pytest.mark.parametrize("unit", ["m/", "^2", "m^x", "(m", "m m)", "m^99", "__import__", "m;m", "", "1e9 m", "lambda"])
@@ -196,13 +181,6 @@ def test_gauss_is_answered_by_tesla(unit: str, tesla: float) -> None:
     before, _, answer = text.rpartition(f", 1 {unit} is ")
     assert before.endswith("expected a magnetic field (T)")
     assert number(answer, FIELD) == tesla
-
-
-@pytest.mark.parametrize(
-    ("unit", "dimension"), [("m", MASS), ("ms", LENGTH), ("amps", VOLTAGE), ("kg", LENGTH), ("degree", SPEED)]
-)
-def test_a_unit_of_something_else_is_no_slip_of_the_pen(unit: str, dimension: Dimension) -> None:
-    assert refusal(unit, dimension) == (f'unit "{unit}" does not fit, expected {dimension.words} ({dimension.si})')
 
 
 @pytest.mark.parametrize("unit", ["gr", "gr mm", "gr/cm^3"])
