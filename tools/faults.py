@@ -83,7 +83,8 @@ def run_tests(copy: Path, tests: Sequence[str], *options: str) -> tuple[int, str
     try:
         done = subprocess.run(
             [*command, *(f"tests/{each}" for each in tests)],
-            cwd=copy, env=environment, capture_output=True, text=True, check=False, timeout=LONGEST,
+            cwd=copy, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False,
+            timeout=LONGEST,
         )  # fmt: skip
     except subprocess.TimeoutExpired:
         return -1, f"no end in {LONGEST:g} s"
