@@ -30,7 +30,7 @@ for name in ONE_THREAD:  # before NumPy is loaded
     os.environ.setdefault(name, "1")
 os.environ["MAHOVIK_CACHE"] = str(CACHE / "formulas")
 build_cache.install(CACHE / "libraries")
-GENERATOR = generated_once.install(os.environ["MAHOVIK_CACHE"])
+generated_once.install(os.environ["MAHOVIK_CACHE"])
 
 sys.path.append(str(TOOLS))  # tools import one another, and tests import them; last, as names of tests go first
 
@@ -40,12 +40,6 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 settings.register_profile("daily", deadline=None)
 settings.register_profile("ci", derandomize=True, deadline=None)
 settings.load_profile("ci" if os.environ.get("CI") else "daily")
-
-
-@pytest.hookimpl(tryfirst=True)
-def pytest_runtest_setup() -> None:
-    """Before fixtures replace anything."""
-    GENERATOR.look()
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
