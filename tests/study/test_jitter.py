@@ -22,11 +22,8 @@ from mahovik.use.study.jitter import Balance, Jitter, View, balance
 from mahovik.use.study.jitter import jitter as find
 from mahovik.use.study.jitter.balance import _Search
 from mahovik.use.study.jitter.exact import left_out_of
-from mahovik.use.study.jitter.load_view import LOADS
-from mahovik.use.study.jitter.quantity import QUANTITIES
 from mahovik.use.study.jitter.torus import Torus
 from mahovik.use.study.linear.model import places
-from mahovik.use.study.quiet.lines import uncontrolled_mean_square
 from mahovik.use.study.response import periodic_response
 from mahovik.use.study.response.scene import Scene
 from mahovik.use.study.response.speeds import SpeedPlan, read_speeds
@@ -64,17 +61,10 @@ def one_wheel(folder: Path, unbalance: str, more: str = "") -> Stand:
 
 
 OMEGA = 240.0
-STATIC, DYNAMIC = 5e-4, 2e-6
 SUSPENSION = """
 [suspension]
 stiffness = [9e5, 9e5, 9e5, 50, 50, 50]
 damping = [40, 40, 40, 0.1, 0.1, 0.1]
-"""
-LEG = """
-ground = [0.1, 0.2, -1.0]
-carrier = [0.1, 0.2, -0.1]
-length = 0.85
-stiffness = 4e4
 """
 
 
@@ -83,37 +73,31 @@ def jitter(stand: Stand, asked: SpeedPlan, steps: int, point: str, quantity: str
     return find(stand, asked, steps, View.of(places(stand, [point])[0], quantity))
 
 
-def first_order(stand_file: Path, unbalance: str, quantity: str, more: str = "") -> np.ndarray:
-    stand = one_wheel(stand_file, unbalance, more)
+STATIC, DYNAMIC = 'static = "5 g cm"', 'dynamic = "20 g cm^2"'
+RADIUS = 5e-5 / (M_CARRIER + M_WHEEL)
+"""m: in the plane both bodies go round the common centre of mass, and nothing turns."""
+SPRUNG = 5e-5 * OMEGA**2 / abs(9e5 - (M_CARRIER + M_WHEEL) * OMEGA**2 + 40j * OMEGA)
+ANGLE = 2e-6 / (J_TRANSVERSE + 0.011 - J_SPIN)
+"""rad: J theta'' - i H theta' = U Omega^2 exp(i Omega t), theta = theta_x + i theta_y, H the wheel's spin momentum."""
+
+
+@pytest.mark.parametrize(
+    ("unbalance", "more", "quantity", "size"),
+    [
+        (STATIC, "", "displacement", RADIUS),
+        (STATIC, "", "acceleration", RADIUS * OMEGA**2),
+        (STATIC, SUSPENSION, "displacement", SPRUNG),
+        (DYNAMIC, "", "angle", ANGLE),
+        (DYNAMIC, "", "rate", ANGLE * OMEGA),
+    ],
+)
+def test_unbalance_by_closed_form(unbalance: str, more: str, quantity: str, size: float, tmp_path: Path) -> None:
+    stand = one_wheel(tmp_path, unbalance, more)
     found = jitter(stand, read_speeds(stand, [f"w={OMEGA}"]), 1, "eye", quantity=quantity)
-    names = [(name.wheel, name.order) for name in found.lines.names]
-    return np.asarray(found.lines.sizes[0, names.index(("w", 1.0))])
+    first = [(name.wheel, name.order) for name in found.lines.names].index(("w", 1.0))
+    assert found.lines.sizes[0, first] == pytest.approx([size, size, 0.0], rel=1e-6, abs=1e-16)
 
 
-def test_static_unbalance_of_a_free_stand_by_closed_form(tmp_path: Path) -> None:
-    """In the plane both bodies go round the common centre of mass, and nothing turns."""
-    size = first_order(tmp_path, 'static = "5 g cm"', "displacement")
-    radius = 5e-5 / (M_CARRIER + M_WHEEL)
-    assert size == pytest.approx([radius, radius, 0.0], rel=1e-6, abs=1e-20)
-    acceleration = first_order(tmp_path, 'static = "5 g cm"', "acceleration")
-    assert acceleration == pytest.approx([radius * OMEGA**2, radius * OMEGA**2, 0.0], rel=1e-6, abs=1e-16)
-
-
-def test_static_unbalance_on_springs_by_closed_form(tmp_path: Path) -> None:
-    size = first_order(tmp_path, 'static = "5 g cm"', "displacement", SUSPENSION)
-    radius = 5e-5 * OMEGA**2 / abs(9e5 - (M_CARRIER + M_WHEEL) * OMEGA**2 + 40j * OMEGA)
-    assert size[:2] == pytest.approx([radius, radius], rel=1e-6)
-
-
-@pytest.mark.parametrize(("quantity", "power"), [("angle", 0), ("rate", 1)])
-def test_dynamic_unbalance_by_closed_form(quantity: str, power: int, tmp_path: Path) -> None:
-    """J theta'' - i H theta' = U Omega^2 exp(i Omega t), theta = theta_x + i theta_y, H the wheel's spin momentum."""
-    size = first_order(tmp_path, 'dynamic = "20 g cm^2"', quantity)
-    angle = DYNAMIC / (J_TRANSVERSE + 0.011 - J_SPIN) * OMEGA**power
-    assert size == pytest.approx([angle, angle, 0.0], rel=1e-6, abs=1e-20)
-
-
-@pytest.mark.parametrize("quantity", ["acceleration"])
 @pytest.mark.parametrize(
     ("name", "speeds", "point"),
     [
@@ -122,10 +106,8 @@ def test_dynamic_unbalance_by_closed_form(quantity: str, power: int, tmp_path: P
         ("bench8", ["w1=60", "w2=-40", "w3=20"], "carrier"),
     ],
 )
-def test_with_a_common_period_it_is_the_periodic_response(
-    name: str, speeds: list[str], point: str, quantity: str
-) -> None:
-    stand = load(path(name))
+def test_with_a_common_period_it_is_the_periodic_response(name: str, speeds: list[str], point: str) -> None:
+    stand, quantity = load(path(name)), "acceleration"
     asked = read_speeds(stand, speeds)
     found = jitter(stand, asked, 1, point, quantity=quantity)
     other = periodic_response(stand, asked.speeds(0.0), [point])
@@ -149,12 +131,9 @@ def test_an_undamped_resonance_is_said(tmp_path: Path) -> None:
 
 def test_a_line_on_the_end_of_a_band_is_within() -> None:
     """A speed of 1800 rpm is 30.000000000000004 Hz: jitter, response, quiet and campaigns ask one function."""
-    for end in np.arange(1.0, 101.0):
-        rounded = np.nextafter(end, [0.0, np.inf])
-        assert in_band(rounded, (end, 2.0 * end)).all() and in_band(rounded, (0.5 * end, end)).all()
+    rounded = np.nextafter(30.0, [0.0, np.inf])
+    assert in_band(rounded, (30.0, 60.0)).all() and in_band(rounded, (15.0, 30.0)).all()
     assert not in_band(30.0 * (1.0 + 2e-9), (10.0, 30.0)) and not in_band(10.0 * (1.0 - 2e-9), (10.0, 30.0))
-    on = 2.0 * np.pi * np.nextafter(30.0, 31.0)
-    assert uncontrolled_mean_square(np.array([on]), np.array([[2.0 + 0j]]), (10.0, 30.0)) == pytest.approx(2.0)
 
 
 @pytest.mark.parametrize("ends", ["10..30", "30..90"])
@@ -165,23 +144,6 @@ def test_a_requirement_counts_a_line_on_the_end_of_its_band(ends: str, tmp_path:
     other = response(stand, {"w": "1800rpm"}, "eye", quantity="acceleration", band=(low, high)).sweep.rms((low, high))
     assert not found.met
     assert found.verdicts[0].value == pytest.approx(other.max(), rel=1e-6)
-
-
-@pytest.mark.filterwarnings("ignore:starts from rest")
-@pytest.mark.parametrize("more", ["", SUSPENSION + "[[leg]]\n" + LEG])
-@pytest.mark.parametrize("quantity", ["angle", "acceleration", "moment"])
-def test_a_balanced_stand_meets_what_is_required(more: str, quantity: str, tmp_path: Path) -> None:
-    """Rounding beside rounding is no inaccuracy; weights that springs carry cancel to rounding as well."""
-    text = HEAD + WHEEL.format(mass=M_WHEEL, spin=J_SPIN, unbalance='static = "0 g cm"') + more
-    text = text.replace("axis = [0, 0, 1]", "position = [0.3, -0.2, 0.1]\naxis = [0.3, 0.2, 0.8]")
-    if more:
-        text = text.replace("[carrier]", "gravity = [0, 0, -9.81]\n[carrier]", 1)
-    (tmp_path / "balanced.toml").write_text(text)
-    at = "w" if quantity in LOADS else "eye"
-    unit = {**QUANTITIES, **LOADS}[quantity].unit
-    found = run(tmp_path / "balanced.toml", {"w": "2777rpm"}, at, quantity=quantity, require=[f"rms 1e-10 {unit}"])
-    assert found.met and not found.problems
-    assert found.study.order == (2,)
 
 
 RPM = np.pi / 30
@@ -215,17 +177,6 @@ def test_a_beat_does_not_depend_on_the_order_and_what_is_left_out_says_so(speeds
     off = np.abs(low.c[:, 3:6] - high.c[: len(low.c), 3:6]).max()
     assert off <= 2.0 * np.linalg.norm(left) < 1e-4 * np.abs(low.c[:, 3:6]).max()
     assert solve(speeds).left_out < 1e-6
-
-
-def test_a_slower_beat_is_larger_in_proportion_and_only_along_the_momentum() -> None:
-    """What stands across the momentum is held by the wheels' spin; the second-order rate is divided once."""
-    fast, slow = (solve([3000, x, 0, 0]) for x in (2999.9, 2999.99))
-    k = next(i for i, each in enumerate(fast.torus.k.tolist()) if each == [1, -1])
-    along = np.array([0.0, 1.0, 1.0]) / np.sqrt(2.0)
-    a, b = fast.c[k, 3:6], slow.c[k, 3:6]
-    assert abs(b @ along) == pytest.approx(10.0 * abs(a @ along), rel=1e-3)
-    across = np.abs(b - along * (b @ along)).max()
-    assert across < 0.01 * abs(b @ along)
 
 
 def test_momentum_gives_the_motion_that_the_equations_of_motion_give() -> None:

@@ -21,7 +21,6 @@ from mahovik.proof.reference.momentum import momentum
 from mahovik.stands import path
 from mahovik.use.study.band import rms
 from mahovik.use.study.quiet import QuietOptions, QuietResult, quiet
-from mahovik.use.study.quiet.options import Wheels
 from mahovik.use.study.quiet.search import Search, SpeedChoice
 from mahovik.use.study.quiet.simulation import band_rms, line_amplitude
 from mahovik.use.study.response.periodic import periodic_response
@@ -38,28 +37,9 @@ def sat4() -> Stand:
     return load(path("sat4"))
 
 
-@pytest.fixture(scope="module")
-def chosen(sat4: Stand) -> QuietResult:
-    """The plan of sat4, without simulation."""
-    return quiet_result(sat4)
-
-
 def quiet_result(stand: Stand, wish: QuietOptions = SAT4, **changed: Any) -> QuietResult:
     """The plan of a stand, without simulation."""
     return quiet(stand, replace(wish, **changed), backend=None)
-
-
-@pytest.mark.slow
-def test_small_differences_of_speed_make_sat4_ten_times_quieter(sat4: Stand) -> None:
-    """Required: a tenth of the band RMS on three axes, by the emitted C; speeds change by 9 rpm, momentum not."""
-    got = quiet(sat4, SAT4)
-    assert got.after.simulated is not None and got.before.simulated is not None
-    assert got.before.free / got.after.simulated >= 10.0
-    assert got.before.simulated / got.after.simulated >= 10.0
-    assert got.after.simulated == pytest.approx(got.after.rms, rel=1e-3)
-    assert got.before.simulated == pytest.approx(got.before.expected, rel=1e-3)
-    assert np.abs(got.after.speeds - AWAY).max() < 10.0 * RPM
-    assert got.momentum_error < 1e-13
 
 
 def test_the_momentum_is_that_of_the_literal_reference(sat4: Stand) -> None:
@@ -71,15 +51,6 @@ def test_the_momentum_is_that_of_the_literal_reference(sat4: Stand) -> None:
         state = replace(rest_state(sat4), phi=phi, phi_dot=tuple(got.after.speeds.tolist()))
         mean += momentum(reference.pieces(sat4, state))[3:] / 4
     assert mean == pytest.approx([1.0, -0.7, 2.0], abs=1e-12)
-
-
-def test_a_wanted_reduction_takes_the_least_change(sat4: Stand) -> None:
-    """A gain of 1.5 is reached by phases alone, at the same speeds; a gain of 10 takes 9 rpm."""
-    little, much = quiet_result(sat4, reduction=1.5), quiet_result(sat4, reduction=10.0)
-    assert np.abs(little.after.speeds - little.before.speeds).max() == 0.0
-    assert np.abs(much.after.speeds - much.before.speeds).max() == pytest.approx(9.0 * RPM, rel=1e-6)
-    assert little.reduction >= 1.5
-    assert much.reduction >= 10.0
 
 
 def test_limits_hold(sat4: Stand) -> None:
@@ -97,15 +68,21 @@ def test_limits_hold(sat4: Stand) -> None:
     assert np.abs(held.after.speeds - held.before.speeds).max() <= 20.0 * RPM * (1 + 1e-8)
 
 
-def test_the_exact_steady_state_is_ten_times_quieter(sat4: Stand, chosen: QuietResult) -> None:
-    """Motion by collocation of the whole equations, all orders in the band, for the speeds and phases found."""
-    got = chosen
+@pytest.mark.parametrize("backend", [None, pytest.param("c", marks=pytest.mark.slow)])
+def test_small_differences_of_speed_make_sat4_ten_times_quieter(sat4: Stand, backend: str | None) -> None:
+    """All orders in the band by collocation of the whole equations, and by the C; momentum stays."""
+    got = quiet(sat4, SAT4, backend=backend)
     exact = periodic_response(sat4, got.after.speeds.tolist(), ["acc1"], got.after.phases.tolist())
     values = rms(exact.points["acc1"].harmonics("acceleration"), exact.frequencies, BAND)
     assert float(np.linalg.norm(values)) == pytest.approx(got.after.rms, rel=1e-3)
     assert got.before.free / float(np.linalg.norm(values)) >= 10.0
     assert np.abs(got.after.speeds - AWAY).max() < 10.0 * RPM
     assert got.momentum_error < 1e-13
+    if backend is not None:
+        assert got.after.simulated is not None and got.before.simulated is not None
+        assert got.before.simulated / got.after.simulated >= 10.0
+        assert got.after.simulated == pytest.approx(got.after.rms, rel=1e-3)
+        assert got.before.simulated == pytest.approx(got.before.expected, rel=1e-3)
 
 
 def test_what_binds_is_said(sat4: Stand) -> None:
@@ -129,9 +106,7 @@ def test_time_and_interrupts_cut_the_search(sat4: Stand, monkeypatch: pytest.Mon
 
     monkeypatch.setattr(Search, "evaluate", third)
     got = quiet(sat4, SAT4, backend="c")
-    assert got.interrupted
-    assert got.looked_at == 2
-    assert got.after.simulated is None
+    assert (got.interrupted, got.looked_at, got.after.simulated) == (True, 2, None)
     assert got.after.rms <= got.before.free
 
 
@@ -144,8 +119,6 @@ def test_stands_that_have_nothing_free_are_refused(sat4: Stand) -> None:
     pair = replace(sat4, flywheels=(sat4.flywheels[0], one))
     with pytest.raises(UsageError, match="perpendicular to all spin axes"):
         quiet_result(pair, speeds=None)
-    along = Wheels.of(pair, replace(SAT4, momentum=(1.0, 1.0, 1.0), speeds=None))
-    assert along.nullspace.shape == (2, 1)
 
 
 def test_rms_of_a_line_in_the_band() -> None:
