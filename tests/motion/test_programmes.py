@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -23,9 +22,8 @@ from mahovik.core.motion.programme import (
     load_programme,
     programme_text,
     read_programme,
-    save_programme,
 )
-from mahovik.errors import ProgrammeError, UsageError
+from mahovik.errors import ProgrammeError
 
 NAMES = ("left", "right")
 FINITE = st.floats(allow_nan=False, allow_infinity=False)
@@ -144,31 +142,6 @@ def test_one_line_for_each_bad_table(change: dict[str, Any], line: str) -> None:
     document = example(samples={**TABLE, **change})
     del document["fourier"]
     assert problems(document) == [f"p.json: {line}"]
-
-
-def test_fourier_of_a_finite_programme_is_refused() -> None:
-    document = example(duration=1)
-    del document["period"]
-    found = problems(document)
-    assert "p.json: winding: not allowed with `duration`: winding is turns per period" in found
-    assert "p.json: fourier: not allowed with `duration`: a finite programme has `samples`" in found
-
-
-def test_files_are_written_whole_or_not_at_all(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    programme = read_programme(json.dumps(example()))
-    target = tmp_path / "p.json"
-    save_programme(programme, target)
-    assert programme_text(load_programme(target)) == programme_text(programme)
-    before = target.read_bytes()
-
-    def fail(*_: Any) -> None:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(os, "replace", fail)
-    with pytest.raises(UsageError, match="cannot be written: No space left"):
-        save_programme(replace(programme, stand="another"), target)
-    assert target.read_bytes() == before
-    assert list(tmp_path.iterdir()) == [target]
 
 
 def test_what_is_no_file(tmp_path: Path) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 
@@ -62,16 +61,6 @@ def test_phases_initial_speeds_and_defaults() -> None:
     kept = steady_regime(SHAKER, [1.0, 2.0])
     assert [each.law for each in kept.flywheels] == [Constant(1.0), Constant(2.0)]
     assert not kept.by_torque
-
-
-def test_json_is_the_same_as_toml(tmp_path: Path) -> None:
-    path = tmp_path / "r.json"
-    path.write_text(
-        json.dumps({"schema": 1, "default": {"speed": "600 rpm"}, "wrench": {"carrier": [1, 0, 0, 0, 0, 2]}})
-    )
-    found = load(path, SHAKER, 1.0)
-    assert {each.law for each in found.flywheels} == {Constant(20 * math.pi)}
-    assert found.wrench(0.3) == {"carrier": (1, 0, 0, 0, 0, 2)}
 
 
 def test_tables(tmp_path: Path) -> None:
@@ -175,14 +164,6 @@ def test_a_last_time_in_ms_that_is_until(until: float, tmp_path: Path) -> None:
         loads_regime(regime_of_left('table = "a.csv"'), SHAKER, until, "r.toml", tmp_path)
     (tmp_path / "a.csv").write_text(f"t [ms],phi_dot\n0,1\n{until * 1e3 * (1 - 1e-9)!r},3\n")
     assert "but the simulation runs" in problems(regime_of_left('table = "a.csv"'), tmp_path, until)[0]
-
-
-@pytest.mark.parametrize(
-    "text", ['{"schema": 1, "schema": 1}', '{"schema": 1, "default": {"speed": 1, "speed": 2}}'], ids=["head", "inside"]
-)
-def test_a_key_of_json_that_is_there_twice(text: str) -> None:
-    with pytest.raises(RegimeError, match=r'^r.json: not JSON: key "(schema|speed)" appears twice$'):
-        loads_regime(text, SHAKER, 1.0, "r.json", is_json=True)
 
 
 def test_missing_files(tmp_path: Path) -> None:

@@ -115,20 +115,11 @@ def with_fading_element(stand: Stand) -> Stand:
         (with_fin(-1.0), range(6), {(c, "rudder lift", -1.0, 1.0, "rudder.lift_slope") for c in "YN"}),
         (with_screw(thrust=(0.3, -0.4, -0.1)), [0], {("X", "screw thrust |n| V_a", 2.0, 1.0, "screw.thrust[1]")}),
         (
-            with_screw(torque=(0.0, -0.02, -0.01)),
-            range(6),
-            {("K", "screw torque |n| n", 0.0, 1.0, "screw.torque[0]")},
-        ),
-        (
             with_strips(drag_z=(0.7, 1.6, 0.6)),
             [2],
             {("Z", "cross flow (w - x q) at 0.1 m", 2.0, 1.0, "carrier.cross_flow.drag_z[1]")},
         ),
-        (
-            with_fading_element,
-            range(6),
-            {("Z", "exp(-rate U) q", -1.0, 1.0, "carrier.fading_damping.linear[2][4]")},
-        ),
+        (with_fading_element, range(6), {("Z", "exp(-rate U) q", -1.0, 1.0, "carrier.fading_damping.linear[2][4]")}),
     ],
 )
 def test_a_wrong_coefficient_is_named(

@@ -1,7 +1,8 @@
-"""Response of held carriers: force tables, shakers and pendulums against closed formulas and the C through time."""
+"""Vibration of held carriers, periodic and by lines: closed formulas, the free carrier, the C through time."""
 
 from __future__ import annotations
 
+import json
 import math
 from dataclasses import replace
 from pathlib import Path
@@ -11,11 +12,12 @@ import numpy as np
 import pytest
 
 import mahovik
-from cli.run import refused
+from cli.run import refused, run
 from mahovik import stands
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Hold
+from mahovik.out.functions.jitter import Jitter
 from mahovik.use.study.response import periodic_response
 
 HELD = Path(__file__).parents[2] / "docs" / "held"
@@ -43,21 +45,16 @@ def reaction(found: Any, quantity: str) -> Any:
     return np.abs(found.motion_of("hold.reaction").harmonics(quantity))
 
 
-def test_a_force_table_reads_a_static_unbalance() -> None:
-    """U w^2 across the axis, with the arm of 100 mm in the moment, at one order alone."""
-    found = periodic_response(stand_of(table(static="72 g mm")), [300.0])
-    force = 72e-6 * 300.0**2
-    np.testing.assert_allclose(reaction(found, "force")[1], [force, force, 0.0], rtol=1e-12, atol=1e-12)
-    np.testing.assert_allclose(reaction(found, "moment")[1], [0.1 * force, 0.1 * force, 0.0], rtol=1e-12, atol=1e-12)
-    assert reaction(found, "force")[2:].max() < 1e-12 * force
-
-
-def test_a_force_table_reads_a_dynamic_unbalance() -> None:
-    """A couple of U w^2, and no force."""
-    found = periodic_response(stand_of(table(dynamic="5 kg mm^2")), [300.0])
-    couple = 5e-6 * 300.0**2
-    np.testing.assert_allclose(reaction(found, "moment")[1], [couple, couple, 0.0], rtol=1e-12, atol=1e-12)
-    assert reaction(found, "force")[1:].max() < 1e-12
+@pytest.mark.parametrize(
+    ("unbalance", "force", "moment"),
+    [({"static": "72 g mm"}, 72e-6, 72e-7), ({"dynamic": "5 kg mm^2"}, 0.0, 5e-6)],
+)
+def test_a_force_table_reads_an_unbalance(unbalance: dict[str, str], force: float, moment: float) -> None:
+    """U w^2 across the axis, a static one with its arm of 100 mm in the moment, at one order alone."""
+    found = periodic_response(stand_of(table(**unbalance)), [300.0])
+    for quantity, size in (("force", force * 300.0**2), ("moment", moment * 300.0**2)):
+        np.testing.assert_allclose(reaction(found, quantity)[1], [size, size, 0.0], rtol=1e-12, atol=1e-12)
+    assert reaction(found, "force")[2:].max() < 1e-11
 
 
 def shaker(friction: bool, damping: float = 300.0) -> dict[str, Any]:
@@ -73,8 +70,7 @@ def shaker(friction: bool, damping: float = 300.0) -> dict[str, Any]:
     }  # fmt: skip
 
 
-@pytest.mark.parametrize("friction", [False, True])
-@pytest.mark.parametrize("speed", [10.0, 24.0, 80.0])
+@pytest.mark.parametrize(("friction", "speed"), [(False, 10.0), (True, 24.0), (False, 80.0)])
 def test_a_shaker_of_one_freedom(friction: bool, speed: float) -> None:
     """m e w^2 / (k - M w^2 + i c w) along the rail, by the suspension or by friction; m e w^2 across it is held."""
     M, k, c, me = 68.0, 4e4, 300.0, 0.16
@@ -105,36 +101,6 @@ def test_six_freedoms_are_the_free_carrier() -> None:
     assert size < 1e-9 * 10.0 * free.carrier.mass
 
 
-@pytest.mark.slow
-def test_it_is_the_motion_of_the_c_through_time() -> None:
-    """A damped pendulum with an unbalanced wheel, stepped until it is steady: displacement and reaction over a turn."""
-    document = {
-        "schema": 1, "name": "pendulum", "gravity": [0, 0, -9.81],
-        "carrier": {"mass": 2, "center_of_mass": [0, 0, -0.2], "inertia": [0.02, 0.02, 0.01],
-                    "inertia_about": "center_of_mass"},
-        "hold": {"freedoms": ["pitch"], "pivot": [0, 0, 0.05], "friction": [{"viscous": 1.0}]},
-        "flywheel": [{"name": "w1", "axis": [0, 1, 0], "zero": [0, 0, 1], "position": [0, 0, -0.2], "mass": 0.5,
-                      "spin_inertia": 1e-3, "transverse_inertia": 6e-4, "unbalance": {"static": "5 g m"}}],
-    }  # fmt: skip
-    stand = stand_of(document)
-    speed = 20.0
-    found = periodic_response(stand, [speed])
-    turn, steps = 2 * math.pi / speed, 64
-    turns = 12
-    run_ = mahovik.simulate(
-        stand, turns * turn, regime={"default": {"speed": speed}}, start={"phi_dot": [speed]},
-        dt=turn / steps / 4, every=turn / steps,
-    ).run  # fmt: skip
-    last = slice(-steps - 1, -1)
-    for column, expected in (("hold.reaction.x [N]", 0), ("hold.reaction.z [N]", 2)):
-        spectrum = np.fft.rfft(run_[column][last]) * 2 / steps
-        given = np.abs(found.motion_of("hold.reaction").harmonics("force")[1:4, expected])
-        np.testing.assert_allclose(np.abs(spectrum[1:4]), given, rtol=1e-4, atol=1e-4 * given.max())
-    spectrum = np.fft.rfft(run_["omega_y [rad/s]"][last]) * 2 / steps
-    given = np.abs(found.motion_of("hold.pitch").harmonics("velocity")[1, 0])
-    assert np.abs(spectrum[1]) == pytest.approx(given, rel=1e-4)
-
-
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
@@ -150,11 +116,6 @@ def test_refusals(words: list[str], expected: str) -> None:
     assert expected in text and len(text.splitlines()) == 1
 
 
-def test_a_free_carrier_has_no_reaction() -> None:
-    text = refused("response", str(stands.path("sat4")), "--speed", "all=10", "--at", "hold.reaction")
-    assert "sat4 has no [hold]" in text
-
-
 def test_a_freedom_that_turns_has_an_angle_and_its_derivatives() -> None:
     hold, springs = {"freedoms": ["pitch"], "pivot": [0, 0, 0.2]}, {"stiffness": [0, 0, 0, 0, 50, 0]}
     stand = stand_of(table(static="72 g mm") | {"hold": hold, "suspension": springs})
@@ -166,3 +127,177 @@ def test_a_freedom_that_turns_has_an_angle_and_its_derivatives() -> None:
     assert [each.quantity for each in (angle, rate)] == ["angle", "rate"]
     np.testing.assert_allclose(rate.rms(), 30.0 * angle.rms(), rtol=1e-4)
     np.testing.assert_allclose(acceleration.rms(), 900.0 * angle.rms(), rtol=1e-4)
+
+
+def two_wheels(first: str, second: str) -> Stand:
+    """Two wheels about z, 100 mm above and below O1, on a clamped carrier that weighs 14 kg or more."""
+    document = table() | {"gravity": [0, 0, -9.81]}
+    wheel = {key: value for key, value in document["flywheel"][0].items() if key != "unbalance"}
+    document["flywheel"] = [
+        wheel | {"name": "up", "unbalance": {"static": first}},
+        wheel | {"name": "down", "position": [0, 0, -0.1], "unbalance": {"dynamic": second}},
+    ]
+    return stand_of(document)
+
+
+def size(found: Jitter, wheel: str, order: int = 1) -> Any:
+    """Amplitudes (3) of a line of one wheel at the last speed; zero where there is none."""
+    for i, name in enumerate(found.study.lines.names):
+        if (name.wheel, name.order) == (wheel, order):
+            return found.study.lines.sizes[-1, i]
+    return np.zeros(3)
+
+
+@pytest.mark.parametrize("speeds", [{"up": 300.0, "down": -211.7}, {"up": "100..300", "down": -211.7}])
+@pytest.mark.parametrize("quantity", ["force", "moment"])
+def test_a_clamped_carrier_moves_only_the_reaction(speeds: dict[str, Any], quantity: str) -> None:
+    """U w^2 of the static unbalance with its arm of 100 mm, and a couple of U w^2 of the dynamic one; the weight."""
+    stand = two_wheels("72 g mm", "5 kg mm^2")
+    found = mahovik.jitter(stand, speeds, "hold.reaction", quantity=quantity, steps=3)
+    force, couple = 72e-6 * 300.0**2, 5e-6 * 211.7**2
+    weight = 72e-6 * 9.81  # its moment, of a centre of mass beside the axis
+    first, second = (force, 0.0) if quantity == "force" else (0.1 * force + weight, couple)
+    np.testing.assert_allclose(size(found, "up"), [first, first, 0.0], rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(size(found, "down"), [second, second, 0.0], rtol=1e-12, atol=1e-12)
+    mean = [0.0, 0.0, 16 * 9.81 if quantity == "force" else 0.0]
+    np.testing.assert_allclose(found.study.mean[-1], mean, rtol=1e-12, atol=1e-9)
+    assert found.unit == ("N" if quantity == "force" else "N m")
+    assert not found.combinations
+    if len(found) == 1:
+        assert found.left_out[0] < 1e-12 and found.remainder.max() < 1e-11
+    else:
+        assert max(check.off for check in found.study.checks) < 1e-12
+
+
+@pytest.mark.parametrize(("friction", "last"), [(False, "11.3"), (True, "5..11.3")])
+def test_a_shaker_of_one_freedom_is_an_oscillator(friction: bool, last: str) -> None:
+    """Two exciters at speeds without a common period: m e w^2 / (k - M w^2 + i c w) of each, and m e w^2 held across.
+
+    The mount of each gives its wheel what moves it: |w^2 (m_w z + m e)| along the rail, m e w^2 across it.
+    """
+    document = shaker(friction)
+    document["flywheel"].append(document["flywheel"][0] | {"name": "v"})
+    stand = stand_of(document)
+    speeds: dict[str, float | str] = {"w": 24.0, "v": last}
+    M, k, c, me, m = 76.0, 4e4, 300.0, 0.16, 8.0
+    motion = mahovik.jitter(stand, speeds, "carrier", quantity="displacement", steps=2)
+    held = mahovik.jitter(stand, speeds, "hold.reaction", steps=2)
+    mount = mahovik.jitter(stand, speeds, "v", steps=2)
+    along_rail = mahovik.jitter(stand, speeds, "hold.z", quantity="velocity", steps=2)
+    assert along_rail.rms.shape[1] == 1
+    for wheel, w in (("w", 24.0), ("v", 11.3)):
+        z = me * w**2 / (k - M * w**2 + 1j * c * w)
+        np.testing.assert_allclose(size(motion, wheel), [0.0, 0.0, abs(z)], rtol=1e-9, atol=1e-15)
+        np.testing.assert_allclose(size(along_rail, wheel), [w * abs(z), 0.0, 0.0], rtol=1e-9, atol=1e-15)
+        np.testing.assert_allclose(size(held, wheel), [0.0, me * w**2, 0.0], rtol=1e-9, atol=1e-9)
+        own = me if wheel == "v" else 0.0
+        along, across = abs(w**2 * (m * z + own)), own * w**2
+        np.testing.assert_allclose(size(mount, wheel), [0.0, along, across], rtol=1e-9, atol=1e-9)
+
+
+SWINGING = {
+    "schema": 1, "name": "swinging", "gravity": [0, 0, -9.81],
+    "carrier": {"mass": 2, "center_of_mass": [0, 0, -0.2], "inertia": [0.02, 0.02, 0.01],
+                "inertia_about": "center_of_mass"},
+    "hold": {"freedoms": ["pitch"], "pivot": [0, 0, 0.05], "friction": [{"viscous": 1.0}]},
+    "flywheel": [{"name": name, "axis": [0, 1, 0], "zero": [0, 0, 1], "position": [0, 0, z], "mass": 0.5,
+                  "spin_inertia": 1e-3, "transverse_inertia": 6e-4, "unbalance": {"static": "5 g m"}}
+                 for name, z in (("w1", -0.2), ("w2", -0.3))],
+}  # fmt: skip
+"""A damped pendulum with two heavily unbalanced wheels."""
+
+
+@pytest.mark.parametrize(("name", "quantity"), [("hold.reaction", "force"), ("hold.reaction", "moment")])
+def test_with_a_common_period_it_is_the_response(name: str, quantity: str) -> None:
+    stand = stand_of(SWINGING)
+    found = mahovik.jitter(stand, {"w1": 20.0, "w2": 30.0}, name, quantity=quantity, order=8)
+    wanted = periodic_response(stand, [20.0, 30.0]).motion_of(name).harmonics(quantity)
+    lines, base = found.study.lines, 10.0 / (2.0 * math.pi)
+    total = np.zeros((24, 3), dtype=complex)
+    for i, hertz in enumerate(lines.frequency[0]):
+        if round(hertz / base) < len(total):
+            total[round(hertz / base)] += lines.amplitude[0, i]
+    np.testing.assert_allclose(total[:8], wanted[:8], rtol=0, atol=1e-6 * np.abs(wanted[1:]).max())
+
+
+def test_a_maker_s_table_shakes_a_force_table(tmp_path: Path) -> None:
+    """c w^2 at each order, through a bearing mode at H times that; noise whose mean square is its integral."""
+    path, noise, inner = (tmp_path / name for name in ("wheel.csv", "noise.csv", "inner.csv"))
+    path.write_text("order [-],radial force [N/(rad/s)^2],axial force [N/(rad/s)^2]\n1,2e-6,0\n2.5,0,3e-6\n")
+    noise.write_text("frequency [Hz],axial force [N^2/Hz]\n10,1e-4\n210,1e-4\n")
+    inner.write_text("mode,frequency [Hz],damping [-]\naxial,50,0.1\n")
+    stand = stand_of(table(static="72 g mm"))
+    words = {"harmonics": {"all": path}, "noise": {"all": noise}}
+    found = mahovik.jitter(stand, {"wheel": 100.0}, "hold.reaction", **words)  # type: ignore[arg-type]
+    np.testing.assert_allclose(size(found, "wheel"), [2e-2, 2e-2, 0.0], rtol=1e-9, atol=1e-15)
+    np.testing.assert_allclose(size(found, "wheel", 2.5), [0.0, 0.0, 3e-2], rtol=1e-9, atol=1e-15)  # type: ignore
+    assert found.rms[0, 2] == pytest.approx(math.sqrt(3e-2**2 / 2.0 + 1e-4 * 200.0), rel=1e-6)
+    mounted = mahovik.jitter(stand, {"wheel": 100.0}, "wheel", **words)  # type: ignore[arg-type]
+    assert mounted.rms[0, 0] == pytest.approx(found.rms[0, 2], rel=1e-9)  # its axis is its first
+    ratio = 250.0 / (2.0 * math.pi) / 50.0
+    gain = abs((1.0 + 0.2j * ratio) / (1.0 - ratio**2 + 0.2j * ratio))
+    soft = mahovik.jitter(stand, {"wheel": 100.0}, "hold.reaction", harmonics={"all": path}, inner_modes={"all": inner})
+    assert size(soft, "wheel", 2.5)[2] == pytest.approx(3e-2 * gain, rel=1e-9)  # type: ignore[arg-type]
+
+
+def test_requirements_on_a_force(tmp_path: Path) -> None:
+    stand = str(HELD / "force_table.toml")
+    asked = ("jitter", stand, "--speed", "wheel=0..3000rpm", "--at", "hold.reaction", "--steps", "4", "--json")
+    w = math.radians(6 * 3000)
+    found = json.loads(run(*asked, "--require", "rms 6 N").stdout)
+    assert found["requirements"][0]["value"] == pytest.approx(72e-6 * w**2 / math.sqrt(2), rel=1e-9)
+    assert found["requirements"][0]["met"] and found["units"]["rms"] == "N"
+    assert run(*asked, "--require", "worst 7 N").exit_code == 1
+    assert "expected a force" in refused(*asked, "--require", "rms 1 arcsec")
+
+
+def test_a_line_of_sight_of_a_held_carrier(tmp_path: Path) -> None:
+    """An angle of 3 rad/m along the rail sees three times the displacement."""
+    document = shaker(False) | {"point": [{"name": "eye"}]}
+    (tmp_path / "sight.csv").write_text("eye z [rad/m],eye ry [-]\n3,1\n0,0\n")
+    stand = stand_of(document)
+    angle = mahovik.jitter(stand, {"w": 24.0}, sight=tmp_path / "sight.csv")
+    moved = mahovik.jitter(stand, {"w": 24.0}, "eye", quantity="displacement")
+    assert size(angle, "w")[0] == pytest.approx(3.0 * size(moved, "w")[2], rel=1e-9)
+
+
+@pytest.mark.slow
+def test_it_is_the_motion_of_the_c_through_time() -> None:
+    """A pendulum under two wheels, stepped with a carry until it is steady; lines fitted to what it reads over 40 s."""
+    stand, speeds, every = stand_of(SWINGING), [20.0, 31.7], 0.02
+    found = mahovik.jitter(stand, dict(zip(("w1", "w2"), speeds, strict=True)), "hold.reaction").study.lines
+    done = mahovik.simulate(
+        stand, 50.0, regime={"flywheel": {"w1": {"speed": 20.0}, "w2": {"speed": 31.7}}}, start={"phi_dot": speeds},
+        dt=every / 8, every=every, carried=True,
+    ).run  # fmt: skip
+    columns = [f"hold.reaction.{axis} [N]" for axis in "xyz"]
+    t = np.arange(2001) * every + 10.0
+    values = np.column_stack([done[column][-2001:] for column in columns])
+    large = found.sizes[0].max(axis=1) > 1e-4 * found.sizes[0].max()
+    there = large & (found.frequency[0] > 0.0)
+    wave = np.exp(2j * np.pi * np.outer(t, found.frequency[0, there]))
+    basis = np.hstack([np.ones((len(t), 1)), wave.real, -wave.imag])
+    fitted, *_ = np.linalg.lstsq(basis, values, rcond=None)
+    n = int(there.sum())
+    given = fitted[1 : n + 1] + 1j * fitted[n + 1 :]
+    np.testing.assert_allclose(given, found.amplitude[0, there], rtol=0, atol=1e-4 * found.sizes[0].max())
+    assert n > 4
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (["--at", "hold.reacton"], 'unknown output "hold.reacton", did you mean "hold.reaction"?'),
+        (["--at", "hold.z", "--quantity", "angle"], "hold.z has none; expected one of displacement, velocity"),
+        (["--at", "hold.z", "--modes", "modes.csv"], "--modes: structural modes have no shape of a freedom, hold.z"),
+        (["--at", "hold.2"], 'unknown output "hold.2"'),
+        (["--at", "hold.reaction", "--quantity", "angle"], "--quantity angle: hold.reaction is a load"),
+        (["--at", "carrier", "--quantity", "moment"], "--quantity moment: carrier has none; expected a flywheel"),
+        (["--at", "left", "--modes", "modes.csv"], "--modes: structural modes have no shape of a load, left"),
+    ],
+)
+def test_refusals_of_jitter(words: list[str], expected: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("modes.csv").write_text("frequency [Hz],damping [-],modal mass [kg]\n10,0.01,1\n")
+    text = refused("jitter", str(HELD / "linear_shaker.toml"), "--speed", "all=10", *words)
+    assert expected in text and len(text.splitlines()) == 1
