@@ -1,7 +1,8 @@
-"""Designs: numbers of a stand as unknowns, two flywheels for one axis, what binds, sensitivities, the front."""
+"""Designs of free and held carriers: numbers of a stand as unknowns, closed formulas, sensitivities, refusals."""
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -10,15 +11,15 @@ import numpy as np
 import pytest
 
 from mahovik import stands
-from mahovik.core.motion.required import Bounds, RequiredMotion, load_motion
+from mahovik.core.motion.required import Bounds, RequiredMotion, load_motion, read_motion
 from mahovik.core.stand import load, loads
 from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.write import dumps
-from mahovik.errors import DesignError
+from mahovik.errors import DesignError, MahovikError
 from mahovik.laws.suspension.data import Suspension
-from mahovik.use.design import DesignOptions, Outcome, design_stand
-from mahovik.use.design.freedom import PARTS, WIDTH, Freedom, Limits, Mask, Tie, Weights
+from mahovik.use.design import DesignOptions, Outcome, design_stand, freedom_of_keys
+from mahovik.use.design.freedom import WIDTH, Freedom, Limits, Mask, Tie, Weights
 from mahovik.use.design.read import read_freedom
 from mahovik.use.design.search import Cost, Point, pareto_points
 from mahovik.use.design.space import Space, flywheel_numbers
@@ -103,18 +104,9 @@ def test_ties_make_flywheels_alike() -> None:
         assert first.mass == pytest.approx(second.mass) == pytest.approx(third.mass)
 
 
-def test_ties_against_bounds_are_refused() -> None:
-    """Mirrored places of which one is held somewhere else."""
-    stand = random_stand(np.random.default_rng(3), 2)
-    free = all_free(stand)
-    free.least[1, PARTS["position"]] = free.most[1, PARTS["position"]] = (5.0, 5.0, 5.0)
-    with pytest.raises(DesignError, match="x must be equal"):
-        Space.of(stand, replace(free, ties=(Tie((0, 1), (), "x"),)))
-
-
 def test_rows_have_the_derivatives_of_differences() -> None:
     """Residual, limits of the whole, bounds of the motion, cost: by every unknown."""
-    stand = random_stand(np.random.default_rng(21), 2)
+    stand = random_stand(np.random.default_rng(21), 2, EVERYTHING)
     bounds = Bounds(speed=(30.0,) * 2, torque=(1e-3,) * 2, acceleration=(1.0,) * 2, angle=(0.01,) * 2)
     motion = required(2, bounds=bounds)
     mass = sum(s.mass for s in stand.flywheels)
@@ -187,24 +179,6 @@ def test_sensitivities_are_those_of_stands_that_are_built_so() -> None:
     assert told["left", "unbalance"].sensitivity == pytest.approx(heavier, rel=0.05)
 
 
-def test_what_binds_is_named() -> None:
-    """Unbalances that are all too large for rest of the force; nothing is written of a design that is none."""
-    text = 'schema = 1\nspeed = [-1, 1]\nharmonics = 0\n[[free]]\nunbalance = { min = "1.2 kg mm", max = "2 kg mm" }\n'
-    stand = shaker()
-    good = replace(
-        stand,
-        flywheels=tuple(
-            replace(w, position=p) for w, p in zip(stand.flywheels, ((0, 0.08, 0), (0, -0.08, 0)), strict=True)
-        ),
-    )
-    found = design_stand(good, motion_of, read_freedom(text, good), DesignOptions(starts=4))
-    assert found.status == "NO_DESIGN"
-    assert found.stand is None
-    assert found.residual > 1e-2
-    assert "does not prove" in found.words[0]
-    assert found.words[1].startswith("bounds of unbalance bind")
-
-
 def test_a_motion_that_no_design_can_do_is_refused() -> None:
     """Too little unbalance for the amplitude; a weight that nothing carries."""
     little = freedom(**{'"3 kg mm"': '"0.9 kg mm"'})
@@ -218,3 +192,117 @@ def test_designs_that_others_beat_are_no_front() -> None:
     """Kept: less torque for more unbalance."""
     points = [Point(Weights(), Cost(u, t, 0.0), 0.0) for u, t in ((1, 5), (2, 6), (3, 4), (3, 4), (2, 5), (9, 1))]
     assert [(p.cost.unbalance, p.cost.torque) for p in pareto_points(points)] == [(1, 5), (3, 4), (9, 1)]
+
+
+RAIL = """
+schema = 1
+name = "rail"
+gravity = [0, 0, -9.81]
+[carrier]
+mass = 6.0
+inertia = [0.05, 0.06, 0.07]
+[hold]
+freedoms = ["z"]
+[suspension]
+stiffness = [0, 0, 20000, 0, 0, 0]
+damping = [0, 0, 40, 0, 0, 0]
+"""
+WHEEL = """
+[[flywheel]]
+name = "{name}"
+position = ["10 mm", "{y} mm", "20 mm"]
+axis = [1, 0, 0]
+zero = [0, 0, 1]
+mass = 0.5
+spin_inertia = 0.01
+transverse_inertia = 0.006
+unbalance = {{ static = "{unbalance} kg mm" }}
+"""
+KEYS = (
+    'schema = 1\nspeed = [-1, 1]\nharmonics = 1\n{number}\n[[free]]\nunbalance = {{ min = 0, max = "{most} kg mm" }}\n'
+)
+
+
+def rail(text: str = RAIL, unbalance: float = 1.0) -> Stand:
+    """A shaker on a rail with two exciters across it."""
+    wheels = "".join(WHEEL.format(name=name, y=y, unbalance=unbalance) for name, y in (("left", 60), ("right", -60)))
+    return loads(text + wheels)
+
+
+def held_motion(own: Stand, rows: dict[str, list[float]], **keys: Any) -> RequiredMotion:
+    document = {"schema": 1, "type": "periodic", "period": 0.05, "harmonics": [{"k": 1, **rows}], "winding": "any"}
+    return read_motion(json.dumps(document | keys), own, "m.json")
+
+
+def up_and_down(own: Stand) -> RequiredMotion:
+    """0.3 mm along the rail at 20 Hz."""
+    return held_motion(own, {"cos": [3e-4]})
+
+
+@pytest.mark.slow
+def test_one_flywheel_is_enough_for_one_freedom() -> None:
+    """The hold takes the force across the rail, so one wheel does, at constant speed, with the unbalance of the closed
+    formula: mu Omega^2 = |k - m Omega^2 + i d Omega| A.
+    """
+    own = rail()
+    freedom = read_freedom(KEYS.format(number="number = [1, 2]", most=3), own)
+    found = design_stand(own, up_and_down, freedom, DesignOptions(starts=4))
+    assert (found.status, found.words) == ("OK", ())
+    assert found.stand is not None and found.programme is not None
+    assert [wheel.name for wheel in found.stand.flywheels] == ["left"]
+    assert found.programme.report["verified"] is True and found.programme.coordinates == ("z",)
+    Omega = 2 * np.pi * 20
+    needed = 3e-4 * abs(20000 - 6.5 * Omega**2 + 40j * Omega) / Omega**2
+    assert found.totals["after"]["unbalance"] == pytest.approx(needed, rel=1e-6)
+    assert found.programme.report["harmonics"] == 0
+    assert loads(dumps(found.stand)) == found.stand
+
+
+@pytest.mark.parametrize(
+    ("hold", "rows"),
+    [
+        ('freedoms = ["x", "z", "pitch"]', {"cos": [3e-4, 1e-4, 0.01], "sin": [1e-4, 0.0, 0.02]}),
+        ('freedoms = ["roll", "pitch", "yaw"]\npivot = [0, 0, 0.1]', {"cos": [0.01, 0.02, 0.0]}),
+    ],
+)
+def test_held_rows_have_the_derivatives_of_differences(hold: str, rows: dict[str, list[float]]) -> None:
+    """Derivatives by the numbers of the stand, the angles of the programme, and the free mean pose."""
+    own = rail(RAIL.replace('freedoms = ["z"]', hold))
+    required = held_motion(own, rows, free_mean=[True] * len(next(iter(rows.values()))))
+    task = Task.of(own, required, freedom_of_keys("position,angles,unbalance,mass", own))
+    rng = np.random.default_rng(7)
+    course = Periodic(required.span, np.array([1.0, -1.0]), rng.normal(size=(2, 3)), np.zeros(task.start.rows_count))
+    design = Design(task.space.random(rng), course)
+    J, z = task.jacobian(design, Weighing()), task.pack(design)
+    assert task.rows(design, Weighing()).shape == (len(J),) and J.shape[1] == len(z)
+    for k, e in enumerate(1e-6 * np.eye(len(z))):
+        around = [task.rows(task.unpack(z + sign * e, course), Weighing()) for sign in (1.0, -1.0)]
+        D = (around[0] - around[1]) / 2e-6
+        rounding = 1e-9 * abs(around[0]).max()
+        assert abs(J[:, k] - D).max() <= 2e-5 * max(abs(D).max(), 1e-3) + rounding, k
+
+
+@pytest.mark.parametrize(
+    ("text", "most", "words"),
+    [
+        (RAIL, 0.7, r"along z it needs a first moment of \+-.* from the flywheels; their largest total unb"),
+        (RAIL.partition("[suspension]")[0], 3.0, "a force along z of .* N has no support in the mean"),
+        (
+            RAIL.replace('["z"]', "[]"),
+            3.0,
+            "no freedoms: clamped, the carrier makes no motion that could be planned",
+        ),
+        (
+            RAIL.replace('freedoms = ["z"]', "basis = [[1, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1]]"),
+            3.0,
+            "no coordinates of a motion to be planned",
+        ),
+    ],
+)
+def test_what_no_design_can_do_is_refused(text: str, most: float, words: str) -> None:
+    own = rail(text)
+    freedom = read_freedom(KEYS.format(number="", most=most), own)
+    with pytest.raises(MahovikError, match=words) as refused:
+        design_stand(own, up_and_down, freedom)
+    assert str(refused.value).count("\n") == 0
+    assert isinstance(refused.value, DesignError) == (own.hold is not None and len(own.hold.freedoms) == 1)

@@ -187,16 +187,6 @@ def test_a_period_later_only_the_winding_is_added(cos: np.ndarray, periods: int,
     assert later.phi_ddot == pytest.approx(now.phi_ddot, abs=1e-3)
 
 
-def test_a_table_is_the_series_it_samples() -> None:
-    rng = np.random.default_rng(3)
-    series = course_programme(Fourier(rng.normal(size=2), 0.1 * rng.normal(size=(3, 2)), 0.1 * rng.normal(size=(3, 2))))
-    t = np.linspace(-0.2, 0.4, 501)
-    for off, nodes in ((1e-4, 32), (1e-6, 128)):  # of fourth order in phi''
-        ours, theirs = table(series, nodes).at(t), series.at(t)
-        for left, right in zip(ours, theirs, strict=True):
-            assert np.abs(left - right).max() < 10 * off * np.abs(right).max()
-
-
 def test_a_run_up_table_is_exact_at_its_rows_and_holds_beyond() -> None:
     t = np.array([0.0, 0.3, 1.0])
     samples = Samples(

@@ -1,4 +1,4 @@
-"""Regime files: what is read, in which units; every bad input one line, all of a file together."""
+"""Regimes: laws of speed and their derivatives, motors, what a file says in which units, every bad input one line."""
 
 from __future__ import annotations
 
@@ -11,7 +11,9 @@ import pytest
 from mahovik import stands
 from mahovik.core.motion import load, loads_regime, steady_regime
 from mahovik.core.motion.laws import Constant, Harmonic, Law, LogSweep, Ramp, RunUp, SpeedTable, Torque, TorqueTable
+from mahovik.core.motion.motor import available_torque, drive, friction, required_torque
 from mahovik.core.stand import load as load_stand
+from mahovik.core.stand.model import Motor
 from mahovik.errors import RegimeError
 
 SHAKER = load_stand(stands.path("shaker2"))
@@ -156,16 +158,6 @@ def test_tables_out_of_range(content: str, words: str, tmp_path: Path) -> None:
     assert words in line
 
 
-@pytest.mark.parametrize("until", [0.3, 4.1])
-def test_a_last_time_in_ms_that_is_until(until: float, tmp_path: Path) -> None:
-    """Converted it may be a hair below; half a step of output less is not the same."""
-    for end in (until, float(np.nextafter(until, 0.0))):
-        (tmp_path / "a.csv").write_text(f"t [ms],phi_dot\n0,1\n{end * 1e3!r},3\n")
-        loads_regime(regime_of_left('table = "a.csv"'), SHAKER, until, "r.toml", tmp_path)
-    (tmp_path / "a.csv").write_text(f"t [ms],phi_dot\n0,1\n{until * 1e3 * (1 - 1e-9)!r},3\n")
-    assert "but the simulation runs" in problems(regime_of_left('table = "a.csv"'), tmp_path, until)[0]
-
-
 def test_missing_files(tmp_path: Path) -> None:
     (line,) = problems(regime_of_left('table = "none.csv"'), tmp_path)
     assert "cannot be read: No such file" in line
@@ -180,3 +172,72 @@ def test_all_problems_are_reported_together() -> None:
     assert [
         w for w in ("lefd", 'unit "m"', 'unit "kg"', '"right": has no law', 'body "x"') if w not in "\n".join(found)
     ] == []
+
+
+TABLE = SpeedTable.of(np.array([-0.5, 0.0, 0.3, 1.0, 2.5]), np.array([1.0, 3.0, -2.0, 5.0, 4.0]))
+Smooth = Constant | Ramp | LogSweep | Harmonic | SpeedTable
+LAWS: list[Smooth] = [
+    Constant(-4.0),
+    Ramp(2.0, 30.0, 0.25, 1.5),
+    Ramp(30.0, -2.0, 0.0, 0.5),
+    LogSweep(2.0, 40.0, 0.25, 1.5),
+    LogSweep(-3.0, -3.0, 0.0, 1.0),
+    Harmonic(5.0, 3.0, 2.0, 0.7),
+    TABLE,
+]
+
+
+@pytest.mark.parametrize("law", LAWS, ids=lambda law: type(law).__name__)
+def test_speed_and_acceleration_are_the_derivatives_of_the_phase(
+    law: Smooth,
+) -> None:
+    """Central differences, away from the corners; and the phase begins at zero."""
+    h = 1e-4
+    t = np.linspace(0.013, 1.987, 151)
+    corners = np.array([c for c in law.breaks if c > 0] or [-1.0])
+    t = t[np.abs(t[:, None] - corners).min(axis=1) > 2 * h]
+    before, now, after = (law.motion(t + shift) for shift in (-h, 0.0, h))
+    assert law.motion(np.zeros(1))[0][0] == pytest.approx(0.0, abs=1e-14)
+    np.testing.assert_allclose((after[0] - before[0]) / (2 * h), now[1], rtol=1e-6, atol=1e-6)  # third derivative h2/6
+    np.testing.assert_allclose((after[1] - before[1]) / (2 * h), now[2], rtol=1e-5, atol=1e-5)
+
+
+def test_ramps_and_sweeps_reach_their_ends_and_stay() -> None:
+    for law in (Ramp(2.0, 30.0, 0.25, 1.5), LogSweep(2.0, 30.0, 0.25, 1.5)):
+        _, speed, acceleration = law.motion(np.array([0.1, 0.25, 1.75, 3.0]))
+        np.testing.assert_allclose(speed, [2.0, 2.0, 30.0, 30.0], rtol=1e-14)
+        np.testing.assert_array_equal(acceleration[[0, 3]], 0.0)
+    middle = LogSweep(2.0, 32.0, 0.0, 2.0).motion(np.array([1.0]))[1][0]
+    assert middle == pytest.approx(8.0, rel=1e-14)  # the geometric mean
+
+
+def test_torque_laws_command_what_they_say() -> None:
+    assert Torque(0.3).command(7.0, 100.0) == 0.3
+    table = TorqueTable(np.array([0.0, 2.0]), np.array([1.0, 5.0]))
+    assert table.command(0.5, 9.0) == 2.0
+    run_up = RunUp(0.2, 100.0, 1.0)
+    assert run_up.command(0.0, 0.0) == pytest.approx(0.2, rel=1e-12)
+    assert run_up.command(0.0, 100.0) == 0.0
+    assert run_up.command(0.0, 200.0) == pytest.approx(-0.2, rel=1e-12)
+    assert RunUp(0.2, -100.0, 1.0).command(0.0, 0.0) == pytest.approx(-0.2, rel=1e-12)
+
+
+MOTOR = Motor(0.2, 100.0, None, None, None, 1e-3, 5e-3, 0.1)
+
+
+def test_available_torque_falls_linearly_to_the_no_load_speed_and_brakes_in_full() -> None:
+    assert [available_torque(MOTOR, 1.0, w) for w in (0.0, 50.0, 100.0, 150.0)] == [0.2, 0.1, 0.0, 0.0]
+    assert [available_torque(MOTOR, -1.0, w) for w in (0.0, -50.0, -100.0)] == [0.2, 0.1, 0.0]
+    assert available_torque(MOTOR, -1.0, 90.0) == 0.2
+    assert available_torque(Motor(None, 100.0, None, None, None, 0, 0, 0.1), 1.0, 500.0) == math.inf
+    assert available_torque(Motor(0.2, None, None, None, None, 0, 0, 0.1), 1.0, 500.0) == 0.2
+
+
+def test_friction_opposes_and_adds_to_the_limited_command() -> None:
+    assert friction(MOTOR, 50.0) == pytest.approx(-0.05 - 0.005, rel=1e-12)
+    assert friction(MOTOR, 0.0) == 0.0
+    assert drive(MOTOR, 5.0, 50.0) == pytest.approx(0.1 - 0.055, rel=1e-12)
+    assert drive(MOTOR, -5.0, 50.0) == pytest.approx(-0.2 - 0.055, rel=1e-12)
+    assert drive(MOTOR, 0.01, 50.0) == pytest.approx(0.01 - 0.055, rel=1e-12)
+    assert drive(None, 5.0, 50.0) == 5.0
+    assert required_torque(MOTOR, drive(MOTOR, 0.03, 50.0), 50.0) == pytest.approx(0.03, rel=1e-12)

@@ -54,12 +54,6 @@ def test_limits_are_those_of_the_motors_and_encoders_those_of_the_stand() -> Non
     assert problems(LEAST + 'encoder = "stand"\n') == ['encoder: "stand", but the stand file has none for left, right']
 
 
-def test_the_servos_of_the_examples_are_good() -> None:
-    for name in stands.names():
-        for path in stands.servos(name):
-            assert load_servo(path, load(stands.path(name))).period > 0
-
-
 @pytest.mark.parametrize(
     ("text", "reason"),
     [

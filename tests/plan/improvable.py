@@ -17,7 +17,7 @@ from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.search import HARMONIC_COUNTS, Candidate, Improver, search
 from mahovik.use.plan.windings import Kind
-from plan.examples import example
+from plan.problems import example
 
 N = 8
 UNTIL = 4000

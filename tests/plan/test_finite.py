@@ -21,7 +21,7 @@ from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, search_finite, table_of
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Problem
-from plan.examples import example
+from plan.problems import example
 from toolchain.quick import quick
 
 SPAN = 0.3
@@ -139,11 +139,3 @@ def test_one_unbalanced_wheel_turns_a_carrier_on_a_pivot(samples: int, free: boo
         wanted.append(twist_rate(own, course.q[k], course.q_dot[k], course.q_ddot[k]))
         errors.append(acceleration(at, own, angles.phi_ddot[k]) - wanted[-1])
     assert np.abs(errors).max() < 1e-5 * np.abs(wanted).max()
-
-
-def test_a_wheel_across_the_freedom_is_not_followed() -> None:
-    """Only its unbalance acts along the freedom, in vain at rest: no programme, and no warning of NumPy."""
-    own = loads(PIVOT.replace("axis = [0, 1, 0]", "axis = [1, 0, 0]"))
-    problem = Problem.of(own, turn(own, 41))
-    state = search_finite(FiniteProblem.from_problem(problem), np.zeros(1), 0, Budget(40))
-    assert not state.found and state.starts > 0

@@ -15,11 +15,9 @@ from mahovik.core.motion.required import RequiredMotion, read_motion
 from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
 from mahovik.proof.verify.programme import held, simulation, verify_programme
-from mahovik.use.control.coordinates import held_coordinates
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.motors import motor_warnings
-from mahovik.use.plan.problem import Periodic, Problem
-from mahovik.use.plan.residual.held_kinematics import held_pose, held_slopes, held_twists
+from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists
 from mahovik.use.plan.smoothing import smoothing_warnings
 from plan.held_stands import HOLDS, stand, wheel
 
@@ -147,17 +145,6 @@ def test_bounds_are_kept_or_refused() -> None:
     assert planned(SHAKER, tight).reason == "BOUND_REACH"
 
 
-def test_a_held_carrier_with_all_six_freedoms_has_the_residual_of_a_free_one() -> None:
-    """Rows along the freedoms are those of (12); norms are the same for any rows."""
-    wheels = wheel(1, [1, 0, 0], 4, (0.1, 0, 0)) + wheel(2, [0, 1, 1], 3, (0, 0.1, 0))
-    own = stand('freedoms = ["x", "y", "z", "roll", "pitch", "yaw"]', wheels, gravity=0)
-    slide = {"cos": [1e-3, 2e-3, 0, 0, 0, 0]}  # without turns the coordinates of both are the same
-    problems = [Problem.of(each, motion(each, slide)) for each in (own, replace(own, hold=None))]
-    flywheels = Periodic(1.0, np.array([1.0, -1.0]), np.array([[0.1, 0.2, 0.3], [0.4, -0.2, 0.1]]), np.zeros(6))
-    a, b = (each.relative(flywheels) for each in problems)
-    assert a == pytest.approx(b, rel=1e-12)
-
-
 @pytest.mark.parametrize("hold", HOLDS)
 def test_planner_and_verification_have_the_same_kinematics(hold: str) -> None:
     """Adjoints of screws against products of 4x4 matrices; and V* against differences of V."""
@@ -205,34 +192,6 @@ def test_a_neutral_carrier_swings_or_drifts(law: str, words: str) -> None:
     found = planned(own, required, verify=False)
     finding = simulation.floquet_finding(own, required, found.programmes[0], 1.001)
     assert finding.words.startswith(f"largest multiplier: {words}")
-
-
-POSES = (
-    'freedoms = ["pitch"]\npivot = [0.1, 0, -0.2]',
-    "axis = [1, 2, -1]\npivot = [0.1, 0.3, -0.2]",
-    'freedoms = ["x", "z"]',
-    'freedoms = ["z", "x", "pitch"]\npivot = [0.1, 0.3, -0.2]',
-    'freedoms = ["pitch", "roll", "yaw"]\npivot = [0.1, 0.3, -0.2]',
-    "basis = [[0, 0.2, 0.1, 1, 0, 0]]",
-)
-
-
-@pytest.mark.parametrize("hold", POSES)
-def test_coordinates_of_poses_are_found_again(hold: str) -> None:
-    """From other ones nearby, each row by itself; slopes are those of V; a pose that is not reached is NaN."""
-    own = stand(f"{hold}\nposition = [1, 2, 3]\nangles = [0.3, -0.2, 0.1]", wheel(1, [1, 0, 0]))
-    assert own.hold is not None
-    rng, m = np.random.default_rng(5), len(own.hold.freedoms)
-    x, rates = rng.uniform(-1.0, 1.0, (40, m)), rng.normal(size=(40, m))
-    C, O1 = held_pose(own, x)
-    near = x + rng.uniform(-0.3, 0.3, x.shape)
-    found = held_coordinates(own, O1, C, near)
-    assert np.abs(found - x).max() < 1e-11
-    assert np.array_equal(held_coordinates(own, O1[:1], C[:1], near[:1]), found[:1])
-    V = (held_slopes(own, x) @ rates[:, :, None])[:, :, 0]
-    assert np.abs(V - held_twists(own, Course(x, rates, np.zeros_like(x)))[0]).max() < 1e-13
-    far = O1 + np.cross([0.3, 0.1, 0.2], np.arange(1.0, 4.0)) + 0.2
-    assert np.isnan(held_coordinates(own, far, C, near)[0]).all()
 
 
 @pytest.mark.parametrize(

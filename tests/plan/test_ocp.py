@@ -18,13 +18,13 @@ from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.objective import Cost, Rows
 from mahovik.use.plan.ocp.plan import periodic_start
 from mahovik.use.plan.ocp.solve import ScaledProblem, Start, solve
-from mahovik.use.plan.ocp.structure import Mesh, Structure
-from mahovik.use.plan.ocp.transcription import node_functions, transcription
+from mahovik.use.plan.ocp.structure import Mesh
+from mahovik.use.plan.ocp.transcription import node_functions
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.residual import prescribe, residual, torques
-from plan.examples import example
-from plan.examples import problem as example_problem
 from plan.held_stands import stand, wheel
+from plan.problems import example
+from plan.problems import problem as example_problem
 from plan.test_held import motion
 
 
@@ -78,26 +78,6 @@ def test_a_node_is_what_the_residual_says(problem: Any, m: int, N: int) -> None:
     np.testing.assert_allclose(y[:, -N:] * own.torque, tau, rtol=1e-8, atol=1e-10)
     parts = own.cost.value(angles, np.zeros(N), Rows.of(tau))
     np.testing.assert_allclose(cost.mean(), sum(parts.values()), rtol=1e-10)
-
-
-def test_derivatives_of_the_programme_are_those_of_its_rows() -> None:
-    """Gradient, Jacobian, Hessian against central differences along a direction; the programme is built once."""
-    kinds, breaks = frozenset({"torque", "angle"}), (0.0, 0.3, 0.7, 1.0)
-    structure = Structure(7, breaks, 2, 2.0 * np.pi, True, kinds)
-    own, rng = transcription(structure), np.random.default_rng(1)
-    assert transcription(Structure(7, breaks, 2, 2.0 * np.pi, True, frozenset(kinds))) is own
-    x, d = rng.normal(size=(2, structure.size))
-    p, lam = rng.normal(size=own.solver.size1_in("p")), rng.normal(size=own.solver.size1_in("lbg"))
-    gradient, jacobian, bend = (own.solver.get_function(f"nlp_{name}") for name in ("grad_f", "jac_g", "hess_l"))
-    e = 1e-6
-    sides = [(gradient(x + h * d, p), jacobian(x + h * d, p)) for h in (e, -e)]
-    slope, J = gradient(x, p)[1], jacobian(x, p)[1]
-    rate = [(np.asarray(sides[0][k][m]) - np.asarray(sides[1][k][m])) / (2 * e) for k, m in ((0, 0), (1, 0), (0, 1))]
-    np.testing.assert_allclose(np.asarray(slope).ravel() @ d, float(rate[0].item()), rtol=1e-6)
-    np.testing.assert_allclose(np.asarray(J) @ d, rate[1].ravel(), rtol=1e-5, atol=1e-6 * np.abs(rate[1]).max())
-    H = np.asarray(bend(x, p, 0.7, lam))
-    expected = 0.7 * rate[2].ravel() + (np.asarray(sides[0][1][1]) - np.asarray(sides[1][1][1])).T @ lam / (2 * e)
-    np.testing.assert_allclose((H + np.triu(H, 1).T) @ d, expected, rtol=1e-4, atol=1e-6 * np.abs(expected).max())
 
 
 def test_wheels_share_the_moment_as_they_reach_the_axle() -> None:

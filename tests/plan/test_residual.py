@@ -24,7 +24,7 @@ from mahovik.use.plan.forward import (
     equilibrium,
 )
 from mahovik.use.plan.residual import Mechanics, linear, prescribe, residual, torques
-from plan.courses import literal, random_course
+from plan.problems import literal, random_course
 
 KINDS = [replace(EVERYTHING, angles=s) for s in SEQUENCES] + [BARE, Features(), Features()]
 

@@ -16,15 +16,11 @@ from mahovik.laws.suspension.data import Suspension
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.levenberg import StartBatch
-from mahovik.use.plan.optimise import evaluate
-from mahovik.use.plan.planner import not_found_message
 from mahovik.use.plan.preflight import Preflight, preflight
 from mahovik.use.plan.problem import EXACT_WITH_KINKS, Problem
-from mahovik.use.plan.search import Candidate, Improver, Search, search
-from mahovik.use.plan.windings import allowed_windings
-from plan.examples import example, problem
-from plan.improvable import N, Plain, plain, setting
-from plan.problems import PERIOD, required
+from mahovik.use.plan.search import Improver, search
+from plan.improvable import Plain
+from plan.problems import example, problem, required
 
 
 @pytest.mark.parametrize(
@@ -46,49 +42,8 @@ def test_programmes_of_the_examples_are_exact(
     assert (first.kind, first.motion.winding.tolist()) == (kind, winding)
 
 
-ONE = 2 * np.pi / PERIOD
-"""rad/s: a turn a period."""
-
-
 def motion(bounds: Bounds, winding: Winding = "any") -> RequiredMotion:
     return replace(required(3, bounds=bounds), winding=winding)
-
-
-@pytest.mark.parametrize(
-    "least, most, spin, rock",
-    [
-        (0.0, 9.0, (-1, 1), (0,)),
-        (0.0, 0.9, (0,), (0,)),
-        (0.4, 9.0, (-1, 1), (-1, 1)),
-        (1.0, 9.0, (-1, 1), (-1, 1)),
-        (1.1, 9.0, (-2, 2), (-2, 2)),
-    ],
-)
-def test_mean_speeds_lie_inside_the_bounds(
-    least: float, most: float, spin: tuple[int, ...], rock: tuple[int, ...]
-) -> None:
-    """Bounds in turns per period: too slow a bound stops the spinning, a least speed the rocking."""
-    own = motion(Bounds(speed=(most * ONE,) * 3, speed_min=(least * ONE,) * 3))
-    assert allowed_windings("spin", own, 1) == spin
-    assert allowed_windings("rock", own, 1) == rock
-    assert set(allowed_windings("mixed", own, 1)) == set(spin) | (set(rock) if least == 0.0 else set())
-
-
-def pushed() -> tuple[Improver, Search[Candidate]]:
-    """A search of which the bound has left one attempt that is no programme."""
-    own = setting(Bounds(torque=(0.03,) * N))
-    free = plain("rock")
-    attempt = own.candidate(evaluate(own.problem, own.cost, free.with_harmonics(2), 0), "rock", free)
-    assert not attempt.exact
-    return own, Search(beyond=[attempt])
-
-
-def test_a_search_without_a_programme_names_the_bound_that_its_nearest_attempt_exceeds() -> None:
-    _, found = pushed()
-    words = not_found_message(found)
-    assert "the nearest attempt exceeds a bound, torque of w" in words
-    assert "bound is 0.03" in words and "try wider bounds" in words
-    assert "bound" not in not_found_message(Search())
 
 
 def refused(found: Preflight) -> tuple[str, str]:
@@ -255,12 +210,3 @@ def test_a_bound_that_cannot_be_kept() -> None:
     assert f"bound is 60: {peak / 60.0:.2g}" in found.words[0]
     assert programme.report["bounds_used"] == pytest.approx(peak / 60.0, rel=1e-3)
     assert list(programme.report["exceeded"]) == list(found.words)
-
-
-def test_the_end_of_the_steps_gives_the_best_so_far() -> None:
-    """Cut in the middle of the optimisation: an exact programme, though not the best."""
-    stand, motion = example("bench8")
-    cut = plan_motion(stand, replace(motion, bounds=Bounds()), replace(QUICK, winding="rock", steps=25))
-    assert cut.status == "OK"
-    assert cut.effort["steps"] == 25
-    assert cut.programmes[0].report["residual"] < 1e-6

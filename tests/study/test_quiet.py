@@ -24,7 +24,7 @@ from mahovik.use.study.quiet import QuietOptions, QuietResult, quiet
 from mahovik.use.study.quiet.search import Search, SpeedChoice
 from mahovik.use.study.quiet.simulation import band_rms, line_amplitude
 from mahovik.use.study.response.periodic import periodic_response
-from study.test_response_held import shaker, table
+from study.test_response_held import table
 
 RPM = math.pi / 30.0
 BAND = (20.0, 200.0)
@@ -146,14 +146,6 @@ def force_table() -> Stand:
     return mahovik.Stand.from_dict(document)
 
 
-def on_rail() -> Stand:
-    """Two exciters on a damped rail along z, of 160 and 140 g m, and a point."""
-    document: dict[str, Any] = shaker(False) | {"point": [{"name": "eye", "position": [0.1, 0.0, 0.2]}]}
-    first = document["flywheel"][0]
-    document["flywheel"].append(first | {"name": "v", "unbalance": {"static": "140 g m", "static_at": "70 deg"}})
-    return mahovik.Stand.from_dict(document)
-
-
 @pytest.mark.parametrize("backend", [None, pytest.param("c", marks=pytest.mark.slow)])
 def test_two_wheels_cancel_on_a_force_table(backend: str | None) -> None:
     """Together they leave the difference of the unbalances, half a turn apart; no momentum has to be kept."""
@@ -167,23 +159,6 @@ def test_two_wheels_cancel_on_a_force_table(backend: str | None) -> None:
     if backend is not None:
         assert after.simulated == pytest.approx(after.rms, rel=1e-3)
         assert found.result.agrees
-
-
-@pytest.mark.parametrize("backend", [None, pytest.param("c", marks=pytest.mark.slow)])
-def test_two_exciters_cancel_at_a_point_on_a_rail(backend: str | None) -> None:
-    """They leave m e w^2 / (k - M w^2 + i c w) of 20 g m; the motion begins on the steady motion, on the rail."""
-    stand = on_rail()
-    words: dict[str, Any] = {"speeds": {"w": "601rpm", "v": "599rpm"}, "change": "5 rpm", "backend": backend}
-    found = mahovik.quiet(stand, "eye", (5.0, 50.0), measure="displacement", **words)
-    w = float(found.speeds[0])
-    z = 0.02 * w**2 / abs(4e4 - 76.0 * w**2 + 300j * w)
-    after = found.result.after
-    assert after.rms == pytest.approx(z / math.sqrt(2.0), rel=1e-6)
-    start = after.start
-    assert start.position[:2] == (0.0, 0.0) and abs(start.position[2]) <= z * (1.0 + 1e-6)
-    assert len(start.u) == 1
-    if backend is not None:
-        assert found.result.agrees and after.simulated == pytest.approx(after.rms, rel=1e-2)
 
 
 @pytest.mark.parametrize(

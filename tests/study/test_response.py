@@ -98,11 +98,6 @@ def test_a_floating_stand_keeps_its_centre_of_mass() -> None:
     assert np.abs(momenta[1] - momenta[0]).max() < 1e-9
 
 
-def test_a_stand_that_falls_has_no_steady_state() -> None:
-    with pytest.raises(CheckError, match="nothing carries"):
-        Scene.of(load(path("remus6")))
-
-
 @pytest.mark.parametrize(
     ("speeds", "base", "turns"),
     [
@@ -171,14 +166,6 @@ def test_a_sweep_finds_the_resonance(bench8: Scene) -> None:
     assert not found.interrupted
 
 
-def test_a_sweep_can_be_cut_and_says_so(bench8: Scene) -> None:
-    asked = read_speeds(bench8.stand, ["w1=0..100rpm"])
-    found = sweep(bench8.stand, asked, 11, "carrier", go_on=lambda done: done < 2)
-    assert found.interrupted
-    assert len(found.steps) == 2
-    assert np.isnan(found.steps[0].at(0)[0])
-
-
 def undamped(share: float) -> Stand:
     """bench8 with an unbalanced flywheel alone, and springs without damping: 1.5 Hz in translation."""
     stand = unbalanced(load(path("bench8")), share)
@@ -203,12 +190,6 @@ def test_an_undamped_resonance_is_told_and_the_sweep_goes_on() -> None:
     found = periodic_response(undamped(100.0), [2 * math.pi * 1.8] + [0.0] * 7, [])  # parametric resonance
     assert found.multiplier > 1.1
     assert not found.stable
-
-
-def test_lines_that_fall_together_are_one(bench8: Scene) -> None:
-    found = sweep(bench8.stand, read_speeds(bench8.stand, ["w1=60..100rpm", "w2=0.5*w1"]), 2, "carrier")
-    assert found.lines()[0].name in ("1 x w1 = 2 x w2", "1 x w2")
-    assert {line.name for line in found.lines()} >= {"1 x w1 = 2 x w2", "1 x w2", "3 x w2"}
 
 
 def test_rms_of_a_band() -> None:

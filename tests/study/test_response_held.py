@@ -251,16 +251,6 @@ def test_requirements_on_a_force(tmp_path: Path) -> None:
     assert "expected a force" in refused(*asked, "--require", "rms 1 arcsec")
 
 
-def test_a_line_of_sight_of_a_held_carrier(tmp_path: Path) -> None:
-    """An angle of 3 rad/m along the rail sees three times the displacement."""
-    document = shaker(False) | {"point": [{"name": "eye"}]}
-    (tmp_path / "sight.csv").write_text("eye z [rad/m],eye ry [-]\n3,1\n0,0\n")
-    stand = stand_of(document)
-    angle = mahovik.jitter(stand, {"w": 24.0}, sight=tmp_path / "sight.csv")
-    moved = mahovik.jitter(stand, {"w": 24.0}, "eye", quantity="displacement")
-    assert size(angle, "w")[0] == pytest.approx(3.0 * size(moved, "w")[2], rel=1e-9)
-
-
 @pytest.mark.slow
 def test_it_is_the_motion_of_the_c_through_time() -> None:
     """A pendulum under two wheels, stepped with a carry until it is steady; lines fitted to what it reads over 40 s."""

@@ -16,7 +16,6 @@ from mahovik.core.stand.random import Features, random_stand
 from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError
-from mahovik.laws.leg.data import Leg, Legs
 from mahovik.laws.suspension.data import Suspension
 from mahovik.proof import reference
 from mahovik.proof.reference.rotation import carrier_rotation
@@ -49,18 +48,6 @@ def test_random_suspended_stands_rest(seed: int) -> None:
     stand = random_stand(np.random.default_rng(seed), 3, features)
     found = rest(stand, [0.3, 1.0, -2.0])
     assert (acceleration(stand, found.state) <= 1e-10).all()  # forces of 1e3 N on inertias of 0.1 kg m2: rounding
-
-
-def test_three_legs_hang_a_pendulum() -> None:
-    """A body on one leg hangs below its ground point, stretched by its weight, from a start far off."""
-    stand = load(stands.path("shaker2"))
-    leg = Leg((0.3, 0.0, 1.0), (0.0, 0.0, 0.0), 0.8, 1000.0, 1.0)
-    found = rest(replace(stand, laws=(Legs((leg,)),)), [0.0, 0.0])
-    x, y, z = found.state.position
-    weight = sum(body.mass for body in stand.bodies) * 9.81
-    assert (x, y) == pytest.approx((0.3, 0.0), abs=1e-9)
-    assert z == pytest.approx(1.0 - 0.8 - weight / 1000.0, rel=1e-9)
-    assert not found.unstable
 
 
 def test_weight_that_nothing_carries() -> None:

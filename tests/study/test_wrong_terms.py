@@ -2,43 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
 
-from mahovik.core.stand.model import Stand
+from mahovik.contract.laws import of_bodies
+from mahovik.core.stand.model import Carrier, Mat6, Stand
 from mahovik.core.stand.read import load, loads
+from mahovik.core.stand.state import rest_state
 from mahovik.errors import CheckError
+from mahovik.laws.cross_flow.data import CrossFlow
 from mahovik.laws.damping.faults import coefficients
+from mahovik.laws.fading.data import FadingDamping
+from mahovik.laws.fin.data import Fins
+from mahovik.laws.propeller.data import Propeller, Propellers
 from mahovik.proof import reference
 from mahovik.proof.diagnose.diagnosis import Cause, Diagnosis
 from mahovik.proof.diagnose.faults import DICTIONARY
 from mahovik.proof.diagnose.predict import Part
 from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
-from mahovik.proof.diagnose.words import as_object, sentences
+from mahovik.proof.diagnose.words import as_object
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.hold import held_state, twists
 from mahovik.proof.reference.torque import torque
+from mahovik.proof.reference.wrench_kinds import body_wrench
+from mahovik.proof.verify.actuators import stand_at, with_drawn_actuators
 from mahovik.proof.verify.states import Request
 from mahovik.stands import path
 
-BODY = """
-schema = 1
-name = "body"
-gravity = [0, 0, -9.81]
-[carrier]
-mass = 2.0
-inertia = [0.02, 0.03, 0.04]
-[suspension]
-damping = [1.0, 1.5, 2.0, 0.1, 0.1, 0.1]
-"""
-BODIES = {"damped": BODY, "sprung": BODY + "stiffness = [9, 9, 9, 3, 3, 3]\n"}
 EXAMPLES = Path(__file__).parents[2] / "docs" / "held"
 CHANGED = {
     "arm": ("pendulum", 'freedoms = ["pitch"]', 'freedoms = ["pitch"]\npivot = [0, 0, "-50 mm"]'),
@@ -52,9 +49,7 @@ Change = Callable[[Any, Any, Pieces], None]
 
 @cache
 def stand_of(name: str) -> Stand:
-    """An example; `hull`: remus6 without its flywheels, which has far fewer products; a sprung body; a held stand."""
-    if name in BODIES:
-        return loads(BODIES[name])
+    """An example; `hull`: remus6 without its flywheels, which has far fewer products; a held stand."""
     if name == "hull":
         return replace(load(path("remus6")), flywheels=())
     example, old, new = CHANGED.get(name, (name, "", ""))
@@ -78,7 +73,7 @@ def first_moment(name: str) -> float:
     return stand.carrier.mass * stand.carrier.center_of_mass[2] + wheels
 
 
-def answer_with(stand: Stand, change: Change, request: Request, tau_change: Any = 0.0) -> Mapping[str, Any]:
+def answer_with(stand: Stand, change: Change, request: Request) -> Mapping[str, Any]:
     """What a program with these wrong equations answers; one of a held carrier solves them along the freedoms."""
     held = stand.hold is not None
     S = np.eye(6) if stand.hold is None else twists(stand.hold)
@@ -93,7 +88,7 @@ def answer_with(stand: Stand, change: Change, request: Request, tau_change: Any 
     if request.want == ("forward",):
         u_dot = np.linalg.solve(S.T @ K @ S, S.T @ right - I @ phi_ddot)
     else:
-        tau = np.array(state.tau) - torque(at, np.zeros(6), 0.0 * phi_ddot) + tau_change
+        tau = np.array(state.tau) - torque(at, np.zeros(6), 0.0 * phi_ddot)
         system = np.block([[S.T @ K @ S, I], [I.T, at.Theta_ff]])
         u_dot, phi_ddot = np.split(np.linalg.solve(system, np.concatenate([S.T @ right, tau])), [S.shape[1]])
     if not held:
@@ -190,22 +185,6 @@ def test_moments_are_about_the_pivot() -> None:
     assert "1 along 1 (turning about (0, 0.707107, 0.707107)); speeds: u_1" in result.freedoms
 
 
-@pytest.mark.parametrize(("name", "factor", "expected"), [("damped", -1.65, -1.5), ("sprung", -0.15, None)])
-def test_a_term_of_a_suspension_is_not_one_that_should_not_be_there(
-    name: str, factor: float, expected: float | None
-) -> None:
-    """Where the rest of a suspension is no sum of products, only the error of a factor is known."""
-
-    def change(_: Any, right: Any, at: Pieces) -> None:
-        right[1] -= 0.15 * at.V_r[1]
-
-    result = terms_found(name, change)
-    (term,) = result.terms
-    assert (term.component, term.term, term.multiple.coefficient) == ("Y", "v", "")
-    assert (term.multiple.factor, term.multiple.expected) == pytest.approx((factor, expected), abs=1e-9)
-    assert "should not be there" not in " ".join(sentences(Diagnosis("unknown").with_terms(result)))
-
-
 def test_terms_of_torques() -> None:
     """Of phases in the motion are those of the table above."""
     stand = stand_of("demo3")
@@ -218,23 +197,6 @@ def test_terms_of_torques() -> None:
     result = search("demo3", "torque").find(answers)
     assert result.whole
     assert {(x.want, x.component, x.term) for x in result.terms} == {("torque", "w2", "p q")}
-
-
-@pytest.mark.slow
-def test_terms_of_coupled_equations() -> None:
-    """A wrong drive torque and a wrong force at once, in a program that is asked for the motion under torques."""
-    stand, mass = stand_of("shaker2"), total_mass("shaker2")
-
-    def force(_: Any, right: Any, at: Pieces) -> None:
-        right[2] -= 2 * mass * at.V_r[0] * at.V_r[4]
-
-    result = search("shaker2", "coupled").find(
-        lambda request: answer_with(stand, force, request, [0.0, -0.02 * request.state.phi_dot[1]])
-    )
-    assert result.whole
-    wheel = stand.flywheels[1].name
-    terms = {(x.want, x.component, x.term, round(x.error, 9)) for x in result.terms}
-    assert terms == {("coupled", "Z", "u q", -2 * mass), ("coupled", wheel, f"{wheel}.speed", 0.02)}
 
 
 def test_programs_that_cannot_be_searched_are_refused() -> None:
@@ -257,20 +219,6 @@ def test_programs_that_cannot_be_searched_are_refused() -> None:
         search("demo3", "forward").find(lambda request: late[request.id.removesuffix(", again")])
 
 
-def test_an_equation_that_is_left_out_as_a_whole_has_no_name() -> None:
-    """The error of any program is its K V* less the right-hand side: all terms of a short equation are no answer."""
-    body = replace(stand_of("demo3"), flywheels=(), gravity=(0.0, 0.0, 0.0))
-
-    def answers(request: Request) -> Mapping[str, Any]:
-        V_dot = list(reference.evaluate(body, request.state, request.want).get("V_dot", ()))
-        if V_dot:
-            V_dot[0] = np.sin(3.0 * request.state.V[0])
-        return {"V_dot": V_dot}
-
-    result = TermSearch(body, wants=("forward",)).find(answers)
-    assert (result.whole, result.terms) == (False, ())
-
-
 def test_a_term_takes_the_place_of_two_faults_but_not_of_one() -> None:
     result = terms_found("pendulum", wrong_arm("pendulum"))
     one, other = (Part(fault) for fault in DICTIONARY[:2])
@@ -288,3 +236,103 @@ def test_a_diagnosis_by_terms_as_data() -> None:
     assert data["unexplained"] < 1e-9
     assert as_object(Diagnosis("unknown"))["verdict"] == "unnamed"
     assert as_object(Diagnosis("equal"))["verdict"] == "none"
+
+
+VEHICLES = Path(__file__).parents[2] / "docs" / "vehicles"
+
+
+@cache
+def vehicle() -> Stand:
+    """REMUS 100, of which Y_vdot = Z_wdot, with planes, a propeller, strips and fading damping; actuators at zero."""
+    hull = load(VEHICLES / "remus100.toml")
+    linear = tuple(tuple(1.0 + i if i == j else 0.1 * (i + j) for j in range(6)) for i in range(6))
+    table = (0.1, 0.2, 0.1)
+    return replace(
+        hull,
+        carrier=hull.carrier.with_laws(
+            Propellers((Propeller("screw", (-0.7, 0.0, 0.01), (1.0, 0.0, 0.0), 1000.0, 0.14, (0.3, -0.2, -0.1),
+                                  (0.03, -0.02, -0.01), 0.0, 0.1, 0.05, False, False),)),
+            CrossFlow(1000.0, (-0.6, 0.1, 0.7), table, table, (0.9, 1.0, 1.1), (0.7, 0.8, 0.6), 2, True),
+            FadingDamping(cast(Mat6, linear), 1.5),
+        ),
+    )  # fmt: skip
+
+
+@cache
+def law_search() -> TermSearch:
+    return TermSearch(vehicle(), wants=("forward",), actuators=True)
+
+
+def law_terms_found(wrong: Callable[[Stand], Stand], rows: Sequence[int] = range(6)) -> TermSearchResult:
+    """Search in a program that has another law in some components of the wrench."""
+
+    def answers(request: Request) -> Mapping[str, Any]:
+        right_stand = stand_at(vehicle(), request.state)
+        at, other = (reference.pieces(x, request.state) for x in (right_stand, wrong(right_stand)))
+        right = at.F - bias(at)
+        change = body_wrench(other.terms["carrier"]) - body_wrench(at.terms["carrier"])
+        right[list(rows)] += change[list(rows)]
+        V_r_dot = np.asarray(np.linalg.solve(at.K, right), dtype=np.float64)
+        return {"V_dot": at.V_dot(V_r_dot).tolist()}
+
+    return law_search().find(answers)
+
+
+def with_fin(share: float) -> Callable[[Stand], Stand]:
+    """A share of the lift slope of the first fin."""
+
+    def change(stand: Stand) -> Stand:
+        first, *others = law_of(stand, Fins).fins
+        return with_law(stand, Fins((replace(first, lift_slope=share * first.lift_slope), *others)))
+
+    return change
+
+
+def law_of(stand: Stand, kind: Any) -> Any:
+    law = stand.carrier.law(kind)
+    assert law is not None
+    return law
+
+
+def with_law(stand: Stand, law: Any) -> Stand:
+    carrier: Carrier = stand.carrier.with_laws(law)
+    return replace(stand, carrier=carrier)
+
+
+def with_fading_element(stand: Stand) -> Stand:
+    rows = [list(row) for row in law_of(stand, FadingDamping).linear]
+    rows[2][4] *= -1
+    return with_law(stand, replace(law_of(stand, FadingDamping), linear=tuple(map(tuple, rows))))
+
+
+@pytest.mark.parametrize(
+    ("wrong", "rows", "expected"),
+    [
+        (with_fin(-1.0), range(6), {(c, "rudder lift", -1.0, 1.0, "rudder.lift_slope") for c in "YN"}),
+        (with_fading_element, range(6), {("Z", "exp(-rate U) q", -1.0, 1.0, "carrier.fading_damping.linear[2][4]")}),
+    ],
+)
+def test_a_wrong_coefficient_is_named(
+    wrong: Callable[[Stand], Stand], rows: Sequence[int], expected: set[tuple[Any, ...]]
+) -> None:
+    assert named(law_terms_found(wrong, rows)) == expected
+
+
+def test_parts_of_a_law_add_up_to_it() -> None:
+    """The sum of the parts of each detail is the wrench, at states with deflections and speeds of their own."""
+    rng = np.random.default_rng(4)
+    states = [with_drawn_actuators(vehicle(), rest_state(vehicle()), rng) for _ in range(4)]
+    V = rng.normal(size=(4, 6))
+    bodies = [stand_at(vehicle(), state).carrier for state in states]
+    kinds = of_bodies("terms", "KIND")
+    for kind, law_terms in zip(kinds, of_bodies("terms", "law_terms"), strict=True):
+        expected = [
+            {k: P for wrenches in of_bodies("reference", "wrenches") for k, P in wrenches(b, np.zeros(3), x).items()}[
+                kind
+            ]
+            for b, x in zip(bodies, V, strict=True)
+        ]
+        terms = law_terms(bodies, V)
+        for detail in {term.detail for term in terms}:
+            total = sum(term.value * term.wrench for term in terms if term.detail == detail)
+            np.testing.assert_allclose(total, expected, rtol=1e-12, atol=1e-12 * np.abs(expected).max())

@@ -26,7 +26,7 @@ from mahovik.proof.verify.servo.trim_matrix import Balance, least_cost_matrix, r
 from mahovik.stands import path
 from mahovik.use.control.trim import design_trim
 from mahovik.use.plan.planner import plan_motion
-from plan.examples import problem
+from plan.problems import problem
 from toolchain.quick import quick
 from verify.programme.programmes import Case, programme_of
 

@@ -1,0 +1,322 @@
+"""What check says: motions that float loses, damping that drives in a fluid, tasks that the flywheels do not reach."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cli.run import refused, run
+from mahovik.core.stand import Stand, load, loads
+from mahovik.core.stand.random import EVERYTHING, random_stand
+from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.summary import summarize
+from mahovik.core.stand.write import dumps
+from mahovik.proof import reference
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.draw import round_to_float
+from mahovik.proof.verify.functions.carries import end_of_steps
+from mahovik.stands import names, path
+from mahovik.use.study.excess import excess
+from mahovik.use.study.exchange import Exchange
+from mahovik.use.study.fluid import added_mass, fluid, growth
+from mahovik.use.study.increments import lost_increments
+from mahovik.use.study.resolution import FACTOR, MOTIONS, QUANTITIES, UNIT, balanced_flywheel, shortfalls, states
+from mahovik.use.study.task_reach import task_shortfalls
+from physics.general import rows
+from toolchain.quick import quick
+
+
+@cache
+def heavy() -> Stand:
+    """shaker2 on a carrier of 500 t that falls, its left flywheel balanced to a millionth of a gramme millimetre."""
+    stand = load(path("shaker2"))
+    left = balanced_flywheel(stand.flywheels[0])
+    left = replace(left, center_of_mass=(left.center_of_mass[0], 1e-12 / left.mass, 0.0))
+    mass = replace(stand.carrier, mass=5e5, inertia=rows(1e5 * np.array(stand.carrier.inertia)))
+    return replace(stand, carrier=mass, flywheels=(left, *stand.flywheels[1:]), gravity=(0.0, 0.0, -9.81))
+
+
+def speeds(stand: Stand) -> list[float]:
+    return [row.speed for row in summarize(stand).unbalance]
+
+
+@pytest.mark.parametrize("name", names())
+def test_the_examples_are_fine(name: str) -> None:
+    stand = load(path(name))
+    assert shortfalls(stand, speeds(stand)) == []
+
+
+@pytest.mark.parametrize("name", quick(1, ["sat4", "auv6"]))
+def test_rounding_is_what_the_estimate_allows(name: str) -> None:
+    stand = load(path(name))
+    c = CBackend(stand, "float")
+    for motion in MOTIONS:
+        for state in map(round_to_float, states(stand, speeds(stand), motion)):
+            at = reference.pieces(stand, state)
+            for want, quantity in QUANTITIES.items():
+                expected = reference.evaluate(stand, state, [want], at)[quantity.key]
+                off = np.abs(np.array(c.evaluate(state, [want])[quantity.key]) - expected)
+                assert (off <= FACTOR * UNIT * quantity.terms(at, state)).all(), (want, motion)
+
+
+def test_generate_of_float_says_so_as_check_does(tmp_path: Path) -> None:
+    file = tmp_path / "heavy.toml"
+    file.write_text(dumps(heavy()))
+    warned = [line for line in run("check", str(file)).stdout.splitlines() if line.startswith("warning: float: ")]
+    result = run("generate", str(file), "--real", "float", "--only", "forward", "-o", str(tmp_path / "f"))
+    unbalance, steps = result.stderr.splitlines()
+    assert (result.exit_code, [unbalance]) == (0, warned)
+    assert steps.startswith("warning: float: steps of 0.0001 s lose")
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_change_is_the_difference_of_two_stands(seed: int) -> None:
+    random = np.random.default_rng([19, seed])
+    stand = random_stand(random, 3, EVERYTHING, name="exchanged")
+    state = random_state(stand, random)
+    number = seed % 3
+    other = balanced_flywheel(stand.flywheels[number])
+    if seed % 2:  # another mass as well, so that weight and the centre of mass change
+        other = replace(other, mass=1.5 * other.mass)
+    wheels = (*stand.flywheels[:number], other, *stand.flywheels[number + 1 :])
+    exchanged = replace(stand, flywheels=wheels)
+
+    at = reference.pieces(stand, state)
+    before = reference.evaluate(stand, state, list(QUANTITIES), at)
+    after = reference.evaluate(exchanged, state, list(QUANTITIES))
+    found = Exchange.of(number, stand.flywheels[number], other).changes(at, state, before["V_dot"])
+    for want, quantity in QUANTITIES.items():
+        difference, size = after[quantity.key] - before[quantity.key], quantity.terms(at, state)
+        if quantity.by_flywheel:
+            difference, size = difference[number], size[number]
+        assert np.abs(difference).max() > 0.0
+        assert (np.abs(found[want] - difference) <= 1e-12 * size).all(), want
+
+
+SAT4 = load(path("sat4"))
+TOP_SPEED = 6000 * math.pi / 30
+
+
+@pytest.mark.slow
+def test_the_c_loses_at_most_the_part_that_is_named_and_much_of_it() -> None:
+    """A thousand steps of 0.1 ms at 6000 rpm and at full torque, against double; a carry loses nothing of it."""
+    (dt, steps), N = (1e-4, 1000), len(SAT4.flywheels)
+    lost = lost_increments(SAT4, [TOP_SPEED] * N, dt)
+    assert len(lost) == N
+    start = replace(rest_state(SAT4), phi_dot=(TOP_SPEED,) * N, tau=(0.2,) * N)
+    c = CBackend(SAT4, "float")
+    exact = end_of_steps(CBackend(SAT4), "step", start, dt * steps, steps)["phi_dot"] - TOP_SPEED
+    first = np.float64(np.float32(TOP_SPEED))  # the start in float
+    plain, carried = (
+        end_of_steps(c, name, start, dt * steps, steps)["phi_dot"] - first for name in ("step", "step_carried")
+    )
+    part = np.abs(plain / exact - 1.0)
+    bounds = np.array([each.part for each in lost])
+    assert np.all(part < 1.1 * bounds) and np.all(part > 0.02 * bounds)
+    assert np.all(np.abs(carried / exact - 1.0) < 0.1 * part + 1e-4)
+
+
+def test_check_names_step_part_and_remedy() -> None:
+    found = run("check", str(path("sat4")), "--dt", "0.1 ms")
+    text = " ".join(found.stdout.split())
+    assert "warning: float: a step of 0.0001 s adds" in text and "use step_carried or double" in text
+    assert "at 6000 rpm by up to 3.1e-05 rad/s" in text
+    for wrong in ("0", "-1", "1 m", "inf"):
+        assert "--dt: " in run("check", str(path("sat4")), "--dt", wrong).stderr
+
+
+def test_long_steps_lose_nothing_worth_a_warning() -> None:
+    assert lost_increments(SAT4, [TOP_SPEED] * 4, 0.1) == []
+    bare = replace(SAT4, flywheels=tuple(replace(s, motor=None) for s in SAT4.flywheels))
+    assert lost_increments(bare, [TOP_SPEED] * 4, 1e-2) == [] and len(lost_increments(bare, [TOP_SPEED] * 4, 1e-4)) == 4
+
+
+HEAD = """
+schema = 1
+name = "hull"
+gravity = [0, 0, 9.81]
+[carrier]
+mass = 20.0
+inertia = [0.3, 2.0, 2.0]
+added_mass = [2, 25, 24, 0, 1.5, 1.5]
+"""
+
+
+def hull(damping: str) -> Stand:
+    return loads(f"{HEAD}[carrier.damping]\n{damping}\n")
+
+
+def test_matrices_that_damp_are_passive() -> None:
+    """A linear part that is not symmetric, but its symmetric part is definite."""
+    rows = np.diag([3.0, 9.0, 9.0, 0.2, 2.0, 2.0])
+    rows[1, 5], rows[5, 1] = 4.0, -4.0
+    found = fluid(hull(f"linear = {rows.tolist()}\nquadratic = [5, 50, 50, 0.1, 5, 5]"), 1.0)
+    assert [(p.ahead, p.positive, math.isinf(p.speed)) for p in found.powers] == [
+        (False, False, True),
+        (True, False, True),
+    ]
+    # Y = -30 u v has the power -30 u v^2: it damps ahead and drives astern
+    astern, ahead = fluid(hull('terms = [{ wrench = "Y", of = ["u", "v"], value = -30 }]'), 1.0).powers
+    assert astern.positive and astern.twist[0] < 0 and not ahead.positive
+
+
+@pytest.mark.parametrize("damping", ["", 'derivatives = "with added-mass products"'])
+def test_growth_by_the_moment_of_munk(damping: str) -> None:
+    """(m + L22) v' = -(m + L11) U r and (J + L66) r' = (L11 - L22) U v without damping.
+
+    With the key only -m U r is left, which makes no motion grow.
+    """
+    U = 1.5
+    expected = U * math.sqrt((20 + 2) * (25 - 2) / ((20 + 25) * (2.0 + 1.5))) if not damping else 0.0
+    assert growth(hull(damping), U) == pytest.approx(expected, rel=1e-6, abs=1e-4)
+
+
+def test_course_by_the_stability_roots() -> None:
+    """Sway and yaw of (M) x' = (N) x with published derivatives, as in a handbook of ship motion."""
+    Yv, Yr, Nv, Nr, U = -60.0, 8.0, -3.0, -40.0, 2.0
+    terms = ", ".join(
+        f'{{ wrench = "{w}", of = ["u", "{x}"], value = {value} }}'
+        for w, x, value in (("Y", "v", Yv), ("Y", "r", Yr), ("N", "v", Nv), ("N", "r", Nr), ("Z", "w", -90.0))
+    )
+    others = '{ wrench = "M", of = ["u", "q"], value = -50 }, { wrench = "X", of = ["u", "|u|"], value = -9 }'
+    key = 'derivatives = "with added-mass products"'
+    stand = hull(f"terms = [{terms}, {others}]\n{key}")
+    M = np.diag([45.0, 3.5])
+    N = U * np.array([[Yv, Yr - 20.0], [Nv, Nr]])
+    roots = np.linalg.eigvals(np.linalg.solve(M, N)).real
+    assert roots.max() < 0
+    assert growth(stand, U) == pytest.approx(max(roots.max(), 0.0), abs=1e-4)  # roll is neutral
+    unstable = hull(f"terms = [{terms.replace('-3.0', '-300.0')}, {others}]\n{key}")
+    N[1, 0] = -300.0 * U
+    assert growth(unstable, U) == pytest.approx(np.linalg.eigvals(np.linalg.solve(M, N)).real.max(), rel=1e-6)
+
+
+def test_added_mass_of_all_bodies() -> None:
+    instrument = '[[instrument]]\nname = "fin"\nadded_mass = [1, 0, 2, 0, 0, 0]\n'
+    found = added_mass(loads(HEAD + instrument))
+    assert found is not None
+    assert (found.rows, found.sway, found.heave) == (5, 3.0 - 25.0, 26.0 - 3.0)
+    assert found.least == pytest.approx(1.0)
+    assert added_mass(loads(HEAD.split("added_mass", maxsplit=1)[0])) is None
+
+
+def test_check_prints_it(tmp_path: Path) -> None:
+    file = tmp_path / "hull.toml"
+    file.write_text(f'{HEAD}[carrier.damping]\nterms = [{{ wrench = "Y", of = ["u", "v"], value = -30 }}]\n')
+    text = run("check", str(file), "--fluid", "1.5").stdout
+    assert "moment of Munk -23 kg u v about z, 22 kg u w about y" in text and "semidefinite" not in text
+    for wrong, words in (("0", "out of range"), ("1 kg", "expected a velocity"), ("nan", "out of range")):
+        message = refused("check", str(file), "--fluid", wrong)
+        assert message.startswith("error: --fluid: ")
+        assert words in message
+
+
+def test_check_warns_of_fins_without_stall_and_of_fading_damping_that_drives(tmp_path: Path) -> None:
+    file = tmp_path / "hull.toml"
+    fin = '[[fin]]\nname = "rudder"\ndensity = 1025\narea = 0.01\naspect = 3.0\n'
+    fading = "[carrier]\nfading_damping = { linear = [3, -9, 9, 0.2, 2, 2], rate = 3 }\n"
+    body = HEAD.replace("[carrier]\n", fading, 1)
+    assert body != HEAD
+    file.write_text(body + fin, encoding="utf-8")
+    text = " ".join(run("check", str(file)).stdout.split())
+    assert "warning: fin rudder: without `stall`" in text
+    assert "warning: carrier: fading_damping.linear has -9 for v: it drives" in text
+    file.write_text(body.replace("-9", "9") + fin + 'stall = "15 deg"\n', encoding="utf-8")
+    text = run("check", str(file)).stdout
+    assert "stall" not in text
+    assert "drives" not in text
+
+
+def test_a_propeller_is_an_engine_and_no_damping(tmp_path: Path) -> None:
+    """The report has the thrust, which does work from the first speed on, apart from the damping, which does none."""
+    propeller = """
+[[propeller]]
+name = "main"
+density = 1025
+diameter = 0.14
+thrust = [0.45, -0.4]
+speed = "1500 rpm"
+"""
+    passive = "[carrier.damping]\nlinear = [3, 9, 9, 0.2, 2, 2]\n"
+    found = fluid(loads(HEAD + passive + propeller), 1.5)
+    assert found.engines == ("carrier",) and [power.positive for power in found.powers] == [False, False]
+    assert fluid(loads(HEAD + passive), 1.5).engines == ()
+    file = tmp_path / "hull.toml"
+    file.write_text(HEAD + propeller, encoding="utf-8")
+    text = run("check", str(file), "--fluid", "1.5").stdout
+    assert "no body has a law of its twist relative to the fluid but propellers" in text
+    assert "propellers on carrier: they are there to drive" in text
+
+
+def example_stand(name: str) -> Stand:
+    return load(path(name))
+
+
+@pytest.mark.parametrize("name", sorted(names()))
+def test_of_the_examples_it_is_the_satellites_but_for_their_tasks(name: str) -> None:
+    """A task names the rows that are asked, so that (12) as a whole is not."""
+    stand = example_stand(name)
+    assert excess(stand) is None
+    assert (excess(replace(stand, tasks=())) is not None) == (name in ("eye4", "sat4"))
+
+
+def test_the_words_name_flywheel_and_task() -> None:
+    found = excess(replace(example_stand("sat4"), tasks=()))
+    assert found is not None and found.share > 100
+    assert "[task.pointing]" in str(found) and found.flywheel in str(found)
+
+
+def test_without_motors_a_stated_acceleration_decides() -> None:
+    sat = example_stand("sat4")
+    bare = replace(sat, flywheels=tuple(replace(s, motor=None) for s in sat.flywheels), tasks=())
+    found = excess(bare)
+    assert found is not None and found.share == pytest.approx(found.phi_ddot / bare.inverse_most)
+    assert excess(replace(bare, inverse_most=1e9)) is None
+    assert excess(replace(bare, flywheels=())) is None
+
+
+WHEEL = """
+[[flywheel]]
+name = "{name}"
+mass = 0.5
+axis = {axis}
+zero = [-1, 1, 1]
+spin_inertia = 1e-3
+transverse_inertia = [6e-4, 6e-4]
+motor = {{ torque = 0.02, speed = "6000 rpm" }}
+"""
+
+
+def two(*rows: str, first: tuple[float, ...] = (1, 0, 0)) -> Stand:
+    """Wheels about an axis and about y, and a task of these rows."""
+    head = 'schema = 1\nname = "two"\n[carrier]\nmass = 10\ninertia = [0.4, 0.5, 0.6]\n'
+    wheels = WHEEL.format(name="a", axis=list(first)) + WHEEL.format(name="b", axis=[0, 1, 0])
+    return loads(f"{head}{wheels}[task.chosen]\nrows = {list(rows)}\n")
+
+
+@pytest.mark.parametrize("name", sorted(names()))
+def test_the_examples_reach_their_tasks(name: str) -> None:
+    assert task_shortfalls(load(path(name))) == []
+
+
+@pytest.mark.parametrize("rows", [("wz",), ("wx", "wy", "wz"), ("wx", "wz")])
+def test_a_moment_that_no_wheel_gives_is_named(rows: tuple[str, ...]) -> None:
+    (found,) = task_shortfalls(two(*rows))
+    assert found.flywheel == "" and found.share == np.inf
+    assert found.direction == pytest.approx([float(row == "wz") for row in rows], abs=1e-12)
+    assert re.search(r"along wz \(UNREACHABLE\)", str(found))
+
+
+def test_a_force_of_unbalance_alone_is_too_much_for_the_motors() -> None:
+    stand = two("vx")
+    wheels = tuple(replace(s, center_of_mass=(0.0, 1e-6, 0.0)) for s in stand.flywheels)
+    (found,) = task_shortfalls(replace(stand, flywheels=wheels))
+    assert found.flywheel in ("a", "b") and 1.0 < found.share < np.inf
+    assert "(EXCESSIVE)" in str(found)
