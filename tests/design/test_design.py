@@ -19,9 +19,8 @@ from mahovik.core.stand.write import dumps
 from mahovik.errors import DesignError, MahovikError
 from mahovik.laws.suspension.data import Suspension
 from mahovik.use.design import DesignOptions, Outcome, design_stand, freedom_of_keys
-from mahovik.use.design.freedom import WIDTH, Freedom, Limits, Mask, Tie, Weights
+from mahovik.use.design.freedom import WIDTH, Freedom, Limits, Mask, Tie
 from mahovik.use.design.read import read_freedom
-from mahovik.use.design.search import Cost, Point, pareto_points
 from mahovik.use.design.space import Space, flywheel_numbers
 from mahovik.use.design.task import Design, Task, Weighing
 from mahovik.use.plan.problem import Periodic, uniform
@@ -188,12 +187,6 @@ def test_a_motion_that_no_design_can_do_is_refused() -> None:
         design_stand(shaker().without_laws(Suspension), motion_of, freedom())
 
 
-def test_designs_that_others_beat_are_no_front() -> None:
-    """Kept: less torque for more unbalance."""
-    points = [Point(Weights(), Cost(u, t, 0.0), 0.0) for u, t in ((1, 5), (2, 6), (3, 4), (3, 4), (2, 5), (9, 1))]
-    assert [(p.cost.unbalance, p.cost.torque) for p in pareto_points(points)] == [(1, 5), (3, 4), (9, 1)]
-
-
 RAIL = """
 schema = 1
 name = "rail"
@@ -287,11 +280,7 @@ def test_held_rows_have_the_derivatives_of_differences(hold: str, rows: dict[str
     [
         (RAIL, 0.7, r"along z it needs a first moment of \+-.* from the flywheels; their largest total unb"),
         (RAIL.partition("[suspension]")[0], 3.0, "a force along z of .* N has no support in the mean"),
-        (
-            RAIL.replace('["z"]', "[]"),
-            3.0,
-            "no freedoms: clamped, the carrier makes no motion that could be planned",
-        ),
+        (RAIL.replace('["z"]', "[]"), 3.0, "no freedoms: clamped, the carrier makes no motion that could be planned"),
         (
             RAIL.replace('freedoms = ["z"]', "basis = [[1, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1]]"),
             3.0,

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import pytest
 
 from mahovik import stands
-from mahovik.core.motion.servo import Servo, Trim, load_servo, read_servo
+from mahovik.core.motion.servo import Servo, Trim, read_servo
 from mahovik.core.motion.servo.read import TrimTable
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
@@ -83,8 +82,3 @@ def test_all_problems_together_and_what_is_no_servo() -> None:
     assert problems("schema = 2\n") == ["schema: expected 1, found 2"]
     assert problems("sample_period = 1\n") == ["schema: required, but missing"]
     assert problems("schema = \n")[0].startswith("not TOML: ")
-
-
-def test_a_file_that_is_not_there(tmp_path: Path) -> None:
-    with pytest.raises(ServoError, match="no such file"):
-        load_servo(tmp_path / "s.toml", SHAKER)

@@ -17,7 +17,6 @@ from mahovik.core.motion.motor import available_torque, required_torque
 from mahovik.core.motion.programme import Programme, programme_text
 from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand import Stand
-from mahovik.core.stand.capacity import torque_capacity
 from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.proof.verify.programme.simulation import simulate
 from mahovik.use.plan.outcome import Plan
@@ -59,17 +58,6 @@ def test_one_wheel_on_its_axis_turns_bang_bang(
     assert limit < found.span < NEAR * limit
     speed = np.abs(found.at(np.linspace(0.0, found.span, 1001)).phi_dot[:, 0])
     assert np.argmax(speed) / 1000 == pytest.approx(braking / (driving + braking), abs=0.01)
-
-
-def test_a_pyramid_gives_all_of_its_zonotope() -> None:
-    """From zero momentum the torque about a turn's axis is along J a, whatever the axis: no gyroscopic part."""
-    stand, angle, axis = satellite(PYRAMID), 1.0, (0.3, -1, 0.5)
-    unit = np.array(axis) / np.linalg.norm(axis)
-    along = inertia(stand) @ unit
-    acceleration = torque_capacity(stand).envelope.reach(along) / np.linalg.norm(along)
-    limit = 2.0 * np.sqrt(angle / acceleration)
-    found = planned(stand, end=about(axis, angle))
-    assert limit < found.span < NEAR * limit
 
 
 def test_torque_that_falls_with_speed_is_followed_to_its_curve() -> None:

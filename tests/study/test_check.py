@@ -132,12 +132,6 @@ def test_check_names_step_part_and_remedy() -> None:
         assert "--dt: " in run("check", str(path("sat4")), "--dt", wrong).stderr
 
 
-def test_long_steps_lose_nothing_worth_a_warning() -> None:
-    assert lost_increments(SAT4, [TOP_SPEED] * 4, 0.1) == []
-    bare = replace(SAT4, flywheels=tuple(replace(s, motor=None) for s in SAT4.flywheels))
-    assert lost_increments(bare, [TOP_SPEED] * 4, 1e-2) == [] and len(lost_increments(bare, [TOP_SPEED] * 4, 1e-4)) == 4
-
-
 HEAD = """
 schema = 1
 name = "hull"

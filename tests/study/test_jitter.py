@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +21,7 @@ from mahovik.use.study.band import in_band, rms
 from mahovik.use.study.jitter import Balance, Jitter, Makers, View, balance, jitter
 from mahovik.use.study.jitter.balance import _Search
 from mahovik.use.study.jitter.csv_table import JitterFileError
-from mahovik.use.study.jitter.exact import left_out_of, mount_wrenches
+from mahovik.use.study.jitter.exact import mount_wrenches
 from mahovik.use.study.jitter.maker import InnerModes, read_harmonics, read_inner_modes
 from mahovik.use.study.jitter.structure import read_structure
 from mahovik.use.study.jitter.torus import Torus
@@ -121,13 +120,6 @@ def test_with_a_common_period_it_is_the_periodic_response(name: str, speeds: lis
     assert found.lines.rms()[0] == pytest.approx(wanted, rel=1e-6)
 
 
-def test_what_is_left_out_falls_with_the_order() -> None:
-    stand = load(path("bench8"))
-    left = [balance(stand, [60.0, -41.2, 20.1, 0, 0, 0, 0, 0], order=order).left_out for order in (1, 2, 3, 4)]
-    assert all(after < before / 5.0 for before, after in pairwise(left))
-    assert left[3] < 1e-6
-
-
 def test_an_undamped_resonance_is_said(tmp_path: Path) -> None:
     rate = 9e5 / (M_CARRIER + M_WHEEL)
     stand = one_wheel(tmp_path, 'static = "5 g cm"', SUSPENSION.replace("damping = [40, 40, 40, 0.1, 0.1, 0.1]", ""))
@@ -173,16 +165,6 @@ def test_momentum_is_constant_along_the_motion(speeds: list[float]) -> None:
     Z = np.array([momentum_in_E0(pieces(SAT4, found.state(theta))) for theta in angles])
     spin = np.linalg.norm(Z[:, 3:], axis=1).max()
     assert np.abs(Z[:, :3]).max() < 1e-9 and np.abs(Z - Z.mean(axis=0)).max() < 1e-11 * spin
-
-
-@pytest.mark.parametrize("speeds", NEARLY_EQUAL, ids=str)
-def test_a_beat_does_not_depend_on_the_order_and_what_is_left_out_says_so(speeds: list[float]) -> None:
-    search = _Search(Scene.of(SAT4), np.array(speeds) * RPM, np.zeros(4))
-    low, high = search.at(3), search.at(4)
-    left = left_out_of(low, View.of(places(SAT4, ["acc1"])[0], "angle"))
-    off = np.abs(low.c[:, 3:6] - high.c[: len(low.c), 3:6]).max()
-    assert off <= 2.0 * np.linalg.norm(left) < 1e-4 * np.abs(low.c[:, 3:6]).max()
-    assert solve(speeds).left_out < 1e-6
 
 
 def test_momentum_gives_the_motion_that_the_equations_of_motion_give() -> None:

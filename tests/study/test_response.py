@@ -219,11 +219,3 @@ def returned(found: Periodic, periods: int) -> float:
 
 def test_the_reference_comes_back_after_a_period() -> None:
     assert returned(periodic_response(load(path("bench8")), [62.8] * 8), 1) < 1e-8
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "speeds"), [("bench8", [60.0, -40.0, 20.0, 0, 0, 0, 0, 0]), ("shaker2", [125.0, -125.0])]
-)
-def test_the_reference_comes_back_at_several_speeds(name: str, speeds: list[float]) -> None:
-    assert returned(periodic_response(load(path(name)), speeds), 1) < 1e-8

@@ -116,19 +116,6 @@ def test_refusals(words: list[str], expected: str) -> None:
     assert expected in text and len(text.splitlines()) == 1
 
 
-def test_a_freedom_that_turns_has_an_angle_and_its_derivatives() -> None:
-    hold, springs = {"freedoms": ["pitch"], "pivot": [0, 0, 0.2]}, {"stiffness": [0, 0, 0, 0, 50, 0]}
-    stand = stand_of(table(static="72 g mm") | {"hold": hold, "suspension": springs})
-    angle, rate, acceleration = (
-        mahovik.response(stand, {"wheel": 30.0}, "hold.pitch", quantity=name).sweep
-        for name in ("angle", "rate", "acceleration")
-    )
-    assert [each.unit for each in (angle, rate, acceleration)] == ["rad", "rad/s", "rad/s2"]
-    assert [each.quantity for each in (angle, rate)] == ["angle", "rate"]
-    np.testing.assert_allclose(rate.rms(), 30.0 * angle.rms(), rtol=1e-4)
-    np.testing.assert_allclose(acceleration.rms(), 900.0 * angle.rms(), rtol=1e-4)
-
-
 def two_wheels(first: str, second: str) -> Stand:
     """Two wheels about z, 100 mm above and below O1, on a clamped carrier that weighs 14 kg or more."""
     document = table() | {"gravity": [0, 0, -9.81]}

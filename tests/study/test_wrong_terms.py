@@ -22,9 +22,7 @@ from mahovik.laws.fading.data import FadingDamping
 from mahovik.laws.fin.data import Fins
 from mahovik.laws.propeller.data import Propeller, Propellers
 from mahovik.proof import reference
-from mahovik.proof.diagnose.diagnosis import Cause, Diagnosis
-from mahovik.proof.diagnose.faults import DICTIONARY
-from mahovik.proof.diagnose.predict import Part
+from mahovik.proof.diagnose.diagnosis import Diagnosis
 from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
 from mahovik.proof.diagnose.words import as_object
 from mahovik.proof.reference import Pieces
@@ -217,15 +215,6 @@ def test_programs_that_cannot_be_searched_are_refused() -> None:
         before.append(reference.evaluate(stand, request.state, request.want))
     with pytest.raises(CheckError, match="it answers another state's result: that to 'term 2, forward' is right for"):
         search("demo3", "forward").find(lambda request: late[request.id.removesuffix(", again")])
-
-
-def test_a_term_takes_the_place_of_two_faults_but_not_of_one() -> None:
-    result = terms_found("pendulum", wrong_arm("pendulum"))
-    one, other = (Part(fault) for fault in DICTIONARY[:2])
-    two = Diagnosis("named", (Cause((one, other), 0.0),))
-    assert two.of_two and not Diagnosis("named", (Cause((one,), 0.0),)).of_two
-    assert (two.with_terms(result).outcome, two.with_terms(result).causes) == ("terms", ())
-    assert two.with_terms(terms_found("pendulum", lambda *_: None)) == two
 
 
 def test_a_diagnosis_by_terms_as_data() -> None:
