@@ -136,7 +136,7 @@ def test_the_state_read_wrongly_is_found() -> None:
     assert names(diagnoser().diagnose(negative))[0] == {("phase, sign", None)}
 
 
-@pytest.mark.parametrize("factor", [0.5, 0.999, 1.0 + 1e-7])
+@pytest.mark.parametrize("factor", [0.5, 1.0 + 1e-7])
 def test_what_explains_only_in_proportion_is_not_named(factor: float) -> None:
     """Half of gravity is none that is ignored; in double a difference of 1e-7 is no rounding of float."""
     other = replace(stand(), gravity=vec(factor * x for x in stand().gravity))
