@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from audits import dsrv, gazebo, gyrostat, held, npsauv, otter, spheroid
+from audits import gazebo, gyrostat, held, npsauv, otter, spheroid
 from audits.audit import Audit
 
 AUDITS: dict[str, Audit] = {
-    each.name: each for of in (npsauv, spheroid, dsrv, otter, gazebo, gyrostat, held) for each in of.AUDITS
+    each.name: each for of in (npsauv, spheroid, otter, gazebo, gyrostat, held) for each in of.AUDITS
 }
 """Audits by name."""

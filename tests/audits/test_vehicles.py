@@ -161,18 +161,6 @@ def test_stand_is_the_published_vehicle(name: str) -> None:
             assert np.max(np.abs(M @ V_dot - right) / scale) < AGREEMENT
 
 
-def test_without_the_key_the_products_count_twice() -> None:
-    text = (VEHICLES / "remus100.toml").read_text(encoding="utf-8")
-    key = 'derivatives = "with added-mass products"\n'
-    stand = loads(text.replace(key, ""))
-    (warning,) = [line for line in summarize(stand).warnings if "added mass" in line]
-    assert "damping.terms X w q = -35.5 (and" in warning
-    state = random_state(stand, np.random.default_rng(0))
-    M, right = remus(stand, state)
-    V_dot = np.array(evaluate(stand, state, ["forward"])["V_dot"])
-    assert np.abs(M @ V_dot - right).max() > 1e-2 * np.abs(right).max()
-
-
 def ahead(state: State) -> State:
     """The state with u above 0: the race of NPS AUV II is published for n and u of the same sign."""
     u, v, w, p, q, r = state.V

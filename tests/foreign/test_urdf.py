@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.core.stand import loads
 from mahovik.errors import ForeignError
 from mahovik.out.foreign.agreement import PinocchioOriginal, agreement
 from mahovik.out.foreign.merge import ImportedStand, make_stand
@@ -66,22 +65,6 @@ def test_what_becomes_of_it() -> None:
     notes = "\n".join(found.notes)
     for word in ('"wheel 1" is called "wheel_1"', "velocity limit 600", "1 transmission", "no gravity"):
         assert word in notes
-
-
-def test_the_text_reads_back_to_the_same_bits_and_says_where_from() -> None:
-    found = imported(instruments=True)
-    text = stand_file(found, "sat.urdf", "mahovik import urdf")
-    assert loads(text) == found.stand
-    assert text.splitlines()[0] == "# Made from sat.urdf by `mahovik import urdf`. SI units."
-    for line in (
-        '# Frame: that of link "base_link".',
-        '# Link "wheel4" on joint "wheel4_joint", whose coordinate is the phase.',
-        "# Mass, centre of mass, inertia: wheel4, rim, weight, merged.",
-        "# imu, fixed on the carrier, without mass.",
-        '# Link "panel", fixed on the carrier.',
-        "# Motor, from the joint: viscous is its damping, coulomb is its friction, torque is its largest torque.",
-    ):
-        assert line in text.splitlines()
 
 
 # ---- what is refused ----

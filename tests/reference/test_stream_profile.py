@@ -17,13 +17,10 @@ from hypothesis import strategies as st
 import mahovik
 from laws.stands import CARRIER
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.lower.fmu.variables import Start, form
 from mahovik.core.stand import Stand, dumps, identities, loads
 from mahovik.core.stand.model import StreamProfile
 from mahovik.core.stand.random import Features, random_stand, random_state
 from mahovik.errors import CheckError, StandError, StateError
-from mahovik.out.api.stands import Stand as ApiStand
-from mahovik.out.campaign.places import Places
 from mahovik.proof import reference
 from mahovik.proof.reference.stream import stream_at
 from mahovik.proof.verify.c_backend import CBackend
@@ -104,8 +101,7 @@ def test_at_each_depth_it_is_the_uniform_stream_of_that_depth() -> None:
 def test_rigorous_balls_hold_it() -> None:
     from rigorous.balls import forward_is_enclosed
 
-    state = random_state(sheared(), np.random.default_rng(3))
-    forward_is_enclosed(sheared(), state)
+    forward_is_enclosed(sheared(), random_state(sheared(), np.random.default_rng(3)))
 
 
 @given(st.floats(0, 50))
@@ -161,15 +157,6 @@ def test_a_depth_beyond_the_profile_is_refused(depth: float) -> None:
             ask(state, ["forward"])
 
 
-def test_a_step_feels_another_depth() -> None:
-    """A sinking body is carried along by the stream where it is."""
-    stand = loads(FILE + "damping = { linear = [20, 20, 20, 1, 1, 1] }\n")
-    model = mahovik.build(stand)
-    fast = model.step(model.state(position=(0, 0, 1.0)), 0.1).V
-    slow = model.step(model.state(position=(0, 0, 45.0)), 0.1).V
-    assert fast[0] > 5 * slow[0] > 0
-
-
 def test_a_run_that_leaves_the_profile_says_so() -> None:
     """Depth and profile by name, in the C as in SciPy."""
     stand = loads(FILE.replace("added_mass", "buoyancy = { displaced_mass = 40 }\nadded_mass"))
@@ -178,17 +165,6 @@ def test_a_run_that_leaves_the_profile_says_so() -> None:
         run = mahovik.simulate(stand, 1.0, start=still, backend=backend, dt=1e-2, every=1e-2)
         assert run.t[-1] < 0.5
         assert re.search(r"depth -[\d.e-]+ m is outside of stream_profile, which is given from 0 m", str(run.stopped))
-
-
-def test_rates_of_an_FMU_depend_on_the_depth() -> None:
-    """In its description: the tool may else take the derivative by the position as zero."""
-    generated = generate_all(loads(FILE))
-    start = Start((0, 0, 1), (1, 0, 0, 0), (0,) * 6, (), ())
-    rate = next(
-        v for v in form(loads(FILE), generated.layout, generated.values, "me", "torque", 1e-3, start).variables
-        if v.name == "carrier.V_dot[1]"
-    )  # fmt: skip
-    assert rate.depends is not None and "carrier.position[3]" in rate.depends
 
 
 def test_file_comes_back_and_other_stands_are_as_before() -> None:
@@ -205,14 +181,6 @@ def test_file_comes_back_and_other_stands_are_as_before() -> None:
     )
     assert "stream_profile" not in generate_all(plain).files["diver.h"]
     assert identities(plain).structure != identities(stand).structure
-
-
-def test_campaigns_vary_it_and_plans_refuse_it() -> None:
-    (place,) = Places(ApiStand.of(loads(FILE))).find("stream_profile.velocity[1][0]")
-    assert place.nominal == 0.5
-    assert uniform_stream(loads(CARRIER)) == (0.0, 0.0, 0.0)
-    with pytest.raises(StandError, match="diver: stream_profile: found a stream that changes with depth, expected a"):
-        uniform_stream(loads(FILE))
 
 
 def test_an_equilibrium_at_the_first_station_is_found_and_one_outside_is_refused() -> None:
@@ -233,6 +201,7 @@ STUDIES: dict[str, Callable[[Stand], object]] = {
     "response": lambda stand: mahovik.response(stand, SPEEDS, "carrier"),
     "quiet": lambda stand: mahovik.quiet(stand, "carrier", (1, 10), least="10 rpm", limit="100 rpm", speeds=[1, 2]),
     "jitter": lambda stand: mahovik.jitter(stand, SPEEDS, "carrier"),
+    "plan": uniform_stream,
 }
 
 

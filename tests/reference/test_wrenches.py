@@ -1,6 +1,5 @@
 """Wrenches of (7): by hand, and by the potentials that some of them have."""
 
-import math
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -17,7 +16,7 @@ from mahovik.laws.leg.data import legs_of
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.pieces import Pieces
-from physics.general import draw, isolated, placed, rows, suspension_of, without_wrench
+from physics.general import draw, placed, rows, suspension_of
 from physics.motions import motion, rate, rotation
 
 SEEDS = range(6)
@@ -84,29 +83,6 @@ def test_damping_by_hand() -> None:
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_damping_of_each_body_takes_its_own_twist_relative_to_the_fluid(seed: int) -> None:
-    stand, state = draw(seed, 3, stream=True)
-    at = pieces(stand, state)
-    u = rotation(stand, state).T @ np.array(stand.stream)
-    V_r = np.array(state.V) - [*u, 0, 0, 0]
-    # V_s of a flywheel includes f phi_s'
-    twists: dict[Body, Array] = {k.body: k.L.T @ V_r for k in at.fixed}
-    twists |= {s.body: s.L.T @ V_r + np.array([0, 0, 0, s.phi_dot, 0, 0]) for s in at.flywheels}
-    for body, twist in twists.items():
-        damping = body.law(Damping)
-        if damping is None:
-            assert set(at.terms[body.name]) <= {"weight", "buoyancy", "run-time"}
-            continue
-        laws = {
-            "linear damping": linear_damping,
-            "quadratic damping": quadratic_damping,
-            "damping terms": damping_terms,
-        }
-        for kind, law in laws.items():
-            np.testing.assert_allclose(at.terms[body.name][kind], law(damping, twist), rtol=1e-9, atol=1e-9)
-
-
-@pytest.mark.parametrize("seed", SEEDS)
 def test_suspension_by_hand(seed: int) -> None:
     stand, state = draw(seed, 1, stream=True)
     suspension = suspension_of(stand)
@@ -134,18 +110,3 @@ def test_legs_store_energy_in_springs_and_lose_it_along_themselves(seed: int) ->
         assert np.linalg.norm(P[:3]) == pytest.approx(abs(tension), rel=1e-9)  # rate by differences
         assert pytest.approx(-tension * length_rates[number], rel=1e-9) == P @ at.V
         assert P[3:] @ P[:3] == pytest.approx(0.0, abs=1e-10)  # a pure force
-
-
-@pytest.mark.parametrize("seed", SEEDS)
-def test_run_time_wrench_of_a_flywheel_turns_with_it(seed: int) -> None:
-    stand, state = draw(seed, 2)
-    stand, state = isolated(stand), without_wrench(state)
-    given = (1.0, 2.0, 3.0, 0.4, 0.5, 0.6)
-    state = replace(state, wrench={stand.flywheels[1].name: given})
-    at = pieces(stand, state)
-    np.testing.assert_allclose(at.F, at.flywheels[1].L @ np.array(given), rtol=0, atol=ROUNDING)
-    C = at.flywheels[1].L[:3, :3]
-    np.testing.assert_allclose(at.F[:3], C @ np.array(given[:3]), rtol=0, atol=ROUNDING)
-    turned = pieces(stand, replace(state, phi=(state.phi[0], state.phi[1] + math.pi)))
-    half_turn = C @ np.diag([1.0, -1.0, -1.0]) @ np.array(given[:3])
-    np.testing.assert_allclose(turned.F[:3], half_turn, rtol=0, atol=ROUNDING)

@@ -19,7 +19,7 @@ from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.proof import reference, rigorous
 from mahovik.proof.rigorous.ball import column, elements, length, number
 from mahovik.proof.rigorous.evaluate import BITS, MOST_BITS, enclose
-from mahovik.proof.rigorous.rotation import elementary, of_quaternion, rotation_product, rotation_vector
+from mahovik.proof.rigorous.rotation import of_quaternion, rotation_vector
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.compare import difference
 from mahovik.proof.verify.draw import draw
@@ -96,13 +96,6 @@ def test_numbers_are_taken_as_they_are() -> None:
     assert float(given) == 0.1
 
 
-def test_tiny_and_zero_vectors_have_a_length() -> None:
-    """A ball around zero has a root: its square is no power, which would be no number."""
-    with ctx.workprec(128):
-        assert length(column([arb(0, 1e-60), 0.0, 0.0])).is_finite()
-        assert float(length(column([3e-300, 4e-300, 0.0]))) == 5e-300
-
-
 @given(st.lists(st.floats(-2, 2), min_size=3, max_size=3), st.floats(1e-9, math.pi - 1e-6))
 def test_rotation_vector_turns_by_its_length(axis: list[float], angle: float) -> None:
     """It turns back to itself: the axis is not moved, and its length is the angle of the rotation."""
@@ -118,43 +111,6 @@ def test_rotation_vector_turns_by_its_length(axis: list[float], angle: float) ->
         assert float(length(C * r - r)) < 1e-60
         assert float(length(r)) == pytest.approx(angle, rel=1e-9)
         assert float(length(r).rad()) < 1e-60
-
-
-def test_rotation_vector_at_rest_and_at_half_a_turn() -> None:
-    with ctx.workprec(BITS):
-        assert all(x == 0 for x in elements(rotation_vector(elementary(1, 0.0))))
-        there_and_back = rotation_product((3, 3), (0.3, -0.3))
-        assert float(length(rotation_vector(there_and_back)).upper()) < 1e-70
-        with pytest.raises(StateError, match="two rotation vectors"):
-            rotation_vector(of_quaternion([0.0, 0.6, 0.0, 0.8]))
-
-
-@given(st.lists(st.floats(-1, 1), min_size=4, max_size=4))
-def test_the_rotation_of_any_quaternion_is_one(q: list[float]) -> None:
-    """The length is divided out: C^T C is E."""
-    if max(map(abs, q)) < 1e-3:
-        return
-    with ctx.workprec(BITS):
-        C = of_quaternion(q)
-        product = C.transpose() * C
-        for i in range(3):
-            for j in range(3):
-                assert product[i, j].contains(int(i == j))
-                assert float(product[i, j].rad()) < 1e-70
-
-
-def test_precision_is_doubled_until_the_balls_are_narrow() -> None:
-    asked: list[int] = []
-
-    def found_at(bits: int) -> dict[str, arb]:
-        asked.append(bits)
-        if bits < 1000:
-            raise StateError("not yet")
-        return {"x": arb(1, 2.0**-bits if bits < 2000 else 0.0)}
-
-    found = enclose(found_at, lambda balls: balls["x"].is_exact())
-    assert found["x"] == 1
-    assert asked == [BITS, 512, 1024, 2048]
 
 
 def test_what_stays_too_wide_is_an_error() -> None:

@@ -13,9 +13,7 @@ from mahovik.core.emit.generate import Generated
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.values import Values
-from mahovik.core.program.expression import Const, Expr, Negate
-from mahovik.core.program.function import Function, Program
-from mahovik.core.program.statement import Loop, Set, Statement, When
+from mahovik.core.program.function import Program
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
@@ -60,44 +58,6 @@ def caught(stand: Stand, made: Generated, states: int = 8) -> bool:
     backend = InterpreterBackend(made)
     drawn = draw(stand, 5, states, wrenches=False)[1:]  # the first is at rest, where little shows
     return any(row.failed for state in drawn for row in judge(stand, backend, [state], backend.wants))
-
-
-def signs(function: Function) -> int:
-    """How many assignments of a function can have their sign changed."""
-    return _flip(function.body, -1)[1]
-
-
-def flipped(program: Program, name: str, number: int) -> Program:
-    """The program with the sign of one assignment of one function changed."""
-    functions = tuple(
-        replace(function, body=_flip(function.body, number)[0]) if function.name == name else function
-        for function in program.functions
-    )
-    return replace(program, functions=functions)
-
-
-def _flip(body: tuple[Statement, ...], number: int, seen: int = 0) -> tuple[tuple[Statement, ...], int]:
-    """The body with assignment `number` negated, and how many there are up to its end."""
-    found: list[Statement] = []
-    for statement in body:
-        new = statement
-        if isinstance(statement, Loop):
-            inner, seen = _flip(statement.body, number, seen)
-            new = replace(statement, body=inner)
-        elif isinstance(statement, When):
-            inner, seen = _flip(statement.body, number, seen)
-            other, seen = _flip(statement.otherwise, number, seen)
-            new = replace(statement, body=inner, otherwise=other)
-        elif isinstance(statement, Set) and _is_real(statement.value):
-            if seen == number:
-                new = replace(statement, value=Negate(statement.value))
-            seen += 1
-        found.append(new)
-    return tuple(found), seen
-
-
-def _is_real(value: Expr) -> bool:
-    return value.kind.value == "real" and not (isinstance(value, Const) and value.value == 0)
 
 
 def changed(pattern: str, new: str, count: int = 1) -> Callable[[str], str]:

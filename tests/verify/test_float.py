@@ -6,10 +6,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-import pytest
 
 from cli.run import DEMO3, refused, run
-from mahovik.core.emit.generate import generate
 from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.program.types import FLOAT as SINGLE
 from mahovik.core.stand import load
@@ -17,23 +15,9 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import FLOAT
 from mahovik.proof.verify.compare import Judge, Row
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.harness import verify_c
 from mahovik.proof.verify.report import Report, conclusion
 from mahovik.stands import path
 from verify.build import everything
-
-
-@pytest.mark.slow
-def test_an_error_in_the_fourth_digit_of_one_term_is_caught(tmp_path: Path) -> None:
-    stand = load(path("bench8"))
-    files = generate(stand, "float")
-    right = "sum->J[0] = table->inertia[0];"
-    assert right in files["bench8.c"]
-    files["bench8.c"] = files["bench8.c"].replace(right, right.replace("table->", "1.0001F * table->"))
-    for name, text in files.items():
-        (tmp_path / name).write_text(text)
-    found = verify_c(stand, count=9, real="float", against=tmp_path)
-    assert {"K", "V_dot"} & {row.quantity for row in found.failures}
 
 
 def test_states_are_those_that_float_takes() -> None:

@@ -16,7 +16,7 @@ from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
-from mahovik.proof.verify.compare import Differences, Row
+from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge, report
 from mahovik.proof.verify.report import as_json, as_junit, conclusion, worst_lines
@@ -66,28 +66,33 @@ def rows(judged: float = 0.0, second: float = 0.0, refuses_after: int = 0) -> di
     return {row.quantity: row for row in found}
 
 
-def test_where_all_agree_nobody_stands_alone() -> None:
-    found = rows()
-    assert {row.verdict for row in found.values()} == {"ok"}
-    assert {row.disagreement for row in found.values()} == {""}
-    assert found["V_dot"].second is not None
-    assert found["mount_wrench"].second is None  # the second derivation has no such want
+REFUSES = math.nan
+ALONE = {
+    "nobody": ({}, "ok", "", ""),
+    "judged": ({"judged": 1e-6}, "FAILED", "reference and second agree, C differs", ""),
+    "second": ({"second": 1e-6}, "FAILED", "C and reference agree, second differs", ""),
+    "all": ({"judged": 1e-6, "second": -1e-6}, "FAILED", "no two agree", ""),
+    "judged refuses": ({"judged": REFUSES}, "FAILED", "reference and second agree, C differs", "refused: too fast"),
+    "second refuses some": (
+        {"second": REFUSES, "refuses_after": 3}, "FAILED", "C and reference agree, second differs",
+        "second derivation refused: no such sum",
+    ),
+    "both refuse": (
+        {"judged": REFUSES, "second": REFUSES}, "FAILED", "C and second agree, reference differs", "no such sum"
+    ),
+}  # fmt: skip
 
 
-def test_judged_alone() -> None:
-    row = rows(judged=1e-6)["V_dot"]
-    assert row.failed
-    assert row.disagreement == "reference and second agree, C differs"
-    assert row.worst > 1e-9 > (row.second or 0.0)
-
-
-def test_second_alone() -> None:
-    found = rows(second=1e-6)
+@pytest.mark.parametrize("name", ALONE)
+def test_the_one_that_differs_is_named(name: str) -> None:
+    given, verdict, disagreement, reason = ALONE[name]
+    found = rows(**given)  # type: ignore[arg-type]
     row = found["V_dot"]
-    assert row.failed
-    assert row.disagreement == "C and reference agree, second differs"
-    assert row.worst == 0.0
-    assert not found["energy"].failed
+    assert (row.verdict, row.disagreement) == (verdict, disagreement)
+    assert reason in row.reason
+    if not any(map(math.isnan, given.values())):
+        assert not found["energy"].failed
+    assert found["mount_wrench"].second is None  # the second derivation has no such want
 
 
 def test_reference_alone(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -96,27 +101,6 @@ def test_reference_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     (row,) = judge(DEMO, backend, draw(DEMO, 1, 9), ("forward",), second=Second(DEMO))
     assert row.failed
     assert row.disagreement == "C and second agree, reference differs"
-
-
-def test_refusals_of_one_or_two() -> None:
-    row = rows(judged=math.nan)["V_dot"]
-    assert (row.disagreement, row.reason) == ("reference and second agree, C differs", "refused: too fast")
-    refusal = "second derivation refused: no such sum"
-    some = rows(second=math.nan, refuses_after=3)["V_dot"]
-    assert (some.verdict, some.disagreement, some.reason) == (
-        "FAILED",
-        "C and reference agree, second differs",
-        refusal,
-    )
-    row = rows(judged=math.nan, second=math.nan)["V_dot"]
-    assert row.disagreement == "C and second agree, reference differs"
-    assert "too fast" in row.reason
-    assert "no such sum" in row.reason
-
-
-def test_the_nearest_pair_is_taken_to_agree() -> None:
-    assert Differences(3e-12, 2e-12, 1e-13).odd_one(1e-12, 1e-12, "C") == "C and second agree, reference differs"
-    assert Differences(3e-12, 2e-12, 2e-12).odd_one(1e-12, 1e-12, "C") == "no two agree"
 
 
 def test_the_verdict_is_in_every_report() -> None:

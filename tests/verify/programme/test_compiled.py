@@ -7,17 +7,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
 from export import programmes
 from export.programmes import exported, motion, written
-from mahovik.core.motion.programme import save_programme
 from mahovik.errors import ToolchainError, UsageError
-from mahovik.out.cli import main
 from mahovik.proof.verify.programme import Finding
 from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.proof.verify.programme.programme_c import compiled_findings
-from mahovik.stands import path
 from toolchain.quick import quick
 from verify.build import changed
 
@@ -89,24 +85,3 @@ def test_c_that_is_not_there_or_of_another_stand_is_refused(tmp_path: Path) -> N
     source.write_text("#error no\n")
     with pytest.raises(ToolchainError):
         judged(tmp_path, "spin")
-
-
-@pytest.mark.slow
-def test_the_command_judges_the_folder(tmp_path: Path) -> None:
-    source = written(exported("spin"), tmp_path)
-    save_programme(programmes.spin(), tmp_path / "p.json")
-    arguments = [
-        *("verify-programme", str(path("shaker2"))),
-        *("--motion", str(path("shaker2").with_name("shaker2_spin.motion.json"))),
-        *("--programme", str(tmp_path / "p.json")),
-    ]
-    good = CliRunner().invoke(main, [*arguments, "--against", str(tmp_path)])
-    assert good.exit_code == 0
-    assert "C torque" in good.output
-    source.write_text(changed(r"phi_dot\[s\] = ", "phi_dot[s] = -")(source.read_text()))
-    bad = CliRunner().invoke(main, [*arguments, "--against", str(tmp_path)])
-    assert bad.exit_code == 1
-    assert "REFUSED: C at" in bad.output
-    no_folder = CliRunner().invoke(main, [*arguments, "--name", "lap"])
-    assert no_folder.exit_code == 2
-    assert "--name: no C is judged; give its folder, as --against DIR" in no_folder.output

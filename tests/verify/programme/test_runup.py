@@ -1,4 +1,4 @@
-"""Run-up and run-down tables: joint, rest, rows, where the carrier ends, bounds on the way."""
+"""Run-up and run-down tables: where the carrier rests before, joint, rows, where it ends, bounds on the way."""
 
 from __future__ import annotations
 
@@ -9,11 +9,16 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mahovik import stands
 from mahovik.core.motion.programme import RunUpTable, Samples
 from mahovik.core.motion.required import Bounds
+from mahovik.core.stand import Stand, load
+from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.programme import Finding, runup
 from mahovik.proof.verify.programme.finding import tolerance_for
-from mahovik.proof.verify.programme.mechanics import Scale, scale_of
+from mahovik.proof.verify.programme.mechanics import Scale, pieces_at, scale_of
+from mahovik.proof.verify.programme.simulation import rate, rest_near
+from mahovik.use.study.rest import rest
 from verify.programme.programmes import twins, twins_run_up
 
 
@@ -113,3 +118,29 @@ def test_deviation_is_a_distance_and_an_angle() -> None:
     y[0, :3] += [3e-3, -4e-3, 0.0]
     y[1, 3] += 0.2  # about the vertical, whatever the pose
     assert runup.deviation(twins()[0], y, mean) == pytest.approx([5e-3, 0.2])
+
+
+def rest_of(stand: Stand, phi: Array, q: Array) -> tuple[Array, Array, Array]:
+    """Pose, free directions and K there."""
+    K0 = pieces_at(stand, q, np.zeros(6), phi, np.zeros(len(phi))).K
+    at = rest_near(stand, phi, q, K0)
+    return at.q, at.free, K0
+
+
+@pytest.mark.parametrize(("name", "free"), [("bench8", 0), ("auv6", 4), ("demo3", 6)])
+def test_nothing_accelerates_there(name: str, free: int) -> None:
+    stand = load(stands.path(name))
+    phi = np.linspace(0.3, 2.0, len(stand.flywheels))
+    q, directions, K0 = rest_of(stand, phi, np.array([0.01, 0.0, 0.0, 0.1, 0.05, -0.1]))
+    still = np.zeros(len(phi))
+    V_dot = rate(stand, np.concatenate([q, np.zeros(6)]), phi, still, still)[6:]
+    assert np.abs(V_dot).max() < 1e-8
+    assert directions.shape == (6, free)
+    assert directions.T @ K0 @ directions == pytest.approx(np.eye(free), abs=1e-9)
+
+
+def test_it_is_the_pose_that_another_search_finds() -> None:
+    stand = load(stands.path("bench8"))
+    phi = np.linspace(0.0, 3.0, 8)
+    q, _, _ = rest_of(stand, phi, np.zeros(6))
+    assert q[:3] == pytest.approx(rest(stand, phi.tolist()).state.position, abs=1e-9)

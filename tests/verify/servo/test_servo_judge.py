@@ -7,36 +7,19 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 
 from cli.run import refused, run
-from emit.stands import write
 from export.programmes import motion, stand
 from export.servos import HEAD, TRIM, exported, servo, written
-from mahovik.core.emit.generate import PRECISIONS
-from mahovik.core.emit.servo import ServoTables, servo_files
-from mahovik.core.lower.layout import Layout
-from mahovik.core.lower.servo.form import ServoForm, TrimForm
-from mahovik.core.lower.servo.golden import golden
-from mahovik.core.lower.servo.program import lower_servo
-from mahovik.core.motion.servo import Servo, read_servo
-from mahovik.core.stand import load
-from mahovik.core.stand.structure import structure
+from mahovik.core.motion.servo import Servo
 from mahovik.errors import ToolchainError, UsageError
-from mahovik.out.export.servo import export_servo
-from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.servo import verify_servo
 from mahovik.stands import path
-from test_architecture import REPOSITORY
 from toolchain.quick import quick
 from verify.build import changed
 
-LIMITED = (
-    'integral = "4 Hz"\nspeed_filter = "900 Hz"\ntorque_limit = "0.2 N m"\ntorque_rate = "50 N m/s"\n'
-    '[trim]\ncoordinates = ["z"]\nharmonics = 2\nsettling = 40\ngain = 0.3\n'
-)
 TEXTS = {"spin": "", "trimmed": TRIM, "swaying": "feedforward = false\n"}
 
 
@@ -73,62 +56,6 @@ def test_every_function_of_the_header_is_judged(name: str, real: str, tmp_path: 
     refusals = {row.want for row in found.rows if row.quantity.startswith("bad inputs") and row.states}
     assert functions == refusals
     assert {"servo_default"} | ({"trim_default"} if name == "trimmed" else set()) <= compared
-
-
-@pytest.mark.slow
-def test_servos_with_limits_and_a_name_of_their_own(tmp_path: Path) -> None:
-    from export.programmes import spin, stand_files
-
-    made = export_servo(stand(), spin(), motion(), servo(LIMITED), called="lap")
-    write({**stand_files("double"), **made.programme.files, **made.servo}, tmp_path)
-    found = judged(tmp_path, LIMITED, name="lap")
-    assert failures(found) == set()
-    assert public_functions(tmp_path / "shaker2_lap_servo.h", "shaker2_lap") <= {row.want for row in found.rows}
-    table = tmp_path / "shaker2_lap_servo.c"
-    table.write_text(re.sub(r"(\.limit = \{ )0\.2", r"\g<1>0.25", table.read_text(), count=1))
-    assert failures(judged(tmp_path, LIMITED, name="lap")) == {("servo_default", "limit")}
-
-
-OTHER = quick(
-    2,
-    [
-        *(("auv6", (3, 4, 5), 1, "double"), ("sat4", (5,), 1, "double"), ("bench8", (0, 2, 3, 4, 5), 3, "float")),
-        *(("sat4", (1, 4), 16, "double"), ("demo3", (3,), 2, "double"), ("demo3", (4,), 2, "double")),
-    ],
-)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("name", "coordinates", "harmonics", "real"), OTHER)
-def test_functions_of_other_stands(
-    name: str, coordinates: tuple[int, ...], harmonics: int, real: str, tmp_path: Path
-) -> None:
-    """Other numbers of flywheels, sequences of angles, harmonics: the functions are right for drawn tables."""
-    given, rng = load(path(name)), np.random.default_rng(7)
-    layout = Layout(structure(given), PRECISIONS[real])
-    form = ServoForm(layout.count, TrimForm(coordinates, harmonics))
-    N, T = len(given.flywheels), 2 * harmonics + 1
-    gains: dict[str, Any] = {f.name: rng.uniform(0.1, 1.0, N if f.shape else None) for f in form.gains.fields}
-    design = {
-        "settling": 9, "window": 12, "smoothing": 0.25, "limit": 0.5, "omega": 30.0, "inertia": rng.uniform(0.1, 1, N),
-        "target": rng.normal(size=(len(coordinates), T)), "matrix": rng.normal(size=(N * T, len(coordinates) * T)),
-    }  # fmt: skip
-    gains, design = ({k: np.asarray(v).tolist() for k, v in each.items()} for each in (gains, design))
-    program = lower_servo(layout, form)
-    tables = ServoTables(gains, design, 1e-3, 100, 1, (), exported("trimmed").loop)
-    files = servo_files(given, program, form, tables, golden(program, form, gains, design), "drawn")
-    generated = REPOSITORY / "generated" / name
-    texts = {each: (generated / each).read_text() for each in (f"{name}.h", f"{name}.c")}
-    if real == "float":
-        from mahovik.core.emit.generate import generate_all
-
-        texts = generate_all(given, real).files
-    write({**texts, **files}, tmp_path)
-    named = ", ".join(f'"{("x", "y", "z", "psi", "theta", "phi")[i]}"' for i in coordinates)
-    trim = f"[trim]\ncoordinates = [{named}]\nharmonics = {harmonics}\n"
-    found = verify_servo(given, read_servo(HEAD + trim, given), tmp_path)
-    assert {row.want for row in found.failures} <= {"servo_default", "trim_default"}  # their numbers are drawn
-    assert public_functions(tmp_path / f"{name}_servo.h", name) <= {row.want for row in found.rows if row.states}
 
 
 FAULTS = [
@@ -196,15 +123,6 @@ def test_a_servo_file_that_is_not_that_of_the_c_fails(tmp_path: Path) -> None:
     assert {quantity for want, quantity in found if want == "servo_default"} >= {"angle", "speed", "lead"}
 
 
-def test_without_a_motion_the_target_is_not_compared(tmp_path: Path) -> None:
-    written(exported("trimmed"), tmp_path)
-    found = verify_servo(stand(), servo(TRIM), tmp_path)
-    assert found.passed
-    rows: dict[str, Row] = {row.quantity: row for row in found.rows if row.want == "trim_default"}
-    assert rows["target"].verdict == "not compared"
-    assert "give --motion MOTION.json" in rows["target"].reason
-
-
 def test_c_that_is_not_there_or_of_another_stand_is_refused(tmp_path: Path) -> None:
     with pytest.raises(UsageError, match=r"shaker2_servo\.h: not there; expected what `mahovik export servo"):
         judged(tmp_path)
@@ -240,10 +158,3 @@ def test_the_command_judges_the_folder(tmp_path: Path) -> None:
     assert "--servo: no C is given; give its folder, as --against DIR" in refused(*given)
     assert "-o: not with --servo" in refused(*given, "--against", str(tmp_path), "-o", "w.jsonl")
     assert "--name: no servos are judged" in refused("verify", str(path("shaker2")), "--name", "lap")
-
-
-def test_the_missing_c_of_the_stand_is_named(tmp_path: Path) -> None:
-    made = exported("spin")
-    write({**made.programme.files, **made.servo}, tmp_path)
-    with pytest.raises(UsageError, match=r"shaker2.h: not there; expected what `mahovik generate -o "):
-        judged(tmp_path, "")
