@@ -8,18 +8,15 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import MountingAngles, MountingAxes, Sequence
-from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.rotation import (
     C1,
     attitude,
     carrier_rotation,
     flywheel_mounting,
-    kinematic_matrix,
-    kinematic_matrix_rate,
     rotation_vector,
 )
 from physics.general import draw
-from physics.motions import SEQUENCES, cross, rate
+from physics.motions import SEQUENCES
 
 ROUNDING = 1e-14  # products of three rotations
 STEP = 1e-2  # rates near 1 rad/s
@@ -49,25 +46,6 @@ def test_rotation_vector_is_the_one_it_was_made_of(length: float) -> None:
         vector = length * axis / np.linalg.norm(axis)
         found = rotation_vector(Rotation.from_rotvec(vector).as_matrix())
         np.testing.assert_allclose(found, vector, rtol=0, atol=1e-15 + 4 * ROUNDING * length)
-
-
-@pytest.mark.parametrize("sequence", SEQUENCES)
-def test_A_carries_rates_to_the_twist_and_D_is_its_derivative(sequence: Sequence) -> None:
-    rng = np.random.default_rng(3)
-    for _ in range(10):
-        angles, rates = rng.uniform(-3, 3, 3), rng.uniform(-1, 1, 3)
-
-        def angles_along(t: float, angles: Array = angles, rates: Array = rates) -> Array:
-            return angles + rates * t
-
-        C = attitude(sequence, *angles)
-        omega_cross = C.T @ rate(lambda t: attitude(sequence, *angles_along(t)), STEP)
-        A = kinematic_matrix(sequence, angles)
-        np.testing.assert_allclose(A[:3, :3], C.T, rtol=0, atol=0)
-        np.testing.assert_allclose(cross(A[3:, 3:] @ rates), omega_cross, rtol=0, atol=FROM_DIFFERENCES)
-        D = rate(lambda t: kinematic_matrix(sequence, angles_along(t)), STEP)
-        found = kinematic_matrix_rate(sequence, angles, rates)
-        np.testing.assert_allclose(found, D, rtol=0, atol=FROM_DIFFERENCES)
 
 
 def test_mounting_by_axes_equals_mounting_by_the_angles_of_those_axes() -> None:

@@ -1,69 +1,23 @@
 """Wrenches of (7): by hand, and by the potentials that some of them have."""
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Body, Stand, Vec3
-from mahovik.core.stand.state import State
-from mahovik.laws.buoyancy.data import Buoyancy
 from mahovik.laws.damping.data import Damping, DampingTerm, Factor
 from mahovik.laws.damping.reference import damping_terms, linear_damping, quadratic_damping
 from mahovik.laws.leg.data import legs_of
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.pieces import Pieces
-from physics.general import draw, placed, rows, suspension_of
+from physics.general import draw, rows, suspension_of
 from physics.motions import motion, rate, rotation
 
 SEEDS = range(6)
 STEP = 1e-3  # speeds of 20 rad/s
 FROM_DIFFERENCES = 1e-10  # of the largest value: 1e-16 over the step
 ROUNDING = 1e-12
-
-
-def kind_power(at: Pieces, kind: str) -> float:
-    """Power of one kind of wrench over all bodies."""
-    return float(sum(at.terms[k.body.name][kind] @ k.twist(at.V) for k in placed(at)))
-
-
-def centers(stand: Stand, state: State, center: Callable[[Body], Vec3]) -> dict[str, Array]:
-    """Position in E0 of the point `center(body)` of each body, by the name of the body."""
-    at = pieces(stand, state)
-    O1 = np.array(state.position)
-    found = {}
-    for k in placed(at):
-        C, O_cross = k.L[:3, :3], k.L[3:, :3] @ k.L[:3, :3].T
-        O = np.array([O_cross[2, 1], O_cross[0, 2], O_cross[1, 0]])
-        found[k.body.name] = O1 + rotation(stand, state) @ (O + C @ np.array(center(k.body)))
-    return found
-
-
-@pytest.mark.parametrize("seed", SEEDS)
-@pytest.mark.parametrize("kind", ["weight", "buoyancy"])
-def test_weight_and_buoyancy_have_potentials(seed: int, kind: str) -> None:
-    """Flywheels too: the line of action moves with phi_s, and the drive torque feels it."""
-    stand, state = draw(seed, 4)
-
-    def center_of_buoyancy(body: Body) -> Vec3:
-        buoyancy = body.law(Buoyancy)
-        return buoyancy.center if buoyancy is not None else (0.0, 0.0, 0.0)
-
-    def potential(t: float) -> float:
-        now = motion(stand, state)(t)
-        g = np.array(stand.gravity)
-        if kind == "weight":
-            places = centers(stand, now, lambda body: body.center_of_mass)
-            return -float(sum(body.mass * g @ places[body.name] for body in stand.bodies))
-        floating = {body.name: own for body in stand.bodies if (own := body.law(Buoyancy)) is not None}
-        places = centers(stand, now, center_of_buoyancy)
-        return float(sum(b.displaced_mass * g @ places[name] for name, b in floating.items()))
-
-    scale = abs(potential(0.0)) * 10
-    assert kind_power(pieces(stand, state), kind) == pytest.approx(-rate(potential, STEP), abs=FROM_DIFFERENCES * scale)
 
 
 def test_damping_by_hand() -> None:

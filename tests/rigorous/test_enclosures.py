@@ -17,7 +17,7 @@ from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.errors import StateError
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.proof import reference, rigorous
-from mahovik.proof.rigorous.ball import column, elements, length, number
+from mahovik.proof.rigorous.ball import column, elements, length
 from mahovik.proof.rigorous.evaluate import BITS, MOST_BITS, enclose
 from mahovik.proof.rigorous.rotation import of_quaternion, rotation_vector
 from mahovik.proof.verify.bounds import DOUBLE
@@ -26,7 +26,7 @@ from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.scales import scales
 from mahovik.stands import names, path
 from rigorous.balls import flat, middles
-from strategies import stands, states
+from strategies import stands
 
 SEEDS = st.integers(0, 2**32 - 1)
 WANTS = wants_of("rigorous")
@@ -67,33 +67,6 @@ def test_example_stands_agree_with_the_reference(name: str) -> None:
 def test_random_stands_agree_with_the_reference(data: st.DataObject, stand: Stand) -> None:
     (_, state), *_ = draw(stand, data.draw(SEEDS), 12)[data.draw(st.integers(0, 11)) :]
     check_agreement(stand, state)
-
-
-@settings(max_examples=15, deadline=None)
-@given(st.data())
-def test_higher_precision_stays_inside(data: st.DataObject) -> None:
-    """A ball of many bits lies in that of fewer: both hold the one exact answer."""
-    stand = data.draw(stands(1, 3))
-    state = data.draw(states(stand))
-    for want in WANTS:
-        try:
-            wide, narrow = (rigorous.evaluate(rigorous.pieces_at(stand, state, b), state, want, b) for b in (192, 640))
-        except StateError:
-            continue
-        for key in wide:
-            for outer, inner in zip(flat(wide[key]), flat(narrow[key]), strict=True):
-                assert outer.overlaps(inner)
-                assert inner.rad() <= outer.rad()
-
-
-def test_numbers_are_taken_as_they_are() -> None:
-    """0.1 is the double of that name, not a tenth, whatever the working precision."""
-    with ctx.workprec(20):
-        given = number(0.1)
-    assert given.is_exact()
-    with ctx.workprec(200):
-        assert not (arb(1) / 10).contains(given)
-    assert float(given) == 0.1
 
 
 @given(st.lists(st.floats(-2, 2), min_size=3, max_size=3), st.floats(1e-9, math.pi - 1e-6))
