@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from audits import gazebo, gyrostat, held, npsauv, otter, spheroid
+from audits import gazebo, gyrostat, held, npsauv, otter
 from audits.audit import Audit
 
-AUDITS: dict[str, Audit] = {
-    each.name: each for of in (npsauv, spheroid, otter, gazebo, gyrostat, held) for each in of.AUDITS
-}
+AUDITS: dict[str, Audit] = {each.name: each for of in (npsauv, otter, gazebo, gyrostat, held) for each in of.AUDITS}
 """Audits by name."""

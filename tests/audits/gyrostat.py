@@ -1,4 +1,4 @@
-"""Gyrostats: a rigid body with balanced wheels, from a textbook and from a public tool box."""
+"""Gyrostat: a rigid body with balanced wheels, from a textbook."""
 
 from __future__ import annotations
 
@@ -61,15 +61,6 @@ def textbook(state: State, want: str) -> Mapping[str, Any]:
     return {"V_dot": [*-np.cross(w, v), *omega_dot], "phi_ddot": tau / JS - omega_dot}
 
 
-def propat(state: State, _: str) -> Mapping[str, Any]:
-    """(J - Jw) omega' = ((J - Jw) omega + h) x omega - tau, h' = tau, h = Jw (phi' + omega)."""
-    v, w, tau = np.array(state.V[:3]), np.array(state.V[3:]), np.array(state.tau)
-    without = TOTAL - JS * np.eye(3)
-    h = JS * (np.array(state.phi_dot) + w)
-    omega_dot = np.linalg.solve(without, np.cross(without @ w + h, w) - tau)
-    return {"V_dot": [*-np.cross(w, v), *omega_dot], "phi_ddot": tau / JS - omega_dot}
-
-
 SCOPE = "Body with three wheels across one another, the mass centre as origin; translation as that of a free body"
 
 AUDITS = (
@@ -83,16 +74,5 @@ AUDITS = (
         textbook,
         terms(""),
         "Right.",
-    ),
-    Audit(
-        "propat",
-        "PROPAT, rigid body with three reaction wheels",
-        "github.com/reurison-sr/Python, Propat/rb_reaction_wheel.py, dc85a68e",
-        SCOPE,
-        DOCUMENT,
-        ("coupled",),
-        propat,
-        terms(""),
-        "Right, with the momentum of the wheels counted relative to space.",
     ),
 )

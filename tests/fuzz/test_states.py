@@ -67,16 +67,13 @@ def test_eval_answers_each_line(data: bytes, backend: Backend) -> None:
         assert next(iter(found)) == "id"
 
 
-@fuzzed(150)
+@pytest.mark.parametrize("reader", ["start of simulate", "answers of a program"])
+@fuzzed(100)
 @given(data=LINES)
-def test_a_start_of_simulate(data: bytes, tmp_path_factory: pytest.TempPathFactory) -> None:
-    file = tmp_path_factory.getbasetemp() / "start.json"
-    file.write_bytes(data)
-    read_or_refuse(lambda: load_start(file, AUV6))
-
-
-@fuzzed(150)
-@given(data=LINES)
-def test_answers_of_a_program(data: bytes) -> None:
-    request = Request(7, rest_state(AUV6), ("forward",))
-    read_or_refuse(lambda: read_results([data], [request]))
+def test_readers_of_states(reader: str, data: bytes, tmp_path_factory: pytest.TempPathFactory) -> None:
+    if reader == "start of simulate":
+        file = tmp_path_factory.getbasetemp() / "start.json"
+        file.write_bytes(data)
+        read_or_refuse(lambda: load_start(file, AUV6))
+    else:
+        read_or_refuse(lambda: read_results([data], [Request(7, rest_state(AUV6), ("forward",))]))

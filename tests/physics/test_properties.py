@@ -18,7 +18,7 @@ from mahovik.laws.damping.data import Damping
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.torque import flywheel_acceleration
-from physics.general import AnyBody, isolated, placed, rows, without_added_mass, without_wrench
+from physics.general import isolated, placed, without_wrench
 from physics.motions import vec
 from physics.properties import PROPERTY, assert_near, balance, cases, of_a_motion, scale, value, with_inertia
 from physics.redescribed import redescribed, redescribed_state, transfer
@@ -47,29 +47,6 @@ def test_power_is_the_rate_of_energy(case: tuple[Stand, State]) -> None:
     assert_near(sum(rates), sum(work), size)
     carrier = at.F @ at.V + sum(s.phi_dot * at.P[s.body.name][3] for s in at.flywheels)
     assert_near(carrier + np.dot(state.tau, state.phi_dot), sum(work), size)
-
-
-@PROPERTY
-@given(case=cases(low=1, held=True), factor=st.sampled_from([0.5, 2.0, 8.0]))
-def test_equations_are_linear_in_mass_and_inertia(case: tuple[Stand, State], factor: float) -> None:
-    """All masses and inertias times a factor: so are K, M, I, J; without wrenches nothing moves otherwise."""
-    stand, state = case
-    stand, state = without_added_mass(isolated(stand)), without_wrench(state)
-
-    def heavier(body: AnyBody) -> AnyBody:
-        return replace(body, mass=body.mass * factor, inertia=rows(np.array(body.inertia) * factor))
-
-    other = replace(
-        stand,
-        carrier=heavier(stand.carrier),
-        instruments=tuple(map(heavier, stand.instruments)),
-        flywheels=tuple(map(heavier, stand.flywheels)),
-    )
-    here, there = evaluate(stand, state, ["matrices"]), evaluate(other, state, ["matrices"])
-    for name, size in scale(stand, state, "matrices").items():
-        assert_near(there[name] / factor, here[name], size)
-    size = scale(stand, state, "forward")["V_dot"]
-    assert_near(value(other, state, "forward", "V_dot"), value(stand, state, "forward", "V_dot"), size)
 
 
 @PROPERTY

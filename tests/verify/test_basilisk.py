@@ -14,7 +14,6 @@ import pytest
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.random import BARE, random_stand
 from mahovik.core.stand.random_state import random_state
-from mahovik.errors import UsageError
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.judges.basilisk_wheel import (
     basilisk_stand,
@@ -129,17 +128,6 @@ def test_a_wrong_wheel_is_caught(fault: str, monkeypatch: pytest.MonkeyPatch) ->
     failed = {row.quantity for row in judged(ITS["random, 1"]).failures}
     assert QUANTITIES["V_dot"] in failed
     assert QUANTITIES["phi_ddot"] in failed or fault in ("place", "mass")
-
-
-@pytest.mark.slow
-def test_two_transverse_moments_are_refused_and_taken_in_silence_when_asked() -> None:
-    stand = basilisk_stand(RAW["sat4"], asymmetric=True)
-    assert unsupported_features(stand) == ["transverse moments that differ (rw1, rw2, rw3, rw4)"]
-    with pytest.raises(UsageError, match="transverse moments that differ"):
-        BasiliskJudge(stand)
-    found = worst(judged(stand, "JitterFullyCoupled", True))
-    assert found[QUANTITIES["K"]] < 1e-14  # its mass properties have both moments
-    assert min(found[QUANTITIES["V_dot"]], found[QUANTITIES["phi_ddot"]], found[SHORT]) > 1e-7
 
 
 def test_what_it_leaves_out_is_the_torque_of_the_difference_about_the_axis() -> None:

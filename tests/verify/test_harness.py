@@ -13,19 +13,26 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cli.run import DEMO3, refused, run
 from mahovik.contract.functions import WANTS
-from mahovik.core.emit.generate import generate
+from mahovik.core.emit.batch import batch_files
+from mahovik.core.emit.generate import generate, generate_all
+from mahovik.core.lower.thresholds import THRESHOLDS
+from mahovik.core.program.types import FLOAT as SINGLE
 from mahovik.core.stand import Stand, State, load, rest_state
 from mahovik.errors import CheckError, StateError, ToolchainError, UsageError
+from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
+from mahovik.proof.verify.bounds import FLOAT
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.compare import Row, difference
+from mahovik.proof.verify.compare import Judge, Row, difference
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.harness import judge, verify_c
-from mahovik.proof.verify.report import as_json, as_junit, conclusion, worst_lines
+from mahovik.proof.verify.harness import check_batch, judge, verify_c
+from mahovik.proof.verify.report import Report, as_json, as_junit, conclusion, worst_lines
 from mahovik.proof.verify.states import read_line
 from mahovik.stands import path
 from toolchain.quick import quick
+from verify.build import everything
 
 DEMO = load(path("demo3"))
 
@@ -156,6 +163,25 @@ def test_c_of_another_version_is_refused(tmp_path: Path) -> None:
         verify_c(DEMO, against=written(tmp_path, DEMO, lambda _, text: text.replace("spin_root_inv", "root")))
 
 
+def test_batches_must_be_those_that_this_version_generates(tmp_path: Path) -> None:
+    made = generate_all(DEMO)
+    assert check_batch(DEMO, made, tmp_path) is None
+    for name, text in {**made.files, **batch_files(DEMO, made)}.items():
+        (tmp_path / name).write_text(text, encoding="ascii")
+    batch, verdicts = tmp_path / "demo3_batch.c", []
+    for change in (lambda: None, lambda: batch.write_text("int x;\n"), batch.unlink):
+        change()
+        row = check_batch(DEMO, made, tmp_path)
+        assert row is not None
+        verdicts.append(f"{row.verdict} {row.reason}".strip())
+    again = "generate it again with --batch"
+    assert verdicts == [
+        "ok",
+        f"FAILED demo3_batch.c is not what this version generates: {again}",
+        f"FAILED demo3_batch.c is missing: {again}",
+    ]
+
+
 def test_a_warning_of_the_compiler_is_an_error(tmp_path: Path) -> None:
     def change(file: str, text: str) -> str:
         return text if file.endswith(".h") else text + "\nstatic int unused_function(int x) { return x; }\n"
@@ -201,3 +227,44 @@ def test_reports_as_json_and_junit() -> None:
     empty = replace(found, rows=())
     assert not empty.passed
     assert ET.fromstring(as_junit(empty)).get("errors") == "1"
+
+
+# ---- float ----
+
+
+def test_states_are_those_that_float_takes() -> None:
+    for _, state in draw(everything(), 3, 40, "float"):
+        numbers = [*state.position, *state.V, *state.phi, *state.phi_dot, *state.tau, *(state.angles or ())]
+        assert all(float(np.float32(x)) == x for x in numbers)
+        assert max(map(abs, (*state.phi, *(state.angles or ()))), default=0.0) <= SINGLE.max_phase
+
+
+def test_rank_is_decided_by_the_thresholds_of_float() -> None:
+    assert (FLOAT.cuts.rank, FLOAT.cuts.reached) == (THRESHOLDS["float"].rank, THRESHOLDS["float"].unreachable)
+    stand = load(path("bench8"))
+    judge = Judge(stand, FLOAT, Second(stand))
+    drawn = [state for _, state in draw(stand, 1, 30, "float")]
+    kept = [found for state in drawn if (found := judge.expected_answer(state, "inverse")) is not None]
+    assert len(kept) >= len(drawn) / 4  # and not all of them hang on rounding
+
+
+def test_what_is_nearest_to_its_bound_is_no_worst() -> None:
+    """Each difference is said with its own quantity, pair and bound, also that of the references."""
+    rows = (
+        Row("forward", "V_dot", 1, 3e-7, verdict="ok", tolerance=1e-6, derivations=1e-12),
+        Row("momentum", "Z0", 1, 2e-7, verdict="ok", tolerance=5e-7, derivations=1e-12, second=1e-13, between=2e-7),
+    )
+    found = Report("demo3", "", "", "C", 1, 1, 1e-6, rows)
+    expected = "passed: nearest to its bound Z0, judged and reference: 2.0e-07 of the natural scale, 5e-07 accepted"
+    assert conclusion(found) == expected
+    near = replace(rows[1], second=9e-13)
+    found = replace(found, rows=(rows[0], near))
+    assert "Z0, second and reference: 9.0e-13 of the natural scale, 1e-12 accepted" in conclusion(found)
+    same = [replace(row, tolerance=1e-6, derivations=1e-6) for row in rows]
+    assert conclusion(replace(found, rows=tuple(same))) == "passed: worst 3.0e-07 of the natural scale, 1e-06 accepted"
+
+
+def test_c_of_the_other_element_type_is_refused(tmp_path: Path) -> None:
+    run("generate", DEMO3, "--real", "float", "-o", str(tmp_path))
+    said = refused("verify", DEMO3, "--against", str(tmp_path), "--real", "double")
+    assert said == f"error: {tmp_path / 'demo3.h'}: its C is float, expected double: give --real float\n"
