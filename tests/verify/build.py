@@ -13,16 +13,12 @@ from mahovik.core.emit.generate import Generated
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.values import Values
-from mahovik.core.program.function import Program
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.structure import structure
 from mahovik.laws.buoyancy.data import Buoyancy
 from mahovik.laws.damping.data import Damping
-from mahovik.proof.verify.c_backend import InterpreterBackend
-from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.harness import judge
 
 
 @cache
@@ -51,13 +47,6 @@ def generated(stand: Stand) -> Generated:
     layout = Layout(structure(stand), DOUBLE)
     program = lower_layout(layout)
     return Generated(layout, program, Values(stand, layout, program), {})
-
-
-def caught(stand: Stand, made: Generated, states: int = 8) -> bool:
-    """Whether the harness finds anything wrong: state after state, until it does."""
-    backend = InterpreterBackend(made)
-    drawn = draw(stand, 5, states, wrenches=False)[1:]  # the first is at rest, where little shows
-    return any(row.failed for state in drawn for row in judge(stand, backend, [state], backend.wants))
 
 
 def changed(pattern: str, new: str, count: int = 1) -> Callable[[str], str]:
