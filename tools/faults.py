@@ -2,8 +2,8 @@
 
 python tools/faults.py [WORD ...] [--again]
 
-A fault survives where its tests pass; it does not apply where its text is not there once. Verdicts are kept in
-build/faults until the code or its tests change, so that a run goes on where it was interrupted.
+A fault survives where its tests pass; it does not apply where the file has not its text once. Verdicts are kept until
+the code or its tests change, so that a run goes on where it was interrupted.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ ROOT = Path(__file__).resolve().parents[1]
 LIST = Path("tests/faults.toml")
 VERDICTS = ROOT / "build" / "faults" / "verdicts.json"
 COPIES = 2
-LONGEST = 600.0  # s, the tests of one fault
+LONGEST = 600.0  # s
 CAUGHT = "caught"
 
 
@@ -52,10 +52,10 @@ class Fault:
 
 
 def read_faults(words: Sequence[str]) -> list[Fault]:
-    """The faults of the list that have each of the words in kind, description or file."""
+    """The faults of the list that have all of the words in kind, description or file."""
     tables = tomllib.loads((ROOT / LIST).read_text(encoding="utf-8"))
-    faults = [Fault(kind, **(each | {"tests": tuple(each["tests"])})) for kind in tables for each in tables[kind]]
-    return [each for each in faults if all(word in f"{each.name} {each.file}" for word in words)]
+    faults = [Fault(kind, **(entry | {"tests": tuple(entry["tests"])})) for kind in tables for entry in tables[kind]]
+    return [fault for fault in faults if all(word in f"{fault.name} {fault.file}" for word in words)]
 
 
 def copy_checkout(folder: Path) -> None:
@@ -69,22 +69,22 @@ def copy_checkout(folder: Path) -> None:
 
 def state_of(copy: Path) -> str:
     """Hash of what decides whether a fault is noticed."""
-    found = hashlib.sha256((copy / "pyproject.toml").read_bytes())
-    for path in sorted(each for part in ("generator", "templates", "tests") for each in (copy / part).rglob("*")):
+    digest = hashlib.sha256((copy / "pyproject.toml").read_bytes())
+    for path in sorted(path for part in ("generator", "templates", "tests") for path in (copy / part).rglob("*")):
         if path.is_file() and path != copy / LIST:
-            found.update(path.relative_to(copy).as_posix().encode() + b"\0" + path.read_bytes())
-    return found.hexdigest()
+            digest.update(path.relative_to(copy).as_posix().encode() + b"\0" + path.read_bytes())
+    return digest.hexdigest()
 
 
 def run_tests(copy: Path, tests: Sequence[str], *options: str) -> tuple[int, str]:
     """Exit status of pytest, and the end of what it printed."""
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options]
     environment = os.environ | {"PYTHONPATH": str(copy / "generator"), "CI": "1"}
+    command += [f"tests/{test}" for test in tests]
     try:
         done = subprocess.run(
-            [*command, *(f"tests/{each}" for each in tests)],
-            cwd=copy, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False,
-            timeout=LONGEST,
+            command, cwd=copy, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+            check=False, timeout=LONGEST,
         )  # fmt: skip
     except subprocess.TimeoutExpired:
         return -1, f"no end in {LONGEST:g} s"
@@ -111,21 +111,21 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("words", nargs="*", metavar="WORD", help="only faults that have every word")
     parser.add_argument("--again", action="store_true", help="forget the verdicts so far")
-    given = parser.parse_args()
-    chosen = read_faults(given.words)
-    kept = json.loads(VERDICTS.read_text()) if VERDICTS.is_file() and not given.again else {}
+    options = parser.parse_args()
+    chosen = read_faults(options.words)
+    kept = json.loads(VERDICTS.read_text()) if VERDICTS.is_file() and not options.again else {}
     lock, copies = threading.Lock(), queue.Queue[Path]()
+    VERDICTS.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="mahovik-faults-") as folder:
         for number in range(COPIES):
             copy_checkout(copy := Path(folder) / str(number))
             copies.put(copy)
         state = state_of(copy)
-        keys = {each: hashlib.sha256(json.dumps([state, asdict(each)]).encode()).hexdigest() for each in chosen}
-        left = [each for each in chosen if kept.get(keys[each]) != CAUGHT]
+        keys = {fault: hashlib.sha256(json.dumps([state, asdict(fault)]).encode()).hexdigest() for fault in chosen}
+        left = [fault for fault in chosen if kept.get(keys[fault]) != CAUGHT]
         print(f"{len(chosen)} faults, {len(left)} to be planted", flush=True)
-        options = ["-n", str(COPIES), *(["-m", "not fuzz"] if any(each.nightly for each in left) else [])]
-        tests = sorted({test for each in left for test in each.tests})
-        status, said = run_tests(copy, tests, *options) if tests else (0, "")
+        tests = sorted({test for fault in left for test in fault.tests if not fault.nightly})
+        status, said = run_tests(copy, tests, "-n", str(COPIES)) if tests else (0, "")
         if status:
             print(f"{said}\nnot all of these tests pass without a fault: nothing was planted")
             return 1
@@ -137,13 +137,12 @@ def main() -> int:
             with lock:
                 print(f"{verdict}  {fault.name} ({time.monotonic() - begin:.0f} s)", flush=True)
                 kept[keys[fault]] = verdict
-                VERDICTS.parent.mkdir(parents=True, exist_ok=True)
                 VERDICTS.write_text(json.dumps(kept))
 
         with ThreadPoolExecutor(COPIES) as pool:
             list(pool.map(take, left))
-    red = [each for each in chosen if kept[keys[each]] != CAUGHT]
-    print(*(f"{kept[keys[each]]}  {each.name}" for each in red), sep="\n", end="\n" if red else "")
+    red = [fault for fault in chosen if kept[keys[fault]] != CAUGHT]
+    print(*(f"{kept[keys[fault]]}  {fault.name}" for fault in red), sep="\n", end="\n" if red else "")
     print(f"{len(chosen) - len(red)} of {len(chosen)} faults are caught")
     return 1 if red else 0
 

@@ -17,7 +17,7 @@ ACROSS, ALONG, SPIN = 3.0, 2.0, 0.02
 
 
 def wheel(name: str, **changes: Any) -> Table:
-    """A balanced wheel in the origin of E1, without transverse inertia of its own."""
+    """A balanced wheel in the origin of E1, of 0.01 kg m2 across its axis."""
     balanced = {
         "name": name, "axis": [0, 0, 1], "zero": [1, 0, 0], "mass": WHEEL, "spin_inertia": SPIN,
         "transverse_inertia": 0.01,
@@ -27,6 +27,6 @@ def wheel(name: str, **changes: Any) -> Table:
 
 def stand(*wheels: Table, carrier: Table | None = None, **more: Any) -> Stand:
     """A free carrier without gravity that bears these wheels."""
-    own = ACROSS - 0.01 * len(wheels)
-    body = {"mass": CARRIER, "inertia": [own, own, ALONG]} | (carrier or {})
+    across = ACROSS - 0.01 * len(wheels)
+    body = {"mass": CARRIER, "inertia": [across, across, ALONG]} | (carrier or {})
     return mahovik.Stand.from_dict({"schema": 1, "name": "hand", "carrier": body, "flywheel": [*wheels], **more})

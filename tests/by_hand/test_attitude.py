@@ -27,8 +27,8 @@ AXES = {"a": ([1, 0, 0], [0, 1, 0]), "b": ([0, 1, 0], [0, 0, 1]), "c": ([0, 0, 1
 def test_settings_of_three_equal_wheels() -> None:
     motor = {"torque": TAU, "speed": W0, "viscous": 1e-5, "coulomb": 2e-3, "coulomb_speed": 0.5}
     wheels = [wheel(name, axis=axis, zero=zero, motor=motor) for name, (axis, zero) in AXES.items()]
-    own = J - (SPIN + 2 * 0.01)  # of the carrier: each wheel adds its spin inertia along one axis
-    carrier = {"inertia": [own, 0.8 * own, 0.9 * own], "wrench_input": True}
+    largest = J - (SPIN + 2 * 0.01)  # of the carrier: each wheel adds its spin inertia along one axis
+    carrier = {"inertia": [largest, 0.8 * largest, 0.9 * largest], "wrench_input": True}
     task = {"pointing": {"rows": ["wx", "wy", "wz"]}}
     options = LoopOptions(rate=20.0, bandwidth=0.2, damping=0.7, momentum=H, failure="none")
     made = design_attitude(stand(*wheels, carrier=carrier, task=task), options)

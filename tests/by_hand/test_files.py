@@ -21,8 +21,8 @@ from mahovik.proof.evidence.folder import check, seal
 
 @pytest.mark.parametrize("version", ["2.0", "3.0"])
 def test_display_units_of_an_fmu(version: str) -> None:
-    own = stand(wheel("w"))
-    made = export_fmu(own, version, "me", "torque", start=rest_state(own), binary=False)
+    driven = stand(wheel("w"))
+    made = export_fmu(driven, version, "me", "torque", start=rest_state(driven), binary=False)
     root = ET.fromstring(made.files["modelDescription.xml"])
     factors = {
         (str(unit.get("name")), str(shown.get("name"))): float(str(shown.get("factor")))
@@ -37,7 +37,7 @@ def test_display_units_of_an_fmu(version: str) -> None:
         ("m", "mm"): 1e3,
         ("kg", "g"): 1e3,
     }
-    shown = {each.get("quantity"): each.get("displayUnit") for each in root.iter() if each.get("quantity")}
+    shown = {tag.get("quantity"): tag.get("displayUnit") for tag in root.iter() if tag.get("quantity")}
     assert shown["AngularVelocity"] == "rpm" and shown["Angle"] == "deg" and shown["Length"] is None
 
 
@@ -61,15 +61,15 @@ def test_links_in_sealed_evidence_are_no_files(tmp_path: Path) -> None:
 def test_natural_frequencies_are_avoided_on_both_sides() -> None:
     k = 20 * (2 * pi * 15.0) ** 2  # N/m: 15 Hz
     springs = {"stiffness": [k, k, 4 * k, 1e7, 1e7, 1e7], "damping": [1, 1, 1, 1, 1, 1]}
-    own = stand(
+    sprung = stand(
         *(wheel(name, unbalance={"static": "1 g mm"}) for name in "ab"), suspension=springs, point=[{"name": "eye"}]
     )
 
     def broken(hertz: float) -> tuple[str, ...]:
         speeds = {"a": 2 * pi * hertz, "b": 2 * pi * hertz}
-        found = mahovik.quiet(own, "eye", (100.0, 400.0), speeds=speeds, modes=True, orders=(1,), backend=None)
-        return found.result.broken_options
+        quiet = mahovik.quiet(sprung, "eye", (100.0, 400.0), speeds=speeds, modes=True, orders=(1,), backend=None)
+        return quiet.result.broken_options
 
-    found = {hertz: broken(hertz) for hertz in (13.0, 14.0, 16.0, 17.0)}
-    assert found == {13.0: (), 14.0: ("--avoid",), 16.0: ("--avoid",), 17.0: ()}
+    options = {hertz: broken(hertz) for hertz in (13.0, 14.0, 16.0, 17.0)}
+    assert options == {13.0: (), 14.0: ("--avoid",), 16.0: ("--avoid",), 17.0: ()}
     assert sqrt(k / 20) / (2 * pi) == pytest.approx(15.0)

@@ -27,20 +27,20 @@ T = np.arange(0.0, 1.0, 1e-3)
 
 @pytest.mark.parametrize(("source", "late"), [("count", LATE), ("", 0.0)])
 def test_the_latency_of_an_encoder_is_that_of_its_counts(source: str, late: float) -> None:
-    own = stand(wheel("w", encoder={"counts": 4096, "latency": LATE}))
+    encoded = stand(wheel("w", encoder={"counts": 4096, "latency": LATE}))
     channel = Channel("flywheel", "w", "phase", "", "rad", W * T, source)
-    found = motion_of(Recording(T, (channel,), "data"), own).flywheels[0]
-    assert found.phase == pytest.approx(W * late, abs=1e-9)
-    assert isinstance(found.law, Constant) and found.law.speed == pytest.approx(W)
+    motion = motion_of(Recording(T, (channel,), "data"), encoded).flywheels[0]
+    assert motion.phase == pytest.approx(W * late, abs=1e-9)
+    assert isinstance(motion.law, Constant) and motion.law.speed == pytest.approx(W)
 
 
 def test_a_tacho_is_zero_where_it_rises() -> None:
     phase = W * T - 1.0
-    found = find_pulses(T, (np.mod(phase, 2 * pi) < 0.2 * pi).astype(float))
-    assert found is not None
-    rises = (1.0 + 2 * pi * np.arange(len(found.times))) / W
-    assert found.times == pytest.approx(rises, abs=6e-4)  # half a sample
-    seen = phase_of(found, T, 1.0)
+    pulses = find_pulses(T, (np.mod(phase, 2 * pi) < 0.2 * pi).astype(float))
+    assert pulses is not None
+    rises = (1.0 + 2 * pi * np.arange(len(pulses.times))) / W
+    assert pulses.times == pytest.approx(rises, abs=6e-4)  # half a sample
+    seen = phase_of(pulses, T, 1.0)
     known = np.isfinite(seen)
     assert seen[known] == pytest.approx(phase[known], abs=W * 1.2e-3)
 
@@ -60,13 +60,13 @@ def test_unbalance_on_a_force_table_and_its_standard_errors(loss: Loss, tmp_path
     head = "time [s],hold.reaction.x [N],hold.reaction.y [N],w.phase [rad]"
     rows = np.column_stack([t, measured, W * t])
     np.savetxt(tmp_path / "run.csv", rows, fmt="%.12g", delimiter=",", header=head, comments="")
-    given = wheel("w", transverse_inertia=0.011, unbalance={"static": 1.5 * U, "static_at": 0.5})
-    own = stand(given, hold={"freedoms": []})
-    found = mahovik.identify(own, tmp_path / "run.csv", "w.unbalance.static*", loss=loss).parameters
+    unbalanced = wheel("w", transverse_inertia=0.011, unbalance={"static": 1.5 * U, "static_at": 0.5})
+    held = stand(unbalanced, hold={"freedoms": []})
+    parameters = mahovik.identify(held, tmp_path / "run.csv", "w.unbalance.static*", loss=loss).parameters
     z = np.linspace(-8.0, 8.0, 1601)
     counts = np.exp(-(z**2) / 2) / np.sqrt(1 + z**2) / sqrt(2 * pi) * 0.01
     error = NOISE / W**2 / sqrt(SAMPLES * (1.0 if loss == "linear" else counts.sum()))
-    size, at = (found[f"w.unbalance.static{key}"] for key in ("", "_at"))
+    size, at = (parameters[f"w.unbalance.static{key}"] for key in ("", "_at"))
     assert size.standard_error == pytest.approx(error, rel=0.05)
     assert at.standard_error == pytest.approx(error / U, rel=0.05)
     assert abs(size.value - U) < 4 * error and abs(at.value - AT) < 4 * error / U

@@ -29,9 +29,9 @@ def test_a_growing_force_acts_in_the_middle_of_a_step(tmp_path: Path) -> None:
     (tmp_path / "force.csv").write_text("t,X\n0,0\n1,20\n")
     regime = tmp_path / "regime.toml"
     regime.write_text('schema = 1\n[wrench]\ncarrier = "force.csv"\n')
-    found = mahovik.simulate(PUSHED, 1.0, regime=regime, start={}, dt=0.05, every=0.05)
-    x, u = (found[name] for name in ("x", "v_x"))
-    t = found.t
+    run = mahovik.simulate(PUSHED, 1.0, regime=regime, start={}, dt=0.05, every=0.05)
+    x, u = (run[name] for name in ("x", "v_x"))
+    t = run.t
     assert u == pytest.approx(t**2 / 2, abs=1e-12)
     assert x == pytest.approx(t**3 / 6, abs=0.05**2 / 11)  # held within a step: h^2 t / 12
 
@@ -69,11 +69,11 @@ def test_quantities_after_a_time_and_until_they_settle(tmp_path: Path) -> None:
         "least": ("least", 'after = "0.5 s"', 0.5),
         "settled": ("settling", "within = 0.2005", 0.76),
     }
-    quantities = [QUANTITY.format(name=name, what=what, more=more) for name, (what, more, _) in wanted.items()]
+    tables = [QUANTITY.format(name=name, what=what, more=more) for name, (what, more, _) in wanted.items()]
     PUSHED.save(tmp_path / "hand.toml")
-    (tmp_path / "C.toml").write_text(CAMPAIGN + "".join(quantities))
-    found = mahovik.Campaign(tmp_path / "C.toml").rows(0, 1).quantities
-    assert {name: float(values[0]) for name, values in found.items()} == {
+    (tmp_path / "C.toml").write_text(CAMPAIGN + "".join(tables))
+    quantities = mahovik.Campaign(tmp_path / "C.toml").rows(0, 1).quantities
+    assert {name: float(values[0]) for name, values in quantities.items()} == {
         name: pytest.approx(value) for name, (*_, value) in wanted.items()
     }
 

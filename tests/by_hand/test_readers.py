@@ -39,12 +39,12 @@ def test_units(text: str, dimension: Dimension, value: float) -> None:
 def test_unbalance_of_a_data_sheet() -> None:
     a, b = radians(30.0), radians(100.0)
     unbalance = {"static": "6 g mm", "static_at": "30 deg", "dynamic": "4 g cm^2", "dynamic_at": "100 deg"}
-    given = stand(wheel("w", transverse_inertia=0.011, unbalance=unbalance))
-    own = given.flywheels[0]
-    assert own.center_of_mass == pytest.approx((0.0, 3e-6 * cos(a), 3e-6 * sin(a)))
-    J = np.array(own.inertia)
+    unbalanced = stand(wheel("w", transverse_inertia=0.011, unbalance=unbalance))
+    spun = unbalanced.flywheels[0]
+    assert spun.center_of_mass == pytest.approx((0.0, 3e-6 * cos(a), 3e-6 * sin(a)))
+    J = np.array(spun.inertia)
     assert [J[0, 1], J[0, 2], J[1, 2]] == pytest.approx([-4e-7 * cos(b), -4e-7 * sin(b), 0.0], abs=1e-22)
-    row = summarize(given, 100 * pi).unbalance[0]
+    row = summarize(unbalanced, 100 * pi).unbalance[0]
     assert (row.static_at, row.dynamic_at) == pytest.approx((a, b))
 
 
@@ -86,15 +86,15 @@ URDF = """
 
 def test_a_urdf_by_its_definition(tmp_path: Path) -> None:
     (tmp_path / "box.urdf").write_text(URDF)
-    own = make_stand(read_urdf(tmp_path / "box.urdf"), "box", "box.urdf").stand
-    assert own.carrier.mass == 5.0
-    assert own.carrier.center_of_mass == pytest.approx((0.1, 0.0, 0.0))
+    box = make_stand(read_urdf(tmp_path / "box.urdf"), "box", "box.urdf").stand
+    assert box.carrier.mass == 5.0
+    assert box.carrier.center_of_mass == pytest.approx((0.1, 0.0, 0.0))
     apart = 4 * 0.1**2 + 1 * 0.4**2  # about the common mass centre
-    about = np.diag(np.array(own.carrier.inertia))
-    about = about if own.carrier.inertia_about == "center_of_mass" else about - 5 * np.array([0, 0.01, 0.01])
+    about = np.diag(np.array(box.carrier.inertia))
+    about = about if box.carrier.inertia_about == "center_of_mass" else about - 5 * np.array([0, 0.01, 0.01])
     assert about == pytest.approx([0.21, 0.11 + apart, 0.26 + apart])
-    spun = own.flywheels[0]
-    place = summarize(own).bodies[1].center_of_mass
+    spun = box.flywheels[0]
+    place = summarize(box).bodies[1].center_of_mass
     assert place == pytest.approx((0.0, 0.0, 0.2))
     assert np.diag(np.array(spun.inertia)) == pytest.approx([0.002, 0.001, 0.001])
     axis = np.array(getattr(spun.mounting, "axis", ()))
@@ -110,7 +110,9 @@ def test_a_stand_that_is_written_reads_back(tmp_path: Path) -> None:
         "encoder": {"counts": 4096, "zero": 7, "latency": 3e-4}, "inverse_weight": 2.0, "wrench_input": True,
     }  # fmt: skip
     by_angles = {key: value for key, value in wheel("b", angles=[0.1, 0.2, 0.3]).items() if key not in ("axis", "zero")}
-    own = stand(wheel("a", position=[0.1, 0.2, 0.3], **more), by_angles, point=[{"name": "p", "position": [1, 2, 3]}])
-    own.save(tmp_path / "hand.toml")
+    written = stand(
+        wheel("a", position=[0.1, 0.2, 0.3], **more), by_angles, point=[{"name": "p", "position": [1, 2, 3]}]
+    )
+    written.save(tmp_path / "hand.toml")
     again = mahovik.load(tmp_path / "hand.toml")
-    assert (again.carrier, again.flywheels, again.points) == (own.carrier, own.flywheels, own.points)
+    assert (again.carrier, again.flywheels, again.points) == (written.carrier, written.flywheels, written.points)

@@ -56,13 +56,13 @@ def test_flywheels_and_drives() -> None:
     encoder = {"counts": 4096, "latency": "250 us"}
     across = [0.013, 0.011]
     made = tables(stand(wheel("w", transverse_inertia=across, unbalance=unbalance, motor=motor, encoder=encoder)))
-    found = made["Flywheels"][0]
-    assert found[:4] == ["w", 0.02, pytest.approx(0.012), pytest.approx(3000.0)]  # g mm of the static unbalance
-    assert found[4] == pytest.approx(1e9 * dynamic, rel=1e-3)
-    assert found[5] == pytest.approx(1e9 * dynamic, rel=1e-3)  # the centre of mass is in the plane of the origin
-    assert found[6] == pytest.approx(1e9 * 0.002, rel=1e-3)
+    row = made["Flywheels"][0]
+    assert row[:4] == ["w", 0.02, pytest.approx(0.012), pytest.approx(3000.0)]  # g mm of the static unbalance
+    assert row[4] == pytest.approx(1e9 * dynamic, rel=1e-3)
+    assert row[5] == pytest.approx(1e9 * dynamic, rel=1e-3)  # the centre of mass is in the plane of the origin
+    assert row[6] == pytest.approx(1e9 * 0.002, rel=1e-3)
     expected = [3000.0, static * W**2, dynamic * W**2, 1e3 * static / 2.0 * W]
-    assert found[8:] == pytest.approx(expected, rel=1e-3)
+    assert row[8:] == pytest.approx(expected, rel=1e-3)
     assert made["Drives and encoders"] == [["w", 0.2, 3000.0, 0.05, 0.003, 2e-5, 4096.0, 250.0]]
 
 
@@ -79,6 +79,6 @@ def test_principal_axes_of_the_whole() -> None:
     rows = tables(stand(carrier={"inertia": tensor}))["Inertia of the whole"]
     assert [row[1:4] for row in rows] == [pytest.approx(line, abs=1e-4) for line in tensor]
     assert [row[4] for row in rows] == [1.0, 2.0, 3.0]
-    for found, axis in zip((row[5:] for row in rows), ([c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]), strict=True):
-        sign = 1.0 if sum(float(a) * b for a, b in zip(found, axis, strict=True)) > 0 else -1.0
-        assert [sign * float(each) for each in found] == pytest.approx(axis, abs=1e-4)
+    for line, axis in zip((row[5:] for row in rows), ([c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]), strict=True):
+        sign = 1.0 if sum(float(a) * b for a, b in zip(line, axis, strict=True)) > 0 else -1.0
+        assert [sign * float(x) for x in line] == pytest.approx(axis, abs=1e-4)

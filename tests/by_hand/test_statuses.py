@@ -28,9 +28,9 @@ def model() -> mahovik.Model:
 def test_statuses_of_the_inverse_problem(model: mahovik.Model) -> None:
     x = model.state()
     share = -J_Z / SPIN / 2
-    found = model.inverse(x, ABOUT_Z)
-    assert found.status_names() == ["RANK_DEFICIENT"] and found.rank == 1
-    assert found.phi_ddot == pytest.approx([share, share])
+    shared = model.inverse(x, ABOUT_Z)
+    assert shared.status_names() == ["RANK_DEFICIENT"] and shared.rank == 1
+    assert shared.phi_ddot == pytest.approx([share, share])
     assert model.inverse(x, 20 * ABOUT_Z).status_names() == ["RANK_DEFICIENT|EXCESSIVE"]
     across = model.inverse(x, [0, 0, 0, 1, 0, 0])
     assert across.status_names() == ["UNREACHABLE|RANK_DEFICIENT"]
@@ -65,5 +65,5 @@ def test_statuses_of_steps(model: mahovik.Model) -> None:
 def test_refusals(model: mahovik.Model, member: str, value: list[float], name: str) -> None:
     with pytest.raises(RefusedError, match=name):
         model.forward(model.state(**{member: value}))
-    inside = [0.0 if isnan(each) else 0.998 * each for each in value]
+    inside = [0.0 if isnan(x) else 0.998 * x for x in value]
     assert np.isfinite(model.forward(model.state(**{member: inside})).V_dot).all()

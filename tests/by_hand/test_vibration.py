@@ -69,9 +69,9 @@ def test_sums_of_lines_and_noise(shaken: Jitter) -> None:
     assert shaken.rms[0] == pytest.approx([rss, rss, 0.0], rel=GRID)
     worst = A1 + A2 + 3 * sqrt(noise)
     assert shaken.worst[0] == pytest.approx([worst, worst, 0.0], rel=GRID)
-    found = {each["order"]: (each["frequency"], each["amplitude"]) for each in shaken.orders}
-    assert found[1][0] == pytest.approx(F1) and found[1][1] == pytest.approx([A1, A1, 0.0])
-    assert found[2.5][0] == pytest.approx(F2) and found[2.5][1] == pytest.approx([A2, A2, 0.0])
+    lines = {line["order"]: (line["frequency"], line["amplitude"]) for line in shaken.orders}
+    assert lines[1][0] == pytest.approx(F1) and lines[1][1] == pytest.approx([A1, A1, 0.0])
+    assert lines[2.5][0] == pytest.approx(F2) and lines[2.5][1] == pytest.approx([A2, A2, 0.0])
 
 
 def test_requirements_with_tolerances_within_their_bands(shaken: Jitter) -> None:
@@ -80,16 +80,16 @@ def test_requirements_with_tolerances_within_their_bands(shaken: Jitter) -> None
         1.1 * A1 + 1.2 * A2 + 3 * sqrt(noise_between(0, 200)),
         sqrt((1.2 * A2) ** 2 / 2 + noise_between(70, 200)),
     ]
-    assert [each["value"] for each in shaken.requirements] == pytest.approx(wanted, rel=GRID)
-    assert [each["limit"] for each in shaken.requirements] == [0.1, 1.0, 0.1]
-    assert [each["met"] for each in shaken.requirements] == [True, True, False]
-    margins = [each["margin"] for each in shaken.requirements]
+    assert [verdict["value"] for verdict in shaken.requirements] == pytest.approx(wanted, rel=GRID)
+    assert [verdict["limit"] for verdict in shaken.requirements] == [0.1, 1.0, 0.1]
+    assert [verdict["met"] for verdict in shaken.requirements] == [True, True, False]
+    margins = [verdict["margin"] for verdict in shaken.requirements]
     assert margins == pytest.approx([0.1 / wanted[0] - 1, 1.0 / wanted[1] - 1, 0.1 / wanted[2] - 1], rel=0.02)
 
 
 def test_budget_cumulative_and_density(shaken: Jitter) -> None:
     made = shaken.to_dict()
-    budget = {(each["wheel"], each["what"]): each["rms"][0] for each in made["budget"]}
+    budget = {(share["wheel"], share["what"]): share["rms"][0] for share in made["budget"]}
     assert budget == {
         ("a", "order 1"): pytest.approx(A1 / sqrt(2)),
         ("a", "order 2.5"): pytest.approx(A2 / sqrt(2)),
@@ -101,7 +101,7 @@ def test_budget_cumulative_and_density(shaken: Jitter) -> None:
         at = int(np.argmin(np.abs(frequency - line)))
         assert frequency[at] == pytest.approx(line)
         assert rms[at] == pytest.approx(sqrt(lines + noise_between(0, line)), rel=GRID)
-    density = np.array(made["psd"]["density"])[:, 0]  # mean of each Hz from 0
+    density = np.array(made["psd"]["density"])[:, 0]  # mean over every Hz from 0
     flat = (S_OF_A + S_OF_B) / M**2
     assert density[[30, 50, 70]] == pytest.approx([S_OF_A / M**2, flat, S_OF_B / M**2], rel=GRID)
     assert density[[47, 119]] == pytest.approx([A1**2 / 2 + flat, A2**2 / 2], rel=GRID)
@@ -112,7 +112,7 @@ def test_noise_is_half_of_each_whirl(tmp_path: Path) -> None:
     natural, damping, polar, f, S = 2 * pi * 60.0, 0.05, 1.5, 40.0, 0.01
     (tmp_path / "noise.csv").write_text(f"frequency [Hz],radial moment [N^2 m^2/Hz]\n{f - 1},{S}\n{f + 1},{S}\n")
     (tmp_path / "inner.csv").write_text("mode,frequency [Hz],damping,polar ratio\nrocking,60,0.05,1.5\n")
-    found = mahovik.jitter(
+    turned = mahovik.jitter(
         stand(wheel("a")),
         {"a": W},
         "carrier",
@@ -129,7 +129,7 @@ def test_noise_is_half_of_each_whirl(tmp_path: Path) -> None:
     forward, backward = (float(np.mean([gain(sign * w) for w in grid])) for sign in (1, -1))
     assert max(forward, backward) > 5 * min(forward, backward)
     wanted = sqrt(S * 2.0 * (forward + backward) / 2)
-    assert found.rms[0] == pytest.approx([wanted, wanted, 0.0], rel=GRID)
+    assert turned.rms[0] == pytest.approx([wanted, wanted, 0.0], rel=GRID)
 
 
 def test_requirements_count_what_a_low_order_leaves_out() -> None:
@@ -141,7 +141,7 @@ def test_requirements_count_what_a_low_order_leaves_out() -> None:
         )
         for order in (1, 4)
     )
-    above = np.sum([each["amplitude"] for each in high.orders if each["order"] > 1], axis=0)
+    above = np.sum([line["amplitude"] for line in high.orders if line["order"] > 1], axis=0)
     assert above.max() > 1e-3 * low.worst[0].max()
     assert low.remainder[0] == pytest.approx(above, rel=0.1, abs=1e-3 * above.max())
     assert low.requirements[0]["value"] == pytest.approx((low.worst[0] + low.remainder[0]).max(), rel=1e-9)
