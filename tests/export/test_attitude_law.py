@@ -103,31 +103,6 @@ def _same_time(config: Any, course: Any) -> Any:
     return made
 
 
-@quick
-@given(seeds)
-def test_rates_are_the_derivatives_of_the_reference(c: Attitude, rng: Any) -> None:
-    """Central differences of the attitude: the axes of the rates and their signs."""
-    course = begun(c, c.config(), unit(rng), unit(rng)).course
-    t, h = course.duration * float(rng.uniform(0.1, 0.9)), 1e-3
-    before, now, after = (reference_at(c, course, t + d) for d in (-h, 0.0, h))
-    turned = (law.rotation(before.attitude).inv() * law.rotation(after.attitude)).as_rotvec() / (2 * h)
-    np.testing.assert_allclose(now.rate[:], turned, atol=1e-8)
-    changed = (np.array(after.rate) - np.array(before.rate)) / (2 * h)
-    np.testing.assert_allclose(now.acceleration[:], changed, atol=1e-8)
-
-
-@quick
-@given(seeds, st.booleans())
-def test_the_moment_is_that_of_the_law(c: Attitude, rng: Any, dumping: bool) -> None:
-    config, h = c.config(), rng.normal(size=3) * 10.0 ** rng.uniform(-4, 1)
-    flag, out = ct.c_int(dumping), numbers(0, 0, 0)
-    assert c.call("moment", ct.byref(config), numbers(*h), ct.byref(flag), out) == OK
-    moment, now = law.moment(config, h, dumping)
-    np.testing.assert_allclose(out[:], moment, rtol=1e-12, atol=1e-18)
-    assert bool(flag.value) == now
-    assert np.linalg.norm(out[:]) <= config.dump_torque * (1 + 1e-12)
-
-
 @pytest.fixture(scope="module")
 def model(tmp_path_factory: pytest.TempPathFactory) -> mahovik.Model:
     """The stand without unbalance and asymmetry: the mean over the phases of its flywheels."""

@@ -52,19 +52,6 @@ def test_a_slew_a_failed_wheel_and_the_momentum(real: str, failure: str, tmp_pat
     assert printed["samples with a demand out of reach"].endswith(" 0")
 
 
-@pytest.mark.slow
-def test_without_a_wrench_of_the_carrier_momentum_stays_and_the_page_says_so(tmp_path: Path) -> None:
-    made = attitude_sources(load(path("sat4")), LoopOptions(), "double")
-    assert any("no wrench_input: momentum is not dumped" in line for line in made.design.lines)
-    header = made.files["sat4_attitude.h"]
-    assert "so momentum is not dumped here" in header
-    assert "dump_" not in header and "moment[3]" not in header
-    printed = example(written(made, tmp_path), name="sat4")
-    assert printed["failures"] == "failures 0"
-    assert "momentum" not in printed
-    assert max(numbers_in(printed["pointing"])[1:]) < 1.0
-
-
 @pytest.fixture(scope="module")
 def c(tmp_path_factory: pytest.TempPathFactory) -> Attitude:
     return Attitude(written(exported(), tmp_path_factory.mktemp("attitude")))
@@ -190,21 +177,3 @@ def test_three_wheels_of_which_one_fails_are_refused() -> None:
     ):
         design_attitude(three, LoopOptions(momentum=0.1))
     assert design_attitude(three, LoopOptions(momentum=0.1, failure="none")).samples
-
-
-def test_the_momentum_that_is_told_is_accepted() -> None:
-    stand = load(path("eye4"))
-    with pytest.raises(UsageError, match="at most") as refused:
-        design_attitude(stand, LoopOptions(momentum=30.0))
-    most = float(str(refused.value).split("at most ")[1].split(" N m s")[0])
-    assert design_attitude(stand, LoopOptions(momentum=0.99 * most)).samples
-    with pytest.raises(UsageError, match="at most"):
-        design_attitude(stand, LoopOptions(momentum=1.02 * most))
-
-
-def test_motors_without_limits_are_told() -> None:
-    whole = load(path("eye4"))
-    free = replace(whole, flywheels=tuple(replace(wheel, motor=None) for wheel in whole.flywheels))
-    assert any(
-        "no torque of rw1, rw2, rw3, rw4 is bounded" in line for line in design_attitude(free, LoopOptions()).lines
-    )

@@ -167,22 +167,6 @@ def test_installed_and_found(exported: Path, plain: str, tmp_path: Path) -> None
 
 
 @pytest.mark.slow
-def test_cross_compiled(exported: Path, tmp_path: Path) -> None:
-    """For a Cortex-M7: no C++ compiler of this machine is asked."""
-    require("arm-none-eabi-gcc", "gcc-arm-none-eabi")
-    chain = tmp_path / "m7.cmake"
-    chain.write_text("""set(CMAKE_SYSTEM_NAME Generic)
-set(CMAKE_SYSTEM_PROCESSOR arm)
-set(CMAKE_C_COMPILER arm-none-eabi-gcc)
-set(CMAKE_C_FLAGS_INIT "-mcpu=cortex-m7 -mfpu=fpv5-d16 -mfloat-abi=hard --specs=nosys.specs")
-""")
-    made = build(exported, f"-DCMAKE_TOOLCHAIN_FILE={chain}", where=str(tmp_path / "made"))
-    image = (made / "libmahovik_bench8.a").read_bytes()
-    assert b"bench8_forward" in image
-    assert not (made / "mahovik_bench8_example").exists()
-
-
-@pytest.mark.slow
 def test_again_and_where_it_may_not_be(exported: Path, tmp_path: Path) -> None:
     before = {path: path.read_bytes() for path in exported.rglob("*") if path.is_file()}
     assert run("export", "cmake", BENCH8, "-o", str(exported)).exit_code == 0

@@ -11,8 +11,6 @@ import numpy as np
 import pytest
 
 from export.programmes import exported, self_tested, spin, stand_files, written
-from mahovik.core.emit.names import Names
-from mahovik.core.lower.programme.form import RESERVED
 from mahovik.core.program.interpret import Interpreter
 from toolchain.quick import quick
 from toolchain.tools import compile_c, compile_elsewhere, require, run, symbols_of
@@ -109,18 +107,6 @@ int main(void)
     assert phi_dot[2:] == pytest.approx((full, full), rel=1e-12)
     assert phi[2] == pytest.approx(spin().at(np.zeros(1)).phi[0, 0], abs=1e-9)
     assert (phi[2] - phi[1]) % (2 * pi) == pytest.approx(full * 0.2 / 4000, rel=1e-3)
-
-
-def test_names_of_the_header_are_no_flywheels() -> None:
-    """The names that the stand's header forbids for flywheels are all names in capitals of a programme's header."""
-    for name, kind in (("started", "quintic"), ("spin", "fourier"), ("finite", "quintic")):
-        header = exported(name, kind).files["shaker2_programme.h"]
-        found = re.findall(r"^(?:#define|enum \{) SHAKER2_(\w+)", header, re.MULTILINE)
-        assert found and set(found) <= RESERVED
-    assert Names("shaker2").enumerators(["programme_nodes", "left"], RESERVED) == [
-        "SHAKER2_PROGRAMME_NODES_0",
-        "SHAKER2_LEFT",
-    ]
 
 
 def started(real: str, ticks: int, periods: int) -> tuple[Interpreter, dict[str, int]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -80,19 +79,6 @@ def test_what_is_not_ours_is_not_overwritten(saved: str, tmp_path: Path) -> None
     assert "was changed by hand" in refused(
         *EXPORT, STAND, "--programme", saved, "-o", str(mine.parent), "--table", "fourier"
     )
-
-
-@pytest.mark.slow
-def test_a_delivered_folder_keeps_its_manifest(saved: str, tmp_path: Path) -> None:
-    """The programme has a manifest of its own: `generate --check` finds the folder as it should be."""
-    folder = str(tmp_path / "made")
-    assert run("generate", STAND, "-o", folder).exit_code == 0
-    assert run(*EXPORT, STAND, "--programme", saved, "-o", folder).exit_code == 0
-    assert run("generate", STAND, "-o", folder, "--check").exit_code == 0
-    assert run("generate", STAND, "-o", folder).exit_code == 0
-    assert (tmp_path / "made" / "shaker2_programme.c").is_file()
-    listed = json.loads((tmp_path / "made" / "manifest.json").read_text())["files"]
-    assert not any("programme" in name for name in listed)
 
 
 @pytest.mark.parametrize("part", ["", "runup"])

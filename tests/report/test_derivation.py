@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 import subprocess
 import xml.etree.ElementTree as ET
-from html.parser import HTMLParser
 from pathlib import Path
 
 import numpy as np
@@ -20,12 +19,11 @@ from mahovik.out.report.derivation.numbers import numbers
 from mahovik.out.report.derivation.page import html, latex
 from mahovik.proof.reference.evaluate import evaluate
 from mahovik.use.simulate.held import home
+from report.stand.reports import read
 from toolchain.quick import quick
 from toolchain.tools import require
 
 STANDS = Path(__file__).resolve().parents[2] / "generator" / "mahovik" / "stands"
-NAMES = sorted(path.stem for path in STANDS.glob("*.toml"))
-VOID = {"meta", "link", "br", "img", "input", "hr"}
 
 
 def stand(name: str) -> Stand:
@@ -49,69 +47,25 @@ def general(flywheels: int, seed: int = 1) -> Stand:
     return random_stand(np.random.default_rng(seed), flywheels, everything)
 
 
-class Balance(HTMLParser):
-    """Every element is closed, in order; what it loads is collected."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.open: list[str] = []
-        self.loaded: list[str] = []
-        self.counts: dict[str, int] = {}
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.counts[tag] = self.counts.get(tag, 0) + 1
-        if tag not in VOID:
-            self.open.append(tag)
-        self.loaded += [value or "" for name, value in attrs if name in ("src", "href", "data", "srcset")]
-
-    def handle_endtag(self, tag: str) -> None:
-        assert self.open.pop() == tag
-
-
-@pytest.mark.parametrize("name", quick(1, NAMES))
-def test_page_stands_alone(name: str) -> None:
-    """Well-formed, no external resource, both identities and the version, no date."""
-    example = stand(name)
-    page = html(example)
-    reader = Balance()
-    reader.feed(page)
-    reader.close()
-    assert reader.open == []
-    assert all(address.startswith("#") for address in reader.loaded)
-    assert not re.search(r"https?:|url\(|@import|<link|<img|<iframe", page)
+@pytest.mark.parametrize("example", [stand("auv6"), general(0)], ids=["auv6", "rigid"])
+def test_page_stands_alone(example: Stand) -> None:
+    """Well-formed, no external resource, both identities and the version, no date; the article is ASCII."""
+    page, article = html(example), latex(example)
+    parsed = read(page)
+    assert parsed.wrong == []
+    assert all(value.startswith("#") for _, key, value in parsed.attributes if key in ("src", "href", "data", "srcset"))
+    assert not re.search(r"https?:|url\(|@import|<link|<img|<iframe|\b(19|20)\d\d-\d\d-\d\d\b", page)
+    assert article.isascii()
     found = identities(example)
-    for text in (found.structure, found.physics, f"mahovik {__version__}", example.name, "prefers-color-scheme"):
-        assert text in page
-    assert not re.search(r"\b(19|20)\d\d-\d\d-\d\d\b", page)
-    assert reader.counts.get("details", 0) == len(example.flywheels)
+    for text in (found.structure, found.physics, f"mahovik {__version__}"):
+        assert text in page and text in article
+    assert page.count("<details") == len(example.flywheels)
     for element in re.findall(r"<math.*?</math>", page, re.DOTALL):
         ET.fromstring(element)
 
 
-@pytest.mark.parametrize("name", quick(1, NAMES))
-def test_article_is_whole(name: str) -> None:
-    """ASCII, braces and environments in balance, amsmath only, identities and version."""
-    example = stand(name)
-    article = latex(example)
-    assert article.isascii()
-    assert re.findall(r"\\usepackage(?:\[.*?\])?\{(.*?)\}", article) == ["amsmath"]
-    bare = re.sub(r"\\[{}$&%#_]", "", article)
-    bare = "\n".join(line.partition("%")[0] for line in bare.splitlines())
-    assert bare.count("{") == bare.count("}")
-    assert bare.count("$") % 2 == 0
-    assert article.count("\\[\n") == article.count("\\]}")
-    inside: list[str] = []
-    for kind, environment in re.findall(r"\\(begin|end)\{(\w+\*?)\}", article):
-        if kind == "begin":
-            inside.append(environment)
-        else:
-            assert inside.pop() == environment
-    assert inside == []
-    found = identities(example)
-    assert all(text in article for text in (found.structure, found.physics, f"mahovik {__version__}"))
-
-
-@pytest.mark.parametrize("example", quick(0, [stand("auv6"), general(3), general(0)]), ids=["auv6", "general", "rigid"])
+@pytest.mark.slow
+@pytest.mark.parametrize("example", [stand("auv6"), general(3)], ids=["auv6", "general"])
 def test_article_compiles_without_overfull_lines(example: Stand, tmp_path: Path) -> None:
     """Nothing runs out of the page."""
     require("pdflatex", "texlive-latex-base")
@@ -157,7 +111,7 @@ def inertia(mu: np.ndarray, J: np.ndarray) -> np.ndarray:
     return np.block([[np.zeros((3, 3)), -cross(mu)], [cross(mu), tensor]])
 
 
-@pytest.mark.parametrize("seed", quick(1, range(4)))
+@pytest.mark.parametrize("seed", quick(1, range(2)))
 def test_numbers_give_the_matrices_of_the_reference(seed: int) -> None:
     """K, K*, M, I, J of (8) from the tables of the page, at random states, against the literal reference."""
     example = general(4, seed)
@@ -168,16 +122,6 @@ def test_numbers_give_the_matrices_of_the_reference(seed: int) -> None:
         own, expected = getattr(shown, name), wanted[name]
         # sums of a few dozen products of the same size: rounding only
         assert np.max(np.abs(own - expected)) <= 1e-12 * np.max(np.abs(expected)), name
-
-
-@pytest.mark.slow
-def test_cancelled_first_moment_is_shown_as_rounding() -> None:
-    """O1 of demo3 is its mass centre: what is left of the sum is no number to print, and true zeros stay apart."""
-    found = numbers(stand("demo3"))
-    left = np.array(found.K_constant)[3:, :3]
-    assert np.all(np.abs(left) <= np.array(found.noise)[3:, :3])
-    assert np.array(found.noise).max() < 1e-12
-    assert "10⁻¹⁸" not in html(stand("demo3"))
 
 
 @pytest.mark.slow

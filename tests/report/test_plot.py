@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,16 +11,10 @@ from click.testing import CliRunner, Result
 from mahovik import stands
 from mahovik.contract.quantities import RPM
 from mahovik.core.motion.programme import save_programme
-from mahovik.core.motion.required.model import Bounds
-from mahovik.core.stand import load
 from mahovik.out.cli import main
-from mahovik.out.report.plot import response as orders
 from mahovik.out.report.plot import run, waterfall
-from mahovik.out.report.plot.draw import draw
 from mahovik.out.report.plot.panel import Panel
 from mahovik.out.report.plot.programme import panels
-from mahovik.use.study.response.speeds import read_speeds
-from mahovik.use.study.response.sweep import sweep
 from verify.programme.programmes import shaker
 
 SPIN = next(path for path in stands.motions("shaker2") if "spin" in path.name)
@@ -56,17 +49,6 @@ def test_a_right_programme_achieves_what_is_required() -> None:
     assert z.max() == pytest.approx(0.577162538232, rel=1e-6)  # mm, by the motion file
     residual = by_quantity(shown, "residual")
     assert residual.log and residual.lines[0].y.max() < residual.lines[1].y[0]
-
-
-def test_bounds_are_shown_where_they_matter() -> None:
-    stand, motion, found = shaker()
-    fast = replace(motion, bounds=Bounds(speed=(130.0, 130.0)))
-    assert [line.y[0] for line in by_quantity(panels(found, stand, fast), "speed").lines[2:]] == [
-        130.0 * RPM,
-        -130.0 * RPM,
-    ]
-    loose = by_quantity(panels(found, stand, replace(motion, bounds=Bounds(speed=(1e4, 1e4)))), "speed")
-    assert len(loose.lines) == 2 and loose.note == "bound: 95493"
 
 
 @pytest.mark.slow
@@ -145,21 +127,6 @@ def test_what_has_no_waterfall_is_refused(rows: int, name: str, words: str, tmp_
     assert not (tmp_path / "w.svg").exists()
 
 
-@pytest.mark.parametrize(
-    ("text", "words"),
-    [
-        ("", 'expected a column "t [s]" and rows'),
-        ("t [s],x [m]\n", 'expected a column "t [s]" and rows'),
-        ("t [s],x [m]\n0.0,a\n", "no run of `mahovik simulate`"),
-        ("t [s],x [m]\n0.0\n", "no run of `mahovik simulate`"),
-    ],
-)
-def test_what_is_no_run_is_refused(text: str, words: str, tmp_path: Path) -> None:
-    (tmp_path / "run.csv").write_text(text)
-    found = plot("--run", tmp_path / "run.csv", "-o", tmp_path / "run.svg")
-    assert found.exit_code == 2 and words in found.output and not (tmp_path / "run.svg").exists()
-
-
 def test_wrong_use_is_refused(programme: Path, tmp_path: Path) -> None:
     other = [str(stands.path("demo3")), "--motion", str(stands.motions("demo3")[0])]
     for arguments, words in (
@@ -176,19 +143,3 @@ def test_wrong_use_is_refused(programme: Path, tmp_path: Path) -> None:
     found = plot(*other, "--programme", programme, "-o", tmp_path / "a.svg")
     assert found.exit_code == 1 and "programme of another stand" in found.output
     assert not (tmp_path / "a.svg").exists()
-
-
-def test_a_map_of_levels_stands_beside_the_waterfall() -> None:
-    """Cells hold the largest amplitude of their speed and frequency; the scale begins at the floor."""
-    stand = load(stands.path("bench8"))
-    asked = read_speeds(stand, ("w1=100..600rpm",))
-    found = sweep(stand, asked, 3, "carrier", quantity="acceleration")
-    shown = orders.panels(found)
-    assert [panel.beside for panel in shown] == [False, True, False, True]
-    waterfall, levels = shown[2], shown[3].levels
-    assert waterfall.abscissa == shown[3].abscissa == "frequency, Hz" and levels is not None
-    assert levels.value.shape == (len(levels.y) - 1, len(levels.x) - 1) == (3, orders.CELLS)
-    for row, step in zip(levels.value, found.steps, strict=True):
-        assert np.nanmax(row) == step.sizes[1:].max()
-    assert np.nanmin(levels.value) > levels.least and levels.quantity == "acceleration, m/s2"
-    assert draw("bench8", shown, ".png").startswith(b"\x89PNG")

@@ -9,7 +9,7 @@ from pathlib import Path
 import fmpy
 import pytest
 
-from cli.run import BENCH8, DEMO3, refused, run
+from cli.run import DEMO3, refused, run
 from mahovik import stands
 
 DRY = ("export", "fmu", DEMO3, "--no-binary")
@@ -57,17 +57,3 @@ def test_refusals(
     monkeypatch.chdir(tmp_path)
     assert expected in refused(*arguments, status=status)
     assert list(tmp_path.iterdir()) == []
-
-
-def test_without_a_compiler_there_are_sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delenv("CC", raising=False)
-    monkeypatch.setenv("PATH", str(tmp_path))
-    target = tmp_path / "b.fmu"
-    result = run("export", "fmu", BENCH8, "-o", str(target))
-    assert result.exit_code == 0, result.output
-    assert "no binary, only sources: no C compiler found" in result.stdout
-    with zipfile.ZipFile(target) as file:
-        assert not [n for n in file.namelist() if n.startswith("binaries/")]
-    monkeypatch.setenv("CC", "none-such")
-    assert "CC=none-such: no such command" in refused("export", "fmu", BENCH8, "-o", str(tmp_path / "c.fmu"))
-    assert not (tmp_path / "c.fmu").exists()

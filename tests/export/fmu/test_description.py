@@ -87,18 +87,6 @@ def test_units_are_what_their_exponents_say() -> None:
     assert units.law(1, (0, 5)).name == "N.s2/(m.rad)"
 
 
-def test_dependencies_name_the_feedthrough() -> None:
-    """In co-simulation, accelerations depend on the inputs at once, positions do not."""
-    text = fmus.fmu_of("bench8", "3.0", "cs", "torque", binary=False).files["modelDescription.xml"]
-    outputs = {
-        o.attrib["valueReference"]: o.attrib.get("dependencies") for o in ElementTree.fromstring(text).iter("Output")
-    }
-    references = {v.attrib["name"]: v.attrib["valueReference"] for v in ElementTree.fromstring(text).iter("Float64")}
-    drives = {references[f"w{k}.tau"] for k in range(1, 9)}
-    assert outputs[references["carrier.position[1]"]] == ""
-    assert set((outputs[references["carrier.V_dot[2]"]] or "").split()) == drives
-
-
 def test_bytes_are_the_same_twice_and_tell_stands_apart() -> None:
     found, made = fmus.stand("rigid"), fmus.generated("rigid")
     first, again = (

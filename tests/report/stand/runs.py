@@ -8,15 +8,12 @@ from dataclasses import replace
 import numpy as np
 
 from mahovik import stands
-from mahovik.core.motion.read import loads_regime
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.state import State, rest_state
 from mahovik.out.report.stand.material import Material
 from mahovik.out.report.stand.run import Run
 from mahovik.proof import reference
-from mahovik.use.simulate.case import Case
-from mahovik.use.simulate.run import simulate
 
 
 def example(name: str) -> Stand:
@@ -61,10 +58,3 @@ def run_through(stand: Stand, states: Sequence[State]) -> Run:
         names = [f"{kind} {s.name} [{unit}]" for s in stand.flywheels]
         add(names, np.array([getattr(s, kind) for s in states]).reshape(len(states), len(names)))
     return run_of(stand, columns)
-
-
-def spun_up(stand: Stand, torque: float = 0.05, until: float = 0.02) -> Run:
-    """A run under constant torques, by SciPy on the reference."""
-    regime = loads_regime(f"schema = 1\ndefault = {{ torque = {torque} }}\n", stand, until)
-    found = simulate(Case(stand, regime, rest_state(stand), until, every=until / 20), "scipy")
-    return run_of(stand, {name: found[name] for name in found.names})

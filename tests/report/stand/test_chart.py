@@ -19,7 +19,6 @@ from mahovik.out.report.plot.panel import (
     Mark,
     Panel,
     envelope,
-    si_prefix,
 )
 
 
@@ -93,10 +92,3 @@ def test_names_and_quantities_are_escaped() -> None:
     assert "<script" not in html
     root = ElementTree.fromstring(html)
     assert evil in {each.attrib.get("data-n") for each in root.iter()}
-
-
-def test_prefixes() -> None:
-    assert si_prefix(2300.0, "N") == (1e-3, "kN")
-    assert si_prefix(999.0, "N") == (1.0, "N")
-    assert si_prefix(1e-3, "N m") == (1e3, "mN m")
-    assert si_prefix(0.0, "N") == (1.0, "N")

@@ -11,7 +11,7 @@ from mahovik.core.stand import Stand
 from mahovik.out.report.stand import histories, programme, singular
 from mahovik.out.report.stand.run import Run
 from mahovik.proof import reference
-from report.stand.runs import example, material, right_states, run_through, spun_up
+from report.stand.runs import example, material, right_states, run_through
 from verify.programme.programmes import shaker
 
 ROUNDING = 1e-11
@@ -62,16 +62,6 @@ def test_a_right_run_has_no_residual_and_a_wrong_one_shows_it(name: str) -> None
     states[3] = replace(states[3], V_dot=tuple(V_dot.tolist()))
     wrong = checked(stand, run_through(stand, states))["of (8)"]
     assert wrong[3] > 1e-8 and np.delete(wrong, 3).max() < ROUNDING
-
-
-def test_a_run_under_torques() -> None:
-    stand = example("demo3")
-    run = spun_up(stand)
-    found = histories.section(material(stand, run))
-    assert found is not None and "21 rows" in found.html
-    for words in ("O1, mm", "speed, rpm", "drive torque, N m", "kinetic energy", "residual of (8)", "carrier, m/s"):
-        assert words in found.html
-    assert all(y.max() < 1e-8 for y in checked(stand, run).values())
 
 
 def test_a_programme_with_its_motion() -> None:

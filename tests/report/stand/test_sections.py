@@ -137,16 +137,6 @@ def test_terms_of_the_balance_sum_to_what_is_left() -> None:
     assert np.abs(F + MV + J + I - KV) == pytest.approx(np.zeros(6), abs=float(2e-3 * size.max()))
 
 
-def test_a_quaternion_gives_the_same_angles() -> None:
-    stand = load(path("auv6"))
-    state = chosen_state(stand)
-    from scipy.spatial.transform import Rotation
-
-    q = Rotation.from_euler("YZX", state.angles).as_quat(scalar_first=True)
-    turned = replace(state, angles=None, quaternion=tuple(q.tolist()))
-    assert matrices.with_angles(stand, turned).angles == pytest.approx(state.angles)
-
-
 def test_the_state_of_a_run_at_rest_is_not_shown() -> None:
     """Rounding would stand there as if it were structure; a row that moves is shown as it is."""
     stand = load(path("bench8"))
