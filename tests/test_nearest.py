@@ -10,7 +10,7 @@ import pytest
 
 from cli.run import BENCH8, DEMO3, refused
 from mahovik.core.stand.units import LENGTH, MASS, QuantityError, number
-from mahovik.nearest import LISTED, nearest, suggestion
+from mahovik.nearest import LISTED, suggestion
 from mahovik.stands import path
 
 SAT4 = str(path("sat4"))
@@ -31,17 +31,9 @@ def test_the_end_of_a_message(name: object, words: str) -> None:
     assert suggestion(name, NAMES) == words
 
 
-def test_nothing_is_known() -> None:
-    assert suggestion("w1", (), "the stand has none") == ": the stand has none"
-
-
 def test_a_long_list_is_cut() -> None:
     assert suggestion("?", [f"w{k}" for k in range(1000)]).count(",") == 1 + LISTED
     assert suggestion("?", [f"w{k}" for k in range(1000)]).endswith(", w23, ...")
-
-
-def test_the_first_of_equals() -> None:
-    assert nearest("w9", ["w1", "w2"]) == "w1"
 
 
 @pytest.mark.parametrize(
@@ -60,21 +52,16 @@ def test_a_misspelt_unit(unit: str, words: str) -> None:
     [
         (("new", "bench9"), "bench8"),
         (("check", BENCH8, "--spede", "1"), "--speed"),
-        (("linearize", SAT4, "--points", "acc11", "-o", "m.json"), "acc1"),
         (("response", SAT4, "--speed", "rw1=10", "--at", "acc11"), "acc1"),
-        (("response", SAT4, "--speed", "rw11=10", "--at", "acc1"), "rw1"),
         (("response", SAT4, "--speed", "rw1=2*rw22", "--at", "acc1"), "rw2"),
         (("response", SAT4, "--speed", "rw1=10 rpmm", "--at", "acc1"), "rpm"),
         (("quiet", SAT4, "--point", "acc11", "--band", "1..2Hz", "--momentum", "0 0 1"), "acc1"),
-        (("rest", BENCH8, "--phase", "w11=1"), "w1"),
         (("verify", BENCH8, "--targets", "m77"), "m7"),
-        (("cost", BENCH8, "--targets", "m77"), "m7"),
         (("verify", BENCH8, "--with", "cat", "--want", "forwrad"), "forward"),
         (("evidence", BENCH8, "--only", "slftest"), "selftest"),
         (("export", "target", BENCH8, "--target", "m77"), "m7"),
         (("export", "tagret", "m7", BENCH8), "target"),
         (("design", DEMO3, "--motion", "m.json", "--free", "postion", "-o", "o.toml"), "position"),
-        (("modes", BENCH8, "--at", "state.json"), "phi_dot"),
         (("simulate", BENCH8, "--until", "1", "-o", "r.csv", "--regime", "regime.toml"), "w1"),
         (("simulate", BENCH8, "--until", "1", "-o", "r.csv", "--start", "state.json"), "phi_dot"),
     ],

@@ -105,11 +105,6 @@ def test_the_installed_command_knows_its_version_and_examples(installed: Callabl
     installed("-c", code, "check", "mine.toml")
 
 
-def test_the_command_is_declared(wheel: Path) -> None:
-    entries = zipfile.ZipFile(wheel).read(f"mahovik-{__version__}.dist-info/entry_points.txt").decode()
-    assert "mahovik = mahovik.__main__:run" in entries
-
-
 def test_an_old_python_is_refused_before_anything_is_tried() -> None:
     """The backend that pip asks first ends with one line; some pips would try all versions of all packages first."""
     with open(ROOT / "pyproject.toml", "rb") as file:

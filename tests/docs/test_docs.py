@@ -91,19 +91,6 @@ def test_c_compiles_without_a_warning(block: Block, tmp_path: Path) -> None:
         assert printed == shown
 
 
-def test_section_macros(tmp_path: Path) -> None:
-    """The macros of the page place functions and constants where they say."""
-    (line,) = (b.text for b in blocks(C_INTERFACE) if "BENCH8_CODE=" in b.text)
-    emit("bench8", tmp_path)
-    macros = re.findall(r"-D(\w+)='([^']*)'", line)
-    assert [name for name, _ in macros] == ["BENCH8_CODE", "BENCH8_CONST"]
-    flags = [f"-D{name}={value}" for name, value in macros]
-    _compile([*WARNINGS, *BITS, *flags, "-c", "bench8.c", "-o", "bench8.o"], tmp_path)
-    image = (tmp_path / "bench8.o").read_bytes()
-    assert b".fast_code" in image
-    assert b".fast_data" in image
-
-
 def _compile(arguments: list[str], folder: Path) -> None:
     done = subprocess.run([*find_compiler(), *arguments], cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

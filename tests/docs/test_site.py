@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from docs.pages import ROOT
-from report.browser.chromium import Opened, launched
+from report.chromium import Opened, launched
 
 DOCS = ROOT / "docs"
 

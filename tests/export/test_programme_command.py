@@ -66,21 +66,6 @@ def test_the_element_type_is_that_of_the_header(saved: str, tmp_path: Path) -> N
     assert "is of another stand" in refused(*EXPORT, STAND, "--programme", saved, "-o", str(tmp_path), status=1)
 
 
-def test_what_is_not_ours_is_not_overwritten(saved: str, tmp_path: Path) -> None:
-    mine = tmp_path / "made" / "shaker2_programme.c"
-    mine.parent.mkdir()
-    mine.write_text("mine")
-    said = refused(*EXPORT, STAND, "--programme", saved, "-o", str(mine.parent))
-    assert "was not written by mahovik: move it away" in said
-    assert [p.name for p in mine.parent.iterdir()] == [mine.name]
-    mine.unlink()
-    assert run(*EXPORT, STAND, "--programme", saved, "-o", str(mine.parent)).exit_code == 0
-    mine.write_text(mine.read_text() + "\n")
-    assert "was changed by hand" in refused(
-        *EXPORT, STAND, "--programme", saved, "-o", str(mine.parent), "--table", "fourier"
-    )
-
-
 @pytest.mark.parametrize("part", ["", "runup"])
 def test_a_programme_that_exceeds_its_bounds_is_refused(part: str, tmp_path: Path) -> None:
     """Bounds that its planner reports as exceeded, of a run-up as well."""

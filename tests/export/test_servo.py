@@ -13,10 +13,9 @@ from cli.run import refused
 from cli.run import run as run_command
 from emit.stands import write
 from export import held_servos as held
-from export.programmes import motion, spin, stand, stand_files
-from export.servos import HEAD, TRIM, exported, self_tested, servo, written
+from export.programmes import spin, stand_files
+from export.servos import HEAD, TRIM, exported, self_tested, written
 from mahovik import stands
-from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.motion.programme import save_programme
 from mahovik.core.stand.model import Hold, Stand
@@ -233,22 +232,6 @@ def test_a_caller_of_another_servo_does_not_link(tmp_path: Path) -> None:
         width = {"double": 64, "float": 32}[real]
         undefined = rf"undefined (reference|symbol).*shaker2_servo_reset_f{width}_[0-9a-f]{{8}}"
         assert bool(re.search(undefined, message)) == (caller != objects["spin", "double"][1]), message
-
-
-def test_a_named_servo_has_the_text_of_the_unnamed_one() -> None:
-    """Names apart, its source is the same."""
-    named = export_servo(stand(), spin(), motion(), servo(TRIM), called="lap").servo["shaker2_lap_servo.c"]
-    plain = exported("trimmed").servo["shaker2_servo.c"]
-    assert re.sub(r"(?i)shaker2_lap_(servo|trim)", lambda m: m[0][:8] + m[1], named) == plain
-
-
-def test_all_c_of_a_delivered_folder_is_one_program(tmp_path: Path) -> None:
-    """Arduino, PlatformIO and CubeIDE compile all that they find, at the top alone or below it as well."""
-    made = exported("trimmed")
-    write({**delivery(stand(), batch=True), **made.programme.files, **made.servo}, tmp_path)
-    (tmp_path / "main.c").write_text("int main(void) { return 0; }\n")
-    compile_c(require("gcc", "gcc"), *sorted(tmp_path.rglob("*.c")), "-o", tmp_path / "program")
-    run(tmp_path / "program")
 
 
 # ---- the command ----

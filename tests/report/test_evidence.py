@@ -19,7 +19,6 @@ from mahovik.core.stand import load
 from mahovik.core.stand.identity import identities
 from mahovik.errors import CheckError, ToolchainError, UsageError
 from mahovik.out.cli import main
-from mahovik.proof.evidence.collect import select_pieces
 from mahovik.proof.evidence.folder import check
 from mahovik.proof.evidence.page import conclusion, failures
 from mahovik.proof.evidence.piece import Verdict
@@ -184,29 +183,6 @@ def test_exit_status_and_options(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(all_pieces, "PIECES", (GOOD, ABLE))
     strict = CliRunner().invoke(main, ["evidence", DEMO3, "-o", str(tmp_path / "ci")], env={"CI": "true"})
     assert strict.exit_code == 1
-
-
-def test_pieces_are_complete() -> None:
-    """Names are apart, and each says what it shows, what it does not, and how to run it again; --only knows them."""
-    names = [each.name for each in all_pieces.PIECES]
-    assert len(set(names)) == len(names)
-    assert all(each.shows.endswith(".") and each.limits.endswith(".") for each in all_pieces.PIECES)
-    assert select_pieces(all_pieces.PIECES, None, "fuzz") == set(names) - {"fuzz"}
-    with pytest.raises(UsageError, match='"fuz", did you mean "fuzz"'):
-        select_pieces(all_pieces.PIECES, "fuz", None)
-
-
-def test_every_function_is_found_in_the_C(tmp_path: Path) -> None:
-    """The lines of a function are a definition, from its name to its last brace; (8) is in `forward`."""
-    (found,) = collected(tmp_path / "out", [EQUATIONS])
-    assert found.outcome.verdict is Verdict.PASSED
-    lines = (tmp_path / "out" / "c" / "demo3.c").read_text().splitlines()
-    functions = json.loads((tmp_path / "out" / "raw" / "equations" / "functions.json").read_text())
-    for each in functions:
-        first, last = each["lines"]
-        assert f" {each['function']}(" in lines[first - 1]
-        assert (lines[last - 1], lines[first - 1 : last].count("}")) == ("}", 1)
-    assert {"(8)"} == {n for each in functions if each["function"] == "demo3_forward" for n in each["equations"]}
 
 
 @pytest.mark.slow

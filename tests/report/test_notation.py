@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import xml.etree.ElementTree as ET
 from functools import cache
 
 import pytest
 import sympy as sp
 
-from mahovik.core.derive.document import Block, Formula, Table, Text, sections
+from mahovik.core.derive.document import Block, Formula, Table, sections
 from mahovik.laws.weight.derive import weight
 from mahovik.out.report.derivation.notation import (
     Fence,
@@ -20,7 +19,6 @@ from mahovik.out.report.derivation.notation import (
     Row,
     Script,
 )
-from mahovik.out.report.derivation.parse import NotationError, parse
 from mahovik.out.report.derivation.symbolic import notation, symbol
 
 
@@ -94,22 +92,3 @@ def test_what_is_printed_is_the_expression() -> None:
     reader = Reader(set().union(*(x.free_symbols for x in shown)))
     for x in shown:
         assert sp.expand(reader.value(notation(x)) - x) == 0, x
-
-
-def test_all_notation_of_the_documents_is_read_and_printed() -> None:
-    """Each text between backticks, part and head is notation; MathML is well-formed, LaTeX is ASCII."""
-    texts = [p for b in blocks() if isinstance(b, Formula) for p in b.parts if isinstance(p, str)]
-    texts += [piece for b in blocks() if isinstance(b, Text) for piece in b.text.split("`")[1::2]]
-    assert len(texts) > 100
-    for text in set(texts):
-        node = parse(text)
-        ET.fromstring(node.math(display=True))
-        assert node.tex().isascii()
-    assert all(b.text.count("`") % 2 == 0 for b in blocks() if isinstance(b, Text))
-
-
-@pytest.mark.parametrize("text", ["<a", "{a, b", "a)", "(a", "a ? b", "_a", "dot phi"])
-def test_text_that_is_no_notation_is_an_error(text: str) -> None:
-    """With the text in the message."""
-    with pytest.raises(NotationError, match="in "):
-        parse(text)

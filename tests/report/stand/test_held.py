@@ -14,14 +14,11 @@ from mahovik.core.motion.read import loads_regime
 from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.hold import twists
 from mahovik.out.report.stand import (
-    bodies,
     campbell,
     histories,
     hold,
-    jitter,
     matrices,
     response,
-    singular,
 )
 from mahovik.out.report.stand.material import Material, chosen_state
 from mahovik.proof import reference
@@ -84,18 +81,6 @@ def test_a_force_table_shows_weight_and_the_rotating_force() -> None:
     made = response.section(shown(held_stand("force_table")))
     assert made is not None
     assert f"force of hold.reaction at most {force:.3g} N RMS at 3000 rpm" in made.summary
-
-
-def test_sections_without_meaning_of_a_clamped_carrier_are_left_out_with_a_sentence() -> None:
-    given = shown(held_stand("force_table"))
-    assert [each.section(given) for each in (campbell, jitter, singular)] == [None, None, None]
-    found = hold_text(held_stand("force_table"))
-    assert "no modes, no natural frequencies against speed, and no singular values of (12)" in found
-    assert "mahovik jitter --at hold.reaction gives that of the reaction." in found
-    assert "(11) are six; the carrier is clamped." in found
-    made = matrices.section(given)
-    assert made is not None
-    assert "Not shown: the carrier is clamped" in text(made.html)
 
 
 def test_a_pendulum_shows_its_freedom_and_its_frequency() -> None:
@@ -173,55 +158,6 @@ mass = 0.5
 spin_inertia = 0.01
 transverse_inertia = 0.006
 """
-
-
-def test_friction_and_stops_are_shown_with_their_units() -> None:
-    made = bodies.section(material(loads(BRAKED)))
-    assert made is not None and read(made.html).wrong == []
-    found = text(made.html)
-    for words_ in (
-        "friction of pitch viscous 2 N m s/rad",
-        "stop of pitch, above at 60 deg",
-        "stop of pitch, below stiffness 40 N m/rad",
-        "damping 0 N m s/rad²",
-    ):
-        assert words_ in found
-    free = bodies.section(material(held_stand("pendulum")))
-    assert free is not None and "along the freedoms" not in text(free.html)
-
-
-TILTED_WHEEL = """
-schema = 1
-name = "ball"
-gravity = [0, 0, -9.81]
-[carrier]
-mass = 1.3
-center_of_mass = [0.004, -0.007, 0.06]
-inertia = [[6e-3, 1e-4, 2e-4], [1e-4, 7e-3, -3e-4], [2e-4, -3e-4, 5e-3]]
-inertia_about = "center_of_mass"
-[hold]
-freedoms = ["roll", "pitch", "yaw"]
-pivot = [0.003, 0, 0.2]
-[[flywheel]]
-name = "w1"
-position = [0.03, -0.02, 0.12]
-axis = [0.1, 1, 0.2]
-zero = [0, 0, 1]
-mass = 0.25
-spin_inertia = 4e-4
-transverse_inertia = [2.2e-4, 2.6e-4]
-unbalance = { static = 2e-5, dynamic = 3e-7, dynamic_at = 1.2 }
-"""
-
-
-def test_growth_of_the_mean_that_no_steady_motion_has_is_not_called_unstable() -> None:
-    scene = scene_of(loads(TILTED_WHEEL))
-    diagram = study.campbell(scene, np.linspace(0.0, 300.0, 31))
-    assert diagram.growth.any()
-    growth = compare_growth(scene, diagram)
-    assert growth is not None and growth.unstable is None and growth.found >= 3
-    assert growth.multiplier < 1.001
-    assert "shows no instability" in campbell._growth(scene, diagram)
 
 
 def test_a_damper_that_drives_is_unstable_from_rest_on() -> None:

@@ -10,10 +10,9 @@ import pytest
 
 from mahovik.core.stand import Stand, loads
 from mahovik.core.stand.state import rest_state
-from mahovik.out.report.stand import reach as section
 from mahovik.proof import reference
 from mahovik.use.study.reach import reach
-from report.stand.runs import example, material
+from report.stand.runs import example
 
 ONE = """
 schema = 1
@@ -73,14 +72,3 @@ def test_along_axes_it_is_what_the_reference_reaches_in_a_turn(name: str) -> Non
         for phi in (0.4, 2.5):
             assert np.all(np.abs(spun(stand, s, phi, speed)) <= np.hypot(first, second) * (1 + 1e-9) + 1e-12)
     assert reach(stand).wrench(np.array([speed]))[0] == pytest.approx(expected, rel=1e-9, abs=1e-9 * expected.max())
-
-
-def test_the_section_shows_the_limit_and_the_sum_of_forces() -> None:
-    stand = example("sat4")
-    found = section.section(material(stand))
-    assert found is not None and "6000 rpm" in found.html and "reaction moment" in found.html
-    total = math.fsum(row.force for row in reach(stand).rows)
-    assert f"{total:.4g}" in found.summary
-    for panel in section.panels(reach(stand)):
-        (edge,) = (line for line in panel.lines if line.tag == "limit")
-        assert edge.x == pytest.approx([6000.0, 6000.0])

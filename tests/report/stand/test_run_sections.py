@@ -8,11 +8,10 @@ import numpy as np
 import pytest
 
 from mahovik.core.stand import Stand
-from mahovik.out.report.stand import histories, programme, singular
+from mahovik.out.report.stand import histories, singular
 from mahovik.out.report.stand.run import Run
 from mahovik.proof import reference
 from report.stand.runs import example, material, right_states, run_through
-from verify.programme.programmes import shaker
 
 ROUNDING = 1e-11
 
@@ -62,17 +61,3 @@ def test_a_right_run_has_no_residual_and_a_wrong_one_shows_it(name: str) -> None
     states[3] = replace(states[3], V_dot=tuple(V_dot.tolist()))
     wrong = checked(stand, run_through(stand, states))["of (8)"]
     assert wrong[3] > 1e-8 and np.delete(wrong, 3).max() < ROUNDING
-
-
-def test_a_programme_with_its_motion() -> None:
-    stand, motion, wanted = shaker()
-    both = replace(material(stand), programme=wanted, motion=motion)
-    found = programme.section(both)
-    assert found is not None and not found.failures
-    for words in ("O1, mm, about the mean", "residual", "drive torque", "speed, rpm", "left", "right"):
-        assert words in found.html
-    alone = programme.section(replace(both, motion=None))
-    assert alone is not None and "--motion" in alone.html and "drive torque" not in alone.html
-    assert programme.section(material(stand)) is None
-    along = singular.section(both)
-    assert along is not None and "Along the programme" in along.html

@@ -1,4 +1,4 @@
-"""Charts: no peak is lost, paths lie where the numbers are, names are escaped, colours are those of the page."""
+"""Charts of pages: no peak is lost, lines lie where the numbers are, text is escaped, nothing is loaded."""
 
 from __future__ import annotations
 
@@ -6,12 +6,15 @@ import json
 import re
 from html import unescape
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
 import numpy as np
-import pytest
 
+from mahovik.core.stand import load
+from mahovik.out.report.data.page import Part, data_page, write_data_page
+from mahovik.out.report.data.panels import confidence_ellipse, order_spectra, waterfall
 from mahovik.out.report.plot.inline import charts, figure
 from mahovik.out.report.plot.panel import (
     BINS,
@@ -20,6 +23,8 @@ from mahovik.out.report.plot.panel import (
     Panel,
     envelope,
 )
+from mahovik.stands import path
+from mahovik.use.measured.orders import OrderMap
 
 
 def figure_lines(html: str) -> tuple[dict[str, list[np.ndarray]], dict[str, Any]]:
@@ -63,26 +68,6 @@ def test_paths_lie_where_the_numbers_are() -> None:
     assert np.allclose(np.log(axis_values(part[:, 1], *facts["y"])), np.log(y), atol=1e-2)
 
 
-@pytest.mark.parametrize(
-    ("x", "y"),
-    [
-        (np.zeros(0), np.zeros(0)),
-        (np.array([1.0]), np.array([3.0])),
-        (np.arange(5.0), np.full(5, 7.0)),
-        (np.arange(5.0), np.full(5, 0.0)),
-        (np.arange(5.0), np.full(5, np.nan)),
-        (np.arange(5.0), np.array([1e300, -1e300, 1e-300, np.inf, 0.0])),
-        (np.arange(5.0), 1e6 + 1e-9 * np.arange(5.0)),
-    ],
-)
-@pytest.mark.parametrize("log", [False, True])
-def test_any_numbers_are_drawn(x: np.ndarray, y: np.ndarray, log: bool) -> None:
-    with np.errstate(over="ignore", invalid="ignore"):
-        html = figure(Panel("y, m", (Line("w", x, y),), log=log))
-    ElementTree.fromstring(html)
-    assert not re.search(r"\b(nan|inf)\b", html.lower())
-
-
 def test_names_and_quantities_are_escaped() -> None:
     x = np.arange(3.0)
     evil = '<script>alert("&")</script>'
@@ -92,3 +77,41 @@ def test_names_and_quantities_are_escaped() -> None:
     assert "<script" not in html
     root = ElementTree.fromstring(html)
     assert evil in {each.attrib.get("data-n") for each in root.iter()}
+
+
+ORDERS = np.arange(1, 33) / 8.0
+
+
+def peak(speed: list[float], size: float) -> OrderMap:
+    """A map with one amplitude at order 1."""
+    amplitude = np.full((len(speed), len(ORDERS)), 1e-6)
+    amplitude[:, ORDERS == 1.0] = size
+    return OrderMap("w1", "acc1.acceleration.x", "m/s2", np.array(speed), ORDERS, amplitude)
+
+
+def test_the_ellipse_holds_95_percent_of_its_distribution() -> None:
+    centre, covariance = np.array([100.0, -5.0]), np.array([[4.0, -1.5], [-1.5, 1.0]])
+    panel = confidence_ellipse("w1", ("y, g mm", "z, g mm"), centre, covariance)
+    high, low = panel.lines
+    drawn = np.random.default_rng(3).multivariate_normal(centre, covariance, 20_000)
+    x, y = drawn.T
+    top = np.interp(x, high.x, high.y, left=np.nan, right=np.nan)
+    bottom = np.interp(x, low.x, low.y, left=np.nan, right=np.nan)
+    assert abs(np.mean((y < top) & (y > bottom)) - 0.95) < 0.006
+    assert panel.span is not None
+    assert panel.span[0] < high.x.min()
+    assert panel.span[1] > high.x.max()
+
+
+def test_the_page_escapes_text_and_loads_nothing(tmp_path: Path) -> None:
+    stand = load(path("bench8"))
+    spectra = {"before": np.linspace(1.0, 0.1, 32), "after": np.zeros(32)}
+    panels = (order_spectra("rms", "m/s2", ORDERS, spectra, "w1"), waterfall({"measured": peak([10.0], 1.0)}))
+    part = Part("Flywheel <w1>", "Words <b>.", ("name", "x, m>"), (("<i>", "1"),), panels, ("a <note>",), "sum <u>")
+    write_data_page(tmp_path / "p.html", "run <1>", [part], stand=stand, files=[("data", "run<1>.csv")])
+    html = (tmp_path / "p.html").read_text(encoding="utf-8")
+    assert html == data_page("run <1>", [part], stand, [("data", "run<1>.csv")])
+    for bad in ("<w1>", "<b>", "<i>", "<note>", "<u>", "<1>"):
+        assert bad not in html
+    assert not re.search(r"(src|href)=\"https?:", html)
+    assert html.count('<figure class="chart"') == 2

@@ -1,22 +1,79 @@
-"""The description of an FMU, judged by fmpy and compared with the stand file."""
+"""The file of an FMU: its description, judged by fmpy and the stand file, its sources, and its command."""
 
 from __future__ import annotations
 
+import json
 import math
 import re
+import subprocess
+import zipfile
 from dataclasses import replace
+from pathlib import Path
 from xml.etree import ElementTree
 
 import fmpy
 import pytest
+from fmpy.build import build_platform_binary
 
+from cli.run import DEMO3, refused, run
 from export.fmu import fmus
 from export.fmu.fmus import COMBINATIONS
+from mahovik import stands
 from mahovik.core.lower import units
 from mahovik.core.lower.fmu.variables import Inputs, Kind
 from mahovik.core.stand.state import rest_state
+from mahovik.core.toolchain.compiler import WARNINGS
+from mahovik.core.toolchain.module import STRICT
 from mahovik.laws.suspension.data import Suspension
 from mahovik.out.export.fmu import export_fmu
+from toolchain.tools import require
+
+DRY = ("export", "fmu", DEMO3, "--no-binary")
+
+
+def test_file_and_what_is_said(tmp_path: Path) -> None:
+    (tmp_path / "S.json").write_text(json.dumps({"position": [0, 0, 0.5], "phi_dot": [10, 20, -30]}))
+    target = tmp_path / "new" / "demo.fmu"
+    start = str(tmp_path / "S.json")
+    result = run(*DRY, "--version", "3.0", "--kind", "cs", "-o", str(target), "--start", start, "--dt", "0.002")
+    assert result.exit_code == 0, result.output
+    lines = result.stdout.splitlines()
+    assert lines[0] == str(target)
+    assert lines[1].startswith("FMI 3.0, co-simulation; {")
+    assert lines[2] == "no binary, only sources"
+    with zipfile.ZipFile(target) as file:
+        assert file.testzip() is None
+        names = file.namelist()
+    assert names[0] == "modelDescription.xml"
+    assert {"sources/demo3.c", "sources/demo3_model.c", "sources/buildDescription.xml"} <= set(names)
+    read = fmpy.read_model_description(str(target))
+    starts = {v.name: v.start for v in read.modelVariables}
+    wheels = [v for v in starts if v.endswith(".phi_dot")]
+    assert [float(starts[w]) for w in wheels] == [10.0, 20.0, -30.0]
+    assert (float(starts["carrier.position[3]"]), float(starts["dt"])) == (0.5, 0.002)
+    assert read.instantiationToken in lines[1]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "status", "expected"),
+    [
+        ((*DRY, "-o", "demo.zip"), 2, "-o demo.zip: expected a name that ends in .fmu"),
+        ((*DRY, "--dt", "0"), 2, "--dt 0: expected 1e-09 to 10 s"),
+        ((*DRY, "--dt", "20 s"), 2, "--dt 20: expected 1e-09 to 10 s"),
+        ((*DRY, "--kind", "me", "--dt", "0.001"), 2, "--dt: model exchange has no internal step"),
+        ((*DRY, "--start", "none.json"), 2, "none.json: cannot be read"),
+        ((*DRY, "--version", "1.0"), 2, "1.0"),
+        (("export", "fmu", "none.toml"), 2, "none.toml"),
+        (("export", "fmu", str(stands.path("remus6")), "--no-binary"), 1, "give an initial state by --start"),
+    ],
+)
+def test_refusals(
+    arguments: tuple[str, ...], status: int, expected: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert expected in refused(*arguments, status=status)
+    assert list(tmp_path.iterdir()) == []
+
 
 QUICK = [("bench8", *COMBINATIONS[4]), ("driven", *COMBINATIONS[2]), ("driven", *COMBINATIONS[5])]
 QUICK += [("rigid", *COMBINATIONS[2])]
@@ -99,3 +156,40 @@ def test_bytes_are_the_same_twice_and_tell_stands_apart() -> None:
     other = replace(found, gravity=(0.0, 0.0, -1.62))
     moon = export_fmu(other, "3.0", "cs", start=rest_state(other), binary=False)
     assert moon.lines[0] != first.lines[0]
+
+
+def unpacked(name: str, version: str, kind: Kind, inputs: Inputs, folder: Path) -> list[Path]:
+    """The sources in a folder; those that are compiled, but for the stand's own C, which others test."""
+    with zipfile.ZipFile(fmus.path(name, version, kind, inputs, binary=False)) as file:
+        file.extractall(folder)
+    return sorted(p for p in (folder / "sources").glob("*.c") if p.name != f"{name}.c")
+
+
+def compile_strictly(command: list[str], sources: list[Path]) -> None:
+    """No warning, of any."""
+    require(command[0], command[0])
+    flags = [*WARNINGS, *STRICT, "-fsyntax-only"]
+    done = subprocess.run([*command, *flags, *map(str, sources)], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr[:2000]
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize(
+    ("version", "kind", "inputs"), [COMBINATIONS[1], COMBINATIONS[2], COMBINATIONS[4], COMBINATIONS[7]]
+)
+def test_no_warning(version: str, kind: Kind, inputs: Inputs, compiler: str, tmp_path: Path) -> None:
+    compile_strictly([compiler], unpacked("driven", version, kind, inputs, tmp_path))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("version", "kind"), [("2.0", "cs"), ("3.0", "me")])
+def test_sources_alone_are_enough(version: str, kind: Kind, tmp_path: Path) -> None:
+    """fmpy builds the binary from description and sources, and it moves as ours does."""
+    unpacked("driven", version, kind, "torque", tmp_path)
+    (tmp_path / "build").mkdir()
+    build_platform_binary(tmp_path, tmp_path / "build")
+    seen = ["carrier.position[3]", "w1.phi", "energy"]
+    given = {"stop_time": 0.02, "output_interval": 0.01, "output": seen, "start_values": {"w1.phi_dot": 30.0}}
+    theirs = fmpy.simulate_fmu(str(tmp_path), **given)
+    ours = fmpy.simulate_fmu(fmus.path("driven", version, kind, "torque"), **given)
+    assert theirs.tolist() == ours.tolist()
