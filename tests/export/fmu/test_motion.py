@@ -181,7 +181,7 @@ HOLDS: dict[str, tuple[str, str, tuple[float, ...]]] = {
 """Freedoms of the hold, what resists, speeds at the start."""
 
 
-def held(name: str) -> tuple[Stand, State]:
+def held_case(name: str) -> tuple[Stand, State]:
     """A pendulum with another hold, in motion in its home pose."""
     freedoms, resistance, u = HOLDS[name]
     text = TEXT.replace('freedoms = ["pitch"]', freedoms) + resistance
@@ -215,7 +215,7 @@ def test_a_held_carrier_moves_as_simulate_does(
     name: str, version: str, kind: Kind, inputs: Inputs, tmp_path: Path
 ) -> None:
     """With friction, stops, coordinates, and the reaction of the hold."""
-    stand, state = held(name)
+    stand, state = held_case(name)
     assert stand.hold is not None
     torque = inputs == "torque"
     law = "torque = 0.02" if torque else "ramp = { from = 40.0, to = 340.0, duration = 10.0 }"
@@ -250,7 +250,7 @@ def test_a_held_carrier_moves_as_simulate_does(
 @pytest.mark.slow
 def test_an_angle_counts_its_turns_also_within_a_communication_step(tmp_path: Path) -> None:
     """25 rad/s is two turns in half a second."""
-    stand, state = held("hinge")
+    stand, state = held_case("hinge")
     regime = loads_regime("schema = 1\n[flywheel.w1]\ntorque = 0.02", stand, 1.0)
     fine = simulate(Case(stand, regime, state, 1.0, 0.01, DT))
     by_fmpy = fmpy.simulate_fmu(
@@ -280,7 +280,7 @@ def test_an_angle_counts_its_turns_also_within_a_communication_step(tmp_path: Pa
     ),
 )  # fmt: skip
 def test_numbers_of_a_freedom_have_its_units(name: str, units: dict[str, str], tmp_path: Path) -> None:
-    stand, _ = held(name)
+    stand, _ = held_case(name)
     file = written(stand, home(stand), tmp_path, binary=False)
     described = fmpy.read_model_description(file, validate=True).modelVariables
     own = {v.name: v.unit or (v.declaredType.unit if v.declaredType else None) for v in described}
@@ -304,7 +304,7 @@ def test_numbers_of_a_freedom_have_its_units(name: str, units: dict[str, str], t
 def test_a_start_that_the_hold_blocks_is_refused(
     name: str, start: dict[str, float], message: str, tmp_path: Path
 ) -> None:
-    stand, _ = held(name)
+    stand, _ = held_case(name)
     log: list[str] = []
     with pytest.raises(FMICallException):
         fmpy.simulate_fmu(
