@@ -35,7 +35,7 @@ def named(pairs: tuple[tuple[str, str], ...]) -> list[tuple[Target, str]]:
     return [(TARGETS[target], real) for target, real in pairs]
 
 
-def kept(target: TargetCost) -> dict[str, Any]:
+def accepted_costs(target: TargetCost) -> dict[str, Any]:
     """What is accepted of a target's costs."""
     functions = {f.function: [getattr(f, figure) for figure in COMPARED_FIGURES] for f in target.functions}
     return {
@@ -102,7 +102,7 @@ def main() -> int:
         stand = mahovik.example(name)
         costs = measure(stand, pairs)
         if options.accept:
-            before[name] = {f"{t.target} {t.real}": kept(t) for t in costs.targets}
+            before[name] = {f"{t.target} {t.real}": accepted_costs(t) for t in costs.targets}
             continue
         lines = [*differing_bits(name, stand, options.all), *rises(costs, before)]
         print(*(lines or [f"{name}: same bits, no rise of cost on {len(pairs)} targets"]), sep="\n", flush=True)
