@@ -101,8 +101,8 @@ def _marked(text: str) -> str:
         after = pattern.sub(mark, after)
     if after == text:
         return text
-    for pattern, narrow in ((r"\n +", "\n "), (r"(?<=\S) {2,}", "  "), (r"─{3,}", "───")):
-        after = re.sub(pattern, narrow, after)
+    for wide, narrow in ((r"\n +", "\n "), (r"(?<=\S) {2,}", "  "), (r"─{3,}", "───")):
+        after = re.sub(wide, narrow, after)
     return after
 
 
