@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from cli.run import DEMO3, refused, run
+from cli.run import DEMO3, run
 from mahovik import stands
 
 SHAKER2 = str(stands.path("shaker2"))
@@ -45,19 +45,3 @@ def test_a_fifo_of_any_name_gets_csv(tmp_path: Path) -> None:
     assert received(tmp_path / "run", *SIMULATE).startswith("t [s],")
     assert received(tmp_path / "sweep", *RESPONSE).splitlines()[0].count(",") > 3
     assert received(tmp_path / "sweep.json", *RESPONSE).startswith("{")
-
-
-def test_new_writes_the_example_alone_into_a_fifo(tmp_path: Path) -> None:
-    assert received(tmp_path / "fifo", "new", "demo3") == Path(stands.path("demo3")).read_text()
-    assert [each.name for each in tmp_path.iterdir()] == ["fifo"]
-
-
-def test_a_regular_file_still_needs_an_ending(tmp_path: Path) -> None:
-    assert "expected a name that ends in .csv or .parquet" in refused(*SIMULATE, "-o", str(tmp_path / "run"))
-    (tmp_path / "link").symlink_to(tmp_path / "run")
-    assert "expected a name that ends in" in refused(*RESPONSE, "-o", str(tmp_path / "link"))
-
-
-def test_an_empty_device_is_called_no_parquet_file() -> None:
-    said = refused("plot", "--run", "/dev/null", "-o", "/dev/null")
-    assert said.rstrip().endswith('/dev/null: no run of `mahovik simulate`: expected a column "t [s]" and rows')

@@ -71,38 +71,6 @@ def test_merge_and_report(out: Path) -> None:
     )
 
 
-def test_bad_input_is_one_line(out: Path) -> None:
-    cases = {
-        ("campaign", "shard", str(out), "3"): "shard 3: not there, expected 0 to 2",
-        ("campaign", "shard", str(out), "x"): "x: expected the number of a shard, or a range as 10-19",
-        (
-            "campaign",
-            "status",
-            "nowhere",
-        ): "nowhere: no campaign was begun here; `mahovik campaign run C.toml -o nowhere`",
-        ("campaign", "status", str(out.parent / "c.toml")): "c.toml: is a file, expected the folder of a campaign",
-        ("campaign", "run", str(out.parent / "c.toml"), "-o", str(out.parent)): "holds other files",
-        ("campaign", "run", "missing.toml", "-o", "out"): "missing.toml",
-        ("campaign", "run", "c.toml", "-o", "out", "--scheduler", "here"): "scheduler here: cannot be reached, missing",
-        ("campaign", "resume", str(out), "--scheduler", "here"): "scheduler here: cannot be reached, missing port",
-    }
-    for arguments, words in cases.items():
-        said = refused(*arguments)
-        assert said.startswith("error: ") and words in said and said.count("\n") == 1
-
-
-def test_what_is_missing_is_status_1(out: Path, tmp_path: Path) -> None:
-    (tmp_path / "c.toml").write_text(FILE)
-    run("campaign", "run", str(tmp_path / "c.toml"), "-o", str(tmp_path / "out"), "--prepare")
-    run("campaign", "shard", str(tmp_path / "out"), "1")
-    result = run("campaign", "status", str(tmp_path / "out"))
-    assert result.exit_code == 1
-    assert "missing shards: 0, 2" in result.output
-    said = refused("campaign", "merge", str(tmp_path / "out"), "-o", "all.parquet", status=1)
-    assert "2 of 3 shards are missing or damaged: 0, 2; `mahovik campaign resume" in said
-    assert not Path("all.parquet").exists()
-
-
 def test_without_pyarrow_nothing_is_begun(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A line with the command that installs it, and no folder."""
     monkeypatch.setitem(sys.modules, "pyarrow", None)

@@ -11,7 +11,7 @@ import pytest
 
 from cli.run import run
 from mahovik import stands
-from mahovik.out.cli.fitting import column_that_fits, fitting_unit
+from mahovik.out.cli.fitting import column_that_fits
 
 SAT4 = str(stands.path("sat4"))
 
@@ -28,32 +28,6 @@ def table(text: str, head: str) -> dict[str, list[str]]:
         first, *cells = re.split(r" {2,}", line.strip())
         found[first] = cells
     return found
-
-
-def test_figures_of_a_satellite() -> None:
-    """12 N m s and 0.2 N m along (+-1, +-1, 1)/sqrt 3; 1.5 g mm on 2.4 kg at 6000 rpm is 0.393 mm/s, G 0.4."""
-    text = run("check", SAT4).stdout
-    motors = table(text, "all motors")
-    assert [float(cell) for cell in motors["along x"]] == pytest.approx(
-        [48 / math.sqrt(3), 0.8 / math.sqrt(3)], rel=1e-4
-    )
-    assert [float(cell) for cell in motors["in every direction"]] == pytest.approx(
-        [48 / math.sqrt(6), 0.8 / math.sqrt(6)], rel=1e-4
-    )
-    assert [float(cell) for cell in motors["sum"]] == pytest.approx([48, 0.8], rel=1e-4)
-    speeds = [row for row in text.splitlines() if row.startswith(" rw1  ")]
-    assert re.fullmatch(r" rw1 +190\.99 +1\.5 +0 +220 +90 +220 +-105 +0 *", speeds[1])
-    assert re.fullmatch(r" rw1 +6000 +0\.59218 +86\.853 +86\.853 +0\.3927 +G 0\.4 +12 +0\.2 *", speeds[2])
-    assert (
-        "moment, mN m" in text
-        and "couple, mN m" in text
-        and "grade there" not in text
-        and "principal inertia about the centre of mass, kg m2" in text
-    )
-    written = table(text, "written in the file")
-    assert written["unbalance.static"] == ["0.15 g cm", "1.5e-06 kg m", "rw1, rw2, rw3, rw4"]
-    assert written["center_of_mass"] == ["[4, -3, 12] mm", "[0.004, -0.003, 0.012] m", "carrier"]
-    assert written["motor.speed"] == ["6000 rpm", "628.319 rad/s", "rw1, rw2, rw3, rw4"]
 
 
 def test_all_of_it_is_in_json() -> None:
@@ -92,11 +66,6 @@ def test_figures_are_in_a_unit_that_fits(
     assert column_that_fits("x", values, quantity) == (title, cells)
 
 
-def test_a_figure_beyond_all_units_is_in_the_nearest() -> None:
-    assert fitting_unit([1e-12], "N") == ("uN", 1e-6)
-    assert fitting_unit([1e12], "N") == ("kN", 1e3)
-
-
 CUBE = """schema = 1
 name = "cube"
 [carrier]
@@ -122,28 +91,6 @@ def test_data_sheet_spellings_of_inertia(spelling: str, value: float, own_folder
     assert json.loads(run("check", "a.toml", "--json").stdout)["unbalance"][0]["spin_inertia"] == value
 
 
-@pytest.mark.parametrize(
-    ("key", "spelling", "value"),
-    [
-        ("torque", "20 mN-m", 0.02), ("torque", "20 mNm", 0.02), ("torque", "10 oz-in", 0.0706155),
-        ("speed", "6000 1/min", 628.3185), ("speed", "6000 r/min", 628.3185), ("speed", "6000 min^-1", 628.3185),
-    ],
-)  # fmt: skip
-def test_data_sheet_spellings_of_motors(key: str, spelling: str, value: float, own_folder: Path) -> None:
-    (own_folder / "a.toml").write_text(
-        f'{CUBE}spin_inertia = 0.002\ntransverse_inertia = 0.001\nmotor = {{ {key} = "{spelling}" }}\n',
-        encoding="utf-8",
-    )
-    found = json.loads(run("check", "a.toml", "--json").stdout)
-    (written,) = found["written"]
-    assert written["text"] == spelling and written["value"] == pytest.approx(value, rel=1e-5)
-
-
-def test_the_hint_on_an_inertia_in_gram_centimetres(own_folder: Path) -> None:
-    (own_folder / "a.toml").write_text(f'{CUBE}spin_inertia = "20 gcm"\ntransverse_inertia = 1e-6\n', encoding="utf-8")
-    assert 'unit "gcm", read as "g cm", does not fit, expected a moment of inertia' in run("check", "a.toml").stderr
-
-
 TWO_PLANES = f"""{CUBE}spin_inertia = 0.002
 transverse_inertia = 0.0011
 unbalance = {{ static = "1 g mm", dynamic = "30 g mm^2", dynamic_at = "ANGLE" }}
@@ -164,16 +111,6 @@ def test_the_grade_at_two_planes_is_that_of_static_and_couple_unbalance(
     assert row["couple"] == pytest.approx(30e-9 * 1e6)
     cells = table(run("check", "a.toml", "--speed", "1000", "--planes", "0.04").stdout, "flywheel   at")["w1"]
     assert cells[-1] == "G 2.5" and "G 1" in cells
-
-
-def test_planes_far_apart_leave_the_grade_of_the_static_part(own_folder: Path) -> None:
-    (own_folder / "a.toml").write_text(TWO_PLANES.replace("ANGLE", "0 deg"), encoding="utf-8")
-    (row,) = json.loads(run("check", "a.toml", "--planes", "1000 m", "--json").stdout)["unbalance"]
-    assert row["plane_velocity"] == pytest.approx(row["eccentric_velocity"], rel=1e-4)
-    (row,) = json.loads(run("check", "a.toml", "--json").stdout)["unbalance"]
-    assert row["plane_velocity"] is None and row["plane_grade"] is None
-    for wrong in ("0", "-1 mm", "3 kg", "nan"):
-        assert "--planes: " in run("check", "a.toml", "--planes", wrong).stderr
 
 
 CART = """schema = 1

@@ -8,21 +8,6 @@ import sys
 
 import pytest
 
-from cli.run import refused, run
-
-
-@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_a_shell_is_told_whom_to_ask(shell: str) -> None:
-    result = run("completion", shell)
-    assert result.exit_code == 0
-    assert f"_MAHOVIK_COMPLETE={shell}_complete" in result.output
-    whom = {"bash": "_completion mahovik", "zsh": "#compdef mahovik", "fish": "--command mahovik"}
-    assert whom[shell] in result.output
-
-
-def test_an_unknown_shell_is_refused() -> None:
-    assert "'tcsh' is not one of 'bash', 'zsh', 'fish'" in refused("completion", "tcsh")
-
 
 @pytest.mark.parametrize(
     ("words", "found"),

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from cli.run import AUV6, DEMO3, refused, run
+from cli.run import DEMO3, refused, run
 from mahovik.core.emit.generate import generate
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
@@ -87,16 +87,6 @@ def edit(folder: Path, change: Callable[[dict[str, Any]], object]) -> None:
 # ---- where it writes ----
 
 
-def test_a_folder_in_float_is_measured_in_float(folder: Path, tmp_path: Path) -> None:
-    """On every usual processor, also on those that have double."""
-    place = tmp_path / "float"
-    delivery.deliver(place, load(DEMO3), "float", generated_files("demo3", "float"))
-    assert run("cost", DEMO3, "-o", str(place)).exit_code == 0
-    assert {real for _, real in accepted(place)} == {"float"}
-    assert {name for name, _ in accepted(place)} == {name for name, _ in USUAL}
-    assert run("cost", DEMO3, "-o", str(place), "--check").exit_code == 0
-
-
 def test_both_files_are_listed(folder: Path) -> None:
     result = run("cost", DEMO3, "-o", str(folder))
     assert result.exit_code == 0
@@ -108,14 +98,6 @@ def test_both_files_are_listed(folder: Path) -> None:
     assert contents(folder) == before
 
 
-@pytest.mark.parametrize("accept", [(), ("--accept",)])
-def test_the_folder_of_another_stand_is_refused(accept: tuple[str, ...], folder: Path) -> None:
-    run("cost", DEMO3, "-o", str(folder))
-    before = contents(folder)
-    assert 'holds the C of stand "demo3"' in refused("cost", AUV6, "-o", str(folder), *accept)
-    assert contents(folder) == before
-
-
 def test_other_c_of_the_stand_is_refused(folder: Path) -> None:
     (folder / "demo3.c").write_text((folder / "demo3.c").read_text() + "/* mine */\n")
     before = contents(folder)
@@ -123,77 +105,7 @@ def test_other_c_of_the_stand_is_refused(folder: Path) -> None:
     assert contents(folder) == before
 
 
-@pytest.mark.parametrize("name", ["COST.md", "cost.json"])
-@pytest.mark.parametrize("text", ["what we paid\n", '{"stand": "auv6", "targets": []}', "# Cost of auv6\n\nWritten by"])
-@pytest.mark.parametrize("bare", [True, False])
-def test_a_file_of_others_is_not_replaced(name: str, text: str, bare: bool, folder: Path, tmp_path: Path) -> None:
-    where = folder
-    if bare:
-        where = tmp_path / "bare"
-        where.mkdir()
-    (where / name).write_text(text)
-    before = contents(where)
-    for accept in ((), ("--accept",)):
-        said = refused("cost", DEMO3, "-o", str(where), *accept)
-        assert said.startswith(f"error: {where / name}: was not written by mahovik for demo3: ")
-        assert said.count("\n") == 1
-        assert contents(where) == before
-
-
-@pytest.mark.parametrize("name", ["COST.md", "cost.json"])
-def test_a_file_changed_by_hand_is_not_replaced(name: str, folder: Path) -> None:
-    run("cost", DEMO3, "-o", str(folder))
-    (folder / name).write_text((folder / name).read_text() + " ")
-    before = contents(folder)
-    assert f"{name}: was changed by hand" in refused("cost", DEMO3, "-o", str(folder), "--accept")
-    assert contents(folder) == before
-
-
-def test_a_folder_of_others_is_refused(tmp_path: Path) -> None:
-    (tmp_path / "main.c").write_text("int main(void) { return 0; }\n")
-    assert "neither empty nor a folder of `mahovik generate`" in refused("cost", DEMO3, "-o", str(tmp_path))
-    assert set(contents(tmp_path)) == {"main.c"}
-
-
-def test_check_does_not_take_the_figures_of_another_stand(tmp_path: Path) -> None:
-    run("cost", AUV6, "-o", str(tmp_path / "new"))
-    assert "no figures of `mahovik cost` for demo3" in refused("cost", DEMO3, "-o", str(tmp_path / "new"), "--check")
-
-
 # ---- the gate ----
-
-
-def test_some_targets_keep_the_figures_of_the_others(tmp_path: Path, functions: list[FunctionCost]) -> None:
-    arguments = ("cost", DEMO3, "-o", str(tmp_path))
-    run(*arguments)
-    page, old = (tmp_path / "COST.md").read_bytes(), json.loads((tmp_path / "cost.json").read_text())["targets"]
-    functions[0] = replace(FUNCTIONS[0], instructions=2000)
-    result = run(*arguments, "--targets", "m4,m3", "--accept")
-    assert result.exit_code == 0
-    assert "| `forward` | 2,000 |" in result.stdout  # printed: COST.md has the tables of all
-    assert (tmp_path / "COST.md").read_bytes() == page
-    assert accepted(tmp_path) == [*USUAL, ("m3", "double"), ("m3", "float")]
-    new = json.loads((tmp_path / "cost.json").read_text())["targets"]
-    assert new[1:4] == old[1:]
-    assert new[0]["functions"][0]["instructions"] == 2000
-    failed = run(*arguments, "--check")
-    assert failed.exit_code == 1
-    assert failed.stdout.count("rise: ") == 3
-
-
-def test_check_wants_figures_of_every_usual_target(tmp_path: Path) -> None:
-    arguments = ("cost", DEMO3, "-o", str(tmp_path))
-    assert run(*arguments, "--targets", "m4", "--accept").exit_code == 0
-    for option in ((), ("--check",), ("--check", "--targets", "m4")):
-        failed = run(*arguments, *option)
-        assert failed.exit_code == 1, option
-        assert "not accepted: m7, double\nnot accepted: rv32imafc, float\n" in failed.stdout
-        assert "not all figures are accepted" in failed.stderr
-        assert set(contents(tmp_path)) == {"cost.json"}
-    assert run(*arguments, "--accept").exit_code == 0
-    assert run(*arguments, "--check").exit_code == 0
-    assert run(*arguments, "--check", "--targets", "m3").exit_code == 1
-    assert run(*arguments, "--targets", "m3").exit_code == 0  # only asked what it costs
 
 
 @pytest.mark.parametrize(
@@ -213,13 +125,6 @@ def test_check_wants_every_figure(change: Callable[[Any], object], line: str, tm
     assert line in failed.stdout
 
 
-@pytest.mark.parametrize("figure", ["12", True, None, -1, 1.5])
-def test_figures_that_are_none_are_refused(figure: object, tmp_path: Path) -> None:
-    run("cost", DEMO3, "-o", str(tmp_path))
-    edit(tmp_path, lambda data: data["targets"][0]["functions"][0].update(stack=figure))
-    assert "no figures of `mahovik cost`" in refused("cost", DEMO3, "-o", str(tmp_path), "--check")
-
-
 def test_what_has_risen_is_not_written_until_it_is_accepted(folder: Path, functions: list[FunctionCost]) -> None:
     arguments = ("cost", DEMO3, "-o", str(folder))
     run(*arguments)
@@ -232,16 +137,6 @@ def test_what_has_risen_is_not_written_until_it_is_accepted(folder: Path, functi
     assert run(*arguments, "--accept").exit_code == 0
     assert "| 511 |" in (folder / "COST.md").read_text()
     assert run(*arguments, "--check").exit_code == 0
-
-
-def test_lower_figures_are_shown_but_the_accepted_stay(tmp_path: Path, functions: list[FunctionCost]) -> None:
-    arguments = ("cost", DEMO3, "-o", str(tmp_path))
-    run(*arguments)
-    before = (tmp_path / "cost.json").read_bytes()
-    functions[0] = replace(FUNCTIONS[0], stack=400)
-    assert run(*arguments).exit_code == 0
-    assert "| 400 |" in (tmp_path / "COST.md").read_text()
-    assert (tmp_path / "cost.json").read_bytes() == before
 
 
 def test_the_figures_as_json(folder: Path) -> None:
@@ -268,11 +163,3 @@ def test_targets_that_are_not_there_are_left_out_by_name(tmp_path: Path, monkeyp
     assert list(tmp_path.iterdir()) == []
     assert run("cost", DEMO3, "-o", str(tmp_path), "--accept").exit_code == 0
     assert accepted(tmp_path) == [pair for pair in USUAL if pair[0].startswith("rv")]
-
-
-def test_where_no_target_is_there_it_is_an_error(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(measuring, "require", require)
-    monkeypatch.setattr(Target, "missing_commands", lambda target: ("gcc",))
-    said = refused("cost", DEMO3, "-o", str(tmp_path))
-    assert said.startswith("error: m4: no gcc: ")
-    assert said.count("\n") == 1

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from cli.run import BENCH8, DEMO3, process, refused, run
+from cli.run import BENCH8, DEMO3, process, run
 
 GOOD = '{"id": 1, "want": ["forward"]}\n'
 
@@ -54,34 +54,6 @@ def test_a_stand_without_flywheels_has_every_want(tmp_path: Path) -> None:
     assert "V_dot" in second
 
 
-def test_the_second_derivation_is_a_backend() -> None:
-    states = GOOD + '{"id": "m", "want": ["matrices"]}\n'
-    result = run("eval", DEMO3, "--backend", "casadi", stdin=states)
-    first, second = lines(result.stdout)
-    literal = lines(run("eval", DEMO3, "--backend", "numpy", stdin=GOOD).stdout)[0]
-    assert first["V_dot"] == pytest.approx(literal["V_dot"], rel=1e-12, abs=1e-15)
-    assert result.exit_code == 1
-    assert "matrices" in second["error"]
-
-
-def test_no_states_are_no_failure() -> None:
-    result = run("eval", DEMO3, "--backend", "numpy", stdin="\n\n")
-    assert (result.exit_code, result.stdout) == (0, "")
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (("--backend", "casadi", "--real", "float"), "only --backend c has it"),
-        (("--backend", "numpy", "--real", "float"), "only --backend c has it"),
-        (("--backend", "matlab"), "'matlab' is not one of"),
-        (("--real", "half"), "'half' is not one of"),
-    ],
-)
-def test_usage_errors(arguments: tuple[str, ...], words: str) -> None:
-    assert words in refused("eval", DEMO3, *arguments, stdin=GOOD)
-
-
 def test_no_compiler_is_one_line_that_says_what_to_install() -> None:
     done = process("eval", DEMO3, stdin=GOOD, PATH="", CC="")
     assert done.returncode == 2
@@ -101,21 +73,6 @@ def test_a_conversation_is_answered_line_by_line() -> None:
             assert json.loads(program.stdout.readline())["id"] == number
         program.stdin.close()
         assert program.wait(30) == 0
-
-
-def test_a_reader_that_leaves_ends_it_quietly() -> None:
-    script = (
-        'yes \'{"want": ["matrices"]}\' | head -500 | "$0" -c "from mahovik.out.cli import main; main()" "$@" | head -1'
-    )
-    done = subprocess.run(
-        ["sh", "-c", script, sys.executable, "eval", BENCH8, "--backend", "numpy"],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-    )
-    assert len(done.stdout.splitlines()) == 1
-    assert done.stderr == ""
 
 
 @pytest.mark.parametrize("command", [("check", BENCH8), ("rest", BENCH8, "--json"), ("eval", "--help"), ("--help",)])

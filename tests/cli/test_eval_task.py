@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,7 +14,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import Backend, NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.states import evaluate_lines, read_line, split_lines, state_line
+from mahovik.proof.verify.states import evaluate_lines, split_lines
 
 SAT: Stand = mahovik.example("sat4")
 STATE = {"V": [0, 0, 0, 0.01, -0.02, 0.03], "phi": [0.1, 0.2, 0.3, 0.4], "phi_dot": [100, 120, -90, 80]}
@@ -44,12 +43,6 @@ def test_both_backends_give_the_same_and_other_wants_take_the_motion(c: CBackend
     np.testing.assert_allclose(answers(Second(SAT), moved)[0]["V_dot"], one["V_dot"], rtol=1e-9)
 
 
-def test_without_the_task_the_same_demand_is_excessive(c: CBackend) -> None:
-    asked = {**STATE, "V_dot": [0, 0, 0, *TASK["demand"]], "want": ["inverse"]}
-    for backend in (c, NumpyBackend(SAT)):
-        assert "EXCESSIVE" in answers(backend, asked)[0]["status"]
-
-
 @pytest.mark.parametrize("size", [0.02, 0.1, 1.0])
 def test_torques_within_the_motors_by_both_backends(c: CBackend, size: float) -> None:
     rng, most = np.random.default_rng(4), 0.2
@@ -69,40 +62,3 @@ def test_torques_within_the_motors_by_both_backends(c: CBackend, size: float) ->
         statuses.add(one["status"])
     assert statuses <= ({"OK"} if size < 0.1 else {"OK", "LIMITED", "LIMITED|UNREACHABLE"})
     assert size < 1.0 or "LIMITED|UNREACHABLE" in statuses
-
-
-ERRORS = [
-    ({"task": "pointin", "demand": [0, 0, 0]}, 'task: unknown "pointin", did you mean "pointing"?'),
-    ({"task": "pointing"}, "demand: missing, expected 3 numbers"),
-    ({"demand": [1, 2, 3]}, 'demand: needs a task, {"task": NAME, "demand": [...]}'),
-    ({"task": "pointing", "demand": [1, 2]}, "demand: expected 3 numbers, found 2"),
-    ({"task": "pointing", "demand": [1, 2, 3e9]}, "demand[2]: 3e+09 is out of range, at most 1e+09 in magnitude"),
-    ({"task": 3, "demand": [1, 2, 3]}, "task: expected the name of a task, found 3"),
-    ({**TASK, "V_dot": [0, 0, 0, 0, 0, 0]}, "V_dot, task: both given, expected one of them"),
-    ({**TASK, "want": ["forward"]}, 'want: "forward" and the task both give V_dot, ask for them in two states'),
-    ({"want": ["torque_for"]}, 'want: "torque_for" needs a task, {"task": NAME, "demand": [...]}'),
-    (
-        {**TASK, "want": ["torque_for", "inverse"]},
-        'want: "inverse" and "torque_for" both give phi_ddot, ask for them in two states',
-    ),
-    (
-        {**TASK, "want": ["torque", "torque_for"]},
-        'want: "torque" and "torque_for" both give tau, ask for them in two states',
-    ),
-    ({**TASK, "want": ["coupled"]}, 'want: "coupled" and the task both give V_dot, ask for them in two states'),
-]
-
-
-@pytest.mark.parametrize(("line", "words"), ERRORS)
-def test_error_lines(line: dict[str, Any], words: str) -> None:
-    assert answers(NumpyBackend(SAT), {"want": ["inverse"], **line}) == [{"id": None, "error": words}]
-
-
-def test_the_second_derivation_has_no_tasks() -> None:
-    (found,) = answers(Second(SAT), {**TASK, "want": ["torque"]})
-    assert found["error"].startswith("task: the second derivation has no tasks")
-
-
-def test_a_line_of_a_task_reads_back(tmp_path: Path) -> None:
-    request = read_line(SAT, json.dumps({"id": 1, **STATE, **TASK, "want": ["inverse"]}))
-    assert read_line(SAT, state_line(request)) == request

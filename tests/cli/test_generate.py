@@ -12,9 +12,8 @@ from pathlib import Path
 
 import pytest
 
-from cli.run import BENCH8, DEMO3, process, refused, run
+from cli.run import DEMO3, refused, run
 from mahovik.core.emit import delivery
-from mahovik.core.emit.generate import generate
 from mahovik.core.stand import identities, load
 from mahovik.core.stand.model import Stand
 from mahovik.proof.verify.delivery import PROVENANCE, add_to_delivery
@@ -81,15 +80,6 @@ def sha256(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-def test_it_writes_a_folder_and_needs_no_compiler(tmp_path: Path) -> None:
-    done = process("generate", DEMO3, cwd=tmp_path, PATH="")
-    assert done.returncode == 0
-    assert names_in(tmp_path / "demo3") == FILES
-    for name, text in generate(load(DEMO3)).items():
-        assert (tmp_path / "demo3" / name).read_bytes() == text.encode()
-        assert f"{name}   {text.count(chr(10))} lines" in done.stdout
-
-
 def test_the_manifest_has_the_hash_of_every_file(delivered: Path) -> None:
     manifest = json.loads((delivered / "manifest.json").read_text())
     assert manifest["files"] == {name: sha256(delivered / name) for name in sorted(FILES - {"manifest.json"})}
@@ -98,15 +88,6 @@ def test_the_manifest_has_the_hash_of_every_file(delivered: Path) -> None:
     assert (manifest["structure"], manifest["physics"]) == (found.structure, found.physics)
     keys = {"format", "generator", "stand", "structure", "physics", "real", "files"}
     assert set(manifest) == keys  # no date
-
-
-def test_float_takes_the_place_of_double(folder: Path) -> None:
-    assert run("generate", DEMO3, "-o", str(folder), "--real", "float").exit_code == 0
-    assert json.loads((folder / "manifest.json").read_text())["real"] == "float"
-    assert "typedef float demo3_real;" in (folder / "demo3.h").read_text()
-    assert run("generate", DEMO3, "-o", str(folder), "--real", "float", "--check").exit_code == 0
-    assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 0
-    assert run("generate", DEMO3, "-o", str(folder), "--real", "double", "--check").exit_code == 1
 
 
 def test_batches_are_added_where_they_are_asked_for_and_taken_away_again(folder: Path) -> None:
@@ -121,12 +102,6 @@ def test_batches_are_added_where_they_are_asked_for_and_taken_away_again(folder:
     assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 0
     assert "demo3_batch.c was removed" in run("generate", DEMO3, "-o", str(folder)).output
     assert contents(folder) == before
-
-
-def test_flywheels_side_by_side_and_bits_that_differ_are_no_options() -> None:
-    for command in ("generate", "verify"):
-        for option in ("--lanes", "--fast"):
-            assert f"No such option '{option}'" in refused(command, DEMO3, option)
 
 
 def test_again_touches_nothing_that_is_the_same(folder: Path) -> None:
@@ -159,22 +134,6 @@ def test_a_file_that_was_changed_by_hand_is_not_overwritten(folder: Path) -> Non
     assert contents(folder) == before
 
 
-def test_the_folder_of_another_stand_is_refused(folder: Path) -> None:
-    before = contents(folder)
-    assert 'holds the C of stand "demo3"' in refused("generate", BENCH8, "-o", str(folder))
-    assert contents(folder) == before
-
-
-def test_c_of_a_generator_without_manifests_is_taken_over(folder: Path) -> None:
-    for name in FILES - {"demo3.h", "demo3.c"}:
-        (folder / name).unlink()
-    (folder / "demo3.c").write_text((folder / "demo3.c").read_text().replace("0.1", "0.2"))
-    (folder / "notes.txt").write_text("mine")
-    assert run("generate", DEMO3, "-o", str(folder)).exit_code == 0
-    assert names_in(folder) == FILES | {"notes.txt"}
-    assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 0
-
-
 def test_what_is_no_longer_delivered_is_removed(folder: Path) -> None:
     add_to_delivery(folder, {"old.h": "once delivered\n"})
     add_to_delivery(folder, {"kept.h": "once delivered\n"})
@@ -185,12 +144,6 @@ def test_what_is_no_longer_delivered_is_removed(folder: Path) -> None:
 
 
 # ---- whole or not at all ----
-
-
-def test_a_folder_in_the_place_of_a_file(tmp_path: Path) -> None:
-    (tmp_path / "demo3.h").mkdir()
-    assert "demo3.h: is a directory" in refused("generate", DEMO3, "-o", str(tmp_path))
-    assert [p.name for p in tmp_path.iterdir()] == ["demo3.h"]
 
 
 @pytest.mark.parametrize("fault", [KeyboardInterrupt, OSError])
@@ -214,33 +167,7 @@ def test_an_interrupted_run_leaves_the_old_folder(
     assert len(calls) > after
 
 
-def test_into_what_is_no_folder(tmp_path: Path) -> None:
-    (tmp_path / "file").write_text("")
-    assert "is a file, expected a folder" in refused("generate", DEMO3, "-o", str(tmp_path / "file"))
-    assert "error: " in refused("generate", DEMO3, "-o", str(tmp_path / "file" / "deeper"))
-
-
-def test_into_a_folder_that_may_not_be_written(tmp_path: Path) -> None:
-    tmp_path.chmod(0o500)
-    folder = str(tmp_path) if os.geteuid() else "/sys"  # root may write anywhere but there
-    words = refused("generate", DEMO3, "-o", folder)
-    assert any(reason in words for reason in ("Permission denied", "Read-only file system", "not permitted")), words
-
-
-def test_into_a_folder_that_cannot_be() -> None:
-    assert refused("generate", DEMO3, "-o", "/proc/none/here").startswith("error: /proc/none/here: cannot be made")
-
-
 # ---- COST.md ----
-
-
-def test_the_cost_of_the_same_c_is_kept_and_listed(folder: Path) -> None:
-    add_to_delivery(folder, {"COST.md": f"# Cost\n\nof the source `{sha256(folder / 'demo3.c')}`\n"})
-    before = contents(folder)
-    assert run("generate", DEMO3, "-o", str(folder)).exit_code == 0
-    assert contents(folder) == before
-    assert json.loads(before["manifest.json"])["files"]["COST.md"] == sha256(folder / "COST.md")
-    assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 0
 
 
 @pytest.mark.parametrize("listed", [True, False])
@@ -257,50 +184,7 @@ def test_the_cost_of_other_c_is_removed(listed: bool, folder: Path) -> None:
     assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 0
 
 
-def test_a_cost_of_somebody_else_stays(folder: Path) -> None:
-    (folder / "COST.md").write_text("what we paid\n")
-    assert run("generate", DEMO3, "-o", str(folder)).exit_code == 0
-    assert (folder / "COST.md").read_text() == "what we paid\n"
-    assert "COST.md" not in json.loads((folder / "manifest.json").read_text())["files"]
-
-
 # ---- cost.json ----
-
-FIGURES = '{"stand": "demo3", "targets": []}'
-
-
-def test_accepted_figures_are_kept_and_listed(folder: Path) -> None:
-    (folder / "cost.json").write_text(FIGURES)  # of a generator that did not list it
-    assert "cost.json: is not what manifest.json lists" in refused(
-        "generate", DEMO3, "-o", str(folder), "--check", status=1
-    )
-    assert run("generate", DEMO3, "-o", str(folder)).exit_code == 0
-    assert (folder / "cost.json").read_text() == FIGURES
-    assert json.loads((folder / "manifest.json").read_text())["files"]["cost.json"] == sha256(folder / "cost.json")
-    assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 0
-    assert run("generate", DEMO3, "-o", str(folder), "--real", "float").exit_code == 0  # other C: that is their use
-    assert (folder / "cost.json").read_text() == FIGURES
-
-
-def test_edited_or_lost_figures_are_found(folder: Path) -> None:
-    add_to_delivery(folder, {"cost.json": FIGURES})
-    assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 0
-    (folder / "cost.json").write_text(FIGURES + " ")
-    said = refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
-    assert f"{folder / 'cost.json'}: is not what manifest.json lists" in said
-    before = contents(folder)
-    assert "cost.json: was changed by hand" in refused("generate", DEMO3, "-o", str(folder))
-    assert contents(folder) == before
-    (folder / "cost.json").unlink()
-    assert "does not list these files" in refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
-
-
-@pytest.mark.parametrize("text", ["what we paid\n", '{"stand": "bench8", "targets": []}', "[]"])
-def test_figures_of_somebody_else_stay_unlisted(text: str, folder: Path) -> None:
-    (folder / "cost.json").write_text(text)
-    assert run("generate", DEMO3, "-o", str(folder)).exit_code == 0
-    assert (folder / "cost.json").read_text() == text
-    assert "cost.json" not in json.loads((folder / "manifest.json").read_text())["files"]
 
 
 # ---- a project of `export target` ----
@@ -338,32 +222,9 @@ def test_a_program_of_the_user_stays_in_a_project(tmp_path: Path) -> None:
 # ---- --check ----
 
 
-def test_check_writes_nothing(folder: Path) -> None:
-    before = contents(folder)
-    result = run("generate", DEMO3, "-o", str(folder), "--check")
-    assert (result.exit_code, result.output) == (0, f"{folder}   as the stand file gives it\n")
-    assert contents(folder) == before
-    assert "is missing" in refused("generate", DEMO3, "-o", str(folder / "none"), "--check", status=1)
-    assert not (folder / "none").exists()
-
-
 @pytest.mark.parametrize("name", sorted(FILES))
 def test_check_finds_what_was_changed_or_lost(name: str, folder: Path) -> None:
     (folder / name).write_bytes((folder / name).read_bytes() + b" ")
     assert f"{folder / name}: " in refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
     (folder / name).unlink()
     assert f"{folder / name}: is missing" in refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
-
-
-def test_check_of_the_other_element_type_is_one_line(folder: Path) -> None:
-    said = refused("generate", DEMO3, "--real", "float", "-o", str(folder), "--check", status=1)
-    assert said == f"error: {folder}: its C is double, expected float: give --real double, or generate it again\n"
-
-
-def test_the_page_of_another_prefix_says_of_what_stand_file_it_is(tmp_path: Path) -> None:
-    """A copy of the stand file with that name makes the same folder."""
-    assert run("generate", DEMO3, "--prefix", "other", "-o", str(tmp_path / "c")).exit_code == 0
-    assert "the stand file whose `name` is `other`" in (tmp_path / "c" / "README.md").read_text()
-    copy = tmp_path / "other.toml"
-    copy.write_text(Path(DEMO3).read_text().replace('name = "demo3"', 'name = "other"', 1))
-    assert run("generate", str(copy), "-o", str(tmp_path / "c"), "--check").exit_code == 0

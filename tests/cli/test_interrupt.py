@@ -13,15 +13,11 @@ from pathlib import Path
 
 import pytest
 
-from cli.run import BENCH8, DEMO3
+from cli.run import DEMO3
 from cli.terminal import RUN
-from mahovik.core.motion.programme import load_programme
-from mahovik.stands import path
 from mahovik.use.simulate.run import RUN_SUFFIXES
 from toolchain.quick import quick
 
-SAT4 = str(path("sat4"))
-MOTION = str(path("bench8").with_name("bench8.motion.json"))
 ENDS = 60.0
 """s in which a command must end; it takes a fraction of one, and this machine may be busy."""
 
@@ -181,46 +177,6 @@ def test_a_simulation_keeps_what_is_computed(suffix: str, tmp_path: Path) -> Non
         rows = (started.work / "run.csv").read_text().splitlines()
         assert len(rows) > 2
         assert len({row.count(",") for row in rows}) == 1  # none is cut
-
-
-@pytest.mark.slow
-def test_a_sweep_keeps_the_speeds_that_are_done(tmp_path: Path) -> None:
-    arguments = ("response", SAT4, "--speed", "rw1=0..6000rpm", "--steps", "100000", "--at", "acc1", "-o", "r.csv")
-    started = Started(arguments, tmp_path)
-    time.sleep(4.0)
-    _, said = started.interrupt()
-    assert started.process.returncode == 130
-    if "no file is half written" in said:  # it had not yet one
-        assert list(started.work.iterdir()) == []
-        return
-    assert "of 100000 speeds are done" in said
-    assert (started.work / "r.csv").read_text().endswith("\n")
-
-
-@pytest.mark.slow
-def test_planning_keeps_the_best_so_far(tmp_path: Path) -> None:
-    arguments = ("plan", BENCH8, "--motion", MOTION, "-o", "p.json", "--keep", "50")
-    started = Started(arguments, tmp_path)
-    time.sleep(6.0)
-    _, said = started.interrupt()
-    assert started.process.returncode == 130
-    ends = ("interrupted: this is the best so far", "interrupted: nothing was found yet", "no file is half written")
-    assert any(end in said for end in ends)  # the last: the search has not begun, as a busy machine is slow
-    written = [each.name for each in started.work.iterdir()]
-    assert bool(written) == ("this is the best so far" in said)
-    for name in written:
-        assert load_programme(started.work / name).report["verified"] is True
-
-
-@pytest.mark.slow
-def test_targets_side_by_side_are_all_ended(tmp_path: Path) -> None:
-    started = Started(("verify", DEMO3, "--targets", "quick", "--states", "1000000"), tmp_path)
-    started.until(lambda: any(started.scratch.iterdir()))
-    time.sleep(3.0)
-    begin = time.monotonic()
-    started.interrupt()
-    assert started.process.returncode == 130
-    assert time.monotonic() - begin < ENDS
 
 
 @pytest.mark.parametrize("moves", [0, 1, 2])

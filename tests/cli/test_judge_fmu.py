@@ -5,22 +5,13 @@ from __future__ import annotations
 import json
 import tempfile
 import time
-from dataclasses import replace
 from pathlib import Path
-from typing import get_args
 from zipfile import ZIP_DEFLATED, ZipFile
 
-import numpy as np
 import pytest
 
 from cli.bricks import BRICK
 from cli.run import refused, run
-from mahovik.core.stand.model import Sequence
-from mahovik.core.stand.random_state import random_state
-from mahovik.core.stand.read import load
-from mahovik.proof.reference.rotation import attitude, carrier_rotation, quaternion_rotation
-from mahovik.proof.verify.fmu.program import angles_of, quaternion_of
-from mahovik.stands import path
 
 STAND = BRICK + "wrench_input = true\n"
 
@@ -73,13 +64,6 @@ def test_wrong_terms_of_an_fmu_are_named(folder: Path, monkeypatch: pytest.Monke
     assert {(row["component"], row["term"]) for row in found} == {("K", "q r"), ("M", "p r"), ("N", "p q")}
     errors = {row["component"]: row["factor"] - row["expected"] for row in found if not row["coefficient"]}
     assert (errors["M"], errors["N"]) == (pytest.approx(-0.05), pytest.approx(0.05))
-
-
-def test_a_want_that_the_map_has_not_is_missing(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(folder)
-    result = run(*judged(folder, "brick.fmu", "--map", "map.toml", "--states", "3", "--want", "momentum", "--json"))
-    assert result.exit_code == 1
-    assert [row["verdict"] for row in json.loads(result.stdout)["rows"]] == ["MISSING"]
 
 
 BAD = {
@@ -170,18 +154,3 @@ def test_nothing_of_an_fmu_stays(folder: Path, tmp_path: Path, monkeypatch: pyte
     result = run(*judged(folder, "brick.fmu", *(more if kill else more[:-2])))
     assert result.exit_code == (1 if kill else 0), result.output
     assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.parametrize("sequence", get_args(Sequence))
-def test_attitudes_of_states(sequence: Sequence) -> None:
-    stand = replace(load(path("shaker2")), angles=sequence)
-    rng = np.random.default_rng(1)
-    for _ in range(20):
-        q = rng.normal(size=4)
-        w, x, y, z = (q / np.linalg.norm(q)).tolist()
-        state = replace(random_state(stand, rng), angles=None, quaternion=(w, x, y, z))
-        C = carrier_rotation(stand, state)
-        psi, theta, phi = angles_of(stand, state)
-        turned = replace(state, angles=(psi, theta, phi), quaternion=None)
-        assert np.allclose(attitude(sequence, psi, theta, phi), C, atol=1e-14)
-        assert np.allclose(quaternion_rotation(*quaternion_of(stand, turned)), C, atol=1e-14)

@@ -117,14 +117,6 @@ def test_freedoms_without_a_name_go_by_their_numbers(tmp_path: Path) -> None:
     assert len(mapped('freedoms = ["roll", "pitch", "yaw"]', kept, tmp_path).inputs["orientation"]) == 4
 
 
-def test_a_clamped_carrier_has_a_reaction_alone(tmp_path: Path) -> None:
-    """It has no motion to be given, and its pose is that of the hold."""
-    text = '[state]\nphi = "p"\nphi_dot = "w"\nphi_ddot = "a"\n[reaction]\nreaction = "R[{i}]"\n'
-    clamped = stand_text("freedoms = []").replace("pivot = [0, 0, -0.2]\n", "")
-    (tmp_path / "map.toml").write_text(text, encoding="utf-8")
-    assert list(read_map(tmp_path / "map.toml", loads(clamped)).answers) == ["reaction"]
-
-
 BAD = {
     "no pose": ('q = "joint.{freedom}.s"\n', "", "state.quaternion is missing: answers of this stand depend on it"),
     "no speed": ('u = "joint.{freedom}.v"\n', "", "state.V or state.u is missing: every state has it"),

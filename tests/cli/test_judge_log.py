@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from cli.run import BENCH8, DEMO3, process, refused, run
+from cli.run import DEMO3, process, refused, run
 from emit.selftests import generate_with_selftest, run_selftest
 from mahovik.core.emit.generate import Generated
 from mahovik.core.stand import identities, load
@@ -83,19 +83,6 @@ def test_a_good_log(log: Path) -> None:
     assert result.output.startswith(f"{head}: {len(functions())} functions, {SWEEP} states\nchecked: identities; ")
     assert f"sweep of {SWEEP} states, double, by gcc" in result.output
     assert "not checked" not in result.output
-
-
-@pytest.mark.slow
-def test_float(tmp_path: Path) -> None:
-    result = run("judge-log", DEMO3, "--log", rewritten(tmp_path / "log", board("float", tmp_path)))
-    assert result.exit_code == 0
-    assert "demo3 float" in result.output
-
-
-def test_without_the_stand_file(log: Path) -> None:
-    result = run("judge-log", "--log", str(log))
-    assert result.exit_code == 0
-    assert "not checked: identities, the list of functions, and the sweep: give the stand file" in result.output
 
 
 @pytest.mark.parametrize(
@@ -174,10 +161,6 @@ def test_each_run_of_a_board_that_was_reset_counts(printed: str, log: Path) -> N
     assert "run 1 of 2: " not in words
 
 
-def test_the_log_of_another_stand(log: Path) -> None:
-    assert "stand demo3, the stand file has bench8" in refused("judge-log", BENCH8, "--log", str(log), status=1)
-
-
 @pytest.mark.slow
 def test_without_a_compiler_the_interpreter_judges(log: Path, printed: str) -> None:
     done = process("judge-log", DEMO3, "--log", str(log), PATH="")
@@ -193,17 +176,6 @@ def test_without_a_compiler_the_interpreter_judges(log: Path, printed: str) -> N
 def test_a_log_in_utf_16_is_told_so(encoding: str, printed: str, log: Path) -> None:
     words = refused("judge-log", DEMO3, "--log", rewritten(log, printed.encode(encoding)))
     assert words.startswith(f"error: {log}: is not plain text (UTF-16?): save it as UTF-8")
-
-
-def test_what_is_no_log(tmp_path: Path) -> None:
-    words = 'no line "mahovik selftest ..."'
-    assert words in refused("judge-log", "--log", DEMO3)
-    assert words in refused("judge-log", "--log", rewritten(tmp_path / "empty", ""))
-    assert words in refused("judge-log", "--log", rewritten(tmp_path / "binary", bytes(range(256)) * 9))
-    assert "is not plain text (UTF-16?)" not in refused("judge-log", "--log", DEMO3)
-    assert "No such file" in refused("judge-log", "--log", str(tmp_path / "none"))
-    assert "error: " in refused("judge-log", "--log", str(tmp_path))
-    assert "no such file" in refused("judge-log", str(tmp_path / "none.toml"), "--log", DEMO3)
 
 
 def test_the_verdict_as_json(printed: str) -> None:

@@ -49,27 +49,6 @@ def test_another_order_works_and_is_noted(case: str) -> None:
     assert told == ["mahovik", *command, *words, "..."]
 
 
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        (("judge-log", DEMO3), "Missing option '--log'; see main judge-log --help"),
-        (("replay",), "Missing option '--log'; see main replay --help"),
-        (("verify-programme", SHAKER2), "Missing option '--motion'; see main verify-programme --help"),
-        (
-            ("verify-programme", SHAKER2, "--motion", SPIN, "p.json"),
-            "Got unexpected extra argument (p.json), expected --programme p.json",
-        ),
-        (("export", "target", DEMO3), "Missing option '--target'"),
-        (("replay", "a", DEMO3, "c"), f"Got unexpected extra argument ({DEMO3} c), expected --log"),
-        (("plot", "-o", "p.svg"), "expected --programme P.json or --run RUN.csv, one of them"),
-    ],
-)
-def test_what_is_missing_or_too_much_is_one_line(given: tuple[str, ...], words: str) -> None:
-    found = run(*given)
-    assert found.exit_code == 2 and found.stdout == ""
-    assert found.stderr.startswith(f"error: {words}") and found.stderr.count("\n") == 1, found.stderr
-
-
 NO_STAND = {"new", "import urdf", "import mjcf", "doctor", "completion"}
 """Commands without a stand file."""
 
@@ -86,23 +65,3 @@ def test_the_stand_is_the_first_argument_and_the_only_one() -> None:
 
 def usage(command: click.Command, argument: click.Argument) -> list[str]:
     return argument.get_usage_pieces(click.Context(command))
-
-
-VERBS = {
-    "Accept", "Add", "Avoid", "Begin", "Bound", "Change", "Check", "Choose", "Compare", "Compile", "Compute",
-    "Derive", "Divide", "Draw", "Drive", "Evaluate", "Export", "Find", "Follow", "Free", "Fuzz", "Grade", "Hold",
-    "Integrate", "Judge", "Keep", "Leave", "Limit", "Linearise", "List", "Make", "Measure", "Name", "Optimise",
-    "Plan", "Print", "Quiet", "Read", "Replay", "Require", "Run", "Set", "Show", "Simulate", "Start", "Turn",
-    "Use", "Verify", "Warn", "Write",
-}  # fmt: skip
-"""Words that begin the help of an option."""
-
-
-def test_the_help_of_an_option_is_a_sentence_that_says_what_it_does() -> None:
-    for name, command in commands():
-        for option in command.params:
-            if isinstance(option, click.Option) and option.name != "help":
-                words = (option.help or "").removesuffix("  [required]")
-                assert words.split(" ")[0].rstrip(",") in VERBS, (name, option.opts, words)
-                assert len(words.split()) >= 3, (name, option.opts, words)
-                assert words[-1] in ".)" or words.endswith("..."), (name, option.opts, words)

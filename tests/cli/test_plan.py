@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from cli.run import BENCH8, DEMO3, refused, run
+from cli.run import DEMO3, refused, run
 from mahovik.core.motion.programme import load_programme
 from mahovik.stands import path as stand_path
 from mahovik.use.plan import Plan
@@ -26,22 +26,6 @@ def changed(tmp_path: Path, source: str, **keys: object) -> str:
     return str(path)
 
 
-@pytest.mark.slow
-def test_a_programme_is_written_verified_and_told(tmp_path: Path) -> None:
-    """A rocking programme of demo3; nothing else is left in the folder."""
-    result = run("plan", DEMO3, "--motion", TURN, "-o", str(tmp_path / "a.json"), "--winding", "rock", "--seed", "5")
-    assert result.exit_code == 0
-    assert "\nOK\n" in result.stdout
-    assert "simulation error" in result.stdout
-    programme = load_programme(tmp_path / "a.json")
-    assert programme.winding == (0, 0, 0)
-    assert programme.report["verified"] is True
-    assert programme.report["residual"] < 1e-6
-    assert abs(complex(*programme.report["floquet"][0])) == programme.report["largest_multiplier"]
-    assert set(programme.report["search"]) >= {"seed", "starts", "steps", "windings_tried", "objective_spread"}
-    assert [path.name for path in sorted(tmp_path.iterdir())] == ["a.json"]
-
-
 def test_what_is_out_of_reach_is_refused_with_the_reason(tmp_path: Path) -> None:
     """SPAN: status 1, one line why, and no file."""
     cos = [0.0, 0.0, 0.1, 1.0, 0.0, 0.0]
@@ -51,30 +35,6 @@ def test_what_is_out_of_reach_is_refused_with_the_reason(tmp_path: Path) -> None
     assert result.stdout == "NO_PROGRAM SPAN\n"
     assert "force along z" in result.stderr
     assert not (tmp_path / "p.json").exists()
-
-
-@pytest.mark.parametrize(
-    "options,words",
-    [
-        (("--winding", "1,2"), "2 numbers, but the stand has 3 flywheels"),
-        (("--winding", "turn"), "expected any, spin, rock or 3 whole numbers"),
-        (("-o", "."), ".: is a directory, expected a file to write"),
-        (("-o", "n" * 300), "File name too long"),
-        (("-o", "/proc/p.json"), "cannot be written"),
-        (("--time", "0"), "--time"),
-        (("--keep", "0"), "--keep"),
-        (("--method", "ocp"), "(13) needs at least 6"),
-        (("--method", "radau"), "--method"),
-    ],
-)
-def test_options_that_mean_nothing(options: tuple[str, ...], words: str) -> None:
-    """Status 2, what was expected."""
-    assert words in refused("plan", DEMO3, "--motion", TURN, "-o", "p.json", *options)
-
-
-def test_a_motion_of_other_flywheels_is_refused(tmp_path: Path) -> None:
-    """The winding of three for eight."""
-    assert "winding" in refused("plan", BENCH8, "--motion", TURN, "-o", str(tmp_path / "p.json"))
 
 
 @pytest.mark.parametrize("winding", ["spin", "1,1,1"])
@@ -87,21 +47,6 @@ def test_a_winding_goes_with_a_periodic_motion(tmp_path: Path, winding: str) -> 
     path.write_text(json.dumps(finite), encoding="utf-8")
     line = refused("plan", DEMO3, "--motion", str(path), "-o", str(tmp_path / "p.json"), "--winding", winding)
     assert "--winding needs a periodic motion; this one is finite" in line
-
-
-def test_a_winding_that_the_bounds_exclude_is_refused(tmp_path: Path) -> None:
-    """The mean speed is above the bound, as if it were given in the motion file."""
-    motion = changed(tmp_path, TURN, winding="any", bounds={"speed": 20})
-    line = refused("plan", DEMO3, "--motion", motion, "-o", str(tmp_path / "p.json"), "--winding", "3,-4,2")
-    assert "winding 3,-4,2: bounds, speed[1]: 20 rad/s is below the mean speed of winding -4, 25.1327 rad/s" in line
-
-
-def test_a_folder_is_made_for_what_is_found_and_only_for_that(tmp_path: Path) -> None:
-    """Every command that writes does so."""
-    cos = [0.0, 0.0, 0.1, 1.0, 0.0, 0.0]
-    far = changed(tmp_path, TURN, harmonics=[{"k": 1, "cos": cos}], winding="any")
-    assert run("plan", DEMO3, "--motion", far, "-o", str(tmp_path / "new" / "p.json")).exit_code == 1
-    assert not (tmp_path / "new").exists()
 
 
 @pytest.mark.slow

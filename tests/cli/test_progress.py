@@ -6,12 +6,11 @@ import os
 import re
 import subprocess
 import sys
-from typing import Any
 
 import pytest
 
 from cli.terminal import on_terminal
-from mahovik.out.cli.progress import PATIENCE, Stage, clock
+from mahovik.out.cli.progress import PATIENCE, Stage
 
 WORK = """
 import sys, time
@@ -38,17 +37,6 @@ def test_a_line_that_fits_and_is_gone_at_the_end(kind: str, columns: int) -> Non
     assert ("left" in plain[-1]) == (kind == "known")  # nothing false where nobody knows the end
     assert re.search(r"\d(\.\d+)? /s", plain[-1])
     assert ("━" in plain[-1]) == (kind == "known" and columns == 80)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("env", "drawn", "coloured"), [({"NO_COLOR": "1"}, True, False), ({"TERM": "dumb"}, False, False), ({}, True, True)]
-)
-def test_what_the_environment_asks_for(env: dict[str, Any], drawn: bool, coloured: bool) -> None:
-    seen = on_terminal("known", code=WORK, **env)
-    assert ("/20" in seen.screen) == drawn
-    assert seen.colours == coloured
-    assert seen.lines == ["result"]
 
 
 def test_results_in_a_pipe_stay_what_they_are() -> None:
@@ -94,8 +82,3 @@ def test_remaining_time_is_of_the_steps_alone(monkeypatch: pytest.MonkeyPatch) -
     now[0] = 92.0
     run.at(1.0)
     assert run.words == "1 s/4 s  0.5 s/s  0:06 left"
-
-
-@pytest.mark.parametrize(("seconds", "words"), [(0.4, "0:00"), (59.6, "1:00"), (754, "12:34"), (3723, "1:02:03")])
-def test_durations(seconds: float, words: str) -> None:
-    assert clock(seconds) == words

@@ -8,8 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from cli.run import BENCH8, DEMO3, refused, run
-from mahovik.core.emit.log_format import MAGIC
+from cli.run import BENCH8, DEMO3, run
 from mahovik.core.stand import load
 from mahovik.core.toolchain.board import build
 from mahovik.core.toolchain.board import run as run_program
@@ -41,19 +40,6 @@ def binary(flown: Path, tmp_path: Path) -> Path:
     return found
 
 
-def test_all_steps_bit_for_bit(flown: Path) -> None:
-    said = run("replay", DEMO3, "--log", str(flown))
-    assert said.exit_code == 0
-    assert said.stderr == ""
-    assert "all 721 steps bit for bit: demo3, double, steps 0 to 720, 1 of them refused" in said.output
-
-
-def test_the_stand_is_found_by_the_log(flown: Path) -> None:
-    """Among the examples; and a stand file beside the log that is of other physics is passed over."""
-    (flown.parent / "demo3.toml").write_text(Path(DEMO3).read_text().replace("mass = ", "mass = 1", 1))
-    assert run("replay", "--log", str(flown)).exit_code == 0
-
-
 def test_columns_and_lines_of_states(flown: Path) -> None:
     """The columns read back to bits; the lines go through `eval`."""
     run("replay", "--log", str(flown), "-o", "states.csv")
@@ -71,16 +57,6 @@ def test_columns_and_lines_of_states(flown: Path) -> None:
     assert all("V_dot" in r for r in results)
 
 
-def test_one_step_in_full(flown: Path) -> None:
-    said = run("replay", "--log", str(flown), "--step", "51").stdout.splitlines()
-    assert json.loads(said[0])["id"] == "step 51"
-    shown = {line.rsplit(" ", 3)[0]: line.split()[-3:] for line in said if "position" in line}
-    before = run("replay", "--log", str(flown), "--step", "50").stdout.splitlines()
-    after = next(line.split()[-3:] for line in before if line.startswith("after position"))
-    assert shown["before position"] == after  # what one step leaves the next one finds
-    assert all("0x" in number for number in after)
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("step", [3, 50, 700])
 def test_a_step_becomes_a_unit_test(flown: Path, step: int) -> None:
@@ -96,31 +72,6 @@ def test_a_step_becomes_a_unit_test(flown: Path, step: int) -> None:
         subprocess.run(command, check=True)
         done = subprocess.run(["./tried"], capture_output=True, text=True, check=False)
         assert (done.returncode, done.stdout[:4]) == (status, said)
-
-
-@pytest.mark.slow
-def test_a_step_with_a_carry_becomes_a_unit_test(tmp_path: Path) -> None:
-    """It compares the carry as well, and passes; it fails where the carry that is left is another."""
-    flew = Recorder("demo3", "float", tmp_path)
-    flew.fly(20)
-    Path("flight.log").write_bytes(flew.log)
-    said = run("replay", DEMO3, "--log", "flight.log", "--step", "16", "--emit-test", "16")
-    assert said.exit_code == 0, said.output
-    assert "step 16, step_carried: OK" in said.output
-    assert "before carry 0x1.12e0be" in said.output  # 1e-9, which the flight wrote
-    source = (tmp_path / "demo3.c").read_text()
-    edited = source.replace("->rounding[i + 13] = ", "->rounding[i + 13] = 0.5f * ")
-    for text, status, words in ((source, 0, "PASS"), (edited, 1, "FAIL: other bits in the carry")):
-        Path("tried.c").write_text(text)
-        flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wfloat-equal", "-Werror", "-O0"]
-        command = ["gcc", *flags, "-ffp-contract=off", f"-I{tmp_path}", "demo3_step_16.c", "tried.c", "-o", "tried"]
-        subprocess.run(command, check=True)
-        done = subprocess.run(["./tried"], capture_output=True, text=True, check=False)
-        assert (done.returncode, done.stdout.strip()) == (status, words)
-
-
-def test_against_the_folder_that_flew(flown: Path) -> None:
-    assert run("replay", "--log", str(flown), "--against", str(flown.parent)).exit_code == 0
 
 
 @pytest.mark.slow
@@ -148,30 +99,6 @@ def test_damage_is_status_1_and_a_cut_end_is_not(binary: Path) -> None:
     assert said.exit_code == 1
     assert "is damaged: its check does not fit; the log ends without another start" in said.stderr
     assert len(said.stderr.splitlines()) == 1
-
-
-def test_refusals_are_one_line(flown: Path, binary: Path) -> None:
-    log = str(flown)
-    for arguments, words, status in (
-        (("--log", "none.log"), "none.log: cannot be read", 2),
-        ((BENCH8, "--log", log), 'stand "bench8", but the log is from "demo3"', 1),
-        (("--log", log, "-o", "states.txt"), "expected a name that ends in .csv or .jsonl", 2),
-        (("--log", log, "--backend", "interpreter", "--against", "x"), "the interpreter runs no C", 2),
-        (("--log", log, "--against", "nowhere"), "no such file", 2),
-    ):
-        said = refused("replay", *arguments, status=status)
-        assert words in said
-        assert len(said.splitlines()) == 1
-    run("generate", DEMO3, "--real", "float", "-o", "single")
-    said = refused("replay", DEMO3, "--log", log, "--against", "single")
-    assert said == "error: --against single: its C is float, the log double: give the folder that flew\n"
-    done = run("replay", "--log", log, "--step", "5000")
-    assert (done.exit_code, done.stdout) == (2, "")
-    assert "no such step" in done.stderr
-    data = bytearray(binary.read_bytes())
-    data[len(MAGIC) + 4] ^= 1  # in the name
-    binary.write_bytes(data)
-    assert "is damaged" in refused("replay", "--log", str(binary))
 
 
 def test_the_verdict_as_json(flown: Path, binary: Path) -> None:

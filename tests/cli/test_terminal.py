@@ -65,11 +65,3 @@ def test_colours_in_a_pipe_only_where_they_are_forced() -> None:
     forced = process("check", AUV6, FORCE_COLOR="1", TERM="xterm", NO_COLOR="")
     assert "\x1b[33m" in forced.stdout
     assert re.sub(r"\x1b\[[\d;]*m", "", forced.stdout) == plain.stdout  # and no line is folded
-
-
-@pytest.mark.parametrize("columns", [80, 132])
-def test_help_fits_a_terminal(columns: int) -> None:
-    seen = on_terminal("--help", columns=columns)
-    assert len(seen.lines) <= 40
-    assert max(map(len, seen.lines)) <= columns
-    assert not any(line.endswith("...") for line in seen.lines if line.startswith("  "))

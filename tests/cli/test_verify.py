@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import shlex
 import sys
 import xml.etree.ElementTree as ET
@@ -11,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from cli.run import BENCH8, DEMO3, process, refused, run
+from cli.run import BENCH8, DEMO3, run
 from mahovik.contract.functions import WANTS
 from mahovik.core.emit.generate import generate
 from mahovik.core.stand import load
@@ -37,32 +36,6 @@ def test_the_table_of_generated_c(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     assert replayed.exit_code == 0
 
 
-def test_outputs_through_a_fifo_and_a_link(tmp_path: Path) -> None:
-    """Neither is replaced; -o /dev/null was, for root."""
-    fifo, link = tmp_path / "fifo", tmp_path / "link"
-    os.mkfifo(fifo)
-    link.symlink_to("report.xml")
-    end = os.open(fifo, os.O_RDONLY | os.O_NONBLOCK)  # a reader, so that the writer need not wait
-    try:
-        assert run("verify", DEMO3, "--states", "2", "--junit", str(link), "-o", str(fifo)).exit_code == 0
-        assert os.read(end, 1).startswith(b"{")
-    finally:
-        os.close(end)
-    assert fifo.is_fifo()
-    assert link.is_symlink()
-    assert ET.parse(tmp_path / "report.xml").getroot().get("failures") == "0"
-
-
-@pytest.mark.slow
-def test_the_table_as_json_and_no_files_when_all_is_well(tmp_path: Path) -> None:
-    done = process("verify", DEMO3, "--states", "5", "--seed", "3", "--json", cwd=tmp_path)
-    assert done.returncode == 0
-    found = json.loads(done.stdout)
-    assert found["passed"] is True
-    assert (found["seed"], found["states"], found["tolerance"]) == (3, 5, 1e-12)
-    assert list(tmp_path.iterdir()) == []
-
-
 @pytest.mark.slow
 def test_broken_c_fails_and_leaves_a_state_that_replays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
@@ -77,42 +50,6 @@ def test_broken_c_fails_and_leaves_a_state_that_replays(tmp_path: Path, monkeypa
     assert run("eval", BENCH8, "--backend", "numpy", stdin=lines).exit_code == 0
 
 
-@pytest.mark.slow
-def test_a_failed_verdict_stands_where_its_files_cannot_be_written(tmp_path: Path) -> None:
-    result = run("verify", DEMO3, "--with", program("pass"), "--junit", str(tmp_path))
-    assert result.exit_code == 1
-    assert "is a directory" in result.stderr
-    assert "is a directory" in refused("verify", DEMO3, "--states", "2", "--junit", str(tmp_path))
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (("--against", "no/such/folder"), "no such file"),
-        (("--against", ".", "--with", "cat"), "--with, --against: give only one of them"),
-        (("--want", "forward"), "--want needs --with"),
-        (("--with", "cat", "--want", "frward"), 'unknown "frward", did you mean "forward"?'),
-        (("--with", ""), "no command"),
-        (("--with", "'unclosed"), "No closing quotation"),
-        (("--with", "no-such-program {stand}"), "cannot be started"),
-        (("--states", "0"), "--states"),
-        (("--seed", "-1"), "--seed"),
-        (("--real", "float", "--judges"), "for the generated C"),
-    ],
-)
-def test_usage_errors(arguments: tuple[str, ...], words: str) -> None:
-    assert words in refused("verify", DEMO3, *arguments)
-
-
-@pytest.mark.slow
-def test_no_compiler_and_a_compiler_that_is_none() -> None:
-    for env, words in (({"PATH": "", "CC": ""}, "no C compiler found"), ({"CC": "no-such-cc"}, "no such command")):
-        done = process("verify", DEMO3, cwd=None, **env)
-        assert done.returncode == 2
-        assert words in done.stderr
-        assert len(done.stderr.splitlines()) == 1
-
-
 def test_the_reference_itself_passes_as_a_program() -> None:
     result = run("verify", DEMO3, "--states", "7", "--with", f"{EVAL} --backend numpy", "--json")
     assert result.exit_code == 0
@@ -121,26 +58,6 @@ def test_the_reference_itself_passes_as_a_program() -> None:
     wants = {row["want"] for row in found["rows"]}
     assert wants == set(WANTS) - {"reaction"}  # of held carriers
     assert {row["worst"] for row in found["rows"]} == {0.0}
-
-
-@pytest.mark.slow
-def test_the_generated_c_as_a_program_says_what_it_does_not_offer() -> None:
-    found = json.loads(run("verify", DEMO3, "--states", "4", "--with", EVAL, "--json").stdout)
-    assert found["passed"]
-    missing = {row["want"] for row in found["rows"] if row["verdict"] == "not offered"}
-    assert {"torque", "coupled", "inverse", "mounts", "points"} >= missing
-    assert "forward" not in missing
-
-
-def test_generalized_may_be_offered_without_i0_and_j0() -> None:
-    """The second derivation is an example."""
-    casadi = run("verify", DEMO3, "--states", "4", "--with", f"{EVAL} --backend casadi", "--json")
-    assert casadi.exit_code == 0
-    verdicts = {row["quantity"]: row["verdict"] for row in json.loads(casadi.stdout)["rows"]}
-    assert {name for name in ("A", "D", "q_dot", "q_ddot", "I0", "J0") if verdicts[name] == "not offered"} == {
-        "I0",
-        "J0",
-    }
 
 
 DROPPING = """

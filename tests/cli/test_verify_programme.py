@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from cli.run import BENCH8, refused, run
+from cli.run import run
 from mahovik import stands
 from mahovik.core.motion.programme import save_programme
 from verify.programme.programmes import shaker
@@ -22,13 +22,6 @@ OF_SPIN = ("--motion", SPIN, "--programme")
 def programme(tmp_path: Path) -> str:
     save_programme(shaker()[2], tmp_path / "p.json")
     return str(tmp_path / "p.json")
-
-
-def test_a_right_programme(programme: str) -> None:
-    result = run("verify-programme", SHAKER, *OF_SPIN, programme)
-    assert result.exit_code == 0
-    assert "the programme is right" in result.stdout
-    assert "simulation" in result.stdout
 
 
 def test_a_wrong_one_is_refused_by_name(programme: str, tmp_path: Path) -> None:
@@ -61,16 +54,3 @@ def test_a_programme_of_another_stand(programme: str, tmp_path: Path) -> None:
     result = run("verify-programme", SHAKER, *OF_SPIN, str(tmp_path / "q.json"))
     assert "flywheel_number_1" in result.stdout
     assert max(map(len, result.stdout.splitlines())) <= 100
-
-
-def test_bad_files(programme: str, tmp_path: Path) -> None:
-    swapped = refused("verify-programme", SHAKER, "--motion", programme, "--programme", SPIN)
-    assert swapped.splitlines() == [
-        "error: shaker2_spin.motion.json: is a motion file; expected a programme file here: were the two swapped?"
-    ]
-    twice = refused("verify-programme", SHAKER, "--motion", programme, "--programme", programme)
-    assert "p.json: is a programme file; expected a motion file here: were the two swapped?" in twice
-    again = refused("export", "programme", SHAKER, SPIN)
-    assert "motion.json: is a motion file; expected a programme file here: were the two swapped?" in again
-    assert "none.json: no such file" in refused("verify-programme", SHAKER, *OF_SPIN, str(tmp_path / "none.json"))
-    assert "winding: expected 8 whole numbers" in refused("verify-programme", BENCH8, *OF_SPIN, programme)
