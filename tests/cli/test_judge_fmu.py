@@ -1,4 +1,4 @@
-"""judge --fmu: FMUs of right and of wrong stands as programs, and maps of variables that are refused."""
+"""judge --fmu, of free and of held carriers: FMUs of right and of wrong stands, maps and files that are refused."""
 
 from __future__ import annotations
 
@@ -6,16 +6,25 @@ import json
 import tempfile
 import time
 from pathlib import Path
+from typing import Any
 from zipfile import ZIP_DEFLATED, ZipFile
 
+import numpy as np
 import pytest
 
 from cli.bricks import BRICK
 from cli.run import refused, run
+from cli.test_eval_held import TEXT
+from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.read import loads
+from mahovik.proof.reference.coordinates import coordinates_at
+from mahovik.proof.reference.hold import twists
+from mahovik.proof.verify.fmu.mapping import read_map
+from mahovik.proof.verify.fmu.program import FmuProgram
+from mahovik.proof.verify.held import onto_hold
 
-STAND = BRICK + "wrench_input = true\n"
-
-MAP = """
+FREE = BRICK + "wrench_input = true\n"
+FREE_MAP = """
 [state]
 quaternion = "carrier.attitude[{i}]"
 V = "carrier.V[{i}]"
@@ -24,40 +33,81 @@ carrier = "carrier.wrench[{i}]"
 [forward]
 V_dot = "carrier.V_dot[{i}]"
 """
+HELD_MAP = """
+[state]
+position = "carrier.position[{i}]"
+quaternion = "carrier.attitude[{i}]"
+V = "carrier.V[{i}]"
+phi = "{name}.phi"
+phi_dot = "{name}.phi_dot"
+phi_ddot = "{name}.phi_ddot"
+[forward]
+V_dot = "carrier.V_dot[{i}]"
+reaction = "hold.reaction[{i}]"
+"""
+JOINT_MAP = """
+[state]
+q = "joint.{freedom}.s"
+u = "joint.{freedom}.v"
+phi = "{name}.phi"
+phi_dot = "{name}.w"
+phi_ddot = "{name}.a"
+[forward]
+u_dot = ["joint.a"]
+"""
+"""Of a model that knows its joint alone."""
+
+
+def held_text(freedoms: str = 'freedoms = ["pitch"]') -> str:
+    """The pendulum, held in another way off the origin of E0."""
+    return TEXT.replace('freedoms = ["pitch"]', f"{freedoms}\nposition = [0.1, 0.2, 0.3]\nangles = [0.1, 0.2, 0.3]")
+
+
+def exported(text: str, fmu: str, *options: str) -> None:
+    Path("exported.toml").write_text(text, encoding="utf-8")
+    Path("start.json").write_text("{}", encoding="utf-8")
+    result = run("export", "fmu", "exported.toml", *options, "--start", "start.json", "-o", fmu)
+    assert result.exit_code == 0, result.output
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A stand, its FMU, the FMU of a stand with another inertia, and a map."""
-    found = tmp_path_factory.mktemp("fmu")
-    (found / "brick.toml").write_text(STAND, encoding="utf-8")
-    (found / "heavy.toml").write_text(STAND.replace("inertia = [0.2,", "inertia = [0.25,"), encoding="utf-8")
-    (found / "map.toml").write_text(MAP, encoding="utf-8")
-    start = found / "start.json"
-    start.write_text("{}", encoding="utf-8")
-    for stand, version, kind in (("brick", "2.0", "cs"), ("heavy", "3.0", "me")):
-        options = ("--version", version, "--kind", kind, "--start", str(start))
-        made = run("export", "fmu", str(found / f"{stand}.toml"), *options, "-o", str(found / f"{stand}.fmu"))
-        assert made.exit_code == 0, made.output
-    return found
+def fmu(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The FMU of the free stand."""
+    folder = tmp_path_factory.mktemp("fmu")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        exported(FREE, "free.fmu")
+    return folder / "free.fmu"
 
 
-def judged(folder: Path, fmu: str, *more: str) -> tuple[str, ...]:
-    return ("judge", str(folder / "brick.toml"), "--fmu", str(folder / fmu), *more)
+def judged(stand: str, fmu: Path | str, map_text: str, *options: str) -> tuple[str, ...]:
+    """Arguments of the command; it reads files of the current folder."""
+    Path("stand.toml").write_text(stand, encoding="utf-8")
+    Path("map.toml").write_text(map_text, encoding="utf-8")
+    return ("judge", "stand.toml", "--fmu", str(fmu), "--map", "map.toml", *options)
 
 
-def test_a_right_fmu_agrees(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(folder)
-    result = run(*judged(folder, "brick.fmu", "--map", "map.toml", "--states", "20", "--json"))
-    assert result.exit_code == 0
-    found = json.loads(result.stdout)
-    assert [(row["want"], row["states"]) for row in found["rows"]] == [("forward", 20)]
+def test_a_right_fmu_agrees(fmu: Path) -> None:
+    result = run(*judged(FREE, fmu, FREE_MAP, "--states", "20", "--json"))
+    assert result.exit_code == 0, result.output
+    assert [(row["want"], row["states"]) for row in json.loads(result.stdout)["rows"]] == [("forward", 20)]
 
 
 @pytest.mark.slow
-def test_wrong_terms_of_an_fmu_are_named(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(folder)
-    result = run(*judged(folder, "heavy.fmu", "--map", "map.toml", "--states", "4", "--explain", "--json"))
+@pytest.mark.parametrize("freedoms", ['freedoms = ["pitch"]', 'freedoms = ["yaw", "x", "y"]', "axis = [0, 1, 1]"])
+def test_an_fmu_of_a_held_carrier_agrees(freedoms: str) -> None:
+    """It refuses poses that the hold blocks, so it is asked in those that the hold allows."""
+    exported(held_text(freedoms), "held.fmu", "--inputs", "acceleration")
+    result = run(*judged(held_text(freedoms), "held.fmu", HELD_MAP, "--states", "12", "--json"))
+    assert result.exit_code == 0, result.output
+    rows = {row["quantity"]: row["verdict"] for row in json.loads(result.stdout)["rows"]}
+    assert rows == {"u_dot": "ok", "V_dot": "ok", "reaction": "ok"}
+
+
+@pytest.mark.slow
+def test_wrong_terms_of_an_fmu_are_named() -> None:
+    exported(FREE.replace("inertia = [0.2,", "inertia = [0.25,"), "heavy.fmu", "--version", "3.0", "--kind", "me")
+    result = run(*judged(FREE, "heavy.fmu", FREE_MAP, "--states", "4", "--explain", "--json"))
     assert result.exit_code == 1
     found = json.loads(result.stdout)["diagnosis"]["found"]
     # without moments about the centre of mass p_dot is a multiple of q r: another I_xx is another factor of q r as well
@@ -66,42 +116,64 @@ def test_wrong_terms_of_an_fmu_are_named(folder: Path, monkeypatch: pytest.Monke
     assert (errors["M"], errors["N"]) == (pytest.approx(-0.05), pytest.approx(0.05))
 
 
-BAD = {
-    "an unknown variable": (("carrier.V[", "carrier.W["), 'no variable "carrier.W[1]"'),
-    "a variable that is calculated": (
-        ('V = "carrier.V[', 'V = "carrier.V_dot['),
-        '"carrier.V_dot[1]" cannot be set',
-    ),
-    "too few": (('V = "carrier.V[{i}]"', 'V = ["a", "b"]'), "state.V: 2 variables, expected 6"),
-    "an unknown want": (("[forward]", "[foward]"), 'did you mean "forward"?'),
-    "an unknown key": (("quaternion =", "quaternio ="), 'did you mean "quaternion"?'),
-    "no attitude": (('quaternion = "carrier.attitude[{i}]"', ""), "state.quaternion is missing"),
-    "no wrench": (('carrier = "carrier.wrench[{i}]"', ""), "state.wrench.carrier is missing"),
-    "no answers": (('[forward]\nV_dot = "carrier.V_dot[{i}]"', ""), "no answers"),
-    "no name": (('V = "carrier.V[{i}]"', "V = [1, 2, 3, 4, 5, 6]"), "expected the name of a variable"),
-    "a factor of zero": (
-        ('V = "carrier.V[{i}]"', 'V = [{ variable = "a", factor = 0 }]'),
-        "the factor not zero",
-    ),
-    "no TOML": (("[state]", "[state"), "no TOML"),
-}
+@pytest.mark.slow
+def test_a_wrong_term_of_a_held_fmu_is_named() -> None:
+    wrong = held_text().replace("inertia = [0.02, 0.02,", "inertia = [0.02, 0.025,")
+    exported(wrong, "wrong.fmu", "--inputs", "acceleration")
+    result = run(*judged(held_text(), "wrong.fmu", HELD_MAP, "--states", "12", "--explain", "--json"))
+    assert result.exit_code == 1
+    (term,) = json.loads(result.stdout)["diagnosis"]["found"]
+    assert (term["want"], term["component"], term["term"], term["coefficient"]) == ("forward", "M", "q_dot", "I_yy")
+    inertia = 0.02 + 0.0004 + 2.5 * 0.2**2 + 0.0006
+    assert term["factor"] == pytest.approx(-1 - 0.005 / inertia, rel=1e-3)
 
 
-@pytest.mark.parametrize("name", BAD)
-def test_maps_that_are_refused(folder: Path, tmp_path: Path, name: str) -> None:
-    (old, new), words = BAD[name]
-    assert old in MAP
-    (tmp_path / "map.toml").write_text(MAP.replace(old, new), encoding="utf-8")
-    assert words in refused(*judged(folder, "brick.fmu", "--map", str(tmp_path / "map.toml")))
+def test_a_joint_has_its_angle_and_its_speed() -> None:
+    """A model that knows its joint alone is given these, and answers the acceleration of the joint."""
+    stand = loads(held_text())
+    Path("map.toml").write_text(JOINT_MAP, encoding="utf-8")
+    program = FmuProgram.__new__(FmuProgram)
+    program._stand, program._map = stand, read_map(Path("map.toml"), stand)
+    state = onto_hold(stand, random_state(stand, np.random.default_rng(1)))
+    values = program._values(state)
+    assert values["joint.pitch.s"] == coordinates_at(stand, state).q[0]
+    assert (values["joint.pitch.v"], values["w1.a"]) == (state.u[0], state.phi_ddot[0])
+    whole = program._whole({"u_dot": [0.3]})
+    assert stand.hold is not None
+    assert whole["V_dot"] == pytest.approx(twists(stand.hold)[:, 0] * 0.3)
+    assert program._whole({"V_dot": whole["V_dot"]})["u_dot"] == pytest.approx([0.3])
 
 
-def test_files_that_are_refused(folder: Path, tmp_path: Path) -> None:
-    given = str(folder / "map.toml")
-    assert "no such file" in refused(*judged(folder, "none.fmu", "--map", given))
-    assert "no FMU" in refused(*judged(folder, "brick.toml", "--map", given))
-    assert "no such file" in refused(*judged(folder, "brick.fmu", "--map", str(tmp_path / "none.toml")))
-    assert "--map" in refused(*judged(folder, "brick.fmu"))
-    assert "expected one of them" in refused(*judged(folder, "brick.fmu", "--map", given, "--with", "cat"))
+BAD = [
+    (FREE, FREE_MAP, "carrier.V[", "carrier.W[", 'no variable "carrier.W[1]"'),
+    (FREE, FREE_MAP, 'V = "carrier.V[', 'V = "carrier.V_dot[', '"carrier.V_dot[1]" cannot be set'),
+    (FREE, FREE_MAP, 'V = "carrier.V[{i}]"', 'V = ["a", "b"]', "state.V: 2 variables, expected 6"),
+    (FREE, FREE_MAP, "[forward]", "[foward]", 'did you mean "forward"?'),
+    (FREE, FREE_MAP, "quaternion =", "quaternio =", 'did you mean "quaternion"?'),
+    (FREE, FREE_MAP, 'carrier = "carrier.wrench[{i}]"', "", "state.wrench.carrier is missing"),
+    (FREE, FREE_MAP, '[forward]\nV_dot = "carrier.V_dot[{i}]"', "", "no answers"),
+    (FREE, FREE_MAP, 'V = "carrier.V[{i}]"', "V = [1, 2, 3, 4, 5, 6]", "expected the name of a variable"),
+    (FREE, FREE_MAP, '"carrier.V[{i}]"', '[{ variable = "a", factor = 0 }]', "the factor not zero"),
+    (FREE, FREE_MAP, "[state]", "[state", "no TOML"),
+    (held_text(), JOINT_MAP, 'q = "joint.{freedom}.s"\n', "", "state.quaternion is missing: answers of this stand"),
+    (held_text(), JOINT_MAP, 'u = "joint.{freedom}.v"\n', "", "state.V or state.u is missing: every state has it"),
+    (held_text(), JOINT_MAP, '["joint.a"]', '["a", "b"]', "forward.u_dot: 2 variables, expected 1"),
+    (held_text(), JOINT_MAP, 'u_dot = ["joint.a"]', 'reaction = "R[{i}]"', "forward.u_dot is missing"),
+    (held_text(), JOINT_MAP, "q =", "orientation =", 'state: unknown key "orientation"'),
+]
+
+
+@pytest.mark.parametrize(("stand", "text", "old", "new", "words"), BAD, ids=[case[-1] for case in BAD])
+def test_maps_that_are_refused(fmu: Path, stand: str, text: str, old: str, new: str, words: str) -> None:
+    assert old in text
+    assert words in refused(*judged(stand, fmu, text.replace(old, new)))
+
+
+def test_files_that_are_refused(fmu: Path) -> None:
+    assert "no such file" in refused(*judged(FREE, "none.fmu", FREE_MAP))
+    assert "no FMU" in refused(*judged(FREE, "stand.toml", FREE_MAP))
+    assert "--map" in refused(*judged(FREE, fmu, FREE_MAP)[:-2])
+    assert "expected one of them" in refused(*judged(FREE, fmu, FREE_MAP), "--with", "cat")
 
 
 def damaged(fmu: Path, made: Path, **more: str) -> Path:
@@ -114,15 +186,15 @@ def damaged(fmu: Path, made: Path, **more: str) -> Path:
     return made
 
 
+HUGE = {"modelDescription.xml": "<!--" + " " * (1 << 26)}
+
+
 @pytest.mark.parametrize(
     ("files", "words"),
     [
         ({f"resources/{k}": "" for k in range(10_001)}, "files, expected at most 10000"),
         ({f"resources/{k}": "0" * (1 << 20) for k in range(9)}, "bytes, expected at most 8388608"),
-        (
-            {"modelDescription.xml": "<!--" + " " * (1 << 26)},
-            "bytes of modelDescription.xml, expected at most 67108864",
-        ),
+        (HUGE, "bytes of modelDescription.xml, expected at most 67108864"),
         ({"../outside": "x"}, 'a file named "../outside", expected names inside of it'),
         ({"resources/../../outside": "x"}, 'a file named "resources/../../outside"'),
         ({"/outside": "x"}, 'a file named "/outside"'),
@@ -132,25 +204,24 @@ def damaged(fmu: Path, made: Path, **more: str) -> Path:
 )
 @pytest.mark.filterwarnings("ignore:Duplicate name")
 def test_an_fmu_that_would_fill_the_disk_is_not_unpacked(
-    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, files: dict[str, str], words: str
+    fmu: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, files: dict[str, str], words: str
 ) -> None:
     (tmp_path / "room" / "inner").mkdir(parents=True)
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "room" / "inner"))
     monkeypatch.setattr("mahovik.proof.verify.fmu.program.MOST_BYTES", 1 << 23)
-    damaged(folder / "brick.fmu", tmp_path / "bad.fmu", **files)
-    said = refused(*judged(folder, str(tmp_path / "bad.fmu"), "--map", str(folder / "map.toml")))
+    said = refused(*judged(FREE, damaged(fmu, tmp_path / "bad.fmu", **files), FREE_MAP))
     assert "bad.fmu: no FMU: " in said and words in said
     assert [each.name for each in (tmp_path / "room").rglob("*")] == ["inner"]
 
 
 @pytest.mark.parametrize("kill", [False, True])
-def test_nothing_of_an_fmu_stays(folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kill: bool) -> None:
+def test_nothing_of_an_fmu_stays(fmu: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kill: bool) -> None:
     """Also where its process is killed."""
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     monkeypatch.setenv("TMPDIR", str(tmp_path))
+    limit: Any = ("--timeout", "1 s") if kill else ()
     if kill:
         monkeypatch.setattr("mahovik.proof.verify.foreign._read", lambda *_: time.sleep(3))
-    more = ("--map", str(folder / "map.toml"), "--states", "3", "--timeout", "1 s")
-    result = run(*judged(folder, "brick.fmu", *(more if kill else more[:-2])))
+    result = run(*judged(FREE, fmu, FREE_MAP, "--states", "3", *limit))
     assert result.exit_code == (1 if kill else 0), result.output
     assert list(tmp_path.iterdir()) == []
