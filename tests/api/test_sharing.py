@@ -10,7 +10,6 @@ import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,11 +18,9 @@ import pytest
 
 import mahovik
 from api.models import model, stand
-from mahovik.core.stand.random import random_state
 from mahovik.core.stand.structure import structure
 from mahovik.core.toolchain import compiler
 from mahovik.out.api import compiled, store
-from mahovik.proof.verify.c_backend import CBackend
 
 if TYPE_CHECKING:
     from mahovik.core.emit.arrays import LibraryKind
@@ -111,22 +108,6 @@ def test_processes_that_compile_at_once_and_one_that_is_killed_leave_whole_libra
     assert len(libraries) == 2 and all(store_entry_is_whole(library) for library in libraries)
     again = subprocess.run([sys.executable, "-c", AT_ONCE], env=env, capture_output=True, check=True)
     assert again.stdout == found[1]
-
-
-@pytest.mark.slow
-def test_stands_of_one_structure_share_a_library(made: list[str]) -> None:
-    one = stand("bench8")
-    heavier = replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * 1.25), gravity=(0.0, 0.5, -9.0))
-    m = mahovik.build(heavier)
-    assert made == []
-    c, state = CBackend(heavier), random_state(heavier, np.random.default_rng(1))
-    x = m.state(V=state.V, phi=state.phi, phi_dot=state.phi_dot, position=state.position)
-    aligned = replace(state, angles=None, quaternion=None)
-    expected = c.evaluate(aligned, ["forward", "mounts", "matrices"])
-    assert np.array_equal(m.forward(x, state.phi_ddot).V_dot, expected["V_dot"])
-    assert np.array_equal(m.mounts(x, state.V_dot, state.phi_ddot).mount_wrench, expected["mount_wrench"])
-    assert np.array_equal(m.matrices(x).F, expected["F"])
-    assert not np.array_equal(m.forward(x).V_dot, model("bench8").forward(x).V_dot)
 
 
 @pytest.mark.parametrize("damage", ["truncated", "no facts", "other facts"])

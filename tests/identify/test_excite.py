@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,7 +13,6 @@ from hypothesis import strategies as st
 import mahovik
 from identify.data import HIGH, LOW, STEEP, bench8, check_predicted_errors
 from identify.test_held import START, TRUE, table
-from mahovik.core.motion.programme import load_programme, programme_text
 from mahovik.errors import UsageError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
@@ -28,19 +26,11 @@ from mahovik.out.identify.excite.information import quality_of
 from mahovik.out.identify.excite.noise import noise_of_channels
 from mahovik.out.identify.free import Free
 
-SECONDS = 0.5
-
 
 @cache
 def courses(N: int = 3, harmonics: int = 2) -> Courses:
     stand = bench8(N)
     return Courses(stand, bounds_of(stand, HIGH, LOW, STEEP, None, 2.0), 2.0, harmonics)
-
-
-def moderate(N: int, **options: object) -> face.Excitation:
-    """A small search."""
-    settings = {"speed": "1000 rpm", "speed_min": "400 rpm", "duration": SECONDS, "rate": 500.0, **options}
-    return mahovik.excite(bench8(N), **settings)  # type: ignore[arg-type]
 
 
 @pytest.fixture
@@ -81,24 +71,6 @@ def test_information_is_that_of_a_dense_least_squares() -> None:
 def test_predicted_errors_are_those_of_the_estimation() -> None:
     """An estimate from data with this noise states the same covariance."""
     check_predicted_errors(bench8(2), ["w*.unbalance"], six_axes("imu"), np.repeat([0.02, 0.002], 3))
-
-
-@pytest.mark.slow
-@pytest.mark.usefixtures("few")
-def test_a_search_lowers_the_variance_inside_the_bounds(tmp_path: Path) -> None:
-    found = moderate(3, acceleration=50.0)
-    assert found.status == "OK" and found.gain > 1.5 and found.effort["tried"] == 16
-    kept = found.found.peaks
-    assert kept.speed.max() <= 1000 * np.pi / 30 and kept.speed_min.min() >= 400 * np.pi / 30
-    assert (found["error"] > 0.0).all() and found["error"].shape == (12,)
-    assert np.mean(found["error"] / found["error at constant speeds"]) < 0.9
-    again = moderate(3, acceleration=50.0)
-    assert programme_text(again.found.programme) == programme_text(found.found.programme)
-    found.save(tmp_path / "p.json")
-    kept_file = load_programme(tmp_path / "p.json")
-    t = np.linspace(0.0, SECONDS, 7)
-    assert np.array_equal(kept_file.at(t).phi, found.found.programme.at(t).phi)
-    assert kept_file.report["peak_speed"] == kept.speed.tolist()
 
 
 def test_bounds_by_name_and_by_motor() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -100,27 +99,6 @@ def test_c_agrees_with_scipy(text: str, dt: float) -> None:
     assert worst(fine, judge) < 2e-6
     assert worst(fine, judge) < worst(coarse, judge) * 2 * (dt / 4e-4) ** 2 + 1e-8
     assert judge.data.shape == (6, len(judge.names))
-
-
-ORDERS = {
-    "constant speeds": ("default = { speed = 50 }", 4, 4.0),
-    "constant torques": ("default = { torque = 0.3, initial_speed = 30 }", 4, 4.0),
-    "constant torques, order 2": ("default = { torque = 0.3, initial_speed = 30 }", 2, 2.0),
-    "speeds that vary": ("default = { harmonic = { mean = 30, amplitude = 20, frequency = 15 } }", 4, 2.0),
-    "torques that vary": ("default = { run_up = { torque = 0.5, to = 60, band = 20 } }", 4, 2.0),
-    "mixed": (MIXED.partition("[flywheel.w3]")[0] + "[flywheel.w3]\ntorque = -0.2", 4, 2.0),
-}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ORDERS)
-def test_order_of_the_error_in_dt(name: str) -> None:
-    """Constant inputs give the step's own order; varying inputs are constant in a step, which gives order two."""
-    text, order, expected = ORDERS[name]
-    text = text if "schema" in text else f"schema = 1\n{text}\n"
-    runs = [simulate(case(free(), text, dt=dt, order=order)).data[-1] for dt in (2e-3, 1e-3, 5e-4)]
-    coarse, fine = (np.linalg.norm(a - b) for a, b in itertools.pairwise(runs))
-    assert np.log2(coarse / fine) == pytest.approx(expected, abs=0.2)
 
 
 @pytest.mark.parametrize(("text", "first"), [(LAWS, 0), (MIXED, 1)], ids=["laws", "mixed"])

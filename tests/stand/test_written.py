@@ -84,30 +84,6 @@ position = [0, "3 mm", 0]
 """
 
 
-def test_numbers_with_units_inside_lists_are_listed_as_they_are_written(tmp_path: Path) -> None:
-    (tmp_path / "b.toml").write_text(LISTS, encoding="utf-8")
-    load(tmp_path / "b.toml")
-    listed = written_numbers(tmp_path / "b.toml")
-    assert {(each.where, each.key): (each.text, each.in_si) for each in listed} == {
-        ("stand", "gravity"): ("[0, 0, -981] cm/s^2", "[0, 0, -9.81] m/s^2"),
-        ("stand", "magnetic_field"): ("[20 uT, 0, 0.00001]", "[2e-05, 0, 1e-05] T"),
-        ("carrier", "inertia"): ("[1, 1, 10000 kg cm^2]", "[1, 1, 1] kg m^2"),
-        ("carrier", "center_of_mass"): ("[1.50, -2 mm, 3 cm]", "[1.5, -0.002, 0.03] m"),
-        ("carrier", "added_mass[0]"): ("1000 g", "1 kg"),
-        ("carrier", "added_mass[5]"): ("1000 kg cm^2", "0.1 kg m^2"),
-        ("w1", "inertia[0]"): ("[20, 0, 0] kg cm^2", "[0.002, 0, 0] kg m^2"),
-        ("w1", "inertia[1]"): ("[0, 11, 0.5] kg cm^2", "[0, 0.0011, 5e-05] kg m^2"),
-        ("w1", "inertia[2]"): ("[0, 0.5, 11] kg cm^2", "[0, 5e-05, 0.0011] kg m^2"),
-        ("w2", "angles"): ("[90 deg, 0]", "[1.5708, 0] rad"),
-        ("w2", "inertia[1]"): ("[0, 11, 0] kg cm^2", "[0, 0.0011, 0] kg m^2"),
-        ("w2", "inertia[2]"): ("[0, 0, 0.0011 kg m^2]", "[0, 0, 0.0011] kg m^2"),
-        ("w3", "transverse_inertia"): ("[11 kg cm^2, 0.0012]", "[0.0011, 0.0012] kg m^2"),
-        ("m1", "dipole"): ("[0, 3 A m^2, 0]", "[0, 3, 0] A m^2"),
-        ("p", "position"): ("[0, 3 mm, 0]", "[0, 0.003, 0] m"),
-    }
-    assert listed[0].value == (0.0, 0.0, -9.81)
-
-
 FIN = """schema = 1
 name = "rov"
 [carrier]
