@@ -21,7 +21,7 @@ from toolchain.quick import quick
 
 TESTS = Path(__file__).parents[1]
 
-FIRST = ("npsauv", "otter", "cubli", "gz_sim")
+FIRST = ("npsauv", "cubli", "gz_sim")
 """Models that every run of the tests judges: each differs in another way, or is held."""
 
 

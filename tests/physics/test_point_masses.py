@@ -12,8 +12,6 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Flywheel, MountingAxes, Stand, Vec3
 from mahovik.core.stand.state import State
-from mahovik.laws.leg.data import Legs, legs_of
-from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference import evaluate
 from mahovik.proof.reference.array import Array
 from physics.general import AnyBody, draw, rows, without_added_mass
@@ -174,34 +172,3 @@ def test_momentum_and_energy_are_sums_over_points(seed: int) -> None:
     total = sum(m.sum() for m, _ in made.values())
     center = np.array(state.position) + rotation(stand, state) @ values["center_of_mass"]
     np.testing.assert_allclose(center, first / total, rtol=0, atol=1e-13)  # sums of numbers near 1
-
-
-@pytest.mark.parametrize("seed", SEEDS)
-def test_suspension_and_legs_hold_the_points_up(seed: int) -> None:
-    """At rest: the motion that (8) gives is that of the points under springs written out by hand."""
-    stand, made, state = random_clouds(seed)
-    full, _ = draw(seed, 3, instruments=1)
-    k = 40.0
-    spring = Suspension(
-        stiffness=rows(np.diag([k, k, k, 0, 0, 0])),
-        damping=rows(np.zeros((6, 6))),
-        position=(0.1, 0.2, 0.3),
-        angles=(0.4, 0.5, 0.6),
-    )
-    stand = stand.with_laws(spring, Legs(legs_of(full)))
-    state = replace(state, V=(0.0,) * 6, phi_dot=(0.0,) * 3, wrench={})
-    state = replace(state, V_dot=vec(evaluate(stand, state, ["forward"])["V_dot"]))
-    # stiff legs turn the stand by 1e3 rad/s2; rounding is 1e-16 / 1e-6 of the places
-    r, needed = places(stand, made, state), newton(stand, made, state, step=1e-3)
-    O1, C = np.array(state.position), rotation(stand, state)
-    force = -k * (O1 - np.array(spring.position))
-    moment = np.cross(O1, force)
-    for leg in legs_of(stand):
-        end = O1 + C @ np.array(leg.carrier)
-        d = end - np.array(leg.ground)
-        pull = -leg.stiffness * (np.linalg.norm(d) - leg.length) * d / np.linalg.norm(d)
-        force, moment = force + pull, moment + np.cross(end, pull)
-    scale = max(np.abs(f).sum() for f in needed.values())
-    np.testing.assert_allclose(sum(f.sum(axis=0) for f in needed.values()), force, rtol=0, atol=DIFFERENCES * scale)
-    needed_moment = sum(np.cross(r[name], f).sum(axis=0) for name, f in needed.items())
-    np.testing.assert_allclose(needed_moment, moment, rtol=0, atol=DIFFERENCES * scale)

@@ -14,40 +14,13 @@ from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand.hold import FREEDOMS, twist_of
 from mahovik.core.stand.model import Hold, MountingAxes, Stand
-from mahovik.core.stand.random import Features
 from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
-from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import InterpreterBackend
 from toolchain.quick import quick
-from verify.holds import DRY, HOLDS, PENDULUM, PIVOT, WET, agree, random_held_stand, state_of, worst
-
-WANTS = ("forward", "coupled", "torque", "mounts", "points", "reaction", "momentum", "matrices")
-
-
-@pytest.mark.parametrize(("name", "features"), quick(3, [(name, (DRY, WET)[k % 2]) for k, name in enumerate(HOLDS)]))
-def test_the_program_agrees_with_both_derivations(name: str, features: Features) -> None:
-    stand = random_held_stand(name, 3, features)
-    own = InterpreterBackend(generate_all(stand))
-    for seed in range(2):
-        state = state_of(stand, seed)
-        for want in WANTS:
-            agree(stand, state, own, NumpyBackend(stand), want, 1e-11)
-    for want in ("forward", "coupled", "reaction"):
-        given = replace(state, wrench={})
-        agree(stand, given, own, Second(stand), want, 1e-10)
-
-
-@pytest.mark.parametrize("name", ["clamped", "hinge"])
-@pytest.mark.parametrize("flywheels", [0, 1])
-def test_few_unknowns_have_an_answer_of_both_derivations(name: str, flywheels: int) -> None:
-    """Without a freedom, with one flywheel or none: the second derivation answers, and likewise."""
-    stand = random_held_stand(name, 3, DRY, flywheels)
-    state = replace(state_of(stand, 0), wrench={})
-    for want in ("forward", "coupled", "reaction"):
-        agree(stand, state, NumpyBackend(stand), Second(stand), want, 1e-10)
+from verify.holds import DRY, PENDULUM, PIVOT, WET, random_held_stand, state_of, worst
 
 
 def test_a_blocked_direction_moves_nothing_and_the_reaction_bears_it() -> None:

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import numpy as np
-
 from mahovik.core.stand import loads
-from mahovik.errors import StateError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.functions.reactions import mount_rows
 from mahovik.proof.verify.judges.compare import ALL, verify_judges
 
@@ -49,14 +46,6 @@ def test_reactions_on_a_carrier_without_inertia_are_skipped_with_the_reason() ->
     assert motion.reason == (
         "its judge refused: the mass matrix of the stand without flywheels is not positive definite"
     )
-
-
-def test_a_judge_that_refuses_some_cases_only_fails() -> None:
-    row = Comparison("mounts", "something", 1e-12)
-    row.note(np.ones(2), np.ones(2), np.ones(2), "random 1")
-    row.note_absence(StateError("no such sum"), "random 2")
-    assert (row.with_verdict().verdict, row.row.state) == ("FAILED", "random 2")
-    assert row.row.reason == "its judge refused: no such sum"
 
 
 def test_a_stand_that_is_none_without_fluid_is_skipped_with_the_reason() -> None:

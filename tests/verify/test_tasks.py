@@ -48,9 +48,7 @@ FAULTS = {
         r"Y\[1\]\[4\] = table->sensor\[0\]\.axes\[3\]",
         "Y[1][4] = table->sensor[0].axes[1]",
     ),
-    "axes of another point": ("project_sight", r"Y\[0\]\[0\] = table->sensor\[0\]", "Y[0][0] = table->sensor[1]"),
     "norm of the unit matrix": ("project_sight", r"Y\[j\]\[k\] / L\[j\]\[j\]", "Y[j][k]"),
-    "demand of another row": ("project_sight", r"- demand\[1\]", "- demand[2]"),
     "a free row demanded": ("project_sight", r"\(use\[j\] > 0\) \? known\[j\] : 0\.0", "known[j]"),
     "the mass centre left out": ("demand_turning", r"S\[0\] = [^;]*;", "S[0] = sum.J[0];"),
     "sign of the inertia's factor": (
@@ -63,21 +61,6 @@ FAULTS = {
         r"options->motor_torque\[number\] \* share",
         "0.5 * options->motor_torque[number] * share",
     ),
-    "friction helps the motor": (
-        "motor_lacks",
-        r"tau \+ options->motor_viscous",
-        "tau - options->motor_viscous",
-    ),
-    "no dry friction": (
-        "motor_lacks",
-        r"options->motor_coulomb\[number\] > 0\.0",
-        "options->motor_coulomb[number] > 1e9",
-    ),
-    "EXCESSIVE of the fast function by half the torque": (
-        "inverse_fast_pointing",
-        r"needed <= has",
-        "needed <= 3.0 * has",
-    ),
     "braking limited as driving": (
         "torque_for_pointing",
         r"most\[s\] = \(speed > 0\.0\) \? driving : whole",
@@ -89,17 +72,7 @@ FAULTS = {
         r"start\[i\] = r\[i\] - towards\[i\]",
         "start[i] = r[i]",
     ),
-    "a rate in the place of the rest of it": (
-        "torque_for_pointing",
-        r"options->target_rate \* \(target - speed\)",
-        "options->target_rate * target",
-    ),
     "a bound stops nobody": ("bounded_least_squares_3", r"part < length", "part < 0.0"),
-    "the pivot's row is not divided": (
-        "largest_share_3",
-        r"tableau\[leave\]\[j\] / unit",
-        "tableau[leave][j] / (2.0 * unit)",
-    ),
 }
 
 

@@ -18,7 +18,6 @@ from mahovik.proof.verify.programme import Finding, runup
 from mahovik.proof.verify.programme.finding import tolerance_for
 from mahovik.proof.verify.programme.mechanics import Scale, pieces_at, scale_of
 from mahovik.proof.verify.programme.simulation import rate, rest_near
-from mahovik.use.study.rest import rest
 from verify.programme.programmes import twins, twins_run_up
 
 
@@ -137,10 +136,3 @@ def test_nothing_accelerates_there(name: str, free: int) -> None:
     assert np.abs(V_dot).max() < 1e-8
     assert directions.shape == (6, free)
     assert directions.T @ K0 @ directions == pytest.approx(np.eye(free), abs=1e-9)
-
-
-def test_it_is_the_pose_that_another_search_finds() -> None:
-    stand = load(stands.path("bench8"))
-    phi = np.linspace(0.0, 3.0, 8)
-    q, _, _ = rest_of(stand, phi, np.zeros(6))
-    assert q[:3] == pytest.approx(rest(stand, phi.tolist()).state.position, abs=1e-9)

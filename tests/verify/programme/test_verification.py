@@ -21,8 +21,7 @@ from mahovik.proof.reference.rotation import attitude
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.verify.programme import Finding, table, verify_programme
 from mahovik.proof.verify.programme.mechanics import scale_of, twist, twist_rate
-from mahovik.stands import path
-from verify.programme.programmes import Case, failed, item, shaker, solved, tabled, twins, twins_run_up
+from verify.programme.programmes import Case, failed, item, shaker, tabled, twins, twins_run_up
 
 
 @cache
@@ -91,20 +90,6 @@ def test_a_finite_programme() -> None:
     assert {"start phi", "start phi_dot", "table", "simulation"} <= {each.name for each in found}
     elsewhere = replace(motion, bounds=Bounds(start_phi=(phi[0] + 0.1, phi[1]), start_phi_dot=(0.0, 0.5)))
     assert failed(table.start_findings(elsewhere, programme, 1e-6)) == {"start phi", "start phi_dot"}
-
-
-@pytest.mark.slow
-def test_demo3_turns_as_required() -> None:
-    """Three balanced wheels of other speeds, with harmonics: momentum is exchanged, exactly."""
-    from mahovik import stands
-    from mahovik.core.motion.required import load_motion
-
-    stand = load(path("demo3"))
-    (file,) = stands.motions("demo3")
-    case = solved(stand, load_motion(file, stand), (12, -15, 10), [0.0, 0.0, 0.0], H=6, M=18)
-    found = verify_programme(*case)
-    assert failed(found) == set()
-    assert item(found, "Floquet").value == pytest.approx(1.0, abs=1e-3)
 
 
 STAND = load(stands.path("demo3"))
