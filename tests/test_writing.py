@@ -100,17 +100,6 @@ def test_an_interrupt_at_any_instruction_leaves_the_old_or_the_new(
     assert seen[-1] == new
 
 
-@unclosed
-def test_an_interrupt_at_any_instruction_leaves_no_draft_in_a_new_folder(tmp_path: Path) -> None:
-    number, more = 0, True
-    while more:
-        number += 1
-        folder = tmp_path / str(number)
-        more = interrupted_at(number, lambda folder=folder: two_files(folder / "deep"))  # type: ignore[misc]
-        assert contents(folder) in ({}, {"deep/a": "new", "deep/b": "new"})
-    assert contents(folder)
-
-
 def received(fifo: Path, action: Callable[[], object]) -> str:
     """What arrives in a FIFO."""
     found: list[str] = []
@@ -164,13 +153,6 @@ def test_a_link_stays_and_its_target_is_replaced(tmp_path: Path) -> None:
     assert (tmp_path / "second").is_symlink()
     assert contents(tmp_path / "there") == {"file": "new"}
     assert (tmp_path / "there" / "file").stat().st_ino != before  # moved there whole
-
-
-def test_a_link_to_what_is_not_there_yet(tmp_path: Path) -> None:
-    (tmp_path / "link").symlink_to("file")
-    write(tmp_path / "link", "new")
-    assert (tmp_path / "link").is_symlink()
-    assert (tmp_path / "file").read_text() == "new"
 
 
 def test_links_in_a_circle_and_to_a_folder_are_refused(tmp_path: Path) -> None:

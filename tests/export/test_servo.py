@@ -204,36 +204,6 @@ def test_the_self_test_finds_one_wrong_digit(tmp_path: Path) -> None:
         assert f"{named} FAIL wrong 1" in self_tested(code)
 
 
-@pytest.mark.slow
-def test_a_caller_of_another_servo_does_not_link(tmp_path: Path) -> None:
-    """Another element type, and a servo with a trim, whose header declares other structs."""
-    objects = {}
-    for name, real in (("spin", "double"), ("spin", "float"), ("trimmed", "double")):
-        folder = tmp_path / f"{name}_{real}"
-        folder.mkdir()
-        code, caller = written(exported(name, real), folder, real), folder / "caller.c"
-        caller.write_text(
-            '#include "shaker2_servo.h"\n'
-            "int main(void)\n{\n    shaker2_servo_state state;\n    return (int)shaker2_servo_reset(&state);\n}\n"
-        )
-        for each in (code, caller):
-            compile_c("gcc", each, "-c", "-O2", "-o", each.with_suffix(".o"))
-        objects[name, real] = code.with_suffix(".o"), caller.with_suffix(".o")
-    for (_, real), (_, caller) in objects.items():
-        command = [
-            "gcc",
-            str(objects["spin", "double"][0]),
-            str(caller),
-            "-Wl,--gc-sections",
-            "-o",
-            str(tmp_path / "program"),
-        ]
-        message = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60).stderr
-        width = {"double": 64, "float": 32}[real]
-        undefined = rf"undefined (reference|symbol).*shaker2_servo_reset_f{width}_[0-9a-f]{{8}}"
-        assert bool(re.search(undefined, message)) == (caller != objects["spin", "double"][1]), message
-
-
 # ---- the command ----
 
 STAND = str(stands.path("shaker2"))

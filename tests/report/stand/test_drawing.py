@@ -4,17 +4,13 @@ import re
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
-import numpy as np
-import pytest
 from hypothesis import assume, given, settings
 from pytest import approx
 
-from mahovik.core.stand import load
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Stand
-from mahovik.out.report.stand.drawing import basis, draw
-from mahovik.out.report.stand.shape import Disc, shape_of
-from mahovik.stands import path
+from mahovik.out.report.stand.drawing import draw
+from mahovik.out.report.stand.shape import shape_of
 from strategies import stands
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -25,11 +21,6 @@ def attribute(element: Element, name: str) -> str:
     found = element.get(name)
     assert found is not None
     return found
-
-
-def parsed_drawing(stand: Stand) -> Element:
-    """The drawing of a stand, parsed."""
-    return ElementTree.fromstring(draw(shape_of(stand))[0])
 
 
 @settings(max_examples=25)
@@ -48,34 +39,6 @@ def test_any_stand_can_be_drawn(stand: Stand) -> None:
     for each in root.iter(f"{SVG}ellipse"):
         assert -1 <= float(attribute(each, "cx")) <= width + 1
         assert -1 <= float(attribute(each, "cy")) <= height + 1
-
-
-@pytest.mark.parametrize("name", ["bench8", "sat4", "remus6"])
-def test_distances_are_to_scale(name: str) -> None:
-    """Faces of the first and the last flywheel in the front view, by the scale bar."""
-    stand = load(path(name))
-    shape, root = shape_of(stand), parsed_drawing(stand)
-    front = next(g for g in root.iter(f"{SVG}g") if g.get("aria-label") == "front")
-    faces = {}
-    for g in front.iter(f"{SVG}g"):
-        title, face = g.find(f"{SVG}title"), g.find(f"{SVG}ellipse")
-        if title is not None and face is not None:
-            faces[title.text] = np.array([float(attribute(face, "cx")), float(attribute(face, "cy"))])
-    bar = [attribute(path_, "d") for path_ in root.findall(f"{SVG}path")][:5]
-    ends = [float(x) for d in bar for x in re.findall(r"[ML](-?[\d.]+) ", d)]
-    words = next(t.text for t in root.findall(f"{SVG}text") if t.text and re.fullmatch(r"[\d.]+ m?m", t.text))
-    number, unit = words.split()
-    scale = (max(ends) - min(ends)) / (float(number) * (1e-3 if unit == "mm" else 1.0))
-    right, depth, up = basis(shape)
-
-    def nearest_face(disc: Disc) -> np.ndarray:
-        side = 1.0 if disc.C[:, 0] @ -depth >= 0 else -1.0
-        return np.asarray(disc.center + side * disc.thickness / 2 * disc.C[:, 0])
-
-    first, last = shape.flywheels[0], shape.flywheels[-1]
-    distance = nearest_face(last) - nearest_face(first)
-    found = faces[last.name] - faces[first.name]
-    assert found == approx([scale * distance @ right, -scale * distance @ up], abs=0.5)
 
 
 @settings(max_examples=20)

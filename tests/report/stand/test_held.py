@@ -14,6 +14,7 @@ from mahovik.core.motion.read import loads_regime
 from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.hold import twists
 from mahovik.out.report.stand import (
+    bodies,
     campbell,
     histories,
     hold,
@@ -168,3 +169,64 @@ def test_a_damper_that_drives_is_unstable_from_rest_on() -> None:
     growth = compare_growth(scene, diagram)
     assert growth is not None and growth.unstable == 0.0
     assert "unstable at 0 rpm" in campbell._growth(scene, diagram)
+
+
+def test_friction_and_stops_are_shown_with_their_units() -> None:
+    made = bodies.section(material(loads(BRAKED)))
+    assert made is not None and read(made.html).wrong == []
+    found = text(made.html)
+    for words_ in (
+        "friction of pitch viscous 2 N m s/rad",
+        "stop of pitch, above at 60 deg",
+        "stop of pitch, below stiffness 40 N m/rad",
+        "damping 0 N m s/rad²",
+    ):
+        assert words_ in found
+    free = bodies.section(material(held_stand("pendulum")))
+    assert free is not None and "along the freedoms" not in text(free.html)
+
+
+def test_a_carrier_above_critical_damping_is_said_to_have_a_stiffness() -> None:
+    """J s^2 + c s + m g l = 0, J of carrier and wheel, has two real roots."""
+    J, c, k = 0.03 + 2.0 * 0.05**2 + 0.006, 2.0, 2.0 * 9.81 * 0.05
+    roots = np.sort(np.roots([J, c, k]).real)
+    made = campbell.section(material(loads(BRAKED)))
+    assert made is not None
+    found = text(made.html)
+    assert "has a stiffness in every direction" in found
+    assert f"eigenvalues of {roots[0]:.4g}, {roots[1]:.4g} 1/s" in found
+    assert "Nothing brings" not in found
+
+
+TILTED_WHEEL = """
+schema = 1
+name = "ball"
+gravity = [0, 0, -9.81]
+[carrier]
+mass = 1.3
+center_of_mass = [0.004, -0.007, 0.06]
+inertia = [[6e-3, 1e-4, 2e-4], [1e-4, 7e-3, -3e-4], [2e-4, -3e-4, 5e-3]]
+inertia_about = "center_of_mass"
+[hold]
+freedoms = ["roll", "pitch", "yaw"]
+pivot = [0.003, 0, 0.2]
+[[flywheel]]
+name = "w1"
+position = [0.03, -0.02, 0.12]
+axis = [0.1, 1, 0.2]
+zero = [0, 0, 1]
+mass = 0.25
+spin_inertia = 4e-4
+transverse_inertia = [2.2e-4, 2.6e-4]
+unbalance = { static = 2e-5, dynamic = 3e-7, dynamic_at = 1.2 }
+"""
+
+
+def test_growth_of_the_mean_that_no_steady_motion_has_is_not_called_unstable() -> None:
+    scene = scene_of(loads(TILTED_WHEEL))
+    diagram = study.campbell(scene, np.linspace(0.0, 300.0, 31))
+    assert diagram.growth.any()
+    growth = compare_growth(scene, diagram)
+    assert growth is not None and growth.unstable is None and growth.found >= 3
+    assert growth.multiplier < 1.001
+    assert "shows no instability" in campbell._growth(scene, diagram)

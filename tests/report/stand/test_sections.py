@@ -11,6 +11,7 @@ import pytest
 
 from mahovik.core.stand import load
 from mahovik.core.stand.capacity import torque_capacity
+from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.summary import summarize
@@ -18,7 +19,6 @@ from mahovik.core.stand.whole import mass_properties
 from mahovik.out.report.stand import bodies, campbell, envelopes, jitter, matrices, response
 from mahovik.out.report.stand.markup import figure, table
 from mahovik.out.report.stand.material import WORDS, Material, choose_state, chosen_state
-from mahovik.out.report.stand.matrices import SHADES, Side, matrix
 from mahovik.proof import reference
 from mahovik.stands import names, path
 from mahovik.use.study.response.periodic import periodic_response
@@ -72,28 +72,43 @@ def test_cells_are_escaped() -> None:
     assert read(html).wrong == []
 
 
-def test_zero_rounding_and_numbers_are_told_apart() -> None:
-    values, scale = np.array([[0.0, 1e-16], [2.0, -1.0]]), np.ones((2, 2))
-    html = matrix("M", values, scale, Side((("r", ("1", "2")),)), Side((("a", ("1",)), ("b", ("2",)))))
-    assert [words(cell) for cell in re.findall(r"<td class[^>]*>.*?</td>", html)] == ["·", "≈0", "2", "−1"]
-    assert html.count('class="edge') == 4  # heading, name and two numbers right of the line between blocks
-    assert f'"p{SHADES}"' in html
-    assert f'"edge n{SHADES}"' in html
+def cells_of(text: str, name: str, count: int) -> list[float]:
+    """The numbers that follow a name in a text; a dash is no number."""
+    cells = text.partition(f" {name} ")[2].split()[:count]
+    return [math.nan if cell == "–" else float(re.sub(r"·10(-?\d+)", r"e\1", cell)) for cell in cells]
 
 
 @pytest.mark.parametrize("name", names())
-def test_unbalance_is_that_of_check(name: str) -> None:
+def test_numbers_of_flywheels_are_those_of_their_bodies(name: str) -> None:
     stand = load(path(name))
     made = bodies.section(material(stand))
     assert made is not None
     text = plain(made.html)
-    for row in summarize(stand).unbalance:
-        numbers = re.search(rf"{row.name} ((?:[-\d.·]+ ){{4}})", text[text.index("Transverse: the mean") :])
-        assert numbers is not None
-        spin, _, static, dynamic = numbers[1].split()
-        assert float(spin) == pytest.approx(row.spin_inertia, rel=1e-3)
-        assert float(static) == pytest.approx(1e6 * row.static, rel=1e-2, abs=1e-6)
-        assert float(dynamic) == pytest.approx(1e9 * row.dynamic, rel=1e-2, abs=1e-6)
+    for row, body in zip(summarize(stand).unbalance, stand.flywheels, strict=True):
+        numbers = cells_of(text[text.index("Transverse: the mean") :], row.name, 11)
+        J, c = inertia_about_center(body), np.array(body.center_of_mass)
+        J = J + body.mass * (c @ c * np.eye(3) - np.outer(c, c))
+        eccentricity = math.hypot(c[1], c[2])
+        assert numbers[:2] == pytest.approx([J[0, 0], (J[1, 1] + J[2, 2]) / 2], rel=1e-3)
+        assert numbers[2] == pytest.approx(1e6 * body.mass * eccentricity, rel=1e-2, abs=1e-6)
+        assert numbers[3] == pytest.approx(1e9 * row.dynamic, rel=1e-2, abs=1e-6)
+        assert numbers[7] == pytest.approx(row.speed * 30 / math.pi, rel=1e-3)
+        assert numbers[10] == pytest.approx(1e3 * eccentricity * row.speed, rel=1e-2, abs=1e-6)
+
+
+def test_drives_have_their_numbers_in_the_order_of_the_head() -> None:
+    stand = load(path("eye4"))
+    motor = stand.flywheels[0].motor
+    made = bodies.section(material(stand))
+    assert made is not None and motor is not None and motor.speed is not None
+    text = plain(made.html)
+    text = text[text.index("Drives and encoders") :]
+    assert "flywheel torqueN m no-load speedrpm constantN m/A CoulombN m viscousN m s counts per turn latencyµs" in text
+    torque, speed, _, coulomb, viscous, _, latency = cells_of(text, stand.flywheels[0].name, 7)
+    assert (torque, speed) == pytest.approx((motor.torque, motor.speed * 30 / math.pi), rel=1e-4)
+    assert (coulomb, viscous) == pytest.approx((motor.coulomb, motor.viscous), rel=1e-4)
+    encoder = stand.flywheels[0].encoder
+    assert encoder is not None and latency == pytest.approx(1e6 * encoder.latency, rel=1e-4)
 
 
 def numbers_of(html: str, caption: str) -> list[float]:
@@ -119,22 +134,6 @@ def test_matrices_are_those_of_the_reference(name: str) -> None:
         values = np.asarray(found[key]).ravel()
         shown = numbers_of(made.html[made.html.index("<h3>Carrier") :], caption)
         assert shown == pytest.approx(values.tolist(), rel=6e-4, abs=1e-9 * np.abs(values).max())
-
-
-def test_terms_of_the_balance_sum_to_what_is_left() -> None:
-    """F - M V - J phi' - I phi'' = K V*, in the numbers shown."""
-    stand = load(path("auv6"))
-    made = matrices.section(material(stand))
-    assert made is not None
-    html = made.html[made.html.index("Balance of (8)") :]
-    rows = [
-        [float(re.sub(r"·10<sup>(.*?)</sup>", r"e\1", cell).replace("−", "-").replace("\u202f", "")) for cell in cells]
-        for line in re.findall(r"<tr><th[^>]*scope=\"row\">.*?</tr>", html, re.DOTALL)
-        if (cells := [c.replace("−", "-") for c in re.findall(r'<td class="right">(.*?)</td>', line)])
-    ]
-    F, MV, J, I, KV, _ = np.array(rows)
-    size = np.abs(rows).max(axis=0)
-    assert np.abs(F + MV + J + I - KV) == pytest.approx(np.zeros(6), abs=float(2e-3 * size.max()))
 
 
 def test_the_state_of_a_run_at_rest_is_not_shown() -> None:
