@@ -15,8 +15,6 @@ from mahovik.core.stand import load
 from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.errors import BalanceError, UsageError
 from mahovik.out.functions.stand_balancing import StandBalance
-from mahovik.use.balance.by_model import Planes, balance_wheels
-from mahovik.use.measured import read_recordings
 
 
 def test_static_and_dynamic_unbalance_are_undone(bench: Path) -> None:
@@ -31,26 +29,6 @@ def test_static_and_dynamic_unbalance_are_undone(bench: Path) -> None:
         dynamic = -complex(J[0, 1], J[0, 2])
         assert abs(-wheel.w @ np.array(wheel.positions) - dynamic) < 0.03 * abs(dynamic)
         assert all(after < 1e-3 * before for _, before, after in wheel.vibration)
-
-
-@pytest.mark.slow
-def test_intervals_are_those_of_the_noise(bench: Path, tmp_path: Path) -> None:
-    """Pooled over 40 noisy copies the 95 % intervals hold the truth about as often."""
-    names, values = read(bench / "run.csv")
-    exact = mahovik.balance_stand(str(bench / "two.toml"), bench / "run.csv", planes=PLANES)
-    stand, planes = load(bench / "two.toml"), dict.fromkeys(("w1", "w2"), Planes((-0.01, 0.01)))
-    rng = np.random.default_rng(5)
-    inside = []
-    for _ in range(40):
-        noisy = values.copy()
-        noisy[:, 1:4] += 0.5 * rng.normal(size=(len(values), 3))
-        noisy[:, 4:7] += 0.02 * rng.normal(size=(len(values), 3))
-        write(tmp_path / "noisy.csv", names, noisy)
-        found = balance_wheels(stand, read_recordings([tmp_path / "noisy.csv"], stand), planes)
-        for a, b in zip(found, exact.wheels, strict=True):
-            off = (a.w - b.w) / (1.959963984540054 * a.error)
-            inside += [*(np.abs(off.real) <= 1.0), *(np.abs(off.imag) <= 1.0)]
-    assert 0.89 <= np.mean(inside) <= 0.99
 
 
 def test_command_and_refused_data(bench: Path, tmp_path: Path) -> None:

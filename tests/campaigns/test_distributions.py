@@ -104,13 +104,6 @@ def test_the_interval_is_that_of_the_binomial_law() -> None:
     assert inside >= 0.95
 
 
-def test_values_that_are_missing_are_left_out() -> None:
-    x = np.random.default_rng(1).normal(size=500)
-    holes = np.insert(x, [3, 100], np.nan)
-    assert quantile_interval(holes, 0.9) == quantile_interval(x, 0.9)
-    assert quantile_interval(holes, 0.9).n == 500
-
-
 def test_a_goal_is_reached_when_the_interval_is_narrow() -> None:
     x = np.random.default_rng(2).normal(10, 1, 5000)
     goal = Goal("shake", 0.95, 0.95, 0.02)

@@ -14,9 +14,7 @@ from campaigns.sections import write
 from campaigns.stub import POISON, load_stub, write_stub
 from mahovik.out.campaign.convergence import quantile_interval
 from mahovik.out.campaign.face import Campaign, CampaignFolder
-from mahovik.out.campaign.folder import load_campaign
 from mahovik.out.campaign.report.influence import influences
-from toolchain.quick import quick
 
 
 @pytest.fixture(scope="module")
@@ -95,26 +93,6 @@ name = "shake"
 what = "rms acceleration"
 at = "carrier"
 """
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("design", "title"), quick(1, [("morris", "Elementary effects of Morris"), ("saltelli", "Sobol' indices")])
-)
-def test_the_page_has_the_figures_of_the_design(design: str, title: str, tmp_path: Path) -> None:
-    file = write(tmp_path, DEPENDS, stand="shaker2", samples=48, design=design)
-    found = Campaign(file).prepare(tmp_path / "out")
-    for number in range(found.manifest.shards):
-        found.shard(number)
-    text = text_of(found.report(tmp_path / "page.html", worst=0).page)
-    figures = load_campaign(file, None, False).sensitivity(found.columns()["shake"]).figures
-    first = "ST" if design == "saltelli" else "mu_star"
-    assert figures[first][0] > 10 * figures[first][1] > 0.0  # of the unbalance, and of the mass
-    table = text[text.index(f"{title}, from 48 samples") :]
-    assert f"left.unbalance.static {figures['S1' if design == 'saltelli' else first][0]:.3g}" in table
-    shake = found.columns()["shake"]
-    assert f"between {shake.min():.4g} m/s2 and {shake.max():.4g} m/s2" in text
-    assert "% below" not in text and "confidence intervals" not in text.replace(table, "")
 
 
 def test_shares_of_the_variance_are_those_of_ishigami() -> None:

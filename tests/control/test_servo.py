@@ -228,11 +228,6 @@ def test_a_wheel_on_a_hinge_is_lighter_by_the_closed_formula() -> None:
     assert abs(lightness(FREE) - WHOLE / (WHOLE - SPIN)) > 0.1
 
 
-def test_a_clamped_carrier_leaves_rotors_as_they_are() -> None:
-    clamped = replace(SHAKER, hold=Hold((), (0, 0, 0), (0, 0, 0), (0, 0, 0)))
-    assert lightness(clamped) == 1.0 < lightness(SHAKER)
-
-
 def test_a_rail_takes_what_is_along_it() -> None:
     """Two exciters of unbalance U on a rail: at most 1 / (1 - 2 U^2 / (mass J)), where both point across it."""
     text = """

@@ -89,28 +89,6 @@ def test_the_least_loss_is_that_of_scipy(loss: Loss) -> None:
     assert np.allclose(minimise(residuals, jacobian, np.array([1.0, 0.1]), loss), expected, rtol=1e-4)
 
 
-def test_old_derivatives_do_not_end_the_search() -> None:
-    """Residuals are large at the end: the gradient by derivatives of a place nearby is another."""
-
-    def residuals(z: np.ndarray) -> np.ndarray:
-        return np.array([z[0] ** 2 + 1.0, 5.0 * (z[0] - 1.0), 2.0 * np.sin(3.0 * z[0])])
-
-    def derivatives(z: np.ndarray) -> np.ndarray:
-        return np.array([[2.0 * z[0]], [5.0], [6.0 * np.cos(3.0 * z[0])]])
-
-    kept: list[np.ndarray] = []
-
-    def jacobian(z: np.ndarray, exact: bool) -> np.ndarray:
-        if exact or not kept:
-            kept[:] = [derivatives(z)]
-        return kept[0]
-
-    z = minimise(residuals, jacobian, np.array([0.9]))
-    assert abs(float((derivatives(z).T @ residuals(z))[0])) < 1e-4 * float(
-        np.abs(derivatives(z)[:, 0]) @ np.abs(residuals(z))
-    )
-
-
 TEXT = """
 schema = 1
 name = "bench"

@@ -134,40 +134,6 @@ def test_energy_is_the_work_of_the_torques_that_speed_laws_need(text: str) -> No
     assert energy(free(), found, len(power) - 1) - energy(free(), found, 0) == pytest.approx(work, rel=1e-5)
 
 
-def with_motors(motor: Motor) -> Stand:
-    """shaker2 with the motor on both flywheels."""
-    stand = load(stands.path("shaker2"))
-    return replace(stand, flywheels=tuple(replace(s, motor=motor) for s in stand.flywheels))
-
-
-def test_a_speed_law_that_the_motor_cannot_give_is_told() -> None:
-    stand = with_motors(Motor(0.01, None, None, None, None, 0.0, 0.0, 0.1))
-    text = "schema = 1\n[flywheel.left]\nramp = { to = 100, duration = 0.1 }\n[flywheel.right]\nhold = true\n"
-    found = simulate(Case(stand, loads_regime(text, stand, 0.05), rest_state(stand), 0.05))
-    t, missing = found.weak_motors["left"]
-    assert 0.0 <= t <= 0.05
-    assert missing == pytest.approx(np.abs(found["motor left [N m]"]).max() - 0.01, rel=1e-12)
-
-
-def test_what_leaves_its_ranges_ends_early_and_keeps_its_rows() -> None:
-    text = "schema = 1\ndefault = { torque = 1e6 }\n"
-    found = simulate(case(free(), text, until=1.0))
-    assert found.stopped is not None
-    assert "RANGE" in found.stopped
-    assert 0 < len(found.data) < 100
-
-
-def test_interruption_keeps_what_was_computed() -> None:
-    def stop(t: float) -> None:
-        if t > 0.025:
-            raise KeyboardInterrupt
-
-    found = simulate(case(free(), TORQUES), progress=stop)
-    assert found.interrupted
-    assert found.stopped == "stopped at t = 0.03 s of 0.05 s"
-    assert len(found.data) == 4
-
-
 @pytest.mark.parametrize(
     "wrong", [{"dt": 0.0}, {"dt": -1.0}, {"dt": float("nan")}, {"every": 0.0}, {"until": float("inf")}, {"order": 3}]
 )

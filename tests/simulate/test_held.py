@@ -15,7 +15,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import mahovik
-from cli.run import refused, run
+from cli.run import refused
 from cli.test_eval_held import TEXT
 from mahovik.core.motion import loads_regime
 from mahovik.core.stand.hold import twist_of
@@ -134,18 +134,6 @@ def test_a_speed_off_the_freedoms_is_refused() -> None:
     stand = loads(TEXT)
     with pytest.raises(UsageError, match=r"V moves along yaw, which \[hold\] blocks"):
         allowed_start(stand, replace(home(stand), u=(), V=(0.0, 0.0, 0.0, 0.0, 0.0, 1.0)))
-
-
-def test_a_missing_position_is_where_the_hold_has_the_carrier(file: str, tmp_path: Path) -> None:
-    (tmp_path / "start.json").write_text(json.dumps({"angles": [0, 1.1, 0], "u": [0.5]}))
-    output = tmp_path / "run.csv"
-    arguments = ("--until", "0.01", "--start", str(tmp_path / "start.json"), "-o", str(output), "--every", "0.01")
-    made = run("simulate", file, *arguments)
-    assert made.exit_code == 0, made.output
-    head, first, *_ = output.read_text().splitlines()
-    row = dict(zip(head.split(","), map(float, first.split(",")), strict=True))
-    assert [row[f"{a} [m]"] for a in "xyz"] == pytest.approx([0.2 * np.sin(1.1), 0, -0.2 + 0.2 * np.cos(1.1)])
-    assert row["v_x [m/s]"] == pytest.approx(0.1) and row["omega_y [rad/s]"] == pytest.approx(0.5)
 
 
 def test_a_run_has_the_coordinates_of_the_freedoms_and_counts_whole_turns() -> None:
