@@ -4,20 +4,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 import mahovik
 from api.models import model, stand
 from mahovik import InputError, StandError, UsageError
-from mahovik.core.lower.variants import law_struct, reals, variant
-from mahovik.core.program.interpret import Interpreter
-from mahovik.core.stand.structure import structure
-from mahovik.out.api.compiled import lower_structure
 from mahovik.out.api.possible import possible_tables
-from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
-from mahovik.out.api.variants import variants
 
 UNBALANCE = ("static", "static_at", "dynamic", "dynamic_at")
 
@@ -56,30 +48,6 @@ def random_changes(of: Stand, rng: np.random.Generator, n: int, share: float = 1
                     values[rng.random(n) < 0.5] = 0.0  # another way through the reader
                 changes[f"{wheel.name}.unbalance.{key}"] = values
     return changes
-
-
-@pytest.mark.parametrize(
-    "name", ["general", *(pytest.param(name, marks=pytest.mark.slow) for name in ("everything", "bench8"))]
-)
-@settings(max_examples=5, deadline=None)
-@given(seed=st.integers(0, 10**6))
-def test_numbers_have_the_bits_of_stands_that_are_read_afresh(name: str, seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    of, n = Stand.of(stand(name)), 3
-    samples = Samples.of(random_changes(of, rng, n, 10.0 ** rng.uniform(-6, 0)), n)
-    found = variants(of, "double", samples)
-    layout, program = lower_structure(structure(of), "double")
-    base = [*reals(layout.parameters, found.parameters), *reals(law_struct(layout), found.table)]
-    for j in range(n):
-        try:
-            changed = of.replace(samples.values(j))
-        except StandError:
-            assert found.doubtful[j]
-            continue
-        expected = variant(changed, layout, Interpreter(program))[2]
-        for number, (x, wanted) in enumerate(zip(found.varied, expected, strict=True)):
-            here = x[j] if x is not None else base[number]
-            assert np.float64(here).tobytes() == np.float64(wanted).tobytes(), (list(samples.given), number, j)
 
 
 @pytest.mark.parametrize("name", ["general", pytest.param("everything", marks=pytest.mark.slow)])

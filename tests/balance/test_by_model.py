@@ -108,17 +108,6 @@ def test_holes_and_screws_are_as_allowed(made: StandBalance) -> None:
     assert free["pieces"] == []
 
 
-def test_one_hole_is_the_best_of_all(bench: Path) -> None:
-    """In one plane the vibration is proportional to the distance of the correction from the exact one."""
-    pieces = {"holes": 8, "amounts": ["50 g", "100 g"], "radii": ["3 cm"], "most": 1, "forbidden": [[130, 140]]}
-    planes = {"w1": {"positions": [0], "pieces": pieces}}
-    wheel = mahovik.balance_stand(str(bench / "two.toml"), bench / "run.csv", planes=planes).wheels[0]
-    allowed = [m * 0.03 * np.exp(1j * np.radians(45 * k)) for k in range(8) for m in (0.05, 0.1) if k != 3]
-    best = min(allowed, key=lambda w: abs(w - wheel.w[0]))
-    assert wheel.made is not None and wheel.made.proven
-    assert abs(wheel.applied[0] - best) < 1e-12
-
-
 REFUSED = (
     ({"w1": {"positions": [0], "piece": {}}}, UsageError, 'planes of w1: unknown key "piece"'),
     ({"w1": {"positions": 3}}, UsageError, "expected a list of positions, found 3"),

@@ -11,10 +11,6 @@ import pytest
 import mahovik
 from identify.test_held import START, TRUE, readings, table, with_noise, write
 from mahovik.errors import BalanceError
-from mahovik.use.study.jitter.held_plant import HeldPlant
-from mahovik.use.study.response import periodic_response
-from mahovik.use.study.response.held import HeldScene
-from study.test_response_held import shaker
 
 
 @pytest.fixture(scope="module")
@@ -44,19 +40,3 @@ def test_data_without_a_channel_of_the_hold_are_refused(tmp_path: Path, exact: A
                header="time [s],first.phase [rad],second.phase [rad]")  # fmt: skip
     with pytest.raises(BalanceError, match="no acceleration or rate of a point, and no reaction of the hold, of held"):
         mahovik.balance_stand(TRUE, tmp_path / "run.csv")
-
-
-@pytest.mark.parametrize("friction", [False, True])
-def test_the_linear_reaction_of_what_moves_is_that_of_the_full_equations(friction: bool) -> None:
-    """First order of the reaction on a rail with a spring, damped by the rail's friction or by the suspension."""
-    document = shaker(friction)
-    document["flywheel"][0]["unbalance"] = {"static": "160 g mm"}  # a small motion
-    document["flywheel"][0]["position"] = [0.1, -0.2, 0.3]
-    stand, speed = mahovik.Stand.from_dict(document), 24.0
-    plant = HeldPlant.of(HeldScene.of(stand))
-    omega, wrench = plant.free.unbalance(np.array([[speed]]), np.zeros(1))
-    found = plant.reaction(np.array([[speed]]), omega, wrench[..., None])[0, 0, :, 0]
-    seen = periodic_response(stand, [speed]).motion_of("hold.reaction")
-    expected = np.concatenate([seen.harmonics(quantity)[1] for quantity in ("force", "moment")])
-    assert np.abs(found - expected).max() < 1e-4 * np.abs(expected).max()
-    assert abs(found[2]) < 1e-12 * np.abs(found).max()  # along the rail the hold exerts nothing

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from cli.run import run
-from identify.test_excite import STICK
+from identify.test_held import STICK
 from mahovik.core.motion.programme import load_programme
 from mahovik.out.api.stands import Stand
 from mahovik.out.identify.excite import face

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import mahovik
 from identify.data import HIGH, LOW, STEEP, bench8, check_predicted_errors
-from identify.test_held import START, TRUE, table
+from identify.test_held import START, STICK, TRUE, table
 from mahovik.errors import UsageError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
@@ -82,16 +82,6 @@ def test_bounds_by_name_and_by_motor() -> None:
     own = np.array([0.1, 0.1, -0.1])
     assert np.allclose(found.available(stand, 0, own, np.array([0.0, 25.0, 25.0])), [0.4, 0.2, 0.4])
     assert isinstance(found, Bounds)
-
-
-STICK: dict[str, Any] = {
-    "schema": 1, "name": "stick", "gravity": [0, 0, -9.81],
-    "carrier": {"mass": 0.4, "center_of_mass": [0, 0, -0.15], "inertia": [3e-3] * 3, "inertia_about": "center_of_mass"},
-    "hold": {"freedoms": ["pitch"], "friction": [{"viscous": "0.004 N m s/rad"}]},
-    "flywheel": [{"name": "wheel", "axis": [0, 1, 0], "zero": [0, 0, 1], "mass": 0.1, "spin_inertia": 1e-4,
-                  "transverse_inertia": 6e-5}],
-    "point": [{"name": "gyro", "position": [0, 0, -0.3]}],
-}  # fmt: skip
 
 
 QUICK: dict[str, Any] = {"speed": "1000 rpm", "duration": 0.5, "rate": 500.0}

@@ -45,6 +45,17 @@ TRUE = table(
 START: dict[str, Any] = {"first": {"static": "1 g mm"}, "second": {"static": "1 g mm"}}
 
 
+STICK: dict[str, Any] = {
+    "schema": 1, "name": "stick", "gravity": [0, 0, -9.81],
+    "carrier": {"mass": 0.4, "center_of_mass": [0, 0, -0.15], "inertia": [3e-3] * 3, "inertia_about": "center_of_mass"},
+    "hold": {"freedoms": ["pitch"], "friction": [{"viscous": "0.004 N m s/rad"}]},
+    "flywheel": [{"name": "wheel", "axis": [0, 1, 0], "zero": [0, 0, 1], "mass": 0.1, "spin_inertia": 1e-4,
+                  "transverse_inertia": 6e-5}],
+    "point": [{"name": "gyro", "position": [0, 0, -0.3]}],
+}  # fmt: skip
+"""A stick with a rate gyro that swings about its upper end, with friction."""
+
+
 def readings(stand: Stand) -> Array:
     """Time, six components of the reaction and phases (T, 9) at SPEEDS, by the literal reference."""
     rows = []
@@ -127,16 +138,7 @@ def test_channels_of_a_hold_need_one(tmp_path: Path, exact: Array) -> None:
 @pytest.mark.slow
 def test_friction_and_mass_of_a_pendulum_are_told_by_its_swing(tmp_path: Path) -> None:
     """A stick with a rate gyro swings freely from an unknown angle; its pivot is on a table that reads the force."""
-    keys = {
-        "schema": 1, "name": "stick", "gravity": [0, 0, -9.81],
-        "carrier": {"mass": 0.4, "center_of_mass": [0, 0, -0.15], "inertia": [3e-3] * 3,
-                    "inertia_about": "center_of_mass"},
-        "hold": {"freedoms": ["pitch"], "friction": [{"viscous": "0.004 N m s/rad"}]},
-        "flywheel": [{"name": "wheel", "axis": [0, 1, 0], "zero": [0, 0, 1], "mass": 0.1, "spin_inertia": 1e-4,
-                      "transverse_inertia": 6e-5}],
-        "point": [{"name": "gyro", "position": [0, 0, -0.3]}],
-    }  # fmt: skip
-    true = Stand.from_dict(keys)
+    true = Stand.from_dict(STICK)
     braked = {"default": {"hold": True}}
     start = {"angles": [0, 0.5, 0], "u": [0.2]}
     run = mahovik.simulate(true, 3.0, regime=braked, start=start, every=0.01, backend="scipy")  # the literal reference

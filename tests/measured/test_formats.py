@@ -14,8 +14,7 @@ from hypothesis import strategies as st
 from mahovik.errors import DataError
 from mahovik.use.measured import Recording, read_recordings
 from mahovik.use.measured.quantities import HeaderError, name_of
-from measured.stand_of_tests import STAND, clock, read_one, values, write_csv
-from measured.ulog_writer import ulog
+from measured.stand_of_tests import STAND, clock, read_one, ulog, values, write_csv
 
 UNITS = {
     "acceleration.x": {"m/s2": 1.0, "m/s^2": 1.0, "mm/s²": 1e-3, "g": 9.80665, "mg": 9.80665e-3, "cm/s^2": 1e-2},

@@ -12,10 +12,7 @@ import pytest
 import mahovik
 from mahovik import stands
 from mahovik.core.motion import loads_regime, steady_regime
-from mahovik.core.motion.laws import RunUp
-from mahovik.core.motion.motor import drive, steepness
 from mahovik.core.stand import Stand, load, rest_state
-from mahovik.core.stand.model import Motor
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
@@ -178,19 +175,6 @@ def test_what_is_too_steep_is_refused_before_the_run() -> None:
     ):
         simulate(steep_case(run_up(50.0, band=0.01)))
     CMotion(steep_case(run_up(50.0, band=0.01), dt=1e-6))  # as the refusal proposes: taken
-
-
-@pytest.mark.parametrize("seed", range(5))
-def test_steepness_bounds_every_difference(seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    law = RunUp(*rng.uniform(0.1, 2.0, 1), *rng.uniform(-9, 9, 1), *rng.uniform(0.1, 2.0, 1))
-    motor = Motor(rng.uniform(0.5, 3.0), 8.0, None, None, None, 0.05, 0.3, 0.4)
-    for each in (None, motor):
-        low, high = sorted(rng.uniform(-12, 12, 2))
-        speeds = np.linspace(low, high, 2001)
-        torques = [drive(each, law.command(0.0, w), w) for w in speeds]
-        most = np.abs(np.diff(torques) / np.diff(speeds)).max()
-        assert most <= steepness(each, law.steepness(low, high), low, high) * (1 + 1e-9) + 1e-12
 
 
 def test_a_plain_run_in_float_warns_of_lost_increments(recwarn: pytest.WarningsRecorder) -> None:

@@ -46,7 +46,6 @@ CASES = [
     (HEAD + "carrier = 3", "carrier: expected a table, found 3"),
     (BASE + '[flywheel]\nname = "w1"\nmass = 1', "flywheel: expected an array of tables, [[flywheel]], found a table"),
     (HEAD + "gravty = [0, 0, 1]\n" + CARRIER, 'unknown key "gravty", did you mean "gravity"?'),
-    (BASE + "masss = 1", 'carrier: unknown key "masss", did you mean "mass"?'),
     (
         BASE + WHEEL + ("added_mass = [1, 1, 1, 1, 1, 1]"),
         'flywheel "w1": unknown key "added_mass": that of a flywheel would turn with it; give it to the carrier '
@@ -65,10 +64,8 @@ CASES = [
         BASE.replace("schema = 1", 'schema = 1\nphase_input = "sincos"', 1),
         'phase_input: "sincos" says how phases are given, but there is no flywheel',
     ),
-    (mass('"3 mm"'), 'carrier, mass: unit "mm" does not fit, expected a mass (kg)'),
     (mass('"3 foo"'), 'carrier, mass: "foo" is not a known unit, expected a mass (kg)'),
     (mass('"3"'), 'carrier, mass: "3" has no unit, write the number without quotes for SI'),
-    (inertia("[[1, 0, 0], [0, 1], [0, 0, 1]]"), "carrier, inertia[1]: expected 3 numbers, found 2"),
     (
         inertia("[1, 1, 1, 0, 0, 0]"),
         "carrier, inertia: expected three rows of three numbers, or a diagonal of three, found 6 items",
@@ -143,10 +140,6 @@ CASES = [
     ),
 ]
 OF_CARRIER = [
-    (
-        '[[carrier.damping.terms]]\nwrench = "Y"\nof = ["u", "r"]\nvalue = 1\nvalu = 2',
-        'damping, terms[0]: unknown key "valu", did you mean "value"?',
-    ),
     ("wrench_input = 1", "wrench_input: expected true or false, found 1"),
     (
         'center_of_mass = { value = [1, "2 mm", 3], unit = "mm" }\ninertia_about = "origin"',
@@ -159,10 +152,6 @@ OF_CARRIER = [
     (
         'added_mass = { value = [1, 1, 1, 1, 1, 1], unit = "kg" }',
         "added_mass: a 6x6 mixes units (metres and radians), so one unit cannot be for all: write SI numbers",
-    ),
-    (
-        'added_mass = ["1 kg", "1 kg", "1 kg", "1 kg", 1, 1]',
-        'added_mass[3]: unit "kg" does not fit, expected an added inertia (kg m^2)',
     ),
     (
         'damping = { terms = [{ wrench = "Y", of = ["u", "r"], value = "1 N" }] }',
@@ -286,13 +275,6 @@ def test_a_key_that_cannot_be_read_does_not_hide_what_is_unphysical() -> None:
 def test_where_mass_properties_cannot_be_read_nothing_is_guessed_of_them(key: str) -> None:
     (line,) = refusal(BASE + WHEEL.replace("0.02, 0.01, 0.01", "0.05, 0.01, 0.01") + key + "\n")
     assert key.partition(" ")[0] in line
-
-
-def test_directions_are_parallel_below_an_angle_of_1e_9_rad() -> None:
-    text = BASE + WHEEL + "axis = [3, 0, 0]\nzero = [-2, {}, 0]\n"
-    assert loads(text.format(2 * 1.05e-9)).flywheels
-    (line,) = refusal(text.format(2 * 0.95e-9))
-    assert "zero: parallel to axis" in line
 
 
 @pytest.mark.parametrize("text", ['hold = ["yaw"]\n', "hold = 3\n", '[[hold]]\nfreedoms = ["yaw"]\n'])
