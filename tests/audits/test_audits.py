@@ -37,7 +37,7 @@ def test_what_differs_is_what_was_worked_out_by_hand(name: str) -> None:
 
 def test_a_planted_sign_is_named() -> None:
     """The older NPS AUV II, whose rigid body is right, with the heave force of the newer."""
-    wrong = npsauv.model(5454.54, npsauv.OLD_STRIPS, heave=1.0, pitch=1.0, inverse=None)
+    wrong = npsauv.model(5454.54, npsauv.OLD_STRIPS, heave=1.0, pitch=1.0)
     found = measure(replace(npsauv.OLD, answer=wrong), faults=False)
     assert set(found.false) == {"Z: u q", "Z: v p", "Z: p p", "Z: q q"}
     assert found.differing == ("Z", "M")

@@ -38,153 +38,22 @@ pytestmark = READERS
 DEMO3, SAT4 = load(stands.path("demo3")), load(stands.path("sat4"))
 STANDS = [stands.path(name).read_text(encoding="utf-8") for name in stands.names()]
 
-CAMPAIGNS = [
-    """schema = 1
-name = "tolerances"
-stand = "demo3"
-samples = 100
-seed = 3
-design = "latin"
-shard = 10
-until = "2 %"
-[quantile]
-of = "shake"
-at = "95 %"
-[vary]
-"w*.unbalance.static" = { normal = ["1 g mm", "0.3 g mm"], most = "2 g mm" }
-"w1.mass" = { table = "w.csv" }
-"carrier.inertia.J12" = { triangular = [-1e-4, 0, 1e-4] }
-"w2.position" = { tolerance = ["-1 mm", "2 mm"], group = "jig" }
-[[correlation]]
-of = ["w*.unbalance.static"]
-coefficient = 0.3
-[over]
-regime = { default = { speed = "1000 rpm" } }
-until = "5 ms"
-[[quantity]]
-name = "shake"
-what = "rms velocity"
-at = "carrier"
-band = ["1 Hz", "20 Hz"]
-""",
-    """schema = 1
-stand = "demo3"
-samples = 100
-design = "saltelli"
-[vary]
-"w*.unbalance" = { grade = "G 2.5", speed = "3000 rpm", share = { uniform = [0, 1] } }
-"carrier.mass" = { lognormal = ["10 kg", 0.1] }
-"w3.mass" = { discrete = ["1 kg", "2 kg"], weights = [1, 3] }
-"carrier.inertia.J11" = { relative = "2 %" }
-[over]
-speeds = { w1 = "100 rpm" }
-[[quantity]]
-name = "peak"
-what = "peak acceleration"
-at = "carrier"
-""",
-]
-MEASURED = [b"mass [kg],serial\n1.0,a1\n1.1,a2\n"]
+EXAMPLES = Path(__file__).parent / "examples"
 
-SERVOS = [
-    """schema = 1
-sample_period = "1 ms"
-bandwidth = "40 Hz"
-""",
-    """schema = 1
-name = "all"
-sample_period = 0.002
-latency = "3 ms"
-bandwidth = "60 rpm"
-damping_ratio = 1.5
-integral = "0.1 Hz"
-speed_filter = { value = 200, unit = "Hz" }
-feedforward = false
-friction = false
-torque_limit = [1, "2 N mm", 3, 1e8]
-torque_rate = "1 N m/ms"
-encoder = "stand"
-[trim]
-harmonics = 4
-gain = 1
-coordinates = ["phi", "x"]
-settling = 0
-averaging = 100
-limit = "90 deg"
-""",
-]
 
-REGIMES = [
-    """schema = 1
-name = "spin"
-[default]
-speed = "3000 rpm"
-phase = "10 deg"
-[flywheel.w1]
-torque = "1 N m"
-initial_speed = "100 rpm"
-[flywheel.w2]
-table = "t.csv"
-[wrench]
-carrier = [1, 2, 3, "4 N m", 5, 6]
-""",
-    """schema = 1
-[flywheel]
-w1 = { ramp = { from = 0, to = "6000 rpm", start = "10 ms", duration = "2 s" } }
-w2 = { harmonic = { mean = 1, amplitude = "10 rpm", frequency = "2 Hz", phase = 1 }, phase = 3 }
-w3 = { run_up = { torque = "5 N mm", to = "500 rpm", band = 1 } }
-[wrench]
-carrier = "w.csv"
-""",
-    """schema = 1
-[default]
-hold = true
-[flywheel.w3]
-sweep = { from = "1 Hz", to = "20 Hz", duration = 1, scale = "log" }
-""",
-]
-COURSES = [
-    b"t,phi_dot [rpm]\n0,1\n0.5,2\n1,3\n",
-    b"t [ms],torque [N mm]\r\n0,1\r\n2000,5\r\n",
-    b"t,X [N],M\n0,0,1\n0.1,1e3,2\n5,-1e3,3\n",
-]
+def examples(pattern: str) -> list[bytes]:
+    """Files of the folder of examples."""
+    return [path.read_bytes() for path in sorted(EXAMPLES.glob(pattern))]
 
-T, FINITE = np.arange(12) / 12, np.linspace(0.0, 1.0, 12)
-MOTIONS: list[dict[str, Any]] = [
-    *(json.loads(path.read_text(encoding="utf-8")) for path in stands.motions("demo3")),
-    {
-        "schema": 1, "type": "periodic", "period": "1 s",
-        "samples": {"t": T.tolist(), "q": np.outer(np.cos(2 * np.pi * T), np.full(6, 1e-3)).tolist()},
-        "bounds": {"speed": "100 rpm", "speed_min": [0, 1, 2], "bias": [1, 1, 1, 1, 1, 1], "angle": "10 deg"},
-        "objective": {"acceleration": 1, "torque": [1, 2, 3]},
-        "free_mean": [True, True, False, True, True, True],
-        "runup": 2,
-    },
-    {
-        "schema": 1, "type": "finite", "duration": 1.0,
-        "samples": {
-            "t": FINITE.tolist(), "q": np.outer(FINITE**3 * (10 - 15 * FINITE + 6 * FINITE**2), T[:6]).tolist()
-        },
-        "bounds": {"start": {"phi": [0, 1, 2], "phi_dot": "10 rpm"}},
-    },
-]  # fmt: skip
-ROWS = {"phi": [[0, 0, 0]] * 3, "phi_dot": [[1, 2, 3]] * 3, "phi_ddot": [[0, 0, 0]] * 3}
-HEAD = {
-    "schema": 1, "stand": {"name": "demo3", "structure": "0", "physics": "1"}, "motion": "m",
-    "flywheels": ["w1", "w2", "w3"], "bias": [0, 0, 0, 0, 0, 0.1],
-}  # fmt: skip
-PROGRAMMES = [
-    HEAD
-    | {
-        "period": 1.0, "winding": [1, 0, -2],
-        "fourier": {"mean": [0, 1, 2], "cos": [[1, 2, 3]], "sin": [[0, 0, 1e-9]]},
-        "runup": {"duration": 2.0, "samples": {"t": [0, 1, 2], **ROWS}},
-        "report": {"residual": 1e-9, "peaks": [1, 2.5, None, "x", True]},
-    },
-    HEAD | {"period": 1.0, "winding": [1, 0, -2], "samples": {"t": [0, 0.1, 0.7], **ROWS}},
-    HEAD | {"duration": 1.0, "samples": {"t": [0, 0.1, 1.0], **ROWS}},
-]  # fmt: skip
 
+CAMPAIGNS, SERVOS, REGIMES = (
+    [data.decode() for data in examples(f"{kind}-*.toml")] for kind in ("campaign", "servo", "regime")
+)
+COURSES, MEASURED = examples("course-*.csv"), examples("measured.csv")
+SHIPPED = [path.read_bytes() for path in stands.motions("demo3")]
+MOTIONS, PROGRAMMES = (
+    [json.loads(data) for data in each] for each in ([*SHIPPED, *examples("motion-*")], examples("programme-*"))
+)
 MODELS = Path(__file__).parents[1] / "foreign" / "models"
 URDF, MJCF = ((MODELS / f"sat.{kind}").read_text(encoding="utf-8") for kind in ("urdf", "xml"))
 

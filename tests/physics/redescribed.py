@@ -10,7 +10,6 @@ from mahovik.core.stand.state import State
 from mahovik.laws.buoyancy.data import Buoyancy
 from mahovik.laws.damping.data import Damping
 from mahovik.laws.leg.data import Legs, legs_of
-from mahovik.laws.torquer.data import Torquer, Torquers
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.rotation import flywheel_mounting
 from physics.general import rows
@@ -29,7 +28,10 @@ def fixed_angles(C: Array) -> Vec3:
 
 
 def redescribed(stand: Stand, d: Array, R: Array) -> Stand:
-    """The same stand described in an E1 with origin d and axes R; of laws tied to axes, only linear damping."""
+    """The same stand described in an E1 with origin d and axes R; of laws tied to axes, only linear damping.
+
+    Points stay as they are: the motion does not depend on them.
+    """
     L = transfer(d, R)
     back = np.linalg.inv(L)
 
@@ -76,26 +78,9 @@ def redescribed(stand: Stand, d: Array, R: Array) -> Stand:
         return replace(s, position=place(s.position), mounting=MountingAxes(vec(C_s[:, 0]), vec(C_s[:, 1])))
 
     flywheels = tuple(remounted(s) if s.mount == "carrier" else s for s in stand.flywheels)
-    points = tuple(
-        replace(
-            p,
-            position=place(p.position),
-            angles=fixed_angles(R.T @ Rotation.from_euler("ZYX", p.angles).as_matrix()),
-        )
-        if p.mount == "carrier"
-        else p
-        for p in stand.points
-    )
     legs = tuple(replace(leg, carrier=place(leg.carrier)) for leg in legs_of(stand))
 
-    def turn_dipole(torquer: Torquer) -> Torquer:
-        return replace(torquer, dipole=vec(R.T @ np.array(torquer.dipole))) if torquer.mount == "carrier" else torquer
-
-    torquers = [law for law in stand.laws if isinstance(law, Torquers)]
-    torquers = [replace(law, torquers=tuple(map(turn_dipole, law.torquers))) for law in torquers]
-    return replace(stand, carrier=carrier, instruments=instruments, flywheels=flywheels, points=points).with_laws(
-        Legs(legs), *torquers
-    )
+    return replace(stand, carrier=carrier, instruments=instruments, flywheels=flywheels).with_laws(Legs(legs))
 
 
 def redescribed_state(stand: Stand, state: State, d: Array, R: Array) -> State:

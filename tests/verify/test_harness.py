@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -20,7 +20,7 @@ from mahovik.core.emit.generate import generate, generate_all
 from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.program.types import FLOAT as SINGLE
 from mahovik.core.stand import Stand, State, load, rest_state
-from mahovik.errors import CheckError, StateError, ToolchainError, UsageError
+from mahovik.errors import CheckError, ToolchainError, UsageError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.bounds import FLOAT
@@ -31,7 +31,6 @@ from mahovik.proof.verify.harness import check_batch, judge, verify_c
 from mahovik.proof.verify.report import Report, as_json, as_junit, conclusion, worst_lines
 from mahovik.proof.verify.states import read_line
 from mahovik.stands import path
-from toolchain.quick import quick
 from verify.build import everything
 
 DEMO = load(path("demo3"))
@@ -83,15 +82,6 @@ def test_what_is_no_result_fails_with_a_reason(value: Any, words: str) -> None:
     assert row.reason == words
 
 
-def test_a_refusal_where_the_reference_evaluates_is_a_failure() -> None:
-    def refuse(found: Mapping[str, Any]) -> Any:
-        raise StateError("too fast")
-
-    rows = rows_of(refuse)
-    assert all(row.failed and row.reason == "refused: too fast" for row in rows.values())
-    assert set(rows) == {"V_dot", "Z", "Z0", "energy", "center_of_mass"}
-
-
 def test_statuses_and_nested_results_are_compared() -> None:
     assert difference("OK", "OK", None) == (0.0, "")
     assert difference(5, 6, None) == (math.inf, "5 where the reference has 6")
@@ -111,25 +101,9 @@ def written(folder: Path, stand: Stand, change: Any = lambda name, text: text) -
     return folder
 
 
-@pytest.mark.slow
-def test_c_that_lies_in_a_folder_passes_also_with_foreign_line_ends(tmp_path: Path) -> None:
-    crlf = written(tmp_path, DEMO, lambda name, text: text.replace("\n", "\r\n"))
-    found = verify_c(DEMO, count=10, against=crlf)
-    assert found.passed
-    assert {row.verdict for row in found.rows} == {"ok"}
-    assert "text differs" not in conclusion(found)
-
-
-EMITTED = {
-    "rate of the first moment": ("sum->mu_dot[1] += ", "sum->mu_dot[1] -= ", {"K_dot"}),
-    "Theta_ff of the table": ("sum->mu[0] += ", "sum->mu[1] += ", {"K", "center_of_mass"}),
-    "one harmonic": (".J_2c[0] * c2", ".J_2c[0] * c", {"K"}),
-}
-
-
-@pytest.mark.parametrize("name", quick(1, EMITTED))
-def test_a_term_broken_in_the_emitted_c_is_caught(name: str, tmp_path: Path) -> None:
-    old, new, expected = EMITTED[name]
+def test_a_term_broken_in_the_emitted_c_is_caught(tmp_path: Path) -> None:
+    """The sign of a rate of the first moment."""
+    old, new = "sum->mu_dot[1] += ", "sum->mu_dot[1] -= "
     stand = load(path("bench8"))
 
     def change(file: str, text: str) -> str:
@@ -140,7 +114,7 @@ def test_a_term_broken_in_the_emitted_c_is_caught(name: str, tmp_path: Path) -> 
 
     found = verify_c(stand, count=6, against=written(tmp_path, stand, change))
     assert not found.passed
-    assert expected <= {row.quantity for row in found.failures}
+    assert {"K_dot"} <= {row.quantity for row in found.failures}
     assert any(row.verdict == "not compared" for row in found.rows)
     assert conclusion(found).endswith("; text differs from this version's")
     lines = worst_lines(found).splitlines()

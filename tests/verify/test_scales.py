@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,10 +12,8 @@ from mahovik.core.stand import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.errors import StateError
 from mahovik.proof import reference
-from mahovik.proof.second import Second
-from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.harness import applicable, judge
+from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.scales import WANT_SCALES, scales
 
 ROUNDING = 1 + 1e-9  # of the scale's own sums; the bound itself is exact
@@ -63,14 +60,3 @@ def test_a_quantity_is_never_larger_than_its_scale(want: str) -> None:
 @pytest.mark.parametrize("tables", HOLDS)
 def test_a_reaction_is_never_larger_than_its_scale(tables: str) -> None:
     assert check_bounds(held_stand(tables), "reaction", 3)
-
-
-@pytest.mark.parametrize("seed", [3, 4])
-def test_a_stand_that_is_held_by_an_added_mass_of_1e12_is_solved_to_rounding(seed: int) -> None:
-    """Rows of the flywheels are 1e16 times smaller than those of the carrier: the reference loses no digits to that."""
-    rng = np.random.default_rng(seed)
-    free = random_stand(rng, 2, EVERYTHING)
-    held = tuple(tuple(1e12 if i == j else 0.0 for j in range(6)) for i in range(6))
-    stand = replace(free, carrier=replace(free.carrier, added_mass=held))  # type: ignore[arg-type]  # 6 rows of 6
-    rows = judge(stand, NumpyBackend(stand), draw(stand, seed, 12), ["forward", "coupled"], second=Second(stand))
-    assert [(row.quantity, row.second) for row in rows if row.failed or (row.second or 0.0) > 1e-13] == []
