@@ -28,37 +28,8 @@ NOT_RUN = {
 }
 """Blocks that no test runs, by page and how they begin; and why."""
 
-SLOW = {
-    "README.md",
-    "docs/balancing.md",
-    "docs/batch.md",
-    "docs/campaigns.md",
-    "docs/c-interface.md",
-    "docs/control.md",
-    "docs/delivery.md",
-    "docs/design.md",
-    "docs/diagnosis.md",
-    "docs/howto/added-mass.md",
-    "docs/howto/control-loop-1khz.md",
-    "docs/howto/cross-validation.md",
-    "docs/howto/field-log.md",
-    "docs/howto/own-stand.md",
-    "docs/howto/vibration-table.md",
-    "docs/measured-data.md",
-    "docs/other-programs.md",
-    "docs/planning.md",
-    "docs/programmes.md",
-    "docs/proofs.md",
-    "docs/studies.md",
-    "docs/targets.md",
-    "docs/tutorial-held-examples.md",
-    "docs/tutorial-held.md",
-    "docs/tutorial-pendulum.md",
-    "docs/tutorial-satellite.md",
-    "docs/tutorial.md",
-    "docs/verification.md",
-}
-"""Pages whose commands take more than three seconds in all: `make test-slow`."""
+QUICK = {"docs/commands.md", "docs/stand-file.md"}
+"""Pages whose commands take less than three seconds in all; the others are run by `make nightly`."""
 
 TOOLS = {
     "gcc ": [("gcc", "gcc")],
@@ -83,7 +54,7 @@ def runnable(page: Path) -> bool:
 
 
 EXECUTED = [
-    pytest.param(page, id=name(page), marks=[pytest.mark.slow] if name(page) in SLOW else [])
+    pytest.param(page, id=name(page), marks=[] if name(page) in QUICK else [pytest.mark.slow])
     for page in PAGES
     if runnable(page)
 ]
@@ -100,10 +71,9 @@ def test_commands_give_what_is_shown(page: Path, tmp_path: Path) -> None:
 
 
 def test_the_lists_name_what_is_there() -> None:
-    """No entry for a page or block that is gone; none of a page that has nothing to run."""
+    """No entry for a block that is gone."""
     for where, start in NOT_RUN:
         assert any(step.block.text.startswith(start) for step in steps(ROOT / where)), (where, start)
-    assert {name(page) for page in PAGES if runnable(page)} >= SLOW
 
 
 def test_the_page_of_commands_is_what_help_says() -> None:

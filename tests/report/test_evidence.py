@@ -53,9 +53,12 @@ def test_the_folder_is_whole_and_sealed(tmp_path: Path) -> None:
     assert (done.returncode, done.stdout + done.stderr) == (0, b"")
     (folder / "raw" / "good" / "output.txt").write_text("better\n")
     (folder / "c" / "demo3.h").unlink()
+    (folder / "demo3.toml").unlink()
+    (folder / "demo3.toml").symlink_to(DEMO3)  # the same text, but not what was written
     (folder / "more.txt").write_text("")
     found = [line.replace(str(folder), "") for line in check(folder)]
-    assert found == ["/c/demo3.h: is missing", "/raw/good/output.txt: was changed", "/more.txt: is not listed"]
+    changed = ["/demo3.toml: was changed", "/raw/good/output.txt: was changed"]
+    assert found == ["/c/demo3.h: is missing", *changed, "/more.txt: is not listed"]
 
 
 def test_verdicts_are_summed_up(tmp_path: Path) -> None:
