@@ -17,8 +17,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import threading
-import time
 import tomllib
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -78,9 +76,9 @@ def state_of(copy: Path) -> str:
 
 def run_tests(copy: Path, tests: Sequence[str], *options: str) -> tuple[int, str]:
     """Exit status of pytest, and the end of what it printed."""
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options]
+    ids = [f"tests/{test}" for test in tests]
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, *ids]
     environment = os.environ | {"PYTHONPATH": str(copy / "generator"), "CI": "1"}
-    command += [f"tests/{test}" for test in tests]
     try:
         done = subprocess.run(
             command, cwd=copy, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
@@ -93,8 +91,7 @@ def run_tests(copy: Path, tests: Sequence[str], *options: str) -> tuple[int, str
 
 def judge(copy: Path, fault: Fault) -> str:
     """Plant the fault in the copy, run its tests, take it out again."""
-    path = copy / fault.file
-    text = path.read_text(encoding="utf-8") if path.is_file() else ""
+    text = path.read_text(encoding="utf-8") if (path := copy / fault.file).is_file() else ""
     if (count := text.count(fault.before)) != 1:
         return f"DOES NOT APPLY: its text is {count} times in {fault.file}"
     shutil.copy2(path, original := path.with_name(f"{path.name}.original"))
@@ -114,7 +111,7 @@ def main() -> int:
     options = parser.parse_args()
     chosen = read_faults(options.words)
     kept = json.loads(VERDICTS.read_text()) if VERDICTS.is_file() and not options.again else {}
-    lock, copies = threading.Lock(), queue.Queue[Path]()
+    copies = queue.Queue[Path]()
     VERDICTS.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="mahovik-faults-") as folder:
         for number in range(COPIES):
@@ -130,17 +127,18 @@ def main() -> int:
             print(f"{said}\nnot all of these tests pass without a fault: nothing was planted")
             return 1
 
-        def take(fault: Fault) -> None:
-            copy, begin = copies.get(), time.monotonic()
-            verdict = judge(copy, fault)
-            copies.put(copy)
-            with lock:
-                print(f"{verdict}  {fault.name} ({time.monotonic() - begin:.0f} s)", flush=True)
-                kept[keys[fault]] = verdict
-                VERDICTS.write_text(json.dumps(kept))
+        def take(fault: Fault) -> str:
+            copy = copies.get()
+            try:
+                return judge(copy, fault)
+            finally:
+                copies.put(copy)
 
         with ThreadPoolExecutor(COPIES) as pool:
-            list(pool.map(take, left))
+            for fault, verdict in zip(left, pool.map(take, left), strict=True):
+                print(f"{verdict}  {fault.name}", flush=True)
+                kept[keys[fault]] = verdict
+                VERDICTS.write_text(json.dumps(kept))
     red = [fault for fault in chosen if kept[keys[fault]] != CAUGHT]
     print(*(f"{kept[keys[fault]]}  {fault.name}" for fault in red), sep="\n", end="\n" if red else "")
     print(f"{len(chosen) - len(red)} of {len(chosen)} faults are caught")
