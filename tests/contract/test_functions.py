@@ -4,19 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
-from mahovik.contract.functions import CHOSEN, FUNCTIONS, ROWS, WANTS, PublicFunction, row_of, task_of, wants_of
+from mahovik.contract.functions import FUNCTIONS, PublicFunction, row_of, task_of
 from mahovik.core.lower.program import lower
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Hold, Task, TaskRow
 from mahovik.core.stand.read import load
-from mahovik.proof.rigorous.evaluate import ANSWERS
-from mahovik.proof.second.evaluate import PROBLEMS
 from mahovik.proof.verify.program_backend import with_all_inputs
 from mahovik.stands import path
 
@@ -53,15 +50,6 @@ def test_rows_have_arguments_and_equations_of_the_programs(programs: list[Functi
     assert {name: taken for name, taken in seen.items() if taken != set(FUNCTIONS[name].takes)} == {}
 
 
-def test_every_row_says_where_its_equation_stands() -> None:
-    """Numbers of the paper, or a heading of a page."""
-    docs = Path(__file__).resolve().parents[2] / "docs"
-    pages = [(docs / name).read_text(encoding="utf-8") for name in ("model.md", "c-interface.md")]
-    headings = {line.lstrip("# ") for page in pages for line in page.splitlines() if line.startswith("##")}
-    rows = (*ROWS.values(), *CHOSEN.values(), row_of("inverse_lap"), row_of("torque_for_lap"))
-    assert [row.name for row in rows if row.equation[:1] != "(" and row.equation not in headings] == []
-
-
 def test_functions_of_tasks_have_the_rows_of_their_forms() -> None:
     """No name of a task makes the name of another function: a task named `at_fast` is one, too."""
     rows = tuple(Task(name, (TaskRow("", "wz"),)) for name in ("pointing", "at_fast", "inverse"))
@@ -84,9 +72,3 @@ def test_a_want_without_a_referee_is_refused() -> None:
         PublicFunction("momentum_rate", "", ("x",), ("Z_dot",), ("exact",), want=True)
     with pytest.raises(ValueError, match="expected judges among"):
         PublicFunction("momentum_rate", "", ("x",), ("Z_dot",), ())
-
-
-def test_referees_answer_the_wants_of_their_rows_and_no_others() -> None:
-    assert set(PROBLEMS) | {"generalized"} == set(wants_of("second"))
-    assert set(ANSWERS) == set(wants_of("rigorous"))
-    assert set(wants_of("reference")) == set(WANTS)

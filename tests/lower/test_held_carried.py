@@ -64,18 +64,3 @@ def wandered(name: str, function: str) -> np.ndarray:
 def test_the_pivot_stays_within_the_place_of_a_float(name: str) -> None:
     """A unit in the last place of a float 96 m away is 7.6e-6 m; 20,000 roundings of it would be far more."""
     assert np.abs(wandered(name, "step_carried")).max() < 0.75 * ULP
-
-
-def test_a_plane_does_not_leave_itself_and_slides_as_far_as_it_should() -> None:
-    """Across the plane nothing; in it, short steps in float with a carry go where long ones in double go.
-
-    Without a carry they end a hundredth of a metre beside it.
-    """
-    far = wandered("plane", "step_carried")
-    assert abs(far[1]) < ULP
-    exact = CBackend(stand_of("plane"))
-    end = end_of_steps(exact, "step", start("plane"), 0.5, 500, order=4)
-    way = pivot(end) - np.array(start("plane").position) - np.array(PIVOT)
-    assert np.abs(way).max() > 0.1
-    assert np.abs(far - way).max() < 4 * ULP
-    assert np.abs(wandered("plane", "step") - way).max() > 1000 * ULP

@@ -16,9 +16,9 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.stands import path
 from toolchain.quick import quick
 
-COUNTS = (1, 5, 6, 7, 12, 64)
+COUNTS = (1, 5, 6, 7, 12)
 ABILITIES = ("most", "motor_torque", "motor_speed")
-LIMITED = (1, 5, 6, 8, 12, 24)
+LIMITED = (1, 5, 6, 8, 12)
 
 
 @cache
@@ -69,7 +69,7 @@ def scaled(c: CBackend, given: dict[str, Any]) -> tuple[np.ndarray, np.ndarray, 
 
 
 @pytest.mark.parametrize("count", COUNTS)
-@pytest.mark.parametrize("spread", [1.0, 1e3, 1e6])
+@pytest.mark.parametrize("spread", [1e3, 1e6])
 def test_singular_values_and_rank_know_no_weights(count: int, spread: float) -> None:
     """sigma, rank and status are those of K^-1/2 I Theta_ff^-1/2; what is attainable stays so."""
     c = backend_of(count)
@@ -83,7 +83,7 @@ def test_singular_values_and_rank_know_no_weights(count: int, spread: float) -> 
 
 
 @pytest.mark.parametrize("count", LIMITED)
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(2))
 def test_bounded_answers_are_near_the_best_there_is(count: int, seed: int) -> None:
     """SciPy's bounded least squares is the judge: the same residual, and reached where it can be."""
     c = backend_of(count)
@@ -100,7 +100,7 @@ def test_bounded_answers_are_near_the_best_there_is(count: int, seed: int) -> No
     assert bool(status & STATUS_VALUES["UNREACHABLE"]) == (reached > 1e-9 * np.linalg.norm(demand))
 
 
-@pytest.mark.parametrize("count", [7, 12, 24])
+@pytest.mark.parametrize("count", [7, 12])
 @pytest.mark.parametrize("spread", [1.0, 1e6])
 def test_far_out_of_reach_the_residual_is_the_least(count: int, spread: float) -> None:
     """Limits of a tenth to a third of what is asked: flywheels are held and freed many times before the end."""
@@ -155,29 +155,22 @@ def test_the_hardest_direction_has_the_least_singular_value() -> None:
 
 
 @pytest.mark.parametrize(
-    "options",
+    ("option", "value", "status"),
     [
-        {"limit": [0.0] * 6},
-        {"near_singular": 1.5},
-        {"damping": -0.1},
-        {"motor_viscous": [0.0] * 5 + [-1e-3]},
-        {"motor_coulomb": [-1e-3] + [0.0] * 5},
-        {"motor_coulomb_speed": [1.0] * 5 + [0.0]},
+        ("limit", [0.0] * 6, "BAD_ARGUMENT"),
+        ("near_singular", 1.5, "BAD_ARGUMENT"),
+        ("damping", -0.1, "BAD_ARGUMENT"),
+        ("motor_viscous", [0.0] * 5 + [-1e-3], "BAD_ARGUMENT"),
+        ("motor_coulomb", [-1e-3] + [0.0] * 5, "BAD_ARGUMENT"),
+        ("motor_coulomb_speed", [1.0] * 5 + [0.0], "BAD_ARGUMENT"),
+        ("weight", [float("nan")] + [1.0] * 5, "NOT_FINITE"),
+        ("limit", [float("nan")] * 6, "NOT_FINITE"),
+        ("near_singular", float("nan"), "NOT_FINITE"),
+        *(("weight", [weight] + [1.0] * 5, "RANGE") for weight in (0.0, -1.0, 0.99e-6, 1.01e6)),
     ],
 )
-def test_bad_options_are_refused(options: dict[str, Any]) -> None:
-    assert ask(backend_of(6), **options)[1] == STATUS_VALUES["BAD_ARGUMENT"]
-
-
-def test_not_a_number_among_options_is_refused() -> None:
-    assert ask(backend_of(6), weight=[float("nan")] + [1.0] * 5)[1] == STATUS_VALUES["NOT_FINITE"]
-    assert ask(backend_of(6), limit=[float("nan")] * 6)[1] == STATUS_VALUES["NOT_FINITE"]
-    assert ask(backend_of(6), near_singular=float("nan"))[1] == STATUS_VALUES["NOT_FINITE"]
-
-
-@pytest.mark.parametrize("weight", [0.0, -1.0, 0.99e-6, 1.01e6])
-def test_a_weight_out_of_its_range_is_RANGE_on_either_side(weight: float) -> None:
-    assert ask(backend_of(6), weight=[weight] + [1.0] * 5)[1] == STATUS_VALUES["RANGE"]
+def test_bad_options_are_refused(option: str, value: Any, status: str) -> None:
+    assert ask(backend_of(6), **{option: value})[1] == STATUS_VALUES[status]
 
 
 @pytest.mark.parametrize("function", ["inverse", "inverse_fast"])

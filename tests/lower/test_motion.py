@@ -170,20 +170,6 @@ def test_a_null_pointer_is_refused() -> None:
 
 
 @pytest.mark.slow
-def test_a_locked_flywheel_is_one_more_rigid_body() -> None:
-    """All locked, all at rest on the carrier: the motion of forward with phi'' = 0."""
-    c = everything()
-    x = start(c)
-    x["phi_dot"] = [0.0] * len(x["phi"])
-    given = inputs(c, x, locked=[1] * len(x["phi"]), tau=[1e9] * len(x["phi"]))
-    moved = c.call("coupled", given)[1]
-    held = c.call("forward", given | {"phi_ddot": [0.0] * len(x["phi"])})[1]
-    assert moved["phi_ddot"] == [0.0] * len(x["phi"])
-    scale = np.abs(held["V_dot"]).max()
-    assert np.array(moved["V_dot"]) == pytest.approx(np.array(held["V_dot"]), abs=1e-12 * scale)
-
-
-@pytest.mark.slow
 @pytest.mark.parametrize("speed", quick(1, [2e3, -2e3]))
 def test_a_step_over_too_many_turns_is_refused_in_float(speed: float) -> None:
     """A phase that a float cannot hold to its digits is out of range, not a worse answer."""

@@ -13,12 +13,13 @@ from mahovik.core.lower.limits import limits
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.random import random_state
 from mahovik.laws.leg.data import legs_of
+from toolchain.quick import quick
 
-NAMES = ("everything6", "hung5", "bare5", "everything0")
+NAMES = ("hung5", "bare5", "everything0", "everything6")
 LIMIT = {name: limit.value for name, limit in limits(DOUBLE).items()}
 
 
-@pytest.fixture(scope="module", params=NAMES)
+@pytest.fixture(scope="module", params=quick(3, NAMES))
 def c(request: pytest.FixtureRequest) -> Compiled:
     """A compiled stand."""
     return compiled(str(request.param))
@@ -64,45 +65,27 @@ def limit_of(path: NumberPath) -> float | None:
     return None
 
 
-def test_not_finite_in_any_element(c: Compiled) -> None:
+def test_any_element_that_is_not_finite_or_beyond_its_range(c: Compiled) -> None:
+    """At the limit itself every element is accepted."""
     inputs = ordinary(c)
-    count = 0
     for function, taken in functions(c):
         for path in places(c, function, taken, inputs):
             for number in NOT_FINITE:
                 refuses(c, function, spoiled(inputs, path, number), "NOT_FINITE")
-                count += 1
-    assert count > 300
-
-
-def test_beyond_the_range_in_any_element(c: Compiled) -> None:
-    inputs = ordinary(c)
-    for function, taken in functions(c):
-        for path in places(c, function, taken, inputs):
             limit = limit_of(path)
-            if limit is not None:
-                for number in (
-                    math.nextafter(limit, math.inf),
-                    -math.nextafter(limit, math.inf),
-                    -1e300,
-                    LIMIT["LARGEST"],
-                ):
-                    refuses(c, function, spoiled(inputs, path, number), "RANGE")
-
-
-def test_at_the_limit_every_element_is_accepted(c: Compiled) -> None:
-    inputs = ordinary(c)
-    for function, taken in functions(c):
-        for path in places(c, function, taken, inputs):
-            limit = limit_of(path)
-            if limit is not None and path != ("angles", 1):  # at its limit theta may be singular: see below
+            if limit is None:
+                continue
+            above = math.nextafter(limit, math.inf)
+            for number in (above, -above, -1e300, LIMIT["LARGEST"]):
+                refuses(c, function, spoiled(inputs, path, number), "RANGE")
+            if path != ("angles", 1):  # at its limit theta may be singular: see below
                 for number in (limit, -limit):
                     accepts(c, function, spoiled(inputs, path, number))
 
 
 def test_everything_at_its_limit_gives_finite_results(c: Compiled) -> None:
     rng = np.random.default_rng(4)
-    for _ in range(20):
+    for _ in range(5):
         inputs = ordinary(c)
         for path in numbers(inputs):
             limit = limit_of(path)

@@ -38,47 +38,6 @@ def gains(**changed: Any) -> dict[str, Any]:
     return found | changed
 
 
-def law(g: dict[str, Any], state: dict[str, Any], row: dict[str, Any]) -> tuple[Any, bool]:
-    """One sample in plain NumPy; `state` goes on."""
-    error = row["phi_ref"] - row["phi"]
-    error -= 2 * np.pi * np.round(error / (2 * np.pi))
-    state["speed"] = state["speed"] + g["filter"] * (row["phi_dot_ref"] - row["phi_dot"] - state["speed"])
-    x = np.clip(np.array(g["coulomb_rate"]) * row["phi_dot_ref"], -3, 3)
-    dry = np.tanh(x)
-    friction = np.array(g["viscous"]) * row["phi_dot_ref"] + np.array(g["coulomb"]) * dry
-    u = row["tau_ff"] + friction + np.array(g["angle"]) * error + np.array(g["speed"]) * state["speed"]
-    u = u + state["integral"]
-    tau = np.clip(u, -np.array(g["limit"]), g["limit"])
-    tau = np.clip(tau, state["torque"] - g["change"], state["torque"] + np.array(g["change"]))
-    z = state["integral"] + np.array(g["integral"]) * error + np.array(g["back"]) * (tau - u)
-    state["integral"], state["torque"] = np.clip(z, -np.array(g["limit"]), g["limit"]), tau
-    return tau, bool(np.any(tau != u))
-
-
-@pytest.mark.parametrize("coulomb", [[0.0, 0.0], [0.2, 0.0]])
-def test_a_run_is_its_law(coulomb: list[float]) -> None:
-    rng, run = np.random.default_rng(3), interpreter().run
-    g = gains(coulomb=coulomb)
-    mine = {name: np.zeros(N) for name in ("speed", "integral", "torque")}
-    state, cut = run("servo_reset", {})[1]["state"], []
-    for _ in range(200):
-        row = {name: rng.normal(size=N) for name in ("phi_ref", "phi_dot_ref", "tau_ff")}
-        row |= {"phi": row["phi_ref"] - 0.2 * rng.normal(size=N), "phi_dot": row["phi_dot_ref"] - rng.normal(size=N)}
-        before = {name: each.copy() for name, each in mine.items()}
-        status, found = run("servo_step", {"gains": g, "state": state, **row})
-        tau, limited = law(g, mine, row)
-        tolerance = 0.025 * coulomb[0] + 1e-12  # Pade's tanh
-        assert np.allclose(found["tau"], tau, rtol=0, atol=2 * tolerance)
-        if not coulomb[0]:
-            assert status == (LIMITED if limited else OK)
-            assert all(np.allclose(found["state"][name], mine[name], atol=1e-12) for name in before)
-        else:
-            mine = {name: np.array(found["state"][name]) for name in mine}
-        state = found["state"]
-        cut.append(limited)
-    assert 20 < sum(cut) < 180  # limits were met, and not always
-
-
 @pytest.mark.parametrize("name", ["phi_ref", "phi_dot_ref", "tau_ff", "phi", "phi_dot"])
 def test_refusals_write_nothing(name: str) -> None:
     run = interpreter().run
@@ -124,42 +83,6 @@ def design(response: np.ndarray, target: np.ndarray, **changed: Any) -> dict[str
         "target": target.reshape(C, T).tolist(), "matrix": (0.6 * np.linalg.pinv(response)).tolist(),
     }  # fmt: skip
     return found | changed
-
-
-def played(d: dict[str, Any], response: np.ndarray, begin: np.ndarray, rounds: int) -> tuple[Any, np.ndarray]:
-    """A carrier that answers at once: coefficients begin + response c. Returns the state and the coefficients."""
-    run = interpreter(FORM).run
-    held = interpreter(FORM).fill_storage(
-        ServoForm(Layout(structure(load(path("shaker2"))), DOUBLE).count, FORM).design, d
-    )
-    state, k = run("trim_reset", {})[1]["state"], 0
-    while state["rounds"] < rounds:
-        theta = 2 * np.pi * (k % 20) / 20
-        basis = np.array([1, np.cos(theta), np.sin(theta), np.cos(2 * theta), np.sin(2 * theta)])
-        q = (begin + response @ np.ravel(state["present"])).reshape(C, T) @ basis
-        inputs = {"design": held, "state": state, "phase": (k % 20) / 20, "q": q.tolist()}
-        inputs |= {"phi": [1.0, -1.0], "phi_dot": [5.0, 6.0], "tau": [0.0, 0.0]}
-        status, found = run("trim_step", inputs)
-        assert status in (OK, LIMITED)
-        c = np.array(found["state"]["present"])
-        harmonic = np.array([0, 1, 1, 2, 2]) * 60.0
-        slope = np.array([0, -basis[2], basis[1], -2 * basis[4], 2 * basis[3]]) * 60.0
-        assert np.allclose(found["phi"], np.array([1.0, -1.0]) + c @ basis, atol=1e-14)
-        assert np.allclose(found["phi_dot"], np.array([5.0, 6.0]) + c @ slope, atol=1e-12)
-        assert np.allclose(found["tau"], -np.array([0.01, 0.02]) * (c @ (harmonic**2 * basis)), atol=1e-12)
-        state, k = found["state"], k + 1
-    return state, begin + response @ np.ravel(state["wanted"])
-
-
-def test_a_trim_removes_its_part_of_the_error_each_round() -> None:
-    rng = np.random.default_rng(5)
-    response, begin, target = rng.normal(size=(C * T, N * T)), 0.1 * rng.normal(size=C * T), np.zeros(C * T)
-    target[1] = 0.05
-    begin *= 0.3
-    errors = [np.linalg.norm(played(design(response, target), response, begin, n)[1] - target) for n in (1, 2)]
-    first = np.linalg.norm(begin - target)
-    assert errors[0] == pytest.approx(0.4 * first, rel=1e-6)
-    assert errors[1] == pytest.approx(0.16 * first, rel=1e-4)  # the smoothing has settled
 
 
 def test_a_trim_refuses_what_it_did_not_make() -> None:

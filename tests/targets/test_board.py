@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from mahovik.core.toolchain import targets as targets_module
-from mahovik.core.toolchain.board import build, run, version
+from mahovik.core.toolchain.board import build, run
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.errors import ToolchainError
 from targets.boards import EMBEDDED, QUICK, target
@@ -120,13 +120,6 @@ def test_a_status_and_an_endless_loop_are_errors(name: str, tmp_path: Path) -> N
         run(found, build(found, {"three.c": endless}, tmp_path), timeout=1)
 
 
-def test_what_does_not_compile_is_one_line(tmp_path: Path) -> None:
-    found = target("m7")
-    with pytest.raises(ToolchainError, match=r"^arm-none-eabi-gcc refused bad\.c: bad\.c:1:") as caught:
-        build(found, {"bad.c": "int main(void) { return missing; }\n"}, tmp_path)
-    assert "\n" not in str(caught.value)
-
-
 @pytest.mark.parametrize("name", TARGETS)
 def test_a_missing_tool_says_what_installs_it(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """On a machine without compilers."""
@@ -142,8 +135,19 @@ def test_a_processor_without_the_instructions_is_told(monkeypatch: pytest.Monkey
     assert TARGETS["host"].obstacle() == ""
 
 
-def test_version_is_name_and_number() -> None:
-    found = target("m7")
-    command, number = version(found.compiler[0]).split()
-    assert command == "arm-none-eabi-gcc"
-    assert [part.isdigit() for part in number.split(".")] == [True] * 3
+SUM = """
+#include "board.h"
+int main(void)
+{
+    volatile double a = 0x1.1528dff976422p-99, b = -0x1p-66, sum = a + b;
+    board_print(sum == -0x1.fffffffeead72p-67 ? "nearest" : sum == -0x1.fffffffeead73p-67 ? "wrong way" : "other");
+    return 0;
+}
+"""
+
+
+@pytest.mark.parametrize(("name", "answer"), [("m4", "wrong way"), ("m7", "nearest"), ("rv32imac", "nearest")])
+def test_sums_of_doubles_by_software(name: str, answer: str, tmp_path: Path) -> None:
+    """The library of gcc for Arm rounds some the wrong way, as docs/targets.md says."""
+    found = target(name)
+    assert run(found, build(found, {"sum.c": SUM}, tmp_path, extra=("-Wno-float-equal",))) == answer

@@ -5,12 +5,11 @@ from __future__ import annotations
 import json
 import re
 import xml.etree.ElementTree as ET
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from cli.run import DEMO3, refused, run
+from cli.run import DEMO3, run
 from mahovik.core.stand import load
 from mahovik.core.toolchain import board
 from mahovik.core.toolchain.targets import TARGETS
@@ -54,15 +53,6 @@ def test_fused_products_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     assert not found.passed
 
 
-@pytest.mark.slow
-def test_c_that_does_not_compile_is_a_failure() -> None:
-    good = target("m7")
-    bad = replace(good, compiler=(*good.compiler, "-DDEMO3_MAX_PHASE=1"))
-    (row,) = verify_targets(load(DEMO3), [(bad, "double")], sweep=2).rows
-    assert row.verdict == "FAILED"
-    assert row.reason.startswith("arm-none-eabi-gcc refused demo3")
-
-
 def row(verdict: str, reason: str = "") -> TargetRow:
     return TargetRow("m7", "Cortex-M7", "gcc 1.2.3 -O2", "double", 20, 5, verdict, reason)
 
@@ -99,19 +89,6 @@ def test_names_of_targets() -> None:
 
 
 @pytest.mark.slow
-def test_command_prints_a_table_and_writes_junit(tmp_path: Path) -> None:
-    target("m7")
-    result = run(
-        *("verify", DEMO3, "--targets", "m7", "--real", "double", "--states", "2"),
-        *("--junit", str(tmp_path / "report.xml")),
-    )
-    assert result.exit_code == 0, result.output
-    assert "arm-none-eabi-gcc" in result.stdout
-    assert "passed: the same bits on 1 pair" in result.stdout
-    assert ET.parse(tmp_path / "report.xml").getroot().get("tests") == "1"
-
-
-@pytest.mark.slow
 def test_a_missing_emulator_is_told_and_is_no_pass(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """With gcc alone on the path, as on a user's machine."""
     for command in ("gcc", "cc", "as", "ld"):
@@ -128,8 +105,3 @@ def _which(command: str) -> str:
     found = shutil.which(command)
     assert found is not None
     return found
-
-
-def test_options_that_do_not_go_together() -> None:
-    assert "--targets" in refused("verify", DEMO3, "--targets", "m7", "--judges")
-    assert "unknown" in refused("verify", DEMO3, "--targets", "M7x")

@@ -17,18 +17,12 @@ from toolchain.quick import quick
 from toolchain.tools import require, run
 
 FAULTS = {
-    "a loop one row too long": (
-        "any_torque",
-        "for (int s = 0; s < DEMO3_N; ++s) {",
-        "for (int s = 0; s <= DEMO3_N; ++s) {",
-    ),
     "a result not written": ("any_forward", "    y[3] = y1;      ", "    "),
     "a result written on refusal": (
         "any_forward",
         "phi_ddot == NULL || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }\n",
         "phi_ddot == NULL || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }\n    V_dot[0] = 0.0;\n",
     ),
-    "a state not checked": ("any_forward", "demo3_check_motion(x, phi_ddot, DEMO3_MAX_ACCELERATION)", "DEMO3_OK"),
     "a sum of squares with too large a limit": (
         "routine_check_state",
         "&& phase2 < DEMO3_MAX_PHASE * DEMO3_MAX_PHASE) { return DEMO3_OK; }",

@@ -62,13 +62,3 @@ def test_nothing_is_begun_any_more() -> None:
         raise KeyboardInterrupt
     assert [words.rpartition(": ")[2] for words in after] == ["not started, interrupted"]
     assert process.run(BRIEF).stdout == "done\n"
-
-
-def test_programs_of_others_go_on() -> None:
-    """A pool that fails leaves alone what the pool around it runs beside."""
-    with process.side_by_side() as pool:
-        beside = pool.submit(process.run, BRIEF)
-        until_running(1)
-        with pytest.raises(ToolchainError, match="wrong"), process.side_by_side():
-            raise ToolchainError("wrong")
-        assert beside.result().stdout == "done\n"
