@@ -130,17 +130,6 @@ def test_a_status_that_is_ignored_is_a_warning(tmp_path: Path) -> None:
         run(require("g++", "g++"), "-std=c++17", "-Wall", "-Werror", "-fsyntax-only", user)
 
 
-def test_a_header_of_another_stand_is_refused(tmp_path: Path) -> None:
-    made = generated("bench8")
-    write({**made.files, **cpp_header(stand("bench8"), made)}, tmp_path)
-    header = tmp_path / "bench8.h"
-    header.write_text(re.sub(r"(PHYSICS +0x)[0-9a-f]{8}", r"\g<1>00000001", header.read_text()))
-    user = tmp_path / "user.cpp"
-    user.write_text('#include "bench8.hpp"\n')
-    with pytest.raises(AssertionError, match="are of different stands"):
-        run(require("g++", "g++"), "-std=c++17", "-fsyntax-only", user)
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["std", "near", "N"])
 def test_names_that_clash(name: str, tmp_path: Path) -> None:

@@ -9,11 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from cli.run import refused
-from cli.run import run as cli
 from emit.stands import stand, write
 from mahovik.core.emit.generate import generate, generate_all
-from mahovik.stands import path
 from toolchain.tools import compile_c, require, run
 
 CALLER = """
@@ -86,25 +83,3 @@ shaker2_status shaker2_wrap(shaker2_real phi, shaker2_real *wrapped)
     assert linked("gcc", caller, mock.with_suffix(".o")) == ""
     compile_c("gcc", mock, "-DSHAKER2_PLAIN_NAMES", "-c", "-o", mock.with_suffix(".o"))
     assert " T shaker2_wrap\n" in run(require("nm", "binutils"), mock.with_suffix(".o"))
-
-
-@pytest.mark.slow
-def test_float_and_double_lie_in_one_image_under_two_names(tmp_path: Path) -> None:
-    assert cli("generate", str(path("shaker2")), "-o", str(tmp_path)).exit_code == 0
-    given = ("--real", "float", "--prefix", "shaker2f", "-o", str(tmp_path / "f"))
-    assert cli("generate", str(path("shaker2")), *given).exit_code == 0
-    assert cli("generate", str(path("shaker2")), *given, "--check").exit_code == 0
-    (tmp_path / "main.c").write_text("""#include "shaker2.h"
-#include "f/shaker2f.h"
-int main(void)
-{
-    shaker2_real a;
-    shaker2f_real b;
-    typedef char two_types[sizeof a == 8 && sizeof b == 4 ? 1 : -1];
-    (void)sizeof(two_types);
-    return (int)shaker2_wrap(1, &a) + (int)shaker2f_wrap(1, &b);
-}
-""")
-    compile_c("gcc", tmp_path / "main.c", tmp_path / "shaker2.c", tmp_path / "f" / "shaker2f.c", "-o", tmp_path / "two")
-    subprocess.run([tmp_path / "two"], check=True, timeout=60)
-    assert "--prefix 2f: " in refused("generate", str(path("shaker2")), "--prefix", "2f")

@@ -10,19 +10,10 @@ from pathlib import Path
 import pytest
 
 from emit.stands import stand, write
-from export.programmes import exported as programme
-from export.servos import exported as servos
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.program.function import Program
 from mahovik.core.program.walk import called_names
 from toolchain.tools import compile_c, require
-
-ROOM = 1104
-"""A stated bound may be at most three times the measured stack and this many bytes more.
-
-Two kinds of function need the extra bytes: small ones, because the bound is also right for processors that save large
-registers, and `prepare_mounts` in float, because gcc compiles the whole chain of functions below it into one frame.
-"""
 
 LEVELS = ("-O1", "-O2", "-O3", "-Os")
 
@@ -60,12 +51,6 @@ def measured(program: Program, source: Path, compiler: str, level: str) -> dict[
     return chains(program, frames(made.with_suffix(".su"), program.name))
 
 
-def check(bounds: Mapping[str, int], found: Mapping[str, int], room: int) -> None:
-    """Fails where a stated bound is below the measured stack, or above three times that stack and `room` bytes."""
-    for name, bound in bounds.items():
-        assert found[name] <= bound <= 3 * found[name] + room, (name, found[name], bound)
-
-
 @cache
 def generated(name: str, real: str) -> Generated:
     """Program and C of a stand."""
@@ -84,23 +69,3 @@ def test_bounds_hold_for_every_optimisation(name: str, real: str, compiler: str,
         taken = measured(found, source, require(compiler, compiler), level)
         for function, bound in bounds.items():
             assert taken[function] <= bound, (level, function, taken[function])
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("real", ["double", "float"])
-def test_headers_of_servos_and_programmes_state_bounds(real: str, tmp_path: Path) -> None:
-    """Both parts, at all levels, without the functions that gcc leaves no frame."""
-    made, tables = servos("trimmed", real), programme("started", real=real)
-    write({**generated("shaker2", real).files, **made.servo, **tables.files}, tmp_path)
-    for part, own, wrapped in (
-        ("servo", made.program, {}),
-        ("programme", tables.program.program, {c.outer.name: c.inner.name for c in tables.program.courses}),
-    ):
-        source = tmp_path / f"shaker2_{part}.c"
-        bounds = stated(source.with_suffix(".h").read_text())
-        assert bounds
-        for level in LEVELS:
-            taken = measured(own, source, require("gcc", "gcc"), level)
-            outer = frames(source.with_suffix(".su"), "shaker2")
-            taken |= {name: outer[name] + taken[inner] for name, inner in wrapped.items()}
-            check(bounds, taken, ROOM)

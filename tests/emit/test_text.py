@@ -12,10 +12,8 @@ from emit.stands import AIR, HELD, generated, other_numbers, stand
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate, generate_all
 from mahovik.core.program.short_loops import loops_of_no_turn
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.random import Features, random_stand
+from mahovik.core.stand.random import random_stand
 from mahovik.core.stand.structure import structure
-from mahovik.laws.damping.data import Damping
 from toolchain.quick import quick
 
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
@@ -98,29 +96,6 @@ def test_structure_decides_the_text(name: str) -> None:
 def masked_tables(text: str) -> str:
     """The tables without numbers and blanks."""
     return re.sub(r"\s+", "", re.sub(r"-?\b\d+\.\d+(e[-+]?\d+)?\b|-?\b\d+\.\d+e\d+\b", "#", text.split(TABLES)[1]))
-
-
-def copies(given: Stand, count: int) -> Stand:
-    """The stand with its first flywheel `count` times, at other places."""
-    first = given.flywheels[0]
-    wheels = (replace(first, name=f"w{k + 1}", position=(0.01 * k, 0.1, 0.0)) for k in range(count))
-    return replace(given, flywheels=tuple(wheels))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("features", [Features("ship", 2), Features(instruments=0)], ids=["drawn", "carrier"])
-def test_64_flywheels_are_few_lines_more_than_one(features: Features) -> None:
-    """Numbers apart: the code has loops, and the header a name each."""
-    given = random_stand(np.random.default_rng(2), 1, replace(features, wrench_inputs=False, tasks=0), "few")
-    first = given.flywheels[0]
-    damping, of_carrier = first.law(Damping), given.carrier.law(Damping)
-    if damping is not None:  # hydrodynamic derivatives are a row each, as many as the stand file has
-        linear = of_carrier.linear if of_carrier is not None else None
-        first = first.with_laws(replace(damping, terms=(), linear=linear))
-    given = replace(given, flywheels=(first,))
-    made = [generate(copies(given, n)).values() for n in (1, 64)]
-    one, many = (sum(text.split(TABLES)[0].count("\n") for text in texts) for texts in made)
-    assert 0 < many - one <= 40
 
 
 @pytest.mark.parametrize("held", [False, True])

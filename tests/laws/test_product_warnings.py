@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -31,22 +30,6 @@ def test_products_that_count_twice_are_warned_of() -> None:
     assert warnings(plain.replace("-31.2", "31.2").replace("-29.0", "-20.0")) == []
     assert warnings(plain.replace("-31.2", "-35").replace("-29.0", "-20.0")) == []
     assert warnings(plain.replace('["w", "q"]', '["w", "|q|"]').replace("-29.0", "-20.0")) == []
-
-
-def test_products_with_a_viscous_part_are_warned_of_where_they_are_several() -> None:
-    """One of them alone may be near by chance. Of NPS AUV II most are 4 to 25 % apart."""
-    text = (Path(__file__).parents[2] / "docs" / "vehicles" / "nps_auv2.toml").read_text(encoding="utf-8")
-    text = text.replace(f"{KEY}\n", "").replace('wrench = "K", of = ["v", "w"]', 'wrench = "K", of = ["v", "|w|"]')
-    (line,) = warnings(text)
-    assert "damping.terms X w q = -14888 (and 6 more) is near the product of added mass -17865" in line
-    damping = CARRIER + "added_mass = [1, 30, 30, 0, 4, 4]\n[carrier.damping]\nterms = [\n{}]\n"
-    one, other = (
-        '{ wrench = "X", of = ["w", "q"], value = -25 },\n',
-        '{ wrench = "Y", of = ["w", "p"], value = 26 },\n',
-    )
-    assert warnings(damping.format(one)) == warnings(damping.format(other)) == []
-    (line,) = warnings(damping.format(one + other))
-    assert "X w q = -25 (and 1 more) is near the product of added mass -30" in line
 
 
 def test_derivatives_that_contain_no_product_are_warned_of() -> None:

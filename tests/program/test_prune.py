@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Place, integer, select
+from mahovik.core.program.expression import Expr, Place, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.prune import prune
-from mahovik.core.program.statement import Declare, Do, Let, Loop, Set, Statement, When
+from mahovik.core.program.statement import Declare, Let, Loop, Statement, When
 from mahovik.core.program.types import Kind
 from mahovik.core.program.validate import validate
 from program.small import argument, function, program
@@ -42,28 +42,6 @@ def cut(write: Callable[..., None], arguments: Sequence[Argument] | None = None,
 
 
 FILL = function("fill", [argument("x"), argument("a", R, (2,), "out")], lambda body, x, a: body.set(a[0], x))
-STATUS = function("status", [argument("a", R, (2,), "out")], lambda body, a: body.ret(integer(0)), Kind.STATUS)
-
-
-def test_calls_with_a_status_stay() -> None:
-    def write(body: Body, x: Place, out: Place) -> None:
-        a = body.local("a", (2,))
-        body.call(STATUS, a)
-        body.set(out[0], x)
-
-    assert [type(s) for s in cut(write).body] == [Declare, Do, Set]
-
-
-def test_arguments_without_use_are_dropped() -> None:
-    arguments = (argument("x"), argument("unused"), argument("out", R, (2,), "out"))
-
-    def write(body: Body, x: Place, unused: Place, out: Place) -> None:
-        dead = body.local("dead")
-        body.set(dead, unused)
-        body.set(out[0], x)
-
-    assert [a.name for a in cut(write, arguments).arguments] == ["x", "out"]
-    assert [a.name for a in cut(write, arguments, public=False).arguments] == ["x", "out"]
 
 
 class Writer:

@@ -6,16 +6,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mahovik.core.program.build import Body, call
-from mahovik.core.program.expression import Place, Status, integer, real, select, unequal
+from mahovik.core.program.build import Body
+from mahovik.core.program.expression import Place, integer, real, select
 from mahovik.core.program.function import Function
-from mahovik.core.program.idle_calls import without_idle_calls
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.short_loops import without_short_loops
-from mahovik.core.program.statement import Declare
 from mahovik.core.program.types import Kind, NamedCount
 from mahovik.core.program.validate import validate
-from mahovik.core.program.walk import called_names, statements
+from mahovik.core.program.walk import statements
 from program.small import argument, function, program
 
 ROWS = 3
@@ -81,32 +79,3 @@ def test_a_loop_of_no_turn_is_no_program() -> None:
     with pytest.raises(ValueError, match="f: the loop over k has no turn"):
         validate(program(f))
     assert not list(statements(without_short_loops(f).body))
-
-
-def test_calls_that_only_return_ok_go_with_their_checks() -> None:
-    idle = function("idle", [], lambda body: body.ret(Status("OK")), Kind.STATUS, public=False)
-    strict = function("strict", [], lambda body: body.ret(Status("RANGE")), Kind.STATUS, public=False)
-
-    def write(body: Body, out: Place) -> None:
-        status = body.local("status", (), Kind.STATUS)
-        for each in (idle, strict):
-            body.set(status, call(each))
-            with body.when(unequal(status, Status("OK"))):
-                body.ret(status)
-        body.set(out[0], real(1))
-        body.ret(Status("OK"))
-
-    def only_idle(body: Body, out: Place) -> None:
-        status = body.local("status", (), Kind.STATUS)
-        body.set(status, call(idle))
-        with body.when(unequal(status, Status("OK"))):
-            body.ret(status)
-        body.set(out[0], real(1))
-
-    out = [argument("out", Kind.REAL, (1,), "out")]
-    both, one = function("f", out, write, Kind.STATUS), function("g", out, only_idle)
-    found = without_idle_calls([idle, strict, both, one])
-    assert called_names(found[2].body) == {"strict"}
-    assert called_names(found[3].body) == set()
-    assert not any(isinstance(s, Declare) for s in found[3].body)
-    validate(program(*found))

@@ -116,13 +116,6 @@ def test_every_float_angle_of_two_binades() -> None:
         assert error(cosine, np.cos(angles.astype(np.float64)), FLOAT) <= SINCOS
 
 
-def test_every_float_significand_has_the_right_root() -> None:
-    for first in range(127 << 23, 129 << 23, 1 << 22):
-        numbers = np.arange(first, first + (1 << 22), dtype=np.uint32).view(np.float32)
-        (root,) = run(FLOAT, "sqrt", numbers)
-        assert np.array_equal(root, np.sqrt(numbers))
-
-
 @PRECISIONS
 def test_million_roots(precision: Precision) -> None:
     numbers = numbers_of_every_size(precision, 2_000_000)

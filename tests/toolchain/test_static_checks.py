@@ -1,5 +1,6 @@
-"""Static checks: a new deviation and a stale one are reported; the emitted C has none."""
+"""Static checks report a new deviation, and the emitted C has none; `make help` names every target."""
 
+import re
 from collections import Counter
 from pathlib import Path
 
@@ -37,3 +38,9 @@ def test_new_deviations_and_warnings_are_seen(tmp_path: Path) -> None:
     (tmp_path / "demo3.c").write_text(unused, encoding="ascii")
     assert warnings_of(tmp_path, ["demo3.c"]) != []
     assert not all(each.is_accepted for each in findings(tmp_path, ["demo3.c"]))
+
+
+def test_every_target_is_in_the_help() -> None:
+    text = (Path(__file__).resolve().parents[2] / "Makefile").read_text(encoding="utf-8")
+    targets = set(re.findall(r"^([a-z-]+):", text, re.MULTILINE)) - {"help"}
+    assert set(re.findall(r'@echo "make ([a-z-]+)', text)) == targets
