@@ -95,3 +95,13 @@ def test_inertia_about_the_origin_from_central() -> None:
     named = flywheel.central_to_origin(W.m, W.m * rc, J)
     assert remainders(six_of(moved[3:, 3:]) - named) == []
     assert remainders(moved - Theta(W.m, W.m * rc, from_six(named))) == []
+
+
+def test_the_proofs_can_fail(literal: flywheel.Literal, sums: accumulate.Sums) -> None:
+    """A relation is used only where it is given; the other sign leaves a remainder; sin c is no polynomial."""
+    c, s = sp.symbols("c s")
+    assert remainders([c**2 + s**2 - 1]) == [c**2 + s**2 - 1]
+    assert remainders([c + s - 1], CIRCLE) != []
+    assert remainders(literal.K_dot + of_sums(carrier.mass_matrix_rate(), sums), SO3) != []
+    with pytest.raises(TypeError, match="no polynomial"):
+        remainders([sp.sin(c)])

@@ -10,7 +10,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 from unittest.mock import patch
 
-from emit.stands import float_texts, generated, stand, write
+from emit.stands import generated, stand, write
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Program
@@ -109,12 +109,6 @@ def compiled(name: str, optimisation: str = "-O0", compiler: str = "gcc") -> Com
     """The C of a stand of `emit.stands`, with double as element type."""
     g = generated(name)
     return Compiled(stand(name), g.layout, g.program, g.values, g.files, optimisation, compiler)
-
-
-@cache
-def compiled_float(name: str, optimisation: str = "-O0", compiler: str = "gcc") -> Compiled:
-    """C of an example in float, compiled."""
-    return Compiled(stand(name), *float_texts(stand(name)), optimisation, compiler)
 
 
 def bits(value: Any) -> Any:

@@ -1,10 +1,7 @@
 """Batches of emitted C: every state gets the bits of the function for one state, and nothing else is touched."""
 
 import ctypes
-import re
-import subprocess
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -136,26 +133,6 @@ def test_the_number_of_threads_changes_no_bit() -> None:
             bits = b"".join(values.tobytes() for values in results.values())
             found.add((batch.narrow.name, returned, statuses.tobytes(), bits))
     assert len(found) == len(built.batches)
-
-
-@pytest.mark.slow
-def test_no_multiply_add_is_fused_and_vectors_are_used(tmp_path: Path) -> None:
-    library = tmp_path / "batch.o"
-    library.write_bytes(native().object_code)
-    command = [require("objdump", "binutils"), "-d", "--no-show-raw-insn", str(library)]
-    code = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-    assert not re.findall(r"vfm\w+", code)
-    for name in ("sincos_each_wide", "rate_wide", "advance_wide"):
-        packed, single = (len(re.findall(rf"\bv?mul{kind}\b", _function(code, name))) for kind in ("pd", "sd"))
-        assert packed > 10
-        assert single == 0
-
-
-def _function(code: str, name: str) -> str:
-    """The instructions of one function in a disassembly."""
-    found = re.search(rf"<bench8_{name}>:\n(.*?)(\n\n|\Z)", code, re.DOTALL)
-    assert found is not None
-    return found[1]
 
 
 @pytest.mark.slow

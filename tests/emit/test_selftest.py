@@ -31,16 +31,21 @@ def test_good_c_has_the_interpreters_bits(name: str, real: str, tmp_path: Path) 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("real", ["float", "double"])
-def test_compilers_and_32_bits_print_the_same(real: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["demo3", "everything6", "held3"])
+def test_compilers_optimisations_and_32_bits_print_the_same(name: str, real: str, tmp_path: Path) -> None:
+    """Golden vectors, and hashes of all numbers of a sweep."""
     require("clang", "clang")
     require_32_bit()
-    _, files = generate_with_selftest("demo3", real)
-    found = []
-    for number, (compiler, *flags) in enumerate((("gcc", "-O2"), ("clang", "-O1"), ("gcc", "-O1", *SSE))):
-        (tmp_path / str(number)).mkdir()
-        found.append(run_selftest(files, "demo3", tmp_path / str(number), compiler, *flags))
-    assert found[0] == found[1] == found[2]
-    assert found[0][0] == 0
+    _, files = generate_with_selftest(name, real)
+    found = set()
+    for compiler, levels in (("gcc", ("-O0", "-O2", "-O3", "-Os")), ("clang", ("-O0", "-O2", "-O3"))):
+        for level in levels:
+            (tmp_path / f"{compiler}{level}").mkdir()
+            found.add(run_selftest(files, name, tmp_path / f"{compiler}{level}", compiler, level))
+    (tmp_path / "m32").mkdir()
+    found.add(run_selftest(files, name, tmp_path / "m32", "gcc", "-O1", *SSE))
+    assert len(found) == 1
+    assert found.pop()[0] == 0
 
 
 @pytest.mark.parametrize(("name", "real"), quick(1, [("demo3", "double"), ("bare5", "float")]))

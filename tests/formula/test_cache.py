@@ -55,37 +55,29 @@ def test_what_was_derived_is_not_derived_again(folder: Path, monkeypatch: pytest
     assert len(list(folder.iterdir())) == 1
 
 
-def truncated(file: Path) -> None:
-    file.write_bytes(file.read_bytes()[:-20])
+def changed(file: Path, **members: object) -> str:
+    """The text of a cache with other members."""
+    return json.dumps(json.loads(file.read_text()) | members)
 
 
-def empty(file: Path) -> None:
-    file.write_bytes(b"")
-
-
-def list_(file: Path) -> None:
-    file.write_text("[1, 2]")
-
-
-def other_formula(file: Path) -> None:
-    text = file.read_text()
-    assert '"mu[0]"' in text
-    file.write_text(text.replace('"mu[0]"', '"mu[1]"', 1))
-
-
-def other_source(file: Path) -> None:
-    file.write_text(json.dumps(json.loads(file.read_text()) | {"source": "0" * 64}))
-
-
-DAMAGE = (truncated, empty, list_, other_formula, other_source)
+DAMAGE: dict[str, Callable[[Path], str]] = {
+    "truncated": lambda file: file.read_text()[:-20],
+    "empty": lambda file: "",
+    "a list": lambda file: "[1, 2]",
+    "too deep": lambda file: "[" * 100_000 + "]" * 100_000,
+    "another formula": lambda file: file.read_text().replace('"mu[0]"', '"mu[1]"', 1),
+    "another source": lambda file: changed(file, source="0" * 64),
+    "no entries": lambda file: changed(file, entries=None),
+    "code": lambda file: changed(file, entries={"x": "__import__('os')"}),
+}
 
 
 @pytest.mark.parametrize("damage", DAMAGE)
-def test_a_damaged_cache_is_made_anew_with_one_warning(folder: Path, damage: Callable[[Path], None]) -> None:
+def test_a_damaged_cache_is_made_anew_with_one_warning(folder: Path, damage: str) -> None:
     expected = remembered([])
     (file,) = folder.iterdir()
     whole = file.read_bytes()
-    damage(file)
+    file.write_text(DAMAGE[damage](file))
     warnings: list[str] = []
     assert remembered(warnings) == expected
     assert len(warnings) == 1
@@ -137,32 +129,6 @@ def test_another_generator_has_other_files(
         with sorted((package / changed).glob("*.py"))[-1].open("a") as module:
             module.write("# another line\n")
     assert all(now != before for now, before in zip(keys(), installed, strict=True))
-
-
-def test_files_of_few_sources_stay(folder: Path) -> None:
-    folder.mkdir()
-    for number in range(cache.KEPT + 3):
-        path = folder / f"formulas-{number:016x}.json"
-        path.touch()
-        os.utime(path, (number, number))
-    remembered([])
-    assert len(list(folder.iterdir())) == cache.KEPT
-    kept = cache.file()
-    assert kept is not None and kept.is_file()
-
-
-def test_a_read_only_folder_is_no_failure(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The error is raised by hand, since root may write anywhere."""
-
-    def refused(*_: object) -> None:
-        raise PermissionError(13, "Permission denied", str(folder))
-
-    folder.mkdir()
-    monkeypatch.setattr("mahovik.writing._create", refused)
-    warnings: list[str] = []
-    assert remembered(warnings) == carrier.momentum(True)
-    assert list(folder.iterdir()) == []
-    assert warnings == []
 
 
 @pytest.mark.parametrize(

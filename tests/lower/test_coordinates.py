@@ -7,7 +7,6 @@ from functools import cache
 import numpy as np
 import pytest
 
-from lower.test_inverse import ask, backend_of
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.stand.model import Sequence
 from mahovik.core.stand.random import BARE, random_stand
@@ -56,22 +55,3 @@ def test_a_singular_attitude_is_refused(angles: str, theta: float) -> None:
     assert status == STATUS_VALUES["SINGULAR_ATTITUDE"]
     assert out["x"] == x
     assert out["V_dot"] == [7.5] * 6
-
-
-@pytest.mark.parametrize("count", quick(1, [7, 5, 1, 6, 12]))
-def test_the_cheap_inverse_agrees_with_the_careful_one(count: int) -> None:
-    """Well away from singularity both give the same answer; the condition is squared on the way."""
-    c = backend_of(count)
-    compared = 0
-    for seed in range(6):
-        given, _, out = ask(c, seed)
-        ratio = out["sigma"][0] / out["sigma"][-1]
-        if ratio > 300:
-            continue
-        status, fast = c.call("inverse_fast", given)
-        assert status == 0
-        scale = np.abs(out["phi_ddot"]).max()
-        # eps times the condition squared, with room for some tens of such errors
-        assert np.array(fast["phi_ddot"]) == pytest.approx(np.array(out["phi_ddot"]), abs=1e-14 * ratio**2 * scale)
-        compared += 1
-    assert compared >= 2

@@ -158,17 +158,6 @@ def test_a_bad_step_is_refused(name: str, value: float, due: str) -> None:
     assert set(out["next"]["V"]) == {5.5}
 
 
-def test_a_null_pointer_is_refused() -> None:
-    """No argument that is an address may be null."""
-    c = free()
-    function = c.program.function("forward")
-    good = {k: v for k, v in inputs(c, start(c)).items() if k in {a.name for a in function.arguments}}
-    assert c.library.run(function, good)[0] == 0
-    for argument in function.arguments:
-        status, _ = c.library.run(function, good | {argument.name: c.library._ffi.NULL}, plain=False)
-        assert status == STATUS_VALUES["BAD_ARGUMENT"], argument.name
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("speed", quick(1, [2e3, -2e3]))
 def test_a_step_over_too_many_turns_is_refused_in_float(speed: float) -> None:

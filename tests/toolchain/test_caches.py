@@ -63,6 +63,7 @@ def test_each_kind_of_change_is_noticed_and_forgotten_when_taken_back(monkeypatc
 
 def test_use_leaves_the_generator_as_it_was_and_a_fault_is_no_memory(monkeypatch: pytest.MonkeyPatch) -> None:
     demo3 = load(path("demo3"))
+    generate_all(demo3)
     GENERATOR.look()
     right = generate_all(demo3).files["demo3.c"]
     generate_all(demo3).files["demo3.c"] = "tampered with"

@@ -62,15 +62,6 @@ def test_every_public_function_has_drivers(name: str) -> None:
         assert f"{driver.set}_{driver.function}" in files[f"verification/{name}_eva.sh"]
 
 
-@pytest.mark.parametrize("real", ["double", "float"])
-def test_what_is_proved_is_what_flies(real: str) -> None:
-    """Frama-C reads the functions as compilers do; only symbols for the linker are not for it."""
-    source = generate_all(stand("demo3"), real).files["demo3.c"]
-    assert [line for line in source.splitlines() if "__FRAMAC__" in line and "__ELF__" not in line] == []
-    drivers_of_checks = [d for d in drivers(generate_all(stand("demo3"), real).program) if "check_" in d.function]
-    assert {(d.function, d.claimed) for d in drivers_of_checks} == {("check_state", True), ("check_motion", True)}
-
-
 @pytest.mark.slow
 def test_the_c_of_demo3_holds(tmp_path: Path) -> None:
     require("frama-c", "frama-c-base")
