@@ -54,7 +54,6 @@ class Batched:
             for source, options in ((name, base), (f"{name}_batch", flags)):
                 made_object = str(place / f"{source}.o")
                 subprocess.run([*command, *options, "-c", str(place / f"{source}.c"), "-o", made_object], check=True)
-            self.object_code = (place / f"{name}_batch.o").read_bytes()
             objects = [str(place / f"{name}.o"), str(place / f"{name}_batch.o")]
             subprocess.run([compiler, *flags, "-shared", *objects, "-o", str(place / "batch.so")], check=True)
             self._library = ctypes.CDLL(str(place / "batch.so"))

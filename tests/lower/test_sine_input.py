@@ -90,16 +90,3 @@ def test_what_is_no_sine_and_cosine_is_refused(function: str) -> None:
                 given = list(inputs[name])
                 given[s] = value
                 refused(c, f"{function}_at", inputs | {name: given}, due)
-
-
-@pytest.mark.parametrize(("length", "good"), [(1 - 1.001e-3, False), (1 + 1.001e-3, False), (0.0, False),
-                                              (1 - 0.999e-3, True), (1 + 0.999e-3, True)])  # fmt: skip
-def test_the_length_of_sine_and_cosine_is_one_within_a_thousandth(length: float, good: bool) -> None:
-    c = backend("turned3")
-    inputs = inputs_of(c)
-    for s in range(3):
-        given = {n: [v * (length if k == s else 1) for k, v in enumerate(inputs[n])] for n in ("sine", "cosine")}
-        if good:
-            assert run(c, "forward_at", inputs | given)[0] == 0
-        else:
-            refused(c, "forward_at", inputs | given, "RANGE")

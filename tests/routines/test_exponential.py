@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import mpmath as mp
 import numpy as np
 import pytest
@@ -65,24 +63,3 @@ def test_first_part_of_the_logarithm_has_exact_products(precision: Precision) ->
         assert exact(precision.scalar(k) * precision.scalar(first)) == k * mp.mpf(first)
     with mp.workprec(BITS):
         assert abs(mp.mpf(first) + mp.mpf(second) - mp.log(2)) < mp.mpf(2) ** -(2 * precision.significand - 12)
-
-
-def scan(first: int, last: int) -> tuple[float, Any]:
-    """Worst error, in units in the last place, over the floats with these bits; and where."""
-    worst, where = 0.0, 0.0
-    for start in range(first, last, 1 << 22):
-        x = np.arange(start, min(start + (1 << 22), last), dtype=np.uint32).view(np.float32)
-        (got,) = run(FLOAT, "exp", x)
-        true = np.exp(x.astype(np.float64))
-        errors = np.abs(got - true) / np.spacing(true.astype(np.float32))
-        k = int(np.argmax(errors))
-        if errors[k] > worst:
-            worst, where = float(errors[k]), x[k]
-    return worst, where
-
-
-def test_every_float_of_two_binades() -> None:
-    """-1/2 to -2: k is 1, 2 or 3."""
-    sign = 1 << 31
-    worst, where = scan(sign | 126 << 23, sign | 128 << 23)
-    assert 0.5 < worst < WORST, where

@@ -8,7 +8,6 @@ import pytest
 
 from mahovik.core.toolchain.board import compile_one
 from mahovik.core.toolchain.footprint import STACK_FLAGS, Footprint, footprint
-from mahovik.errors import ToolchainError
 from targets.boards import target
 
 CHAIN = """
@@ -54,20 +53,3 @@ def test_chains_tables_and_symbols(name: str, tmp_path: Path) -> None:
 def test_routines_of_the_library_are_named(tmp_path: Path) -> None:
     found = measured_footprint("double half(double x);\ndouble half(double x) { return x * 0.3; }\n", tmp_path, "m3")
     assert found.routines("half") == ["__aeabi_dmul"]
-
-
-RECURSION = """
-int f(int n);
-int g(int n);
-__attribute__((noinline)) int g(int n) { return n > 0 ? f(n - 1) / 3 : 1; }
-__attribute__((noinline)) int f(int n) { return g(n) / 2; }
-"""
-
-
-def test_a_stack_without_bound_is_refused(tmp_path: Path) -> None:
-    found = measured_footprint(RECURSION, tmp_path)
-    with pytest.raises(ToolchainError, match="calls itself: its stack has no bound"):
-        found.stack_of("f")
-    array = "int sum(int n);\nvoid take(char *x);\nint sum(int n) { char x[n]; take(x); return x[0]; }\n"
-    with pytest.raises(ToolchainError, match="sum has a stack frame without bound"):
-        measured_footprint(array, tmp_path)
