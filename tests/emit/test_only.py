@@ -74,17 +74,6 @@ def test_an_unknown_function_is_refused() -> None:
     )
 
 
-@pytest.mark.slow
-def test_a_part_has_batches_of_its_functions(tmp_path: Path) -> None:
-    """Not of what these call."""
-    write(delivery(stand("sat4"), batch=True, only=("step", "torque")), tmp_path)
-    compile_c(require("gcc", "gcc"), *tmp_path.rglob("*.c"), "-O1", "-DSAT4_SELFTEST_MAIN", "-o", tmp_path / "program")
-    assert run(tmp_path / "program").splitlines()[-1] == "failures 0"
-    header = (tmp_path / "sat4_batch.h").read_text()
-    found = set(re.findall(r"\bsat4_(\w+)_batch(?:_of)?\(", header))
-    assert found == {"step", "torque"}
-
-
 def test_the_manifest_names_the_functions_and_commands_know_them(tmp_path: Path) -> None:
     folder, given = str(tmp_path / "part"), (str(path("sat4")), "--only", "torque,forward")
     assert cli("generate", *given, "-o", folder).exit_code == 0
