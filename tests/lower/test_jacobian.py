@@ -13,9 +13,9 @@ from laws.held_stands import FRICTION, STOPS, held_stand
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import Stand
-from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
+from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
 from mahovik.core.stand.read import loads
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.state import State, rest_state
 from mahovik.laws.friction.data import Frictions
 from mahovik.laws.stop.data import Stops
 from mahovik.proof.reference import evaluate
@@ -38,18 +38,28 @@ LOCKED = 0.02 + 2.5 * 0.2**2
 
 FUNCTIONS = ("forward_jacobian", "coupled_jacobian")
 
-STANDS = {
-    "hinge": lambda: random_held_stand("hinge", 3, DRY, 1),
-    "free": lambda: random_stand(np.random.default_rng(1), 2, replace(EVERYTHING, instruments=1, wrench_inputs=False)),
-    "bare": lambda: random_stand(np.random.default_rng(6), 5, BARE),
-    "no flywheel": lambda: random_stand(np.random.default_rng(4), 0, BARE),
-    "many": lambda: random_stand(np.random.default_rng(8), 64, BARE),
+FREE = replace(EVERYTHING, instruments=1, wrench_inputs=False)
+STANDS: dict[str, tuple[str, Features, int]] = {
+    "hinge": ("hinge", DRY, 1),
+    "free": ("", FREE, 2),
+    "bare": ("", BARE, 5),
+    "no flywheel": ("", BARE, 0),
+    "many": ("", BARE, 64),
     **{
-        f"{name}, {kind}": lambda name=name, features=features: random_held_stand(name, 3, features, 3)
+        f"{name}, {kind}": (name, features, 3)
         for name in ("hinge", "knife edge", "ball joint", "all but one")
         for kind, features in (("dry", DRY), ("wet", WET))
     },
 }
+"""Hold, features and number of flywheels."""
+
+
+def stand_of(name: str) -> Stand:
+    """A random stand, held or free."""
+    hold, features, flywheels = STANDS[name]
+    if hold:
+        return random_held_stand(hold, 3, features, flywheels)
+    return random_stand(np.random.default_rng(flywheels), flywheels, features)
 
 
 def rows_of(stand: Stand, without: type | None = None, functions: tuple[str, ...] = FUNCTIONS) -> list[Row]:
@@ -63,7 +73,7 @@ def rows_of(stand: Stand, without: type | None = None, functions: tuple[str, ...
 @pytest.mark.parametrize("name", quick(1, STANDS))
 def test_they_are_the_derivatives_of_the_second_derivation(name: str) -> None:
     """Without locks and with some."""
-    stand = STANDS[name]()
+    stand = stand_of(name)
     found = rows_of(stand)
     assert [(row.want, row.verdict, row.reason) for row in found] == [
         ("forward_jacobian", "ok", ""),
@@ -75,17 +85,22 @@ def test_they_are_the_derivatives_of_the_second_derivation(name: str) -> None:
 @pytest.mark.parametrize("want", ["forward", "coupled"])
 def test_they_are_differences_of_the_literal_reference(want: str) -> None:
     """Central differences over 1e-6: half of the digits."""
-    stand = STANDS["free"]()
+    stand = stand_of("free")
     own = InterpreterBackend(generate_all(stand))
     _, state = draw(stand, 2, 12, wrenches=False)[3]
     found = own.call(f"{want}_jacobian", own.arguments(state))[1]["out"]
     inputs = ("V", "phi", "phi_dot", "phi_ddot" if want == "forward" else "tau")
+
+    def moved(name: str, values: np.ndarray) -> State:
+        changed: dict[str, Any] = {name: tuple(values.tolist())}
+        return replace(state, **changed)
+
     for name in inputs:
         values = np.array(getattr(state, name))
         step = 1e-6 * max(1.0, float(np.abs(values).max()))
         for column in range(len(values)):
             shift = step * np.eye(len(values))[column]
-            ends = [evaluate(stand, replace(state, **{name: tuple(values + s * shift)}), [want]) for s in (1, -1)]
+            ends = [evaluate(stand, moved(name, values + s * shift), [want]) for s in (1, -1)]
             for result in ("V_dot",) if want == "forward" else ("V_dot", "phi_ddot"):
                 slope = (np.array(ends[0][result]) - ends[1][result]) / (2 * step)
                 size = max(float(np.abs(found[f"{result}_{name}"]).max()), float(np.abs(ends[0][result]).max()))
