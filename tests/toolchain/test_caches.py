@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
-from importlib import import_module
 from pathlib import Path
-from types import ModuleType, SimpleNamespace
+from types import SimpleNamespace
 
 import pytest
 
-from conftest import GENERATOR
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import load
 from mahovik.stands import path
 from toolchain.build_cache import caching
-from toolchain.generated_once import Unchanged
+from toolchain.generated_once import once
 
 FLAGS = ("-ffp-contract=off", "-O2")
 
@@ -44,31 +41,25 @@ def test_whatever_the_compiler_sees_is_in_the_key(tmp_path: Path, monkeypatch: p
     assert built() == found[4]
 
 
-def test_each_kind_of_change_is_noticed_and_forgotten_when_taken_back(monkeypatch: pytest.MonkeyPatch) -> None:
-    module = ModuleType("some.module")
-    exec("number, table = 1.5, {'key': 2.5}\nclass Law:\n    size = 3.5\n", vars(module))
-    monkeypatch.setitem(sys.modules, "some.module", module)
-    unchanged = Unchanged(("some.",))
-    assert not unchanged.holds(("some.",))  # never seen
-    unchanged.look()
-    assert unchanged.holds(("some.",))
-    for place, name in ((module, "number"), (module.Law, "size")):
-        with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(place, name, object())
-            assert not unchanged.holds(("some.",)), name
-        assert unchanged.holds(("some.",)), name
-    module.table["key"] = object()
-    assert not unchanged.holds(("some.",))
+def test_equal_arguments_are_made_once_where_that_may_be() -> None:
+    calls: list[tuple[int, str]] = []
+    may = [True]
+
+    def make(number: int, *, name: str = "") -> SimpleNamespace:
+        calls.append((number, name))
+        return SimpleNamespace(number=number)
+
+    made = once(make, lambda: may[0])
+    assert made(1).number == made(1).number == 1
+    assert (made(2).number, made(1, name="x").number) == (2, 1)
+    assert calls == [(1, ""), (2, ""), (1, "x")]
+    may[0] = False
+    made(1)
+    assert calls[3:] == [(1, "")]
 
 
-def test_use_leaves_the_generator_as_it_was_and_a_fault_is_no_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_generated_files_are_the_caller_s_own() -> None:
     demo3 = load(path("demo3"))
-    generate_all(demo3)
-    GENERATOR.look()
     right = generate_all(demo3).files["demo3.c"]
     generate_all(demo3).files["demo3.c"] = "tampered with"
-    assert GENERATOR.holds()
     assert generate_all(demo3).files["demo3.c"] == right
-    module = import_module("mahovik.core.emit.generate")  # the package has a function of that name
-    monkeypatch.setattr(module, "identities", lambda _: SimpleNamespace(structure="x", physics="y"))
-    assert generate_all(demo3).files["demo3.c"] != right
