@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from audits import gazebo, gyrostat, held, npsauv
+from audits import gazebo, held, npsauv
 from audits.audit import Audit
 
-AUDITS: dict[str, Audit] = {each.name: each for of in (npsauv, gazebo, gyrostat, held) for each in of.AUDITS}
+AUDITS: dict[str, Audit] = {each.name: each for of in (npsauv, gazebo, held) for each in of.AUDITS}
 """Audits by name."""

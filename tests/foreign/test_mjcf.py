@@ -176,15 +176,6 @@ def test_refused(case: str, tmp_path: Path) -> None:
     assert said in lines[0]
 
 
-def test_all_problems_are_told_together(tmp_path: Path) -> None:
-    path = tmp_path / "m.xml"
-    wheel = WHEEL.format('stiffness="1" armature="2" limited="true" range="-1 1"')
-    path.write_text(f'<mujoco><option density="1"/>{hub(wheel)}</mujoco>')
-    with pytest.raises(ForeignError) as error:
-        imported(path)
-    assert len(error.value.problems) == 4
-
-
 def test_without_mujoco(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "mujoco", None)
     with pytest.raises(UsageError, match=r"MuJoCo, which reads MJCF, is not installed .*: pip install mujoco"):

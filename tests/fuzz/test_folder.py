@@ -18,12 +18,7 @@ from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.emit.manifest import manifest
 from mahovik.core.stand import load
 from mahovik.proof.cost.page import read_accepted_costs
-from mahovik.proof.verify.delivery import (
-    FIGURES,
-    accepted_figures,
-    deliver,
-    differences,
-)
+from mahovik.proof.verify.delivery import FIGURES, accepted_figures, deliver, differences
 from mahovik.stands import path
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -16,11 +16,7 @@ from scipy.spatial.transform import Rotation
 from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.state import State
 
-SEQUENCES: dict[Sequence, str] = {
-    "ship": "ZYX",
-    "aircraft": "YZX",
-    "euler": "ZXZ",
-}
+SEQUENCES: dict[Sequence, str] = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 """SciPy's names of the attitude sequences; capitals turn about moving axes."""
 
 # central difference of order 8: offsets, weights of the first and of the second derivative

@@ -24,11 +24,7 @@ from physics.motions import vec
 from strategies import held_stands, stands, states
 
 PROPERTY = settings(
-    max_examples=12,
-    deadline=None,
-    derandomize=True,
-    database=None,
-    suppress_health_check=[HealthCheck.too_slow],
+    max_examples=12, deadline=None, derandomize=True, database=None, suppress_health_check=[HealthCheck.too_slow]
 )
 ROUNDING = 1e-11
 """Accepted difference over the natural scale: some hundred operations on either side of an identity."""

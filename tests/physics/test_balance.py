@@ -102,21 +102,11 @@ def test_stream_is_a_change_of_frame(seed: int) -> None:
     V_dot, seen_V_dot = (evaluate(*case, ["forward"])["V_dot"] for case in ((stand, state), (drifting, seen)))
     np.testing.assert_allclose(V_dot, seen_V_dot - change, rtol=0, atol=ROUNDING * np.abs(V_dot).max())
     seen = replace(seen, V_dot=vec(np.array(state.V_dot) + change))
-    for want in ("matrices", "torque", "mounts", "inverse"):
-        expected, found = evaluate(drifting, seen, [want]), evaluate(stand, state, [want])
-        for name, value in expected.items():
-            if name in ("status", "rank"):
-                assert found[name] == value
-            else:
-                # residual and accelerations: conditioned by the smallest singular value, above 1e-2 here
-                scale = 1e3 * np.abs(evaluate(drifting, seen, ["matrices"])["F"]).max()
-                np.testing.assert_allclose(found[name], value, rtol=1e-9, atol=ROUNDING * scale)
-    expected, found = evaluate(drifting, seen, ["coupled"]), evaluate(stand, state, ["coupled"])
-    np.testing.assert_allclose(found["phi_ddot"], expected["phi_ddot"], rtol=1e-9, atol=1e-9)
-    np.testing.assert_allclose(found["V_dot"], expected["V_dot"] - change, rtol=1e-9, atol=1e-9)
-    expected, found = evaluate(drifting, seen, ["points"]), evaluate(stand, state, ["points"])
-    for name, point in expected["points"].items():
-        np.testing.assert_allclose(found["points"][name]["specific_force"], point["specific_force"], rtol=0, atol=1e-11)
+    scale = 1e3 * np.abs(evaluate(drifting, seen, ["matrices"])["F"]).max()
+    for want in ("matrices", "torque", "mounts"):
+        for name, value in evaluate(drifting, seen, [want]).items():
+            found = evaluate(stand, state, [want])[name]
+            np.testing.assert_allclose(found, value, rtol=1e-9, atol=ROUNDING * scale)
 
 
 @pytest.mark.parametrize("seed", SEEDS)

@@ -46,19 +46,6 @@ def test_many_flywheels_reach_the_demand_with_the_least_acceleration_energy(seed
     np.testing.assert_allclose(null.T @ weighted, 0, rtol=0, atol=ROUNDING * np.abs(weighted).max())
 
 
-@pytest.mark.parametrize("flywheels", [0, 1, 6, 8])
-def test_sigma_are_cosines_between_carrier_and_flywheel_motion(flywheels: int) -> None:
-    """sigma^2 are eigenvalues of K^-1 I Theta_ff^-1 I^T; below 1, as the full matrix is positive definite."""
-    stand, state = draw(4, flywheels)
-    at, values = pieces(stand, state), evaluate(stand, state, ["inverse"])
-    sigma = values["sigma"]
-    assert sigma.shape == (min(6, flywheels),)
-    squares = np.sort(np.linalg.eigvals(np.linalg.solve(at.K, at.I @ np.linalg.inv(at.Theta_ff) @ at.I.T)).real)[::-1]
-    np.testing.assert_allclose(sigma**2, squares[: len(sigma)], rtol=0, atol=1e-13)
-    assert np.all(np.diff(sigma) <= 0)
-    assert np.all(sigma < 1)
-
-
 def copies(angle: float) -> Stand:
     """A stand of two equal balanced flywheels at one place, the second turned by `angle` (rad) about z."""
     stand, _ = draw(1, 2, instruments=0)

@@ -30,20 +30,6 @@ def case(seed: int, flywheels: int) -> tuple[Stand, State]:
     return stand, replace(state, task=stand.tasks[0].name, demand=demand)
 
 
-@pytest.mark.parametrize("flywheels", [2, 4, 6, 8])
-def test_all_six_rows_of_o1_are_the_inverse_problem(flywheels: int) -> None:
-    stand, state = case(flywheels, flywheels)
-    state = replace(state, task="six", demand=state.V_dot)
-    task, six = (evaluate(stand, replace(state, task=name), ["inverse"]) for name in ("six", ""))
-    size = np.abs(six["phi_ddot"]).max()
-    np.testing.assert_allclose(task["phi_ddot"], six["phi_ddot"], rtol=0, atol=1e-8 * size)
-    np.testing.assert_allclose(task["sigma"], six["sigma"], rtol=1e-9)
-    assert task["rank"] == six["rank"]
-    K = pieces(stand, state).K
-    wrench = np.abs(K) @ np.abs(np.array(state.V_dot))
-    np.testing.assert_allclose(-K @ task["residual"], six["residual"], rtol=0, atol=1e-8 * wrench.max())
-
-
 @pytest.mark.parametrize("seed", range(6))
 def test_the_motion_that_results_is_that_of_the_second_derivation(seed: int) -> None:
     stand, state = case(seed, 3 + seed)

@@ -15,12 +15,7 @@ from mahovik.core.stand import Stand, load
 from mahovik.core.stand.random import BARE, random_stand
 from mahovik.core.stand.random_state import random_state
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.judges.basilisk_wheel import (
-    basilisk_stand,
-    spacecraft_stand,
-    unsupported_features,
-    wheels,
-)
+from mahovik.proof.verify.judges.basilisk_wheel import basilisk_stand, spacecraft_stand, unsupported_features, wheels
 from mahovik.proof.verify.judges.compare import QUANTITIES, compare_with_judges, motion_name
 from mahovik.proof.verify.judges.rigid import bare_stand
 from mahovik.proof.verify.report import Report, conclusion

@@ -41,8 +41,7 @@ def public_functions(header: Path, prefix: str = "shaker2") -> set[str]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("name", "real"),
-    quick(2, [("trimmed", "double"), ("spin", "float"), ("trimmed", "float"), ("swaying", "double")]),
+    ("name", "real"), quick(2, [("trimmed", "double"), ("spin", "float"), ("trimmed", "float"), ("swaying", "double")])
 )
 def test_every_function_of_the_header_is_judged(name: str, real: str, tmp_path: Path) -> None:
     source = written(exported(name, real), tmp_path, real)

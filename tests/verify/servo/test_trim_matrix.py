@@ -50,10 +50,7 @@ def tilted() -> Case:
     return given, still, programme_of(given, still, course, (1, -2, 3), np.zeros(6))
 
 
-CASES: dict[str, Callable[[], Case]] = {
-    "spinning": lambda: (stand(), motion(), spin()),
-    "tilted": tilted,
-}
+CASES: dict[str, Callable[[], Case]] = {"spinning": lambda: (stand(), motion(), spin()), "tilted": tilted}
 MEASURED = {"spinning": '["z", "phi"]', "tilted": '["psi", "theta", "x"]'}
 """Coordinates that the trim of a case measures."""
 
