@@ -385,3 +385,21 @@ def test_clang_32_bits_cpp_and_bare_objects(tmp_path: Path) -> None:
     run(require("g++", "g++"), "-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", user)
     code = re.sub(r"/\*.*?\*/", "", source.read_text(), flags=re.DOTALL)
     assert "double" not in code
+
+
+def test_three_wheels_of_which_one_fails_are_refused() -> None:
+    whole = load(path("eye4"))
+    three = replace(whole, flywheels=whole.flywheels[1:])
+    with pytest.raises(
+        UsageError, match=r'without its first flywheel "rw2" .* expected a fourth flywheel, or --failure none'
+    ):
+        design_attitude(three, LoopOptions(momentum=0.1))
+    assert design_attitude(three, LoopOptions(momentum=0.1, failure="none")).samples
+
+
+def test_motors_without_limits_are_told() -> None:
+    whole = load(path("eye4"))
+    free = replace(whole, flywheels=tuple(replace(wheel, motor=None) for wheel in whole.flywheels))
+    assert any(
+        "no torque of rw1, rw2, rw3, rw4 is bounded" in line for line in design_attitude(free, LoopOptions()).lines
+    )

@@ -13,8 +13,8 @@ from cli.run import refused
 from cli.run import run as run_command
 from emit.stands import write
 from export import held_servos as held
-from export.programmes import spin, stand_files
-from export.servos import HEAD, TRIM, exported, self_tested, written
+from export.programmes import motion, spin, stand, stand_files
+from export.servos import HEAD, TRIM, exported, self_tested, servo, written
 from mahovik import stands
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.motion.programme import save_programme
@@ -202,6 +202,13 @@ def test_the_self_test_finds_one_wrong_digit(tmp_path: Path) -> None:
         changed = number[:-1] + ("1" if number[-1] != "1" else "2")
         code.write_text(re.sub(rf"({member}){re.escape(number)}", rf"\g<1>{changed}", text, count=1))
         assert f"{named} FAIL wrong 1" in self_tested(code)
+
+
+def test_a_named_servo_has_the_text_of_the_unnamed_one() -> None:
+    """Names apart, its source is the same."""
+    named = export_servo(stand(), spin(), motion(), servo(TRIM), called="lap").servo["shaker2_lap_servo.c"]
+    plain = exported("trimmed").servo["shaker2_servo.c"]
+    assert re.sub(r"(?i)shaker2_lap_(servo|trim)", lambda m: m[0][:8] + m[1], named) == plain
 
 
 # ---- the command ----

@@ -217,3 +217,11 @@ def test_a_public_function_without_an_equation_fails(tmp_path: Path, monkeypatch
     (found,) = collected(tmp_path / "out", [EQUATIONS])
     assert found.outcome.verdict is Verdict.FAILED
     assert "demo3_torque, " in found.outcome.figure
+
+
+def test_own_evidence_is_replaced(tmp_path: Path) -> None:
+    """The old folder is replaced as a whole: nothing of it is left."""
+    collected(tmp_path / "out", [GOOD])
+    collected(tmp_path / "out", [BAD])
+    assert not (tmp_path / "out" / "raw").exists()
+    assert list(tmp_path.iterdir()) == [tmp_path / "out"]
