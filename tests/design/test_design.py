@@ -295,3 +295,13 @@ def test_what_no_design_can_do_is_refused(text: str, most: float, words: str) ->
         design_stand(own, up_and_down, freedom)
     assert str(refused.value).count("\n") == 0
     assert isinstance(refused.value, DesignError) == (own.hold is not None and len(own.hold.freedoms) == 1)
+
+
+def test_what_binds_along_the_rail_is_named() -> None:
+    own = rail()
+    text = (
+        KEYS.format(number="", most=3).replace("min = 0", 'min = "2 kg mm"').replace("harmonics = 1", "harmonics = 0")
+    )
+    own = replace(own, flywheels=own.flywheels[:1])
+    found = design_stand(own, up_and_down, read_freedom(text, own), DesignOptions(starts=2))
+    assert found.status == "NO_DESIGN" and found.words[1].startswith("bounds of unbalance bind")

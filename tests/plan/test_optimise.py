@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -13,7 +12,7 @@ from mahovik.core.motion.required import Bounds
 from mahovik.core.stand.random import EVERYTHING
 from mahovik.use.plan.certificate import figures
 from mahovik.use.plan.objective import Cost
-from mahovik.use.plan.optimise import ImprovedMotion, evaluate, exceeded_by
+from mahovik.use.plan.optimise import ImprovedMotion, exceeded_by
 from mahovik.use.plan.optimise.improve import make_stage
 from mahovik.use.plan.optimise.merit import Stage
 from mahovik.use.plan.problem import Periodic
@@ -85,18 +84,3 @@ def test_bounds_that_the_start_breaks_are_kept() -> None:
     assert exceeded_by(own.problem, own.cost, found.motion) == ()
     assert found.utilisation < 1.0
     assert found.residual < own.problem.tolerance
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", ["acceleration", "torque", "speed_variation", "power"])
-def test_each_objective_lowers_what_it_weighs(kind: str) -> None:
-    """Below the plain programme, and below (or at) what the objective of acceleration leaves of it."""
-    weights: dict[str, Any] = {kind: (1.0,) * N}
-    own, by_acceleration = setting(**weights), setting()
-    before = evaluate(own.problem, own.cost, plain("rock"), 0).objective
-    after = improved(own, "rock")
-    other = evaluate(own.problem, own.cost, improved(by_acceleration, "rock").motion, 0).objective
-    assert after.residual < own.problem.tolerance
-    assert after.objective < 0.95 * before
-    assert after.objective <= other * 1.001
-    assert after.parts == pytest.approx({kind: after.objective})

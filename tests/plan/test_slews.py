@@ -17,6 +17,7 @@ from mahovik.core.motion.motor import available_torque, required_torque
 from mahovik.core.motion.programme import Programme, programme_text
 from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand import Stand
+from mahovik.core.stand.capacity import torque_capacity
 from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.proof.verify.programme.simulation import simulate
 from mahovik.use.plan.outcome import Plan
@@ -58,6 +59,25 @@ def test_one_wheel_on_its_axis_turns_bang_bang(
     assert limit < found.span < NEAR * limit
     speed = np.abs(found.at(np.linspace(0.0, found.span, 1001)).phi_dot[:, 0])
     assert np.argmax(speed) / 1000 == pytest.approx(braking / (driving + braking), abs=0.01)
+
+
+def test_more_wheels_use_their_null_space() -> None:
+    """Six wheels, two of them weak: the least norm alone would be bound by the weak ones."""
+    axes = (*PYRAMID, (1.0, 0.0, 0.0), (0.0, 0.2, 1.0))
+    stand = satellite(axes)
+    weak = stand.flywheels[-1]
+    assert weak.motor is not None
+    stand = replace(stand, flywheels=(*stand.flywheels[:-1], replace(weak, motor=replace(weak.motor, torque=0.01))))
+    along = inertia(stand) @ np.array([0.0, 0.0, 1.0])
+    reach = torque_capacity(stand).envelope.reach(along)
+    columns = np.array(torque_capacity(stand).envelope.vectors)
+    units = columns / np.linalg.norm(columns, axis=1)[:, None]
+    least = np.linalg.pinv(units.T) @ (along / np.linalg.norm(along))
+    by_norm = float(np.min(np.linalg.norm(columns, axis=1) / np.abs(least)))
+    assert by_norm < 0.5 * reach
+    limit = 2.0 * np.sqrt(0.7 * np.linalg.norm(along) / reach)
+    found = planned(stand, end=about((0, 0, 1), 0.7))
+    assert limit < found.span < NEAR * limit
 
 
 def test_torque_that_falls_with_speed_is_followed_to_its_curve() -> None:
