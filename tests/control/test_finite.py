@@ -121,6 +121,7 @@ def test_options_of_periodic_programmes_are_refused(files: dict[str, str], more:
     assert len(said.splitlines()) == 1
 
 
+@pytest.mark.slow
 def test_the_servos_of_a_slew_are_exported_and_judged(files: dict[str, str], tmp_path: Path) -> None:
     board = str(tmp_path / "board")
     assert run("generate", files["sat.toml"], "-o", board).exit_code == 0

@@ -104,6 +104,7 @@ def test_a_force_table_tells_all_unbalances_of_its_wheels(tmp_path: Path, exact:
     assert {channel.unit for channels in found.channels.values() for channel in channels.values()} == {"N", "N m"}
 
 
+@pytest.mark.slow
 def test_standard_errors_are_those_of_many_recordings(tmp_path: Path, exact: Array) -> None:
     """Squares of errors over standard errors, 8 in each of 4 recordings, have the mean 1 within its spread."""
     squares = []
@@ -155,6 +156,7 @@ def test_friction_and_mass_of_a_pendulum_are_told_by_its_swing(tmp_path: Path) -
     assert abs(friction.value - 0.004) < 4.0 * friction.standard_error < 4e-4
 
 
+@pytest.mark.slow
 def test_the_end_of_a_ramp_is_a_corner_of_the_phases(tmp_path: Path) -> None:
     """The torque about the axis falls to nothing there; without noise all is found to rounding."""
     run = mahovik.simulate(TRUE, 0.6, regime={"flywheel": {"first": {"ramp": {"to": "600 rpm", "duration": "0.3 s"}},
