@@ -155,23 +155,6 @@ def test_an_added_mass_with_a_negative_direction_is_refused(
     assert added_status(precision, broken) == REFUSED
 
 
-@PRECISIONS
-def test_added_mass_by_hand(precision: Precision) -> None:
-    assert added_status(precision, np.zeros((6, 6))) == OK
-    for i in range(6):
-        negative = np.eye(6)
-        negative[i, i] = -1e-6
-        assert added_status(precision, negative) == REFUSED
-        for j in range(6):
-            if j != i:
-                lonely = np.eye(6)
-                lonely[i, i], lonely[i, j], lonely[j, i] = 0.0, 1e-6, 1e-6
-                assert added_status(precision, lonely) == REFUSED
-                skew = np.eye(6)
-                skew[i, j], skew[j, i] = 0.5, np.nextafter(np.float32(0.5), np.float32(1))
-                assert added_status(precision, skew) == REFUSED
-
-
 @pytest.mark.parametrize(("real", "tiny"), [("double", 1e-310), ("float", 1e-40)])
 def test_what_has_no_inverse_is_refused(real: str, tiny: float) -> None:
     """A spin inertia or a total mass so small that its inverse is no number counts as none."""

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from emit.stands import generated
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.cost import Cost, cost
 from mahovik.core.program.expression import Place, bits_of, real, real_of_bits, select
 from mahovik.core.program.function import Program
@@ -48,22 +48,6 @@ def test_loops_multiply_and_the_dearer_branch_counts() -> None:
 
     f = function("f", [argument("x", R, (4,), "inout")], write)
     assert cost(f) == Cost(additions=3 + 6, multiplications=3, comparisons=3)
-
-
-def test_calls_count_with_the_length_that_they_get() -> None:
-    def scale(body: Body, x: Place, count: int) -> None:
-        with body.loop("i", count) as i:
-            body.set(x[i], x[i] * 2)
-
-    scaled = function("scaled", [argument("x", R, (0,), "inout"), argument("count", I)], scale)
-
-    def twice(body: Body, x: Place) -> None:
-        with body.loop("k", 2):
-            body.call(scaled, x, 5)
-
-    square = value_of((R,), lambda a: a * a)
-    assert cost(function("g", [argument("x", R, (5,), "inout")], twice), (scaled,)) == Cost(multiplications=10)
-    assert cost(value_of((R,), lambda a: call(square, a + 1)), (square,)) == Cost(additions=1, multiplications=1)
 
 
 def test_each_further_flywheel_costs_forward_the_same() -> None:

@@ -3,12 +3,14 @@
 References: NumPy's sqrt (an IEEE operation), double for float, and long double for double where it is longer.
 """
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from routines.compiled import run
-from routines.run import call, call_sincos
+from routines.run import call, call_sincos, neighbours
 from routines.test_exponential import exponents
 
 PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)
@@ -76,3 +78,20 @@ def test_million_roots(precision: Precision) -> None:
     numbers = numbers_of_every_size(precision, 2_000_000)
     (root,) = run(precision, "sqrt", numbers)
     assert np.array_equal(root, np.sqrt(numbers))
+
+
+@PRECISIONS
+def test_hard_roots(precision: Precision) -> None:
+    """Rounded squares of (k + 1/2) units in the last place are the hardest; powers of two, subnormals, zeros."""
+    draw, ones = np.random.default_rng(4), 1 << (precision.significand - 1)
+    hard: list[float] = [0.0, -0.0, np.finfo(precision.scalar).max, np.finfo(precision.scalar).tiny]
+    for k in (*draw.integers(ones, 2 * ones, 1500), ones, 2 * ones - 1):
+        square = (Fraction(int(k)) + Fraction(1, 2)) ** 2 / ones**2
+        for scale in (1.0, 0.25, 2.0**20):
+            hard.extend(neighbours(precision, float(square) * scale, reach=1))
+    for exponent in range(2 - precision.bias, precision.bias):
+        hard.extend(neighbours(precision, 2.0**exponent, reach=2))
+    words = draw.integers(1, ones, 2000, dtype=precision.word)
+    numbers = np.concatenate([np.array(hard, precision.scalar), words.view(precision.scalar)])
+    (root,) = run(precision, "sqrt", numbers)
+    assert root.tobytes() == np.sqrt(numbers).tobytes()

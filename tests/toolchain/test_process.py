@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import threading
 import time
 from concurrent.futures import Future
 from subprocess import CompletedProcess
@@ -11,10 +10,8 @@ from subprocess import CompletedProcess
 import pytest
 
 from mahovik.core.toolchain import process
-from mahovik.errors import ToolchainError
 
 PATIENT = (sys.executable, "-c", "import time; time.sleep(60)")
-BRIEF = (sys.executable, "-c", "import time; time.sleep(1); print('done')")
 
 
 def until_running(count: int) -> None:
@@ -40,25 +37,3 @@ def test_programs_of_pools_inside_are_ended() -> None:
     assert time.monotonic() - begin < 30.0
     assert found[0].result().returncode != 0
     assert process._running == {}
-
-
-def test_nothing_is_begun_any_more() -> None:
-    """Threads of a stopping pool start no process, also after an inner pool has ended; other threads may."""
-    after: list[str] = []
-    running = threading.Event()
-
-    def wait_inside() -> None:
-        inside()
-        running.wait(30.0)
-        try:
-            process.run(BRIEF)
-        except ToolchainError as error:
-            after.append(str(error))
-
-    with pytest.raises(KeyboardInterrupt), process.side_by_side() as pool:
-        pool.submit(wait_inside)
-        until_running(1)
-        running.set()
-        raise KeyboardInterrupt
-    assert [words.rpartition(": ")[2] for words in after] == ["not started, interrupted"]
-    assert process.run(BRIEF).stdout == "done\n"

@@ -1,4 +1,4 @@
-"""The rows of public functions are what the programs of stands have."""
+"""The contract: rows of public functions are what programs have; ranges and statuses are those promised."""
 
 from __future__ import annotations
 
@@ -7,12 +7,14 @@ from dataclasses import replace
 
 import pytest
 
-from mahovik.contract.functions import FUNCTIONS, PublicFunction, row_of, task_of
+from mahovik.contract.functions import FUNCTIONS, PublicFunction
+from mahovik.contract.quantities import QUANTITIES, SINGULAR_BELOW, UNIT_LENGTH
+from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.lower.program import lower
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.hold import FREEDOMS
-from mahovik.core.stand.model import Hold, Task, TaskRow
+from mahovik.core.stand.model import Hold
 from mahovik.core.stand.read import load
 from mahovik.proof.verify.program_backend import with_all_inputs
 from mahovik.stands import path
@@ -50,25 +52,54 @@ def test_rows_have_arguments_and_equations_of_the_programs(programs: list[Functi
     assert {name: taken for name, taken in seen.items() if taken != set(FUNCTIONS[name].takes)} == {}
 
 
-def test_functions_of_tasks_have_the_rows_of_their_forms() -> None:
-    """No name of a task makes the name of another function: a task named `at_fast` is one, too."""
-    rows = tuple(Task(name, (TaskRow("", "wz"),)) for name in ("pointing", "at_fast", "inverse"))
-    stand = replace(load(path("sat4")), tasks=rows, phase_input="sincos")
-    found = {f.name: f for f in lower(stand, DOUBLE).functions if f.public and f.name not in FUNCTIONS}
-    forms = ("inverse_{}", "inverse_fast_{}", "inverse_fast_{}_at", "torque_for_{}")
-    assert set(found) == {form.format(task.name) for form in forms for task in rows}
-    for name, f in found.items():
-        taken = [a.name for a in f.arguments if a.direction != "out"]
-        assert [each for each in row_of(name).takes if each in taken] == taken
-        assert "demand" in taken and "V_dot" not in taken
-        assert task_of(name) in name and not row_of(name).want
-    assert [task_of(name) for name in FUNCTIONS] == [""] * len(FUNCTIONS)
-    with pytest.raises(KeyError):
-        row_of("reverse_pointing")
-
-
 def test_a_want_without_a_referee_is_refused() -> None:
     with pytest.raises(ValueError, match="a want needs a judge"):
         PublicFunction("momentum_rate", "", ("x",), ("Z_dot",), ("exact",), want=True)
     with pytest.raises(ValueError, match="expected judges among"):
         PublicFunction("momentum_rate", "", ("x",), ("Z_dot",), ())
+
+
+PROMISED = {
+    "position": (1e6,),
+    "angles": (1e7,),
+    "V": (1e4, 1e4, 1e4, 1e5, 1e5, 1e5),
+    "phi": (1e7,),
+    "phi_dot": (1e5,),
+    "phi_ddot": (1e9,),
+    "V_dot": (1e9,),
+    "tau": (1e9,),
+    "wrench": (1e9,),
+}
+"""Largest magnitudes in double, SI."""
+
+PROMISED_IN_FLOAT = PROMISED | {"angles": (1e3,), "phi": (1e3,)}
+
+
+@pytest.mark.parametrize(("real", "promised"), [("double", PROMISED), ("float", PROMISED_IN_FLOAT)])
+def test_ranges_are_those_promised(real: str, promised: dict[str, tuple[float, ...]]) -> None:
+    assert {row.symbol: row.limits(real) for row in QUANTITIES.values() if row.input} == promised
+
+
+def test_lengths_and_angles_are_those_promised() -> None:
+    assert (UNIT_LENGTH, SINGULAR_BELOW) == (1e-3, 1e-6)
+
+
+def test_statuses_are_those_promised() -> None:
+    assert STATUS_VALUES == {
+        "OK": 0,
+        "NEAR_SINGULAR": 1,
+        "DAMPED": 2,
+        "LIMITED": 4,
+        "UNREACHABLE": 8,
+        "RANK_DEFICIENT": 16,
+        "COARSE": 32,
+        "EXCESSIVE": 64,
+        "NOT_FINITE": -1,
+        "RANGE": -2,
+        "NOT_POSITIVE_DEFINITE": -3,
+        "SINGULAR_ATTITUDE": -4,
+        "BAD_ARGUMENT": -5,
+    }
+    assert status_words(0) == "OK"
+    assert status_words(-2) == "RANGE"
+    assert status_words(21) == "NEAR_SINGULAR|LIMITED|RANK_DEFICIENT"
