@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -23,10 +23,6 @@ from mahovik.proof.verify.states import Request
 
 AGREES = 1e-11
 """Difference over the natural scale below which numbers agree."""
-
-
-SEARCHED = ("forward", "torque")
-"""Quantities in which wrong terms are looked for."""
 
 
 @dataclass(frozen=True)
@@ -104,9 +100,9 @@ def _differences(audit: Audit, request: Request) -> dict[str, float]:
 
 
 def _measure_free(audit: Audit, faults: bool) -> Outcome:
-    search = TermSearch(audit.stand, 1, tuple(want for want in audit.wants if want in SEARCHED))
+    search = TermSearch(audit.stand, 1, audit.wants)
     first = search.requests
-    worst = max(max(_differences(audit, each).values()) for each in (*first, *_coupled(audit, first)))
+    worst = max(max(_differences(audit, each).values()) for each in first)
     sizes = _components(audit, first)
     differing = tuple(name for name, off in sizes.items() if off > AGREES)
     agreeing = max((off for off in sizes.values() if off <= AGREES), default=None)
@@ -132,35 +128,16 @@ def _measure_free(audit: Audit, faults: bool) -> Outcome:
     )
 
 
-def _coupled(audit: Audit, requests: list[Request]) -> list[Request]:
-    """States of a model that moves its rotors as well."""
-    if "coupled" not in audit.wants:
-        return []
-    rng = np.random.default_rng(1)
-    states = [each.state for each in (requests or TermSearch(audit.stand, 1, ("forward",)).requests)[:100]]
-    return [
-        Request("coupled", replace(state, tau=tuple(rng.normal(size=len(state.tau)).tolist())), ("coupled",))
-        for state in states
-    ]
-
-
 def _components(audit: Audit, requests: list[Request]) -> dict[str, float]:
-    """Largest difference of each component of K V_r* and of each torque, over the sum of magnitudes of its terms."""
+    """Largest difference of each component of K V_r*, over the sum of magnitudes of its terms."""
     found: dict[str, float] = {}
-    for request in requests or _coupled(audit, requests):
+    for request in requests:
         at = reference.pieces(audit.stand, request.state)
-        values = ask(audit, request)
-        if request.want == ("torque",):
-            expected = reference.evaluate(audit.stand, request.state, request.want, at)["tau"]
-            size = scales(audit.stand, request.state, at, "torque")["tau"]
-            parts = zip(audit.stand.flywheels, np.abs(values["tau"] - expected) / size, strict=True)
-            rows = {wheel.name: float(off) for wheel, off in parts}
-        else:
-            V_r_dot = at.V_r_dot(np.array(values["V_dot"]))
-            rates = np.array(values.get("phi_ddot", request.state.phi_ddot))
-            error = at.K @ V_r_dot + at.I @ rates + bias(at) - at.F
-            size = np.abs(at.K) @ np.abs(V_r_dot) + np.abs(at.I) @ np.abs(rates) + _size(at)
-            rows = {letter: float(off) for letter, off in zip(WRENCH_LETTERS, np.abs(error) / size, strict=True)}
+        V_r_dot = at.V_r_dot(np.array(ask(audit, request)["V_dot"]))
+        rates = np.array(request.state.phi_ddot)
+        error = at.K @ V_r_dot + at.I @ rates + bias(at) - at.F
+        size = np.abs(at.K) @ np.abs(V_r_dot) + np.abs(at.I) @ np.abs(rates) + _size(at)
+        rows = {letter: float(off) for letter, off in zip(WRENCH_LETTERS, np.abs(error) / size, strict=True)}
         for name, off in rows.items():
             found[name] = max(found.get(name, 0.0), off)
     return found

@@ -10,12 +10,10 @@ from scipy.spatial.transform import Rotation
 from mahovik.core.stand.model import MountingAngles, MountingAxes, Sequence
 from mahovik.laws.damping.data import Damping, DampingTerm, Factor
 from mahovik.laws.damping.reference import damping_terms, linear_damping, quadratic_damping
-from mahovik.laws.leg.data import legs_of
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.rotation import C1, attitude, carrier_rotation, flywheel_mounting, rotation_vector
 from physics.general import draw, rows, suspension_of
-from physics.motions import SEQUENCES, motion, rate, rotation
+from physics.motions import SEQUENCES, rotation
 
 SEEDS = range(6)
 STEP = 1e-3  # speeds of 20 rad/s
@@ -50,24 +48,6 @@ def test_suspension_by_hand(seed: int) -> None:
     x = [*shift, *Rotation.from_matrix(C_eq.T @ C).as_rotvec()]
     expected = -np.array(suspension.stiffness) @ x - np.array(suspension.damping) @ np.array(state.V)  # not V_r
     np.testing.assert_allclose(pieces(stand, state).terms["carrier"]["suspension"], expected, rtol=0, atol=1e-11)
-
-
-@pytest.mark.parametrize("seed", SEEDS)
-def test_legs_store_energy_in_springs_and_lose_it_along_themselves(seed: int) -> None:
-    stand, state = draw(seed, 1, stream=True)  # legs stand in E0: they feel V, not V_r
-
-    def lengths(t: float) -> Array:
-        now = motion(stand, state)(t)
-        ends = [np.array(now.position) + rotation(stand, now) @ np.array(leg.carrier) for leg in legs_of(stand)]
-        return np.array([np.linalg.norm(e - leg.ground) for e, leg in zip(ends, legs_of(stand), strict=True)])
-
-    at, length_rates = pieces(stand, state), rate(lengths, STEP)
-    for number, leg in enumerate(legs_of(stand)):
-        P = at.terms["carrier"][f"leg {number}"]
-        tension = leg.stiffness * (lengths(0.0)[number] - leg.length) + leg.damping * length_rates[number]
-        assert np.linalg.norm(P[:3]) == pytest.approx(abs(tension), rel=1e-9)  # rate by differences
-        assert pytest.approx(-tension * length_rates[number], rel=1e-9) == P @ at.V
-        assert P[3:] @ P[:3] == pytest.approx(0.0, abs=1e-10)  # a pure force
 
 
 @pytest.mark.parametrize("sequence", SEQUENCES)

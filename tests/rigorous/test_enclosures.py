@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 
 from mahovik.contract.functions import wants_of
 from mahovik.core.stand import Stand, State, load
-from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.read import loads
 from mahovik.errors import StateError
@@ -27,7 +26,7 @@ from mahovik.stands import names, path
 from rigorous.balls import flat, middles
 from strategies import held_stands, stands
 from toolchain.quick import quick
-from verify.holds import PENDULUM, WET, random_held_stand
+from verify.holds import PENDULUM
 
 SEEDS = st.integers(0, 2**32 - 1)
 WANTS = wants_of("rigorous")
@@ -93,34 +92,6 @@ def test_a_singular_mass_matrix_and_a_leg_without_length_are_refused() -> None:
     there = replace(still, position=(1.0, 2.0, 3.0))
     with pytest.raises(StateError, match="no length"):
         rigorous.pieces_at(empty.with_laws(Legs((leg,))), there)
-
-
-def motion_of(stand: Stand, state: State, want: str) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """Middles of the balls of a motion, and S."""
-    balls = rigorous.evaluate(rigorous.pieces_at(stand, state), state, want)
-    m = len(state.u)
-    S = np.array([twist_of_unit(stand, k, m) for k in range(m)]).T if m else np.zeros((6, 0))
-    return {key: middles(value) for key, value in balls.items()}, S
-
-
-def twist_of_unit(stand: Stand, k: int, m: int) -> tuple[float, ...]:
-    assert stand.hold is not None
-    return twist_of(stand.hold, [float(i == k) for i in range(m)])
-
-
-@pytest.mark.parametrize("want", ["forward", "coupled"])
-def test_the_reaction_has_no_power_and_makes_the_free_carrier_move_so(want: str) -> None:
-    """S^T R = 0; the carrier without hold, with R as a wrench on it, moves as the held one does."""
-    stand = random_held_stand("all but one", 4, WET)
-    free = replace(stand, hold=None)
-    for _, state in draw(stand, 2, 6):
-        found, S = motion_of(stand, state, want)
-        R = found["reaction"]
-        assert np.abs(S.T @ R).max() <= 1e-13 * np.abs(R).max()
-        given_ = np.array(state.wrench.get("carrier", (0.0,) * 6)) + R
-        pushed = replace(state, wrench={**state.wrench, "carrier": tuple(given_.tolist())}, u=(), u_dot=())
-        alone = middles(rigorous.evaluate(rigorous.pieces_at(free, pushed), pushed, want)["V_dot"])
-        assert np.abs(alone - found["V_dot"]).max() <= 1e-9 * np.abs(found["V_dot"]).max()
 
 
 def test_a_free_carrier_has_no_reaction_to_enclose() -> None:

@@ -12,7 +12,6 @@ from scipy.integrate import solve_ivp
 from export.held_servos import ARM, MASS, SPIN, WHOLE, pendulum
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.stand.hold import FREEDOMS, twist_of
 from mahovik.core.stand.model import Hold, MountingAxes, Stand
 from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import rest_state
@@ -90,20 +89,6 @@ def test_steps_swing_as_the_pendulum_does_about_a_pivot_that_stays() -> None:
     assert found["V"] == pytest.approx([-0.2 * -swung[1], 0, 0, 0, swung[1], 0], abs=1e-8)
     arm = [np.array([np.sin(a), 0, np.cos(a)]) * -0.2 for a in (angle, 2 * np.arctan2(y, w))]
     assert np.array(found["position"]) + arm[1] == pytest.approx(np.array(x["position"]) + arm[0], abs=1e-14)
-
-
-def test_a_plane_lets_the_pivot_slide_in_it_alone() -> None:
-    stand = replace(
-        loads(PENDULUM), hold=Hold(tuple(FREEDOMS[n] for n in ("x", "z", "pitch")), PIVOT, (0.0,) * 3, (0.0,) * 3)
-    )
-    assert stand.hold is not None
-    V = twist_of(stand.hold, (0.5, -0.3, 2.0))
-    x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": V, "phi": [0.0], "phi_dot": [50.0]}
-    found = run_steps(stand, x, 1e-3, 100)
-    assert found["position"][1] == 0.0 and found["attitude"][1] == found["attitude"][3] == 0.0
-    # the mass centre is at O1 and falls freely
-    start = np.array(V[:3])
-    assert found["position"] == pytest.approx(start * 0.1 - np.array([0, 0, 9.81 * 0.01 / 2]), abs=1e-12)
 
 
 def answer(own: InterpreterBackend, stand: Stand, state: Any, function: str, **options: Any) -> tuple[int, np.ndarray]:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from types import SimpleNamespace
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 import pytest
@@ -11,9 +10,7 @@ import pytest
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.read import loads
-from mahovik.core.stand.state import State
 from mahovik.proof import reference
-from mahovik.proof.reference.hold import held_forward
 from mahovik.proof.second import Second
 from mahovik.proof.verify import harness
 from mahovik.proof.verify.bounds import DOUBLE
@@ -22,7 +19,6 @@ from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.abilities import excess_rows
 from mahovik.proof.verify.functions.case import Case, ordinary
-from mahovik.proof.verify.functions.reactions import hold_rows
 from mahovik.proof.verify.states import Request
 from verify.holds import PENDULUM, random_held_stand
 
@@ -101,30 +97,3 @@ def test_an_error_of_a_digit_is_seen(quantity: str) -> None:
             own.compare(Request(name, state, ("forward",)), "forward", wrong)
     verdicts = {row.quantity: row.verdict for row in own.rows()}
     assert verdicts.pop(quantity) == "FAILED" and set(verdicts.values()) == {"ok"}
-
-
-class ByReference:
-    """Answers of `reaction` by the literal reference, off by a factor."""
-
-    def __init__(self, stand: Stand, factor: float) -> None:
-        self.stand, self.factor, self.layout = stand, factor, SimpleNamespace(precision=SimpleNamespace(name="double"))
-
-    def arguments(self, state: State) -> dict[str, Any]:
-        return {"state": state}
-
-    def call(self, function: str, inputs: dict[str, Any]) -> tuple[int, dict[str, Any]]:
-        """That of the motion which the hold allows, and K times what the given V_dot is beyond it."""
-        assert function == "reaction" and self.stand.hold is not None
-        state = inputs["state"]
-        at = reference.pieces(self.stand, state)
-        moved = held_forward(at, self.stand.hold, np.array(state.phi_ddot))
-        more = at.K @ (np.array(state.V_dot) - moved.V_dot)
-        return 0, {"reaction": self.factor * (moved.reaction + more)}
-
-
-@pytest.mark.parametrize(("factor", "verdict"), [(1.0, "ok"), (1.0 + 1e-9, "FAILED"), (-1.0, "FAILED")])
-def test_the_judge_of_the_reaction_sees_a_digit_and_a_sign(factor: float, verdict: str) -> None:
-    stand = random_held_stand("hinge", 4)
-    some = [each for each in draw(stand, 1, 8, wrenches=False) if each[0].startswith("random")]
-    case = Case(stand, cast(Any, ByReference(stand, factor)), some, DOUBLE, Second(stand), 1)
-    assert {row.verdict for row in hold_rows(case)} == {verdict}
