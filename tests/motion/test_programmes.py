@@ -187,17 +187,6 @@ def test_a_period_later_only_the_winding_is_added(cos: np.ndarray, periods: int,
     assert later.phi_ddot == pytest.approx(now.phi_ddot, abs=1e-3)
 
 
-def test_a_run_up_table_is_exact_at_its_rows_and_holds_beyond() -> None:
-    t = np.array([0.0, 0.3, 1.0])
-    samples = Samples(
-        t, np.array([[0.0], [1.0], [4.0]]), np.array([[0.0], [2.0], [5.0]]), np.array([[0.0], [3.0], [1.0]])
-    )
-    at = RunUpTable(1.0, samples).at(np.array([-1.0, 0.0, 0.3, 1.0, 2.0]))
-    assert at.phi[:, 0] == pytest.approx([0.0, 0.0, 1.0, 4.0, 4.0], abs=1e-12)
-    assert at.phi_dot[:, 0] == pytest.approx([0.0, 0.0, 2.0, 5.0, 5.0], abs=1e-12)
-    assert at.phi_ddot[:, 0] == pytest.approx([0.0, 0.0, 3.0, 1.0, 1.0], abs=1e-10)
-
-
 def test_it_is_the_quintic_hermite_polynomial_of_scipy() -> None:
     rng = np.random.default_rng(3)
     t, rows = np.sort(rng.random(8)), rng.standard_normal((8, 3, 2), dtype=np.float64)

@@ -80,6 +80,12 @@ def test_a_motor_that_is_too_weak_is_named_in_a_line() -> None:
     assert motor_warnings(own, {**report, "rundown": {"reason": "none found"}}) == ()
 
 
+def test_six_numbers_with_zeros_for_what_is_blocked_are_the_same_motion() -> None:
+    one, six = (motion(PENDULUM, {"cos": row}) for row in ([0.1], [0, 0, 0, 0, 0.1, 0]))
+    t = np.linspace(0.0, 1.0, 7)
+    assert all(np.array_equal(a, b) for a, b in zip(one.at(t), six.at(t), strict=True))
+
+
 @pytest.mark.parametrize(
     ("row", "name"),
     [([1e-3, 0, 0, 0, 0.1, 0], "x"), ([0, 0, 0, 0.2, 0.1, 0], "yaw"), ([0, 0, 0, 0, 0, 0.1], "roll")],

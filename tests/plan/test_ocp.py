@@ -81,14 +81,11 @@ def test_a_node_is_what_the_residual_says(problem: Any, m: int, N: int) -> None:
 
 
 def test_wheels_share_the_moment_as_they_reach_the_axle() -> None:
-    """Least sum of phi_s''^2 with sum I_s phi_s'' given: phi_s'' goes as I_s, so 1 to 1/sqrt(2) at 45 degrees.
-
-    IPOPT begins where the second wheel does nothing.
-    """
+    """Least sum of phi_s''^2 with sum I_s phi_s'' given: phi_s'' goes as I_s, so 1 to 1/sqrt(2) at 45 degrees."""
     own = scaled(of_held(tilted(), 0.3))
     T, t = own.problem.motion.span, np.linspace(0.0, own.problem.motion.span, 201)
     waves = np.zeros((2, 2 * 3 + 1))
-    waves[0, 1] = 1.0
+    waves[0, 1] = 1.0  # the second wheel does nothing where IPOPT begins
     start: Start = periodic_start(Periodic(T, np.zeros(2), waves, np.zeros(1)))
     found = solve(own, Mesh.uniform(12, 4), start, 1.0, lambda _: None, Budget(0))
     assert found.usable and found.residual < 1e-4

@@ -163,10 +163,7 @@ def test_matrices_that_damp_are_passive() -> None:
 
 @pytest.mark.parametrize("damping", ["", 'derivatives = "with added-mass products"'])
 def test_growth_by_the_moment_of_munk(damping: str) -> None:
-    """(m + L22) v' = -(m + L11) U r and (J + L66) r' = (L11 - L22) U v without damping.
-
-    With the key only -m U r is left, which makes no motion grow.
-    """
+    """(m + L22) v' = -(m + L11) U r and (J + L66) r' = (L11 - L22) U v; with the key only -m U r is left."""
     U = 1.5
     expected = U * math.sqrt((20 + 2) * (25 - 2) / ((20 + 25) * (2.0 + 1.5))) if not damping else 0.0
     assert growth(hull(damping), U) == pytest.approx(expected, rel=1e-6, abs=1e-4)

@@ -126,16 +126,6 @@ def test_the_flywheel_that_has_it_is_named(name: str) -> None:
     assert "in w2 alone" in " ".join(sentences(found))
 
 
-def test_the_state_read_wrongly_is_found() -> None:
-    right = NumpyBackend(stand())
-
-    def negative(request: Request) -> Mapping[str, Any]:
-        state = replace(request.state, phi=tuple(-phi for phi in request.state.phi))
-        return right.evaluate(state, request.want)
-
-    assert names(diagnoser().diagnose(negative))[0] == {("phase, sign", None)}
-
-
 @pytest.mark.parametrize("factor", [0.5, 1.0 + 1e-7])
 def test_what_explains_only_in_proportion_is_not_named(factor: float) -> None:
     """Half of gravity is none that is ignored; in double a difference of 1e-7 is no rounding of float."""

@@ -116,6 +116,12 @@ def test_refusals(words: list[str], expected: str) -> None:
     assert expected in text and len(text.splitlines()) == 1
 
 
+@pytest.mark.parametrize("command", ["response", "jitter"])
+def test_a_free_carrier_has_no_reaction(command: str) -> None:
+    text = refused(command, str(stands.path("sat4")), "--speed", "all=10", "--at", "hold.reaction")
+    assert "sat4 has no [hold]" in text
+
+
 def two_wheels(first: str, second: str) -> Stand:
     """Two wheels about z, 100 mm above and below O1, on a clamped carrier that weighs 14 kg or more."""
     document = table() | {"gravity": [0, 0, -9.81]}

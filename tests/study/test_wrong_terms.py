@@ -31,6 +31,8 @@ from mahovik.proof.reference.hold import held_state, twists
 from mahovik.proof.reference.torque import torque
 from mahovik.proof.reference.wrench_kinds import body_wrench
 from mahovik.proof.verify.actuators import stand_at, with_drawn_actuators
+from mahovik.proof.verify.backends import CasadiBackend, NumpyBackend
+from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.states import Request
 from mahovik.stands import path
 
@@ -325,3 +327,13 @@ def test_parts_of_a_law_add_up_to_it() -> None:
         for detail in {term.detail for term in terms}:
             total = sum(term.value * term.wrench for term in terms if term.detail == detail)
             np.testing.assert_allclose(total, expected, rtol=1e-12, atol=1e-12 * np.abs(expected).max())
+
+
+def test_backends_take_the_actuators_of_a_state() -> None:
+    stand, rng = load(VEHICLES / "nps_auv2.toml"), np.random.default_rng(2)
+    still = replace(rest_state(stand), V=(1.0, 0.2, -0.1, 0.3, 0.2, -0.4))
+    moved = with_drawn_actuators(stand, still, rng)
+    backends = (NumpyBackend(stand), CasadiBackend(stand), CBackend(stand))
+    literal, second, c = (backend.evaluate(moved, ("forward",))["V_dot"] for backend in backends)
+    np.testing.assert_allclose([second, c], [literal, literal], rtol=1e-11)
+    assert not np.allclose(literal, backends[0].evaluate(still, ("forward",))["V_dot"], rtol=1e-3)
