@@ -37,7 +37,7 @@ STANDS = {name: bare_stand(load(path(name))) for name in ("bench8", "sat4", "rem
 
 
 QUICK = ("random, 1",)
-"""Stands tried in `make test`; `make test-all` tries all of them."""
+"""Stands tried in `make test`; the slow tests try all of them."""
 
 
 @pytest.mark.parametrize("name", [n if n in QUICK else pytest.param(n, marks=pytest.mark.slow) for n in STANDS])
