@@ -96,7 +96,6 @@ REFUSED = {
         BASE + LINK.format("w", "1 kg") + TURNS,
         'link "w", inertial, mass, value: expected a number, found "1 kg"',
     ),
-    "comma": (BASE + LINK.format("w", "1,5") + TURNS, 'found "1,5"'),
     "negative": (BASE + LINK.format("w", "-1") + TURNS, 'link "w", inertial, mass: -1 is negative'),
     "no mass": (
         BASE + WHEEL.replace('<mass value="1"/>', "") + TURNS,
@@ -123,11 +122,6 @@ REFUSED = {
     "nested": (
         BASE + WHEEL + LINK.format("x", 1) + TURNS + joint("continuous", "", "k", "w", "x"),
         'joint "k": turns on link "w", which turns itself: a flywheel must be on the carrier',
-    ),
-    "nested on a fixed one": (
-        BASE + WHEEL + LINK.format("x", 1) + LINK.format("y", 1) + TURNS
-        + joint("fixed", "", "f", "w", "x") + joint("continuous", "", "k", "x", "y"),
-        'joint "k": turns on link "x", which turns itself',
     ),
     "roots": (BASE + WHEEL, '2 links have no parent, "base", "w": expected one root'),
     "two parents": (
@@ -156,7 +150,6 @@ REFUSED = {
         '<xacro:macro xmlns:xacro="http://www.ros.org/wiki/xacro" name="m"/>' + BASE,
         "has xacro macros: run `xacro FILE > model.urdf` first",
     ),
-    "nothing has mass": ('<link name="base"/>', "has no mass and no inertia, nor has what is fixed on it"),
 }  # fmt: skip
 
 

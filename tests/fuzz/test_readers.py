@@ -1,9 +1,11 @@
-"""Files of every kind, spoiled: each is taken or refused in words, and what is taken can be used."""
+"""Files of every kind, spoiled, and states: each is taken or refused in words, and what is taken can be used."""
 
 from __future__ import annotations
 
+import io
 import json
 import math
+import os
 import tomllib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -16,7 +18,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from cli.run import run
+from cli.run import DEMO3, run
 from fuzz.mangle import CELLS, spoiled_bytes, spoiled_csv, spoiled_json, spoiled_toml, spoiled_xml
 from fuzz.reading import READERS, check_message, fuzzed, read_or_refuse, soon
 from mahovik import stands
@@ -25,17 +27,24 @@ from mahovik.core.motion.read import load as load_regime
 from mahovik.core.motion.required import load_motion, read_motion
 from mahovik.core.motion.servo import load_servo
 from mahovik.core.stand import load
+from mahovik.core.stand.state import rest_state
 from mahovik.errors import MotionError
 from mahovik.out.campaign.file import load_campaign
 from mahovik.out.foreign.merge import make_stand
 from mahovik.out.foreign.mjcf import read_mjcf
 from mahovik.out.foreign.urdf import read_urdf
 from mahovik.out.foreign.write import stand_file
+from mahovik.proof.verify.backends import Backend, NumpyBackend
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.foreign import read_results
+from mahovik.proof.verify.states import Request, evaluate_lines
+from mahovik.stands import path
 from mahovik.use.control.servo import check_margins, gains
+from mahovik.use.simulate.case import load_start
 
 pytestmark = READERS
 
-DEMO3, SAT4 = load(stands.path("demo3")), load(stands.path("sat4"))
+DEMO, SAT4 = load(stands.path("demo3")), load(stands.path("sat4"))
 STANDS = [stands.path(name).read_text(encoding="utf-8") for name in stands.names()]
 
 EXAMPLES = Path(__file__).parent / "examples"
@@ -68,7 +77,7 @@ def read_servo_file(file: Path) -> None:
 
 def read_motion_file(file: Path) -> None:
     """The motion, at some times."""
-    motion = load_motion(file, DEMO3)
+    motion = load_motion(file, DEMO)
     assert np.all(np.isfinite(motion.at(np.array([0.0, 0.3, 1e3])).q_ddot))
 
 
@@ -96,7 +105,7 @@ def read_course(file: Path) -> None:
     (file.parent / "t.csv").write_bytes(file.read_bytes())
     (file.parent / "w.csv").write_bytes(file.read_bytes())
     for text in REGIMES:
-        read_with(text, "regime.toml", lambda path: load_regime(path, DEMO3, 1.0), file)
+        read_with(text, "regime.toml", lambda path: load_regime(path, DEMO, 1.0), file)
 
 
 @dataclass(frozen=True)
@@ -119,7 +128,7 @@ def as_json(documents: Sequence[Any]) -> list[bytes]:
     return encoded([json.dumps(each) for each in documents])
 
 
-regime = partial(load_regime, stand=DEMO3, until=1.0)
+regime = partial(load_regime, stand=DEMO, until=1.0)
 regime_documents = [tomllib.loads(text) for text in REGIMES]
 FILES = {
     "stand": Reader(load, "stand.toml", encoded(STANDS), spoiled_toml(STANDS)),
@@ -183,7 +192,7 @@ def read_spoiled(reader: Reader, content: str | bytes, folder: Path) -> None:
 def test_half_of_a_pair_is_no_character() -> None:
     """JSON can write it, `"\\ud800"`; UTF-8 cannot."""
     with pytest.raises(MotionError, match="not JSON: "):
-        read_motion(json.dumps(MOTIONS[0] | {"type": "\ud800"}), DEMO3)
+        read_motion(json.dumps(MOTIONS[0] | {"type": "\ud800"}), DEMO)
 
 
 @fuzzed(15)
@@ -199,3 +208,99 @@ def test_the_commands_end_with_a_status(text: str, command: str, tmp_path_factor
     if result.exit_code:
         assert result.stderr.startswith("error: ")
         check_message(result.stderr)
+
+
+AUV6 = load(path("auv6"))
+N = len(AUV6.flywheels)
+STATES: list[dict[str, Any]] = [
+    {"id": 7, "V": [1, 2, 3, 0.1, 0.2, 0.3], "phi": [0.5] * N, "phi_dot": [100.0] * N, "want": ["forward", "torque"]},
+    {"id": "a", "angles": [0.1, 0.2, 0.3], "phi_ddot": [1.0] * N, "want": ["generalized", "measure", "inverse"]},
+    {"quaternion": [1, 0, 0, 0], "tau": [0.01] * N, "want": ["coupled"]},
+    {"id": None, "position": [1, 2, 3], "wrench": {"carrier": [1, 2, 3, 4, 5, 6]}, "want": ["wrench", "momentum"]},
+    {"id": [1, {"a": 2}], "V_dot": [1, 2, 3, 4, 5, 6], "phi_dot": [1e5] * N, "want": ["mounts", "matrices", "forward"]},
+]
+LINES = st.one_of(
+    spoiled_json(STATES).map(lambda text: text.encode("utf-8", "surrogatepass")),
+    spoiled_bytes([json.dumps(state).encode() for state in STATES]),
+)
+
+
+@pytest.fixture(scope="module", params=["c", "numpy"])
+def backend(request: pytest.FixtureRequest) -> Backend:
+    return CBackend(AUV6) if request.param == "c" else NumpyBackend(AUV6)
+
+
+def strict(line: str) -> Any:
+    """Strict JSON has no NaN."""
+
+    def constant(name: str) -> None:
+        raise AssertionError(f"{name} in {line[:200]}")
+
+    return json.loads(line, parse_constant=constant)
+
+
+@fuzzed(150)
+@given(data=st.lists(LINES, min_size=1, max_size=3).map(b"\n".join))
+def test_eval_answers_each_line(data: bytes, backend: Backend) -> None:
+    lines = [line for line in io.BytesIO(data) if line.strip()]
+    with soon(60):
+        answers = list(evaluate_lines(AUV6, backend, iter(lines)))
+    blank = sum(not line.removeprefix(b"\xef\xbb\xbf").strip() for line in lines[:1])
+    assert len(answers) == len(lines) - blank
+    for answer, good in answers:
+        assert "\n" not in answer
+        found = strict(answer)
+        assert good == ("error" not in found)
+        assert next(iter(found)) == "id"
+
+
+@pytest.mark.parametrize("reader", ["start of simulate", "answers of a program"])
+@fuzzed(100)
+@given(data=LINES)
+def test_readers_of_states(reader: str, data: bytes, tmp_path_factory: pytest.TempPathFactory) -> None:
+    if reader == "start of simulate":
+        file = tmp_path_factory.getbasetemp() / "start.json"
+        file.write_bytes(data)
+        read_or_refuse(lambda: load_start(file, AUV6))
+    else:
+        read_or_refuse(lambda: read_results([data], [Request(7, rest_state(AUV6), ("forward",))]))
+
+
+COMMANDS = {
+    "check": ("check", "{}"),
+    "derive": ("derive", "{}", "-o", "{out}"),
+    "generate": ("generate", "{}", "-o", "{out}"),
+    "verify": ("verify", "{}"),
+    "verify --against": ("verify", DEMO3, "--against", "{}"),
+    "eval": ("eval", "{}"),
+    "rest": ("rest", "{}"),
+    "cost": ("cost", "{}", "-o", "{out}"),
+    "export target": ("export", "target", "{}", "--target", "m7", "-o", "{out}"),
+    "export fuzz": ("export", "fuzz", "{}", "-o", "{out}"),
+    "simulate": ("simulate", "{}", "--until", "0.001", "-o", "{out}/x.csv"),
+    "regime": ("simulate", DEMO3, "--until", "0.001", "-o", "{out}/x.csv", "--regime", "{}"),
+    "start": ("simulate", DEMO3, "--until", "0.001", "-o", "{out}/x.csv", "--start", "{}"),
+    "replay": ("replay", "--log", "{}"),
+    "replay, stand": ("replay", DEMO3, "--log", "{}"),
+    "judge-log": ("judge-log", "--log", "{}"),
+    "judge-log, stand": ("judge-log", DEMO3, "--log", "{}"),
+}
+PLACES = ("missing", "folder", "empty", "/dev/zero", "a/b", "blank", "closed")
+
+
+@pytest.mark.parametrize("place", PLACES)
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_place_that_holds_nothing_to_read(command: str, place: str, tmp_path: Path) -> None:
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "empty").touch()
+    (tmp_path / "blank").write_bytes(b" \r\n\t\n" * 9)
+    (tmp_path / "closed").write_bytes(b"x")
+    os.chmod(tmp_path / "closed", 0)
+    target = str(tmp_path / place)
+    words = [word.replace("{}", target).replace("{out}", str(tmp_path / "out")) for word in COMMANDS[command]]
+    with soon(60):
+        result = run(*words)
+    assert result.exit_code in (1, 2)
+    check_message(result.stderr)
+    assert len(result.stderr.splitlines()) < 30
+    assert not (tmp_path / "out").exists()

@@ -1,4 +1,4 @@
-"""The inverse problem (12): optimality of its answer, its status, and (13)."""
+"""The inverse problem (12) and tasks: the answer is the least, its status is right; (13) completes it."""
 
 from dataclasses import replace
 
@@ -6,11 +6,16 @@ import numpy as np
 import pytest
 from scipy.linalg import null_space
 
-from mahovik.core.stand.model import MountingAngles, Stand
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand import loads
+from mahovik.core.stand.model import COMPONENTS, MountingAngles, Stand, Task, TaskRow
+from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
+from mahovik.core.stand.state import State, rest_state
+from mahovik.errors import StateError
 from mahovik.proof.reference import evaluate, pieces
-from mahovik.proof.reference.inverse import demand, inverse
+from mahovik.proof.reference.inverse import demand, inverse, inverse_root
 from mahovik.proof.reference.partition import dependent_acceleration, determinant
+from mahovik.proof.reference.task import task_demand, task_inverse, task_rows
+from mahovik.proof.second import Second
 from physics.general import draw, isolated, rows
 
 SEEDS = range(6)
@@ -88,3 +93,129 @@ def test_equation_13_completes_independent_flywheels_to_the_demand(seed: int) ->
     scale = np.abs(at.I).max() * np.abs(phi_ddot).max()
     np.testing.assert_allclose(at.I @ phi_ddot, wanted, rtol=0, atol=1e-13 * scale)
     assert np.linalg.norm(phi_ddot) > np.linalg.norm(inverse(at, V_dot).phi_ddot) * 0.1
+
+
+SIX = Task("six", tuple(TaskRow("", name) for name in COMPONENTS))
+
+
+def case(seed: int, flywheels: int) -> tuple[Stand, State]:
+    """A stand with everything and two tasks, and a state with the first of them."""
+    rng = np.random.default_rng(seed)
+    stand = random_stand(rng, flywheels, EVERYTHING)
+    stand = replace(stand, tasks=(*stand.tasks, SIX))
+    state = random_state(stand, rng)
+    demand = tuple(rng.normal(size=len(stand.tasks[0].rows)))
+    return stand, replace(state, task=stand.tasks[0].name, demand=demand)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_motion_that_results_is_that_of_the_second_derivation(seed: int) -> None:
+    stand, state = case(seed, 3 + seed)
+    found = evaluate(stand, state, ["inverse", "torque", "points"])
+    moved = replace(state, task="", demand=(), phi_ddot=tuple(found["phi_ddot"]))
+    second = Second(stand)
+    V_dot = second.evaluate(moved, ["forward"])["V_dot"]
+    np.testing.assert_allclose(found["V_dot"], V_dot, rtol=0, atol=1e-9 * np.abs(V_dot).max())
+    moved = replace(moved, V_dot=tuple(V_dot))
+    others = second.evaluate(moved, ["torque", "points"])
+    np.testing.assert_allclose(found["tau"], others["tau"], rtol=0, atol=1e-9 * np.abs(others["tau"]).max())
+    reached = []
+    for row in stand.tasks[0].rows:
+        k = COMPONENTS.index(row.component)
+        if not row.of:
+            reached.append(V_dot[k])
+            continue
+        reading = others["points"][row.of]
+        gravity = reading["C"].T @ np.array(stand.gravity)
+        reached.append((reading["specific_force"] + gravity)[k] if k < 3 else reading["angular_acceleration"][k - 3])
+    left = np.array(state.demand) - reached
+    np.testing.assert_allclose(found["residual"], left, rtol=0, atol=1e-9 * np.abs(V_dot).max())
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_answer_is_the_least_in_both_norms(seed: int) -> None:
+    """The residual is normal to all that can be reached, and phi'' to all that changes nothing."""
+    stand, state = case(20 + seed, 1 + seed)
+    at = pieces(stand, state)
+    asked = task_demand(at, task_rows(at, stand, stand.tasks[0]), np.array(state.demand))
+    found = task_inverse(at, asked.rows, np.array(state.demand))
+    root = inverse_root((asked.G + asked.G.T) / 2)
+    left, matrix = root @ found.residual, root @ asked.A / np.sqrt(np.diag(at.Theta_ff))
+    size = np.linalg.norm(matrix, 2) * np.linalg.norm(root @ asked.c)
+    assert np.linalg.norm(matrix.T @ left) < 1e-9 * size
+    y = np.sqrt(np.diag(at.Theta_ff)) * found.phi_ddot
+    _, sigma, Vt = np.linalg.svd(matrix)
+    free = Vt[int(np.sum(sigma > 1e-9 * sigma[0])) :]
+    assert np.linalg.norm(free @ y) < 1e-8 * np.linalg.norm(y)
+
+
+PENDULUM = """
+schema = 1
+name = "wheel"
+inverse_most = 2.0
+[carrier]
+mass = 1
+inertia = [1, 1, 1]
+[[flywheel]]
+name = "w"
+mass = 1
+spin_inertia = 0.5
+transverse_inertia = 0.25
+MOTOR
+[task.turn]
+rows = ["wx"]
+[task.across]
+rows = ["wy"]
+"""
+
+
+@pytest.mark.parametrize(
+    ("motor", "demand", "speed", "status"),
+    [
+        ("", 0.9, 0.0, "OK"),  # phi'' = -(1 + 0.5)/0.5 demand, above 2 rad/s2 from 2/3 on
+        ("", 0.5, 0.0, "OK"),
+        ("", 0.7, 0.0, "EXCESSIVE"),
+        ("motor = { torque = 0.6 }", 0.59, 50.0, "OK"),  # the torque is that which turns the carrier
+        ("motor = { torque = 0.6 }", -0.61, 50.0, "EXCESSIVE"),
+        ("motor = { torque = 0.6, speed = 100 }", 0.31, -50.0, "EXCESSIVE"),  # driving: half of it is left
+        ("motor = { torque = 0.6, speed = 100 }", 0.29, -50.0, "OK"),
+        ("motor = { torque = 0.6, speed = 100 }", 0.59, 50.0, "OK"),  # braking
+        ("motor = { torque = 0.6, speed = 100 }", 0.001, -100.0, "EXCESSIVE"),
+        ("motor = { speed = 100 }", 1000.0, -99.0, "OK"),
+        ("motor = { speed = 100 }", 1e-6, -101.0, "EXCESSIVE"),
+        ("motor = { viscous = 1e-3 }", 0.7, 0.0, "EXCESSIVE"),
+    ],
+)
+def test_excessive_by_hand(motor: str, demand: float, speed: float, status: str) -> None:
+    stand = loads(PENDULUM.replace("MOTOR", motor))
+    if not motor and demand == 0.9:
+        stand = replace(stand, inverse_most=3.0)
+    state = replace(random_state(stand, np.random.default_rng(1)), V=(0.0,) * 6, phi_dot=(speed,))
+    state = replace(state, task="turn", demand=(demand,))
+    found = evaluate(stand, state, ["inverse", "torque"])
+    assert found["status"] == status
+    np.testing.assert_allclose(found["tau"], [-demand], rtol=1e-12)
+    plain = evaluate(stand, replace(state, task="", demand=(), V_dot=(0, 0, 0, demand, 0, 0)), ["inverse"])
+    assert ("EXCESSIVE" in plain["status"]) == (status == "EXCESSIVE")
+
+
+def test_a_wheel_cannot_turn_the_carrier_across_its_axis() -> None:
+    stand = loads(PENDULUM.replace("MOTOR", ""))
+    state = replace(random_state(stand, np.random.default_rng(1)), V=(0.0,) * 6, phi_dot=(0.0,))
+    found = evaluate(stand, replace(state, task="across", demand=(1.0,)), ["inverse"])
+    assert found["status"] == "UNREACHABLE|RANK_DEFICIENT"
+    np.testing.assert_allclose(found["residual"], [1.0])
+    assert (found["rank"], found["sigma"].shape) == (0, (1,))
+
+
+def test_wants_beside_a_task() -> None:
+    stand, state = case(3, 4)
+    for want in ("forward", "coupled"):
+        with pytest.raises(StateError, match=f"want: '{want}' and the task both give 'V_dot'"):
+            evaluate(stand, state, ["torque", want])
+    with pytest.raises(StateError, match='task: unknown "t3", the stand has t1, t2, six'):
+        evaluate(stand, replace(state, task="t3"), ["inverse"])
+    with pytest.raises(StateError, match=r"demand: expected \d numbers, found 0"):
+        evaluate(stand, replace(state, demand=()), ["inverse"])
+    with pytest.raises(StateError, match="the second derivation has no tasks"):
+        Second(stand).evaluate(state, ["torque"])

@@ -1,19 +1,21 @@
-"""A right programme passes: as a series, as a table, of a carrier held still, of three wheels of other speeds."""
+"""A right programme passes: as a series, as a table, of a carrier held still; of a slew what is wrong is named."""
 
 from __future__ import annotations
 
 import json
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
 
 from mahovik import stands
-from mahovik.core.motion.programme import Fourier
-from mahovik.core.motion.required import Bounds, read_motion
+from mahovik.core.motion.programme import Fourier, Programme
+from mahovik.core.motion.required import Bounds, Slew, read_motion
 from mahovik.core.motion.required.course import Harmonics
-from mahovik.core.stand import load
+from mahovik.core.motion.required.slew_file import motion_of_slew
+from mahovik.core.stand import Stand, load
 from mahovik.core.stand.model import Sequence
 from mahovik.core.stand.random import SEQUENCES
 from mahovik.laws.suspension.data import Suspension
@@ -21,6 +23,8 @@ from mahovik.proof.reference.rotation import attitude
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.verify.programme import Finding, table, verify_programme
 from mahovik.proof.verify.programme.mechanics import scale_of, twist, twist_rate
+from mahovik.use.plan.slew import plan_slew
+from plan.slew_stands import PYRAMID, about, satellite, slew
 from verify.programme.programmes import Case, failed, item, shaker, tabled, twins, twins_run_up
 
 
@@ -109,3 +113,49 @@ def test_twist_and_its_rate_along_a_motion(sequence: Sequence) -> None:
         C0, C, C1 = (attitude(sequence, *row[3:]) for row in q)
         assert C @ now[:3] == pytest.approx(q_dot[1, :3], abs=1e-12)
         assert C.T @ (C1 - C0) / (2 * h) == pytest.approx(cross(now[3:]), abs=1e-6)
+
+
+@cache
+def case() -> tuple[Stand, Slew, Programme]:
+    stand = satellite(PYRAMID)
+    wanted = slew(stand, end=about((1, 2, 0), 0.4), duration=6, start={"phi_dot": [20, 0, 5, 0]})
+    return stand, wanted, plan_slew(stand, wanted, verify=False).programmes[0]
+
+
+def failures_of_slew(stand: Stand, wanted: Slew, programme: Programme) -> set[str]:
+    return {
+        each.name for each in verify_programme(stand, motion_of_slew(wanted, programme), programme) if not each.passed
+    }
+
+
+def moved(programme: Programme, **changed: Any) -> Programme:
+    assert programme.carrier is not None
+    return replace(programme, carrier=replace(programme.carrier, **changed))
+
+
+def grown(programme: Programme) -> Programme:
+    """A course that the wheels do not make."""
+    own = programme.carrier
+    assert own is not None
+    return moved(programme, q=1.001 * own.q, q_dot=1.001 * own.q_dot, q_ddot=1.001 * own.q_ddot)
+
+
+def drifting(programme: Programme) -> Programme:
+    """A course that does not begin at rest."""
+    assert programme.carrier is not None
+    return moved(programme, q_dot=programme.carrier.q_dot + np.array([1e-3, 0, 0, 0, 0, 0]))
+
+
+@pytest.mark.slow
+def test_a_slew_passes_and_what_is_wrong_with_it_is_named() -> None:
+    """Another end by 2 arcsec, another start of the wheels, other courses; weaker or slower motors on another stand."""
+    stand, wanted, programme = case()
+    assert failures_of_slew(stand, wanted, programme) == set()
+    assert failures_of_slew(stand, replace(wanted, angle=wanted.angle + np.radians(2 / 3600)), programme) == {
+        "slew end"
+    }
+    assert failures_of_slew(stand, replace(wanted, phi_dot=(21.0, 0.0, 5.0, 0.0)), programme) == {"start phi_dot"}
+    assert {"residual", "simulation", "slew end"} <= failures_of_slew(stand, wanted, grown(programme))
+    assert "slew start" in failures_of_slew(stand, wanted, drifting(programme))
+    for motor, name in (("{ torque = 0.01 }", "motor torque"), ('{ torque = 0.2, speed = "150 rpm" }', "motor speed")):
+        assert failures_of_slew(satellite(PYRAMID, motor), wanted, programme) >= {"stand", name}

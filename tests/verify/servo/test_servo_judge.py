@@ -1,4 +1,4 @@
-"""The C of servos is judged by `verify --servo --against`: right C passes, planted faults fail by their row."""
+"""The C of servos is judged by `verify --servo --against`, the matrix of a trim from its definition; faults fail."""
 
 from __future__ import annotations
 
@@ -7,16 +7,21 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
+import mahovik.use.control.trim as design_module
 from cli.run import refused, run
-from export.programmes import motion, stand
+from export.programmes import motion, spin, stand
 from export.servos import HEAD, TRIM, exported, servo, written
-from mahovik.core.motion.servo import Servo
+from mahovik.core.motion.servo import Servo, read_servo
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.servo import verify_servo
+from mahovik.proof.verify.servo.tables import MATRIX
+from mahovik.proof.verify.servo.trim_matrix import trim_matrix
 from mahovik.stands import path
+from mahovik.use.control.trim import design_trim
 from toolchain.quick import quick
 from verify.build import changed
 
@@ -142,3 +147,23 @@ def test_the_command_judges_the_folder(tmp_path: Path) -> None:
     assert "--servo: no C is given; give its folder, as --against DIR" in refused(*given)
     assert "-o: not with --servo" in refused(*given, "--against", str(tmp_path), "-o", "w.jsonl")
     assert "--name: no servos are judged" in refused("verify", str(path("shaker2")), "--name", "lap")
+
+
+def difference() -> float:
+    """Largest difference of the design from the judge for shaker2 with a programme, in the judge's scale."""
+    text = '[trim]\ncoordinates = ["z", "phi"]\nharmonics = 2\nsettling = 60\ngain = 0.3\n'
+    trim = read_servo(HEAD + text, stand()).trim
+    assert trim is not None
+    expected, scale = trim_matrix(stand(), motion(), spin(), trim)
+    found = design_trim(stand(), motion(), spin(), trim)
+    return float((np.abs(found.matrix - expected) / scale).max())
+
+
+def test_the_judge_agrees_with_the_design() -> None:
+    assert difference() < MATRIX
+
+
+@pytest.mark.parametrize(("constant", "changed"), [("BEYOND", 1), ("SPILL", 31.0), ("REACH", 0.3)])
+def test_every_constant_of_the_design_is_judged(constant: str, changed: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(design_module, constant, changed)
+    assert difference() > MATRIX

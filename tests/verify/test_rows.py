@@ -1,0 +1,197 @@
+"""Rows of `verify`: errors are seen, rounding where nothing acts is not, absences are told; scales of quantities."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, cast
+
+import numpy as np
+import pytest
+
+from laws.held_stands import HOLDS, held_stand
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.stand import Stand, loads
+from mahovik.core.stand.random import EVERYTHING, random_stand
+from mahovik.errors import StateError
+from mahovik.proof import reference
+from mahovik.proof.second import Second
+from mahovik.proof.verify import harness
+from mahovik.proof.verify.bounds import DOUBLE
+from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
+from mahovik.proof.verify.compare import Judge
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.functions.abilities import excess_rows
+from mahovik.proof.verify.functions.case import Case, ordinary
+from mahovik.proof.verify.functions.reactions import mount_rows
+from mahovik.proof.verify.harness import applicable
+from mahovik.proof.verify.judges.compare import ALL, verify_judges
+from mahovik.proof.verify.scales import WANT_SCALES, scales
+from mahovik.proof.verify.states import Request
+from verify.holds import PENDULUM, random_held_stand
+
+STILL = """
+schema = 1
+name = "still"
+carrier = { mass = 1, inertia = [1, 1, 1] }
+hold = { freedoms = ["yaw"] }
+"""
+LEG = """
+[[leg]]
+ground = [0, 0, -1]
+carrier = [0, 0, 0]
+length = 0.9
+stiffness = 100
+"""
+WHEEL = """
+[[flywheel]]
+name = "w"
+position = [0.1, 0, 0]
+axis = [0, 1, 0]
+zero = [0, 0, 1]
+mass = 0.2
+spin_inertia = 1e-4
+transverse_inertia = 6e-5
+"""
+PULLED = LEG.replace("carrier = [0, 0, 0]", "carrier = [0.1, 0, 0]")
+
+
+def judged(stand: Stand, wants: tuple[str, ...], error: float = 0.0) -> dict[tuple[str, str], float]:
+    """Worst difference of any pair over its bound, of the reference as the judged program; `error` added to u_dot."""
+    judge = Judge(stand, DOUBLE, Second(stand))
+    for name, state in draw(stand, 1, 6):
+        for want in wants:
+            found = reference.evaluate(stand, state, [want])
+            if "u_dot" in found:
+                found["u_dot"] = found["u_dot"] + error
+            judge.compare(Request(name, state, (want,)), want, found)
+    return {(row.want, row.quantity): row.excess for row in judge.rows()}
+
+
+@pytest.mark.parametrize("tables", ["", LEG, LEG + WHEEL, PULLED, WHEEL])
+def test_rounding_passes_where_nothing_acts_along_the_freedom_and_an_error_does_not(tables: str) -> None:
+    """A billionth of a rad/s2 along a freedom without forces is no rounding of what the states have."""
+    stand = loads(STILL + tables)
+    assert max(judged(stand, ("forward", "coupled", "generalized")).values()) <= 1.0
+    assert judged(stand, ("forward",), 1e-9)["forward", "u_dot"] > 1.0
+
+
+def test_a_refusal_where_no_flywheel_acts_along_the_freedom_is_right() -> None:
+    stand = loads(STILL + WHEEL)
+    backend = cast(CBackend, InterpreterBackend(generate_all(stand)))
+    states = ordinary(draw(stand, 1, 3), (), 2)
+    (row,) = excess_rows(Case(stand, backend, states, DOUBLE, Second(stand), 1), "inverse_fast")
+    assert (row.verdict, row.states) == ("ok", len(states)), row.reason
+
+
+def test_what_a_held_carrier_does_not_have_is_a_row_with_the_reason() -> None:
+    assert not harness.free_only_rows(loads(PENDULUM))
+    assert "generalized" in {row.want for row in harness.free_only_rows(random_held_stand("knife edge", 3))}
+    clamped = harness.free_only_rows(loads(PENDULUM.replace('["pitch"]\npivot = [0, 0, -0.2]', "[]")))
+    assert {"inverse", "inverse_fast"} <= {row.want for row in clamped}
+    assert all(row.verdict == "not compared" and "held carrier" in row.reason for row in clamped)
+
+
+@pytest.mark.parametrize("quantity", ["u_dot", "V_dot", "reaction"])
+def test_an_error_of_a_digit_is_seen(quantity: str) -> None:
+    """A relative error of 1e-9 in the answer of the program fails, at ordinary states."""
+    stand = random_held_stand("hinge", 4)
+    own = Judge(stand, DOUBLE)
+    for name, state in draw(stand, 1, 6, wrenches=False):
+        expected = own.expected_answer(state, "forward")
+        assert expected is not None
+        if quantity in expected:
+            wrong = {**expected, quantity: np.array(expected[quantity]) * (1 + 1e-9)}
+            own.compare(Request(name, state, ("forward",)), "forward", wrong)
+    verdicts = {row.quantity: row.verdict for row in own.rows()}
+    assert verdicts.pop(quantity) == "FAILED" and set(verdicts.values()) == {"ok"}
+
+
+FLYWHEELS = """
+[[flywheel]]
+name = "w1"
+mass = 1
+position = [0.2, 0, 0]
+spin_inertia = 0.002
+transverse_inertia = 0.0011
+[[flywheel]]
+name = "w2"
+mass = 1
+position = [0, 0.2, 0]
+spin_inertia = 0.002
+transverse_inertia = 0.0011
+"""
+ONE_WHEEL = FLYWHEELS.rpartition("[[flywheel]]")[0]
+POINT = loads(f'schema = 1\nname = "point"\n[carrier]\nmass = 5\ninertia = [0, 0, 0]\n{FLYWHEELS}')
+"""A carrier that is a point: without its flywheels nothing resists a turn."""
+
+HELD = loads(
+    f'schema = 1\nname = "held"\n[carrier]\nmass = 0\ninertia = [0, 0, 0]\nadded_mass = [1, 1, 1, 1, 1, 1]\n{ONE_WHEEL}'
+)
+"""One wheel, and else added mass alone: without fluid its mass matrix is singular."""
+
+
+def test_reactions_on_a_carrier_without_inertia_are_skipped_with_the_reason() -> None:
+    states = [(name, replace(state, wrench={})) for name, state in draw(POINT, 1, 6)]
+    case = Case(POINT, CBackend(POINT), states[:3], DOUBLE, Second(POINT), 1)
+    torque, motion = mount_rows(case)
+    assert (torque.verdict, torque.states) == ("ok", 3)
+    assert motion.verdict == "not compared" and not motion.failed
+    assert motion.reason == (
+        "its judge refused: the mass matrix of the stand without flywheels is not positive definite"
+    )
+
+
+def test_a_stand_that_is_none_without_fluid_is_skipped_with_the_reason() -> None:
+    """Every judge says so; nothing is compared, which is no pass."""
+    found = verify_judges(HELD, count=2, bare=True)
+    assert [row.want for row in found.rows] == list(ALL)
+    for row in found.rows:
+        assert (row.verdict, row.states) == ("not compared", 0)
+        assert row.reason.startswith("the stand without carrier: added_mass has no positive definite mass matrix")
+    assert not found.passed
+
+
+ROUNDING = 1 + 1e-9  # of the scale's own sums; the bound itself is exact
+
+
+def pairs(found: dict[str, Any], natural: dict[str, Any]) -> list[tuple[str, Any, Any]]:
+    flat = []
+    for name, value in found.items():
+        if isinstance(value, dict):
+            flat += [(f"{name} {n}", v, s) for n, v, s in pairs(value, natural[name])]
+        elif natural[name] is not None:
+            flat.append((name, np.asarray(value), np.asarray(natural[name])))
+    return flat
+
+
+def check_bounds(stand: Stand, want: str, seed: int) -> int:
+    checked = 0
+    for _, state in draw(stand, seed, 8):
+        if not applicable(state, want):
+            continue
+        try:
+            found = reference.evaluate(stand, state, [want])
+        except StateError:
+            continue
+        natural = scales(stand, state, reference.pieces(stand, state), want)
+        assert set(natural) == set(found)
+        for name, value, scale in pairs(found, natural):
+            assert value.shape == scale.shape, name
+            assert np.all(np.abs(value) <= scale * ROUNDING + 1e-290), name
+            checked += 1
+    return checked
+
+
+OF_FREE = [want for want in WANT_SCALES if want != "reaction"]
+
+
+@pytest.mark.parametrize("want", OF_FREE)
+def test_a_quantity_is_never_larger_than_its_scale(want: str) -> None:
+    assert sum(
+        check_bounds(random_stand(np.random.default_rng(seed), 1 + seed, EVERYTHING), want, seed) for seed in range(7)
+    )
+
+
+@pytest.mark.parametrize("tables", HOLDS)
+def test_a_reaction_is_never_larger_than_its_scale(tables: str) -> None:
+    assert check_bounds(held_stand(tables), "reaction", 3)
