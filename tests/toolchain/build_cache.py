@@ -71,9 +71,9 @@ def caching(build: Build, folder: Path) -> Build:
 def install(folder: Path) -> None:
     """Keep what this process builds from now on; a library for this process is built without optimisation.
 
-    The bits do not depend on it, and gcc takes a quarter of the time. tests/emit/test_bits.py and
-    tests/api/test_optimised.py hold all optimisations to the same bits, and commands in processes of their own build as
-    for users, unless they find the library of a Python model that a test has built already.
+    The bits do not depend on it, and gcc takes a quarter of the time. tests/emit/test_selftest.py holds all
+    optimisations to the same bits, and commands in processes of their own build as for users, unless they find the
+    library of a Python model that a test has built already.
     """
     from mahovik.core.toolchain import arrays, library  # here, as they load NumPy
 
