@@ -54,7 +54,7 @@ def stand_of(name: str) -> Stand:
     return mahovik.load("stand.toml")
 
 
-def drawn(stand: Stand, rng: Any, speeds: Callable[[Any], Any]) -> tuple[State, Any]:
+def state_and_speeds(stand: Stand, rng: Any, speeds: Callable[[Any], Any]) -> tuple[State, Any]:
     """A random state of a pose that the hold allows, and its speeds: V, or those of the freedoms."""
     turning = {"phi_dot": tuple(rng.normal(size=len(stand.flywheels)))}
     turning["phi_ddot"] = tuple(rng.normal(size=len(stand.flywheels)))
@@ -88,7 +88,7 @@ def log_of(
             found.setdefault(name, []).append(float(x))
 
     for k in range(count):
-        state, u = drawn(stand, rng, speeds)
+        state, u = state_and_speeds(stand, rng, speeds)
         at = reference.pieces(stand, state)
         right = at.F - bias(at) - at.I @ np.array(state.phi_ddot)
         change(right, at)
@@ -303,23 +303,23 @@ def test_rows_with_holes_other_columns_and_other_units() -> None:
         assert words in result.stderr
 
 
-def without(*names: str) -> Callable[[dict[str, list[float]]], object]:
+def leave_out(*names: str) -> Callable[[dict[str, list[float]]], object]:
     return lambda columns: [columns.pop(name) for name in names]
 
 
 SPEEDS = [f"{name}_{a}" for name in ("v", "omega") for a in "xyz"]
 RATES = [f"{name}_dot_{a}" for name in ("v", "omega") for a in "xyz"]
 BAD: list[tuple[str, Callable[[dict[str, list[float]]], object], str]] = [
-    ("brick", without("v_y"), 'no column "v_y", expected with v_x'),
-    ("brick", without(*SPEEDS), "every state has them"),
-    ("brick", without("t [s]", *RATES), "there is nothing to compare"),
-    ("brick", without("qw", "qx", "qy", "qz"), "this stand depends on its attitude"),
+    ("brick", leave_out("v_y"), 'no column "v_y", expected with v_x'),
+    ("brick", leave_out(*SPEEDS), "every state has them"),
+    ("brick", leave_out("t [s]", *RATES), "there is nothing to compare"),
+    ("brick", leave_out("qw", "qx", "qy", "qz"), "this stand depends on its attitude"),
     ("brick", lambda c: c.update({"v_x [kg]": c.pop("v_x")}), 'unit "kg" does not fit'),
     ("brick", lambda c: c["qw"].__setitem__(2, 3.0), "row 3: quaternion"),
     ("hinge", lambda c: c["v_y"].__setitem__(2, 0.3), "row 3: V: moves along y, which [hold] blocks"),
     ("hinge", lambda c: c.update({"u pitch": [0.1] * 4}), "row 1: V is not S u of the u beside it"),
-    ("hinge", without(*SPEEDS), "every state has them, or u pitch"),
-    ("hinge", without("hold.reaction.n"), 'no column "hold.reaction.n"'),
+    ("hinge", leave_out(*SPEEDS), "every state has them, or u pitch"),
+    ("hinge", leave_out("hold.reaction.n"), 'no column "hold.reaction.n"'),
     ("hinge", lambda c: c.update({"hold.reaction.k [N]": c.pop("hold.reaction.k")}), 'unit "N" does not fit'),
 ]
 
