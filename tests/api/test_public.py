@@ -15,6 +15,7 @@ import pytest
 
 import mahovik
 from api import typed_script
+from api.models import model, stand
 from docs.pages import ROOT
 
 RECORD = Path(__file__).parent / "public.txt"
@@ -98,3 +99,20 @@ def test_the_typed_script_runs(capsys: pytest.CaptureFixture[str]) -> None:
     assert not {"api.*", "api.typed_script"} & {m for o in checked["overrides"] for m in o["module"]}
     numbers = [float(word) for word in capsys.readouterr().out.strip("[]\n").split()]
     assert len(numbers) == 3 and numbers[0] == numbers[1] == numbers[2] > 0
+
+
+def test_notebooks_show_tables() -> None:
+    m = model("bench8")
+    x = m.states(3)
+    x.phi[1, 1] = float("nan")
+    shown: dict[str, Any] = {
+        "w8": stand("bench8"),
+        "state by state": m,
+        "rad/s; twist": x,
+        "1 of 3 refused": m.forward(x, on_error="nan"),
+        "0, 0, 0": m.state(),
+    }
+    for words, value in shown.items():
+        html = value._repr_html_()
+        assert words.partition(";")[0] in html and html.count("<table>") == html.count("</table>") == 1
+        assert len(repr(value)) < 100 and "\n" not in repr(value) and "<script" not in html

@@ -255,3 +255,19 @@ def test_a_programme_of_another_stand_is_refused(tmp_path: Path) -> None:
     with pytest.raises(mahovik.UsageError, match=r"^over: programme: p\.json: .*shaker2"):
         computation(mahovik.example("bench8"), {"programme": "p.json", "motion": "m.json"}, {"e": {"peak": "error"}},
                     folder=tmp_path)  # fmt: skip
+
+
+def test_a_start_is_the_same_for_all_samples() -> None:
+    """The state of `start` is that of `simulate --start`."""
+    start = {"angles": [0.1, -0.2, 0.3], "V": [0, 0, 0, 0.1, 0.2, 0.3], "phi_dot": [10, 20, 30, 40]}
+    regime = {"default": {"torque": "1e-3 N m"}}
+    own = computation(
+        mahovik.example("sat4"), {"regime": regime, "until": "10 ms", "start": start, "order": 2},
+        {"rate": {"end": "rate", "at": "acc1"}, "s": {"end": "speed", "of": "rw3"}},
+    )  # fmt: skip
+    tables = tables_of(own, SATELLITE)
+    values, _ = own.values(tables)
+    found = columns(tables.stand(1), 0.01, regime=regime, start=start, order=2)
+    assert_allclose(values["s"][1], found["phi_dot rw3 [rad/s]"][-1], rtol=1e-13)
+    rate = np.linalg.norm(vector(found, "xyz", "gyro_{} acc1 [rad/s]"), axis=1)[-1]
+    assert_allclose(values["rate"][1], rate, rtol=1e-13)

@@ -137,3 +137,15 @@ def test_the_servos_of_a_slew_are_exported_and_judged(files: dict[str, str], tmp
     assert "programme of another motion" in refused(*judge, "--programme", files["P.json"])
     only = [*judge[:6], "--programme", files["P.json"]]
     assert "needs --motion M.json, which is missing" in refused(*only)
+
+
+def test_before_and_after_it_the_wheels_turn_evenly_and_the_carrier_rests() -> None:
+    wanted = planned("attitude")
+    span = wanted.motion.span
+    angles = wanted.angles(np.array([-2.0, 0.0, span, span + 2.0]))
+    assert angles.phi[1] - angles.phi[0] == pytest.approx(2.0 * angles.phi_dot[1])
+    assert angles.phi[3] - angles.phi[2] == pytest.approx(2.0 * angles.phi_dot[2])
+    assert not angles.phi_ddot[[0, 3]].any()
+    q = wanted.required_course(np.array([-2.0, 0.0, span, span + 2.0]))
+    assert (q[0] == q[1]).all()
+    assert (q[2] == q[3]).all()

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from control.following import run, servo, wanted
+from control.following import design, run, servo, wanted
 from mahovik import stands as examples
 from mahovik.core.motion.programme import RunUpTable, Samples
 from mahovik.core.stand import Stand, load
@@ -148,3 +148,9 @@ def test_every_number_that_is_measured_is_wrong() -> None:
 def test_a_share_out_of_range_is_refused(share: float) -> None:
     with pytest.raises(UsageError, match="--mismatch"):
         with_mismatch(BENCH8, share, 1)
+
+
+def test_the_design_tells_how_fast_and_how_sure() -> None:
+    own = design()
+    assert 0.2 < own.radius < 1.0
+    assert 0.0 < own.margin < 1.0

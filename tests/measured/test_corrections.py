@@ -344,3 +344,13 @@ def test_few_turns_are_refused(phase: Array, words: str) -> None:
         orders_of(recording(phase, np.cos(T)))
     with pytest.raises(InputError, match="no phase of w2"):
         order_map(recording(T, T), "w2", recording(T, T).channels[1])
+
+
+def test_files_of_several_runs_go_in_pairs(tmp_path: Path) -> None:
+    """The k-th file of sensors with the k-th of flywheels."""
+    t = clock()
+    paths = [write_csv(tmp_path / f"imu{k}.csv", {"time [s]": t, RATE: k + wobble(t)}) for k in (1, 2)]
+    paths += [write_csv(tmp_path / f"w{k}.csv", {"time [s]": t, "w1.speed [rad/s]": 0 * t + k}) for k in (1, 2)]
+    found = read_recordings(paths, STAND)
+    assert [float(values(run, "w1.speed")[0]) for run in found] == [1.0, 2.0]
+    assert [round(float(values(run, "acc1.rate.x")[0])) for run in found] == [1, 2]

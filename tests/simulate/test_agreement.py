@@ -13,6 +13,7 @@ import mahovik
 from mahovik import stands
 from mahovik.core.motion import loads_regime, steady_regime
 from mahovik.core.stand import Stand, load, rest_state
+from mahovik.core.stand.model import Motor
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
@@ -192,3 +193,29 @@ def test_scipy_has_no_float_and_no_carry() -> None:
             simulate(case(busy(), MIXED, **more), "scipy")
     with pytest.raises(UsageError, match="--real half: expected double or float"):
         case(busy(), MIXED, real="half")
+
+
+def test_interruption_keeps_what_was_computed() -> None:
+    def stop(t: float) -> None:
+        if t > 0.025:
+            raise KeyboardInterrupt
+
+    found = simulate(case(free(), TORQUES), progress=stop)
+    assert found.interrupted
+    assert found.stopped == "stopped at t = 0.03 s of 0.05 s"
+    assert len(found.data) == 4
+
+
+def with_motors(motor: Motor) -> Stand:
+    """shaker2 with the motor on both flywheels."""
+    stand = load(stands.path("shaker2"))
+    return replace(stand, flywheels=tuple(replace(s, motor=motor) for s in stand.flywheels))
+
+
+def test_a_speed_law_that_the_motor_cannot_give_is_told() -> None:
+    stand = with_motors(Motor(0.01, None, None, None, None, 0.0, 0.0, 0.1))
+    text = "schema = 1\n[flywheel.left]\nramp = { to = 100, duration = 0.1 }\n[flywheel.right]\nhold = true\n"
+    found = simulate(Case(stand, loads_regime(text, stand, 0.05), rest_state(stand), 0.05))
+    t, missing = found.weak_motors["left"]
+    assert 0.0 <= t <= 0.05
+    assert missing == pytest.approx(np.abs(found["motor left [N m]"]).max() - 0.01, rel=1e-12)

@@ -240,3 +240,17 @@ def test_a_write_that_fails_is_counted_and_the_flight_goes_on(bench8: Recorder) 
     steps = [each for each in found if isinstance(each, Outcome)]
     assert [each.step.count for each in steps] == [0, 1, 2, 6]
     assert all(each.equal for each in steps)
+
+
+def test_a_table_that_is_not_the_default_is_in_the_log(flown: Recorder) -> None:
+    flown.new("recorder")
+    flown.table.mass *= 1.25
+    flown.table.mass_inverse /= 1.25
+    flown.fly(STEPS)
+    start = next(r for r in records(flown.log) if isinstance(r, Start))
+    assert start.table
+    found = steps_of(flown)
+    assert len(found) == STEPS
+    assert all(isinstance(o, Outcome) and o.equal and o.table is not None for o in found)
+    flown.new("recorder")
+    flown.fly(STEPS)

@@ -181,3 +181,13 @@ def test_the_worst_directions_of_a_pyramid_are_between_its_faces() -> None:
     for direction in found.worst:
         assert np.sort(np.abs(direction)) == pytest.approx([0.0, np.sqrt(0.5), np.sqrt(0.5)], abs=1e-12)
         assert found.reach(direction) == pytest.approx(found.radius)
+
+
+def test_wheels_in_a_plane_or_in_a_line_leave_a_direction_named() -> None:
+    flat = envelope(np.array([[1.0, 0, 0], [0, 2.0, 0], [1.0, 1.0, 0], [0, 0, 0]]))
+    assert flat.radius == 0.0 and flat.worst == ((0.0, 0.0, 1.0),)
+    assert flat.reach([0, 0, 1]) == 0.0 and flat.reach([0, 1, 0]) == pytest.approx(3.0)
+    line = envelope(np.array([[0, 0, 3.0], [0, 0, -1.0]]))
+    assert line.radius == 0.0 and line.worst[0][2] == 0.0 and line.facets == ()
+    assert line.reach([0, 0, -1]) == pytest.approx(4.0) and line.reach([1, 0, 1]) == 0.0
+    assert envelope(np.zeros((0, 3))).worst == () and envelope(np.zeros((1, 3))).reach([1, 0, 0]) == 0.0
