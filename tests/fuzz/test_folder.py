@@ -21,11 +21,8 @@ from mahovik.proof.cost.page import read_accepted_costs
 from mahovik.proof.verify.delivery import FIGURES, accepted_figures, deliver, differences
 from mahovik.stands import path
 
-ROOT = Path(__file__).resolve().parents[2]
 DEMO3 = load(path("demo3"))
-GENERATED = ROOT / "generated" / "demo3"
-FIGURES_TEXT: dict[str, Any] = json.loads((GENERATED / FIGURES).read_text(encoding="utf-8"))
-FEW = {**FIGURES_TEXT, "targets": FIGURES_TEXT["targets"][:1]}
+COSTS: dict[str, Any] = json.loads((Path(__file__).parent / "examples" / "cost.json").read_text(encoding="utf-8"))
 
 
 pytestmark = READERS
@@ -69,8 +66,15 @@ def test_manifest(data: bytes, folder: Path) -> None:
     visit(folder)
 
 
+def test_the_example_is_accepted(folder: Path) -> None:
+    (folder / FIGURES).write_text(json.dumps(COSTS), encoding="utf-8")
+    found = accepted_figures(folder, DEMO3)
+    assert found is not None
+    assert read_accepted_costs(found, FIGURES)
+
+
 @fuzzed(60)
-@given(text=spoiled_json([FEW]))
+@given(text=spoiled_json([COSTS]))
 def test_accepted_figures(text: str, folder: Path) -> None:
     (folder / FIGURES).write_bytes(text.encode("utf-8", "surrogatepass"))
     found = read_or_refuse(lambda: accepted_figures(folder, DEMO3))

@@ -11,7 +11,7 @@ import pytest
 from mahovik.core.stand.model import Sequence as AngleSequence
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
-from mahovik.core.stand.state import State, rest_state
+from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
 from mahovik.laws.leg.data import Leg, Legs, legs_of
 from mahovik.proof import reference
@@ -108,17 +108,3 @@ def test_a_stand_without_points_has_none(derivation: Any) -> None:
     stand = replace(random_stand(np.random.default_rng(1), 1, EVERYTHING), instruments=(), points=())
     stand = replace(stand, flywheels=tuple(replace(s, mount="carrier") for s in stand.flywheels))
     assert derivation(stand, rest_state(stand), ["points"]) == {"points": {}}
-
-
-def test_wants_together_give_what_each_gives_alone(derivation: Any) -> None:
-    stand, state = draw(1, 3)
-
-    def of(state: State, *want: str) -> dict[str, Any]:
-        found: dict[str, Any] = derivation(stand, state, list(want))
-        return found
-
-    wants = ("momentum", "forward", "torque", "generalized")
-    together = of(state, *wants)
-    for want in wants:
-        for name, value in of(state, want).items():
-            np.testing.assert_array_equal(together[name], value)
