@@ -187,9 +187,9 @@ def test_an_undamped_resonance_is_told_and_the_sweep_goes_on() -> None:
     with pytest.raises(CheckError, match="an undamped resonance"):
         sweep(stand, read_speeds(stand, ["w1=90rpm"]), 1, "carrier")
 
-    found = periodic_response(undamped(100.0), [2 * math.pi * 1.8] + [0.0] * 7, [])  # parametric resonance
-    assert found.multiplier > 1.1
-    assert not found.stable
+    heavy = periodic_response(undamped(100.0), [2 * math.pi * 1.8] + [0.0] * 7, [])  # parametric resonance
+    assert heavy.multiplier > 1.1
+    assert not heavy.stable
 
 
 def test_rms_of_a_band() -> None:
