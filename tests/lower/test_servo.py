@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -14,7 +15,9 @@ from mahovik.core.lower.servo.program import lower_servo
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, Precision
 from mahovik.core.stand import load
+from mahovik.core.stand.model import Sequence
 from mahovik.core.stand.structure import structure
+from mahovik.proof.reference.rotation import attitude, quaternion_rotation
 from mahovik.stands import path
 
 OK, LIMITED, NOT_FINITE, RANGE, BAD_ARGUMENT = 0, 4, -1, -2, -5
@@ -96,3 +99,21 @@ def test_a_trim_refuses_what_it_did_not_make() -> None:
         assert found["state"] == state | wrong
     assert run("trim_step", {**inputs, "state": state, "phase": 1.0})[0] == RANGE
     assert run("trim_step", {**inputs, "state": state, "q": [0.0, float("nan")]})[0] == NOT_FINITE
+
+
+@pytest.mark.parametrize("sequence", ["ship", "aircraft", "euler"])
+def test_coordinates_of_a_trim_give_the_attitude_back(sequence: Sequence) -> None:
+    """By the rotations of the reference; what is no attitude is refused."""
+    rng = np.random.default_rng(4)
+    layout = Layout(structure(replace(load(path("shaker2")), angles=sequence)), DOUBLE)
+    run = Interpreter(lower_servo(layout, ServoForm(layout.count, TrimForm((0, 2, 3, 4, 5), 1)))).run
+    for _ in range(50):
+        quaternion, position = rng.normal(size=4), rng.normal(size=3)
+        quaternion /= np.linalg.norm(quaternion)
+        inputs = {"position": position.tolist(), "attitude": (1.0005 * quaternion).tolist()}
+        status, found = run("trim_coordinates", inputs)
+        assert status == OK
+        assert found["q"][:2] == [position[0], position[2]]
+        assert np.allclose(attitude(sequence, *found["q"][2:]), quaternion_rotation(*quaternion), atol=1e-13)
+    for wrong, due in (([1.0, 0.1, 0.0, 0.0], RANGE), ([float("nan"), 0, 0, 1], NOT_FINITE), ([0.0] * 4, RANGE)):
+        assert run("trim_coordinates", {"position": [0.0] * 3, "attitude": wrong})[0] == due

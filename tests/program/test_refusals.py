@@ -22,7 +22,7 @@ from mahovik.core.program.expression import (
 )
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.statement import Copy, Declare, Let, Loop, Return, Set, Statement, When
-from mahovik.core.program.types import DOUBLE, Field, Kind, NamedCount, Struct
+from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from mahovik.core.program.validate import validate
 from mahovik.core.program.walk import expressions, statements
 from program.small import argument, function, program
@@ -128,15 +128,6 @@ def test_two_things_of_one_name() -> None:
         validate(program(f, g))
     with pytest.raises(ValueError, match="f names two things"):
         validate(program(f, structs=[Struct("f", "A struct.", (Field("a", R),))]))
-
-
-def test_functions_come_after_those_they_call() -> None:
-    inner = function("inner", [argument("x")], lambda body, x: body.note("nothing"))
-    outer = function("outer", [argument("x")], lambda body, x: body.call(inner, x))
-    validate(program(inner, outer))
-    for functions in ((outer, inner), (outer,)):
-        with pytest.raises(ValueError, match="outer calls inner, which does not come before it"):
-            validate(Program("t", DOUBLE, (), (), functions))
 
 
 @pytest.mark.parametrize("name", ["everything6", "hinge5"])

@@ -151,3 +151,10 @@ def test_sums_of_doubles_by_software(name: str, answer: str, tmp_path: Path) -> 
     """The library of gcc for Arm rounds some the wrong way, as docs/targets.md says."""
     found = target(name)
     assert run(found, build(found, {"sum.c": SUM}, tmp_path, extra=("-Wno-float-equal",))) == answer
+
+
+def test_what_does_not_compile_is_one_line(tmp_path: Path) -> None:
+    found = target("m7")
+    with pytest.raises(ToolchainError, match=r"^arm-none-eabi-gcc refused bad\.c: bad\.c:1:") as caught:
+        build(found, {"bad.c": "int main(void) { return missing; }\n"}, tmp_path)
+    assert "\n" not in str(caught.value)

@@ -40,6 +40,17 @@ def test_make_builds_and_the_board_finds_no_failure(
             assert f"{file.name}`" in readme, f"{file.name} is not in the README"
 
 
+def test_an_attitude_loop_is_exported_with_its_settings(tmp_path: Path) -> None:
+    """Over its own files; the page names the command that made it."""
+    for _ in range(2):
+        result = run("export", "attitude", EYE4, "--target", "m7", "--momentum", "0.5", "-o", str(tmp_path / "project"))
+        assert result.exit_code == 0, result.output
+    page = (tmp_path / "project" / "README.md").read_text()
+    assert "mahovik export attitude STAND.toml --task pointing --target m7 --real double --momentum 0.5`" in page
+    assert "eye4_inverse(" not in (tmp_path / "project" / "eye4.h").read_text()
+    assert result.output.splitlines()[-1] == "attitude loop: momentum is dumped by at most 0.05 N m"
+
+
 @pytest.mark.parametrize("kind", ["target", "attitude"])
 def test_what_is_not_ours_is_not_overwritten(kind: str, tmp_path: Path) -> None:
     (tmp_path / "main.c").write_text("int main(void) { return 0; }\n")
