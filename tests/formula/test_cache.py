@@ -131,6 +131,18 @@ def test_another_generator_has_other_files(
     assert all(now != before for now, before in zip(keys(), installed, strict=True))
 
 
+def test_files_of_few_sources_stay(folder: Path) -> None:
+    folder.mkdir()
+    for number in range(cache.KEPT + 3):
+        path = folder / f"formulas-{number:016x}.json"
+        path.touch()
+        os.utime(path, (number, number))
+    remembered([])
+    assert len(list(folder.iterdir())) == cache.KEPT
+    kept = cache.file()
+    assert kept is not None and kept.is_file()
+
+
 @pytest.mark.parametrize(
     ("env", "expected"),
     [

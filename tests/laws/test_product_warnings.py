@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -55,3 +56,19 @@ def test_a_program_that_counts_them_twice_is_named() -> None:
     found = Diagnoser(stand).diagnose(answer)
     assert found.causes[0].parts[0].fault.name == "products of added mass twice"
     assert found.causes[0].score == pytest.approx(0.0, abs=1e-6)
+
+
+def test_products_with_a_viscous_part_are_warned_of_where_they_are_several() -> None:
+    """One of them alone may be near by chance. Of NPS AUV II most are 4 to 25 % apart."""
+    text = (Path(__file__).parents[2] / "docs" / "vehicles" / "nps_auv2.toml").read_text(encoding="utf-8")
+    text = text.replace(f"{KEY}\n", "").replace('wrench = "K", of = ["v", "w"]', 'wrench = "K", of = ["v", "|w|"]')
+    (line,) = warnings(text)
+    assert "damping.terms X w q = -14888 (and 6 more) is near the product of added mass -17865" in line
+    damping = CARRIER + "added_mass = [1, 30, 30, 0, 4, 4]\n[carrier.damping]\nterms = [\n{}]\n"
+    one, other = (
+        '{ wrench = "X", of = ["w", "q"], value = -25 },\n',
+        '{ wrench = "Y", of = ["w", "p"], value = 26 },\n',
+    )
+    assert warnings(damping.format(one)) == warnings(damping.format(other)) == []
+    (line,) = warnings(damping.format(one + other))
+    assert "X w q = -25 (and 1 more) is near the product of added mass -30" in line
