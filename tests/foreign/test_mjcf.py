@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from mahovik.core.stand import loads
@@ -171,3 +172,14 @@ def test_without_mujoco(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "mujoco", None)
     with pytest.raises(UsageError, match=r"MuJoCo, which reads MJCF, is not installed .*: pip install mujoco"):
         read_mjcf(SAT)
+
+
+def test_frames_that_turn_are_left_out(tmp_path: Path) -> None:
+    path = tmp_path / "sat.xml"
+    path.write_text(
+        SAT.read_text().replace(
+            '<geom class="wheel"/>\n        </body>', '<geom class="wheel"/><site name="s"/></body>'
+        )
+    )
+    assert "left out: 1 frames that turn with flywheels" in imported(path).notes
+    assert np.isfinite(imported(path).stand.carrier.mass)

@@ -203,3 +203,22 @@ def test_fixed_on_the_world_but_taken_as_free(tmp_path: Path) -> None:
     assert found.stand.carrier.mass == 5
     assert any("fixed on the world there, and free here" in note for note in found.notes)
     check(path, carrier="base")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "not XML: no element found"),
+        ("<robot><link>", "not XML:"),
+        ("\x00\x01", "not XML:"),
+        ('<?xml version="1.0" encoding="klingon"?><robot/>', "not XML:"),
+        ("<mujoco/>", "its root element is <mujoco>: is an MJCF: mahovik import mjcf"),
+        ("<sdf/>", "its root element is <sdf>: is an SDF, which has no reader here"),
+        ("<html/>", "its root element is <html>: expected <robot>"),
+    ],
+)
+def test_files_that_are_no_urdf(text: str, said: str, tmp_path: Path) -> None:
+    path = tmp_path / "m.urdf"
+    path.write_text(text)
+    with pytest.raises(ForeignError, match=said):
+        read_urdf(path)

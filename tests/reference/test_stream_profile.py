@@ -17,10 +17,12 @@ from hypothesis import strategies as st
 import mahovik
 from laws.stands import CARRIER
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.lower.fmu.parameters import laws
 from mahovik.core.stand import Stand, dumps, identities, loads
 from mahovik.core.stand.model import StreamProfile
 from mahovik.core.stand.random import Features, random_stand, random_state
-from mahovik.errors import StandError, StateError
+from mahovik.errors import CheckError, StandError, StateError
+from mahovik.out.report.stand.surroundings import surroundings
 from mahovik.proof import reference
 from mahovik.proof.reference.stream import stream_at
 from mahovik.proof.verify.c_backend import CBackend
@@ -212,3 +214,27 @@ def test_refusals(old: str, new: str, words: str) -> None:
         loads(FILE.replace(old, new))
     assert words in str(caught.value)
     assert "stream_profile" in str(caught.value)
+
+
+def test_the_report_names_the_velocity_of_each_station() -> None:
+    words = str(surroundings(loads(FILE))["Fluid"])
+    assert "(0.5, 0.1, 0) m/s at 10 m" in words and "0 at 50 m" in words
+
+
+def test_simulators_see_its_numbers() -> None:
+    generated = generate_all(loads(FILE))
+    found = {m.name: m for m in laws(loads(FILE), generated.layout, generated.values)}
+    assert found["stream_profile.depth[3]"].value == 50.0
+    assert found["stream_profile.shear[1,2]"].value == pytest.approx(0.01)
+    assert found["stream_profile.shear[1,2]"].unit.name == "1/s"
+
+
+def test_an_equilibrium_at_the_first_station_is_found_and_one_outside_is_refused() -> None:
+    """The search looks above the surface, where the stream is that of the nearest station."""
+    still = loads(FILE.replace('["2 kn", 0, 0], [0.5, 0.1, 0]', "[0, 0, 0], [0, 0, 0]"))
+    weightless = replace(still, gravity=(0.0, 0.0, 0.0))
+    assert mahovik.rest(weightless).position.tolist() == [0.0, 0.0, 0.0]
+    assert still.profile is not None
+    deep = replace(weightless, profile=replace(still.profile, depth=(5.0, 10.0, 50.0)))
+    with pytest.raises(CheckError, match="depth 0 m is outside of stream_profile, which is given from 5 m to 50 m"):
+        mahovik.rest(deep)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import sys
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -16,7 +17,7 @@ from mahovik.core.stand.random import BARE, random_stand
 from mahovik.core.stand.random_state import random_state
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.judges.basilisk_wheel import basilisk_stand, spacecraft_stand, unsupported_features, wheels
-from mahovik.proof.verify.judges.compare import QUANTITIES, compare_with_judges, motion_name
+from mahovik.proof.verify.judges.compare import QUANTITIES, compare_with_judges, motion_name, verify_judges
 from mahovik.proof.verify.judges.rigid import bare_stand
 from mahovik.proof.verify.report import Report, conclusion
 from mahovik.stands import path
@@ -151,3 +152,13 @@ def test_what_it_leaves_out_is_the_torque_of_the_difference_about_the_axis() -> 
     theirs = BasiliskJudge(heavy, "JitterFullyCoupled", True).evaluate(state)["phi_ddot"][0]
     assert abs(expected) > 1e-3
     assert ours - theirs == pytest.approx(expected, rel=1e-6)  # 1e-10 is what the carrier still moves
+
+
+def test_without_it_the_others_judge(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delitem(sys.modules, "mahovik.proof.verify.judges.basilisk_judge", raising=False)
+    monkeypatch.setitem(sys.modules, "Basilisk", None)
+    found = verify_judges(load(path("demo3")), count=2, until=UNTIL)
+    assert found.passed, conclusion(found)
+    (row,) = [row for row in found.rows if row.want == "basilisk"]
+    assert row.verdict == "not compared"
+    assert row.reason.endswith("pip install bsk")

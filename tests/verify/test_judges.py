@@ -84,6 +84,7 @@ def test_a_judge_that_is_not_installed_is_one_line_with_the_command(monkeypatch:
 
     monkeypatch.delitem(sys.modules, "mahovik.proof.verify.judges.pinocchio_judge", raising=False)
     monkeypatch.setattr(builtins, "__import__", import_without)
+    assert "--bare needs --judges" in refused("verify", DEMO3, "--bare")
     (line,) = refused("verify", DEMO3, "--judges").splitlines()
     assert "pip install pin mujoco" in line
 

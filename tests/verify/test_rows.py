@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
@@ -14,14 +15,16 @@ from mahovik.core.stand import Stand, loads
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.errors import StateError
 from mahovik.proof import reference
+from mahovik.proof.evidence.piece import Subject, Verdict
+from mahovik.proof.evidence.pieces import agreement
 from mahovik.proof.second import Second
 from mahovik.proof.verify import harness
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
-from mahovik.proof.verify.compare import Judge
+from mahovik.proof.verify.compare import Judge, Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.abilities import excess_rows
-from mahovik.proof.verify.functions.case import Case, ordinary
+from mahovik.proof.verify.functions.case import Case, Comparison, ordinary
 from mahovik.proof.verify.functions.reactions import mount_rows
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.judges.compare import ALL, verify_judges
@@ -195,3 +198,26 @@ def test_a_quantity_is_never_larger_than_its_scale(want: str) -> None:
 @pytest.mark.parametrize("tables", HOLDS)
 def test_a_reaction_is_never_larger_than_its_scale(tables: str) -> None:
     assert check_bounds(held_stand(tables), "reaction", 3)
+
+
+def subject(folder: Path) -> Subject:
+    return Subject(HELD, "double", folder, folder)
+
+
+def test_evidence_says_that_there_is_nothing_to_judge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    found = agreement._ask_judges(subject(tmp_path), lambda _: None)
+    assert found.verdict is Verdict.NOTHING
+    assert "no positive definite mass matrix" in found.figure
+    refused = [Row(name, "all quantities", verdict="not compared", reason=f"{name}: too light") for name in "ab"]
+    report = replace(verify_judges(POINT, count=1, names=(), until=0.0), rows=tuple(refused))
+    monkeypatch.setattr(agreement, "verify_judges", lambda *_, **__: report)
+    found = agreement._ask_judges(subject(tmp_path), lambda _: None)
+    assert (found.verdict, found.figure) == (Verdict.NOTHING, "a: too light; b: too light")
+
+
+def test_a_judge_that_refuses_some_cases_only_fails() -> None:
+    row = Comparison("mounts", "something", 1e-12)
+    row.note(np.ones(2), np.ones(2), np.ones(2), "random 1")
+    row.note_absence(StateError("no such sum"), "random 2")
+    assert (row.with_verdict().verdict, row.row.state) == ("FAILED", "random 2")
+    assert row.row.reason == "its judge refused: no such sum"

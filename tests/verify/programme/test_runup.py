@@ -13,6 +13,8 @@ from mahovik import stands
 from mahovik.core.motion.programme import RunUpTable, Samples
 from mahovik.core.motion.required import Bounds
 from mahovik.core.stand import Stand, load
+from mahovik.errors import StateError
+from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.programme import Finding, runup
 from mahovik.proof.verify.programme.finding import tolerance_for
@@ -136,3 +138,15 @@ def test_nothing_accelerates_there(name: str, free: int) -> None:
     assert np.abs(V_dot).max() < 1e-8
     assert directions.shape == (6, free)
     assert directions.T @ K0 @ directions == pytest.approx(np.eye(free), abs=1e-9)
+
+
+def test_a_bound_on_the_deviation() -> None:
+    """The twins' carrier is held still and strays by nothing."""
+    found = of_run_up(twins_run_up(), Bounds(deviation=(1e-3, np.inf)))
+    assert found["run-up bound deviation"].passed and found["run-up bound deviation"].value < 1e-6
+
+
+def test_a_carrier_that_falls_has_no_rest() -> None:
+    stand = load(stands.path("bench8")).without_laws(Suspension)
+    with pytest.raises(StateError, match="no equilibrium to start from"):
+        rest_of(stand, np.zeros(8), np.zeros(6))

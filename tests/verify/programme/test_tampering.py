@@ -111,6 +111,8 @@ def test_bounds_are_kept_or_named(bounds: Bounds, offends: set[str]) -> None:
         ({"structure": "00000000"}, "programme of another stand: structure is 00000000, of the stand "),
         ({"stand": "bench8"}, "programme of another stand: name is bench8, of the stand "),
         ({"flywheels": ("w1", "w2")}, "flywheels is w1, w2, of the stand left, right"),
+        ({"motion": "shaker2_z"}, "shaker2_z"),
+        ({"periodic": False}, "it is finite, the motion periodic"),
         ({"span": 0.051}, "period is 0.051 s, of the motion 0.05 s"),
     ],
 )
@@ -138,3 +140,7 @@ def test_a_carrier_that_is_thrown_off_is_not_followed(monkeypatch: pytest.Monkey
     found = simulation.simulation_finding(stand, motion, wild, scale(), 1e-6)
     assert not found.passed
     assert "2.5 amplitudes from the required motion at t = 0.0" in found.words
+
+
+def test_a_bound_is_one_of_the_items() -> None:
+    assert offended(shaker()[2], bounds=Bounds(speed=(130.0, 120.0), bias=(0.0,) * 6)) == {"bound speed", "bound bias"}

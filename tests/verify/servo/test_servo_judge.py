@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -15,11 +16,11 @@ from cli.run import refused, run
 from export.programmes import motion, spin, stand
 from export.servos import HEAD, TRIM, exported, servo, written
 from mahovik.core.motion.servo import Servo, read_servo
-from mahovik.errors import ToolchainError, UsageError
+from mahovik.errors import StateError, ToolchainError, UsageError
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.servo import verify_servo
 from mahovik.proof.verify.servo.tables import MATRIX
-from mahovik.proof.verify.servo.trim_matrix import trim_matrix
+from mahovik.proof.verify.servo.trim_matrix import Balance, least_cost_matrix, responses, trim_matrix
 from mahovik.stands import path
 from mahovik.use.control.trim import design_trim
 from toolchain.quick import quick
@@ -167,3 +168,16 @@ def test_the_judge_agrees_with_the_design() -> None:
 def test_every_constant_of_the_design_is_judged(constant: str, changed: float, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(design_module, constant, changed)
     assert difference() > MATRIX
+
+
+def test_what_rounding_decides_has_no_answer() -> None:
+    with pytest.raises(StateError, match="at the limit of reach"):
+        least_cost_matrix(np.diag([1.0, 1e-3 * math.sqrt(2.0), 0.0]), np.zeros((2, 3)), 1)
+
+
+def test_harmonics_that_are_not_determined_have_no_answer() -> None:
+    """An undamped carrier in resonance with the first harmonic."""
+    zeros = np.zeros((9, 6, 6))
+    resonant = Balance(zeros - np.eye(6), zeros, *(np.zeros((3, 9, 6, 1)) + 1.0))
+    with pytest.raises(StateError, match="a free motion of the carrier"):
+        responses(resonant, 1)
