@@ -60,7 +60,7 @@ FAULTS = [
 ]
 
 
-@pytest.mark.parametrize(("programme", "change", "failed"), quick(2, FAULTS))
+@pytest.mark.parametrize(("programme", "change", "failed"), quick(1, FAULTS))
 def test_a_planted_fault_fails_by_its_row(
     programme: str, change: Callable[[str], str], failed: set[str], tmp_path: Path
 ) -> None:

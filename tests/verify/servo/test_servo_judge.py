@@ -81,7 +81,7 @@ FAULTS = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("fault", "pattern", "new", "row"), quick(4, FAULTS))
+@pytest.mark.parametrize(("fault", "pattern", "new", "row"), quick(2, FAULTS))
 def test_a_planted_fault_fails_by_its_row(
     fault: str, pattern: str, new: str, row: tuple[str, str], tmp_path: Path
 ) -> None:
