@@ -18,7 +18,7 @@
 #include "features.h"
 
 /* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
- * proved elsewhere (docs/results/arithmetic.md of mahovik: sine and cosine to a unit in the last place, square root
+ * tested elsewhere (docs/proofs.md of mahovik: sine and cosine to a unit in the last place, square root
  * correctly rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
 
 /*@ requires -10000000.0 <= x <= 10000000.0;
