@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import threading
 from pathlib import Path
 
 import pytest
@@ -14,18 +12,6 @@ from mahovik import stands
 SHAKER2 = str(stands.path("shaker2"))
 RESPONSE = ("response", SHAKER2, "--at", "carrier", "--speed", "left=0..100rpm", "--steps", "3")
 SIMULATE = ("simulate", DEMO3, "--until", "0.002")
-
-
-def received(path: Path, *arguments: str) -> str:
-    """Text that a command writes into a FIFO."""
-    os.mkfifo(path)
-    found: list[str] = []
-    reader = threading.Thread(target=lambda: found.append(path.read_text()), daemon=True)
-    reader.start()
-    assert run(*arguments, "-o", str(path)).exit_code == 0
-    reader.join(timeout=20.0)
-    assert path.is_fifo()
-    return found[0]
 
 
 @pytest.mark.parametrize(
@@ -39,9 +25,3 @@ def test_a_device_and_a_link_to_one_need_no_ending(arguments: tuple[str, ...], t
     for target in ("/dev/null", str(link)):
         assert run(*arguments, "-o", target).exit_code == 0
     assert link.is_symlink() and list(tmp_path.iterdir()) == [link]
-
-
-def test_a_fifo_of_any_name_gets_csv(tmp_path: Path) -> None:
-    assert received(tmp_path / "run", *SIMULATE).startswith("t [s],")
-    assert received(tmp_path / "sweep", *RESPONSE).splitlines()[0].count(",") > 3
-    assert received(tmp_path / "sweep.json", *RESPONSE).startswith("{")

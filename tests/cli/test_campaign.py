@@ -55,12 +55,6 @@ def test_status(out: Path) -> None:
     assert state["complete"] and state["rows"] == state["samples"] == 12 and state["missing"] == []
 
 
-def test_resume_of_what_is_complete_starts_no_worker(out: Path) -> None:
-    result = run("campaign", "resume", str(out))
-    assert result.exit_code == 0
-    assert result.output == "c: 12 of 12 samples in 3 of 3 shards, 0 without quantities\n"
-
-
 def test_merge_and_report(out: Path) -> None:
     assert run("campaign", "merge", str(out), "-o", "all.parquet").output == "all.parquet\n"
     said = run("campaign", "report", str(out), "-o", "page.html", "--worst", "1").output.splitlines()

@@ -45,15 +45,6 @@ def test_new_copies_a_stand_with_its_motions(tmp_path: Path) -> None:
             assert (tmp_path / motion.name).read_text() == motion.read_text()
 
 
-def test_new_under_another_name(tmp_path: Path) -> None:
-    assert run("new", "bench8", "-o", str(tmp_path / "deep" / "mine.toml")).exit_code == 0
-    assert sorted(p.name for p in (tmp_path / "deep").iterdir()) == [
-        "mine.motion.json",
-        "mine.servo.toml",
-        "mine.toml",
-    ]
-
-
 def test_new_names_the_stand_after_its_file(tmp_path: Path) -> None:
     assert run("new", "bench8", "-o", str(tmp_path / "mine.toml")).stderr == ""
     assert load(tmp_path / "mine.toml").name == "mine"

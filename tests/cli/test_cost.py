@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from cli.run import DEMO3, refused, run
+from cli.run import DEMO3, run
 from mahovik.core.emit.generate import generate
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
@@ -98,13 +98,6 @@ def test_both_files_are_listed(folder: Path) -> None:
     assert contents(folder) == before
 
 
-def test_other_c_of_the_stand_is_refused(folder: Path) -> None:
-    (folder / "demo3.c").write_text((folder / "demo3.c").read_text() + "/* mine */\n")
-    before = contents(folder)
-    assert "holds other C than the stand file gives" in refused("cost", DEMO3, "-o", str(folder))
-    assert contents(folder) == before
-
-
 # ---- the gate ----
 
 
@@ -137,15 +130,6 @@ def test_what_has_risen_is_not_written_until_it_is_accepted(folder: Path, functi
     assert run(*arguments, "--accept").exit_code == 0
     assert "| 511 |" in (folder / "COST.md").read_text()
     assert run(*arguments, "--check").exit_code == 0
-
-
-def test_the_figures_as_json(folder: Path) -> None:
-    result = run("cost", DEMO3, "-o", str(folder), "--json")
-    assert result.exit_code == 0
-    found = json.loads(result.stdout)
-    assert found["stand"] == "demo3"
-    assert [each["target"] for each in found["targets"]] == [name for name, _ in USUAL]
-    assert json.loads((folder / "cost.json").read_text(encoding="utf-8")) == found
 
 
 def test_targets_that_are_not_there_are_left_out_by_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -93,12 +93,3 @@ def test_the_reaction_of_no_motion_is_an_error_line(file: str, tmp_path: Path) -
     clamped.write_text(TEXT.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', "freedoms = []\n"))
     (found,) = answers(str(clamped), {"want": ["reaction"]})
     assert found["reaction"][2] == pytest.approx(2.5 * 9.81)
-
-
-@pytest.mark.parametrize("backend", ["numpy", "c"])
-def test_inverse_turns_the_demand_into_the_flywheel(file: str, backend: str) -> None:
-    state = {"angles": [0, 0.3, 0], "u": [0.4], "u_dot": [2.0]}
-    (found,) = answers(file, {**state, "want": ["inverse", "torque"]}, backend=backend)
-    assert found["rank"] == 1 and found["status"] == "OK" and len(found["sigma"]) == len(found["residual"]) == 1
-    back = {**state, "phi_ddot": found["phi_ddot"], "want": ["forward"]}
-    assert answers(file, back, backend=backend)[0]["u_dot"] == pytest.approx([2.0], rel=1e-12)

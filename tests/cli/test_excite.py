@@ -26,25 +26,6 @@ def folder(own_folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.mark.slow
-def test_errors_of_both_programmes_are_told(folder: Path) -> None:
-    result = run("excite", "a.toml", *QUICK, "--json", "--noise", "rate=0.1 deg/s", "--speed-min", "w1=100 rpm")
-    assert result.exit_code == 0, result.output
-    found = json.loads(result.stdout)
-    assert [row["path"] for row in found["parameters"]][:2] == ["w1.unbalance.static", "w1.unbalance.static_at"]
-    assert all(row["standard_error"] > 0.0 and row["standard_error_constant"] > 0.0 for row in found["parameters"])
-    assert found["gain"] >= 1.0 and found["status"] == "OK" and found["effort"]["tried"] == 10
-    assert load_programme(folder / "p.json").winding == tuple(found["programme"]["winding"])
-    told = run("excite", "a.toml", *QUICK)
-    assert "times less than at constant speeds" in told.stdout and "w2.unbalance.dynamic" in told.stdout
-
-
-def test_free_numbers_of_a_file(folder: Path) -> None:
-    (folder / "free.toml").write_text('schema = 1\nfree = ["w1.unbalance.static", "carrier.mass"]\n', encoding="utf-8")
-    found = json.loads(run("excite", "a.toml", *QUICK, "--free", "free.toml", "--json").stdout)
-    assert [row["path"] for row in found["parameters"]] == ["w1.unbalance.static", "carrier.mass"]
-
-
-@pytest.mark.slow
 def test_half_the_noise_is_half_the_error() -> None:
     def errors(*noise: str) -> list[float]:
         options = [word for each in noise for word in ("--noise", each)]

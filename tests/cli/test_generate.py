@@ -16,7 +16,7 @@ from cli.run import DEMO3, refused, run
 from mahovik.core.emit import delivery
 from mahovik.core.stand import identities, load
 from mahovik.core.stand.model import Stand
-from mahovik.proof.verify.delivery import PROVENANCE, add_to_delivery
+from mahovik.proof.verify.delivery import PROVENANCE
 
 FILES = {
     "README.md",
@@ -127,22 +127,6 @@ def test_a_file_of_others_is_not_overwritten(name: str, tmp_path: Path) -> None:
     assert contents(tmp_path) == {name: b"mine\n"}
 
 
-def test_a_file_that_was_changed_by_hand_is_not_overwritten(folder: Path) -> None:
-    (folder / "demo3.c").write_text((folder / "demo3.c").read_text() + "/* mine */\n")
-    before = contents(folder)
-    assert "demo3.c: was changed by hand" in refused("generate", DEMO3, "-o", str(folder))
-    assert contents(folder) == before
-
-
-def test_what_is_no_longer_delivered_is_removed(folder: Path) -> None:
-    add_to_delivery(folder, {"old.h": "once delivered\n"})
-    add_to_delivery(folder, {"kept.h": "once delivered\n"})
-    (folder / "kept.h").write_text("changed by hand\n")
-    result = run("generate", DEMO3, "-o", str(folder))
-    assert f"{folder / 'old.h'} was removed: it is no longer delivered" in result.output
-    assert names_in(folder) == FILES | {"kept.h"}
-
-
 # ---- whole or not at all ----
 
 
@@ -168,20 +152,6 @@ def test_an_interrupted_run_leaves_the_old_folder(
 
 
 # ---- COST.md ----
-
-
-@pytest.mark.parametrize("listed", [True, False])
-def test_the_cost_of_other_c_is_removed(listed: bool, folder: Path) -> None:
-    text = f"# Cost\n\nof the source `{'0' * 64}`\n"
-    if listed:
-        add_to_delivery(folder, {"COST.md": text})
-    else:
-        (folder / "COST.md").write_text(text)
-    assert "COST.md: was measured on other C" in refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
-    result = run("generate", DEMO3, "-o", str(folder))
-    assert f"{folder / 'COST.md'} was removed: it was measured on other C" in result.output
-    assert names_in(folder) == FILES
-    assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 0
 
 
 # ---- cost.json ----
@@ -220,11 +190,3 @@ def test_a_program_of_the_user_stays_in_a_project(tmp_path: Path) -> None:
 
 
 # ---- --check ----
-
-
-@pytest.mark.parametrize("name", sorted(FILES))
-def test_check_finds_what_was_changed_or_lost(name: str, folder: Path) -> None:
-    (folder / name).write_bytes((folder / name).read_bytes() + b" ")
-    assert f"{folder / name}: " in refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
-    (folder / name).unlink()
-    assert f"{folder / name}: is missing" in refused("generate", DEMO3, "-o", str(folder), "--check", status=1)

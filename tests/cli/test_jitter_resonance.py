@@ -56,27 +56,6 @@ def test_in_a_sweep_the_speed_is_a_problem_and_the_requirement_fails(
     assert row["rms x [rad]"] == row["worst z [rad]"] == ""
 
 
-def test_a_speed_without_a_motion_is_never_zero_in_an_exact_sweep(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A planted failure of the balance at one speed."""
-    from mahovik.errors import CheckError
-    from mahovik.use.study.jitter import balance as solve
-    from mahovik.use.study.jitter import study
-
-    def fails(*given: object) -> object:
-        speeds = given[1]
-        if isinstance(speeds, list) and abs(speeds[0] - 200.0) < 1e-9:
-            raise CheckError("no motion")
-        return solve(*given)  # type: ignore[arg-type]
-
-    monkeypatch.setattr(study, "balance", fails)
-    sweep = ("--speed", "rw1=100..300", "--steps", "3", "--at", "acc1", "--exact", "--require", "rms 1e9 arcsec")
-    found = run("jitter", SAT4, *sweep, "--json")
-    assert found.exit_code == 1
-    assert json.loads(found.stdout)["rms"][1] == [None] * 3
-
-
 def test_too_low_an_order_is_a_problem_and_a_requirement_fails() -> None:
     """At order 2 the slow line rw1 - 2 rw2 is missing."""
     given = ("--speed", "rw1=3000rpm", "--speed", "rw2=1500.1rpm", "--at", "acc1", "--require", "rms 1 arcsec")

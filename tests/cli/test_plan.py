@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from cli.run import DEMO3, refused, run
+from cli.run import DEMO3, run
 from mahovik.core.motion.programme import load_programme
 from mahovik.stands import path as stand_path
 from mahovik.use.plan import Plan
@@ -35,18 +35,6 @@ def test_what_is_out_of_reach_is_refused_with_the_reason(tmp_path: Path) -> None
     assert result.stdout == "NO_PROGRAM SPAN\n"
     assert "force along z" in result.stderr
     assert not (tmp_path / "p.json").exists()
-
-
-@pytest.mark.parametrize("winding", ["spin", "1,1,1"])
-def test_a_winding_goes_with_a_periodic_motion(tmp_path: Path, winding: str) -> None:
-    """A finite one has none: not a policy, either."""
-    times = [k / 40 for k in range(41)]
-    turn = [[0.0, 0.0, 0.0, x**4 * (35 - 84 * x + 70 * x**2 - 20 * x**3), 0.0, 0.0] for x in times]
-    finite = {"schema": 1, "type": "finite", "duration": 1, "samples": {"t": times, "q": turn}}
-    path = tmp_path / "m.json"
-    path.write_text(json.dumps(finite), encoding="utf-8")
-    line = refused("plan", DEMO3, "--motion", str(path), "-o", str(tmp_path / "p.json"), "--winding", winding)
-    assert "--winding needs a periodic motion; this one is finite" in line
 
 
 @pytest.mark.slow

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from cli.run import refused, run
+from cli.run import run
 from mahovik.core.motion import load as load_regime
 from mahovik.core.stand import load
 from mahovik.stands import path
@@ -28,14 +28,6 @@ def test_what_is_written_is_what_is_said(tmp_path: Path) -> None:
     stand = load(SAT4)
     assert load_regime(regime, stand, 1.0).flywheels[1].phase == said["after"]["phases"][1]
     assert load_start(Path(start), stand).phi_dot == tuple(said["after"]["speeds"])
-
-
-def test_out_of_reach_says_what_binds(tmp_path: Path) -> None:
-    """Exit status 1, nothing is written."""
-    out = tmp_path / "r.toml"
-    error = refused("quiet", SAT4, *ASKED, "--momentum", "0 0 40", "-o", str(out), status=1)
-    assert "momentum out of reach: it needs 1.443 times the speed limits" in error
-    assert not out.exists()
 
 
 def test_a_reduction_that_is_not_reached_is_said() -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -98,19 +97,6 @@ def test_a_comparison_that_fails_is_shown_as_failing(monkeypatch: pytest.MonkeyP
     assert "three derivations disagree" in head
     assert '<span class="verdict bad">FAILED' in found
     assert '<div class="failure" role="alert">' in found
-
-
-def test_names_are_escaped(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Files may have any name."""
-    only(monkeypatch, "bodies")
-    odd = "<b onload='x'>&amp;.toml"
-    shutil.copy(DEMO3, odd)
-    run_file = simulated("<i>.csv")
-    found = report_page("--run", run_file, stand=odd)
-    assert "<b onload" not in found
-    assert "<i>" not in found
-    assert {odd, "<i>.csv"} <= set(words(found).replace(",", "").split()) | {odd}
-    assert odd in words(found)
 
 
 def test_a_run_of_another_stand_is_refused() -> None:

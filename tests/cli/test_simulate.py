@@ -39,13 +39,6 @@ def test_columns_with_units() -> None:
     assert found["mount_K w3 [N m]"] == pytest.approx(found["tau w3 [N m]"], rel=1e-9, abs=1e-12)
 
 
-def test_without_a_regime_a_stand_stays_at_rest() -> None:
-    run("simulate", BENCH8, "--until", "0.05", "--every", "0.01", "--dt", "0.001", "-o", "run.csv")
-    found = columns("run.csv")
-    for name in ("v_x [m/s]", "v_z [m/s]", "omega_x [rad/s]", "phi_dot w1 [rad/s]"):
-        assert max(map(abs, found[name])) < 1e-12
-
-
 def test_starts_from_a_state_and_from_what_rest_prints() -> None:
     Path("s.json").write_text(json.dumps({"V": [1, 0, 0, 0, 0, 0.5], "phi_dot": [10, 20, 30]}))
     run("simulate", DEMO3, "--until", "0.01", "--start", "s.json", "-o", "run.csv")
@@ -65,17 +58,6 @@ def test_times_have_units() -> None:
         assert result.exit_code == 0, result.output
     assert Path("s.csv").read_text() == Path("ms.csv").read_text()
     assert columns("s.csv")["t [s]"] == [0.0, 0.002, 0.004, 0.006, 0.008, 0.01]
-
-
-@pytest.mark.slow
-def test_motors_that_fall_short_are_told() -> None:
-    text = Path(BENCH8).read_text() + "\n[flywheel.motor]\ntorque = 0.001\n"
-    Path("weak.toml").write_text(text)
-    ramp = "schema = 1\ndefault = { ramp = { to = 100, duration = 0.01 } }\n"
-    result = run("simulate", "weak.toml", "--until", "0.01", "--regime", regime(ramp), "-o", "run.csv")
-    assert result.exit_code == 0
-    assert "motor of w8: cannot give the torque of its law" in result.stdout
-    assert min(columns("run.csv")["margin w8 [N m]"]) < 0.0
 
 
 def test_a_place_that_cannot_be_written_is_told_before_anything_is_computed(monkeypatch: pytest.MonkeyPatch) -> None:
