@@ -77,20 +77,6 @@ mass = 1
 """
 
 
-@pytest.mark.parametrize(
-    ("spelling", "value"),
-    [
-        ("20 g cm^2", 2e-6), ("20 gcm²", 2e-6), ("20 gcm2", 2e-6), ("20 g-cm^2", 2e-6), ("2 kg-m^2", 2.0),
-        ("2 kgm2", 2.0), ("20 g·cm²", 2e-6),
-    ],
-)  # fmt: skip
-def test_data_sheet_spellings_of_inertia(spelling: str, value: float, own_folder: Path) -> None:
-    (own_folder / "a.toml").write_text(
-        f'{CUBE}spin_inertia = "{spelling}"\ntransverse_inertia = {value / 2!r}\n', encoding="utf-8"
-    )
-    assert json.loads(run("check", "a.toml", "--json").stdout)["unbalance"][0]["spin_inertia"] == value
-
-
 TWO_PLANES = f"""{CUBE}spin_inertia = 0.002
 transverse_inertia = 0.0011
 unbalance = {{ static = "1 g mm", dynamic = "30 g mm^2", dynamic_at = "ANGLE" }}

@@ -16,7 +16,6 @@ from cli.run import DEMO3, run
 from mahovik.core.emit.generate import generate
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
-from mahovik.core.toolchain.board import require
 from mahovik.core.toolchain.targets import Target
 from mahovik.proof.cost import measure as measuring
 from mahovik.proof.cost.measure import USUAL, Costs, FunctionCost, TargetCost
@@ -84,9 +83,6 @@ def edit(folder: Path, change: Callable[[dict[str, Any]], object]) -> None:
     (folder / "cost.json").write_text(json.dumps(data))
 
 
-# ---- where it writes ----
-
-
 def test_both_files_are_listed(folder: Path) -> None:
     result = run("cost", DEMO3, "-o", str(folder))
     assert result.exit_code == 0
@@ -96,9 +92,6 @@ def test_both_files_are_listed(folder: Path) -> None:
     assert run("cost", DEMO3, "-o", str(folder)).exit_code == 0
     assert run("cost", DEMO3, "-o", str(folder), "--accept").exit_code == 0
     assert contents(folder) == before
-
-
-# ---- the gate ----
 
 
 @pytest.mark.parametrize(
@@ -130,20 +123,3 @@ def test_what_has_risen_is_not_written_until_it_is_accepted(folder: Path, functi
     assert run(*arguments, "--accept").exit_code == 0
     assert "| 511 |" in (folder / "COST.md").read_text()
     assert run(*arguments, "--check").exit_code == 0
-
-
-def test_targets_that_are_not_there_are_left_out_by_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(measuring, "require", require)
-    monkeypatch.setattr(
-        Target, "missing_commands", lambda target: ("qemu-system-arm",) if "cortex" in target.family else ()
-    )
-    result = run("cost", DEMO3, "-o", str(tmp_path))
-    assert result.exit_code == 0
-    lines = result.stderr.splitlines()
-    assert [line.partition(": no ")[0] for line in lines] == ["left out: m4", "left out: m7"]
-    assert all("apt-get install gcc-arm-none-eabi" in line for line in lines)
-    assert "## RV64GC" in result.stdout
-    assert "## Cortex" not in result.stdout
-    assert list(tmp_path.iterdir()) == []
-    assert run("cost", DEMO3, "-o", str(tmp_path), "--accept").exit_code == 0
-    assert accepted(tmp_path) == [pair for pair in USUAL if pair[0].startswith("rv")]

@@ -15,7 +15,6 @@ import pytest
 
 from cli.run import DEMO3
 from cli.terminal import RUN
-from mahovik.use.simulate.run import RUN_SUFFIXES
 from toolchain.quick import quick
 
 ENDS = 60.0
@@ -153,30 +152,6 @@ def test_while_it_compiles(arguments: tuple[str, ...], code: str, tmp_path: Path
     assert list(started.work.iterdir()) == []
     assert not (tmp_path / "parent").exists()
     assert all(map(has_ended, pids))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("suffix", quick(1, RUN_SUFFIXES))
-def test_a_simulation_keeps_what_is_computed(suffix: str, tmp_path: Path) -> None:
-    for seconds in (0.5, 3.0, 12.0):  # on a busy machine there is no row yet
-        place = tmp_path / f"after{seconds:g}"
-        place.mkdir()
-        started = Started(
-            ("simulate", DEMO3, "--until", "9000", "--every", "0.01", "-o", f"run{suffix}"), place
-        ).compiled()
-        time.sleep(seconds)
-        said, complaint = started.interrupt()
-        assert started.process.returncode == 130
-        if "no file is half written" not in complaint:
-            break
-        assert list(started.work.iterdir()) == []
-    assert "what was computed is kept" in complaint
-    assert f"run{suffix}   " in said
-    assert [each.name for each in started.work.iterdir()] == [f"run{suffix}"]
-    if suffix == ".csv":
-        rows = (started.work / "run.csv").read_text().splitlines()
-        assert len(rows) > 2
-        assert len({row.count(",") for row in rows}) == 1  # none is cut
 
 
 @pytest.mark.parametrize("moves", [0, 1, 2])

@@ -153,14 +153,6 @@ def test_every_truncated_end_is_found(printed: str, log: Path) -> None:
         assert run("judge-log", "--log", rewritten(log, "".join(lines[:count]))).exit_code == 1, lines[count - 1]
 
 
-def test_each_run_of_a_board_that_was_reset_counts(printed: str, log: Path) -> None:
-    bad = printed.replace("forward PASS cases 5", "forward FAIL cases 5 wrong 4")
-    assert "run 1 of 2: FAIL: forward" in refused("judge-log", DEMO3, "--log", rewritten(log, bad + printed), status=1)
-    words = refused("judge-log", DEMO3, "--log", rewritten(log, printed + printed[:300]), status=1)
-    assert "run 2 of 2: " in words
-    assert "run 1 of 2: " not in words
-
-
 @pytest.mark.slow
 def test_without_a_compiler_the_interpreter_judges(log: Path, printed: str) -> None:
     done = process("judge-log", DEMO3, "--log", str(log), PATH="")

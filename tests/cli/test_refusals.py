@@ -8,18 +8,17 @@ from pathlib import Path
 from string import Template
 
 import pytest
-from identify.data import bench8
 
 from cli.run import refused
 from control.following import SERVO
+from identify.data import bench8
 from mahovik import stands
 from mahovik.core.motion.programme import save_programme
 from verify.programme.programmes import shaker
 
 EXAMPLES = {name: str(stands.path(name)) for name in stands.names()}
-EXAMPLES |= {path.name.partition(".")[0]: str(path) for path in stands.motions("shaker2")}
-EXAMPLES["turn"] = str(Path(EXAMPLES["demo3"]).with_name("demo3.motion.json"))
-EXAMPLES |= {"spin": EXAMPLES["shaker2_spin"], "tilt": str(Path(EXAMPLES["demo3"]).with_name("shaker2.motion.json"))}
+MOTIONS = {"turn": "demo3.motion.json", "spin": "shaker2_spin.motion.json", "tilt": "shaker2.motion.json"}
+PLACES = EXAMPLES | {name: str(Path(EXAMPLES["demo3"]).with_name(file)) for name, file in MOTIONS.items()}
 
 COMMANDS = {
     "simulate": "simulate $demo3 --until 1 -o a.csv",
@@ -47,7 +46,7 @@ CASES = [
     ("simulate", "--start none.json", "none.json: cannot be read"),
     ("simulate", "--start twice.json", "appears twice"),
     ("simulate", "--start tau.json", '"tau" is not part of a start, expected some of id, position, angles'),
-    ("simulate", "--start broken.json", "broken.json: not JSON: Expecting ':' delimiter at line 2, column 5"),
+    ("simulate", "--start broken.json", "broken.json: not JSON: Expecting ':' delimiter at line 2, column 6"),
     ("simulate", "--mismatch 1%", "--mismatch: needs --programme"),
     ("follow", "--mismatch -1%", "--mismatch -1%: expected 0% or more"),
     ("follow", "--mismatch 90%", "--mismatch 90%: expected 0% to 20%"),
@@ -124,6 +123,6 @@ def files(own_folder: Path) -> set[str]:
 
 @pytest.mark.parametrize(("command", "options", "words"), CASES, ids=[f"{case[0]} {case[1]}" for case in CASES])
 def test_one_line_says_why_and_nothing_is_written(command: str, options: str, words: str, files: set[str]) -> None:
-    said = refused(*shlex.split(Template(f"{COMMANDS[command]} {options}").substitute(EXAMPLES)))
+    said = refused(*shlex.split(Template(f"{COMMANDS[command]} {options}").substitute(PLACES)))
     assert said.splitlines()[-1].startswith("error: ") and words in said
     assert {each.name for each in Path().iterdir()} == files

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import csv
 import json
-import sys
 from pathlib import Path
 
 import pytest
 
-from cli.run import refused, run
+from cli.run import run
 from mahovik.stands import path
 
 SAT4, SHAKER2, REMUS6 = (str(path(name)) for name in ("sat4", "shaker2", "remus6"))
@@ -64,18 +63,3 @@ def test_time_cuts_a_sweep() -> None:
     said = run("response", *SWEEP, "--time", "1e-9")
     assert said.exit_code == 0
     assert "warning: --time cut the sweep: 1 of 5 speeds are done" in said.stderr
-
-
-@pytest.mark.parametrize("lacking", ["place", "matplotlib"])
-def test_what_cannot_be_written_is_told_before_anything_is_computed(
-    lacking: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def never(*given: object, **more: object) -> None:
-        pytest.fail("computed")
-
-    monkeypatch.setattr("mahovik.out.functions.vibration.sweep_speeds", never)
-    if lacking == "matplotlib":
-        monkeypatch.setitem(sys.modules, "matplotlib", None)
-        assert "plot needs matplotlib: pip install" in refused("response", *SWEEP, "-o", "r.png")
-    else:
-        assert "/proc/r.csv: cannot be written" in refused("response", *SWEEP, "-o", "/proc/r.csv")

@@ -53,16 +53,3 @@ def test_a_command_imports_only_what_it_needs(arguments: tuple[str, ...], own_fo
     )
     assert "Traceback" not in done.stderr
     assert set(json.loads(done.stderr.splitlines()[-1])) <= CASES[arguments]
-
-
-@pytest.mark.parametrize(
-    ("module", "without"),
-    [
-        ("mahovik.use.study.linear", ("mahovik.use.plan.planner", "mahovik.use.simulate.run", "scipy")),
-        ("mahovik.use.simulate.friction_steps", ("mahovik.core.motion", "mahovik.use.simulate.case")),
-    ],
-)
-def test_a_study_does_not_load_what_it_takes_no_part_of(module: str, without: tuple[str, ...]) -> None:
-    code = f"import sys, {module}; print([name for name in {without!r} if name in sys.modules])"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout == "[]\n"

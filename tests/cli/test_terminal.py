@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from cli.run import AUV6, DEMO3, process
+from cli.run import AUV6, DEMO3
 from cli.terminal import TerminalOutput, on_terminal
 from mahovik.stands import path
 from toolchain.quick import quick
@@ -56,12 +56,3 @@ def test_colours_on_a_terminal(env: dict[str, Any], coloured: bool) -> None:
     seen = on_terminal("check", AUV6, **env)
     assert "warning:" in seen.screen
     assert seen.colours == coloured
-
-
-@pytest.mark.slow
-def test_colours_in_a_pipe_only_where_they_are_forced() -> None:
-    plain = process("check", AUV6, NO_COLOR="", FORCE_COLOR="")
-    assert "\x1b" not in plain.stdout
-    forced = process("check", AUV6, FORCE_COLOR="1", TERM="xterm", NO_COLOR="")
-    assert "\x1b[33m" in forced.stdout
-    assert re.sub(r"\x1b\[[\d;]*m", "", forced.stdout) == plain.stdout  # and no line is folded
