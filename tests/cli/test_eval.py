@@ -31,13 +31,6 @@ def test_good_states_are_status_0_and_a_bad_one_is_1(backend: str) -> None:
     assert "1 of the states cannot be evaluated" in mixed.stderr
 
 
-def test_the_backends_agree_and_c_is_the_default() -> None:
-    state = '{"phi_dot": [10,20,30], "V": [1,2,3,0.1,0.2,0.3], "want": ["forward", "matrices", "momentum"]}\n'
-    (c,), (numpy,) = (lines(run("eval", DEMO3, *more, stdin=state).stdout) for more in ((), ("--backend", "numpy")))
-    assert c.keys() == numpy.keys()
-    assert c["V_dot"] == pytest.approx(numpy["V_dot"], rel=1e-10, abs=1e-12)
-
-
 def rigid_body(folder: Path) -> str:
     """A stand without flywheels: its C has nothing to invert."""
     path = folder / "brick.toml"

@@ -56,9 +56,8 @@ def stand_of(name: str) -> Stand:
 
 def state_and_speeds(stand: Stand, rng: Any, speeds: Callable[[Any], Any]) -> tuple[State, Any]:
     """A random state of a pose that the hold allows, and its speeds: V, or those of the freedoms."""
-    turning = {"phi_dot": tuple(rng.normal(size=len(stand.flywheels)))}
-    turning["phi_ddot"] = tuple(rng.normal(size=len(stand.flywheels)))
-    state = replace(random_state(stand, rng), wrench={}, **turning)
+    phi_dot, phi_ddot = (tuple(rng.normal(size=len(stand.flywheels)).tolist()) for _ in range(2))
+    state = replace(random_state(stand, rng), wrench={}, phi_dot=phi_dot, phi_ddot=phi_ddot)
     if stand.hold is None:
         q, V = rng.normal(size=4), speeds(rng.normal(size=6))
         q /= np.linalg.norm(q)

@@ -56,15 +56,6 @@ def self_test(folder: Path, name: str, scratch: Path) -> Path:
     return scratch / "board.log"
 
 
-def copied(folder: Path, there: Path, *names: str) -> Path:
-    """Files of a folder in a new one."""
-    there.mkdir()
-    for name in names:
-        (there / name).parent.mkdir(exist_ok=True)
-        (there / name).write_bytes((folder / name).read_bytes())
-    return there
-
-
 def test_evidence_is_of_what_was_delivered(part: Path, tmp_path: Path) -> None:
     """The C of the evidence has the prefix and the functions of the folder, and is checked by the same options."""
     out = tmp_path / "out"
@@ -99,23 +90,6 @@ def test_verify_judges_the_functions_that_are_there_under_their_name(part: Path)
     assert {"inverse", "step", "quaternion", "prepare"} <= absent
     assert not absent & {"forward", "torque", ""}
     assert {want for want, _ in verdicts} == absent | {"forward", "torque", ""}
-
-
-@pytest.mark.slow
-def test_cost_measures_a_folder_of_another_name(part: Path, tmp_path: Path) -> None:
-    require("valgrind", "valgrind")
-    folder = str(
-        copied(part, tmp_path / "c", *(each.relative_to(part).as_posix() for each in part.rglob("*") if each.is_file()))
-    )
-    given = ("cost", SHAKER2, "-o", folder, "--targets", "host", "--real", "double")
-    measured = run(*given, "--accept")
-    assert measured.exit_code == 0, measured.output
-    assert "# Cost of shakerp" in measured.output
-    figures = json.loads((tmp_path / "c" / "cost.json").read_text())
-    assert figures["stand"] == "shakerp"
-    assert [f["function"] for f in figures["targets"][0]["functions"]] == ["forward", "torque"]
-    given_folder = ("--only", "forward,torque", "--prefix", "shakerp", "-o", folder)
-    assert run("generate", SHAKER2, *given_folder, "--check").exit_code == 0
 
 
 @pytest.mark.slow
