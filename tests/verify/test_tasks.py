@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+import json
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -15,6 +17,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.proof.reference.task import TaskRows, task_rows
 from mahovik.proof.second import Second
+from mahovik.proof.verify.backends import Backend, NumpyBackend
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.compare import Row
@@ -22,6 +25,7 @@ from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.registry import rows_of
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
+from mahovik.proof.verify.states import evaluate_lines, read_line, split_lines, state_line
 from toolchain.quick import quick
 from verify.test_functions import case_of, planted
 
@@ -150,3 +154,79 @@ def test_tasks_of_random_stands(seed: int, real: str) -> None:
     assert failed([row for name in names for row in rows_of(case, name)]) == []
     if real == "double":
         assert check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)).verdict == "ok"
+
+
+# ---- lines of `eval` ----
+
+SAT: Stand = mahovik.example("sat4")
+STATE = {"V": [0, 0, 0, 0.01, -0.02, 0.03], "phi": [0.1, 0.2, 0.3, 0.4], "phi_dot": [100, 120, -90, 80]}
+TASK = {"task": "pointing", "demand": [1e-3, -2e-3, 0.5e-3]}
+
+
+def answers(backend: Backend, *lines: dict[str, Any]) -> list[dict[str, Any]]:
+    stream = io.BytesIO("\n".join(json.dumps(line) for line in lines).encode())
+    return [json.loads(text) for text, _ in evaluate_lines(SAT, backend, split_lines(stream))]
+
+
+def test_both_backends_answer_a_task_alike_and_the_second_derivation_confirms_them() -> None:
+    """Whole demands, and torques within the motors for a demand within reach and for one beyond it."""
+    c, literal, second = CBackend(SAT), NumpyBackend(SAT), Second(SAT)
+    wants = ["torque", "points", "mounts"]
+    asked = {**STATE, **TASK, "want": ["inverse", *wants]}
+    (one,), (other,) = (answers(backend, asked) for backend in (c, literal))
+    assert one.keys() == other.keys() and one["status"] == other["status"] == "OK" and one["rank"] == 3
+    for name in ("phi_ddot", "V_dot", "sigma", "tau", "mount_wrench"):
+        np.testing.assert_allclose(one[name], other[name], rtol=1e-10, atol=1e-12)
+    np.testing.assert_allclose(one["V_dot"][3:], np.array(TASK["demand"]), rtol=1e-9)
+    moved = {**STATE, "phi_ddot": one["phi_ddot"], "want": ["forward"]}
+    np.testing.assert_allclose(answers(second, moved)[0]["V_dot"], one["V_dot"], rtol=1e-9)
+    unasked = {**STATE, "V_dot": [0, 0, 0, *TASK["demand"]], "want": ["inverse"]}
+    assert all("EXCESSIVE" in answers(backend, unasked)[0]["status"] for backend in (c, literal))
+
+    statuses = []
+    for demand in (TASK["demand"], [1.0, -0.7, 0.4]):
+        asked = {**STATE, "task": "pointing", "demand": demand, "want": ["torque_for", *wants[1:]]}
+        (one,), (other,) = (answers(backend, asked) for backend in (c, literal))
+        assert one.keys() == other.keys() and one["status"] == other["status"] and one["limited"] == other["limited"]
+        for name in ("tau", "phi_ddot", "V_dot", "residual", "mount_wrench"):
+            np.testing.assert_allclose(one[name], other[name], rtol=1e-9, atol=1e-12)
+        assert np.abs(one["tau"]).max() <= 0.2  # of the motors
+        coupled = {**STATE, "tau": one["tau"], "want": ["coupled"]}
+        np.testing.assert_allclose(answers(second, coupled)[0]["V_dot"], one["V_dot"], rtol=1e-9, atol=1e-12)
+        np.testing.assert_allclose(np.array(demand) - one["V_dot"][3:], one["residual"], atol=1e-12)
+        statuses.append(one["status"])
+    assert statuses == ["OK", "LIMITED|UNREACHABLE"]
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ({"task": "pointin", "demand": [0, 0, 0]}, 'task: unknown "pointin", did you mean "pointing"?'),
+        ({"task": "pointing"}, "demand: missing, expected 3 numbers"),
+        ({"demand": [1, 2, 3]}, 'demand: needs a task, {"task": NAME, "demand": [...]}'),
+        ({"task": "pointing", "demand": [1, 2]}, "demand: expected 3 numbers, found 2"),
+        ({"task": "pointing", "demand": [1, 2, 3e9]}, "demand[2]: 3e+09 is out of range, at most 1e+09 in magnitude"),
+        ({"task": 3, "demand": [1, 2, 3]}, "task: expected the name of a task, found 3"),
+        ({**TASK, "V_dot": [0, 0, 0, 0, 0, 0]}, "V_dot, task: both given, expected one of them"),
+        ({**TASK, "want": ["forward"]}, 'want: "forward" and the task both give V_dot, ask for them in two states'),
+        ({"want": ["torque_for"]}, 'want: "torque_for" needs a task, {"task": NAME, "demand": [...]}'),
+        (
+            {**TASK, "want": ["torque_for", "inverse"]},
+            'want: "inverse" and "torque_for" both give phi_ddot, ask for them in two states',
+        ),
+        (
+            {**TASK, "want": ["torque", "torque_for"]},
+            'want: "torque" and "torque_for" both give tau, ask for them in two states',
+        ),
+        ({**TASK, "want": ["coupled"]}, 'want: "coupled" and the task both give V_dot, ask for them in two states'),
+    ],
+)
+def test_error_lines_of_tasks(line: dict[str, Any], words: str) -> None:
+    assert answers(NumpyBackend(SAT), {"want": ["inverse"], **line}) == [{"id": None, "error": words}]
+
+
+def test_a_line_of_a_task_reads_back_and_the_second_derivation_has_no_tasks() -> None:
+    request = read_line(SAT, json.dumps({"id": 1, **STATE, **TASK, "want": ["inverse"]}))
+    assert read_line(SAT, state_line(request)) == request
+    (answer,) = answers(Second(SAT), {**TASK, "want": ["torque"]})
+    assert answer["error"].startswith("task: the second derivation has no tasks")
