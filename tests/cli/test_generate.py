@@ -95,6 +95,33 @@ def test_again_touches_nothing_that_is_the_same(folder: Path) -> None:
     assert {name for name in before if (folder / name).stat().st_mtime_ns != before[name]} == {"demo3.h"}
 
 
+def test_check_finds_what_was_changed_or_lost_and_writes_nothing(folder: Path) -> None:
+    """A folder of the other element type differs in every file: that is one line."""
+    check = ("generate", DEMO3, "-o", str(folder), "--check")
+    assert run(*check).output == f"{folder}   as the stand file gives it\n"
+    said = refused(*check, "--real", "float", status=1)
+    assert said == f"error: {folder}: its C is double, expected float: give --real double, or generate it again\n"
+    for name in ("demo3.c", "verification/demo3_selftest.c", "manifest.json"):
+        text = (folder / name).read_text()
+        (folder / name).write_text(text + " ")
+        before = contents(folder)
+        assert f"{folder / name}: " in refused(*check, status=1)
+        assert contents(folder) == before
+        (folder / name).unlink()
+        assert f"{folder / name}: is missing" in refused(*check, status=1)
+        (folder / name).write_text(text)
+    assert "is missing" in refused("generate", DEMO3, "-o", str(folder / "none"), "--check", status=1)
+    assert not (folder / "none").exists()
+
+
+def test_float_takes_the_place_of_double(folder: Path) -> None:
+    generate(folder, "--real", "float")
+    assert json.loads((folder / "manifest.json").read_text())["real"] == "float"
+    assert "typedef float demo3_real;" in (folder / "demo3.h").read_text()
+    generate(folder, "--check")
+    refused("generate", DEMO3, "-o", str(folder), "--real", "double", "--check", status=1)
+
+
 @pytest.mark.parametrize("name", ["README.md", "verification/demo3_selftest.c", "manifest.json"])
 def test_a_file_of_others_is_not_overwritten(name: str, tmp_path: Path) -> None:
     (tmp_path / name).parent.mkdir(exist_ok=True)

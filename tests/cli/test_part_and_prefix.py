@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from cli.run import DEMO3, run
+from cli.run import DEMO3, refused, run
 from mahovik.core.stand import load
 from mahovik.core.toolchain.board import build
 from mahovik.core.toolchain.board import run as run_program
@@ -90,6 +91,38 @@ def test_verify_judges_the_functions_that_are_there_under_their_name(part: Path)
     assert {"inverse", "step", "quaternion", "prepare"} <= absent
     assert not absent & {"forward", "torque", ""}
     assert {want for want, _ in verdicts} == absent | {"forward", "torque", ""}
+
+
+@pytest.mark.parametrize(
+    ("only", "status", "words"),
+    [
+        ("", 1, "holds a part of the functions: of C of `generate --only`, give --only forward,torque; else lines"),
+        ("forward", 1, "functions that --only does not name: torque: give --only as `generate` had it"),
+        ("forward,torque,wrap", 1, "nothing of: wrap: give --only as `generate` had it"),
+        ("forwart", 2, '--only forwart: the C of shakerp has no such function, did you mean "forward"?'),
+    ],
+)
+def test_the_log_of_a_part_gives_no_false_alarm(only: str, status: int, words: str, log: Path) -> None:
+    options = ("--only", only) if only else ()
+    message = refused("judge-log", SHAKER2, "--log", str(log), *options, status=status)
+    assert words in message and "other bits" not in message and message.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        (r"\ntorque \w{8}\n", "\ntorque 00000000\n", "other bits in the sweep of 100 states: torque (torque: 00000000"),
+        (r"\ntorque PASS.*\n", "\n", "no line PASS or FAIL of: torque"),
+        (r"failures 0\n", "", 'no line "failures"'),
+        (r"physics \w+", "physics 00000000", "physics 00000000, the stand file has "),
+    ],
+)
+def test_what_is_wrong_in_the_log_of_a_part_is_found(old: str, new: str, words: str, log: Path, tmp_path: Path) -> None:
+    text, count = re.subn(old, new, log.read_text(), count=1)
+    assert count == 1
+    (tmp_path / "spoiled.log").write_text(text)
+    given = ("judge-log", SHAKER2, "--log", str(tmp_path / "spoiled.log"), "--only", "forward,torque")
+    assert words in refused(*given, status=1)
 
 
 @pytest.mark.slow

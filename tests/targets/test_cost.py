@@ -12,10 +12,12 @@ import pytest
 from cli.run import BENCH8, DEMO3, refused, run
 from mahovik.core.stand import load
 from mahovik.errors import UsageError
+from mahovik.proof.cost import measure as measuring
 from mahovik.proof.cost.check import compare
 from mahovik.proof.cost.measure import Costs, FunctionCost, TargetCost, measure, parse_targets
-from mahovik.proof.cost.page import as_json, read_accepted_costs
+from mahovik.proof.cost.page import as_json, page, read_accepted_costs
 from targets.boards import target
+from toolchain.tools import require
 
 
 @pytest.fixture(scope="module")
@@ -80,6 +82,42 @@ def test_figures_and_text_repeat(tmp_path: Path) -> None:
     assert "accept" in failed.stderr
     assert run(*arguments, "--accept").exit_code == 0
     assert (tmp_path / "cost.json").read_bytes() == first["cost.json"]
+
+
+def test_figures_of_the_host_agree_with_one_another(monkeypatch: pytest.MonkeyPatch) -> None:
+    """At one state, by callgrind: a step of order 4 has twice the rates of one of order 2, and the parts add up."""
+    require("valgrind", "valgrind")
+    monkeypatch.setattr(measuring, "STATES", 1)
+    progress = []
+    found = measure(
+        load(DEMO3), [(target("host"), "double")], lambda *done: progress.append(done), ("step", "prepare_mounts")
+    )
+    (cost,), names = (
+        found.targets,
+        ["step", "step(order=2)", "prepare_mounts", "recorder_step", "recorder_step(order=2)"],
+    )
+    assert progress == [(1, 1)] and [f.function for f in cost.functions] == names
+    step, half, mounts, recorded, _ = cost.functions
+    assert 1.8 < step.instructions / half.instructions < 2.1 and step.code == half.code <= cost.text
+    assert recorded.instructions > step.instructions > mounts.instructions > 0
+    assert recorded.stack > step.stack > cost_of(cost, "prepare_mounts").stack > 0
+    own = sum(cost.symbols.values())
+    assert own <= cost.text < own + 16 * len(cost.symbols)  # and what aligns them
+    assert 3 * cost.flywheel["default"] < cost.constants["demo3_default"]
+    assert cost.flywheel["default"] % 8 == 0 and cost.unnamed > 0
+    text = page(found)
+    assert f"\n| `step` | {step.instructions:,} | {step.stack:,} |  | {step.code:,} |\n" in text
+    assert f"a flywheel takes: `demo3_default` {cost.flywheel['default']}" in text
+    again = compare(found, read_accepted_costs(as_json(found), "cost.json"))
+    assert (again.rises, again.compared) == ((), ("host, double",))
+
+
+def test_the_page_tells_what_was_refused_and_what_the_compiler_adds() -> None:
+    one = costs().targets[0].functions[0]
+    text = page(costs(functions=(replace(one, instructions=0, routines=("__divdi3",)),)))
+    assert "| `forward` | refused | 500 | 490 | 3,000* |" in text and "\nRefused: these states are none for it" in text
+    assert "\n\\* and `__divdi3` of the compiler's library" in text
+    assert "| `forward` | 300 |" in text
 
 
 def costs(**changes: Any) -> Costs:

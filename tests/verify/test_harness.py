@@ -56,6 +56,14 @@ def nudged(name: str, by: float) -> Any:
     return lambda found: found | ({name: np.asarray(found[name]) * (1 + by)} if name in found else {})
 
 
+def test_a_stand_without_flywheels_passes() -> None:
+    """What nothing can meet is left over, whole."""
+    found = verify_c(replace(DEMO, flywheels=()), count=10)
+    assert found.passed, found.failures
+    compared = {row.quantity for row in found.rows if row.verdict == "ok"}
+    assert {"residual, without flywheels", "hardest, without flywheels"} <= compared
+
+
 def test_a_difference_of_ten_tolerances_fails_and_of_a_tenth_does_not() -> None:
     rows = rows_of(nudged("energy", 1e-11))
     assert [row.quantity for row in rows.values() if row.failed] == ["energy"]
