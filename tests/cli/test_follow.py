@@ -11,6 +11,7 @@ from cli.run import refused, run
 from control.following import SERVO, TRIM
 from mahovik import stands
 from mahovik.core.motion.programme import save_programme
+from mahovik.out.report.plot.run import panels, read
 from verify.programme.programmes import shaker
 
 STAND = str(stands.path("shaker2"))
@@ -24,6 +25,19 @@ def given(tmp_path: Path) -> list[str]:
     (tmp_path / "S.toml").write_text(SERVO)
     files = ["--programme", str(tmp_path / "P.json"), "--motion", MOTION, "--servo", str(tmp_path / "S.toml")]
     return ["simulate", STAND, *files]
+
+
+def test_table_columns_and_panels(given: list[str], tmp_path: Path) -> None:
+    """The table follows the required heave, and the plot's first panels are what follows and its errors."""
+    output = tmp_path / "run.csv"
+    said = run(*given, "--periods", "11", "--no-causes", "-o", str(output))
+    assert said.exit_code == 0, said.output
+    assert "over the last 10 of 11 periods; mismatch 0%, seed 1" in said.stdout
+    columns = read(output)
+    assert len(columns["t [s]"]) == 1101
+    assert abs(columns["z [m]"] - columns["required_z [m]"]).max() < 1e-7
+    shown = [panel.quantity.split(",")[0] for panel in panels(columns)]
+    assert shown[:4] == ["O1", "attitude", "error of O1", "error of attitude"]
 
 
 def test_ctrl_c_while_causes_are_asked_keeps_the_figures(given: list[str], monkeypatch: pytest.MonkeyPatch) -> None:

@@ -19,8 +19,10 @@ from mahovik.core.stand.write import dumps
 from mahovik.errors import DesignError, MahovikError
 from mahovik.laws.suspension.data import Suspension
 from mahovik.use.design import DesignOptions, Outcome, design_stand, freedom_of_keys
-from mahovik.use.design.freedom import WIDTH, Freedom, Limits, Mask, Tie
+from mahovik.use.design.freedom import WIDTH, Freedom, Limits, Mask, Tie, Weights
+from mahovik.use.design.outcome import as_object, summary
 from mahovik.use.design.read import read_freedom
+from mahovik.use.design.search import Cost, Point, Search, pareto_points
 from mahovik.use.design.space import Space, flywheel_numbers
 from mahovik.use.design.task import Design, Task, Weighing
 from mahovik.use.plan.problem import Periodic, uniform
@@ -176,6 +178,34 @@ def test_sensitivities_are_those_of_stands_that_are_built_so() -> None:
     heavier = relative(replace(wheel, center_of_mass=(along, longer * y_c, longer * z_c)))
     assert told["left", "y"].sensitivity == pytest.approx(moved, rel=0.05)
     assert told["left", "unbalance"].sensitivity == pytest.approx(heavier, rel=0.05)
+
+
+def test_the_object_is_strict_json() -> None:
+    """In SI; every free number of every flywheel."""
+    told = json.loads(json.dumps(as_object(one_axis()), allow_nan=False))
+    assert (told["status"], told["verified"], len(told["changes"])) == ("OK", True, 2 * 7)
+    assert told["totals"]["after"]["unbalance"] == pytest.approx(told["cost"]["unbalance"])
+    assert told["changes"][0]["unit"] == "m"
+    assert summary(one_axis())[0].startswith("flywheels 2, total unbalance 4000 -> ")
+
+
+def test_designs_that_others_beat_are_no_front() -> None:
+    """Kept: less torque for more unbalance."""
+    points = [Point(Weights(), Cost(u, t, 0.0), 0.0) for u, t in ((1, 5), (2, 6), (3, 4), (3, 4), (2, 5), (9, 1))]
+    assert [(p.cost.unbalance, p.cost.torque) for p in pareto_points(points)] == [(1, 5), (3, 4), (9, 1)]
+
+
+def test_interrupted_before_anything_was_found() -> None:
+    """The status says so, and there is no design."""
+
+    def interrupt(_: Search) -> None:
+        raise KeyboardInterrupt
+
+    text = FREE.replace("harmonics = 1", "harmonics = 0\nnumber = [1, 2]")
+    found = design_stand(shaker(), motion_of, freedom(text), DesignOptions(), interrupt)
+    assert found.interrupted and (found.status, found.stand) == ("NO_DESIGN", None)
+    assert "1 starts, interrupted" in found.words[0]
+    assert json.loads(json.dumps(as_object(found), allow_nan=False))["status"] == "NO_DESIGN"
 
 
 def test_a_motion_that_no_design_can_do_is_refused() -> None:

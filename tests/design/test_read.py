@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from design.test_design import FREE, freedom, shaker
+from mahovik.core.stand import load
 from mahovik.errors import DesignError
+from mahovik.stands import path
 from mahovik.use.design import freedom_of_keys
 from mahovik.use.design.freedom import PARTS
 from mahovik.use.design.read import read_freedom
@@ -46,6 +48,11 @@ WRONG = [
     ("quality = 1e-9", "number = [1, 3]", "number: 3 flywheels, but the stand has 2"),
     ("quality = 1e-9", "phase = 1", "phase: expected true or false, found 1"),
     ("speed = [-1, 1]", "speed = []", "speed: expected turns per period to choose from"),
+    ("quality = 1e-9", "number = 2", "number: expected least and most, as [2, 4], found 2"),
+    ("[[free]]", "[[free]]\nmass = { min = 2, max = 1 }", "mass: min 2 is above max 1 kg"),
+    ("[[free]]", "[[free]]\nmass = { min = 2 }", "max: required, but missing"),
+    ("[[free]]", "[[free]]\nmass = 3", "mass: expected true, false or { min = .., max = .. }, found 3"),
+    ("[limits]", '[[group]]\nflywheels = ["left", "right"]\nsame = ["w"]\n[limits]', 'same: unknown key "w"'),
     ("[[free]]", '[[free]]\nflywheels = ["lefd"]', 'flywheels: unknown "lefd", did you mean "left"?'),
     ("[[free]]", "[[free]]\nmass = { min = 0, max = 1 }", "mass: min 0: expected a minimum above 0"),
     ("min = 0,", "min = -1,", "unbalance: min -1 is negative"),
@@ -77,6 +84,12 @@ def test_wrong_keys(keys: str, words: str) -> None:
     with pytest.raises(DesignError, match="--free") as caught:
         freedom_of_keys(keys, shaker())
     assert words in str(caught.value)
+
+
+def test_balanced_flywheels_have_no_unbalance_to_change() -> None:
+    """Bounds by default would be zero to zero."""
+    with pytest.raises(DesignError, match=r"give \{ min = \.\., max = \.\. \}"):
+        freedom_of_keys("unbalance", load(path("demo3")))
 
 
 def test_nothing_free_is_refused() -> None:

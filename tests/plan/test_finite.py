@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.motion.programme import Angles, load_programme, save_programme
-from mahovik.core.motion.required import RequiredMotion, read_motion
+from mahovik.core.motion.required import Bounds, RequiredMotion, read_motion
 from mahovik.core.motion.required.course import SampledCourse
 from mahovik.core.stand import Stand, loads
 from mahovik.proof.reference.hold import acceleration
@@ -49,6 +49,18 @@ def test_bench8_moves_from_rest_to_rest() -> None:
     R = problem.scaled_residual(fine, solved.motion.bias, Angles(*table.at(fine.t)))
     assert np.linalg.norm(R, axis=1).max() < 1e-6
     assert np.abs(table.phi_dot[0]).max() < 1e-9
+
+
+@pytest.mark.parametrize(("count", "last"), [(8, "or one more flywheel"), (7, "or eight flywheels")])
+def test_what_to_try_depends_on_the_stand(count: int, last: str) -> None:
+    """Eight flywheels where a free carrier has fewer; nothing of a mean that is free."""
+    stand, motion = move()
+    own = replace(stand, flywheels=stand.flywheels[:count], tasks=())
+    weights = replace(motion.objective, **{kind: row[:count] for kind, row in vars(motion.objective).items()})
+    motion = replace(motion, bounds=Bounds(), objective=weights)
+    found = plan_motion(own, motion, PlanOptions(steps=1, verify=False))
+    assert (found.status, found.reason) == ("NO_PROGRAM", "SEARCH")
+    assert found.words[0].endswith(f"try another seed, more time, a smaller or slower motion {last}")
 
 
 @pytest.mark.slow

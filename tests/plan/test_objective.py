@@ -17,6 +17,7 @@ from mahovik.use.plan.objective import (
     Cost,
     Rows,
     exceeded_bounds,
+    utilisation,
 )
 from mahovik.use.plan.residual import PrescribedMotion, linear, prescribe
 from plan.problems import RandomCourse, random_course, required
@@ -114,3 +115,15 @@ def test_what_is_exceeded_is_told_by_flywheel_value_and_time() -> None:
         Bounds(bias=(1e-3,) * 6), stand, t, angles, motion.phi, tau, np.array([0, 0, 2e-3, 0, 0, 0])
     )
     assert (one.kind, one.of, one.time) == ("bias", "z", None) and one.ratio == pytest.approx(2.0)
+
+
+def test_utilisation_is_one_at_the_limit() -> None:
+    """The largest of all; of a least speed above one where it is missed."""
+    flat = np.ones((4, N))
+    angles = Angles(flat, 20.0 * flat, 100.0 * flat)
+    none, zero, turns = np.zeros((4, N)), np.zeros(6), np.ones(N)
+    assert utilisation(Bounds(), angles, none, none, zero, turns) == 0.0
+    assert utilisation(Bounds(acceleration=(100.0, 400.0, 400.0)), angles, none, none, zero, turns) == 1.0
+    assert utilisation(Bounds(speed_min=(20.0, 0.0, 10.0)), angles, none, none, zero, turns) == 1.0
+    assert utilisation(Bounds(speed_min=(20.0, 0.0, 10.0)), angles, none, none, zero, -turns) > 2.0
+    assert utilisation(Bounds(bias=(0.1,) * 6), angles, none, none, zero + 0.25, turns) == 2.5

@@ -10,13 +10,16 @@ import pytest
 
 from mahovik.core.motion.required import Bounds
 from mahovik.core.stand.random import EVERYTHING
+from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import figures
 from mahovik.use.plan.objective import Cost
-from mahovik.use.plan.optimise import ImprovedMotion, exceeded_by
+from mahovik.use.plan.optimise import ImprovedMotion, evaluate, exceeded_by, improve
 from mahovik.use.plan.optimise.improve import make_stage
 from mahovik.use.plan.optimise.merit import Stage
+from mahovik.use.plan.planner import not_found_message
 from mahovik.use.plan.problem import Periodic
-from plan.improvable import N, improved, plain, setting
+from mahovik.use.plan.search import Candidate, Improver, Search, choose
+from plan.improvable import UNTIL, N, improved, plain, setting
 from plan.problems import drawn_problem, wheels
 
 WHEELS, H = 3, 4
@@ -84,3 +87,35 @@ def test_bounds_that_the_start_breaks_are_kept() -> None:
     assert exceeded_by(own.problem, own.cost, found.motion) == ()
     assert found.utilisation < 1.0
     assert found.residual < own.problem.tolerance
+
+
+def test_what_cannot_be_kept_is_told() -> None:
+    """A tenth of what is possible: the excess is that of the programme, recomputed on another grid."""
+    own = setting(Bounds(acceleration=(60.0,) * N))
+    found = own.rescue(own.candidate(improve(own.problem, own.cost, plain("rock"), Budget(UNTIL)), "rock"), None)
+    assert found is not None and found.exact and not found.is_programme
+    worst = found.exceeded_bounds[0]
+    peaks = np.abs(found.motion.at(own.problem.grid(4001, found.motion.H).basis).phi_ddot).max(axis=0)
+    assert worst.value == pytest.approx(peaks.max(), rel=1e-4)
+    assert worst.ratio == pytest.approx(worst.value / 60.0)
+    assert {each.of for each in found.exceeded_bounds} == {f"w{s + 1}" for s in np.flatnonzero(peaks > 60.0)}
+    assert found.utilisation == pytest.approx(worst.ratio, rel=1e-6)
+
+
+def test_a_programme_brought_nearer_to_the_bound_is_given_where_none_keeps_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A search of which the bound has left one attempt that is no programme; its message names the bound as well."""
+    own, free = setting(Bounds(torque=(0.03,) * N)), plain("rock")
+    attempt = own.candidate(evaluate(own.problem, own.cost, free.with_harmonics(2), 0), "rock", free)
+    search: Search[Candidate] = Search(beyond=[attempt])
+    assert not attempt.exact
+    words = not_found_message(search)
+    assert "the nearest attempt exceeds a bound, torque of w" in words
+    assert "bound is 0.03" in words and "try wider bounds" in words and "bound" not in not_found_message(Search())
+    monkeypatch.setattr(Improver, "rescue", lambda *_: None)
+    (nearest,) = choose(own, search, seconds=None)  # without the clock: the outcome is the same on a busy machine
+    assert nearest.exact and not nearest.is_programme
+    disregards = own.exact(attempt, free, None)
+    assert nearest.utilisation < 0.9 * disregards.utilisation, "it is no nearer than one that disregards the bound"
+    worst = nearest.exceeded_bounds[0]
+    assert (worst.kind, worst.limit) == ("torque", 0.03) and worst.value > 0.1
+    assert f"torque of {worst.of}: {worst.value:.6g} N m" in worst.words and "bound is 0.03" in worst.words

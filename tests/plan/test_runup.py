@@ -38,6 +38,7 @@ from mahovik.use.plan.runup import shortcomings, with_runup
 from mahovik.use.plan.runup import solve as runups
 from plan.held_stands import HOLDS, stand, wheel
 from plan.problems import example
+from plan.test_finite import move
 from toolchain.quick import quick
 
 LASTS = 0.12
@@ -191,9 +192,10 @@ def pressing(times: int) -> Any:
     return certified
 
 
-def test_ctrl_c_in_the_verification_waits_for_its_end(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("periodic", [True, False])
+def test_ctrl_c_in_the_verification_waits_for_its_end(periodic: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """The programme is given, as interrupted; a second Ctrl-C does not wait."""
-    stand, motion = example("shaker2", "shaker2_spin")
+    stand, motion = example("shaker2", "shaker2_spin") if periodic else move()
     place = "mahovik.use.plan.planner.certify"
     monkeypatch.setattr(place, pressing(1))
     found = plan_motion(stand, motion)

@@ -210,3 +210,11 @@ def test_a_bound_that_cannot_be_kept() -> None:
     assert f"bound is 60: {peak / 60.0:.2g}" in found.words[0]
     assert programme.report["bounds_used"] == pytest.approx(peak / 60.0, rel=1e-3)
     assert list(programme.report["exceeded"]) == list(found.words)
+
+
+def test_the_end_of_the_steps_gives_the_best_so_far() -> None:
+    """Cut in the middle of the optimisation: an exact programme, though not the best."""
+    stand, motion = example("bench8")
+    cut = plan_motion(stand, replace(motion, bounds=Bounds()), replace(QUICK, winding="rock", steps=25))
+    assert cut.status == "OK" and cut.effort["steps"] == 25
+    assert cut.programmes[0].report["residual"] < 1e-6

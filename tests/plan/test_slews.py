@@ -18,6 +18,7 @@ from mahovik.core.motion.programme import Programme, programme_text
 from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand import Stand
 from mahovik.core.stand.capacity import torque_capacity
+from mahovik.core.stand.whole import mass_properties
 from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.proof.verify.programme.simulation import simulate
 from mahovik.use.plan.outcome import Plan
@@ -237,6 +238,17 @@ def planned_sat4(verify: bool = False, **keys: Any) -> Plan:
 @cache
 def quick_slew() -> Programme:
     return planned_sat4(end=about_z(5), duration=10, start=against(314)).programmes[0]
+
+
+def test_a_point_that_unbalance_alone_would_hold_is_refused_by_its_direction() -> None:
+    """Along the line through the centre of mass no moment accelerates it."""
+    rows = [{"point": "acc1", "rows": ["vx", "vy", "vz"]}]
+    found = planned_sat4(rows=rows, start=against(100), duration=1, unbalance="resisted")
+    words = found.words[0]
+    assert found.reason == "SPAN" and "they give no acceleration of acc1 along (" in words
+    direction = np.array([float(x) for x in words.split("(")[1].split(")")[0].split(",")])
+    line = np.array(sat4().points[0].position) - mass_properties(sat4()).center_of_mass
+    assert np.linalg.norm(np.cross(direction, line / np.linalg.norm(line))) < 2e-3
 
 
 @pytest.mark.slow

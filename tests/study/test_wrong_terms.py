@@ -24,7 +24,7 @@ from mahovik.laws.propeller.data import Propeller, Propellers
 from mahovik.proof import reference
 from mahovik.proof.diagnose.diagnosis import Diagnosis
 from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
-from mahovik.proof.diagnose.words import as_object
+from mahovik.proof.diagnose.words import as_object, sentences
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.hold import held_state, twists
@@ -217,6 +217,54 @@ def test_programs_that_cannot_be_searched_are_refused() -> None:
         before.append(reference.evaluate(stand, request.state, request.want))
     with pytest.raises(CheckError, match="it answers another state's result: that to 'term 2, forward' is right for"):
         search("demo3", "forward").find(lambda request: late[request.id.removesuffix(", again")])
+
+
+def test_a_momentum_without_a_name_hinders_no_other() -> None:
+    stand = stand_of("hull")
+
+    def answers(request: Request) -> Mapping[str, Any]:
+        at = reference.pieces(stand, request.state)
+        if request.want == ("momentum",):
+            return {"Z": (np.exp(at.V_r) + at.V_r).tolist()}
+        right = at.F - bias(at)
+        right[2] -= 2 * total_mass("hull") * at.V_r[0] * at.V_r[4]
+        return {"V_dot": at.V_dot(np.asarray(np.linalg.solve(at.K, right), dtype=np.float64)).tolist()}
+
+    result = TermSearch(stand, wants=("forward", "momentum")).find(answers)
+    assert named(result) == {("Z", "u q", -1.0, 1.0, "m")}
+    diagnosis = Diagnosis("unknown").with_terms(result)
+    text = sentences(diagnosis)
+    assert diagnosis.verdict == "approximate"
+    assert "the error of momentum is not a few terms: nothing of it is named" in text
+    assert not any("nothing is left" in line for line in text)
+
+
+def test_a_constant_has_a_unit_and_that_of_a_reaction_its_own_sign() -> None:
+    def force(_: Any, right: Any, __: Pieces) -> None:
+        right[2] -= 0.5
+
+    def moment(_: Any, right: Any, __: Pieces) -> None:
+        right[4] += 0.2
+
+    lines = sentences(Diagnosis("unknown").with_terms(terms_found("pendulum", force, "reaction")))
+    constant = "a constant of the reaction of 0.5 N (-0.5 on the right-hand side), which should not be there"
+    assert f"  reaction, Z: {constant}; 100% of the error" in lines
+    lines = sentences(Diagnosis("unknown").with_terms(terms_found("pendulum", moment)))
+    assert "  forward, M: a constant of 0.2 N m, which should not be there; 100% of the error" in lines
+
+
+def test_what_terms_explain_is_said_of_the_quantities_that_were_looked_at() -> None:
+    """And the side on which accelerations stand, where they are named."""
+    result = terms_found("pendulum", wrong_inertia)
+    alone = sentences(Diagnosis("unknown", wrong=("forward: V_dot",)).with_terms(result))
+    assert alone[-1] == "without it nothing is left of the error beyond rounding"
+    left = "  accelerations stand on the left; the signs of their factors are those on the right, -K"
+    assert left in alone
+    more = sentences(Diagnosis("unknown", wrong=("forward: V_dot", "points: points.twist")).with_terms(result))
+    assert more[-2:] == [
+        "without it the equations of forward are right",
+        "not known: whether it explains all of points: points.twist",
+    ]
 
 
 def test_a_diagnosis_by_terms_as_data() -> None:
