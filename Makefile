@@ -89,7 +89,7 @@ net: setup-test
 
 targets: setup-test
 	tools/targets-packages.sh
-	$(BIN)/python tests/net/targets.py --all
+	$(BIN)/python tests/net/processors.py --all
 
 fuzz: setup-test
 	tools/fuzz-packages.sh

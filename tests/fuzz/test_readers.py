@@ -115,7 +115,7 @@ class Reader:
     read: Callable[[Path], Any]
     name: str
     examples: Sequence[bytes]
-    spoiled: st.SearchStrategy[str] | st.SearchStrategy[bytes]
+    spoiled: st.SearchStrategy[str | bytes]
 
 
 def encoded(texts: Sequence[str]) -> list[bytes]:

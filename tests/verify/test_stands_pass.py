@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -117,9 +118,9 @@ QUICK: dict[str, Case] = {
 }
 SLOW: dict[str, Case] = {
     "no flywheel": (lambda: RANDOM[0], "double"),
-    **{f"{len(stand.flywheels)} flywheels": (lambda stand=stand: stand, "double") for stand in RANDOM[2:]},
-    **{name: (lambda name=name: load(stands.path(name)), "double") for name in stands.names()},
-    **{path.stem: (lambda path=path: load(path), "double") for path in HELD},
+    **{f"{len(stand.flywheels)} flywheels": (partial(replace, stand), "double") for stand in RANDOM[2:]},
+    **{name: (partial(load, stands.path(name)), "double") for name in stands.names()},
+    **{path.stem: (partial(load, path), "double") for path in HELD},
     "everything": (lambda: everything("euler"), "double"),
     "everything, float": (lambda: everything("euler"), "float"),
     "random, float": (lambda: RANDOM[3], "float"),

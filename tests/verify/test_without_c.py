@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -29,6 +30,11 @@ def flowing() -> Stand:
     return replace(random_stand(np.random.default_rng(3), 2, FLOWING), profile=BY_DEPTH)
 
 
+def drawn_stand(N: int, features: Features) -> Stand:
+    """A stand drawn by its number of flywheels."""
+    return random_stand(np.random.default_rng(N), N, features)
+
+
 STANDS: dict[str, Callable[[], Stand]] = {
     "everything": everything,
     "held": lambda: random_held_stand("hinge", 3, WET, 2),
@@ -37,11 +43,11 @@ STANDS: dict[str, Callable[[], Stand]] = {
     "knife edge": lambda: random_held_stand("knife edge", 3, DRY, 0),
 }
 SLOW: dict[str, Callable[[], Stand]] = {
-    **{name: lambda name=name: random_held_stand(name, 3, DRY) for name in ("ball joint", "all but one", "free")},
-    **{f"bare, {N}": lambda N=N: random_stand(np.random.default_rng(N), N, BARE) for N in (0, 1, 7)},
-    **{f"drawn, {N}": lambda N=N: random_stand(np.random.default_rng(N), N, Features()) for N in range(6)},
-    **{angles: lambda angles=angles: everything(angles) for angles in ("aircraft", "euler")},
-    **{name: lambda name=name: load(path(name)) for name in names()},
+    **{name: partial(random_held_stand, name, 3, DRY) for name in ("ball joint", "all but one", "free")},
+    **{f"bare, {N}": partial(drawn_stand, N, BARE) for N in (0, 1, 7)},
+    **{f"drawn, {N}": partial(drawn_stand, N, Features()) for N in range(6)},
+    **{angles: partial(everything, angles) for angles in ("aircraft", "euler")},
+    **{name: partial(load, path(name)) for name in names()},
 }
 
 

@@ -1,8 +1,8 @@
 """The example stands on processors: the same bits as here, and no function that costs more than was accepted.
 
-python tests/net/targets.py                       one target of each kind, this machine among them
-python tests/net/targets.py --all                 every target for bench8, and the costs of five
-python tests/net/targets.py --accept "SENTENCE"   keep the costs of five as they are now; the sentence says why
+python tests/net/processors.py                       one target of each kind, this machine among them
+python tests/net/processors.py --all                 every target for bench8, and the costs of five
+python tests/net/processors.py --accept "SENTENCE"   keep the costs of five as they are now; the sentence says why
 
 `cost.json` has instructions, stack and code of every function by stand, target and element type. A figure more than 2 %
 above the accepted one, one that was never accepted and one of another compiler are failures: names of stands, or all.
