@@ -12,10 +12,11 @@ from typing import Any
 
 import pytest
 
-from cli.run import DEMO3, run
+from cli.run import DEMO3, refused, run
 from mahovik.core.emit.generate import generate
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
+from mahovik.core.toolchain.board import require
 from mahovik.core.toolchain.targets import Target
 from mahovik.proof.cost import measure as measuring
 from mahovik.proof.cost.measure import USUAL, Costs, FunctionCost, TargetCost
@@ -123,3 +124,23 @@ def test_what_has_risen_is_not_written_until_it_is_accepted(folder: Path, functi
     assert run(*arguments, "--accept").exit_code == 0
     assert "| 511 |" in (folder / "COST.md").read_text()
     assert run(*arguments, "--check").exit_code == 0
+
+
+@pytest.mark.parametrize("everything", [False, True])
+def test_targets_that_are_not_there_are_left_out_by_name(
+    everything: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where there is none at all it is an error."""
+
+    def missing(target: Target) -> tuple[str, ...]:
+        return ("qemu-system-arm",) if everything or "cortex" in target.family else ()
+
+    monkeypatch.setattr(measuring, "require", require)
+    monkeypatch.setattr(Target, "missing_commands", missing)
+    if everything:
+        assert refused("cost", DEMO3, "-o", str(tmp_path)).startswith("error: m4: no qemu-system-arm: ")
+        return
+    result = run("cost", DEMO3, "-o", str(tmp_path), "--accept")
+    assert result.exit_code == 0
+    assert [line.partition(": no ")[0] for line in result.stderr.splitlines()] == ["left out: m4", "left out: m7"]
+    assert accepted(tmp_path) == [pair for pair in USUAL if pair[0].startswith("rv")]

@@ -125,6 +125,17 @@ def test_what_is_wrong_in_the_log_of_a_part_is_found(old: str, new: str, words: 
     assert words in refused(*given, status=1)
 
 
+def test_the_stand_under_another_name_is_known_by_its_physics(part: Path, tmp_path: Path) -> None:
+    """C of another stand is refused, and C of this one under two names in one folder."""
+    message = refused("verify", DEMO3, "--against", str(part), status=1)
+    assert re.search(r': holds the C of stand "shakerp", physics [0-9a-f]{8}, expected that of "\w+", also', message)
+    folder = generated(tmp_path / "two", "--only", "wrap", "--prefix", "shakerq")
+    for name in ("shakerp.h", "shakerp.c"):
+        (folder / name).write_bytes((part / name).read_bytes())
+    message = refused("verify", SHAKER2, "--against", str(folder), status=1)
+    assert 'holds C of this stand under the names "shakerp" and "shakerq": move all but one' in message
+
+
 @pytest.mark.slow
 def test_a_flight_under_another_name_is_replayed(tmp_path: Path) -> None:
     texts = flight(replace(load(DEMO3), name="other"), "double", 20)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from cli.run import BENCH8, DEMO3, run
+from cli.run import BENCH8, DEMO3, refused, run
 from mahovik.core.stand import load
 from mahovik.core.toolchain.board import build
 from mahovik.core.toolchain.board import run as run_program
@@ -99,6 +99,19 @@ def test_damage_is_status_1_and_a_cut_end_is_not(binary: Path) -> None:
     assert said.exit_code == 1
     assert "is damaged: its check does not fit; the log ends without another start" in said.stderr
     assert len(said.stderr.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words", "status"),
+    [
+        ((BENCH8,), 'stand "bench8", but the log is from "demo3"', 1),
+        ((DEMO3, "--backend", "interpreter", "--against", "x"), "the interpreter runs no C", 2),
+        ((DEMO3, "--against", "nowhere"), "no such file", 2),
+    ],
+)
+def test_refusals_are_one_line(arguments: tuple[str, ...], words: str, status: int, flown: Path) -> None:
+    said = refused("replay", *arguments, "--log", str(flown), status=status)
+    assert words in said and len(said.splitlines()) == 1
 
 
 def test_the_verdict_as_json(flown: Path, binary: Path) -> None:

@@ -13,7 +13,9 @@ from hypothesis import strategies as st
 import mahovik
 from identify.data import HIGH, LOW, STEEP, bench8, check_predicted_errors
 from identify.test_held import START, STICK, TRUE, table
-from mahovik.errors import UsageError
+from mahovik.core.motion.programme import programme_text, read_programme
+from mahovik.core.motion.read import loads_regime
+from mahovik.errors import RegimeError, UsageError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.identify.channels import chosen_channels, six_axes
@@ -72,6 +74,19 @@ def test_information_is_that_of_a_dense_least_squares() -> None:
 def test_predicted_errors_are_those_of_the_estimation() -> None:
     """An estimate from data with this noise states the same covariance."""
     check_predicted_errors(bench8(2), ["w*.unbalance"], six_axes("imu"), np.repeat([0.02, 0.002], 3))
+
+
+def test_a_programme_is_a_regime() -> None:
+    own = courses(2)
+    text = programme_text(own.programme(np.full((2, 5), 0.7)))
+    t = np.linspace(0.0, 3.0, 11)
+    phi, speed, acceleration = loads_regime(text, own.stand, 3.0, is_json=True).motion(t)
+    expected = read_programme(text).at(t)
+    assert np.allclose(phi, expected.phi - expected.phi[0], rtol=0, atol=1e-11)
+    assert np.allclose(speed, expected.phi_dot, rtol=1e-14)
+    assert np.allclose(acceleration, expected.phi_ddot, rtol=0, atol=1e-11)
+    with pytest.raises(RegimeError, match="programme of the flywheels w1, w2; the stand has w1"):
+        loads_regime(text, bench8(1), 1.0, is_json=True)
 
 
 def test_bounds_by_name_and_by_motor() -> None:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from flint import arb
+from flint import arb, ctx
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -17,7 +17,9 @@ from mahovik.core.stand.read import loads
 from mahovik.errors import StateError
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.proof import reference, rigorous
-from mahovik.proof.rigorous.evaluate import MOST_BITS, enclose
+from mahovik.proof.rigorous.ball import elements, length
+from mahovik.proof.rigorous.evaluate import BITS, MOST_BITS, enclose
+from mahovik.proof.rigorous.rotation import elementary, of_quaternion, rotation_product, rotation_vector
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.compare import difference
 from mahovik.proof.verify.draw import draw
@@ -99,3 +101,12 @@ def test_a_free_carrier_has_no_reaction_to_enclose() -> None:
     _, state = draw(free, 1, 1)[0]
     with pytest.raises(StateError, match="the carrier is free, expected a held one"):
         rigorous.evaluate(rigorous.pieces_at(free, state), state, "reaction")
+
+
+def test_rotation_vector_at_rest_and_at_half_a_turn() -> None:
+    with ctx.workprec(BITS):
+        assert all(x == 0 for x in elements(rotation_vector(elementary(1, 0.0))))
+        there_and_back = rotation_product((3, 3), (0.3, -0.3))
+        assert float(length(rotation_vector(there_and_back)).upper()) < 1e-70
+        with pytest.raises(StateError, match="two rotation vectors"):
+            rotation_vector(of_quaternion([0.0, 0.6, 0.0, 0.8]))
