@@ -85,6 +85,7 @@ def test_what_travels(wheel: Path) -> None:
     assert any(n.endswith("LICENSE") for n in names)
 
 
+@pytest.mark.slow
 def test_the_installed_package_generates_the_same_c(installed: Callable[..., str], tmp_path: Path) -> None:
     code = "from mahovik.out.cli import main; main()"
     found = installed("-c", "from mahovik import stands; print(stands.path('bench8'))").strip()

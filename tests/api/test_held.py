@@ -16,6 +16,7 @@ from mahovik.out.api.stands import Stand
 from mahovik.proof import reference
 from mahovik.proof.reference.coordinates import pose_of
 from mahovik.proof.reference.rotation import quaternion_rotation
+from toolchain.quick import quick
 
 
 def test_what_is_of_the_freedoms_has_their_names() -> None:
@@ -55,12 +56,15 @@ def model_of(freedoms: str, text: str = TURNED) -> Any:
 
 @pytest.mark.parametrize(
     ("freedoms", "q", "q_dot"),
-    [
-        ('freedoms = ["pitch"]', [0.7], [1.5]),
-        ("axis = [0, 1, 1]", [-2.5], [0.4]),
-        ('freedoms = ["yaw", "x", "y"]', [0.7, 0.2, -0.3], [1.5, 0.1, 0.2]),
-        ('freedoms = ["x", "roll", "pitch", "yaw", "z", "y"]', [0.2, -0.4, 0.1], [0.1, 1.0, -0.5, 0.7, 0.2, 0.3]),
-    ],
+    quick(
+        2,
+        [
+            ('freedoms = ["pitch"]', [0.7], [1.5]),
+            ("axis = [0, 1, 1]", [-2.5], [0.4]),
+            ('freedoms = ["yaw", "x", "y"]', [0.7, 0.2, -0.3], [1.5, 0.1, 0.2]),
+            ('freedoms = ["x", "roll", "pitch", "yaw", "z", "y"]', [0.2, -0.4, 0.1], [0.1, 1.0, -0.5, 0.7, 0.2, 0.3]),
+        ],
+    ),
 )
 def test_states_of_coordinates_are_those_of_the_literal_pose_and_come_back(
     freedoms: str, q: list[float], q_dot: list[float]

@@ -54,6 +54,7 @@ def planned(own: CoreStand, text: str) -> str:
     return programme_text(plan_motion(own, read_motion(text, own, "m.json"), options).programmes[0])
 
 
+@pytest.mark.slow
 def test_constant_speeds_need_no_run_in_time() -> None:
     """A force table reads U w^2 of the static unbalance U of each sample."""
     speed, unbalance = 50.0 * np.pi, np.linspace(1e-5, 9e-5, 5)

@@ -22,6 +22,7 @@ from mahovik.proof.reference.hold import twists
 from mahovik.proof.verify.fmu.mapping import read_map
 from mahovik.proof.verify.fmu.program import FmuProgram
 from mahovik.proof.verify.held import onto_hold
+from toolchain.quick import quick
 
 FREE = BRICK + "wrench_input = true\n"
 FREE_MAP = """
@@ -214,7 +215,7 @@ def test_an_fmu_that_would_fill_the_disk_is_not_unpacked(
     assert [each.name for each in (tmp_path / "room").rglob("*")] == ["inner"]
 
 
-@pytest.mark.parametrize("kill", [False, True])
+@pytest.mark.parametrize("kill", quick(1, [False, True]))
 def test_nothing_of_an_fmu_stays(fmu: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kill: bool) -> None:
     """Also where its process is killed."""
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))

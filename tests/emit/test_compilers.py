@@ -23,7 +23,7 @@ ARM = ("arm-none-eabi-gcc", "gcc-arm-none-eabi libnewlib-arm-none-eabi")
 RISCV = ("riscv64-unknown-elf-gcc", "gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf")
 
 
-@pytest.fixture(scope="module", params=quick(2, CASES))
+@pytest.fixture(scope="module", params=quick(1, CASES))
 def source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The C file of a stand, its header and its recorder beside it."""
     name, real = request.param.split()

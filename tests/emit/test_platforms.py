@@ -46,6 +46,7 @@ def headers() -> Iterator[tuple[str, str]]:
         yield template.name, re.sub(r"\b(bool|static_assert)\b", "", text) if ".hpp" in template.name else text
 
 
+@pytest.mark.slow
 def test_no_word_of_a_header_is_a_macro() -> None:
     """After <windows.h> an empty macro `near` took a member out of a struct, and callers wrote the one beside it."""
     assert {"near", "far", "I", "min", "errno", "linux", "interface"} <= MACROS

@@ -47,7 +47,9 @@ def general(flywheels: int, seed: int = 1) -> Stand:
     return random_stand(np.random.default_rng(seed), flywheels, everything)
 
 
-@pytest.mark.parametrize("example", [stand("auv6"), general(0)], ids=["auv6", "rigid"])
+@pytest.mark.parametrize(
+    "example", [general(0), pytest.param(stand("auv6"), marks=pytest.mark.slow)], ids=["rigid", "auv6"]
+)
 def test_page_stands_alone(example: Stand) -> None:
     """Well-formed, no external resource, both identities and the version, no date; the article is ASCII."""
     page, article = html(example), latex(example)

@@ -145,6 +145,7 @@ def test_c_of_another_version_is_refused(tmp_path: Path) -> None:
         verify_c(DEMO, against=written(tmp_path, DEMO, lambda _, text: text.replace("spin_root_inv", "root")))
 
 
+@pytest.mark.slow
 def test_batches_must_be_those_that_this_version_generates(tmp_path: Path) -> None:
     made = generate_all(DEMO)
     assert check_batch(DEMO, made, tmp_path) is None

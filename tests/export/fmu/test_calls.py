@@ -83,6 +83,7 @@ def test_states_are_kept(version: str) -> None:
         free(kept)
 
 
+@pytest.mark.slow
 def test_instances_know_nothing_of_one_another_and_reset_begins_anew() -> None:
     with fmus.instance("driven", "2.0", "cs", "torque") as one, fmus.instance("driven", "2.0", "cs", "torque") as two:
         begun(one)
