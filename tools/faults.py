@@ -33,7 +33,7 @@ CAUGHT = "caught"
 
 @dataclass(frozen=True)
 class Fault:
-    """One changed text in one file; `tests`: pytest ids under tests/, at night with slow ones among them."""
+    """One changed text in one file; `tests`: pytest ids under tests/, of quick ones."""
 
     kind: str
     fault: str
@@ -41,7 +41,6 @@ class Fault:
     before: str
     after: str
     tests: tuple[str, ...]
-    nightly: bool = False
 
     @property
     def name(self) -> str:
@@ -97,7 +96,7 @@ def judge(copy: Path, fault: Fault) -> str:
     shutil.copy2(path, original := path.with_name(f"{path.name}.original"))
     path.write_text(text.replace(fault.before, fault.after), encoding="utf-8")
     try:
-        status, said = run_tests(copy, fault.tests, "-x", *(["-m", "not fuzz"] if fault.nightly else []))
+        status, said = run_tests(copy, fault.tests, "-x")
     finally:
         original.replace(path)  # with its time, by which Python knows what it has compiled
     return {0: "SURVIVED", 1: CAUGHT}.get(status, f"NO VERDICT: pytest ended with {status}\n{said}")
@@ -121,7 +120,7 @@ def main() -> int:
         keys = {fault: hashlib.sha256(json.dumps([state, asdict(fault)]).encode()).hexdigest() for fault in chosen}
         left = [fault for fault in chosen if kept.get(keys[fault]) != CAUGHT]
         print(f"{len(chosen)} faults, {len(left)} to be planted", flush=True)
-        tests = sorted({test for fault in left for test in fault.tests if not fault.nightly})
+        tests = sorted({test for fault in left for test in fault.tests})
         status, said = run_tests(copy, tests) if tests else (0, "")
         if status:
             print(f"{said}\nnot all of these tests pass without a fault: nothing was planted")

@@ -2,8 +2,9 @@
 
 python tools/nightly.py [PART ...]
 
-A part that has passed on this commit is not run again; `build/nightly` has the output of each. Exit status 1 where one
-failed. `make nightly` runs all of them.
+A part that has passed on this commit is not run again, unless files differ from it; `build/nightly` has the output of
+each. Exit status 1 where one failed. `make nightly` runs all of them. Campaigns that only measure times, or that search
+for an hour, are no part: their rows have no verdict.
 """
 
 from __future__ import annotations
@@ -34,6 +35,7 @@ PARTS = {
         f"python tools/campaign.py {name}" for name in ("verification", "vibration", "planning", "balancing")
     ],
     "coverage": [
+        "python -m coverage erase",
         f"python -m coverage run {PYTEST.removeprefix('python ')}",
         "python -m coverage combine",
         *(
@@ -45,13 +47,9 @@ PARTS = {
 """Commands of each part, from the root of the repository."""
 
 
-def head() -> str:
-    """The commit that is checked out, with a mark where files differ from it."""
-    commit = subprocess.run(
-        ["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=True
-    )
-    changed = subprocess.run(["git", "status", "--porcelain"], cwd=ROOT, capture_output=True, text=True, check=True)
-    return commit.stdout.strip() + ("+" if changed.stdout else "")
+def git(*words: str) -> str:
+    """What git says."""
+    return subprocess.run(["git", *words], cwd=ROOT, capture_output=True, text=True, check=True).stdout.strip()
 
 
 def run(part: str) -> tuple[bool, float]:
@@ -72,20 +70,21 @@ def main() -> int:
     if unknown := [part for part in parts if part not in PARTS]:
         parser.error(f"unknown part {unknown[0]}: expected one of {', '.join(PARTS)}")
     KEPT.mkdir(parents=True, exist_ok=True)
-    commit, failed = head(), []
+    commit, clean, failed = git("rev-parse", "--short", "HEAD"), not git("status", "--porcelain"), []
     for part in parts:
         stamp = KEPT / f"{part}.passed"
-        if stamp.is_file() and stamp.read_text(encoding="utf-8") == commit:
+        if clean and stamp.is_file() and stamp.read_text(encoding="utf-8") == commit:
             print(f"passed before  {part}")
             continue
         passed, seconds = run(part)
         print(f"{'passed' if passed else 'FAILED'}  {part}, {seconds / 60:.0f} min", flush=True)
-        if passed:
-            stamp.write_text(commit, encoding="utf-8")
-        else:
+        if not passed:
             failed.append(part)
-            print(f"        {(KEPT / f'{part}.log').relative_to(ROOT)}", flush=True)
-    print(f"{commit}: {len(parts) - len(failed)} passed, {len(failed)} failed")
+        elif clean:
+            stamp.write_text(commit, encoding="utf-8")
+    print(f"{commit}{'' if clean else ' and changes'}: {len(parts) - len(failed)} passed, {len(failed)} failed")
+    for part in failed:
+        print(f"FAILED  {part}: {(KEPT / f'{part}.log').relative_to(ROOT)}")
     return 1 if failed else 0
 
 

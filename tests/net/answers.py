@@ -42,8 +42,9 @@ HELD = ("pendulum", "cube", "air_table", "force_table", "linear_shaker")
 EVALUATED = ("telescope", "demo3", "shaker2", "remus6", *HELD, "random01", "random09", "random43")
 WANTS = (
     *("matrices", "momentum", "forward", "torque", "mounts", "coupled", "inverse", "generalized", "points"),
-    *("reaction", "torque_for", "wrench", "center_of_mass_velocity"),
+    "center_of_mass_velocity",
 )
+"""Asked of every stand; `reaction` of held ones as well, `torque_for` of tasks."""
 
 
 def place(name: str) -> Path:
@@ -71,7 +72,7 @@ def _states(stand: mahovik.Stand) -> Iterator[dict[str, Any]]:
             state["u"] = row(m, size, 3)
         acceleration = {"V_dot": row(6, size, 4)} if m is None else {"u_dot": row(m, size, 4)}
         effort = {"phi_ddot": row(N, 20.0 * size, 6), "tau": row(N, 0.1 * size, 7)}
-        for want in WANTS:
+        for want in WANTS if m is None else (*WANTS, "reaction"):
             yield {"id": f"{number} {want}", **state, **acceleration, **effort, "want": [want]}
         if tasks:
             for want in ("inverse", "torque_for"):

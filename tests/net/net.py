@@ -87,10 +87,29 @@ def accept(measured: Iterable[tuple[str, str, Any]], *, complete: bool) -> None:
     HASHES.write_text(_rows(dict(sorted(hashes.items()))) + "\n", encoding="utf-8", newline="\n")
 
 
+def orphans(tasks: Iterable[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Cases that were accepted and are measured no more."""
+    hashes = json.loads(HASHES.read_text(encoding="utf-8")) if HASHES.is_file() else {}
+    kept = {("c", name) for name in hashes} | {("transcript", name) for name in transcripts.accepted_names()}
+    by_file = {_file(name): name for name in answers.CASES}
+    kept |= {("answer", by_file.get(file.name, file.stem)) for file in ANSWERS.glob("*.json")}
+    return sorted(kept - set(tasks))
+
+
+def forget(kind: str, name: str) -> None:
+    """Remove what was accepted of a case that is measured no more; hashes go when all are written again."""
+    if kind == "answer":
+        (ANSWERS / _file(name)).unlink()
+    elif kind == "transcript":
+        transcripts.forget(name)
+
+
 def record(sentence: str, names: Iterable[str]) -> None:
-    """Keep the sentence that says why these cases changed."""
+    """Keep the sentence that says why these cases changed, if any did."""
+    if not (listed := ", ".join(names)):
+        return
     with ACCEPTED.open("a", encoding="utf-8") as file:
-        file.write(f"* {sentence} ({', '.join(names)})\n")
+        file.write(f"* {sentence} ({listed})\n")
 
 
 def _file(name: str) -> str:
@@ -113,16 +132,20 @@ def main() -> int:
     tasks = [task for task in tasks if not options.words or any(word in task[1] for word in options.words)]
     with multiprocessing.get_context("spawn").Pool(2) as pool:
         measured = sorted(pool.imap_unordered(measure, tasks))
+    gone = [] if options.words else orphans(tasks)
     differing = {(kind, name): lines for kind, name, now in measured if (lines := compare(kind, name, now))}
+    differing |= {(kind, name): [f"{name}: accepted, and measured no more"] for kind, name in gone}
     for lines in differing.values():
         print(*lines[:SHOWN], *([f"  and {len(lines) - SHOWN} more"] if len(lines) > SHOWN else []), sep="\n")
-    print(f"{len(tasks) - len(differing)} passed, {len(differing)} failed")
+    print(f"{len(tasks) + len(gone) - len(differing)} passed, {len(differing)} failed")
     if not options.accept:
         return 1 if differing else 0
     if any(isinstance(now, dict) and "failed" in now for _, _, now in measured):
         print("not accepted: a case failed")
         return 1
     accept(measured, complete=not options.words)
+    for kind, name in gone:
+        forget(kind, name)
     everything = len(differing) == len(tasks) and not options.words
     record(options.accept, ["all"] if everything else [name for _, name in differing])
     return 0

@@ -72,6 +72,19 @@ def text(costs: Mapping[str, Any]) -> str:
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
+def changes(stand: str, before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]:
+    """Lines about functions whose costs are not those that were accepted, and about targets that are new or gone."""
+    for target in sorted(before.keys() | now.keys()):
+        old, new = before.get(target, {}), now.get(target, {})
+        for key in ("compiler", "text", "constants"):
+            if old.get(key) != new.get(key):
+                yield f"{stand} {target} {key}: {old.get(key)}, now {new.get(key)}"
+        of_old, of_new = old.get("functions", {}), new.get("functions", {})
+        for name in sorted(of_old.keys() | of_new.keys()):
+            if of_old.get(name) != of_new.get(name):
+                yield f"{stand} {target} {name}: {of_old.get(name)}, now {of_new.get(name)}"
+
+
 def rises(costs: Costs, before: Mapping[str, Any]) -> Iterator[str]:
     """Lines about what costs more than was accepted, or was not accepted."""
     result = compare(costs, list(accepted(costs.stand, before)), [(t.target, t.real) for t in costs.targets])
@@ -97,7 +110,7 @@ def main() -> int:
     options = parser.parse_args()
     before = json.loads(COSTS.read_text(encoding="utf-8")) if COSTS.is_file() else {}
     pairs = named((*USUAL, HOST) if options.all or options.accept else ONE_OF_A_KIND)
-    wrong = []
+    wrong, changed = [], list[str]()
     for name in options.stands:
         stand = mahovik.example(name)
         costs = measure(stand, pairs)
@@ -109,7 +122,8 @@ def main() -> int:
         wrong += lines
     if options.accept:
         COSTS.write_text(text(before), encoding="utf-8", newline="\n")
-        record(options.accept, [f"cost of {name}" for name in options.stands])
+        print(*changed, sep="\n")
+        record(options.accept, [f"cost of {name}" for name in dict.fromkeys(line.split()[0] for line in changed)])
     return 1 if wrong else 0
 
 

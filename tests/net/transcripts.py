@@ -112,6 +112,16 @@ def accepted(name: str) -> str | None:
     return file.read_text(encoding="utf-8") if file.is_file() else None
 
 
+def accepted_names() -> list[str]:
+    """Of transcripts that were accepted."""
+    return sorted(file.stem for file in FOLDER.glob("*.out"))
+
+
+def forget(name: str) -> None:
+    """Remove what was accepted."""
+    (FOLDER / f"{name}.out").unlink()
+
+
 def accept(name: str, text: str) -> None:
     """Keep a transcript."""
     (FOLDER / f"{name}.out").write_text(text, encoding="utf-8", newline="\n")

@@ -1,4 +1,4 @@
-# $INPUTS/flight.log: eight steps of demo3, recorded by tools/flight.py on this machine; record it again if `step` changes
+# $INPUTS/flight.log: eight steps of demo3, recorded by tests/targets/flight.py; its bits are those of `step`
 log=$INPUTS/flight.log
 mahovik replay --log $log -o states.csv
 mahovik replay $STANDS/shaker2.toml --log $log
