@@ -35,10 +35,10 @@ PAGE = ROOT / "docs" / "results.md"
 
 HEAD = """# Results
 
-Every figure here was measured once, by the command of that commit, on the day and, where it was kept, the processor that
-stand behind it; it does not follow the code. Today `python tools/campaign.py NAME --write` measures again, keeps the rows
-in `docs/results/NAME.json` and writes this page. `make nightly` runs the campaigns that judge. Differences are relative to
-the [natural scale](verification.md#the-natural-scale).
+Every figure here was measured once, by the command of that commit, on the day and, where it was kept, the processor
+that stand behind it; it does not follow the code. Today `python tools/campaign.py NAME --write` measures again, keeps
+the rows in `docs/results/NAME.json` and writes this page. `make nightly` runs the campaigns that judge. Differences are
+relative to the [natural scale](verification.md#the-natural-scale).
 
 ## What was measured
 
