@@ -115,7 +115,7 @@ class Harmonic:
             F -= self.column(s)[0] * self.phi_ddot[s]
         rho = self.mu / self.mass
         S = self.J + ca.skew(self.mu) @ ca.skew(rho)
-        omega_dot = _solved(S, F[3:] - ca.cross(rho, F[:3]))
+        omega_dot = solved(S, F[3:] - ca.cross(rho, F[:3]))
         return ca.vertcat(F[:3] / self.mass + ca.cross(rho, omega_dot), omega_dot)
 
     def coupled(self) -> Any:
@@ -129,7 +129,7 @@ class Harmonic:
             left.append(self.tau[s] - self.torque_bias(s))
             K -= own @ own.T / spin
             F -= own * (left[s] / spin)
-        V_dot = _solved(K, F)
+        V_dot = solved(K, F)
         phi_ddot = [(left[s] - ca.dot(columns[s], V_dot)) / spin for s, spin in enumerate(self.spin)]
         return ca.vertcat(V_dot, *phi_ddot)
 
@@ -140,7 +140,7 @@ def _moments(K: Array) -> tuple[Any, Any]:
     return ca.sparsify(ca.DM(mu)), ca.sparsify(ca.DM(K[3:, 3:]))
 
 
-def _solved(matrix: Any, right: Any) -> Any:
+def solved(matrix: Any, right: Any) -> Any:
     """Solve by LDL^T without permutation."""
     D, LT, order = ca.ldl(matrix, False)
     return ca.ldl_solve(right, D, LT, order)

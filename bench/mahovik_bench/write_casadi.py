@@ -16,14 +16,8 @@ from typing import Any
 import casadi as ca
 
 from mahovik_bench.cases import case
-from mahovik_bench.harmonic import Harmonic
+from mahovik_bench.harmonic import Harmonic, solved
 from mahovik_bench.literal import Literal, inputs
-
-
-def solved(matrix: Any, right: Any) -> Any:
-    """Solve by LDL^T without permutation."""
-    D, LT, order = ca.ldl(matrix, False)
-    return ca.ldl_solve(right, D, LT, order)
 
 
 def functions(N: int, form: str) -> list[Any]:

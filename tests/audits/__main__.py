@@ -8,8 +8,7 @@ from __future__ import annotations
 import json
 import sys
 
-from audits.catalogue import AUDITS
-from audits.measure import ask
+from audits.measure import AUDITS, ask
 from mahovik.core.stand.write import dumps
 from mahovik.errors import StateError
 from mahovik.proof.verify.states import Request, read_line

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from audits import gazebo, held, npsauv
 from audits.audit import Array, Audit, Term
 from mahovik.core.stand.model import WRENCH_LETTERS
 from mahovik.proof import reference
@@ -20,6 +21,9 @@ from mahovik.proof.reference.hold import held_state, twists
 from mahovik.proof.verify.compare import difference
 from mahovik.proof.verify.scales import scales
 from mahovik.proof.verify.states import Request
+
+AUDITS: dict[str, Audit] = {audit.name: audit for models in (npsauv, gazebo, held) for audit in models.AUDITS}
+"""Audits by name, in the order of the page."""
 
 AGREES = 1e-11
 """Difference over the natural scale below which numbers agree."""

@@ -14,8 +14,7 @@ import pytest
 
 from audits import npsauv
 from audits.audit import merged, without_added_products
-from audits.catalogue import AUDITS
-from audits.measure import measure
+from audits.measure import AUDITS, measure
 from mahovik.core.stand.write import dumps
 from toolchain.quick import quick
 

@@ -34,9 +34,9 @@ def computation(stand: mahovik.Stand, run: Keys, quantities: Mapping[str, Keys],
     return prepare(stand, over, {name: table for name, table in wanted.items() if table is not None}, **options)
 
 
-def tables_of(own: Computation, changes: Mapping[str, Any]) -> Tables:
+def tables_of(base: Computation, changes: Mapping[str, Any]) -> Tables:
     """Tables of the stand of a computation."""
-    return mahovik.build(own.stand).tables(changes)
+    return mahovik.build(base.stand).tables(changes)
 
 
 HEAD = 'schema = 1\nstand = "{stand}"\nsamples = {samples}\nseed = {seed}\ndesign = "{design}"\n'

@@ -127,10 +127,10 @@ def test_keys_that_mean_nothing_are_refused(tmp_path: Path, keys: str) -> None:
     head = {line.split(" = ")[0]: line for line in path.read_text().splitlines()}
     head |= {line.split(" = ")[0]: line for line in keys.splitlines()}
     path.write_text("\n".join(head.values()) + VARY + RUN)
-    with pytest.raises(CampaignError) as found:
+    with pytest.raises(CampaignError) as refused:
         Campaign.load(path)
-    assert KEYS[keys] in str(found.value)
-    assert "\n" not in str(found.value)
+    assert KEYS[keys] in str(refused.value)
+    assert "\n" not in str(refused.value)
 
 
 ENDS = {
@@ -142,9 +142,9 @@ ENDS = {
 
 @pytest.mark.parametrize("entry", ENDS)
 def test_ends_are_tried_before_the_run(tmp_path: Path, entry: str) -> None:
-    with pytest.raises(CampaignError) as found:
+    with pytest.raises(CampaignError) as refused:
         Campaign.load(write(tmp_path, f"[vary]\n{entry}\n{RUN}", stand="demo3"))
-    assert ENDS[entry] in str(found.value) and "; sample " in str(found.value)
+    assert ENDS[entry] in str(refused.value) and "; sample " in str(refused.value)
 
 
 def test_what_is_computed_must_be_there(tmp_path: Path) -> None:
@@ -154,9 +154,9 @@ def test_what_is_computed_must_be_there(tmp_path: Path) -> None:
         ("quantile = { of = 'shak' }" + VARY + RUN, 'quantile, of: unknown quantity "shak", did you mean "shake"?'),
         (VARY + RUN.replace("velocity", "velocty"), 'did you mean "velocity"'),
     ):
-        with pytest.raises(CampaignError) as found:
+        with pytest.raises(CampaignError) as refused:
             Campaign.load(write(tmp_path, body, stand="demo3", samples=300))
-        assert words in str(found.value)
+        assert words in str(refused.value)
     assert "nothing varies" in refusal(tmp_path, "[vary]\n")
     assert "vary: required" in refusal(tmp_path, "")
 
@@ -223,13 +223,13 @@ HELD = [
 ]
 
 
-@pytest.mark.parametrize(("own", "run", "wanted", "words"), HELD)
+@pytest.mark.parametrize(("machine", "run", "wanted", "words"), HELD)
 def test_what_a_held_carrier_does_not_have_is_refused(
-    tmp_path: Path, own: CoreStand, run: Keys, wanted: Keys, words: str
+    tmp_path: Path, machine: CoreStand, run: Keys, wanted: Keys, words: str
 ) -> None:
     write_files(tmp_path, SHAKER, SHAKE)
     with pytest.raises(MahovikError) as refused:
-        computation(Stand.of(own), run, {"e": wanted}, folder=tmp_path)
+        computation(Stand.of(machine), run, {"e": wanted}, folder=tmp_path)
     assert words in str(refused.value) and "\n" not in str(refused.value)
 
 

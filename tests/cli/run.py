@@ -15,6 +15,18 @@ from mahovik.stands import path
 
 BENCH8, DEMO3, AUV6 = (str(path(name)) for name in ("bench8", "demo3", "auv6"))
 
+BRICK = """
+schema = 1
+name = "brick"
+gravity = [0, 0, 9.81]
+[carrier]
+mass = 4.0
+center_of_mass = [0.01, -0.02, 0.03]
+inertia = [0.2, 0.3, 0.4]
+inertia_about = "center_of_mass"
+"""
+"""A rigid body without flywheels, as the text of a stand file."""
+
 
 def run(*arguments: str, stdin: str | bytes = "") -> Result:
     """In this process. An exception that is no exit is a traceback: it is raised."""

@@ -34,11 +34,15 @@ position = [0, 0, 0.1]
 """
 
 
-@pytest.fixture
-def file(tmp_path: Path) -> str:
-    path = tmp_path / "pendulum.toml"
+def pendulum_file(folder: Path) -> str:
+    path = folder / "pendulum.toml"
     path.write_text(TEXT)
     return str(path)
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> str:
+    return pendulum_file(tmp_path)
 
 
 def answers(file: str, *lines: dict[str, Any], backend: str = "numpy", status: int = 0) -> list[dict[str, Any]]:

@@ -12,8 +12,7 @@ from zipfile import ZIP_DEFLATED, ZipFile
 import numpy as np
 import pytest
 
-from cli.bricks import BRICK
-from cli.run import refused, run
+from cli.run import BRICK, refused, run
 from cli.test_eval_held import TEXT
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.read import loads

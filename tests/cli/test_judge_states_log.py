@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 import mahovik
-from cli.bricks import BRICK
-from cli.run import refused, run
+from cli.run import BRICK, refused, run
 from cli.test_eval_held import TEXT
 from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms
 from mahovik.core.stand.model import Stand

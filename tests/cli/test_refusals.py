@@ -124,11 +124,11 @@ def files(own_folder: Path) -> set[str]:
     for name in ("tau", "state"):
         Path(f"{name}.json").write_text(json.dumps({"tau": [1.0, 2.0]}))
     Path("wheel.csv").write_text("order [-],radial force [N/(rad/s)^2]\n1,1.5e-6\n")
-    return {each.name for each in own_folder.iterdir()}
+    return {path.name for path in own_folder.iterdir()}
 
 
 @pytest.mark.parametrize(("command", "options", "words"), CASES, ids=[f"{case[0]} {case[1]}" for case in CASES])
 def test_one_line_says_why_and_nothing_is_written(command: str, options: str, words: str, files: set[str]) -> None:
     said = refused(*shlex.split(Template(f"{COMMANDS[command]} {options}").substitute(PLACES)))
     assert said.splitlines()[-1].startswith("error: ") and words in said
-    assert {each.name for each in Path().iterdir()} == files
+    assert {path.name for path in Path().iterdir()} == files

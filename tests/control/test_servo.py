@@ -51,19 +51,19 @@ def servo(bandwidth: float, text: str = "", stand: Stand = SHAKER) -> Servo:
     return read_servo(f'schema = 1\nsample_period = "1 ms"\nbandwidth = "{bandwidth} Hz"\n{text}\n', stand)
 
 
-def driven(given: Servo, late: float, light: float, difference: bool, count: int) -> np.ndarray:
+def driven(settings: Servo, late: float, light: float, difference: bool, count: int) -> np.ndarray:
     """Angles of the first rotor, by the servo's program and exact motion under torques that act `late` s later."""
     layout = Layout(structure(SHAKER), DOUBLE)
     run = Interpreter(lower_servo(layout, ServoForm(layout.count))).run
-    J, g = rotor_inertia(SHAKER)[0] / light, gains(SHAKER, given)
+    J, g = rotor_inertia(SHAKER)[0] / light, gains(SHAKER, settings)
     state = run("servo_reset", {})[1]["state"]
     zero = [0.0, 0.0]
-    x, before, found, events = np.array([1e-3, 0.0]), 1e-3, [], []
+    x, before, angles, events = np.array([1e-3, 0.0]), 1e-3, [], []
     acting = 0.0
     for k in range(count):
         speed = (x[0] - before) / T if difference else x[1]
         before = x[0]
-        found.append(x[0])
+        angles.append(x[0])
         inputs = {"gains": g, "state": state, "phi_ref": zero, "phi_dot_ref": zero, "tau_ff": zero}
         outputs = run("servo_step", {**inputs, "phi": [x[0], 0.0], "phi_dot": [speed, 0.0]})[1]
         state = outputs["state"]
@@ -76,38 +76,38 @@ def driven(given: Servo, late: float, light: float, difference: bool, count: int
             h = until - now
             x = np.array([x[0] + h * x[1] + h * h / 2 * acting / J, x[1] + h * acting / J])
             now = until
-    return np.array(found)
+    return np.array(angles)
 
 
 @pytest.mark.parametrize("late", [0.0, 0.3e-3, 1e-3, 2.6e-3])
 @pytest.mark.parametrize("difference", [False, True])
 def test_the_linear_loop_is_what_the_servo_does(late: float, difference: bool) -> None:
-    given = servo(20, 'integral = "2 Hz"\nspeed_filter = "150 Hz"')
-    one = rotor_loop(loop_gains(given), T, late, 1.1, difference)
+    settings = servo(20, 'integral = "2 Hz"\nspeed_filter = "150 Hz"')
+    one = rotor_loop(loop_gains(settings), T, late, 1.1, difference)
     x = np.zeros(len(one.B))
     x[0] = 1e-3
     if difference:
         x[-1] = 1e-3
-    closed, expected = _closed(one), driven(given, late, 1.1, difference, 120)
-    found = []
+    closed, expected = _closed(one), driven(settings, late, 1.1, difference, 120)
+    angles = []
     for _ in range(120):
-        found.append(x[0])
+        angles.append(x[0])
         x = closed @ x
     assert np.abs(expected[-20:]).max() < 0.8e-3  # something happened
-    assert np.allclose(found, expected, rtol=0, atol=1e-13)
+    assert np.allclose(angles, expected, rtol=0, atol=1e-13)
 
 
 def test_margins_are_where_it_begins_to_swing() -> None:
-    given = servo(60, 'latency = "300 us"\nintegral = "5 Hz"')
-    found, each = margins(SHAKER, given, light=1.0), loop_gains(given)
+    settings = servo(60, 'latency = "300 us"\nintegral = "5 Hz"')
+    margin, loop = margins(SHAKER, settings, light=1.0), loop_gains(settings)
 
     def radius(factor: float, late: float = 0.3e-3) -> float:
-        scaled = LoopGains(each.angle * factor, each.speed * factor, each.integral * factor, each.filter)
+        scaled = LoopGains(loop.angle * factor, loop.speed * factor, loop.integral * factor, loop.filter)
         return rotor_loop(scaled, T, late, 1.0, False).radius()
 
-    assert radius(found.gain * 0.999) < 1 < radius(found.gain * 1.001)
-    assert radius(0.999 / found.less) > 1 > radius(1.001 / found.less)
-    assert radius(1.0, 0.3e-3 + 0.99 * found.delay) < 1 < radius(1.0, 0.3e-3 + 1.01 * found.delay)
+    assert radius(margin.gain * 0.999) < 1 < radius(margin.gain * 1.001)
+    assert radius(0.999 / margin.less) > 1 > radius(1.001 / margin.less)
+    assert radius(1.0, 0.3e-3 + 0.99 * margin.delay) < 1 < radius(1.0, 0.3e-3 + 1.01 * margin.delay)
 
 
 def test_delay_lightness_and_encoders_cost_margin() -> None:
@@ -120,9 +120,9 @@ def test_delay_lightness_and_encoders_cost_margin() -> None:
 
 
 def test_what_is_refused_and_what_is_advised() -> None:
-    given = servo(180, 'latency = "1 ms"')
+    settings = servo(180, 'latency = "1 ms"')
     with pytest.raises(CheckError) as caught:
-        check_margins(SHAKER, given, "S.toml")
+        check_margins(SHAKER, settings, "S.toml")
     words = str(caught.value)
     assert "\n" not in words
     assert words.startswith("S.toml: bandwidth 180 Hz at 1 ms per sample and 1 ms of delay: unstable, its poles reach ")
@@ -133,21 +133,21 @@ def test_what_is_refused_and_what_is_advised() -> None:
 
 
 def test_no_bandwidth_helps() -> None:
-    given = servo(20, "damping_ratio = 0.05")
-    assert highest_bandwidth(SHAKER, given, 1.0) is None
+    settings = servo(20, "damping_ratio = 0.05")
+    assert highest_bandwidth(SHAKER, settings, 1.0) is None
     with pytest.raises(CheckError, match=r"phase margin \d+ deg .*: a lower bandwidth does not help: give"):
-        check_margins(SHAKER, given, "S.toml")
-    assert check_margins(SHAKER, replace(given, damping_ratio=0.8), "S.toml").are_sufficient
+        check_margins(SHAKER, settings, "S.toml")
+    assert check_margins(SHAKER, replace(settings, damping_ratio=0.8), "S.toml").are_sufficient
 
 
 def test_the_continuous_loop_has_the_poles_asked_for() -> None:
-    given = servo(50, 'integral = "5 Hz"\ndamping_ratio = 0.6')
-    found = loop_gains(given)
+    settings = servo(50, 'integral = "5 Hz"\ndamping_ratio = 0.6')
+    loop = loop_gains(settings)
     omega = 100 * math.pi
     wanted = np.polymul([1, 2 * 0.6 * omega, omega**2], [1, 10 * math.pi])
-    assert [1, found.speed, found.angle, found.integral] == pytest.approx(list(wanted), rel=1e-14)
-    halved = loop_gains(given, omega / 2)
-    assert halved.integral == pytest.approx(found.integral / 8)  # all poles keep their proportion
+    assert [1, loop.speed, loop.angle, loop.integral] == pytest.approx(list(wanted), rel=1e-14)
+    halved = loop_gains(settings, omega / 2)
+    assert halved.integral == pytest.approx(loop.integral / 8)  # all poles keep their proportion
 
 
 def test_inertia_of_a_rotor_is_about_its_axis() -> None:
@@ -157,24 +157,24 @@ def test_inertia_of_a_rotor_is_about_its_axis() -> None:
 
 def test_members_of_the_struct() -> None:
     text = 'latency = "250 us"\nintegral = "5 Hz"\nspeed_filter = "200 Hz"\ntorque_rate = 40\n'
-    given = servo(50, text + 'torque_limit = ["50 mN m", 0.1]')
-    found, each = gains(SHAKER, given, 0.05), loop_gains(given)
+    settings = servo(50, text + 'torque_limit = ["50 mN m", 0.1]')
+    members, loop = gains(SHAKER, settings, 0.05), loop_gains(settings)
     J = rotor_inertia(SHAKER)
-    assert found["angle"] == pytest.approx(J * each.angle)
-    assert found["integral"] == pytest.approx(J * each.integral * 1e-3)
-    assert found["filter"] == pytest.approx(1 - math.exp(-400 * math.pi * 1e-3))
-    assert found["back"] == pytest.approx([1 - math.exp(-100 * math.pi * 1e-3)] * 2)
-    assert (found["limit"], found["change"]) == ([0.05, 0.1], [0.04, 0.04])
-    assert found["lead"] == pytest.approx(0.75e-3 / 0.05)
+    assert members["angle"] == pytest.approx(J * loop.angle)
+    assert members["integral"] == pytest.approx(J * loop.integral * 1e-3)
+    assert members["filter"] == pytest.approx(1 - math.exp(-400 * math.pi * 1e-3))
+    assert members["back"] == pytest.approx([1 - math.exp(-100 * math.pi * 1e-3)] * 2)
+    assert (members["limit"], members["change"]) == ([0.05, 0.1], [0.04, 0.04])
+    assert members["lead"] == pytest.approx(0.75e-3 / 0.05)
     assert gains(SHAKER, servo(50))["limit"] == [1e9, 1e9]
 
 
 def test_friction_of_the_stand_file() -> None:
-    found = gains(SAT4, servo(50, stand=SAT4))
+    members = gains(SAT4, servo(50, stand=SAT4))
     motor = SAT4.flywheels[0].motor
     assert motor is not None
-    assert found["coulomb"] == [5e-4] * 4
-    assert found["coulomb_rate"] == [1 / motor.coulomb_speed] * 4
+    assert members["coulomb"] == [5e-4] * 4
+    assert members["coulomb_rate"] == [1 / motor.coulomb_speed] * 4
     assert gains(SAT4, servo(50, "friction = false", SAT4))["coulomb"] == [0.0] * 4
 
 
@@ -183,9 +183,9 @@ def test_friction_of_the_stand_file() -> None:
     [("1 ms", 0.1, (100, 1)), ("1 ms", 0.0333, (333, 10)), ("0.3 ms", 0.1, (1000, 3)), ("1 ms", 0.1234567, None)],
 )
 def test_samples_of_whole_periods(period: str, span: float, expected: tuple[int, int]) -> None:
-    given = read_servo(f'schema = 1\nsample_period = "{period}"\nbandwidth = "10 Hz"', SHAKER)
-    ticks, periods = samples(given, span)
-    assert ticks / periods == pytest.approx(span / given.period, rel=1e-12)
+    settings = read_servo(f'schema = 1\nsample_period = "{period}"\nbandwidth = "10 Hz"', SHAKER)
+    ticks, periods = samples(settings, span)
+    assert ticks / periods == pytest.approx(span / settings.period, rel=1e-12)
     assert expected is None or (ticks, periods) == expected
 
 
@@ -200,7 +200,7 @@ def test_too_few_samples() -> None:
 FREE = replace(pendulum(), hold=None)
 
 
-def closed_radius(stand: Stand, given: Servo, factor: float) -> float:
+def closed_radius(stand: Stand, settings: Servo, factor: float) -> float:
     """Largest pole of wheel and hinge together, sampled, with the torque delayed: none of this is of the package.
 
     (WHOLE, SPIN; SPIN, SPIN) (theta'', phi'') = (-MASS g ARM theta, tau), tau = -angle phi - speed phi' some time ago.
@@ -210,7 +210,7 @@ def closed_radius(stand: Stand, given: Servo, factor: float) -> float:
     A[:2, 2:4] = np.eye(2)
     A[2:4, 0] = np.linalg.solve(inertia, [stand.gravity[2] * MASS * ARM, 0.0])
     A[2:4, 4] = np.linalg.solve(inertia, [0.0, 1.0])
-    late, T, gains = delay(stand, given), given.period, loop_gains(given)
+    late, T, gains = delay(stand, settings), settings.period, loop_gains(settings)
     assert T < late < 2 * T
     before, after = expm(A * (late - T)), expm(A * (2 * T - late))
     law = -factor * SPIN * np.array([0.0, gains.angle, 0.0, gains.speed])
@@ -254,26 +254,27 @@ unbalance = {{ static = 0.02 }}
 
 def test_the_gain_margin_is_that_of_the_whole_held_plant() -> None:
     """The margin leaves out its weight, whose motion is much slower than the servo."""
-    stand, given = pendulum(), held_servo()
-    found = margins(stand, given)
-    assert found.lightness > 1.4
-    assert closed_radius(stand, given, found.gain * 0.99) < 1.0 < closed_radius(stand, given, found.gain * 1.01)
-    assert closed_radius(stand, given, margins(FREE, given).gain * 1.01) < 1.0  # a free carrier makes it lighter still
+    stand, settings = pendulum(), held_servo()
+    margin = margins(stand, settings)
+    assert margin.lightness > 1.4
+    assert closed_radius(stand, settings, margin.gain * 0.99) < 1.0 < closed_radius(stand, settings, margin.gain * 1.01)
+    of_free = margins(FREE, settings)  # a free carrier makes it lighter still
+    assert closed_radius(stand, settings, of_free.gain * 1.01) < 1.0
 
 
 def test_what_the_hold_makes_unstable_is_refused_with_a_bandwidth_that_is_accepted() -> None:
     clamped = replace(pendulum(), hold=Hold((), (0, 0, 0), (0, 0, 0), (0, 0, 0)))
     text = 'schema = 1\nsample_period = "1 ms"\nlatency = "1300 us"\nbandwidth = "{} Hz"\n'
-    given = next(
+    settings = next(
         one
         for hertz in np.arange(30.0, 200.0, 1.0)
         if not margins(pendulum(), one := read_servo(text.format(hertz), pendulum())).are_sufficient
     )
-    assert margins(clamped, given).are_sufficient
+    assert margins(clamped, settings).are_sufficient
     with pytest.raises(
         CheckError, match=r"s.toml: bandwidth .*: give at most ([\d.]+) Hz; nothing was written"
-    ) as told:
-        check_margins(pendulum(), given, "s.toml")
-    hertz = float(str(told.value).split("at most ")[1].split(" Hz")[0])
-    assert hertz * 2 * math.pi < given.bandwidth
+    ) as refused:
+        check_margins(pendulum(), settings, "s.toml")
+    hertz = float(str(refused.value).split("at most ")[1].split(" Hz")[0])
+    assert hertz * 2 * math.pi < settings.bandwidth
     assert margins(pendulum(), read_servo(text.format(hertz), pendulum())).are_sufficient

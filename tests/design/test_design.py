@@ -81,11 +81,11 @@ def test_the_stand_as_it_is_has_a_place_among_the_designs(seed: int) -> None:
     space = Space.of(stand, all_free(stand))
     assert space.P == 3 * WIDTH
     built = space.stand_of(space.start)
-    for ours, given in zip(built.flywheels, stand.flywheels, strict=True):
-        assert abs(mount_axes(ours) - mount_axes(given)).max() <= 1e-14
-    found, known = Mechanics.of(built).tables, Mechanics.of(stand).tables
-    assert abs(found.Theta - known.Theta).max() <= 1e-13 * abs(known.Theta).max()
-    assert abs(found.weight - known.weight).max() <= 1e-13 * abs(known.weight).max()
+    for ours, original in zip(built.flywheels, stand.flywheels, strict=True):
+        assert abs(mount_axes(ours) - mount_axes(original)).max() <= 1e-14
+    rebuilt, known = Mechanics.of(built).tables, Mechanics.of(stand).tables
+    assert abs(rebuilt.Theta - known.Theta).max() <= 1e-13 * abs(known.Theta).max()
+    assert abs(rebuilt.weight - known.weight).max() <= 1e-13 * abs(known.weight).max()
 
 
 def test_ties_make_flywheels_alike() -> None:
@@ -136,39 +136,39 @@ def one_axis() -> Outcome:
 @pytest.mark.slow
 def test_two_flywheels_for_one_axis() -> None:
     """Exact, verified, inside bounds and limits, with the least unbalance that there is; the file says the same."""
-    found = one_axis()
-    assert (found.status, found.words) == ("OK", ())
-    assert found.residual < 1e-9
-    assert found.stand is not None
-    assert found.programme is not None
-    assert found.programme.report["verified"] is True
-    assert loads(dumps(found.stand)) == found.stand
-    assert found.totals["after"]["nearest"]["distance"] >= 0.1
-    places = np.array([s.position for s in found.stand.flywheels])
+    design = one_axis()
+    assert (design.status, design.words) == ("OK", ())
+    assert design.residual < 1e-9
+    assert design.stand is not None
+    assert design.programme is not None
+    assert design.programme.report["verified"] is True
+    assert loads(dumps(design.stand)) == design.stand
+    assert design.totals["after"]["nearest"]["distance"] >= 0.1
+    places = np.array([s.position for s in design.stand.flywheels])
     assert abs(places).max() <= 0.08
     # +-mu Omega^2 of each pair is the whole force that moves mass and suspension: nothing is wasted across
     Omega = 2 * np.pi * 20
     needed = 3e-4 * abs(7.0 - 1105.398 / Omega**2 + 10j / Omega)
-    assert found.totals["after"]["unbalance"] == pytest.approx(needed, rel=2e-3)
+    assert design.totals["after"]["unbalance"] == pytest.approx(needed, rel=2e-3)
 
 
 def test_sensitivities_are_those_of_stands_that_are_built_so() -> None:
     """1 mm and 1 g mm of error: the residual that the programme then has."""
-    found = one_axis()
-    built, programme = found.stand, found.programme
+    design = one_axis()
+    built, programme = design.stand, design.programme
     assert built is not None
     assert programme is not None
     motion = motion_of(built)
     t = uniform(motion.span, 256)
-    told = {(each.flywheel, each.name): each for each in found.changes}
-    assert len(told) == 2 * 7
+    changes = {(change.flywheel, change.name): change for change in design.changes}
+    assert len(changes) == 2 * 7
 
     def relative(wheel: Flywheel) -> float:
         stand = replace(built, flywheels=(wheel, built.flywheels[1]))
         at = prescribe(Mechanics.of(stand), motion.at(t), np.array(programme.bias))
         angles = programme.at(t)
-        own = Norm.of(prescribe(Mechanics.of(built), motion.at(t)), motion.span)
-        return own.relative(residual(at, angles.phi, angles.phi_dot, angles.phi_ddot))
+        norm = Norm.of(prescribe(Mechanics.of(built), motion.at(t)), motion.span)
+        return norm.relative(residual(at, angles.phi, angles.phi_dot, angles.phi_ddot))
 
     wheel = built.flywheels[0]
     x, y, z = wheel.position
@@ -176,16 +176,16 @@ def test_sensitivities_are_those_of_stands_that_are_built_so() -> None:
     longer = 1.0 + 1e-6 / (wheel.mass * float(np.hypot(y_c, z_c)))
     moved = relative(replace(wheel, position=(x, y + 1e-3, z)))
     heavier = relative(replace(wheel, center_of_mass=(along, longer * y_c, longer * z_c)))
-    assert told["left", "y"].sensitivity == pytest.approx(moved, rel=0.05)
-    assert told["left", "unbalance"].sensitivity == pytest.approx(heavier, rel=0.05)
+    assert changes["left", "y"].sensitivity == pytest.approx(moved, rel=0.05)
+    assert changes["left", "unbalance"].sensitivity == pytest.approx(heavier, rel=0.05)
 
 
 def test_the_object_is_strict_json() -> None:
     """In SI; every free number of every flywheel."""
-    told = json.loads(json.dumps(as_object(one_axis()), allow_nan=False))
-    assert (told["status"], told["verified"], len(told["changes"])) == ("OK", True, 2 * 7)
-    assert told["totals"]["after"]["unbalance"] == pytest.approx(told["cost"]["unbalance"])
-    assert told["changes"][0]["unit"] == "m"
+    document = json.loads(json.dumps(as_object(one_axis()), allow_nan=False))
+    assert (document["status"], document["verified"], len(document["changes"])) == ("OK", True, 2 * 7)
+    assert document["totals"]["after"]["unbalance"] == pytest.approx(document["cost"]["unbalance"])
+    assert document["changes"][0]["unit"] == "m"
     assert summary(one_axis())[0].startswith("flywheels 2, total unbalance 4000 -> ")
 
 
@@ -202,10 +202,10 @@ def test_interrupted_before_anything_was_found() -> None:
         raise KeyboardInterrupt
 
     text = FREE.replace("harmonics = 1", "harmonics = 0\nnumber = [1, 2]")
-    found = design_stand(shaker(), motion_of, freedom(text), DesignOptions(), interrupt)
-    assert found.interrupted and (found.status, found.stand) == ("NO_DESIGN", None)
-    assert "1 starts, interrupted" in found.words[0]
-    assert json.loads(json.dumps(as_object(found), allow_nan=False))["status"] == "NO_DESIGN"
+    design = design_stand(shaker(), motion_of, freedom(text), DesignOptions(), interrupt)
+    assert design.interrupted and (design.status, design.stand) == ("NO_DESIGN", None)
+    assert "1 starts, interrupted" in design.words[0]
+    assert json.loads(json.dumps(as_object(design), allow_nan=False))["status"] == "NO_DESIGN"
 
 
 def test_a_motion_that_no_design_can_do_is_refused() -> None:
@@ -252,14 +252,14 @@ def rail(text: str = RAIL, unbalance: float = 1.0) -> Stand:
     return loads(text + wheels)
 
 
-def held_motion(own: Stand, rows: dict[str, list[float]], **keys: Any) -> RequiredMotion:
+def held_motion(stand: Stand, rows: dict[str, list[float]], **keys: Any) -> RequiredMotion:
     document = {"schema": 1, "type": "periodic", "period": 0.05, "harmonics": [{"k": 1, **rows}], "winding": "any"}
-    return read_motion(json.dumps(document | keys), own, "m.json")
+    return read_motion(json.dumps(document | keys), stand, "m.json")
 
 
-def up_and_down(own: Stand) -> RequiredMotion:
+def up_and_down(stand: Stand) -> RequiredMotion:
     """0.3 mm along the rail at 20 Hz."""
-    return held_motion(own, {"cos": [3e-4]})
+    return held_motion(stand, {"cos": [3e-4]})
 
 
 @pytest.mark.slow
@@ -267,18 +267,18 @@ def test_one_flywheel_is_enough_for_one_freedom() -> None:
     """The hold takes the force across the rail, so one wheel does, at constant speed, with the unbalance of the closed
     formula: mu Omega^2 = |k - m Omega^2 + i d Omega| A.
     """
-    own = rail()
-    freedom = read_freedom(KEYS.format(number="number = [1, 2]", most=3), own)
-    found = design_stand(own, up_and_down, freedom, DesignOptions(starts=4))
-    assert (found.status, found.words) == ("OK", ())
-    assert found.stand is not None and found.programme is not None
-    assert [wheel.name for wheel in found.stand.flywheels] == ["left"]
-    assert found.programme.report["verified"] is True and found.programme.coordinates == ("z",)
+    stand = rail()
+    freedom = read_freedom(KEYS.format(number="number = [1, 2]", most=3), stand)
+    design = design_stand(stand, up_and_down, freedom, DesignOptions(starts=4))
+    assert (design.status, design.words) == ("OK", ())
+    assert design.stand is not None and design.programme is not None
+    assert [wheel.name for wheel in design.stand.flywheels] == ["left"]
+    assert design.programme.report["verified"] is True and design.programme.coordinates == ("z",)
     Omega = 2 * np.pi * 20
     needed = 3e-4 * abs(20000 - 6.5 * Omega**2 + 40j * Omega) / Omega**2
-    assert found.totals["after"]["unbalance"] == pytest.approx(needed, rel=1e-6)
-    assert found.programme.report["harmonics"] == 0
-    assert loads(dumps(found.stand)) == found.stand
+    assert design.totals["after"]["unbalance"] == pytest.approx(needed, rel=1e-6)
+    assert design.programme.report["harmonics"] == 0
+    assert loads(dumps(design.stand)) == design.stand
 
 
 @pytest.mark.parametrize(
@@ -290,9 +290,9 @@ def test_one_flywheel_is_enough_for_one_freedom() -> None:
 )
 def test_held_rows_have_the_derivatives_of_differences(hold: str, rows: dict[str, list[float]]) -> None:
     """Derivatives by the numbers of the stand, the angles of the programme, and the free mean pose."""
-    own = rail(RAIL.replace('freedoms = ["z"]', hold))
-    required = held_motion(own, rows, free_mean=[True] * len(next(iter(rows.values()))))
-    task = Task.of(own, required, freedom_of_keys("position,angles,unbalance,mass", own))
+    stand = rail(RAIL.replace('freedoms = ["z"]', hold))
+    required = held_motion(stand, rows, free_mean=[True] * len(next(iter(rows.values()))))
+    task = Task.of(stand, required, freedom_of_keys("position,angles,unbalance,mass", stand))
     rng = np.random.default_rng(7)
     course = Periodic(required.span, np.array([1.0, -1.0]), rng.normal(size=(2, 3)), np.zeros(task.start.rows_count))
     design = Design(task.space.random(rng), course)
@@ -319,19 +319,19 @@ def test_held_rows_have_the_derivatives_of_differences(hold: str, rows: dict[str
     ],
 )
 def test_what_no_design_can_do_is_refused(text: str, most: float, words: str) -> None:
-    own = rail(text)
-    freedom = read_freedom(KEYS.format(number="", most=most), own)
+    stand = rail(text)
+    freedom = read_freedom(KEYS.format(number="", most=most), stand)
     with pytest.raises(MahovikError, match=words) as refused:
-        design_stand(own, up_and_down, freedom)
+        design_stand(stand, up_and_down, freedom)
     assert str(refused.value).count("\n") == 0
-    assert isinstance(refused.value, DesignError) == (own.hold is not None and len(own.hold.freedoms) == 1)
+    assert isinstance(refused.value, DesignError) == (stand.hold is not None and len(stand.hold.freedoms) == 1)
 
 
 def test_what_binds_along_the_rail_is_named() -> None:
-    own = rail()
+    stand = rail()
     text = (
         KEYS.format(number="", most=3).replace("min = 0", 'min = "2 kg mm"').replace("harmonics = 1", "harmonics = 0")
     )
-    own = replace(own, flywheels=own.flywheels[:1])
-    found = design_stand(own, up_and_down, read_freedom(text, own), DesignOptions(starts=2))
-    assert found.status == "NO_DESIGN" and found.words[1].startswith("bounds of unbalance bind")
+    stand = replace(stand, flywheels=stand.flywheels[:1])
+    design = design_stand(stand, up_and_down, read_freedom(text, stand), DesignOptions(starts=2))
+    assert design.status == "NO_DESIGN" and design.words[1].startswith("bounds of unbalance bind")

@@ -24,10 +24,9 @@ from mahovik.core.toolchain.board import run as run_board
 from mahovik.errors import StandError
 from mahovik.out.export.servo import ExportedServo, export_servo
 from mahovik.proof.verify.servo import verify_servo
-from targets.boards import target
 from targets.pil import Run, processor_in_the_loop, read_run
 from toolchain.quick import quick
-from toolchain.tools import compile_c, compile_elsewhere, require, run, symbols_of
+from toolchain.tools import compile_c, compile_elsewhere, require, run, symbols_of, target
 
 FREE = [
     pytest.param((name, real), id=name)
@@ -45,8 +44,8 @@ def source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
 
 def held_folder(made: ExportedServo, stand: Stand, folder: Path, real: str = "double") -> Path:
     """Servo, programme and C of a held stand in a folder."""
-    own = generate_all(stand, real, only=("step", "wrap", "generalized")).files
-    write({**own, **made.programme.files, **made.servo}, folder)
+    mechanics = generate_all(stand, real, only=("step", "wrap", "generalized")).files
+    write({**mechanics, **made.programme.files, **made.servo}, folder)
     return folder
 
 
@@ -140,7 +139,7 @@ def test_judges_pass_a_trim_of_a_hinge_and_find_wrong_numbers(tmp_path: Path) ->
     code = folder / "hinge_servo.c"
     text = code.read_text()
     matrix = text.partition(".matrix = ")[2].partition(";")[0]
-    number = max(re.findall(r"-?\d+\.\d{8,}(?!\d*e)", matrix), key=lambda each: abs(float(each)))
+    number = max(re.findall(r"-?\d+\.\d{8,}(?!\d*e)", matrix), key=lambda digits: abs(float(digits)))
     speed = re.findall(r"\.speed = \{ ([\d.]+)", text)[0]
     for wrong, row in ((number, ("trim_default", "matrix")), (speed, ("servo_default", "speed"))):
         code.write_text(text.replace(wrong, str(float(wrong) * 1.001), 1))
@@ -184,9 +183,9 @@ def test_a_programme_of_a_clamped_carrier_is_refused_in_a_line() -> None:
 def test_headers_of_another_stand_or_element_type_are_refused(tmp_path: Path) -> None:
     code = written(exported("spin"), tmp_path)
     header = tmp_path / "shaker2.h"
-    own = header.read_text()
+    text = header.read_text()
     for macro in ("STRUCTURE", "PHYSICS"):
-        header.write_text(re.sub(rf"({macro} +0x)[0-9a-f]{{8}}", r"\g<1>00000001", own))
+        header.write_text(re.sub(rf"({macro} +0x)[0-9a-f]{{8}}", r"\g<1>00000001", text))
         with pytest.raises(AssertionError, match=r"shaker2_servo.h are of different stands"):
             compile_c(require("gcc", "gcc"), code, "-fsyntax-only")
     header.write_text(stand_files("float")["shaker2.h"])

@@ -61,7 +61,7 @@ CAMPAIGNS, SERVOS, REGIMES = (
 COURSES, MEASURED = examples("course-*.csv"), examples("measured.csv")
 SHIPPED = [path.read_bytes() for path in stands.motions("demo3")]
 MOTIONS, PROGRAMMES = (
-    [json.loads(data) for data in each] for each in ([*SHIPPED, *examples("motion-*")], examples("programme-*"))
+    [json.loads(data) for data in files] for files in ([*SHIPPED, *examples("motion-*")], examples("programme-*"))
 )
 MODELS = Path(__file__).parents[1] / "foreign" / "models"
 URDF, MJCF = ((MODELS / f"sat.{kind}").read_text(encoding="utf-8") for kind in ("urdf", "xml"))
@@ -89,9 +89,9 @@ def read_programme_file(file: Path) -> None:
 
 def read_model(file: Path) -> None:
     """The stand of a model, as a stand file."""
-    found = make_stand(read_urdf(file) if file.suffix == ".urdf" else read_mjcf(file), "x", file.name)
-    stand_file(found, file.name, "x")
-    assert all("\n" not in note for note in found.notes)
+    stand = make_stand(read_urdf(file) if file.suffix == ".urdf" else read_mjcf(file), "x", file.name)
+    stand_file(stand, file.name, "x")
+    assert all("\n" not in note for note in stand.notes)
 
 
 def read_with(text: str, name: str, read: Callable[[Path], Any], file: Path) -> None:
@@ -125,7 +125,7 @@ def encoded(texts: Sequence[str]) -> list[bytes]:
 
 def as_json(documents: Sequence[Any]) -> list[bytes]:
     """Documents as JSON."""
-    return encoded([json.dumps(each) for each in documents])
+    return encoded([json.dumps(document) for document in documents])
 
 
 regime = partial(load_regime, stand=DEMO, until=1.0)
@@ -249,9 +249,9 @@ def test_eval_answers_each_line(data: bytes, backend: Backend) -> None:
     assert len(answers) == len(lines) - blank
     for answer, good in answers:
         assert "\n" not in answer
-        found = strict(answer)
-        assert good == ("error" not in found)
-        assert next(iter(found)) == "id"
+        reply = strict(answer)
+        assert good == ("error" not in reply)
+        assert next(iter(reply)) == "id"
 
 
 @pytest.mark.parametrize("reader", ["start of simulate", "answers of a program"])

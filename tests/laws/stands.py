@@ -204,7 +204,7 @@ def bearing(law: str, seed: int = 1) -> Stand:
         features = replace(features, fluid=True, stream=True)
     stand = random_stand(np.random.default_rng(seed), 2, features)
     carrier: list[LawData] = list(stand.carrier.laws) if law == "products" else []
-    others: list[LawData] = []
+    further: list[LawData] = []
     if law in ("products", "all"):
         damping = stand.carrier.law(Damping) or Damping(None, None, ())
         carrier = [replace(damping, contains_products=True)]
@@ -212,20 +212,20 @@ def bearing(law: str, seed: int = 1) -> Stand:
         carrier += loads(CONTROL).carrier.laws
     if law in ("fading", "all"):
         carrier.append(FADES)
-        others.append(replace(FADES, rate=0.4))
+        further.append(replace(FADES, rate=0.4))
     if law in ("strips", "all"):
         carrier.append(SLENDER)
-        others.append(replace(SLENDER, together=True))
+        further.append(replace(SLENDER, together=True))
     if law == "fins":
         carrier.append(Fins((RUDDER, HULL)))
     if law in ("fins", "all"):
-        others.append(Fins((PLANE, replace(RUDDER, name="tab"))))
+        further.append(Fins((PLANE, replace(RUDDER, name="tab"))))
     if law == "propellers":
         carrier.append(Propellers((MAIN, WHOLE)))
     if law in ("propellers", "all"):
-        others.append(Propellers((replace(STILL, speed=20.0), replace(WHOLE, name="aft"))))
+        further.append(Propellers((replace(STILL, speed=20.0), replace(WHOLE, name="aft"))))
     return replace(
         stand,
         carrier=stand.carrier.with_laws(*carrier),
-        instruments=tuple(body.with_laws(*others) for body in stand.instruments[:1]) + stand.instruments[1:],
+        instruments=tuple(body.with_laws(*further) for body in stand.instruments[:1]) + stand.instruments[1:],
     )

@@ -77,8 +77,8 @@ def test_a_stand_without_it_moves_in_another_way(law: str) -> None:
     bare = stand.without_laws(Torquers)
     bare = replace(bare, carrier=replace(bare.carrier, laws=()))
     state = random_state(stand, np.random.default_rng(2))
-    found = differences(lambda s, w: reference.evaluate(bare, s, w), state, expectations(stand, state))
-    assert max(found.values()) > 1e-6
+    changes = differences(lambda s, w: reference.evaluate(bare, s, w), state, expectations(stand, state))
+    assert max(changes.values()) > 1e-6
 
 
 BODY = loads(CARRIER).carrier

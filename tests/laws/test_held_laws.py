@@ -57,8 +57,8 @@ def test_derivations_and_C_agree(name: str) -> None:
     states = [random_state(stand, np.random.default_rng(seed)) for seed in range(10)]
     for law in (Frictions, Stops):
         without = partial(reference.evaluate, stand.without_laws(law))
-        found = [max(differences(without, at, expectations(stand, at, ["forward"])).values()) for at in states]
-        assert max(found) > 1e-6
+        changes = [max(differences(without, at, expectations(stand, at, ["forward"])).values()) for at in states]
+        assert max(changes) > 1e-6
 
 
 @pytest.mark.slow
@@ -171,9 +171,9 @@ def test_a_number_names_a_freedom_that_has_a_name() -> None:
 def test_steps_that_are_too_long_for_the_friction_are_warned_of() -> None:
     """m s / F of a rail is 1.2 ms here. A wheel about the same axis gives way, unless its speed is given."""
     stand = held_stand("rail", table("friction", coulomb=2.5, smoothing=1.2e-3))
-    (found,) = long_steps(stand, 2e-3)
-    assert found.freedom == "x"
-    assert found.bound == pytest.approx(2.5 * 1.2e-3 / 2.5, rel=1e-3)
+    (step,) = long_steps(stand, 2e-3)
+    assert step.freedom == "x"
+    assert step.bound == pytest.approx(2.5 * 1.2e-3 / 2.5, rel=1e-3)
     assert long_steps(stand, 1e-3) == []
     hinge = held_stand("hinge", table("friction", coulomb=1, smoothing=1e-6))
     free, driven = (long_steps(hinge, 1e-3, [given])[0].bound for given in (False, True))

@@ -53,9 +53,9 @@ def test_a_program_that_counts_them_twice_is_named() -> None:
     def answer(request: Request) -> Mapping[str, Any]:
         return program.evaluate(request.state, request.want)
 
-    found = Diagnoser(stand).diagnose(answer)
-    assert found.causes[0].parts[0].fault.name == "products of added mass twice"
-    assert found.causes[0].score == pytest.approx(0.0, abs=1e-6)
+    diagnosis = Diagnoser(stand).diagnose(answer)
+    assert diagnosis.causes[0].parts[0].fault.name == "products of added mass twice"
+    assert diagnosis.causes[0].score == pytest.approx(0.0, abs=1e-6)
 
 
 def test_products_with_a_viscous_part_are_warned_of_where_they_are_several() -> None:

@@ -41,11 +41,11 @@ propellers = st.sampled_from([MAIN, WHOLE, STILL, replace(MAIN, speed=-20.0), re
 def test_control_derivatives_are_products_written_out(V: np.ndarray) -> None:
     """Written out by hand; the race by the water that is faster behind than ahead."""
     carrier = loads(CONTROL).carrier
-    found = wrenches(carrier, np.zeros(3), V)["control derivatives"]
+    wrench = wrenches(carrier, np.zeros(3), V)["control derivatives"]
     u, v, w, p, _, r = V
     race = np.sqrt(u * u + 2e-4 * 90.0**2) - abs(u)
     expected = [-3.1 * u * r * 0.2, 2.5 * u * abs(v) * 0.2 * race, -4.2 * w**3, -0.3 * p * race, 0, 1e-4 * 90.0**2]
-    np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(wrench, expected, rtol=1e-12, atol=1e-12)
 
 
 @given(twists)
@@ -99,8 +99,8 @@ def test_drag_is_the_integral_along_the_axis(together: bool) -> None:
         return float(sum(quad(lambda x: x**power * force(x, which), a, b, epsabs=0, epsrel=1e-12)[0] for a, b in parts))
 
     expected = -512.5 * np.array([0, integral(0, 0), integral(1, 0), 0, -integral(1, 1), integral(0, 1)])
-    found = cross_flow_drag(replace(SLENDER, points=16, together=together), V)
-    np.testing.assert_allclose(found, expected, rtol=1e-10, atol=1e-10)
+    wrench = cross_flow_drag(replace(SLENDER, points=16, together=together), V)
+    np.testing.assert_allclose(wrench, expected, rtol=1e-10, atol=1e-10)
     coarse = cross_flow_drag(replace(SLENDER, points=3, together=together), V)
     np.testing.assert_allclose(coarse, expected, rtol=1e-3 if together else 1e-10, atol=1e-10)
 
@@ -131,13 +131,13 @@ def test_key_is_the_terms_that_take_the_products_out() -> None:
     stand = bearing("products", seed)
     state = random_state(stand, np.random.default_rng(seed))
     wants = ["forward", "momentum"]
-    found, expected = reference.evaluate(stand, state, wants), reference.evaluate(by_terms(stand), state, wants)
-    np.testing.assert_allclose(found["V_dot"], expected["V_dot"], rtol=1e-11)
+    answer, expected = reference.evaluate(stand, state, wants), reference.evaluate(by_terms(stand), state, wants)
+    np.testing.assert_allclose(answer["V_dot"], expected["V_dot"], rtol=1e-11)
     damping = stand.carrier.law(Damping)
     assert damping is not None
     twice = replace(stand, carrier=stand.carrier.with_laws(replace(damping, contains_products=False)))
     other = np.array(reference.evaluate(twice, state, ["forward"])["V_dot"])
-    assert np.abs(other - found["V_dot"]).max() > 1e-3 * np.abs(other).max()
+    assert np.abs(other - answer["V_dot"]).max() > 1e-3 * np.abs(other).max()
 
 
 @given(twists)
@@ -189,8 +189,8 @@ def test_body_and_planes_of_a_torpedo_as_published(u: float, v: float, w: float,
 def test_lift_stalls() -> None:
     stalling = replace(RUDDER, stall=0.25, lift_slope=2.0)
     angles = np.array([-1.6, -0.25, 0.0, 0.2, 0.25, (0.25 + np.pi / 2) / 2, np.pi / 2, 3.0])
-    found = [lift_coefficient(stalling, angle) for angle in angles]
-    np.testing.assert_allclose(found, [0, -0.5, 0, 0.4, 0.5, 0.25, 0, 0], atol=1e-15)
+    lift = [lift_coefficient(stalling, angle) for angle in angles]
+    np.testing.assert_allclose(lift, [0, -0.5, 0, 0.4, 0.5, 0.25, 0, 0], atol=1e-15)
 
 
 @given(twists, st.floats(-1.5, 1.5))

@@ -35,7 +35,7 @@ def rest_to_rest(x: np.ndarray) -> np.ndarray:
 
 def rows(z: np.ndarray) -> list[list[float]]:
     """Samples of which only z moves."""
-    return [[0.0, 0.0, each, 0.0, 0.0, 0.0] for each in z.tolist()]
+    return [[0.0, 0.0, value, 0.0, 0.0, 0.0] for value in z.tolist()]
 
 
 def finite(M: int = 21, **more: Any) -> dict[str, Any]:
@@ -59,11 +59,11 @@ def problems(document: Any) -> list[str]:
 
 
 def test_every_example_is_read() -> None:
-    found = {m.name: load_motion(m, load_stand(stands.path(n))) for n in stands.names() for m in stands.motions(n)}
-    assert sorted(found) == [f"{n}.motion.json" for n in ("auv6", "bench8", "demo3", "shaker2", "shaker2_spin")]
-    assert found["demo3.motion.json"].winding == (12, -15, 10)
-    assert found["demo3.motion.json"].harmonics == (1, 2)
-    bench8 = found["bench8.motion.json"]
+    motions = {m.name: load_motion(m, load_stand(stands.path(n))) for n in stands.names() for m in stands.motions(n)}
+    assert sorted(motions) == [f"{n}.motion.json" for n in ("auv6", "bench8", "demo3", "shaker2", "shaker2_spin")]
+    assert motions["demo3.motion.json"].winding == (12, -15, 10)
+    assert motions["demo3.motion.json"].harmonics == (1, 2)
+    bench8 = motions["bench8.motion.json"]
     assert bench8.bounds.speed == (50 * math.pi,) * 8
     assert isinstance(bench8.course, Harmonics)
     assert bench8.course.cos[0].tolist() == [2e-4, 1e-4, -5e-5, 3e-4, 2e-4, 0.0]  # mm, mrad: rounded once
@@ -141,8 +141,8 @@ def test_one_line_for_each_bad_input(change: dict[str, Any], line: str) -> None:
 
 
 def test_all_problems_are_told_together() -> None:
-    found = problems({**PLAIN, "period": 0, "perod": 1, "bounds": {"sped": 1}, "winding": 3, "mean": [1]})
-    assert len(found) == 5
+    lines = problems({**PLAIN, "period": 0, "perod": 1, "bounds": {"sped": 1}, "winding": 3, "mean": [1]})
+    assert len(lines) == 5
 
 
 def test_a_singular_attitude_is_refused() -> None:
@@ -267,26 +267,26 @@ def sat4() -> Stand:
 
 
 def read(**keys: Any) -> Slew:
-    found = read_motion_or_slew(json.dumps({"schema": 1, "type": "slew"} | keys), sat4(), "m.json")
-    assert isinstance(found, Slew)
-    return found
+    slew = read_motion_or_slew(json.dumps({"schema": 1, "type": "slew"} | keys), sat4(), "m.json")
+    assert isinstance(slew, Slew)
+    return slew
 
 
 def test_the_shortest_turn_from_start_to_end() -> None:
-    found = read(task="pointing", start={"angles": ["10 deg", 0, 0]}, end={"angles": ["50 deg", 0, 0]})
-    assert found.kind == "attitude" and found.goal == "fastest" and found.duration is None
-    assert found.angle == pytest.approx(np.radians(40)) and found.axis == pytest.approx([0, 0, 1], abs=1e-12)
+    slew = read(task="pointing", start={"angles": ["10 deg", 0, 0]}, end={"angles": ["50 deg", 0, 0]})
+    assert slew.kind == "attitude" and slew.goal == "fastest" and slew.duration is None
+    assert slew.angle == pytest.approx(np.radians(40)) and slew.axis == pytest.approx([0, 0, 1], abs=1e-12)
     back = read(task="pointing", end={"quaternion": [np.cos(2.8), 0, np.sin(2.8), 0]}, duration="5 s")
     assert back.angle == pytest.approx(2 * np.pi - 5.6) and back.axis == pytest.approx([0, -1, 0], abs=1e-12)
     assert back.goal == "quietest" and back.duration == 5.0
 
 
 def test_a_line_of_sight_is_the_axis_that_no_row_names() -> None:
-    found = read(rows=[{"point": "acc1", "rows": ["wx", "wz"]}], end={"direction": [1, 1, 0]})
-    own = np.array([-0.5, np.sqrt(0.75), 0.0])  # second axis of acc1, turned by 30 degrees about z
-    assert found.kind == "sight" and found.axis == pytest.approx(own)
-    assert np.cos(found.angle) == pytest.approx(float(own @ [1, 1, 0]) / np.sqrt(2))
-    assert found.path(np.array([found.angle]))[0] @ own == pytest.approx(np.array([1, 1, 0]) / np.sqrt(2))
+    slew = read(rows=[{"point": "acc1", "rows": ["wx", "wz"]}], end={"direction": [1, 1, 0]})
+    sight = np.array([-0.5, np.sqrt(0.75), 0.0])  # second axis of acc1, turned by 30 degrees about z
+    assert slew.kind == "sight" and slew.axis == pytest.approx(sight)
+    assert np.cos(slew.angle) == pytest.approx(float(sight @ [1, 1, 0]) / np.sqrt(2))
+    assert slew.path(np.array([slew.angle]))[0] @ sight == pytest.approx(np.array([1, 1, 0]) / np.sqrt(2))
 
 
 @pytest.mark.parametrize(

@@ -33,9 +33,9 @@ NEAR = 1.02
 
 
 def planned(stand: Stand, verify: bool = False, **keys: Any) -> Programme:
-    found = plan_slew(stand, slew(stand, **keys), verify=verify)
-    assert found.status == "OK", found.words
-    return found.programmes[0]
+    plan = plan_slew(stand, slew(stand, **keys), verify=verify)
+    assert plan.status == "OK", plan.words
+    return plan.programmes[0]
 
 
 @pytest.mark.parametrize(
@@ -56,9 +56,9 @@ def test_one_wheel_on_its_axis_turns_bang_bang(
     J = float(principal[:, 0] @ inertia(stand) @ principal[:, 0])
     angle = np.radians(40.0)
     limit = np.sqrt(2.0 * angle * J * (1.0 / driving + 1.0 / braking))
-    found = planned(stand, end=about(principal[:, 0], angle), bounds=bounds)
-    assert limit < found.span < NEAR * limit
-    speed = np.abs(found.at(np.linspace(0.0, found.span, 1001)).phi_dot[:, 0])
+    programme = planned(stand, end=about(principal[:, 0], angle), bounds=bounds)
+    assert limit < programme.span < NEAR * limit
+    speed = np.abs(programme.at(np.linspace(0.0, programme.span, 1001)).phi_dot[:, 0])
     assert np.argmax(speed) / 1000 == pytest.approx(braking / (driving + braking), abs=0.01)
 
 
@@ -77,8 +77,8 @@ def test_more_wheels_use_their_null_space() -> None:
     by_norm = float(np.min(np.linalg.norm(columns, axis=1) / np.abs(least)))
     assert by_norm < 0.5 * reach
     limit = 2.0 * np.sqrt(0.7 * np.linalg.norm(along) / reach)
-    found = planned(stand, end=about((0, 0, 1), 0.7))
-    assert limit < found.span < NEAR * limit
+    programme = planned(stand, end=about((0, 0, 1), 0.7))
+    assert limit < programme.span < NEAR * limit
 
 
 def test_torque_that_falls_with_speed_is_followed_to_its_curve() -> None:
@@ -94,9 +94,9 @@ def test_torque_that_falls_with_speed_is_followed_to_its_curve() -> None:
 
     switch = brentq(lambda t: driven(t)[0] + driven(t)[1] ** 2 / (2 * a) - angle, 0.1, 60.0)
     limit = switch + driven(switch)[1] / a
-    found = planned(stand, end=about(axis, angle))
-    assert limit * (1 - 1e-3) < found.span < NEAR * limit
-    _, speed, acceleration = found.at(np.linspace(0, found.span, 2001))
+    programme = planned(stand, end=about(axis, angle))
+    assert limit * (1 - 1e-3) < programme.span < NEAR * limit
+    _, speed, acceleration = programme.at(np.linspace(0, programme.span, 2001))
     torque = acceleration * 0.02 * J / (J + 0.02)  # between wheel and carrier, both free
     falling = np.where(torque * speed > 0, 1 - np.abs(speed) / (400 * np.pi / 30), 1.0)
     assert np.all(np.abs(torque) <= 0.2 * falling * (1 + 1e-6))
@@ -110,8 +110,8 @@ def test_sat4_ends_within_an_arcsec_and_every_sample_is_within_its_motors_limits
     plan = plan_slew(stand, wanted)
     assert plan.status == "OK", plan.words
     programme = plan.programmes[0]
-    items = {each["name"]: each for each in programme.report["verification"]}
-    assert all(each["passed"] for each in items.values())
+    items = {item["name"]: item for item in programme.report["verification"]}
+    assert all(item["passed"] for item in items.values())
     assert items["slew end"]["value"] <= 1.0 and items["simulation"]["value"] <= 1e-6
     assert programme.span < NEAR * programme.report["least_duration"]
     t = np.linspace(0.0, programme.span, 4001)
@@ -121,8 +121,8 @@ def test_sat4_ends_within_an_arcsec_and_every_sample_is_within_its_motors_limits
     for s, wheel in enumerate(stand.flywheels):
         assert wheel.motor is not None
         for speed, drive in zip(angles.phi_dot[:, s], tau[:, s], strict=True):
-            own = required_torque(wheel.motor, drive, speed)
-            assert abs(own) <= available_torque(wheel.motor, own, speed) * (1 + 1e-9)
+            torque = required_torque(wheel.motor, drive, speed)
+            assert abs(torque) <= available_torque(wheel.motor, torque, speed) * (1 + 1e-9)
     assert np.abs(tau).max() > 0.97 * 0.2  # and they are used
 
 
@@ -177,9 +177,9 @@ BOTH_AXES = {"start": {"phi_dot": ["800 rpm", "800 rpm", 0]}, "end": about((0, 0
     ],
 )
 def test_what_wheels_cannot_do_is_refused(axes: Any, motor: str, keys: dict[str, Any], reason: str, words: str) -> None:
-    found = planned_or_refused(satellite(np.array(axes).tolist(), motor), **keys)
-    assert found.status == ("NO_PROGRAM" if reason else "SINGULAR_ATTITUDE")
-    assert found.reason in (reason, None) and words in found.words[0]
+    plan = planned_or_refused(satellite(np.array(axes).tolist(), motor), **keys)
+    assert plan.status == ("NO_PROGRAM" if reason else "SINGULAR_ATTITUDE")
+    assert plan.reason in (reason, None) and words in plan.words[0]
 
 
 def test_the_centre_of_mass_stays_at_rest_by_itself() -> None:
@@ -191,9 +191,9 @@ def test_the_centre_of_mass_stays_at_rest_by_itself() -> None:
 
 
 def test_too_short_a_duration_names_the_motor_and_a_duration_that_does() -> None:
-    found = planned_or_refused(satellite(PYRAMID), end=QUARTER, duration=1)
-    assert found.reason == "BOUND_REACH" and "torque of w" in found.words[0]
-    longer = float(found.words[0].split("a duration of about ")[1].split(" s")[0])
+    plan = planned_or_refused(satellite(PYRAMID), end=QUARTER, duration=1)
+    assert plan.reason == "BOUND_REACH" and "torque of w" in plan.words[0]
+    longer = float(plan.words[0].split("a duration of about ")[1].split(" s")[0])
     assert planned_or_refused(satellite(PYRAMID), end=QUARTER, duration=1.001 * longer).status == "OK"
 
 
@@ -202,19 +202,19 @@ def test_a_line_of_sight_leaves_the_turn_about_it_free(goal: dict[str, float]) -
     """Three wheels, of which the one along the line of sight is missing."""
     stand = satellite([(0, 1, 0.2), (0, 0.1, 1)])
     direction = [0.8, 0.5, -0.33]
-    found = planned_or_refused(stand, verify=True, rows=["wy", "wz"], end={"direction": direction}, **goal)
-    assert found.status == "OK", found.words
-    items = {each["name"]: each["value"] for each in found.programmes[0].report["verification"]}
+    plan = planned_or_refused(stand, verify=True, rows=["wy", "wz"], end={"direction": direction}, **goal)
+    assert plan.status == "OK", plan.words
+    items = {item["name"]: item["value"] for item in plan.programmes[0].report["verification"]}
     assert items["slew end"] < 0.01 and items["slew path"] < 1e-9
-    assert found.programmes[0].carrier is not None
-    roll = found.programmes[0].carrier.q[-1, 5]
+    assert plan.programmes[0].carrier is not None
+    roll = plan.programmes[0].carrier.q[-1, 5]
     assert abs(roll) > 1e-3  # nobody held it
 
 
 @pytest.mark.parametrize(("end", "warned"), [([40, 0, 0], True), (["40 deg", 0, 0], False), ([0.7, 0, 0], False)])
 def test_an_attitude_beyond_a_turn_is_asked_about(end: list[Any], warned: bool) -> None:
-    found = planned_or_refused(satellite(PYRAMID), end={"angles": end}, duration=20)
-    assert found.warnings == (f"end.angles: {end} rad is beyond a whole turn: degrees without their unit?",) * warned
+    plan = planned_or_refused(satellite(PYRAMID), end={"angles": end}, duration=20)
+    assert plan.warnings == (f"end.angles: {end} rad is beyond a whole turn: degrees without their unit?",) * warned
 
 
 ARCSEC = np.pi / 648000.0
@@ -243,9 +243,9 @@ def quick_slew() -> Programme:
 def test_a_point_that_unbalance_alone_would_hold_is_refused_by_its_direction() -> None:
     """Along the line through the centre of mass no moment accelerates it."""
     rows = [{"point": "acc1", "rows": ["vx", "vy", "vz"]}]
-    found = planned_sat4(rows=rows, start=against(100), duration=1, unbalance="resisted")
-    words = found.words[0]
-    assert found.reason == "SPAN" and "they give no acceleration of acc1 along (" in words
+    plan = planned_sat4(rows=rows, start=against(100), duration=1, unbalance="resisted")
+    words = plan.words[0]
+    assert plan.reason == "SPAN" and "they give no acceleration of acc1 along (" in words
     direction = np.array([float(x) for x in words.split("(")[1].split(")")[0].split(",")])
     line = np.array(sat4().points[0].position) - mass_properties(sat4()).center_of_mass
     assert np.linalg.norm(np.cross(direction, line / np.linalg.norm(line))) < 2e-3
@@ -262,12 +262,12 @@ def test_a_point_that_unbalance_alone_would_hold_is_refused_by_its_direction() -
 )
 def test_wheels_at_working_speeds_slew(keys: dict[str, Any]) -> None:
     """Some hundred rows do at any speed; the stand itself ends where demanded but for what unbalance shakes."""
-    found = planned_sat4(verify=True, **keys)
-    assert found.status == "OK", found.words
-    programme = found.programmes[0]
+    plan = planned_sat4(verify=True, **keys)
+    assert plan.status == "OK", plan.words
+    programme = plan.programmes[0]
     assert programme.unbalance == "averaged"
     assert len(programme.course.t) < 1000  # type: ignore[union-attr]
-    assert all(each["passed"] for each in programme.report["verification"])
+    assert all(item["passed"] for item in programme.report["verification"])
     angle = programme.report["unbalance"]["angle"]
     assert 0.0 < angle["end"] <= angle["largest"] < MOST
     assert angle["rms"] < angle["largest"]
@@ -278,25 +278,25 @@ def test_what_unbalance_adds_is_what_the_reference_simulates() -> None:
     """The literal reference over the first turns of the wheels, by another method in other coordinates."""
     stand, programme = sat4(), quick_slew()
     motion = motion_of_slew(slew(stand, end=about_z(5), duration=10, start=against(314)), programme)
-    found = unbalance_effect(stand, motion, programme)
-    assert found is not None
-    k = int(np.searchsorted(found.t, 0.05))
+    effect = unbalance_effect(stand, motion, programme)
+    assert effect is not None
+    k = int(np.searchsorted(effect.t, 0.05))
     start = programme.at(np.zeros(1))
     V = twist_at_rest(stand, np.zeros(6), start.phi[0], start.phi_dot[0])
-    t = found.t[: k + 1 : 8]
+    t = effect.t[: k + 1 : 8]
     scale = replace(scale_of(stand, motion, programme), amplitude=1e-3)
     y = simulate(stand, programme.at, np.concatenate([np.zeros(6), V]), t, scale, 1e-3)
     aside = y[:, :6] - motion.at(t, programme.bias).q
-    assert aside[:, :3] == pytest.approx(found.shift[: k + 1 : 8], abs=1e-4 * float(np.abs(found.shift).max()))
-    yaw_pitch_roll = found.turn[: k + 1 : 8, ::-1]  # near the attitude of E0 they are the small angles, in reverse
-    assert aside[:, 3:] == pytest.approx(yaw_pitch_roll, abs=2e-3 * float(np.abs(found.turn).max()))
+    assert aside[:, :3] == pytest.approx(effect.shift[: k + 1 : 8], abs=1e-4 * float(np.abs(effect.shift).max()))
+    yaw_pitch_roll = effect.turn[: k + 1 : 8, ::-1]  # near the attitude of E0 they are the small angles, in reverse
+    assert aside[:, 3:] == pytest.approx(yaw_pitch_roll, abs=2e-3 * float(np.abs(effect.turn).max()))
 
 
 def test_near_rest_unbalance_can_be_resisted() -> None:
     """The flywheels' ripple is in the programme, and nothing is added; wheels from rest do not pass zero speed."""
-    found = planned_sat4(end=about_z(3), duration=5, unbalance="resisted", verify=True)
-    assert found.status == "OK", found.words
-    programme = found.programmes[0]
+    plan = planned_sat4(end=about_z(3), duration=5, unbalance="resisted", verify=True)
+    assert plan.status == "OK", plan.words
+    programme = plan.programmes[0]
     assert "unbalance" not in programme.report
     assert '"unbalance"' not in programme_text(programme)
     assert programme.report["through_zero"] == []

@@ -72,10 +72,10 @@ def test_singular_attitudes_are_refused_for_generalized_alone(
 
 def test_left_out_angles_are_zero(derivation: Any) -> None:
     stand, state = draw(1, 2)
-    given, left_out = replace(state, angles=(0.0, 0.0, 0.0)), replace(state, angles=None)
+    stated, left_out = replace(state, angles=(0.0, 0.0, 0.0)), replace(state, angles=None)
     for angles in ("ship", "aircraft"):
         same = replace(stand, angles=angles)
-        expected = derivation(same, given, ["generalized"])["q_ddot"]
+        expected = derivation(same, stated, ["generalized"])["q_ddot"]
         np.testing.assert_array_equal(derivation(same, left_out, ["generalized"])["q_ddot"], expected)
     with pytest.raises(StateError, match="singular attitude"):
         derivation(replace(stand, angles="euler"), left_out, ["generalized"])

@@ -71,8 +71,8 @@ def test_quaternion_and_its_negative_are_one_attitude_w_first() -> None:
 def test_rotation_vector_is_the_one_it_was_made_of(length: float) -> None:
     for axis in np.random.default_rng(2).normal(size=(10, 3)):
         vector = length * axis / np.linalg.norm(axis)
-        found = rotation_vector(Rotation.from_rotvec(vector).as_matrix())
-        np.testing.assert_allclose(found, vector, rtol=0, atol=1e-15 + 4 * OF_ROTATIONS * length)
+        recovered = rotation_vector(Rotation.from_rotvec(vector).as_matrix())
+        np.testing.assert_allclose(recovered, vector, rtol=0, atol=1e-15 + 4 * OF_ROTATIONS * length)
 
 
 def test_mounting_by_axes_equals_mounting_by_the_angles_of_those_axes() -> None:

@@ -45,8 +45,8 @@ def vibrating_run(stand: Stand, amplitude: float = 3e-5) -> Run:
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
     """Headless Chromium."""
-    with launched() as found:
-        yield found
+    with launched() as chromium:
+        yield chromium
 
 
 @pytest.fixture(scope="module", params=["bench8", "held"])

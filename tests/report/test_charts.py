@@ -32,13 +32,13 @@ def figure_lines(html: str) -> tuple[dict[str, list[np.ndarray]], dict[str, Any]
     root = ElementTree.fromstring(html)
     facts = json.loads(unescape(root.attrib["data-axes"]))
     left, top, across, down = facts["box"]
-    found = {}
-    for group in (each for each in root.iter() if "data-n" in each.attrib):
+    polylines = {}
+    for group in (element for element in root.iter() if "data-n" in element.attrib):
         parts = [
             np.array(re.findall(r"-?[\d.]+", p), float).reshape(-1, 2) for p in group[0].attrib["d"].split("M")[1:]
         ]
-        found[group.attrib["data-n"]] = [(p - [left, top]) / [across, -down] + [0.0, 1.0] for p in parts]
-    return found, facts
+        polylines[group.attrib["data-n"]] = [(p - [left, top]) / [across, -down] + [0.0, 1.0] for p in parts]
+    return polylines, facts
 
 
 def axis_values(share: np.ndarray, low: float, high: float, log: int) -> np.ndarray:
@@ -76,7 +76,7 @@ def test_names_and_quantities_are_escaped() -> None:
     html = charts([panel])
     assert "<script" not in html
     root = ElementTree.fromstring(html)
-    assert evil in {each.attrib.get("data-n") for each in root.iter()}
+    assert evil in {element.attrib.get("data-n") for element in root.iter()}
 
 
 ORDERS = np.arange(1, 33) / 8.0

@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 
 import mahovik
 from cli.run import refused
-from cli.test_eval_held import TEXT
+from cli.test_eval_held import TEXT, pendulum_file
 from mahovik.core.motion import loads_regime
 from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Hold, Stand
@@ -101,13 +101,6 @@ def test_a_clamped_wheel_shows_its_centrifugal_force_and_weight() -> None:
             assert not found[column].any(), column  # it does not move at all
 
 
-@pytest.fixture
-def file(tmp_path: Path) -> str:
-    path = tmp_path / "pendulum.toml"
-    path.write_text(TEXT)
-    return str(path)
-
-
 @pytest.mark.parametrize(
     ("start", "reason"),
     [
@@ -119,9 +112,8 @@ def file(tmp_path: Path) -> str:
         ({"position": [0, 0, 1e-3]}, "along z, which [hold] blocks"),
     ],
 )
-def test_a_start_that_the_hold_does_not_allow_is_refused(
-    file: str, start: dict[str, Any], reason: str, tmp_path: Path
-) -> None:
+def test_a_start_that_the_hold_does_not_allow_is_refused(start: dict[str, Any], reason: str, tmp_path: Path) -> None:
+    file = pendulum_file(tmp_path)
     (tmp_path / "start.json").write_text(json.dumps(start))
     output = tmp_path / "run.csv"
     message = refused("simulate", file, "--until", "0.1", "--start", str(tmp_path / "start.json"), "-o", str(output))

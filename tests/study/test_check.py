@@ -91,13 +91,13 @@ def test_a_change_is_the_difference_of_two_stands(seed: int) -> None:
     at = reference.pieces(stand, state)
     before = reference.evaluate(stand, state, list(QUANTITIES), at)
     after = reference.evaluate(exchanged, state, list(QUANTITIES))
-    found = Exchange.of(number, stand.flywheels[number], other).changes(at, state, before["V_dot"])
+    changes = Exchange.of(number, stand.flywheels[number], other).changes(at, state, before["V_dot"])
     for want, quantity in QUANTITIES.items():
         difference, size = after[quantity.key] - before[quantity.key], quantity.terms(at, state)
         if quantity.by_flywheel:
             difference, size = difference[number], size[number]
         assert np.abs(difference).max() > 0.0
-        assert (np.abs(found[want] - difference) <= 1e-12 * size).all(), want
+        assert (np.abs(changes[want] - difference) <= 1e-12 * size).all(), want
 
 
 SAT4 = load(path("sat4"))
@@ -118,14 +118,14 @@ def test_the_c_loses_at_most_the_part_that_is_named_and_much_of_it() -> None:
         end_of_steps(c, name, start, dt * steps, steps)["phi_dot"] - first for name in ("step", "step_carried")
     )
     part = np.abs(plain / exact - 1.0)
-    bounds = np.array([each.part for each in lost])
+    bounds = np.array([loss.part for loss in lost])
     assert np.all(part < 1.1 * bounds) and np.all(part > 0.02 * bounds)
     assert np.all(np.abs(carried / exact - 1.0) < 0.1 * part + 1e-4)
 
 
 def test_check_names_step_part_and_remedy() -> None:
-    found = run("check", str(path("sat4")), "--dt", "0.1 ms")
-    text = " ".join(found.stdout.split())
+    result = run("check", str(path("sat4")), "--dt", "0.1 ms")
+    text = " ".join(result.stdout.split())
     assert "warning: float: a step of 0.0001 s adds" in text and "use step_carried or double" in text
     assert "at 6000 rpm by up to 3.1e-05 rad/s" in text
     for wrong in ("0", "-1", "1 m", "inf"):
@@ -151,8 +151,8 @@ def test_matrices_that_damp_are_passive() -> None:
     """A linear part that is not symmetric, but its symmetric part is definite."""
     rows = np.diag([3.0, 9.0, 9.0, 0.2, 2.0, 2.0])
     rows[1, 5], rows[5, 1] = 4.0, -4.0
-    found = fluid(hull(f"linear = {rows.tolist()}\nquadratic = [5, 50, 50, 0.1, 5, 5]"), 1.0)
-    assert [(p.ahead, p.positive, math.isinf(p.speed)) for p in found.powers] == [
+    effects = fluid(hull(f"linear = {rows.tolist()}\nquadratic = [5, 50, 50, 0.1, 5, 5]"), 1.0)
+    assert [(p.ahead, p.positive, math.isinf(p.speed)) for p in effects.powers] == [
         (False, False, True),
         (True, False, True),
     ]
@@ -176,25 +176,25 @@ def test_course_by_the_stability_roots() -> None:
         f'{{ wrench = "{w}", of = ["u", "{x}"], value = {value} }}'
         for w, x, value in (("Y", "v", Yv), ("Y", "r", Yr), ("N", "v", Nv), ("N", "r", Nr), ("Z", "w", -90.0))
     )
-    others = '{ wrench = "M", of = ["u", "q"], value = -50 }, { wrench = "X", of = ["u", "|u|"], value = -9 }'
+    further = '{ wrench = "M", of = ["u", "q"], value = -50 }, { wrench = "X", of = ["u", "|u|"], value = -9 }'
     key = 'derivatives = "with added-mass products"'
-    stand = hull(f"terms = [{terms}, {others}]\n{key}")
+    stand = hull(f"terms = [{terms}, {further}]\n{key}")
     M = np.diag([45.0, 3.5])
     N = U * np.array([[Yv, Yr - 20.0], [Nv, Nr]])
     roots = np.linalg.eigvals(np.linalg.solve(M, N)).real
     assert roots.max() < 0
     assert growth(stand, U) == pytest.approx(max(roots.max(), 0.0), abs=1e-4)  # roll is neutral
-    unstable = hull(f"terms = [{terms.replace('-3.0', '-300.0')}, {others}]\n{key}")
+    unstable = hull(f"terms = [{terms.replace('-3.0', '-300.0')}, {further}]\n{key}")
     N[1, 0] = -300.0 * U
     assert growth(unstable, U) == pytest.approx(np.linalg.eigvals(np.linalg.solve(M, N)).real.max(), rel=1e-6)
 
 
 def test_added_mass_of_all_bodies() -> None:
     instrument = '[[instrument]]\nname = "fin"\nadded_mass = [1, 0, 2, 0, 0, 0]\n'
-    found = added_mass(loads(HEAD + instrument))
-    assert found is not None
-    assert (found.rows, found.sway, found.heave) == (5, 3.0 - 25.0, 26.0 - 3.0)
-    assert found.least == pytest.approx(1.0)
+    sums = added_mass(loads(HEAD + instrument))
+    assert sums is not None
+    assert (sums.rows, sums.sway, sums.heave) == (5, 3.0 - 25.0, 26.0 - 3.0)
+    assert sums.least == pytest.approx(1.0)
     assert added_mass(loads(HEAD.split("added_mass", maxsplit=1)[0])) is None
 
 
@@ -236,8 +236,8 @@ thrust = [0.45, -0.4]
 speed = "1500 rpm"
 """
     passive = "[carrier.damping]\nlinear = [3, 9, 9, 0.2, 2, 2]\n"
-    found = fluid(loads(HEAD + passive + propeller), 1.5)
-    assert found.engines == ("carrier",) and [power.positive for power in found.powers] == [False, False]
+    effects = fluid(loads(HEAD + passive + propeller), 1.5)
+    assert effects.engines == ("carrier",) and [power.positive for power in effects.powers] == [False, False]
     assert fluid(loads(HEAD + passive), 1.5).engines == ()
     file = tmp_path / "hull.toml"
     file.write_text(HEAD + propeller, encoding="utf-8")
@@ -259,16 +259,16 @@ def test_of_the_examples_it_is_the_satellites_but_for_their_tasks(name: str) -> 
 
 
 def test_the_words_name_flywheel_and_task() -> None:
-    found = excess(replace(example_stand("sat4"), tasks=()))
-    assert found is not None and found.share > 100
-    assert "[task.pointing]" in str(found) and found.flywheel in str(found)
+    largest = excess(replace(example_stand("sat4"), tasks=()))
+    assert largest is not None and largest.share > 100
+    assert "[task.pointing]" in str(largest) and largest.flywheel in str(largest)
 
 
 def test_without_motors_a_stated_acceleration_decides() -> None:
     sat = example_stand("sat4")
     bare = replace(sat, flywheels=tuple(replace(s, motor=None) for s in sat.flywheels), tasks=())
-    found = excess(bare)
-    assert found is not None and found.share == pytest.approx(found.phi_ddot / bare.inverse_most)
+    largest = excess(bare)
+    assert largest is not None and largest.share == pytest.approx(largest.phi_ddot / bare.inverse_most)
     assert excess(replace(bare, inverse_most=1e9)) is None
     assert excess(replace(bare, flywheels=())) is None
 
@@ -299,15 +299,15 @@ def test_the_examples_reach_their_tasks(name: str) -> None:
 
 @pytest.mark.parametrize("rows", [("wz",), ("wx", "wy", "wz"), ("wx", "wz")])
 def test_a_moment_that_no_wheel_gives_is_named(rows: tuple[str, ...]) -> None:
-    (found,) = task_shortfalls(two(*rows))
-    assert found.flywheel == "" and found.share == np.inf
-    assert found.direction == pytest.approx([float(row == "wz") for row in rows], abs=1e-12)
-    assert re.search(r"along wz \(UNREACHABLE\)", str(found))
+    (shortfall,) = task_shortfalls(two(*rows))
+    assert shortfall.flywheel == "" and shortfall.share == np.inf
+    assert shortfall.direction == pytest.approx([float(row == "wz") for row in rows], abs=1e-12)
+    assert re.search(r"along wz \(UNREACHABLE\)", str(shortfall))
 
 
 def test_a_force_of_unbalance_alone_is_too_much_for_the_motors() -> None:
     stand = two("vx")
     wheels = tuple(replace(s, center_of_mass=(0.0, 1e-6, 0.0)) for s in stand.flywheels)
-    (found,) = task_shortfalls(replace(stand, flywheels=wheels))
-    assert found.flywheel in ("a", "b") and 1.0 < found.share < np.inf
-    assert "(EXCESSIVE)" in str(found)
+    (shortfall,) = task_shortfalls(replace(stand, flywheels=wheels))
+    assert shortfall.flywheel in ("a", "b") and 1.0 < shortfall.share < np.inf
+    assert "(EXCESSIVE)" in str(shortfall)

@@ -99,10 +99,10 @@ def test_time_and_interrupts_cut_the_search(sat4: Stand, monkeypatch: pytest.Mon
         quiet(sat4, SAT4, seconds=1e-9, backend=None)
     look = Search.evaluate
 
-    def third(self: Search, *given: Any) -> SpeedChoice:
+    def third(self: Search, *arguments: Any) -> SpeedChoice:
         if self.looked_at == 2:
             raise KeyboardInterrupt
-        return look(self, *given)
+        return look(self, *arguments)
 
     monkeypatch.setattr(Search, "evaluate", third)
     got = quiet(sat4, SAT4, backend="c")
@@ -149,16 +149,16 @@ def force_table() -> Stand:
 @pytest.mark.parametrize("backend", [None, pytest.param("c", marks=pytest.mark.slow)])
 def test_two_wheels_cancel_on_a_force_table(backend: str | None) -> None:
     """Together they leave the difference of the unbalances, half a turn apart; no momentum has to be kept."""
-    found = mahovik.quiet(force_table(), "hold.reaction", BAND, speeds=START, change="20 rpm", backend=backend)
-    one, other = found.speeds
+    choice = mahovik.quiet(force_table(), "hold.reaction", BAND, speeds=START, change="20 rpm", backend=backend)
+    one, other = choice.speeds
     assert one == pytest.approx(other, rel=1e-12) and abs(one - 2993.5 * RPM) < 14.0 * RPM
-    assert np.exp(1j * (found.phases[1] - found.phases[0] + math.radians(30.0))) == pytest.approx(-1.0, abs=1e-6)
-    after = found.result.after
+    assert np.exp(1j * (choice.phases[1] - choice.phases[0] + math.radians(30.0))) == pytest.approx(-1.0, abs=1e-6)
+    after = choice.result.after
     assert after.rms == pytest.approx(12e-6 * one**2, rel=1e-6)  # of x and y together
-    assert len(found.result.wheels.axes) == 0
+    assert len(choice.result.wheels.axes) == 0
     if backend is not None:
         assert after.simulated == pytest.approx(after.rms, rel=1e-3)
-        assert found.result.agrees
+        assert choice.result.agrees
 
 
 @pytest.mark.parametrize(

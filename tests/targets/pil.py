@@ -50,11 +50,11 @@ def processor_in_the_loop(stand: Stand, real_stand: Stand, made: ExportedServo, 
         pil_last=samples * 3 // 4,
     )
     name = stand.name
-    own = {f"{name}.h", f"{name}.c"}
+    equations = {f"{name}.h", f"{name}.c"}
     tables = {f"{name}_programme{end}" for end in (".h", ".c")}
     servo = {f"{name}_servo{end}" for end in (".h", ".c")}
     files = generated.files | made.programme.files | made.servo
-    return {file: text for file, text in files.items() if file in own | tables | servo} | {"pil.c": main}
+    return {file: text for file, text in files.items() if file in equations | tables | servo} | {"pil.c": main}
 
 
 def read_run(printed: str) -> Run:
@@ -64,8 +64,8 @@ def read_run(printed: str) -> Run:
     numbers: dict[str, int] = {}
     counts: dict[str, int] = {}
     for line in lines[len(torques) :]:
-        found = _COUNT.fullmatch(line)
-        assert found is not None, line
-        (counts if found[1] else numbers)[found[2]] = int(found[3])
+        match = _COUNT.fullmatch(line)
+        assert match is not None, line
+        (counts if match[1] else numbers)[match[2]] = int(match[3])
     followed = numbers["largest error of an angle in the last part, urad"] * 1e-6
     return Run(torques, followed, numbers["samples with a torque cut"], counts)

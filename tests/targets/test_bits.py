@@ -17,9 +17,9 @@ from mahovik.stands import path
 from mahovik.use.control.attitude import LoopOptions
 from mahovik.use.simulate.flight_log import Start, load, records
 from mahovik.use.simulate.replay import CMachine, Outcome, replay
-from targets.boards import EMBEDDED, target
 from targets.flight import flight
 from targets.pil import Run, processor_in_the_loop, read_run
+from toolchain.tools import EMBEDDED, target
 
 MAIN = """#include "board.h"
 int shaker2_programme_test(void (*print)(const char *text));
@@ -34,12 +34,12 @@ PASSED = ["programme_at PASS cases 8 wrong 0", "refusals PASS wrong 0", "clock P
 @pytest.mark.parametrize("name", EMBEDDED)
 def test_programmes(name: str, kind: str, real: str, tmp_path: Path) -> None:
     """Their own self-test says so; one of the two has a run-up."""
-    chosen, given = target(name), "started" if kind == "quintic" else "swaying"
-    sources = {n: t for n, t in programme(given, kind, real).files.items() if n.endswith((".c", ".h"))}
+    chosen, motion = target(name), "started" if kind == "quintic" else "swaying"
+    sources = {n: t for n, t in programme(motion, kind, real).files.items() if n.endswith((".c", ".h"))}
     sources |= {"shaker2.h": stand_files(real)["shaker2.h"], "main.c": MAIN}
     lines = run(chosen, build(chosen, sources, tmp_path)).splitlines()
     assert [line for line in lines if line in PASSED] == PASSED
-    assert ("programme_runup_at PASS cases 8 wrong 0" in lines) == (given == "started")
+    assert ("programme_runup_at PASS cases 8 wrong 0" in lines) == (motion == "started")
 
 
 def driven(board: str, real: str, folder: Path) -> Run:
@@ -54,7 +54,7 @@ def driven(board: str, real: str, folder: Path) -> Run:
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "real"), [("m7", "double"), ("m4", "float"), ("rv64gc", "double"), ("m55", "double")])
 def test_servos_with_the_processor_in_the_loop(name: str, real: str, tmp_path: Path) -> None:
-    host, board = (driven(each, real, tmp_path) for each in ("host", name))
+    host, board = (driven(place, real, tmp_path) for place in ("host", name))
     assert len(set(host.torques)) == 200  # the loop is alive
     assert board.torques == host.torques
     assert (board.followed, board.limited) == (host.followed, host.limited)
@@ -75,12 +75,12 @@ def test_a_flight_of_two_thousand_steps(board: str, name: str, real: str, torque
     data, notes = load(log)
     assert notes == []
     assert sum(isinstance(r, Start) for r in records(data)) == 2
-    told = list(replay(CMachine(flown, real), records(data)))
-    found = [o for o in told if isinstance(o, Outcome)]
-    assert len(told) == len(found) == 2002  # two of them refused
-    assert all(o.equal for o in found)
-    assert sum(o.status < 0 for o in found) == 2
-    assert abs(found[-1].after["phi_dot"]).max() > 0.1  # it moved
+    replayed = list(replay(CMachine(flown, real), records(data)))
+    outcomes = [o for o in replayed if isinstance(o, Outcome)]
+    assert len(replayed) == len(outcomes) == 2002  # two of them refused
+    assert all(o.equal for o in outcomes)
+    assert sum(o.status < 0 for o in outcomes) == 2
+    assert abs(outcomes[-1].after["phi_dot"]).max() > 0.1  # it moved
 
 
 FLAGS = ("-DSETTLE=100", "-DDUMP=300", "-DLAST=10", "-DARCSEC_MOST=100")
@@ -100,7 +100,7 @@ def test_attitude_loops(name: str, real: str, tmp_path: Path) -> None:
         chosen = target(board)
         lines = run(chosen, build(chosen, made.files, tmp_path / board, extra=FLAGS), timeout=300).splitlines()
         printed.append([line for line in lines if not line.startswith("#")])  # those count instructions
-    here, there = printed
-    assert here == there
-    assert any(line.startswith("hash ") for line in here)
-    assert here[-1] == "failures 0"
+    of_host, of_board = printed
+    assert of_host == of_board
+    assert any(line.startswith("hash ") for line in of_host)
+    assert of_host[-1] == "failures 0"

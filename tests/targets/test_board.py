@@ -10,7 +10,7 @@ from mahovik.core.toolchain import targets as targets_module
 from mahovik.core.toolchain.board import build, run
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.errors import ToolchainError
-from targets.boards import EMBEDDED, QUICK, target
+from toolchain.tools import EMBEDDED, QUICK, target
 
 HELLO = """
 #include "board.h"

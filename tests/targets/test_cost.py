@@ -16,8 +16,7 @@ from mahovik.proof.cost import measure as measuring
 from mahovik.proof.cost.check import compare
 from mahovik.proof.cost.measure import Costs, FunctionCost, TargetCost, measure, parse_targets
 from mahovik.proof.cost.page import as_json, page, read_accepted_costs
-from targets.boards import target
-from toolchain.tools import require
+from toolchain.tools import require, target
 
 
 @pytest.fixture(scope="module")

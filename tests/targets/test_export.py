@@ -9,8 +9,7 @@ import pytest
 
 from cli.run import DEMO3, refused, run
 from mahovik.stands import path
-from targets.boards import target
-from toolchain.tools import require
+from toolchain.tools import require, target
 
 EYE4 = str(path("eye4"))
 

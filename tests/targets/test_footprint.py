@@ -8,7 +8,7 @@ import pytest
 
 from mahovik.core.toolchain.board import compile_one
 from mahovik.core.toolchain.footprint import STACK_FLAGS, Footprint, footprint
-from targets.boards import target
+from toolchain.tools import target
 
 CHAIN = """
 extern const int table[25];

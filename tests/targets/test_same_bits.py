@@ -23,7 +23,7 @@ from mahovik.proof.verify.targets import (
     parse_targets,
     verify_targets,
 )
-from targets.boards import target
+from toolchain.tools import target
 
 
 @pytest.mark.slow

@@ -33,12 +33,12 @@ def test_whatever_the_compiler_sees_is_in_the_key(tmp_path: Path, monkeypatch: p
         cached(tmp_path / "x.c", tmp_path / "x.so", flags)
         return (tmp_path / "x.so").read_text(encoding="ascii")
 
-    found = [built(), built("int y;\n"), built(header="int z;\n"), built(flags=("-O0",))]
+    libraries = [built(), built("int y;\n"), built(header="int z;\n"), built(flags=("-O0",))]
     native = [built(flags=("-march=native",)) for _ in range(2)]  # for another processor it is another
     monkeypatch.setenv("CC", "gcc -g0")
-    found += [built(), *native]
-    assert len(set(found)) == len(calls) == 7
-    assert built() == found[4]
+    libraries += [built(), *native]
+    assert len(set(libraries)) == len(calls) == 7
+    assert built() == libraries[4]
 
 
 def test_equal_arguments_are_made_once_where_that_may_be() -> None:

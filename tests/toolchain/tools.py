@@ -10,6 +10,8 @@ from typing import NoReturn
 
 import pytest
 
+from mahovik.core.toolchain.targets import TARGETS, Target
+
 FIRMWARE_WARNINGS = (
     "-std=c99",
     "-Wall",
@@ -30,6 +32,12 @@ FIRMWARE_WARNINGS = (
 SSE = ("-m32", "-msse2", "-mfpmath=sse")
 """Flags of gcc and clang for 32-bit x86 with numbers as IEEE 754 has them: x87 is refused."""
 
+EMBEDDED = ("m3", "m4", "m7", "m33", "m55", "rv32imac", "rv32imafc", "rv32gc", "rv64imac", "rv64gc")
+"""Targets that are boards."""
+
+QUICK = ("host", "m4", "m7", "rv64gc")
+"""A few targets: this computer and a board of each kind."""
+
 
 def require(tool: str, package: str) -> str:
     """Path of a tool; without it the test is skipped, in CI it fails: there nothing is left out."""
@@ -37,6 +45,14 @@ def require(tool: str, package: str) -> str:
     if found is None:
         _absent(f"no {tool}: apt-get install {package}")
     return found
+
+
+def target(name: str) -> Target:
+    """The target, with all that it needs."""
+    chosen = TARGETS[name]
+    for command in (chosen.compiler[0], chosen.link[0], *chosen.emulator[:1]):
+        require(command, " ".join(chosen.packages))
+    return chosen
 
 
 def require_32_bit() -> str:

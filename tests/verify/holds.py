@@ -68,11 +68,11 @@ def state_of(stand: Stand, seed: int) -> State:
     return replace(state, V=twist_of(stand.hold, u), V_dot=twist_of(stand.hold, u_dot))
 
 
-def worst(found: dict[str, Any], other: dict[str, Any]) -> float:
+def worst(answer: dict[str, Any], other: dict[str, Any]) -> float:
     """Largest difference of two answers, by the largest number of each quantity; of a screw, of each half."""
     off = 0.0
-    for name in found.keys() & other.keys():
-        a, b = np.array(found[name]), np.array(other[name])
+    for name in answer.keys() & other.keys():
+        a, b = np.array(answer[name]), np.array(other[name])
         assert a.shape == b.shape, name
         for one, two in zip(np.split(a, 2), np.split(b, 2), strict=True) if a.shape == (6,) else ((a, b),):
             scale = float(np.abs(two).max(initial=0.0))
@@ -80,16 +80,16 @@ def worst(found: dict[str, Any], other: dict[str, Any]) -> float:
     return off
 
 
-def agree(stand: Stand, state: State, own: Any, judge: Any, want: str, most: float) -> None:
+def agree(stand: Stand, state: State, backend: Any, judge: Any, want: str, most: float) -> None:
     """Both answers to a want are equal; a reaction by what it balances, which may be far larger: K V*."""
-    found, other = own.evaluate(state, [want]), judge.evaluate(state, [want])
-    assert found.keys() == other.keys()
-    for name, reading in found.pop("points", {}).items():
+    answer, other = backend.evaluate(state, [want]), judge.evaluate(state, [want])
+    assert answer.keys() == other.keys()
+    for name, reading in answer.pop("points", {}).items():
         assert worst(reading, other["points"][name]) < most
-    if "reaction" in found:
+    if "reaction" in answer:
         K = NumpyBackend(stand).evaluate(state, ["matrices"])["K"]
-        left = found.pop("reaction") - np.array(other.pop("reaction"))
+        left = answer.pop("reaction") - np.array(other.pop("reaction"))
         for half in (slice(0, 3), slice(3, 6)):
             scale = float(np.abs(K[half]) @ np.abs(other.get("V_dot", state.V_dot)) @ np.ones(3))
             assert np.abs(left[half]).max() <= most * max(scale, 1.0), (want, "reaction")
-    assert not found or worst(found, other) < most, want
+    assert not answer or worst(answer, other) < most, want

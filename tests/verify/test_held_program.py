@@ -26,9 +26,9 @@ def test_a_blocked_direction_moves_nothing_and_the_reaction_bears_it() -> None:
     """A weight on a hinge: turned about the vertical it does not fall, and the hinge bears weight and its moment."""
     text = PENDULUM.replace('freedoms = ["pitch"]', 'freedoms = ["yaw"]')
     stand = loads(text)
-    found = InterpreterBackend(generate_all(stand)).evaluate(rest_state(stand), ["forward"])
-    assert found["u_dot"] == [0.0]
-    assert found["reaction"] == pytest.approx([0, 0, 2.5 * 9.81, 0, 0, 0], rel=1e-14)
+    output = InterpreterBackend(generate_all(stand)).evaluate(rest_state(stand), ["forward"])
+    assert output["u_dot"] == [0.0]
+    assert output["reaction"] == pytest.approx([0, 0, 2.5 * 9.81, 0, 0, 0], rel=1e-14)
 
 
 def test_what_the_c_has_not_is_an_error_line_and_no_function() -> None:
@@ -44,32 +44,32 @@ def test_what_the_c_has_not_is_an_error_line_and_no_function() -> None:
         for backend in (InterpreterBackend(generate_all(lacking)), NumpyBackend(lacking)):
             with pytest.raises(StateError, match=rf'^want: no "inverse" {why}, ask for forward$'):
                 backend.evaluate(rest_state(lacking), ["inverse"])
-    own = generate_all(clamped).program
-    assert {"inverse", "inverse_fast"}.isdisjoint(f.name for f in own.functions)
+    program = generate_all(clamped).program
+    assert {"inverse", "inverse_fast"}.isdisjoint(f.name for f in program.functions)
 
 
 @pytest.mark.parametrize("name", quick(1, ["clamped", "knife edge"]))
 def test_a_lock_leaves_a_flywheel_as_part_of_the_carrier(name: str) -> None:
     """phi'' of a locked flywheel is zero, and the others and the carrier move as for this given acceleration."""
     stand = random_held_stand(name, 6, WET)
-    own, state = InterpreterBackend(generate_all(stand)), replace(state_of(stand, 2), wrench={})
-    inputs = own.arguments(state)
-    _, found = own.call("coupled", {**inputs, "locked": [0, 1, 0]})
-    assert found["phi_ddot"][1] == 0.0 and all(found["phi_ddot"][i] for i in (0, 2))
-    _, given = own.call("forward", {**inputs, "phi_ddot": found["phi_ddot"]})
-    assert np.allclose(given["V_dot"], found["V_dot"], rtol=0, atol=1e-11 * np.abs(found["V_dot"]).max())
-    _, torque = own.call("torque", {**inputs, "V_dot": found["V_dot"], "phi_ddot": found["phi_ddot"]})
+    backend, state = InterpreterBackend(generate_all(stand)), replace(state_of(stand, 2), wrench={})
+    inputs = backend.arguments(state)
+    _, coupled = backend.call("coupled", {**inputs, "locked": [0, 1, 0]})
+    assert coupled["phi_ddot"][1] == 0.0 and all(coupled["phi_ddot"][i] for i in (0, 2))
+    _, forward = backend.call("forward", {**inputs, "phi_ddot": coupled["phi_ddot"]})
+    assert np.allclose(forward["V_dot"], coupled["V_dot"], rtol=0, atol=1e-11 * np.abs(coupled["V_dot"]).max())
+    _, torque = backend.call("torque", {**inputs, "V_dot": coupled["V_dot"], "phi_ddot": coupled["phi_ddot"]})
     assert np.array(torque["tau"])[[0, 2]] == pytest.approx(np.array(state.tau)[[0, 2]], rel=1e-9)
 
 
 def run_steps(stand: Stand, x: dict[str, Any], dt: float, count: int, order: int = 4) -> dict[str, Any]:
     """The state after steps without drive torque."""
-    own = InterpreterBackend(generate_all(stand))
-    inputs = own.arguments(rest_state(stand))
+    backend = InterpreterBackend(generate_all(stand))
+    inputs = backend.arguments(rest_state(stand))
     for _ in range(count):
-        status, found = own.call("step", {**inputs, "x": x, "dt": dt, "order": order})
+        status, output = backend.call("step", {**inputs, "x": x, "dt": dt, "order": order})
         assert status == 0
-        x = found["next"]
+        x = output["next"]
     return x
 
 
@@ -77,25 +77,27 @@ def test_steps_swing_as_the_pendulum_does_about_a_pivot_that_stays() -> None:
     """The physical pendulum with a wheel that turns freely about its axis, by its own equation in the angle."""
     stand, angle = loads(PENDULUM), 2.0
     x = {"position": [-0.1, 0.2, 0.3], "attitude": [np.cos(1.0), 0, np.sin(1.0), 0], "V": [0.0] * 6}
-    found = run_steps(stand, {**x, "phi": [0.0], "phi_dot": [0.0]}, 1e-3, 400)
+    end = run_steps(stand, {**x, "phi": [0.0], "phi_dot": [0.0]}, 1e-3, 400)
     inertia, weight = 0.02 + 2.5 * 0.2**2, 2.5 * 9.81 * 0.2
 
     def fall(_: float, y: Any) -> list[float]:
         return [y[1], weight * np.sin(y[0]) / inertia]
 
     swung = solve_ivp(fall, (0.0, 0.4), [angle, 0.0], method="DOP853", rtol=1e-13, atol=1e-13).y[:, -1]
-    w, _, y, _ = found["attitude"]
+    w, _, y, _ = end["attitude"]
     assert 2 * np.arctan2(y, w) == pytest.approx(swung[0], abs=1e-9)
-    assert found["V"] == pytest.approx([-0.2 * -swung[1], 0, 0, 0, swung[1], 0], abs=1e-8)
+    assert end["V"] == pytest.approx([-0.2 * -swung[1], 0, 0, 0, swung[1], 0], abs=1e-8)
     arm = [np.array([np.sin(a), 0, np.cos(a)]) * -0.2 for a in (angle, 2 * np.arctan2(y, w))]
-    assert np.array(found["position"]) + arm[1] == pytest.approx(np.array(x["position"]) + arm[0], abs=1e-14)
+    assert np.array(end["position"]) + arm[1] == pytest.approx(np.array(x["position"]) + arm[0], abs=1e-14)
 
 
-def answer(own: InterpreterBackend, stand: Stand, state: Any, function: str, **options: Any) -> tuple[int, np.ndarray]:
+def answer(
+    backend: InterpreterBackend, stand: Stand, state: Any, function: str, **options: Any
+) -> tuple[int, np.ndarray]:
     """Status without EXCESSIVE, and phi''."""
-    given = own.arguments(state)
-    status, found = own.call(function, {**given, "options": {**given["options"], **options}})
-    phi_ddot = found.get("out", found).get("phi_ddot", np.full(len(stand.flywheels), np.nan))
+    inputs = backend.arguments(state)
+    status, output = backend.call(function, {**inputs, "options": {**inputs["options"], **options}})
+    phi_ddot = output.get("out", output).get("phi_ddot", np.full(len(stand.flywheels), np.nan))
     return status & ~STATUS_VALUES["EXCESSIVE"] if status > 0 else status, np.array(phi_ddot)
 
 
@@ -107,25 +109,25 @@ def test_inverse_fast_of_a_wheel_on_a_hinge_by_the_closed_formula() -> None:
         u=(0.4,), V=(0, 0, 0, 0, 0.4, 0),
         u_dot=(wanted,), V_dot=(0, 0, 0, 0, wanted, 0), phi_dot=(90.0,),
     )  # fmt: skip
-    status, found = answer(InterpreterBackend(generate_all(stand)), stand, state, "inverse_fast")
+    status, phi_ddot = answer(InterpreterBackend(generate_all(stand)), stand, state, "inverse_fast")
     assert status == 0
     expected = -(WHOLE * wanted + MASS * 9.81 * ARM * np.sin(theta)) / SPIN
-    assert found == pytest.approx([expected], rel=1e-14)
+    assert phi_ddot == pytest.approx([expected], rel=1e-14)
 
 
 @pytest.mark.parametrize(("name", "flywheels"), quick(2, [("ball joint", 2), ("hinge", 3), ("all but one", 7)]))
 def test_inverse_fast_is_the_answer_of_inverse_with_weights(name: str, flywheels: int) -> None:
     """With fewer flywheels than freedoms the least residual, in the norm of (S^T K S)^-1, else the least phi''."""
     stand = replace(random_held_stand(name, 12, DRY, flywheels), phase_input="sincos")
-    own = InterpreterBackend(generate_all(stand))
+    backend = InterpreterBackend(generate_all(stand))
     weight = [float(w) for w in np.linspace(1.0, 4.0, flywheels)]
     state = replace(state_of(stand, 0), wrench={})
-    _, expected = answer(own, stand, state, "inverse", weight=weight)
-    status, found = answer(own, stand, state, "inverse_fast", weight=weight)
+    _, expected = answer(backend, stand, state, "inverse", weight=weight)
+    status, phi_ddot = answer(backend, stand, state, "inverse_fast", weight=weight)
     assert status == 0
-    assert np.abs(found - expected).max() <= 1e-9 * np.abs(expected).max()
-    same_status, same = answer(own, stand, state, "inverse_fast_at", weight=weight)
-    assert (same_status, same.tolist()) == (status, found.tolist())
+    assert np.abs(phi_ddot - expected).max() <= 1e-9 * np.abs(expected).max()
+    same_status, same = answer(backend, stand, state, "inverse_fast_at", weight=weight)
+    assert (same_status, same.tolist()) == (status, phi_ddot.tolist())
 
 
 def test_a_freedom_that_no_flywheel_drives_is_refused_without_damping() -> None:
@@ -133,5 +135,5 @@ def test_a_freedom_that_no_flywheel_drives_is_refused_without_damping() -> None:
     hinge = pendulum()
     wheel = replace(hinge.flywheels[0], mounting=MountingAxes((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)))
     stand = replace(hinge, flywheels=(wheel,))
-    own, state = InterpreterBackend(generate_all(stand)), replace(rest_state(stand), V_dot=(0, 0, 0, 0, 1.0, 0))
-    assert answer(own, stand, state, "inverse_fast")[0] == STATUS_VALUES["NOT_POSITIVE_DEFINITE"]
+    backend, state = InterpreterBackend(generate_all(stand)), replace(rest_state(stand), V_dot=(0, 0, 0, 0, 1.0, 0))
+    assert answer(backend, stand, state, "inverse_fast")[0] == STATUS_VALUES["NOT_POSITIVE_DEFINITE"]

@@ -63,10 +63,10 @@ def judged(stand: Stand, wants: tuple[str, ...], error: float = 0.0) -> dict[tup
     judge = Judge(stand, DOUBLE, Second(stand))
     for name, state in draw(stand, 1, 6):
         for want in wants:
-            found = reference.evaluate(stand, state, [want])
-            if "u_dot" in found:
-                found["u_dot"] = found["u_dot"] + error
-            judge.compare(Request(name, state, (want,)), want, found)
+            answer = reference.evaluate(stand, state, [want])
+            if "u_dot" in answer:
+                answer["u_dot"] = answer["u_dot"] + error
+            judge.compare(Request(name, state, (want,)), want, answer)
     return {(row.want, row.quantity): row.excess for row in judge.rows()}
 
 
@@ -98,14 +98,14 @@ def test_what_a_held_carrier_does_not_have_is_a_row_with_the_reason() -> None:
 def test_an_error_of_a_digit_is_seen(quantity: str) -> None:
     """A relative error of 1e-9 in the answer of the program fails, at ordinary states."""
     stand = random_held_stand("hinge", 4)
-    own = Judge(stand, DOUBLE)
+    judge = Judge(stand, DOUBLE)
     for name, state in draw(stand, 1, 6, wrenches=False):
-        expected = own.expected_answer(state, "forward")
+        expected = judge.expected_answer(state, "forward")
         assert expected is not None
         if quantity in expected:
             wrong = {**expected, quantity: np.array(expected[quantity]) * (1 + 1e-9)}
-            own.compare(Request(name, state, ("forward",)), "forward", wrong)
-    verdicts = {row.quantity: row.verdict for row in own.rows()}
+            judge.compare(Request(name, state, ("forward",)), "forward", wrong)
+    verdicts = {row.quantity: row.verdict for row in judge.rows()}
     assert verdicts.pop(quantity) == "FAILED" and set(verdicts.values()) == {"ok"}
 
 
@@ -146,20 +146,20 @@ def test_reactions_on_a_carrier_without_inertia_are_skipped_with_the_reason() ->
 
 def test_a_stand_that_is_none_without_fluid_is_skipped_with_the_reason() -> None:
     """Every judge says so; nothing is compared, which is no pass."""
-    found = verify_judges(HELD, count=2, bare=True)
-    assert [row.want for row in found.rows] == list(ALL)
-    for row in found.rows:
+    report = verify_judges(HELD, count=2, bare=True)
+    assert [row.want for row in report.rows] == list(ALL)
+    for row in report.rows:
         assert (row.verdict, row.states) == ("not compared", 0)
         assert row.reason.startswith("the stand without carrier: added_mass has no positive definite mass matrix")
-    assert not found.passed
+    assert not report.passed
 
 
 ROUNDING = 1 + 1e-9  # of the scale's own sums; the bound itself is exact
 
 
-def pairs(found: dict[str, Any], natural: dict[str, Any]) -> list[tuple[str, Any, Any]]:
+def pairs(answer: dict[str, Any], natural: dict[str, Any]) -> list[tuple[str, Any, Any]]:
     flat = []
-    for name, value in found.items():
+    for name, value in answer.items():
         if isinstance(value, dict):
             flat += [(f"{name} {n}", v, s) for n, v, s in pairs(value, natural[name])]
         elif natural[name] is not None:
@@ -173,12 +173,12 @@ def check_bounds(stand: Stand, want: str, seed: int) -> int:
         if not applicable(state, want):
             continue
         try:
-            found = reference.evaluate(stand, state, [want])
+            answer = reference.evaluate(stand, state, [want])
         except StateError:
             continue
         natural = scales(stand, state, reference.pieces(stand, state), want)
-        assert set(natural) == set(found)
-        for name, value, scale in pairs(found, natural):
+        assert set(natural) == set(answer)
+        for name, value, scale in pairs(answer, natural):
             assert value.shape == scale.shape, name
             assert np.all(np.abs(value) <= scale * ROUNDING + 1e-290), name
             checked += 1
@@ -205,14 +205,14 @@ def subject(folder: Path) -> Subject:
 
 
 def test_evidence_says_that_there_is_nothing_to_judge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    found = agreement._ask_judges(subject(tmp_path), lambda _: None)
-    assert found.verdict is Verdict.NOTHING
-    assert "no positive definite mass matrix" in found.figure
+    outcome = agreement._ask_judges(subject(tmp_path), lambda _: None)
+    assert outcome.verdict is Verdict.NOTHING
+    assert "no positive definite mass matrix" in outcome.figure
     refused = [Row(name, "all quantities", verdict="not compared", reason=f"{name}: too light") for name in "ab"]
     report = replace(verify_judges(POINT, count=1, names=(), until=0.0), rows=tuple(refused))
     monkeypatch.setattr(agreement, "verify_judges", lambda *_, **__: report)
-    found = agreement._ask_judges(subject(tmp_path), lambda _: None)
-    assert (found.verdict, found.figure) == (Verdict.NOTHING, "a: too light; b: too light")
+    outcome = agreement._ask_judges(subject(tmp_path), lambda _: None)
+    assert (outcome.verdict, outcome.figure) == (Verdict.NOTHING, "a: too light; b: too light")
 
 
 def test_a_judge_that_refuses_some_cases_only_fails() -> None:

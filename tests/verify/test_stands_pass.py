@@ -144,17 +144,17 @@ CASES = QUICK | SLOW
 @pytest.mark.parametrize("name", quick(len(QUICK), CASES))
 def test_right_c_passes(name: str) -> None:
     stand, real = CASES[name][0](), CASES[name][1]
-    found = verify_c(stand, seed=1, count=STATES, real=real)
-    assert found.passed, conclusion(found)
-    assert compared(found, stand) <= {(row.want, row.quantity) for row in found.rows if row.verdict == "ok"}
-    assert all(row.between is not None for row in found.rows if row.second is not None and row.states)
+    report = verify_c(stand, seed=1, count=STATES, real=real)
+    assert report.passed, conclusion(report)
+    assert compared(report, stand) <= {(row.want, row.quantity) for row in report.rows if row.verdict == "ok"}
+    assert all(row.between is not None for row in report.rows if row.second is not None and row.states)
 
 
-def compared(found: Report, stand: Stand) -> set[tuple[str, str]]:
+def compared(report: Report, stand: Stand) -> set[tuple[str, str]]:
     """Rows that a stand must have, the second derivation beside reference and C in those of motions."""
     held = stand.hold is not None
     expected = {("forward", "V_dot"), ("coupled", "V_dot"), ("momentum", "energy")}
-    three = {(row.want, row.quantity) for row in found.rows if row.second is not None}
+    three = {(row.want, row.quantity) for row in report.rows if row.second is not None}
     assert three >= expected
     assert (("torque", "tau") in three) == bool(stand.flywheels)
     assert (("points", "points") in three) == bool(stand.points or stand.instruments)
@@ -169,9 +169,9 @@ def compared(found: Report, stand: Stand) -> set[tuple[str, str]]:
 @pytest.mark.parametrize("file", HELD, ids=lambda file: file.stem)
 def test_joints_of_others_agree_with_the_held_stands_of_the_docs(file: Path) -> None:
     """Pinocchio has no joint without freedoms."""
-    found = verify_judges(load(file), count=6, names=("pinocchio", "mujoco"), bare=True)
-    assert found.passed
-    silent = {row.want for row in found.rows if row.verdict == "not compared"}
+    report = verify_judges(load(file), count=6, names=("pinocchio", "mujoco"), bare=True)
+    assert report.passed
+    silent = {row.want for row in report.rows if row.verdict == "not compared"}
     assert silent == ({"pinocchio"} if file.stem == "force_table" else set())
 
 

@@ -96,8 +96,8 @@ def test_the_judges_are_satisfied_and_wrong_inputs_refused() -> None:
     rows = rows_about(case)
     assert failed(rows) == []
     assert {row.verdict for row in rows if row.want == "torque_for_pointing"} == {"ok"}
-    found = check_refusals(case.backend.program, good_inputs(case.backend, case.states), raw_call(case.backend))
-    assert found.verdict == "ok", (found.reason, found.state)
+    refusals = check_refusals(case.backend.program, good_inputs(case.backend, case.states), raw_call(case.backend))
+    assert refusals.verdict == "ok", (refusals.reason, refusals.state)
 
 
 @pytest.mark.parametrize("fault", quick(1, FAULTS))
@@ -131,8 +131,8 @@ def test_a_sign_of_s_that_C_and_reference_have_alike_is_noticed(
     assert changed == 9
     source.write_text(text)
 
-    def wrong(*given: Any) -> TaskRows:
-        rows = task_rows(*given)
+    def wrong(*arguments: Any) -> TaskRows:
+        rows = task_rows(*arguments)
         return TaskRows(rows.S, -rows.s)
 
     monkeypatch.setattr("mahovik.proof.verify.functions.allocation.task_rows", wrong)
@@ -145,13 +145,13 @@ def test_a_sign_of_s_that_C_and_reference_have_alike_is_noticed(
 def test_tasks_of_random_stands(seed: int, real: str) -> None:
     """All kinds of bodies, rows of all kinds: reference and C agree within the bounds; wrong inputs are refused."""
     rng = np.random.default_rng(700 + seed)
-    given = random_stand(rng, int(rng.integers(1, 9)), EVERYTHING)
-    backend = CBackend(given, real)
-    states = draw(given, seed, 40, real, wrenches=False)
-    case = Case(given, backend, ordinary(states, backend.inputs, 6), BOUNDS[real], Second(given), seed)
+    drawn = random_stand(rng, int(rng.integers(1, 9)), EVERYTHING)
+    backend = CBackend(drawn, real)
+    states = draw(drawn, seed, 40, real, wrenches=False)
+    case = Case(drawn, backend, ordinary(states, backend.inputs, 6), BOUNDS[real], Second(drawn), seed)
     names = [f.name for f in backend.program.functions if f.public and f.name.startswith("inverse")]
     assert len(names) == 6
-    names += [f"torque_for_{task.name}" for task in given.tasks]
+    names += [f"torque_for_{task.name}" for task in drawn.tasks]
     assert failed([row for name in names for row in rows_of(case, name)]) == []
     if real == "double":
         assert check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)).verdict == "ok"

@@ -16,7 +16,7 @@ LARGE = 1e-11
 
 def audit_row(name: str) -> tuple[str | float | None, ...]:
     """The row of an audit."""
-    from audits.catalogue import AUDITS
+    from audits.measure import AUDITS
     from audits.measure import measure as measure_audit
 
     audit = AUDITS[name]
@@ -31,7 +31,7 @@ def audit_row(name: str) -> tuple[str | float | None, ...]:
 
 def measure(options: Namespace) -> Iterator[tuple[str | float | None, ...]]:
     """A row for each audit."""
-    from audits.catalogue import AUDITS
+    from audits.measure import AUDITS
 
     return side_by_side(audit_row, options.jobs, list(AUDITS))
 

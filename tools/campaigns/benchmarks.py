@@ -58,10 +58,10 @@ def claim(rows: Rows) -> str:
     lines = [line for line in by_size(rows) if line["N = 8"] is not None]
     words = []
     for work in ("forward", "coupled", "torque"):
-        (own,) = (line for line in lines if (line["work"], line["program"]) == (work, SCALAR))
-        others: list[Row] = [line for line in lines if line["work"] == work and line["program"] not in OWN]
-        fastest = min(others, key=lambda line: line["N = 8"])
-        words.append(f"`{work}` {own['N = 8']:.0f} ns ({fastest['program']}: {fastest['N = 8']:.0f})")
+        (scalar,) = (line for line in lines if (line["work"], line["program"]) == (work, SCALAR))
+        peers: list[Row] = [line for line in lines if line["work"] == work and line["program"] not in OWN]
+        fastest = min(peers, key=lambda line: line["N = 8"])
+        words.append(f"`{work}` {scalar['N = 8']:.0f} ns ({fastest['program']}: {fastest['N = 8']:.0f})")
     (batch,) = (line["N = 8"] for line in lines if (line["work"], line["program"]) == ("forward", BATCH))
     return (
         f"With eight flywheels a call takes, beside the fastest other program, {', '.join(words)}; `forward` of a "

@@ -143,11 +143,11 @@ def install(options: Namespace) -> Iterator[tuple[str, float, float]]:
     base = getattr(sys, "_base_executable", sys.executable)
     env = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "VIRTUAL_ENV")}
     with tempfile.TemporaryDirectory() as scratch:
-        clone, own = Path(scratch) / "mahovik", Path(scratch) / "own"
+        clone, venv = Path(scratch) / "mahovik", Path(scratch) / "venv"
         subprocess.run(["git", "clone", "-q", ROOT, clone], check=True)
-        run([base, "-m", "venv", str(own)], env, clone)
-        pip = [str(own / "bin" / "pip"), "install", "-q", ".[report]"]
-        yield INSTALL, run(pip, env, clone).clock, disk(own)
+        run([base, "-m", "venv", str(venv)], env, clone)
+        pip = [str(venv / "bin" / "pip"), "install", "-q", ".[report]"]
+        yield INSTALL, run(pip, env, clone).clock, disk(venv)
         for command in (DEMO, TESTS):
             yield command, run([*command.split(), f"PYTHON={base}"], env, clone).clock, disk(clone / ".venv")
 

@@ -120,7 +120,7 @@ def measure(options: Namespace) -> Iterator[tuple[str, float, float | None, floa
                 break
             write_run(file, data[seed % options.truths], np.random.default_rng(1000 + seed))
             trials.append(trial(stand, file, truths[seed % options.truths]))
-    covered = np.array([each for _, each, _ in trials])
+    covered = np.array([covers for _, covers, _ in trials])
     worst = {key: max(errors[key] for errors, _, _ in trials) for key in trials[0][0]}
     yield "trials", len(trials), None, None
     yield "largest error of a static unbalance, %", 100.0 * worst["static"], None, 2.0

@@ -101,7 +101,7 @@ def measure(options: Namespace) -> Iterator[tuple[Any, ...]]:
             good, spent, peaks, objections = zip(*side_by_side(outcome, options.jobs, *columns), strict=True)
             refused = sum(map(bool, objections))
             peak = (
-                float(np.median([peak for peak, found in zip(peaks, good, strict=True) if found]))
+                float(np.median([peak for peak, is_good in zip(peaks, good, strict=True) if is_good]))
                 if any(good)
                 else None
             )
@@ -115,9 +115,9 @@ def is_verified(row: Row) -> bool:
 
 def claim(rows: Rows) -> str:
     """How often and how fast programmes are found."""
-    found, stands = (sum(row[key] for row in rows) for key in ("found", "stands"))
+    planned, stands = (sum(row[key] for row in rows) for key in ("found", "stands"))
     return (
-        f"`plan` finds programmes for {found} of {stands} random stands and motions, in a median of at most "
+        f"`plan` finds programmes for {planned} of {stands} random stands and motions, in a median of at most "
         f"{max(row['median, s'] for row in rows):.1f} s; the independent verification refuses "
         f"{sum(row['refused'] for row in rows)}"
     )

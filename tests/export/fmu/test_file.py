@@ -91,15 +91,15 @@ def test_the_checker_finds_nothing_but_for_names(name: str, version: str, kind: 
 
 
 def test_start_values_are_those_of_the_stand() -> None:
-    found = fmus.stand("bench8")
+    stand = fmus.stand("bench8")
     read = fmpy.read_model_description(fmus.path("bench8", "3.0", "cs", "torque", binary=False))
     variables = {v.name: v for v in read.modelVariables}
-    assert float(variables["carrier.mass"].start) == found.carrier.mass
-    assert [float(variables[f"gravity[{i}]"].start) for i in (1, 2, 3)] == list(found.gravity)
-    w3 = found.flywheels[2]
+    assert float(variables["carrier.mass"].start) == stand.carrier.mass
+    assert [float(variables[f"gravity[{i}]"].start) for i in (1, 2, 3)] == list(stand.gravity)
+    w3 = stand.flywheels[2]
     assert float(variables["w3.mass"].start) == w3.mass
     assert [float(variables[f"w3.center_of_mass[{i}]"].start) for i in (1, 2, 3)] == list(w3.center_of_mass)
-    held = found.law(Suspension)
+    held = stand.law(Suspension)
     assert held is not None
     assert float(variables["suspension.stiffness[4,4]"].start) == held.stiffness[3][3]
     for name in ("carrier.mass", "w3.position[2]", "suspension.damping[1,1]"):
@@ -133,8 +133,8 @@ def test_units_are_what_their_exponents_say() -> None:
                 expected = [a + b for a, b in zip(expected, powers(below, -1), strict=True)]
             exponents = unit.find("BaseUnit")
             assert exponents is not None
-            found = [int(exponents.attrib.get(b, 0)) for b in ("kg", "m", "s", "rad", "A")]
-            assert found == expected, unit.attrib["name"]
+            listed = [int(exponents.attrib.get(b, 0)) for b in ("kg", "m", "s", "rad", "A")]
+            assert listed == expected, unit.attrib["name"]
             seen.add(unit.attrib["name"])
             for display in unit.iterfind("DisplayUnit"):
                 factors = {"deg": 180 / math.pi, "rpm": 30 / math.pi, "mm": 1e3, "g": 1e3}
@@ -146,15 +146,15 @@ def test_units_are_what_their_exponents_say() -> None:
 
 
 def test_bytes_are_the_same_twice_and_tell_stands_apart() -> None:
-    found, made = fmus.stand("rigid"), fmus.generated("rigid")
+    stand, made = fmus.stand("rigid"), fmus.generated("rigid")
     first, again = (
-        export_fmu(found, "3.0", "cs", start=rest_state(found), binary=False, generated=made) for _ in range(2)
+        export_fmu(stand, "3.0", "cs", start=rest_state(stand), binary=False, generated=made) for _ in range(2)
     )
     assert first.content == again.content
     assert not re.search(
         rb"20\d\d-\d\d-\d\d", b"".join(str(x).encode() for n, x in first.files.items() if "fmi3" not in n)
     )
-    other = replace(found, gravity=(0.0, 0.0, -1.62))
+    other = replace(stand, gravity=(0.0, 0.0, -1.62))
     moon = export_fmu(other, "3.0", "cs", start=rest_state(other), binary=False)
     assert moon.lines[0] != first.lines[0]
 
@@ -190,7 +190,7 @@ def test_sources_alone_are_enough(version: str, kind: Kind, tmp_path: Path) -> N
     (tmp_path / "build").mkdir()
     build_platform_binary(tmp_path, tmp_path / "build")
     seen = ["carrier.position[3]", "w1.phi", "energy"]
-    given = {"stop_time": 0.02, "output_interval": 0.01, "output": seen, "start_values": {"w1.phi_dot": 30.0}}
-    theirs = fmpy.simulate_fmu(str(tmp_path), **given)
-    ours = fmpy.simulate_fmu(fmus.path("driven", version, kind, "torque"), **given)
+    options = {"stop_time": 0.02, "output_interval": 0.01, "output": seen, "start_values": {"w1.phi_dot": 30.0}}
+    theirs = fmpy.simulate_fmu(str(tmp_path), **options)
+    ours = fmpy.simulate_fmu(fmus.path("driven", version, kind, "torque"), **options)
     assert theirs.tolist() == ours.tolist()

@@ -70,46 +70,46 @@ def regime(stand: Stand, state: State, values: dict[str, float], inputs: Inputs)
 
 def pairs(stand: Stand, inputs: Inputs) -> dict[str, str]:
     """Columns of `simulate` by names of variables."""
-    found = {f"carrier.position[{i + 1}]": f"{a} [m]" for i, a in enumerate("xyz")}
-    found |= {f"carrier.attitude[{i + 1}]": f"q{a}" for i, a in enumerate("wxyz")}
-    found |= {f"carrier.V[{i + 1}]": f"v_{a} [m/s]" for i, a in enumerate("xyz")}
-    found |= {f"carrier.V[{i + 4}]": f"omega_{a} [rad/s]" for i, a in enumerate("xyz")}
-    found |= {f"carrier.V_dot[{i + 1}]": f"v_dot_{a} [m/s2]" for i, a in enumerate("xyz")}
-    found |= {f"carrier.V_dot[{i + 4}]": f"omega_dot_{a} [rad/s2]" for i, a in enumerate("xyz")}
+    columns = {f"carrier.position[{i + 1}]": f"{a} [m]" for i, a in enumerate("xyz")}
+    columns |= {f"carrier.attitude[{i + 1}]": f"q{a}" for i, a in enumerate("wxyz")}
+    columns |= {f"carrier.V[{i + 1}]": f"v_{a} [m/s]" for i, a in enumerate("xyz")}
+    columns |= {f"carrier.V[{i + 4}]": f"omega_{a} [rad/s]" for i, a in enumerate("xyz")}
+    columns |= {f"carrier.V_dot[{i + 1}]": f"v_dot_{a} [m/s2]" for i, a in enumerate("xyz")}
+    columns |= {f"carrier.V_dot[{i + 4}]": f"omega_dot_{a} [rad/s2]" for i, a in enumerate("xyz")}
     letters = zip("XYZKMN", ("N",) * 3 + ("N m",) * 3, strict=True)
     loads = [f"mount_{a} {{}} [{u}]" for a, u in letters]
     for s in stand.flywheels:
-        found |= {f"{s.name}.phi": f"phi {s.name} [rad]", f"{s.name}.phi_dot": f"phi_dot {s.name} [rad/s]"}
+        columns |= {f"{s.name}.phi": f"phi {s.name} [rad]", f"{s.name}.phi_dot": f"phi_dot {s.name} [rad/s]"}
         other = ("phi_ddot", "rad/s2") if inputs == "torque" else ("tau", "N m")
-        found[f"{s.name}.{other[0]}"] = f"{other[0]} {s.name} [{other[1]}]"
-        found |= {f"{s.name}.mount_wrench[{i + 1}]": loads[i].format(s.name) for i in range(6)}
+        columns[f"{s.name}.{other[0]}"] = f"{other[0]} {s.name} [{other[1]}]"
+        columns |= {f"{s.name}.mount_wrench[{i + 1}]": loads[i].format(s.name) for i in range(6)}
     for name in (*(p.name for p in stand.instruments), *(p.name for p in stand.points)):
-        found |= {f"{name}.reading.specific_force[{i + 1}]": f"force_{a} {name} [m/s2]" for i, a in enumerate("xyz")}
-        found |= {f"{name}.reading.twist[{i + 4}]": f"gyro_{a} {name} [rad/s]" for i, a in enumerate("xyz")}
-    return found
+        columns |= {f"{name}.reading.specific_force[{i + 1}]": f"force_{a} {name} [m/s2]" for i, a in enumerate("xyz")}
+        columns |= {f"{name}.reading.twist[{i + 4}]": f"gyro_{a} {name} [rad/s]" for i, a in enumerate("xyz")}
+    return columns
 
 
 def moved(name: str, version: str, inputs: Inputs, **more: Any) -> tuple[Any, Any, dict[str, str]]:
     """The same motion by fmpy and by `simulate`, and which columns belong together."""
     stand = fmus.stand(name)
     state, values = start(stand, inputs)
-    found = pairs(stand, inputs)
+    columns = pairs(stand, inputs)
     kind = more.pop("kind", "cs")
     backend = more.pop("backend", "c")
     by_fmpy = fmpy.simulate_fmu(
-        fmus.path(name, version, kind, inputs), stop_time=UNTIL, output_interval=EVERY, output=list(found),
+        fmus.path(name, version, kind, inputs), stop_time=UNTIL, output_interval=EVERY, output=list(columns),
         start_values=values | ({"dt": DT} if kind == "cs" else {}), **more,
     )  # fmt: skip
     case = Case(stand, regime(stand, state, values, inputs), state, UNTIL, EVERY, DT)
-    return by_fmpy, simulate(case, backend, mounts=True), found
+    return by_fmpy, simulate(case, backend, mounts=True), columns
 
 
-def compare(by_fmpy: Any, by_us: Any, found: dict[str, str], tolerance: float) -> None:
+def compare(by_fmpy: Any, by_us: Any, columns: dict[str, str], tolerance: float) -> None:
     """Each column to `tolerance` of its largest number, or of 1 where that is less: sums of larger ones cancel."""
     times = by_us["t [s]"]
     assert len(by_fmpy) == len(times)
     assert np.abs(by_fmpy["time"] - times).max() < 1e-12
-    for name, column in found.items():
+    for name, column in columns.items():
         expected = by_us[column]
         scale = max(1.0, float(np.abs(expected).max()))
         assert np.abs(by_fmpy[name] - expected).max() < tolerance * scale, name
@@ -227,10 +227,12 @@ def test_a_held_carrier_moves_as_simulate_does(
     columns |= {
         f"hold.reaction[{i + 1}]": f"hold.reaction.{a} [{'N' if i < 3 else 'N m'}]" for i, a in enumerate("xyzkmn")
     }
-    columns |= {f"q.{each.split()[1]}": each for each in expected.names if each.startswith("q ") and name != "shaker"}
-    letters = [each for each in expected.names if each.startswith("orientation_")]
-    columns |= {f"q.orientation[{i + 1}]": each for i, each in enumerate(letters)}
-    speeds = {f"u.{each}" if name != "shaker" else "u[1]": k for k, each in enumerate(freedom_names(stand.hold))}
+    columns |= {
+        f"q.{label.split()[1]}": label for label in expected.names if label.startswith("q ") and name != "shaker"
+    }
+    letters = [label for label in expected.names if label.startswith("orientation_")]
+    columns |= {f"q.orientation[{i + 1}]": label for i, label in enumerate(letters)}
+    speeds = {f"u.{label}" if name != "shaker" else "u[1]": k for k, label in enumerate(freedom_names(stand.hold))}
     by_fmpy = fmpy.simulate_fmu(
         written(stand, state, tmp_path, version, kind, inputs=inputs),
         validate=True,
@@ -283,9 +285,9 @@ def test_numbers_of_a_freedom_have_its_units(name: str, units: dict[str, str], t
     stand, _ = held_case(name)
     file = written(stand, home(stand), tmp_path, binary=False)
     described = fmpy.read_model_description(file, validate=True).modelVariables
-    own = {v.name: v.unit or (v.declaredType.unit if v.declaredType else None) for v in described}
-    assert {each: own[each] for each in units} == units
-    assert not any(each.startswith(("S[", "pivot", "sliding", "home_")) for each in own)
+    declared = {v.name: v.unit or (v.declaredType.unit if v.declaredType else None) for v in described}
+    assert {variable: declared[variable] for variable in units} == units
+    assert not any(variable.startswith(("S[", "pivot", "sliding", "home_")) for variable in declared)
 
 
 @pytest.mark.parametrize(

@@ -31,7 +31,7 @@ from mahovik.use.study import campbell as study
 from mahovik.use.study.campbell import natural_at
 from mahovik.use.study.growth import compare_growth
 from mahovik.use.study.response.periodic import scene_of
-from report.stand.reports import read, words
+from report.stand.reports import plain, read
 from report.stand.runs import material, run_of
 
 HELD = Path(__file__).resolve().parents[3] / "docs" / "held"
@@ -45,17 +45,12 @@ def shown(stand: Stand) -> Material:
     return replace(material(stand), state=chosen_state(stand))
 
 
-def text(html: str) -> str:
-    """Text with ordinary minus signs, without thin spaces and those that align numbers."""
-    return words(re.sub("[\u202f\u2007\u2008]", "", html)).replace("−", "-")
-
-
 def hold_text(stand: Stand) -> str:
     made = hold.section(shown(stand))
     assert made is not None
     assert read(made.html).wrong == []
     assert "nan" not in made.html
-    return text(made.html)
+    return plain(made.html)
 
 
 @pytest.mark.parametrize("name", ["pendulum", "force_table", "cube", "air_table", "linear_shaker"])
@@ -129,7 +124,7 @@ def test_the_residual_of_a_run_has_the_reaction_beside_the_forces() -> None:
     assert max(float(line.y.max()) for line in panel.lines) < 1e-12
     made = histories.section(material(stand, run))
     assert made is not None
-    assert "F+R" in re.sub(r"\s", "", text(made.html)) and "force of the hold" in made.html
+    assert "F+R" in re.sub(r"\s", "", plain(made.html)) and "force of the hold" in made.html
     state = run.state(-1, stand.hold)
     assert np.array(state.V) == pytest.approx(twists(stand.hold) @ np.array(state.u) if stand.hold else None, abs=1e-15)
 
@@ -174,7 +169,7 @@ def test_a_damper_that_drives_is_unstable_from_rest_on() -> None:
 def test_friction_and_stops_are_shown_with_their_units() -> None:
     made = bodies.section(material(loads(BRAKED)))
     assert made is not None and read(made.html).wrong == []
-    found = text(made.html)
+    found = plain(made.html)
     for words_ in (
         "friction of pitch viscous 2 N m s/rad",
         "stop of pitch, above at 60 deg",
@@ -183,7 +178,7 @@ def test_friction_and_stops_are_shown_with_their_units() -> None:
     ):
         assert words_ in found
     free = bodies.section(material(held_stand("pendulum")))
-    assert free is not None and "along the freedoms" not in text(free.html)
+    assert free is not None and "along the freedoms" not in plain(free.html)
 
 
 def test_a_carrier_above_critical_damping_is_said_to_have_a_stiffness() -> None:
@@ -192,7 +187,7 @@ def test_a_carrier_above_critical_damping_is_said_to_have_a_stiffness() -> None:
     roots = np.sort(np.roots([J, c, k]).real)
     made = campbell.section(material(loads(BRAKED)))
     assert made is not None
-    found = text(made.html)
+    found = plain(made.html)
     assert "has a stiffness in every direction" in found
     assert f"eigenvalues of {roots[0]:.4g}, {roots[1]:.4g} 1/s" in found
     assert "Nothing brings" not in found

@@ -23,17 +23,12 @@ from mahovik.proof import reference
 from mahovik.stands import names, path
 from mahovik.use.study.response.periodic import periodic_response
 from mahovik.use.study.response.scene import Scene
-from report.stand.reports import read, words
+from report.stand.reports import plain, read, words
 from report.stand.runs import run_through
 
 
 def material(stand: Stand, state: State | None = None) -> Material:
     return Material(stand, state or chosen_state(stand), WORDS)
-
-
-def plain(html: str) -> str:
-    """Text with ordinary minus signs, without thin spaces and those that align numbers."""
-    return words(re.sub("[\u202f\u2007\u2008]", "", html)).replace("−", "-")
 
 
 @pytest.mark.parametrize(
