@@ -50,7 +50,7 @@ PHASE = changed('state["phi"] = [-phi for phi in state.get("phi", [])] or [0.0] 
 
 
 def rows(*arguments: str, status: int) -> list[dict[str, Any]]:
-    """Of the table as JSON."""
+    """Rows of the table that the command prints as JSON."""
     result = run(*arguments, "--json")
     assert result.exit_code == status, result.output
     judged: list[dict[str, Any]] = json.loads(result.stdout)["rows"]

@@ -55,7 +55,7 @@ phi_ddot = "{name}.a"
 [forward]
 u_dot = ["joint.a"]
 """
-"""Of a model that knows its joint alone."""
+"""Map for a model that knows nothing but its joint."""
 
 
 def held_text(freedoms: str = 'freedoms = ["pitch"]') -> str:

@@ -36,7 +36,7 @@ WORLDS = (
 @pytest.mark.slow
 @pytest.mark.parametrize(("script", "name"), [(FIRMWARE, "demo3"), (FIRMWARE, "auv6"), (LOOP, "eye4"), (LOOP, "sat4")])
 def test_two_processes_write_the_same_bytes(script: str, name: str, tmp_path: Path) -> None:
-    """By relative paths of different lengths: no path may be in the text."""
+    """The stand file is named by relative paths of different lengths: no path may be in the text."""
     found = []
     for number, world in enumerate(WORLDS):
         folder = tmp_path / ("deep/" * number) / "here"

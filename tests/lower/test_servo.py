@@ -103,7 +103,7 @@ def test_a_trim_refuses_what_it_did_not_make() -> None:
 
 @pytest.mark.parametrize("sequence", ["ship", "aircraft", "euler"])
 def test_coordinates_of_a_trim_give_the_attitude_back(sequence: Sequence) -> None:
-    """By the rotations of the reference; what is no attitude is refused."""
+    """The reference makes the same rotation of them; a quaternion far from unit length is refused."""
     rng = np.random.default_rng(4)
     layout = Layout(structure(replace(load(path("shaker2")), angles=sequence)), DOUBLE)
     run = Interpreter(lower_servo(layout, ServoForm(layout.count, TrimForm((0, 2, 3, 4, 5), 1)))).run

@@ -44,7 +44,7 @@ WANTS = (
     *("matrices", "momentum", "forward", "torque", "mounts", "coupled", "inverse", "generalized", "points"),
     "center_of_mass_velocity",
 )
-"""Asked of every stand; `reaction` of held ones as well, `torque_for` of tasks."""
+"""Wants that every stand is asked for; held stands are asked for `reaction` too, those with tasks for `torque_for`."""
 
 
 def place(name: str) -> Path:

@@ -53,7 +53,7 @@ LONG = re.compile(r"-?\b\d+\.\d{9,}(?:e[-+]\d+)?\b")
 
 
 def names() -> list[str]:
-    """Of all transcripts."""
+    """Names of all transcripts."""
     return sorted(file.stem for file in FOLDER.glob("*.sh"))
 
 
@@ -113,7 +113,7 @@ def accepted(name: str) -> str | None:
 
 
 def accepted_names() -> list[str]:
-    """Of transcripts that were accepted."""
+    """Names of the transcripts that were accepted."""
     return sorted(file.stem for file in FOLDER.glob("*.out"))
 
 

@@ -186,7 +186,7 @@ def test_moments_are_about_the_pivot() -> None:
 
 
 def test_terms_of_torques() -> None:
-    """Of phases in the motion are those of the table above."""
+    """A term that a program adds to one torque is named with its flywheel."""
     stand = stand_of("demo3")
 
     def answers(request: Request) -> Mapping[str, Any]:
