@@ -12,7 +12,8 @@ import pytest
 from emit.stands import generated, stand, write
 from mahovik.core.emit.delivery import firmware
 from mahovik.core.emit.generate import generate, generate_all
-from mahovik.core.emit.recorder import RECORDED, recorder_files
+from mahovik.core.emit.log_format import RECORDED
+from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
 from toolchain.quick import quick
 from toolchain.tools import compile_c, compile_elsewhere, require, run, symbols_of

@@ -8,7 +8,7 @@ from typing import Any
 from mahovik.contract.functions import CHOSEN, row_of
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.layout import comment_lines, wrap_statement
-from mahovik.core.emit.log_format import RESERVED, table_bytes
+from mahovik.core.emit.log_format import RECORDED, RESERVED, table_bytes
 from mahovik.core.emit.names import RESERVED as OF_STANDS
 from mahovik.core.emit.status import statuses
 from mahovik.core.lower.actuators import run_time_inputs
@@ -111,6 +111,7 @@ class _Printer:
             table_hash=f"{fnv1a(table_bytes(self._layout, self._values.table)):08x}",
             limits=self._code.limits(() if self._part else limits(self._code.precision)),
             statuses=statuses(self._names, self._layout, self._program if self._part else None),
+            recorded=any(f.name in RECORDED for f in self._code.public),
             prepares=any(f.name == "prepare" for f in self._code.public),
             takes_root=any(f.name == "sqrt" for f in self._program.functions),
             enums=self._enums(),

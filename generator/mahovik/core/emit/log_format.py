@@ -25,6 +25,9 @@ READ = (1, 2, FORMAT)
 STEP = 0x53
 """First byte of the record of a step."""
 
+RECORDED = ("step", "step_driven", "step_carried", "step_driven_carried")
+"""Functions whose steps are logged."""
+
 CHANGING = {
     "SETTINGS": (1 << 5, "dt and order, when they change"),
     "STREAM": (1 << 6, "the table's stream, when it changes"),

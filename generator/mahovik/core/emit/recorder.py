@@ -12,7 +12,7 @@ from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import pointer_arguments, prototype
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrap_statement
-from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, STEP, logged_members, table_bytes
+from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, RECORDED, STEP, logged_members, table_bytes
 from mahovik.core.emit.names import Names
 from mahovik.core.lower.golden import fnv1a
 from mahovik.core.lower.layout import Layout
@@ -33,9 +33,6 @@ def has_recorder(generated: Generated) -> bool:
     """Whether there are steps whose logs can be repeated."""
     return bool(logging(generated.program))
 
-
-RECORDED = ("step", "step_driven", "step_carried", "step_driven_carried")
-"""Functions whose steps are logged."""
 
 _FRAMES = 352
 """Stack of the recorder's own functions, bytes: an upper bound for the deepest chain of calls, without the record."""
