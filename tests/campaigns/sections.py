@@ -8,9 +8,9 @@ from typing import Any
 
 import mahovik
 from mahovik.core.motion.document import validate_table
+from mahovik.core.stand.editing import exact
 from mahovik.core.stand.problems import Problems
 from mahovik.errors import CampaignError, UsageError
-from mahovik.out.api.editing import exact
 from mahovik.out.api.tables import Tables
 from mahovik.out.campaign.compute import Computation, prepare
 from mahovik.out.campaign.file import CampaignFile, load_campaign

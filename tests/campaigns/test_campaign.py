@@ -9,10 +9,10 @@ import pytest
 import mahovik
 from campaigns.sections import RUN, VARY, write
 from mahovik import stands
+from mahovik.core.stand.numbers import StandNumbers
 from mahovik.errors import UsageError
 from mahovik.out.campaign.campaign import Campaign
 from mahovik.out.campaign.file import files_in, load_campaign
-from mahovik.out.campaign.places import Places
 from mahovik.out.campaign.rows import Rows
 
 POISON = """
@@ -51,14 +51,15 @@ def test_rows_have_the_same_bits_however_they_are_parted(tmp_path: Path, design:
 def test_a_row_is_of_the_stand_with_its_numbers(tmp_path: Path) -> None:
     campaign = load(tmp_path, VARY + RUN)
     rows = campaign.rows(7, 1)
-    places = Places(campaign.stand_of(7))
+    seventh = campaign.stand_of(7)
+    numbers = StandNumbers(seventh, seventh.to_dict())
     for path, column in rows.parameters.items():
         if "unbalance" in path:
-            (place,) = places.find(path)
-            turns = (place.nominal - column[0]) / (2 * np.pi) if path.endswith("_at") else place.nominal / column[0] - 1
+            (place,) = numbers.find(path)
+            turns = (place.value - column[0]) / (2 * np.pi) if path.endswith("_at") else place.value / column[0] - 1
             assert turns == pytest.approx(round(turns), abs=1e-6)
         else:
-            assert places.find(path)[0].nominal == column[0]
+            assert numbers.find(path)[0].value == column[0]
     nominal = load(tmp_path, '[vary]\n"w1.mass" = { tolerance = 0 }' + RUN)
     assert nominal.rows(0, 1).quantities["shake"] != rows.quantities["shake"]
 

@@ -11,11 +11,9 @@ from scipy.optimize import least_squares
 import mahovik
 from identify.data import bench8, constant
 from mahovik.core.stand import identities, loads
+from mahovik.core.stand.numbers import StandNumber, StandNumbers
 from mahovik.errors import UsageError
 from mahovik.out.api.model import build
-from mahovik.out.campaign.distributions import Fixed
-from mahovik.out.campaign.draw import Draw, Parameter
-from mahovik.out.campaign.places import Place, Places
 from mahovik.out.identify.channels import channel_of, six_axes
 from mahovik.out.identify.document import with_numbers
 from mahovik.out.identify.free import Free
@@ -113,15 +111,11 @@ position = ["10 mm", 0, "20 mm"]
 """
 
 
-def with_value(stand: mahovik.Stand, path: str, value: float) -> tuple[mahovik.Stand, list[Place]]:
+def with_value(stand: mahovik.Stand, path: str, value: float) -> tuple[mahovik.Stand, list[StandNumber]]:
     """The stand with another number, as an estimate changes it, and the place of the number."""
-    places = Places(stand)
-    found = {place.path: place for place in places.find(path)}
-    draw = Draw(
-        tuple(Parameter(each, Fixed(each.nominal), None) for each in found.values()), (), None, places.matrices()
-    )
-    changes = draw.changes({name: np.array([value]) for name in found})
-    return places.stand().replace({put: values[0] for put, values in changes.items()}), list(found.values())
+    numbers = StandNumbers(stand, stand.to_dict())
+    found = numbers.find(path)
+    return mahovik.Stand.from_dict(numbers.with_values(dict.fromkeys(found, value))), found
 
 
 @pytest.mark.parametrize(

@@ -16,8 +16,9 @@ from laws.stands import CARRIER, FADING, FINS, POD, PROPELLERS, STRIPS, bearing
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.fmu.parameters import laws
 from mahovik.core.stand import dumps, loads, rest_state
+from mahovik.core.stand.numbers import StandNumbers
+from mahovik.core.stand.toml import parse
 from mahovik.out.api.stands import Stand
-from mahovik.out.campaign.places import Places
 from mahovik.proof import reference
 from mahovik.proof.verify.c_backend import CBackend
 
@@ -102,7 +103,8 @@ def test_simulators_see_numbers_with_units_and_campaigns_vary_them() -> None:
     assert found["control_derivative[1]"].unit.name == "N.s2/(m.rad2)"
     assert "X += value u r rudder.deflection" in found["control_derivative[1]"].description
     assert found["carrier.control_derivatives.race"].value == 2e-4
-    places = Places(Stand.of(loads(FILE)))
-    (place,) = places.find("main.diameter")
-    assert place.nominal == 0.14
-    assert [each.path for each in places.find("bow.thrust")] == [f"bow.thrust[{k}]" for k in range(3)]
+    file = Stand.from_dict(parse(FILE))
+    numbers = StandNumbers(file, file.to_dict())
+    (number,) = numbers.find("main.diameter")
+    assert number.value == 0.14
+    assert [each.path for each in numbers.find("bow.thrust")] == [f"bow.thrust[{k}]" for k in range(3)]

@@ -42,13 +42,22 @@ def refuse(error: str, key: str = "") -> PydanticCustomError:
 
 @dataclass(frozen=True)
 class QuantityValidator(PlainValidator):
-    """A validator that knows the dimension of the numbers that it reads, of a 6x6 by blocks; None where it has none."""
+    """A validator that knows what it reads.
+
+    dimension  of its numbers, of a 6x6 by blocks; None where it reads none
+    least      smallest accepted number, above: one that is too small, most: the largest; SI, None: no bound
+    """
 
     dimension: Dimension | Blocks | None = None
+    least: float | None = None
+    above: float | None = None
+    most: float | None = None
 
 
-def validator(read: Callable[[Any], T], dimension: Dimension | Blocks | None = None) -> QuantityValidator:
-    """A validator that reads a raw value by `read`, which raises QuantityError."""
+def validator(
+    read: Callable[[Any], T], dimension: Dimension | Blocks | None = None, **bounds: float | None
+) -> QuantityValidator:
+    """A validator that reads a raw value by `read`, which raises QuantityError; `bounds`: see QuantityValidator."""
 
     def validate(raw: Any) -> T:
         try:
@@ -56,7 +65,7 @@ def validator(read: Callable[[Any], T], dimension: Dimension | Blocks | None = N
         except QuantityError as error:
             raise refuse(str(error)) from None
 
-    return QuantityValidator(validate, dimension=dimension)
+    return QuantityValidator(validate, dimension=dimension, **bounds)
 
 
 def require_bounds(
@@ -84,8 +93,11 @@ def scalar(
     dimension: Dimension, *, least: float | None = None, above: float | None = None, most: float | None = None
 ) -> QuantityValidator:
     """A validator of a number within bounds."""
-    si = dimension.si
-    return validator(lambda raw: require_bounds(number(raw, dimension), si, least, above, most, raw), dimension)
+
+    def read(raw: Any) -> float:
+        return require_bounds(number(raw, dimension), dimension.si, least, above, most, raw)
+
+    return validator(read, dimension, least=least, above=above, most=most)
 
 
 def integer(raw: Any) -> int:

@@ -8,8 +8,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pydantic import BaseModel
-
 from mahovik.contract.laws import parts
 from mahovik.core.stand.echoes import beyond_a_turn, list_item, text_with_unit
 from mahovik.core.stand.fields import ADDED_MASS, QuantityValidator, Table
@@ -115,14 +113,14 @@ def _of_hold(raw: dict[str, Any]) -> Iterator[Quantity]:
                         yield dimension, value, f"hold.{key}[{k}]", name
 
 
-def _of_table(raw: dict[str, Any], table: type[BaseModel], where: str, path: str = "") -> Iterator[Quantity]:
+def _of_table(raw: dict[str, Any], table: type[Table], where: str, path: str = "") -> Iterator[Quantity]:
     for key, value in raw.items():
         field = table.model_fields.get(key)
         if field is None:
             continue
-        dimension, inner = dimension_and_table((field.annotation, *field.metadata))
-        if dimension is not None:
-            yield dimension, value, where, path + key
+        quantity, inner = quantity_and_table((field.annotation, *field.metadata))
+        if quantity is not None:
+            yield quantity.dimension, value, where, path + key
         elif inner is not None and isinstance(value, dict):
             yield from _of_table(value, inner, where, f"{path}{key}.")
 
@@ -156,14 +154,14 @@ def _is_row(raw: Any) -> bool:
     return isinstance(raw["value"] if isinstance(raw, dict) else raw, list)
 
 
-def dimension_and_table(annotations: tuple[Any, ...]) -> tuple[Dimension | Blocks | None, type[BaseModel] | None]:
-    """Dimension and table in the annotation of a field, each None where it has none."""
+def quantity_and_table(annotations: tuple[Any, ...]) -> tuple[QuantityValidator | None, type[Table] | None]:
+    """What reads the numbers of a field, and the table in its annotation; each None where there is none."""
     for each in annotations:
         if isinstance(each, QuantityValidator) and each.dimension is not None:
-            return each.dimension, None
-        if isinstance(each, type) and issubclass(each, BaseModel):
+            return each, None
+        if isinstance(each, type) and issubclass(each, Table):
             return None, each
-        found = dimension_and_table(typing.get_args(each))
+        found = quantity_and_table(typing.get_args(each))
         if found != (None, None):
             return found
     return None, None

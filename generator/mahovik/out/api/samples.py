@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.columns import Column, Run
+from mahovik.core.stand.paths import shown_path
 from mahovik.core.stand.units import show
 from mahovik.errors import InputError
-from mahovik.out.api.paths import shown_path
 
 Array = NDArray[np.float64]
 

@@ -11,12 +11,12 @@ from typing import Any
 from mahovik import stands
 from mahovik.core.stand import toml
 from mahovik.core.stand import write as writing
+from mahovik.core.stand.editing import exact, put
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.read import load as load_file
 from mahovik.core.stand.read import read
 from mahovik.core.stand.units import show
 from mahovik.errors import UsageError
-from mahovik.out.api.editing import exact, put
 
 
 @dataclass(frozen=True, repr=False)

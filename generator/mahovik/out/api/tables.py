@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from mahovik.contract.status import status_words
 from mahovik.core.program.arrays import fill_record
 from mahovik.core.stand.model import Stand as CoreStand
+from mahovik.core.stand.paths import shown_path
 from mahovik.core.stand.read import read
 from mahovik.core.stand.structure import structure
 from mahovik.errors import InputError, StandError, UsageError
 from mahovik.out.api.compiled import CompiledLibrary, lower_structure
-from mahovik.out.api.paths import shown_path
 from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.variants import Variants, change_values, variants
@@ -86,7 +86,7 @@ def _refuse_numbers_of_holds(stand: Stand, samples: Samples) -> None:
     if stand.hold is None or any(body.name == "hold" for body in stand.bodies):
         return
     for path in samples.given:
-        keys = path.split(".")
+        keys = path.replace("[", ".").split(".")
         if keys[0] == "hold" and not {*keys[1:2]} & {*PLACE_OF_HOLD, "friction", "stop"}:
             raise UsageError(
                 f"{shown_path(path)}: decides how the carrier can move, the same for all samples; make a model of each"

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from mahovik.core.program.interpret import Interpreter, plain
 from mahovik.core.stand.columns import Column, Run
+from mahovik.core.stand.editing import put
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.read import read
 from mahovik.core.stand.screening import doubtful_samples
@@ -18,7 +19,6 @@ from mahovik.core.stand.screening import numbers as numbers_of
 from mahovik.core.stand.structure import structure
 from mahovik.errors import StandError, UsageError
 from mahovik.out.api.compiled import lower_structure
-from mahovik.out.api.editing import put
 from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
 

@@ -150,7 +150,7 @@ class Campaign:
 
     def possible(self, values: Mapping[str, Array], count: int) -> PossibleTables:
         """Tables of those of `count` samples with these values that can be, and reasons for the others."""
-        return possible_tables(self.model, self.file.draw.changes(values), count)
+        return possible_tables(self.model, values, count)
 
     def rows(self, first: int, count: int) -> Rows:
         """Rows of the samples from `first` on: the same bits however the samples are parted."""
@@ -170,8 +170,8 @@ class Campaign:
 
     def stand_of(self, number: int) -> Stand:
         """The stand of one sample, to look at or to save. Raises StandError if it cannot be."""
-        values = self.file.draw.changes(self.parameter_values(number, 1))
-        return self.stand.replace({key: column[0].tolist() for key, column in values.items()})
+        values = self.parameter_values(number, 1)
+        return self.stand.replace({path: column[0].tolist() for path, column in values.items()})
 
     @property
     def has_quantiles(self) -> bool:

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtr, ndtri
 
+from mahovik.core.stand.numbers import StandNumber
 from mahovik.out.campaign.distributions import Distribution
-from mahovik.out.campaign.places import Place
 
 Array = NDArray[np.float64]
 
@@ -24,7 +24,7 @@ _LEAST, _MOST = 2.0**-54, 1.0 - 2.0**-53
 class Parameter:
     """One number that varies. `factor`: whose random number decides it; None where its distribution has one value."""
 
-    place: Place
+    place: StandNumber
     distribution: Distribution
     factor: str | None
 
@@ -50,15 +50,11 @@ class Copula:
 
 @dataclass(frozen=True)
 class Draw:
-    """All numbers that vary, and the factors that decide them.
-
-    `matrices`: symmetric ones that have some of the numbers, as the stand file has them, by `Place.put`.
-    """
+    """All numbers that vary, and the factors that decide them."""
 
     parameters: tuple[Parameter, ...]
     factors: tuple[str, ...]
     copula: Copula | None
-    matrices: Mapping[str, Array] = field(default_factory=dict)
 
     def values(self, unit: Array) -> dict[str, Array]:
         """Values by path, SI, of samples in the unit cube (n, factors), which is 0 < u < 1 here."""
@@ -74,21 +70,6 @@ class Draw:
             each.place.path: each.distribution.quantile(nothing if each.factor is None else columns[each.factor])
             for each in self.parameters
         }
-
-    def changes(self, values: Mapping[str, Array]) -> dict[str, Array]:
-        """The values as `Model.tables` takes them: unbalances last, as they depend on mass and inertia."""
-        found: dict[str, Array] = {}
-        for each in sorted(self.parameters, key=lambda each: ".unbalance." in each.place.path):
-            place, column = each.place, values[each.place.path]
-            if place.element is None:
-                found[place.put] = column
-                continue
-            if place.put not in found:
-                matrix = self.matrices[place.put]
-                found[place.put] = np.broadcast_to(matrix, (len(column), *matrix.shape)).copy()
-            i, j = place.element
-            found[place.put][:, i, j] = found[place.put][:, j, i] = column
-        return found
 
 
 def cholesky(matrix: Sequence[Sequence[float]]) -> tuple[tuple[float, ...], ...] | None:

@@ -18,6 +18,7 @@ from mahovik.core.motion.document import document_of, text_of, validate_table
 from mahovik.core.motion.fields import NOT_NULL, any_list
 from mahovik.core.stand.content import TEXT
 from mahovik.core.stand.fields import Table, Text, integer, refuse, text, validator
+from mahovik.core.stand.numbers import StandNumbers
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import PLAIN, QuantityError, number, show
 from mahovik.errors import CampaignError, UsageError
@@ -27,7 +28,6 @@ from mahovik.out.campaign.convergence import Goal
 from mahovik.out.campaign.designs import DESIGNS, MOST_HELD
 from mahovik.out.campaign.draw import Copula, Draw, Parameter, cholesky
 from mahovik.out.campaign.over import OverTable
-from mahovik.out.campaign.places import Places
 from mahovik.out.campaign.quantity_tables import quantities_by_name
 from mahovik.out.campaign.rows import MOST_SAMPLES
 from mahovik.out.campaign.vary import read_vary
@@ -142,20 +142,20 @@ def load_campaign(path: str | Path) -> CampaignFile:
     table = validate_table(CampaignTable, quantities_by_name(document, problems), problems)
     if table is None or problems.lines:
         raise CampaignError(problems.lines)
-    places = Places(_stand(table.stand, folder, problems))
-    vary = read_vary(table.vary, places, folder, problems)
+    stand = _stand(table.stand, folder, problems)
+    numbers = StandNumbers(stand, stand.to_dict())
+    vary = read_vary(table.vary, numbers, folder, problems)
     if not vary.parameters and not problems.lines:
         problems.add("vary", "nothing varies; expected a path such as carrier.mass")
-    draw = _draw(vary.parameters, table, places, problems)
+    draw = _draw(vary.parameters, table, numbers, problems)
     goal = _goal(table, problems)
     taken = {"sample", "error", *(each.place.path for each in vary.parameters)}
     for name in taken & table.quantity.keys():
         problems.add(f"quantity {show(name)}", "is the name of another column; expected another name")
     if problems.lines or draw is None:
         raise CampaignError(problems.lines)
-    return CampaignFile(
-        table.name or path.stem, source, table, places.stand(), draw, goal, document, folder, vary.files
-    )
+    varied = Stand.from_dict(numbers.written_out(each.place for each in vary.parameters), stand.name)
+    return CampaignFile(table.name or path.stem, source, table, varied, draw, goal, document, folder, vary.files)
 
 
 def _stand(given: str, folder: Path, problems: Problems) -> Stand:
@@ -181,7 +181,9 @@ def _goal(table: CampaignTable, problems: Problems) -> Goal | None:
     return Goal(table.quantile.of, table.quantile.at, table.quantile.confidence, table.until)
 
 
-def _draw(parameters: tuple[Parameter, ...], table: CampaignTable, places: Places, problems: Problems) -> Draw | None:
+def _draw(
+    parameters: tuple[Parameter, ...], table: CampaignTable, numbers: StandNumbers, problems: Problems
+) -> Draw | None:
     """Factors in the order of the file, with their correlations."""
     factors = tuple(dict.fromkeys(each.factor for each in parameters if each.factor is not None))
     by_path = {each.place.path: each.factor for each in parameters}
@@ -190,7 +192,7 @@ def _draw(parameters: tuple[Parameter, ...], table: CampaignTable, places: Place
     for number_, each in enumerate(table.correlation):
         where = f"correlation[{number_}]"
         try:
-            found = list(_factors_of(each.of, places, by_path))
+            found = list(_factors_of(each.of, numbers, by_path))
         except UsageError as error:
             problems.add(where, "of", str(error))
             continue
@@ -213,17 +215,17 @@ def _draw(parameters: tuple[Parameter, ...], table: CampaignTable, places: Place
         return None
     columns = sorted({i for pair in given for i in pair})
     if not columns:
-        return Draw(parameters, factors, None, places.matrices())
+        return Draw(parameters, factors, None)
     lower = cholesky([[matrix[i][j] for j in columns] for i in columns])
     if lower is None:
         problems.add("correlation", "no such numbers exist: the matrix of all coefficients is not positive definite")
         return None
-    return Draw(parameters, factors, Copula(tuple(columns), lower), places.matrices())
+    return Draw(parameters, factors, Copula(tuple(columns), lower))
 
 
-def _factors_of(paths: tuple[str, ...], places: Places, by_path: dict[str, str | None]) -> Iterator[str]:
+def _factors_of(paths: tuple[str, ...], numbers: StandNumbers, by_path: dict[str, str | None]) -> Iterator[str]:
     for pattern in paths:
-        for place in places.find(pattern):
+        for place in numbers.find(pattern):
             factor = by_path.get(place.path)
             if factor is None:
                 raise UsageError(f"{place.path} does not vary{suggestion(place.path, by_path)}")

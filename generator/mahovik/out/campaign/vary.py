@@ -11,6 +11,7 @@ from typing import Any
 
 from mahovik.core.motion.fields import any_list
 from mahovik.core.stand.fields import text
+from mahovik.core.stand.numbers import StandNumber, StandNumbers
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.shapes import vector
 from mahovik.core.stand.units import PLAIN, SPEED, Dimension, QuantityError, number, show
@@ -29,7 +30,6 @@ from mahovik.out.campaign.distributions import (
     Uniform,
 )
 from mahovik.out.campaign.draw import Parameter
-from mahovik.out.campaign.places import Place, Places
 from mahovik.use.study.jitter.csv_table import read_columns
 
 KINDS = ("normal", "relative", "tolerance", "uniform", "triangular", "lognormal", "discrete", "table", "grade")
@@ -55,13 +55,13 @@ class Vary:
     files: tuple[Path, ...]
 
 
-def read_vary(raw: Mapping[str, Any], places: Places, folder: Path, problems: Problems) -> Vary:
+def read_vary(raw: Mapping[str, Any], numbers: StandNumbers, folder: Path, problems: Problems) -> Vary:
     """The numbers that vary; what cannot be read is noted. A plain path has precedence over a pattern."""
     found: dict[str, tuple[str, Parameter]] = {}
     files: list[Path] = []
     for pattern, entry in sorted(raw.items(), key=lambda item: "*" in item[0]):
         where = f"vary {show(pattern)}"
-        reader = _Reader(places, folder, files)
+        reader = _Reader(numbers, folder, files)
         try:
             parameters = reader.parameters(pattern, entry)
         except (QuantityError, UsageError) as error:
@@ -96,8 +96,8 @@ def _same_as(path: str) -> tuple[str, ...]:
 class _Reader:
     """Reads one entry of `[vary]`."""
 
-    def __init__(self, places: Places, folder: Path, files: list[Path]) -> None:
-        self._places, self._folder, self._files = places, folder, files
+    def __init__(self, numbers: StandNumbers, folder: Path, files: list[Path]) -> None:
+        self._numbers, self._folder, self._files = numbers, folder, files
 
     def parameters(self, pattern: str, raw: Any) -> list[Parameter]:
         """The numbers of a path or pattern with their distributions. Raises QuantityError, UsageError."""
@@ -105,7 +105,7 @@ class _Reader:
         if kind == "grade":
             return self._graded_unbalance(pattern, raw)
         found = []
-        for place in self._places.find(pattern):
+        for place in self._numbers.find(pattern):
             whole = self._whole(kind, raw, place)
             factor = None if isinstance(whole, Fixed) else place.path
             if kind == "table" and factor is not None:  # measured columns of one body belong together
@@ -115,14 +115,14 @@ class _Reader:
             found.append(Parameter(place, _truncate(whole, raw, place), factor))
         return found
 
-    def _whole(self, kind: str, raw: Mapping[str, Any], place: Place) -> Distribution:
+    def _whole(self, kind: str, raw: Mapping[str, Any], place: StandNumber) -> Distribution:
         try:
             return self._read(kind, raw, place)
         except QuantityError as error:
             element = str(error)
             raise QuantityError(f"{kind}{'' if element.startswith('[') else ': '}{element}") from None
 
-    def _read(self, kind: str, raw: Mapping[str, Any], place: Place) -> Distribution:
+    def _read(self, kind: str, raw: Mapping[str, Any], place: StandNumber) -> Distribution:
         given, dimension = raw[kind], place.dimension
         if kind == "normal":
             mean, sigma = vector(given, (2,), dimension)
@@ -131,9 +131,9 @@ class _Reader:
             return Normal(mean, _not_negative(sigma, dimension)) if sigma else Fixed(mean)
         if kind == "relative":
             share = _not_negative(number(given, PLAIN), PLAIN)
-            if not place.nominal:
+            if not place.value:
                 raise QuantityError(f"{place.path} is zero in the stand file: expected tolerance or normal")
-            return Normal(place.nominal, share * abs(place.nominal)) if share else Fixed(place.nominal)
+            return Normal(place.value, share * abs(place.value)) if share else Fixed(place.value)
         if kind == "tolerance":
             return _tolerance(given, place)
         if kind == "uniform":
@@ -149,7 +149,7 @@ class _Reader:
             return _discrete(values, raw.get("weights"))
         return self._table(given, raw, place)
 
-    def _table(self, given: Any, raw: Mapping[str, Any], place: Place) -> Distribution:
+    def _table(self, given: Any, raw: Mapping[str, Any], place: StandNumber) -> Distribution:
         """A column of a CSV file: one of its rows, each as likely as the others."""
         path = self._folder / text(given)
         names = _columns_of(path)
@@ -179,11 +179,11 @@ class _Reader:
         if speed == 0.0:
             raise QuantityError("speed: expected the highest speed in service, found 0")
         share = self._share(raw.get("share"))
-        statics = self._places.find(f"{pattern}.static")
-        angles = self._places.find(f"{pattern}.static_at")
+        statics = self._numbers.find(f"{pattern}.static")
+        angles = self._numbers.find(f"{pattern}.static_at")
         found = []
         for static, angle in zip(statics, angles, strict=True):
-            most = permissible_unbalance(grade, speed, self._places.mass(static.body))
+            most = permissible_unbalance(grade, speed, self._numbers.mass(static.body))
             scaled = Fixed(most) if share is None else Scaled(share, most)
             found.append(Parameter(static, scaled, None if share is None else static.path))
             found.append(Parameter(angle, Uniform(-math.pi, math.pi), angle.path))
@@ -193,7 +193,7 @@ class _Reader:
         """Distribution of the used share of what is permitted; None: all of it."""
         if raw is None:
             return None
-        place = Place("share", "", "share", "", PLAIN, 1.0)
+        place = StandNumber("share", "", "share", PLAIN, 1.0)
         try:
             kind = _kind(raw)
             if kind in ("table", "grade", "relative", "tolerance"):
@@ -249,14 +249,14 @@ def _rising(values: Sequence[float], dimension: Dimension) -> Sequence[float]:
     return values
 
 
-def _tolerance(given: Any, place: Place) -> Distribution:
+def _tolerance(given: Any, place: StandNumber) -> Distribution:
     """Uniform about the value of the stand file: `"0.05 mm"`, or `["-0.1 mm", "0.3 mm"]`."""
     if isinstance(given, list) or (isinstance(given, dict) and isinstance(given.get("value"), list)):
         low, high = _rising(vector(given, (2,), place.dimension), place.dimension)
     else:
         high = _not_negative(number(given, place.dimension), place.dimension)
         low = -high
-    return Uniform(place.nominal + low, place.nominal + high) if low < high else Fixed(place.nominal + low)
+    return Uniform(place.value + low, place.value + high) if low < high else Fixed(place.value + low)
 
 
 def _lognormal(given: Any, dimension: Dimension) -> Distribution:
@@ -279,7 +279,7 @@ def _discrete(values: tuple[float, ...], raw: Any) -> Distribution:
     return Discrete(values, weights)
 
 
-def _truncate(whole: Distribution, raw: Mapping[str, Any], place: Place) -> Distribution:
+def _truncate(whole: Distribution, raw: Mapping[str, Any], place: StandNumber) -> Distribution:
     """The distribution within `least` and `most`; magnitudes end at zero in any case."""
     low, high = -math.inf, math.inf
     if place.key in _MAGNITUDES and whole.support[0] == -math.inf:

@@ -9,14 +9,15 @@ from typing import Any
 
 import tomlkit
 
+from mahovik.core.stand.numbers import StandNumber
+from mahovik.core.stand.paths import plain_paths
 from mahovik.core.stand.units import INERTIA, LENGTH, Dimension, factor, number
 from mahovik.out.api.stands import Stand
-from mahovik.out.campaign.places import Place
 
 _NUMBER = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*")
 
 
-def with_numbers(text: str, new: Stand, places: Sequence[Place]) -> str:
+def with_numbers(text: str, new: Stand, places: Sequence[StandNumber]) -> str:
     """The text of a stand file with the numbers of `new` at the places, in the units of the file.
 
     A flywheel with centre of mass and inertia in place of `unbalance` keeps these keys. Numbers of 15 digits.
@@ -24,14 +25,14 @@ def with_numbers(text: str, new: Stand, places: Sequence[Place]) -> str:
     document = tomlkit.parse(text)
     target = new.to_dict()
     for place in places:
-        way = _way(place, document)
+        way = _way(plain_paths(target, place.path)[0], document)
         if "unbalance" in way:
             own = _inside(document, way[: way.index("unbalance")])
             if "inertia" in own or "center_of_mass" in own:
                 _put_wheel(own, new, place.body)
                 continue
         if place.element is not None:
-            _put_element(document, way, _inside(target, way), place)
+            _put_element(document, way[:-2], _inside(target, way[:-2]), place)
         else:
             _put_number(document, way, target, place.dimension)
     return tomlkit.dumps(document)
@@ -84,7 +85,7 @@ def _put_wheel(own: Any, new: Stand, name: str) -> None:
     _put_matrix(own, "inertia", J, INERTIA)
 
 
-def _put_element(document: Any, way: list[Any], matrix: Any, place: Place) -> None:
+def _put_element(document: Any, way: list[Any], matrix: Any, place: StandNumber) -> None:
     """One element of a symmetric matrix, and its mirror image."""
     container, key = _table(document, way[:-1]), way[-1]
     if len(matrix) == 3:
@@ -137,9 +138,9 @@ def _exact(old: Any) -> Any:
     return Decimal(repr(raw)) if isinstance(raw, float) else raw
 
 
-def _way(place: Place, document: Any) -> list[Any]:
-    """Keys and indices that lead to what `Place.put` names."""
-    first, *rest = place.put.split(".")
+def _way(path: str, document: Any) -> list[Any]:
+    """Keys and indices of a path of keys and numbers joined by dots."""
+    first, *rest = path.split(".")
     way: list[Any] = [first]
     if first not in document:
         for key, items in document.items():

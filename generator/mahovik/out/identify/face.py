@@ -21,9 +21,9 @@ from mahovik.out.identify.figures import ChannelFit, Parameter
 from mahovik.out.identify.run import LEAST_NOISE, has_signal
 
 if TYPE_CHECKING:
+    from mahovik.core.stand.numbers import StandNumber
     from mahovik.core.stand.units import Dimension
     from mahovik.out.api.fields import Array
-    from mahovik.out.campaign.places import Place
     from mahovik.out.identify.estimate import Fit
     from mahovik.out.identify.free import Free
     from mahovik.out.identify.page import Comparison
@@ -52,7 +52,7 @@ class Identification(Table):
     residual: float
     check: tuple[float, float] | None
     notes: tuple[str, ...]
-    _places: tuple[Place, ...] = field(repr=False)
+    _places: tuple[StandNumber, ...] = field(repr=False)
     _comparison: Comparison = field(repr=False)
 
     index = "path"
@@ -196,7 +196,7 @@ def identify(
         place
         for entry in numbers.entries
         if any(math.isfinite(parameters[path].standard_error) for path in entry.paths)
-        for place in entry.places
+        for place in entry.numbers
     ]
     return Identification(
         new,
@@ -220,7 +220,7 @@ def _stand_of(free: Free, fit: Fit) -> Stand:
     """The stand with the estimated numbers. Raises StandError."""
     if not free.size:
         return free.stand
-    return free.stand.replace({put: values[0] for put, values in free.changes(fit.theta[:, None]).items()})
+    return free.stand.replace({path: values[0] for path, values in free.changes(fit.theta[:, None]).items()})
 
 
 def _covariance(free: Free, fit: Fit) -> Array:

@@ -14,15 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.inertia import inertia_about_origin
+from mahovik.core.stand.numbers import StandNumber, StandNumbers
 from mahovik.core.stand.units import TIME, Dimension
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.model import Model, build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
-from mahovik.out.campaign.distributions import Fixed
-from mahovik.out.campaign.draw import Draw, Parameter
-from mahovik.out.campaign.places import Place, Places
 from mahovik.out.campaign.signals import sensors
 
 Array = NDArray[np.float64]
@@ -46,18 +44,18 @@ _ANGLES = ("angles",)
 class Entry:
     """One path or the two of an unbalance, with one theta each; `scale`: natural size of its theta, SI."""
 
-    places: tuple[Place, ...]
+    numbers: tuple[StandNumber, ...]
     scale: float
 
     @property
     def polar(self) -> bool:
         """Amount and angle, estimated by parts."""
-        return len(self.places) == 2
+        return len(self.numbers) == 2
 
     @property
     def paths(self) -> tuple[str, ...]:
         """Names of its results."""
-        return tuple(place.path for place in self.places)
+        return tuple(place.path for place in self.numbers)
 
     def theta(self, values: Sequence[float]) -> list[float]:
         """Numbers that are estimated, from values of the paths."""
@@ -89,10 +87,10 @@ class Free:
     """
 
     def __init__(self, model: Model, paths: Sequence[str]) -> None:
-        """`paths`: as `Places.found` takes them; also `NAME.unbalance`, all of it, and `POINT.delay`."""
+        """`paths`: as `StandNumbers.find` takes them; also `NAME.unbalance`, all of it, and `POINT.delay`."""
         self.stand = Stand.of(model.stand)
-        places = Places(self.stand)
-        found: dict[str, Place] = {}
+        numbers = StandNumbers(self.stand, self.stand.to_dict())
+        found: dict[str, StandNumber] = {}
         delays: list[str] = []
         for path in paths:
             if path.endswith(f".{DELAY}"):
@@ -102,15 +100,13 @@ class Free:
             for each in (
                 [f"{path}.{key}" for key in ("static", "static_at", "dynamic", "dynamic_at")] if whole else [path]
             ):
-                found |= {place.path: place for place in places.find(each)}
+                found |= {place.path: place for place in numbers.find(each)}
         if not found and not delays:
             raise UsageError("--free: expected at least one path, such as w*.unbalance")
-        self.stand = places.stand()  # its lists are numbers, so that one element can be set
+        self.stand = Stand.from_dict(numbers.written_out(found.values()), self.stand.name)
         self.model = build(self.stand)
         self.delays = tuple(dict.fromkeys(delays))
         self.entries = tuple(_entries(found, self.stand))
-        self._draw = Draw(tuple(Parameter(place, Fixed(place.nominal), None) for place in found.values()), (), None,
-                          places.matrices())  # fmt: skip
 
     @property
     def paths(self) -> tuple[str, ...]:
@@ -120,23 +116,23 @@ class Free:
     @property
     def dimensions(self) -> tuple[Dimension, ...]:
         """Dimensions of the results."""
-        return (*(place.dimension for e in self.entries for place in e.places), *(TIME for _ in self.delays))
+        return (*(place.dimension for e in self.entries for place in e.numbers), *(TIME for _ in self.delays))
 
     @property
     def size(self) -> int:
         """How many numbers of the stand, without delays."""
-        return sum(len(entry.places) for entry in self.entries)
+        return sum(len(entry.numbers) for entry in self.entries)
 
     @property
     def nominal(self) -> Array:
         """theta of the stand file; delays zero."""
-        own = [t for entry in self.entries for t in entry.theta([place.nominal for place in entry.places])]
+        own = [t for entry in self.entries for t in entry.theta([place.value for place in entry.numbers])]
         return np.array([*own, *(0.0 for _ in self.delays)])
 
     @property
     def scale(self) -> Array:
         """Natural size of each theta; of a delay 1 ms."""
-        return np.array([*(e.scale for e in self.entries for _ in e.places), *(1e-3 for _ in self.delays)])
+        return np.array([*(e.scale for e in self.entries for _ in e.numbers), *(1e-3 for _ in self.delays)])
 
     def values(self, theta: Array) -> Array:
         """Values of all paths (k, n) from theta (k, n)."""
@@ -154,7 +150,7 @@ class Free:
         """Changes for `Model.tables`, for n thetas (k, n)."""
         values = self.values(theta)
         paths = [path for entry in self.entries for path in entry.paths]
-        return self._draw.changes({path: np.ascontiguousarray(values[i]) for i, path in enumerate(paths)})
+        return {path: np.ascontiguousarray(values[i]) for i, path in enumerate(paths)}
 
     def tables(self, theta: Array) -> Tables:
         """Tables of the stands with n thetas (k, n). Raises StandError: a stand cannot be."""
@@ -163,12 +159,12 @@ class Free:
     def _parts(self) -> list[tuple[Entry, slice]]:
         found, row = [], 0
         for entry in self.entries:
-            found.append((entry, slice(row, row + len(entry.places))))
-            row += len(entry.places)
+            found.append((entry, slice(row, row + len(entry.numbers))))
+            row += len(entry.numbers)
         return found
 
 
-def _entries(found: Mapping[str, Place], stand: Stand) -> list[Entry]:
+def _entries(found: Mapping[str, StandNumber], stand: Stand) -> list[Entry]:
     """Amounts and angles of unbalances together, where both are free."""
     entries = []
     for path, place in found.items():
@@ -180,20 +176,20 @@ def _entries(found: Mapping[str, Place], stand: Stand) -> list[Entry]:
     return entries
 
 
-def _scale(place: Place, stand: Stand) -> float:
+def _scale(place: StandNumber, stand: Stand) -> float:
     """Natural size of a number: as in the file; where that is zero, what a real stand may have."""
     body = next((each for each in stand.bodies if each.name == place.body), None)
     if ".unbalance." in place.path and body is not None and not place.key.endswith("_at"):
         spin = float(inertia_about_origin(body)[0, 0])
         anywhere = SHARE * (math.sqrt(spin * body.mass) if place.key == "static" else spin)
-        return max(abs(place.nominal), anywhere)
+        return max(abs(place.value), anywhere)
     if place.key == "inertia" and body is not None:
-        return max(abs(place.nominal), SHARE * float(np.trace(inertia_about_origin(body))))
+        return max(abs(place.value), SHARE * float(np.trace(inertia_about_origin(body))))
     if place.key in _LENGTHS:
-        return max(abs(place.nominal), SMALL_LENGTH)
+        return max(abs(place.value), SMALL_LENGTH)
     if place.key in _ANGLES or place.key.endswith("_at"):
-        return max(abs(place.nominal), SMALL_ANGLE)
-    return abs(place.nominal) or SHARE
+        return max(abs(place.value), SMALL_ANGLE)
+    return abs(place.value) or SHARE
 
 
 def _point(path: str, stand: Stand) -> str:

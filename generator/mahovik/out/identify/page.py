@@ -159,7 +159,7 @@ def _ellipse(at: Comparison, wheel: str) -> list[Panel]:
             axes = ("along the second axis, g mm", "along the third axis, g mm")
             covariance = G_MM**2 * at.fit.covariance[own, own]
             return [confidence_ellipse("Static unbalance", axes, G_MM * at.fit.theta[own], covariance)]
-        row += len(entry.places)
+        row += len(entry.numbers)
     return []
 
 
