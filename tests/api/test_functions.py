@@ -95,7 +95,7 @@ def test_a_result_is_drawn_on_new_axes_or_given_ones(name: str) -> None:
 @pytest.mark.slow
 def test_c_is_judged_and_a_page_made(tmp_path: Path) -> None:
     found = mahovik.verify(shaker(), states=5)
-    assert found.passed and "forward" in found["want"] and found.to_dict()["passed"] is True
+    assert found.passed and "forward" in found["judged"] and found.to_dict()["passed"] is True
     page = mahovik.report(shaker())
     page.save(tmp_path / "report.html")
     assert not page.failures and (tmp_path / "report.html").read_text(encoding="utf-8") == page.html

@@ -90,7 +90,7 @@ def judged(stand: str, fmu: Path | str, map_text: str, *options: str) -> tuple[s
 def test_a_right_fmu_agrees(fmu: Path) -> None:
     result = run(*judged(FREE, fmu, FREE_MAP, "--states", "20", "--json"))
     assert result.exit_code == 0, result.output
-    assert [(row["want"], row["states"]) for row in json.loads(result.stdout)["rows"]] == [("forward", 20)]
+    assert [(row["judged"], row["states"]) for row in json.loads(result.stdout)["rows"]] == [("forward", 20)]
 
 
 @pytest.mark.slow

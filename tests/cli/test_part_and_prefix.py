@@ -84,7 +84,7 @@ def test_verify_judges_the_functions_that_are_there_under_their_name(part: Path)
     found = json.loads(result.stdout)
     assert found["stand"] == "shakerp"
     assert found["judged"] == f"C in {part}, only forward, torque"
-    verdicts = {(row["want"], row["quantity"]): row["verdict"] for row in found["rows"]}
+    verdicts = {(row["judged"], row["quantity"]): row["verdict"] for row in found["rows"]}
     assert verdicts["forward", "V_dot"] == verdicts["torque", "tau"] == "ok"
     assert verdicts["", "interpreter = C, bit for bit"] == verdicts["", "bad inputs refused, outputs untouched"] == "ok"
     absent = {want for (want, quantity), verdict in verdicts.items() if verdict == "not compared"}

@@ -129,7 +129,7 @@ def test_the_servos_of_a_slew_are_exported_and_judged(files: dict[str, str], tmp
     judge = ["verify", files["sat.toml"], "--servo", files["S.toml"], "--against", board, "--motion", files["M.json"]]
     said = run(*judge, "--programme", files["P.json"], "--states", "20", "--json")
     assert said.exit_code == 0, said.output
-    ticks = [row for row in json.loads(said.stdout)["rows"] if row["want"] == "SERVO_TICKS"]
+    ticks = [row for row in json.loads(said.stdout)["rows"] if row["judged"] == "SERVO_TICKS"]
     assert [row["verdict"] for row in ticks] == ["ok"]
     assert "is a slew, whose course `mahovik plan` finds: give its programme as well" in refused(*judge)
     text = json.loads(Path(files["P.json"]).read_text())

@@ -132,8 +132,8 @@ def test_judges_pass_a_trim_of_a_hinge_and_find_wrong_numbers(tmp_path: Path) ->
             stand, held.servo(HELD_TRIM, stand), folder,
             motion=held.motion(stand), programme=held.programme(stand), count=20,
         )  # fmt: skip
-        assert {"trim_step", "trim_reset", "trim_default"} <= {row.want for row in report.rows}
-        return [(row.want, row.quantity) for row in report.failures]
+        assert {"trim_step", "trim_reset", "trim_default"} <= {row.judged for row in report.rows}
+        return [(row.judged, row.quantity) for row in report.failures]
 
     assert failures() == []
     code = folder / "hinge_servo.c"

@@ -57,7 +57,7 @@ def test_three_derivations_agree(name: str) -> None:
     second, states = Second(stand), draw(stand, 1, 8, wrenches=False)
     found = judge(stand, own, states, ["generalized"], DOUBLE, None, second)
     found.append(freedom_row(Case(stand, own, states, DOUBLE, second, 1), stand.hold))  # type: ignore[arg-type]
-    assert {row.verdict for row in found} == {"ok"}, [(row.quantity, row.worst, row.second) for row in found]
+    assert {row.verdict for row in found} == {"ok"}, [(row.quantity, row.value, row.second) for row in found]
     assert len(found) >= 4
 
 

@@ -22,7 +22,7 @@ from mahovik.proof.reference import evaluate
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.jacobians import jacobian_rows
@@ -62,7 +62,7 @@ def stand_of(name: str) -> Stand:
     return random_stand(np.random.default_rng(flywheels), flywheels, features)
 
 
-def rows_of(stand: Stand, without: type | None = None, functions: tuple[str, ...] = FUNCTIONS) -> list[Row]:
+def rows_of(stand: Stand, without: type | None = None, functions: tuple[str, ...] = FUNCTIONS) -> list[Check]:
     """Rows of both Jacobians at ordinary states, by the interpreter, which may lack a law."""
     own = InterpreterBackend(generate_all(stand.without_laws(without) if without else stand))
     some = ordinary(draw(stand, 1, 12, wrenches=False), own.inputs, 12)
@@ -75,11 +75,11 @@ def test_they_are_the_derivatives_of_the_second_derivation(name: str) -> None:
     """Without locks and with some."""
     stand = stand_of(name)
     found = rows_of(stand)
-    assert [(row.want, row.verdict, row.reason) for row in found] == [
+    assert [(row.judged, row.verdict, row.words) for row in found] == [
         ("forward_jacobian", "ok", ""),
         *([("coupled_jacobian", "ok", "")] * (2 if stand.flywheels else 0)),
     ]
-    assert all(row.states and row.worst < 1e-11 for row in found)
+    assert all(row.states and row.value < 1e-11 for row in found)
 
 
 @pytest.mark.parametrize("want", ["forward", "coupled"])
@@ -147,5 +147,5 @@ def test_a_clamped_carrier_has_none_and_verify_says_so() -> None:
     stand = random_held_stand("clamped", 3)
     names = {f.name for f in generate_all(stand).program.functions}
     assert names.isdisjoint(FUNCTIONS)
-    assert set(FUNCTIONS) <= {row.want for row in free_only_rows(stand)}
-    assert set(FUNCTIONS).isdisjoint(row.want for row in free_only_rows(random_held_stand("hinge", 3)))
+    assert set(FUNCTIONS) <= {row.judged for row in free_only_rows(stand)}
+    assert set(FUNCTIONS).isdisjoint(row.judged for row in free_only_rows(random_held_stand("hinge", 3)))

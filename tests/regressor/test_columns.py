@@ -23,7 +23,7 @@ from mahovik.proof.reference.bodies import fixed_bodies, spatial_inertia
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.registry import rows_of
@@ -43,8 +43,8 @@ def case_of(stand: Stand, folder: Path, real: str = "double", named: str = "regr
     return Case(stand, backend, given_states, BOUNDS[real], Second(stand), 3)
 
 
-def failures(rows: list[Row]) -> dict[str, float]:
-    return {row.quantity: row.worst for row in rows if row.failed}
+def failures(rows: list[Check]) -> dict[str, float]:
+    return {row.quantity: row.value for row in rows if row.failed}
 
 
 @pytest.fixture(scope="module")

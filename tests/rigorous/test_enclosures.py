@@ -21,7 +21,7 @@ from mahovik.proof.rigorous.ball import elements, length
 from mahovik.proof.rigorous.evaluate import BITS, MOST_BITS, enclose
 from mahovik.proof.rigorous.rotation import elementary, of_quaternion, rotation_product, rotation_vector
 from mahovik.proof.verify.bounds import DOUBLE
-from mahovik.proof.verify.compare import difference
+from mahovik.proof.verify.check import difference
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.scales import scales
 from mahovik.stands import names, path

@@ -12,7 +12,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.second import Second
-from mahovik.proof.verify.compare import difference
+from mahovik.proof.verify.check import difference
 from mahovik.proof.verify.scales import scales
 
 WANTS = tuple(want for want in wants_of("second") if want in wants_of_carrier(held=False))

@@ -54,7 +54,7 @@ def compiled(stand: Stand) -> CBackend:
 
 
 def worst(report: Report) -> dict[str, float]:
-    return {row.quantity: row.worst for row in report.rows}
+    return {row.quantity: row.value for row in report.rows}
 
 
 @pytest.mark.parametrize("name", quick(1, ITS))
@@ -62,7 +62,7 @@ def test_it_agrees_where_its_wheel_is_exact(name: str) -> None:
     found = judged(ITS[name])
     assert found.passed, conclusion(found)
     assert {row.quantity for row in found.rows} == OFFERED
-    assert all(row.worst < 1e-14 for row in found.rows if row.quantity != SHORT)
+    assert all(row.value < 1e-14 for row in found.rows if row.quantity != SHORT)
     assert all(abs(wheel.tensor[0, 2]) > 0.0 or wheel.static > 0.0 for wheel in wheels(ITS[name]))
 
 
@@ -78,7 +78,7 @@ def test_its_spinning_body_is_exact_for_every_flywheel(name: str) -> None:
     found = judged_by_rotors(stand)
     assert found.passed, conclusion(found)
     assert {row.quantity for row in found.rows} == OFFERED
-    assert all(row.worst < 1e-14 for row in found.rows if row.quantity != SHORT)
+    assert all(row.value < 1e-14 for row in found.rows if row.quantity != SHORT)
     assert unsupported_features(stand)
 
 
@@ -159,6 +159,6 @@ def test_without_it_the_others_judge(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "Basilisk", None)
     found = verify_judges(load(path("demo3")), count=2, until=UNTIL)
     assert found.passed, conclusion(found)
-    (row,) = [row for row in found.rows if row.want == "basilisk"]
+    (row,) = [row for row in found.rows if row.judged == "basilisk"]
     assert row.verdict == "not compared"
-    assert row.reason.endswith("pip install bsk")
+    assert row.words.endswith("pip install bsk")

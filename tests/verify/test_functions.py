@@ -15,8 +15,9 @@ from mahovik.core.stand.model import Stand
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.functions.case import Case, Comparison, ordinary
+from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.registry import JUDGES, function_rows, rows_of
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call, wrong_values
 from toolchain.quick import quick
@@ -55,7 +56,7 @@ def planted(name: str, folder: Path, function: str, pattern: str, wrong: str, st
 def test_a_function_without_a_judge_fails(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delitem(JUDGES, "wrap")
     monkeypatch.setattr("mahovik.proof.verify.functions.registry.JUDGES", {})
-    rows = [row for row in function_rows(case_of("demo3")) if row.want == "wrap"]
+    rows = [row for row in function_rows(case_of("demo3")) if row.judged == "wrap"]
     assert [row.verdict for row in rows] == ["FAILED"]
 
 
@@ -93,7 +94,7 @@ def test_a_wrong_answer_of_bad_condition_is_noticed(function: str, pattern: str,
 
 
 def test_a_function_of_which_no_state_is_compared_fails(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(JUDGES, "wrap", lambda case: [Comparison("wrap", "nothing", 1.0).with_verdict()])
+    monkeypatch.setitem(JUDGES, "wrap", lambda case: [Check("wrap", "nothing", 1.0)])
     assert [row.verdict for row in rows_of(case_of("demo3"), "wrap")] == ["not compared", "FAILED"]
 
 
@@ -132,4 +133,4 @@ def test_every_argument_of_every_function_is_tried() -> None:
         (lambda *given: (checked(*given)[0], False), "refused, but outputs were written"),
     ):
         row = check_refusals(backend.program, good, call)
-        assert (row.verdict, row.reason[: len(reason)]) == ("FAILED", reason) and " = " in row.state
+        assert (row.verdict, row.words[: len(reason)]) == ("FAILED", reason) and " = " in row.state

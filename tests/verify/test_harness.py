@@ -25,7 +25,8 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.bounds import FLOAT
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.compare import Judge, Row, difference
+from mahovik.proof.verify.check import Check, difference
+from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import check_batch, judge, verify_c
 from mahovik.proof.verify.report import Report, as_json, as_junit, conclusion, worst_lines
@@ -48,7 +49,7 @@ class Wrong(NumpyBackend):
         return changed
 
 
-def rows_of(change: Any, wants: Sequence[str] = ("forward", "momentum")) -> dict[str, Row]:
+def rows_of(change: Any, wants: Sequence[str] = ("forward", "momentum")) -> dict[str, Check]:
     return {row.quantity: row for row in judge(DEMO, Wrong(DEMO, change), draw(DEMO, 1, 9), wants)}
 
 
@@ -67,7 +68,7 @@ def test_a_stand_without_flywheels_passes() -> None:
 def test_a_difference_of_ten_tolerances_fails_and_of_a_tenth_does_not() -> None:
     rows = rows_of(nudged("energy", 1e-11))
     assert [row.quantity for row in rows.values() if row.failed] == ["energy"]
-    assert 2e-12 < rows["energy"].worst <= 1e-11  # the scale is the sum of magnitudes: larger than the energy
+    assert 2e-12 < rows["energy"].value <= 1e-11  # the scale is the sum of magnitudes: larger than the energy
     assert not any(row.failed for row in rows_of(nudged("energy", 1e-13)).values())
 
 
@@ -86,8 +87,8 @@ def test_a_difference_of_ten_tolerances_fails_and_of_a_tenth_does_not() -> None:
 def test_what_is_no_result_fails_with_a_reason(value: Any, words: str) -> None:
     row = rows_of(lambda found: found | {"V_dot": value} if "V_dot" in found else found)["V_dot"]
     assert row.failed
-    assert row.worst == math.inf
-    assert row.reason == words
+    assert row.value == math.inf
+    assert row.words == words
 
 
 def test_statuses_and_nested_results_are_compared() -> None:
@@ -156,7 +157,7 @@ def test_batches_must_be_those_that_this_version_generates(tmp_path: Path) -> No
         change()
         row = check_batch(DEMO, made, tmp_path)
         assert row is not None
-        verdicts.append(f"{row.verdict} {row.reason}".strip())
+        verdicts.append(f"{row.verdict} {row.words}".strip())
     again = "generate it again with --batch"
     assert verdicts == [
         "ok",
@@ -186,7 +187,7 @@ def test_bits_that_differ_from_the_interpreter_are_caught(monkeypatch: pytest.Mo
     found = verify_c(DEMO, count=4)
     (row,) = found.failures
     assert row.quantity == "interpreter = C, bit for bit"
-    assert row.reason == "forward differs"
+    assert row.words == "forward differs"
     assert read_line(DEMO, worst_lines(found)).state == rest_state(DEMO)
 
 
@@ -200,9 +201,10 @@ def test_reports_as_json_and_junit() -> None:
     assert suite.get("tests") == str(len(found.rows))
     assert suite.get("failures") == suite.get("errors") == "0"
 
-    bad = Row("forward", "V_dot", 3, math.inf, "random 1", None, "FAILED", "\x00\x1b & <missing>")
+    bad = Check("forward", "V_dot", 1e-12)
+    bad.note(math.inf, "random 1", "\x00\x1b & <missing>")
     broken = replace(found, rows=(bad,))
-    assert json.loads(as_json(broken), parse_constant=pytest.fail)["rows"][0]["worst"] is None
+    assert json.loads(as_json(broken), parse_constant=pytest.fail)["rows"][0]["value"] is None
     (case,) = ET.fromstring(as_junit(broken)).iter("failure")
     assert "?? & <missing>" in str(case.get("message"))
     assert conclusion(broken) == "FAILED: forward V_dot"
@@ -231,19 +233,19 @@ def test_rank_is_decided_by_the_thresholds_of_float() -> None:
     assert len(kept) >= len(drawn) / 4  # and not all of them hang on rounding
 
 
-def test_what_is_nearest_to_its_bound_is_no_worst() -> None:
-    """Each difference is said with its own quantity, pair and bound, also that of the references."""
+def test_what_is_nearest_to_its_limit_is_no_worst() -> None:
+    """Each difference is said with its own quantity and limit, also that of the references."""
     rows = (
-        Row("forward", "V_dot", 1, 3e-7, verdict="ok", tolerance=1e-6, derivations=1e-12),
-        Row("momentum", "Z0", 1, 2e-7, verdict="ok", tolerance=5e-7, derivations=1e-12, second=1e-13, between=2e-7),
+        Check("forward", "V_dot", 1e-6, 3e-7, "ok", second_limit=1e-12),
+        Check("momentum", "Z0", 5e-7, 2e-7, "ok", second=1e-13, second_limit=1e-12),
     )
     found = Report("demo3", "", "", "C", 1, 1, 1e-6, rows)
-    expected = "passed: nearest to its bound Z0, judged and reference: 2.0e-07 of the natural scale, 5e-07 accepted"
+    expected = "passed: nearest to its limit Z0, judged and reference: 2.0e-07 of the natural scale, 5e-07 accepted"
     assert conclusion(found) == expected
     near = replace(rows[1], second=9e-13)
     found = replace(found, rows=(rows[0], near))
     assert "Z0, second and reference: 9.0e-13 of the natural scale, 1e-12 accepted" in conclusion(found)
-    same = [replace(row, tolerance=1e-6, derivations=1e-6) for row in rows]
+    same = [replace(row, limit=1e-6, second_limit=1e-6) for row in rows]
     assert conclusion(replace(found, rows=tuple(same))) == "passed: worst 3.0e-07 of the natural scale, 1e-06 accepted"
 
 

@@ -45,7 +45,7 @@ def test_they_agree_on_everything(name: str) -> None:
     stand = STANDS[name]
     found = verify_judges(stand, count=14, names=tuple(JUDGES))
     assert found.passed, conclusion(found)
-    assert {row.want for row in found.rows} == set(JUDGES)
+    assert {row.judged for row in found.rows} == set(JUDGES)
     expected = {*QUANTITIES.values(), MOTION}
     if not stand.flywheels:
         expected -= {QUANTITIES[key] for key in ("I", "phi_ddot", "tau", "mount_wrench")}
@@ -109,7 +109,7 @@ def test_a_wrong_model_is_caught_by_both(change: str, monkeypatch: pytest.Monkey
     for module in (mujoco_judge, pinocchio_judge):
         monkeypatch.setattr(module, "tree", wrong)
     failures = verify_judges(STANDS["random, 1"], count=8, names=tuple(JUDGES), until=0.3).failures
-    assert {row.want for row in failures} == set(JUDGES)
+    assert {row.judged for row in failures} == set(JUDGES)
 
 
 # ---- joints of others for held carriers ----
@@ -186,7 +186,7 @@ def test_the_command_judges_the_c_of_a_held_carrier(name: str) -> None:
     names = ("pinocchio", "mujoco") if name in JOINTS else ("pinocchio",)
     found = verify_judges(stand, count=5, names=names)
     assert found.passed
-    assert {row.want for row in found.rows if row.verdict == "ok"} == set(names)
+    assert {row.judged for row in found.rows if row.verdict == "ok"} == set(names)
     words = {row.quantity for row in found.rows if row.verdict == "ok"}
     assert {"u_dot for given phi_ddot", "reaction for given tau", "tau, inverse dynamics"} <= words
 
@@ -226,4 +226,4 @@ def test_a_hold_without_a_joint_is_refused_and_not_judged(
         judge(stand)
     name = "pinocchio" if judge is HeldPinocchio else "mujoco"
     rows = verify_judges(stand, count=2, names=(name,)).rows
-    assert all(row.verdict == "not compared" and row.reason for row in rows)
+    assert all(row.verdict == "not compared" and row.words for row in rows)

@@ -116,9 +116,9 @@ def test_forward_is_right_to_fifty_ulp(name: str, real: str) -> None:
     assert all(line.row.states == STATES for line in found.lines)
     for line in found.lines:
         assert 0 <= line.ulps <= 50
-        assert line.row.worst <= (DOUBLE if real == "double" else FLOAT).of(line.row.want, line.row.quantity)
-        assert line.ulps >= line.row.worst * 2.0 ** (52 if real == "double" else 23) * (1 - 1e-9)
-    forward = next(line for line in found.lines if line.row.want == "forward")
+        assert line.row.value <= (DOUBLE if real == "double" else FLOAT).of(line.row.judged, line.row.quantity)
+        assert line.ulps >= line.row.value * 2.0 ** (52 if real == "double" else 23) * (1 - 1e-9)
+    forward = next(line for line in found.lines if line.row.judged == "forward")
     assert forward.ulps > 0
     assert forward.alone > 0
     assert math.isfinite(forward.typical)
@@ -143,15 +143,15 @@ def test_a_quantity_that_is_off_by_1e_12_is_caught(stand: Stand, quantity: str) 
     found = measured(stand, Changed(right, quantity, 1 + 9e-13), 6 if stand is HELD else STATES)
     failed = {row.quantity for row in found.report.failures}
     assert failed == {quantity}
-    assert all(row.worst < DOUBLE.default for row in found.report.failures)
-    assert "ulp of the natural scale, 50 accepted" in found.report.failures[0].reason
+    assert all(row.value < DOUBLE.default for row in found.report.failures)
+    assert "ulp of the natural scale, 50 accepted" in found.report.failures[0].words
     assert conclusion(found) == f"FAILED: {quantity}"
 
 
 def test_a_refusal_and_what_is_no_number_fail() -> None:
     refused = measured(load(path("demo3")), Changed(backend("demo3"), "V_dot", math.nan), 3)
-    row = next(row for row in refused.report.failures if row.want == "forward")
-    assert (row.reason, row.worst) == ("RANGE: it will not", math.inf)
+    row = next(row for row in refused.report.failures if row.judged == "forward")
+    assert (row.words, row.value) == ("RANGE: it will not", math.inf)
     endless = measured(load(path("demo3")), Changed(backend("demo3"), "tau", math.inf), 3)
     assert {row.quantity for row in endless.report.failures} == {"tau"}
 

@@ -21,10 +21,11 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify import harness
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
-from mahovik.proof.verify.compare import Judge, Row
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.abilities import excess_rows
-from mahovik.proof.verify.functions.case import Case, Comparison, ordinary
+from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.reactions import mount_rows
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.judges.compare import ALL, verify_judges
@@ -67,7 +68,7 @@ def judged(stand: Stand, wants: tuple[str, ...], error: float = 0.0) -> dict[tup
             if "u_dot" in answer:
                 answer["u_dot"] = answer["u_dot"] + error
             judge.compare(Request(name, state, (want,)), want, answer)
-    return {(row.want, row.quantity): row.excess for row in judge.rows()}
+    return {(row.judged, row.quantity): row.share for row in judge.rows()}
 
 
 @pytest.mark.parametrize("tables", ["", LEG, LEG + WHEEL, PULLED, WHEEL])
@@ -83,15 +84,15 @@ def test_a_refusal_where_no_flywheel_acts_along_the_freedom_is_right() -> None:
     backend = cast(CBackend, InterpreterBackend(generate_all(stand)))
     states = ordinary(draw(stand, 1, 3), (), 2)
     (row,) = excess_rows(Case(stand, backend, states, DOUBLE, Second(stand), 1), "inverse_fast")
-    assert (row.verdict, row.states) == ("ok", len(states)), row.reason
+    assert (row.verdict, row.states) == ("ok", len(states)), row.words
 
 
 def test_what_a_held_carrier_does_not_have_is_a_row_with_the_reason() -> None:
     assert not harness.free_only_rows(loads(PENDULUM))
-    assert "generalized" in {row.want for row in harness.free_only_rows(random_held_stand("knife edge", 3))}
+    assert "generalized" in {row.judged for row in harness.free_only_rows(random_held_stand("knife edge", 3))}
     clamped = harness.free_only_rows(loads(PENDULUM.replace('["pitch"]\npivot = [0, 0, -0.2]', "[]")))
-    assert {"inverse", "inverse_fast"} <= {row.want for row in clamped}
-    assert all(row.verdict == "not compared" and "held carrier" in row.reason for row in clamped)
+    assert {"inverse", "inverse_fast"} <= {row.judged for row in clamped}
+    assert all(row.verdict == "not compared" and "held carrier" in row.words for row in clamped)
 
 
 @pytest.mark.parametrize("quantity", ["u_dot", "V_dot", "reaction"])
@@ -139,7 +140,7 @@ def test_reactions_on_a_carrier_without_inertia_are_skipped_with_the_reason() ->
     torque, motion = mount_rows(case)
     assert (torque.verdict, torque.states) == ("ok", 3)
     assert motion.verdict == "not compared" and not motion.failed
-    assert motion.reason == (
+    assert motion.words == (
         "its judge refused: the mass matrix of the stand without flywheels is not positive definite"
     )
 
@@ -147,10 +148,10 @@ def test_reactions_on_a_carrier_without_inertia_are_skipped_with_the_reason() ->
 def test_a_stand_that_is_none_without_fluid_is_skipped_with_the_reason() -> None:
     """Every judge says so; nothing is compared, which is no pass."""
     report = verify_judges(HELD, count=2, bare=True)
-    assert [row.want for row in report.rows] == list(ALL)
+    assert [row.judged for row in report.rows] == list(ALL)
     for row in report.rows:
         assert (row.verdict, row.states) == ("not compared", 0)
-        assert row.reason.startswith("the stand without carrier: added_mass has no positive definite mass matrix")
+        assert row.words.startswith("the stand without carrier: added_mass has no positive definite mass matrix")
     assert not report.passed
 
 
@@ -208,7 +209,7 @@ def test_evidence_says_that_there_is_nothing_to_judge(tmp_path: Path, monkeypatc
     outcome = agreement._ask_judges(subject(tmp_path), lambda _: None)
     assert outcome.verdict is Verdict.NOTHING
     assert "no positive definite mass matrix" in outcome.figure
-    refused = [Row(name, "all quantities", verdict="not compared", reason=f"{name}: too light") for name in "ab"]
+    refused = [Check(name, "all quantities", words=f"{name}: too light") for name in "ab"]
     report = replace(verify_judges(POINT, count=1, names=(), until=0.0), rows=tuple(refused))
     monkeypatch.setattr(agreement, "verify_judges", lambda *_, **__: report)
     outcome = agreement._ask_judges(subject(tmp_path), lambda _: None)
@@ -216,8 +217,8 @@ def test_evidence_says_that_there_is_nothing_to_judge(tmp_path: Path, monkeypatc
 
 
 def test_a_judge_that_refuses_some_cases_only_fails() -> None:
-    row = Comparison("mounts", "something", 1e-12)
-    row.note(np.ones(2), np.ones(2), np.ones(2), "random 1")
-    row.note_absence(StateError("no such sum"), "random 2")
-    assert (row.with_verdict().verdict, row.row.state) == ("FAILED", "random 2")
-    assert row.row.reason == "its judge refused: no such sum"
+    row = Check("mounts", "something", 1e-12)
+    row.compare(np.ones(2), np.ones(2), np.ones(2), "random 1")
+    row.skip("its judge refused: no such sum", "random 2")
+    assert (row.verdict, row.state) == ("FAILED", "random 2")
+    assert row.words == "1 of 2 states left out: its judge refused: no such sum"

@@ -146,15 +146,14 @@ def test_right_c_passes(name: str) -> None:
     stand, real = CASES[name][0](), CASES[name][1]
     report = verify_c(stand, seed=1, count=STATES, real=real)
     assert report.passed, conclusion(report)
-    assert compared(report, stand) <= {(row.want, row.quantity) for row in report.rows if row.verdict == "ok"}
-    assert all(row.between is not None for row in report.rows if row.second is not None and row.states)
+    assert compared(report, stand) <= {(row.judged, row.quantity) for row in report.rows if row.verdict == "ok"}
 
 
 def compared(report: Report, stand: Stand) -> set[tuple[str, str]]:
     """Rows that a stand must have, the second derivation beside reference and C in those of motions."""
     held = stand.hold is not None
     expected = {("forward", "V_dot"), ("coupled", "V_dot"), ("momentum", "energy")}
-    three = {(row.want, row.quantity) for row in report.rows if row.second is not None}
+    three = {(row.judged, row.quantity) for row in report.rows if row.second is not None}
     assert three >= expected
     assert (("torque", "tau") in three) == bool(stand.flywheels)
     assert (("points", "points") in three) == bool(stand.points or stand.instruments)
@@ -171,7 +170,7 @@ def test_joints_of_others_agree_with_the_held_stands_of_the_docs(file: Path) -> 
     """Pinocchio has no joint without freedoms."""
     report = verify_judges(load(file), count=6, names=("pinocchio", "mujoco"), bare=True)
     assert report.passed
-    silent = {row.want for row in report.rows if row.verdict == "not compared"}
+    silent = {row.judged for row in report.rows if row.verdict == "not compared"}
     assert silent == ({"pinocchio"} if file.stem == "force_table" else set())
 
 

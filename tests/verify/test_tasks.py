@@ -21,7 +21,7 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import Backend, NumpyBackend
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.registry import rows_of
@@ -81,23 +81,23 @@ FAULTS = {
 }
 
 
-def rows_about(case: Case) -> list[Row]:
+def rows_about(case: Case) -> list[Check]:
     """Rows of all functions of tasks."""
     return [row for name in (*INVERSE, *TORQUE) for row in rows_of(case, name)]
 
 
-def failed(rows: list[Row]) -> list[tuple[str, str, float, str, str]]:
+def failed(rows: list[Check]) -> list[tuple[str, str, float, str, str]]:
     """What to see of rows that failed."""
-    return [(row.want, row.quantity, row.worst, row.state, row.reason) for row in rows if row.failed]
+    return [(row.judged, row.quantity, row.value, row.state, row.words) for row in rows if row.failed]
 
 
 def test_the_judges_are_satisfied_and_wrong_inputs_refused() -> None:
     case = case_of("sat4", stand=stand())
     rows = rows_about(case)
     assert failed(rows) == []
-    assert {row.verdict for row in rows if row.want == "torque_for_pointing"} == {"ok"}
+    assert {row.verdict for row in rows if row.judged == "torque_for_pointing"} == {"ok"}
     refusals = check_refusals(case.backend.program, good_inputs(case.backend, case.states), raw_call(case.backend))
-    assert refusals.verdict == "ok", (refusals.reason, refusals.state)
+    assert refusals.verdict == "ok", (refusals.words, refusals.state)
 
 
 @pytest.mark.parametrize("fault", quick(1, FAULTS))

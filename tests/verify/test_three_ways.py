@@ -14,7 +14,7 @@ from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge, report
 from mahovik.stands import path
@@ -56,7 +56,7 @@ class Other(Second):
         return wrong_by(super().evaluate(state, want), self._by)
 
 
-def rows(judged: float = 0.0, second: float = 0.0, refuses_after: int = 0) -> dict[str, Row]:
+def rows(judged: float = 0.0, second: float = 0.0, refuses_after: int = 0) -> dict[str, Check]:
     other = Other(second, refuses_after)
     found = judge(DEMO, Judged(judged), draw(DEMO, 1, 9), ("forward", "momentum", "mounts"), second=other)
     return {row.quantity: row for row in found}
@@ -84,8 +84,8 @@ def test_the_one_that_differs_is_named(name: str) -> None:
     given, verdict, disagreement, reason = ALONE[name]
     found = rows(**given)  # type: ignore[arg-type]
     row = found["V_dot"]
-    assert (row.verdict, row.disagreement) == (verdict, disagreement)
-    assert reason in row.reason
+    assert row.verdict == verdict
+    assert row.words.startswith(disagreement) and reason in row.words
     if not any(map(math.isnan, given.values())):
         assert not found["energy"].failed
     assert found["mount_wrench"].second is None  # the second derivation has no such want
@@ -96,14 +96,14 @@ def test_reference_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(reference, "evaluate", lambda *given: wrong_by(right(*given), 1e-6))
     (row,) = judge(DEMO, backend, draw(DEMO, 1, 9), ("forward",), second=Second(DEMO))
     assert row.failed
-    assert row.disagreement == "C and second agree, reference differs"
+    assert row.words == "C and second agree, reference differs"
 
 
 def test_a_stand_that_the_second_derivation_refuses_is_compared_without_it() -> None:
     found = judge(DEMO, Judged(), draw(DEMO, 1, 9), ("forward", "mounts"), second=Other(math.nan))
     (skipped,) = (row for row in found if row.verdict == "not compared")
-    assert (skipped.want, skipped.quantity) == ("forward", "second derivation")
-    assert skipped.reason == "second derivation refused: no such sum; so at every state"
+    assert (skipped.judged, skipped.quantity) == ("forward", "second derivation")
+    assert skipped.words == "second derivation refused: no such sum; so at every state"
     compared = next(row for row in found if row.quantity == "V_dot")
     assert (compared.verdict, compared.states, compared.second) == ("ok", 9, None)
     assert report(DEMO, "generated C", 1, 9, 1e-12, found).passed

@@ -56,7 +56,7 @@ def test_program_reference_and_second_derivation_agree(name: str) -> None:
     stand = (STANDS | SLOW)[name]()
     backend = InterpreterBackend(generated(stand))
     rows = judge(stand, backend, draw(stand, 5, 10, wrenches=False), backend.wants, second=Second(stand))
-    assert {row.quantity: row.disagreement for row in rows if row.failed} == {}
+    assert {row.quantity: row.words for row in rows if row.failed} == {}
     seen = {row.quantity for row in rows if row.second is not None}
     expected = {"V_dot", "energy"} | ({"tau"} if stand.flywheels else set())
     assert expected | ({"points"} if stand.points or stand.instruments else set()) <= seen

@@ -38,7 +38,7 @@ def by_rotors(stand: Stand, states: int) -> Report:
 def largest(reports: Sequence[Report], judge: str, quantity: str) -> float | None:
     """The largest difference over stands; None where no stand has the quantity."""
     rows = (row for report in reports for row in report.rows)
-    return max((row.worst for row in rows if (row.want, row.quantity) == (judge, quantity)), default=None)
+    return max((row.value for row in rows if (row.judged, row.quantity) == (judge, quantity)), default=None)
 
 
 def measure(options: Namespace) -> Iterator[tuple[str | float | None, ...]]:

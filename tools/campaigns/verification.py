@@ -37,7 +37,7 @@ def largest_differences(number: int, states: int) -> tuple[int, bool, list[float
     report = verify_random(stand, states)
     if not report.passed:
         print(f"{stand.name}: {conclusion(report)}\n{worst_lines(report)}", flush=True)
-    pairs = ((row.worst, row.second or 0.0, row.between or 0.0) for row in report.rows)
+    pairs = ((row.value, row.second or 0.0) for row in report.rows)
     return len(stand.flywheels), report.passed, [max(column) for column in zip(*pairs, strict=True)]
 
 
@@ -61,11 +61,7 @@ def claim_of_three_ways(rows: Rows) -> str:
 def worst_in_float(number: int, states: int) -> dict[tuple[str, str], float]:
     """Largest difference of every quantity of a stand's C in float."""
     report = verify_random(stand_of(number), states, real="float")
-    return {
-        (row.want, row.quantity): max(row.worst, row.between or 0.0)
-        for row in report.rows
-        if row.quantity not in NOT_NUMBERS
-    }
+    return {(row.judged, row.quantity): row.value for row in report.rows if row.quantity not in NOT_NUMBERS}
 
 
 def in_float(options: Namespace) -> Iterator[tuple[Any, ...]]:
@@ -90,7 +86,9 @@ def claim_of_float(rows: Rows) -> str:
 def rounding_of(number: int, states: int, real: str) -> dict[tuple[str, str, str], tuple[float, float, float]]:
     """Errors of each quantity of a stand by enclosures: ulp, and of its scale the C's and that of the judges."""
     report = measure_rounding(stand_of(number), count=states, real=real)
-    return {(real, line.row.want, line.row.quantity): (line.ulps, line.row.worst, line.apart) for line in report.lines}
+    return {
+        (real, line.row.judged, line.row.quantity): (line.ulps, line.row.value, line.apart) for line in report.lines
+    }
 
 
 def rounding(options: Namespace) -> Iterator[tuple[Any, ...]]:

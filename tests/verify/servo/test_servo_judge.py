@@ -36,7 +36,7 @@ def judged(folder: Path, text: str = TRIM, **more: Any) -> Report:
 
 def failures(found: Report) -> set[tuple[str, str]]:
     """Function or table, and quantity, of every row that failed."""
-    return {(row.want, row.quantity) for row in found.failures}
+    return {(row.judged, row.quantity) for row in found.failures}
 
 
 def public_functions(header: Path, prefix: str = "shaker2") -> set[str]:
@@ -56,9 +56,9 @@ def test_every_function_of_the_header_is_judged(name: str, real: str, tmp_path: 
     assert found.passed
     functions = public_functions(source.with_suffix(".h"))
     assert functions >= {"servo_reset", "servo_step"}
-    compared = {row.want for row in found.rows if row.verdict == "ok" and row.states}
+    compared = {row.judged for row in found.rows if row.verdict == "ok" and row.states}
     assert functions <= compared
-    refusals = {row.want for row in found.rows if row.quantity.startswith("bad inputs") and row.states}
+    refusals = {row.judged for row in found.rows if row.quantity.startswith("bad inputs") and row.states}
     assert functions == refusals
     assert {"servo_default"} | ({"trim_default"} if name == "trimmed" else set()) <= compared
 

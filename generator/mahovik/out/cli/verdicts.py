@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from mahovik.out.cli.output import Cell, print_line, print_table
 
 if TYPE_CHECKING:
-    from mahovik.proof.verify.compare import Row
+    from mahovik.proof.verify.check import Check
     from mahovik.proof.verify.report import Report
     from mahovik.proof.verify.rounding.measure import RoundingReport
     from mahovik.proof.verify.targets import TargetRow, TargetsReport
@@ -16,29 +16,29 @@ if TYPE_CHECKING:
 def print_report(found: Report, by: str = "") -> None:
     """Differences of every quantity from the reference, and the conclusion. `by`: head of the column of wants."""
     from mahovik.contract.functions import ALL_WANTS, is_public
-    from mahovik.proof.verify.report import conclusion, has_one_bound
+    from mahovik.proof.verify.report import conclusion, has_one_limit
 
     print_line(f"{found.judged} of {found.stand}   {_identities(found)}   seed {found.seed}")
     if found.left_out:
         print_line(f"the stand without: {', '.join(found.left_out)}", "yellow")
     third = any(row.second is not None for row in found.rows)
-    pairs = ("second>", "between>") if third else ()
-    bound = () if has_one_bound(found.rows) else ("accepted>",)
-    named = {row.want for row in found.rows if row.want}
+    second = ("second>",) if third else ()
+    limit = () if has_one_limit(found.rows) else ("limit>",)
+    named = {row.judged for row in found.rows if row.judged}
     by = by or ("want" if named <= {*ALL_WANTS} else "function" if all(map(is_public, named)) else "judge")
-    columns = ("quantity", by, "states>", "worst>", *bound, *pairs, "at state", "verdict")
+    columns = ("quantity", by, "states>", "worst>", *limit, *second, "at state", "verdict")
     rows = []
     for row in found.rows:
-        judged = row.verdict in ("ok", "FAILED") and row.want
+        judged = row.verdict in ("ok", "FAILED") and row.judged
         rows.append((
             row.quantity,
-            row.want,
+            row.judged,
             str(row.states) if row.states else "",
-            f"{row.worst:.1e}" if judged else "",
-            *(f"{row.tolerance:.0e}" if judged and row.tolerance else "" for _ in bound),
-            *("" if off is None else f"{off:.1e}" for off in (row.second, row.between) if third),
+            f"{row.value:.1e}" if judged else "",
+            *(f"{row.limit:.0e}" if judged and row.limit else "" for _ in limit),
+            *("" if row.second is None else f"{row.second:.1e}" for _ in second),
             row.state,
-            _verdict(row, row.disagreement, row.reason),
+            _verdict(row, row.words),
         ))  # fmt: skip
     if found.rows:
         print_table(columns, rows)
@@ -67,10 +67,10 @@ def print_rounding(found: RoundingReport) -> None:
     for line in found.lines:
         row, exact = line.row, line.ulps < NEGLIGIBLE
         ulps = ulp_text(line.ulps), ulp_text(line.alone), ulp_text(line.judges, 1)
-        worst, typical = (0.0 if exact else x for x in (row.worst, line.typical))
-        relative = f"{worst:.1e}", f"{row.tolerance:.0e}", f"{typical:.1e}"
+        worst, typical = (0.0 if exact else x for x in (row.value, line.typical))
+        relative = f"{worst:.1e}", f"{row.limit:.0e}", f"{typical:.1e}"
         rows.append((
-            row.quantity, row.want, str(row.states), *ulps, *relative, row.state, _verdict(row, row.reason)
+            row.quantity, row.judged, str(row.states), *ulps, *relative, row.state, _verdict(row, row.words)
         ))  # fmt: skip
     if found.lines:
         print_table(("quantity", "want", *numbers, "at state", "verdict"), rows)
@@ -81,10 +81,10 @@ def _identities(found: Report | TargetsReport) -> str:
     return f"structure {found.structure}, physics {found.physics}"
 
 
-def _verdict(row: Row | TargetRow, *reasons: str) -> Cell:
-    """The verdict of a row and its reasons, in its colour."""
+def _verdict(row: Check | TargetRow, words: str) -> Cell:
+    """The verdict and its words, in its colour."""
     style = "green" if row.verdict == "ok" else "red" if row.failed else "yellow"
-    return "  ".join(filter(None, (row.verdict, *reasons))), style
+    return f"{row.verdict}  {words}".rstrip(), style
 
 
 def _print_conclusion(words: str, passed: bool) -> None:

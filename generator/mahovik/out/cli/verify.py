@@ -81,8 +81,8 @@ def verify(
     """Judge C or any program by the reference.
 
     Generates the C of a stand, compiles it with warnings as errors, evaluates random and extreme states, and compares
-    every quantity with the literal reference (worst), and that with the second derivation (second; between: it and the
-    C), relative to its natural scale. Exit status 0 only if all agree.
+    every quantity with the literal reference (worst), and that with the second derivation (second), relative to its
+    natural scale. Exit status 0 only if all agree.
     --against takes folders of `generate --prefix` and `--real` as they are, and judges the functions that `generate
     --only` wrote.
 

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from mahovik.proof.verify.report import Report
 
 
-COMPARED = ("worst", "second", "between")
-"""Columns of a verification with differences: to the reference, to the second derivation, and between these two."""
+COMPARED = ("value", "second")
+"""Columns of a verification with differences from the reference: of what is judged, of the second derivation."""
 
 
 class Verification(Table):
@@ -46,20 +46,19 @@ class Verification(Table):
             return np.array([np.nan if x is None else x for x in values])
 
         return (
-            Column("want", "", np.array([row.want for row in rows], dtype=object)),
+            Column("judged", "", np.array([row.judged for row in rows], dtype=object)),
             Column("quantity", "", np.array([row.quantity for row in rows], dtype=object)),
             Column("states", "", np.array([row.states for row in rows])),
-            Column("worst", "", numbers([row.worst for row in rows])),
+            Column("value", "", numbers([row.value for row in rows])),
             Column("second", "", numbers([row.second for row in rows])),
-            Column("between", "", numbers([row.between for row in rows])),
-            Column("accepted", "", numbers([row.tolerance or self.result.tolerance for row in rows])),
+            Column("limit", "", numbers([row.limit for row in rows])),
             Column("verdict", "", np.array([row.verdict for row in rows], dtype=object)),
         )
 
     def _panels(self) -> Sequence[Panel]:
         from mahovik.out.report.plot.shares import shares
 
-        return [shares("difference", {name: self[name] for name in COMPARED}, self["accepted"])]
+        return [shares("difference", {name: self[name] for name in COMPARED}, self["limit"])]
 
     @property
     def passed(self) -> bool:

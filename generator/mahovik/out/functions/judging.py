@@ -215,7 +215,7 @@ def _diagnosis(
 
     if found.passed:
         return Diagnosis("equal")
-    offered = tuple(dict.fromkeys(row.want for row in found.rows if row.verdict in ("ok", "FAILED")))
+    offered = tuple(dict.fromkeys(row.judged for row in found.rows if row.verdict in ("ok", "FAILED")))
     if not offered:
         return Diagnosis("nothing", failed=_failure_words(found))
     rows = None if states is None else telling_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
@@ -254,7 +254,7 @@ def _silence(wants: Sequence[str]) -> str:
 def _failure_words(found: Report, compared: Sequence[str] = ()) -> tuple[str, ...]:
     """What failed in the table, with its reason; without what a diagnosis has `compared`, as want: quantity."""
     return tuple(
-        f"{row.want} {row.quantity}".strip() + (f" ({row.reason})" if row.reason else "")
+        f"{row.judged} {row.quantity}".strip() + (f" ({row.words})" if row.words else "")
         for row in found.failures
-        if not any(f"{each}.".startswith(f"{row.want}: {row.quantity}.") for each in compared)
+        if not any(f"{each}.".startswith(f"{row.judged}: {row.quantity}.") for each in compared)
     )

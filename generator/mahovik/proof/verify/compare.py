@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,7 +18,8 @@ from mahovik.proof.reference.hold import acceleration, allocation, free_equation
 from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.second import Second
 from mahovik.proof.verify.actuators import stand_at
-from mahovik.proof.verify.bounds import DOUBLE, Bounds
+from mahovik.proof.verify.bounds import Bounds
+from mahovik.proof.verify.check import Check, difference
 from mahovik.proof.verify.program_backend import is_beyond
 from mahovik.proof.verify.scales import scales
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
@@ -30,87 +30,19 @@ EXCESS_MARGIN = 1e-3
 """Relative distance of what a flywheel needs from what it has below which rounding may decide EXCESSIVE."""
 
 
-@dataclass(frozen=True)
-class Differences:
-    """Differences of the three pairs at one state, as in Row; of judged and reference alone, the others are None."""
+def odd_one(judged: float, second: float, between: float, words: str) -> str:
+    """Which of three derivations differs, by their differences over what is accepted; "" where all agree.
 
-    worst: float
-    second: float | None = None
-    between: float | None = None
-
-    def odd_one(self, tolerance: float, derivations: float, judged: str) -> str:
-        """The one of the three that differs: the two that are nearest agree, if they do within what is accepted."""
-        pairs = (
-            ((self.between or 0.0) / tolerance, f"{judged} and second agree, reference differs"),
-            ((self.second or 0.0) / derivations, f"reference and second agree, {judged} differs"),
-            (self.worst / tolerance, f"{judged} and reference agree, second differs"),
-        )
-        nearest, words = min(pairs)
-        return words if nearest <= 1 else "no two agree"
-
-
-@dataclass
-class Row:
-    """One line of the verdict. Differences are relative; `state` is where they were worst for what is accepted.
-
-    worst         judged - reference
-    second        second derivation - reference; None where the second derivation has no such quantity
-    between       judged - second derivation; None likewise
-    disagreement  which of the three differs, where they do not all agree
-    tolerance     accepted of `worst` and `between`, where it is not the report's
-    derivations   accepted of `second`, where it is not the tolerance
-    at_state      the differences at `state`
+    The two that are nearest agree, if they do within what is accepted. `words`: what is judged.
     """
-
-    want: str
-    quantity: str
-    states: int = 0
-    worst: float = 0.0
-    state: str = ""
-    request: Request | None = None
-    verdict: str = ""
-    reason: str = ""
-    second: float | None = None
-    between: float | None = None
-    disagreement: str = ""
-    tolerance: float | None = None
-    derivations: float | None = None
-    at_state: Differences | None = None
-
-    @property
-    def failed(self) -> bool:
-        """Whether this row makes the whole verification fail."""
-        return self.verdict not in ("ok", "not offered", "not compared")
-
-    @property
-    def excess(self) -> float:
-        """The largest difference of any pair over what is accepted of it."""
-        difference, accepted, _ = self.nearest()
-        return difference / accepted
-
-    def nearest(self, at: Differences | None = None) -> tuple[float, float, str]:
-        """Difference of the pair that is nearest to its bound, the accepted difference, and the names of the pair.
-
-        `at`: of these differences, by default of the largest.
-        """
-        found, tolerance = at or Differences(self.worst, self.second, self.between), self.tolerance or 1.0
-        pairs = (
-            (found.worst, tolerance, "judged and reference"),
-            (found.second or 0.0, self.derivations or tolerance, "second and reference"),
-            (found.between or 0.0, tolerance, "judged and second"),
-        )
-        return max(pairs, key=lambda pair: pair[0] / pair[1])
-
-    def note(self, at: Differences, request: Request, reason: str = "") -> None:
-        """Count one state; its request is kept where none before was worse."""
-        self.states += 1
-        difference, accepted, _ = self.nearest(at)
-        if self.request is None or difference / accepted > self.excess:
-            self.request, self.reason, self.at_state = request, reason, at
-            self.state = str(request.id).partition(",")[0]
-        self.worst = max(self.worst, at.worst)
-        if at.second is not None and at.between is not None:
-            self.second, self.between = max(self.second or 0.0, at.second), max(self.between or 0.0, at.between)
+    if max(judged, second, between) <= 1:
+        return ""
+    nearest, pair = min(
+        (between, f"{words} and second agree, reference differs"),
+        (second, f"reference and second agree, {words} differs"),
+        (judged, f"{words} and reference agree, second differs"),
+    )
+    return pair if nearest <= 1 else "no two agree"
 
 
 class Judge:
@@ -131,12 +63,12 @@ class Judge:
         self._second = second
         self._judged = judged
         self._seconds: dict[tuple[tuple[str, float], ...], Second] = {}
-        self._rows: dict[tuple[str, str], Row] = {}
+        self._rows: dict[tuple[str, str], Check] = {}
         self._last: tuple[State | None, str, dict[str, Any] | None] = (None, "", None)
         self._pieces: tuple[State | None, reference.Pieces | None] = (None, None)
         self._undecided = False
         self._answered: set[str] = set()
-        self._one_sided: dict[str, list[tuple[Row, float, Request, str]]] = {}
+        self._one_sided: dict[str, list[tuple[Check, float, Request, str]]] = {}
 
     def _second_of(self, state: State) -> Second:
         """The second derivation with the deflections and speeds of a state, which are numbers in its expressions."""
@@ -165,11 +97,11 @@ class Judge:
         want: str,
         found: Mapping[str, Any] | None,
         left_out: Collection[str] = (),
-        reason: str = "",
+        words: str = "",
     ) -> None:
         """Note the differences of one state, but of what is `left_out`.
 
-        `found`: the judged values; None where the state was refused, for the `reason`.
+        `found`: the judged values; None where the state was refused, for the reason in `words`.
         """
         expected = self.expected_answer(request.state, want)
         if expected is None:
@@ -182,12 +114,12 @@ class Judge:
         for quantity, value in expected.items():
             if quantity in left_out or (quantity == "reaction" and is_beyond(expected)):
                 continue
-            off, words, between = math.inf, reason, math.inf
+            off, reason, between = math.inf, words, math.inf
             if found is not None:
-                off, words = difference(found.get(quantity), value, natural[quantity], floor)
+                off, reason = difference(found.get(quantity), value, natural[quantity], floor)
             row = self._row(want, quantity)
             if refusal and found is None:
-                row.note(Differences(off, math.inf, 0.0), request, f"{reason}; {refusal}")
+                self._note(row, (off, math.inf, 0.0), request, f"{reason}; {refusal}")
             elif refusal:
                 self._one_sided.setdefault(want, []).append((row, off, request, refusal))
             elif quantity in second:
@@ -195,9 +127,15 @@ class Judge:
                 other, more = difference(second[quantity], value, natural[quantity], floor)
                 if found is not None:
                     between = difference(found.get(quantity), second[quantity], natural[quantity], floor)[0]
-                row.note(Differences(off, other, between), request, words or more)
+                self._note(row, (off, other, between), request, reason or more)
             else:
-                row.note(Differences(off), request, words)
+                row.note(off, _name(request), reason, request)
+
+    def _note(self, row: Check, differences: tuple[float, float, float], request: Request, reason: str) -> None:
+        """Count a state by its differences: judged and reference, second and reference, judged and second."""
+        off, other, between = differences
+        odd = odd_one(off / row.limit, other / row.accepted_of_second, between / row.limit, self._judged)
+        row.note(off, _name(request), " ".join(filter(None, (odd, reason))), request, other)
 
     def _compare_at_its_rank(self, request: Request, found: Mapping[str, Any], left_out: Collection[str]) -> None:
         """Note sigma, and phi_ddot and residual for the rank that was found; status and rank depend on rounding.
@@ -212,14 +150,14 @@ class Judge:
         least, most = int(np.sum(sigma > 10 * cut)) if largest > noise else 0, int(np.sum(sigma > cut / 10))
         if not isinstance(rank, int) or not least <= rank <= most:
             words = f"rank {rank}, expected {least} to {most}"
-            self._row("inverse", "rank").note(Differences(math.inf), request, words)
+            self._row("inverse", "rank").note(math.inf, _name(request), words, request)
             return
         expected = vars(allocation(at, self._stand, np.array(state.V_dot), cuts, rank))
         natural = inverse_scales(Magnitudes(stand_at(self._stand, state), state, at, cuts), rank)
         for quantity in ("phi_ddot", "residual", "sigma"):
             if quantity not in left_out:
                 off, words = difference(found.get(quantity), expected[quantity], natural[quantity], self._bounds.floor)
-                self._row("inverse", quantity).note(Differences(off), request, words)
+                self._row("inverse", quantity).note(off, _name(request), words, request)
 
     def _ambiguous(self, found: Mapping[str, Any], state: State) -> bool:
         """Whether rank or status of `inverse` depends on rounding.
@@ -258,28 +196,23 @@ class Judge:
         except StateError as error:
             return {}, f"second derivation refused: {error}"
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[Check]:
         """All rows with their verdicts, in the order in which the quantities came."""
         skipped = [self._settle(want) for want in self._one_sided]
         self._one_sided = {}
-        for row in self._rows.values():
-            row.verdict = "ok" if row.states and row.excess <= 1 else "FAILED"
-            if row.failed and row.at_state is not None and row.second is not None:
-                tolerance = self._bounds.of(row.want, row.quantity)
-                row.disagreement = row.at_state.odd_one(tolerance, self._bounds.derivations, self._judged)
         return [*self._rows.values(), *(row for row in skipped if row is not None)]
 
-    def _settle(self, want: str) -> Row | None:
+    def _settle(self, want: str) -> Check | None:
         """Count the states of a want that the second derivation refused; a row of its own where it refused them all."""
         refused = self._one_sided[want]
         for row, off, request, refusal in refused:
             if want in self._answered:
-                row.note(Differences(off, math.inf, math.inf), request, refusal)
+                self._note(row, (off, math.inf, math.inf), request, refusal)
             else:
-                row.note(Differences(off), request)
+                row.note(off, _name(request), "", request)
         if want in self._answered:
             return None
-        return Row(want, "second derivation", verdict="not compared", reason=f"{refused[0][-1]}; so at every state")
+        return Check(want, "second derivation", words=f"{refused[0][-1]}; so at every state")
 
     def _scales(self, state: State, want: str) -> dict[str, Any]:
         with np.errstate(all="ignore"):
@@ -294,45 +227,14 @@ class Judge:
             self._pieces = (state, at)
         return at
 
-    def _row(self, want: str, quantity: str) -> Row:
-        row = Row(want, quantity, tolerance=self._bounds.of(want, quantity), derivations=self._bounds.derivations)
+    def _row(self, want: str, quantity: str) -> Check:
+        row = Check(want, quantity, self._bounds.of(want, quantity), second_limit=self._bounds.derivations)
         return self._rows.setdefault((want, quantity), row)
 
 
-def difference(found: Any, expected: Any, natural: Any, floor: float = DOUBLE.floor) -> tuple[float, str]:
-    """Largest |found - expected| / scale over the components, and a reason if the values cannot be compared."""
-    if found is None:
-        return math.inf, "missing"
-    if isinstance(expected, dict):
-        return _of_parts(found, expected, natural, floor)
-    if natural is None:
-        return (0.0, "") if found == expected else (math.inf, f"{found} where the reference has {expected}")
-    try:
-        numbers = np.array(found, dtype=np.float64)
-    except (ValueError, TypeError, OverflowError):
-        return math.inf, "no array of numbers"
-    wanted = np.asarray(expected, dtype=np.float64)
-    if not numbers.size and not wanted.size:
-        return 0.0, ""  # an empty list in JSON has no second length
-    if numbers.shape != wanted.shape:
-        return math.inf, f"shape {list(numbers.shape)}, expected {list(wanted.shape)}"
-    if not np.isfinite(numbers).all():
-        return math.inf, "not finite"
-    with np.errstate(over="ignore"):
-        relative = np.abs(numbers - wanted) / np.maximum(natural, floor)
-    return float(relative.max()), ""
-
-
-def _of_parts(found: Any, expected: dict[str, Any], natural: Any, floor: float) -> tuple[float, str]:
-    """Difference of the worst part of a nested object, and its words with the name of the part."""
-    if not isinstance(found, Mapping):
-        return math.inf, "no object"
-    worst, words = 0.0, ""
-    for name, value in expected.items():
-        off, reason = difference(found.get(name), value, natural[name], floor)
-        if off > worst:
-            worst, words = off, f"{name}: {reason}" if reason else name
-    return worst, words
+def _name(request: Request) -> str:
+    """Name of the state of a request."""
+    return str(request.id).partition(",")[0]
 
 
 def same_bits(first: Any, second: Any) -> bool:

@@ -24,7 +24,8 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.actuators import actuators_of, with_drawn_actuators
 from mahovik.proof.verify.bounds import DOUBLE, uniform
-from mahovik.proof.verify.compare import Judge, Row
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import applicable, report
 from mahovik.proof.verify.held import onto_hold
@@ -191,8 +192,8 @@ def _rows(
     tolerance: float,
     required: bool,
     optional: Mapping[str, tuple[str, ...]],
-) -> list[Row]:
-    """Rows of the wants it offers; one row for each it does not."""
+) -> list[Check]:
+    """Checks of the wants it offers; one row for each it does not."""
     stand = setting.stand
     judge = Judge(stand, uniform(tolerance), Second(stand), "program")
     pairs = list(zip(requests, found, strict=True))
@@ -215,11 +216,11 @@ def _rows(
     if TORQUE_FOR in omitted:
         rows += torque_rows(setting, [pair[0] for pair in torques], [pair[1] for pair in torques])
     for want, names in omitted.items():
-        rows += (Row(want, name, verdict="not offered", reason="in none of its results") for name in names)
+        rows += (Check(want, name, verdict="not offered", words="in none of its results") for name in names)
     for want, results in by_want.items():
         if want not in omitted:
             verdict = "MISSING" if required else "not offered"
-            rows.append(Row(want, want, verdict=verdict, reason=str(results[0]["error"])[:200]))
+            rows.append(Check(want, want, verdict=verdict, words=str(results[0]["error"])[:200]))
     return rows
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -20,7 +21,8 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import Backend
 from mahovik.proof.verify.bounds import BOUNDS, DOUBLE, Bounds
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.compare import Judge, Row, same_bits
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.compare import Judge, same_bits
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.program_backend import public_names
@@ -54,8 +56,8 @@ def judge(
     progress: Progress | None = None,
     second: Second | None = None,
     judged: str = "C",
-) -> list[Row]:
-    """Rows of every quantity that `wants` give: the backend against the reference, and with `second` three ways."""
+) -> list[Check]:
+    """Checks of every quantity that `wants` give: the backend against the reference, and with `second` three ways."""
     found = Judge(stand, bounds, second, judged)
     for done, (name, state) in enumerate(states):
         for want in wants:
@@ -64,16 +66,16 @@ def judge(
             if found.expected_answer(state, want) is None:
                 continue
             try:
-                values, reason = backend.evaluate(state, (want,)), ""
+                values, words = backend.evaluate(state, (want,)), ""
             except StateError as error:
-                values, reason = None, f"refused: {error}"
-            found.compare(Request(name, state, (want,)), want, values, reason=reason)
+                values, words = None, f"refused: {error}"
+            found.compare(Request(name, state, (want,)), want, values, words=words)
         if progress is not None:
             progress(done + 1, len(states))
     rows = found.rows()
-    compared = {row.want for row in rows}
+    compared = {row.judged for row in rows}
     return rows + [
-        Row(want, "no state compared", verdict="FAILED", reason="no reference has an answer at any of the states")
+        Check(want, "no state compared", verdict="FAILED", words="no reference has an answer at any of the states")
         for want in wants
         if want not in compared and states
     ]
@@ -121,16 +123,16 @@ def verify_c(
     return report(stand, judged, seed, len(states), BOUNDS[real].default, rows)
 
 
-def absent_rows(left_out: Sequence[str]) -> list[Row]:
+def absent_rows(left_out: Sequence[str]) -> list[Check]:
     """A row for each function that is not in the folder, which nothing judges."""
-    return [Row(name, "not in the folder", verdict="not compared") for name in left_out]
+    return [Check(name, "not in the folder") for name in left_out]
 
 
-def free_only_rows(stand: Stand) -> list[Row]:
+def free_only_rows(stand: Stand) -> list[Check]:
     """A row for each want and function of free carriers that a held one does not have."""
     if stand.hold is None:
         return []
-    reason = "the C of a held carrier has no such function: its freedoms have none"
+    words = "the C of a held carrier has no such function: its freedoms have none"
     names: list[str] = []
     if not has_coordinates(stand.hold):
         names += sorted(OF_COORDINATES)
@@ -138,40 +140,42 @@ def free_only_rows(stand: Stand) -> list[Row]:
         names += ["inverse", *(["inverse_fast"] if stand.flywheels else [])]
     if not stand.hold.freedoms:
         names += [name for name in ("forward_jacobian", "coupled_jacobian") if stand.flywheels or name[0] == "f"]
-    return [Row(name, "not there", verdict="not compared", reason=reason) for name in names]
+    return [Check(name, "not there", words=words) for name in names]
 
 
 def report(
-    stand: Stand, judged: str, seed: int, count: int, tolerance: float, rows: Sequence[Row], error: str = ""
+    stand: Stand, judged: str, seed: int, count: int, tolerance: float, rows: Sequence[Check], error: str = ""
 ) -> Report:
     """The report of these rows on a stand."""
     names = identities(stand)
     return Report(stand.name, names.structure, names.physics, judged, seed, count, tolerance, tuple(rows), error)
 
 
-def check_bits(backend: CBackend, states: Sequence[tuple[str, State]], against: Path | None) -> Row:
-    """Row: the interpreter of the program gives the same bits as the compiled C, so printer and compiler are right.
+def check_bits(backend: CBackend, states: Sequence[tuple[str, State]], against: Path | None) -> Check:
+    """Check: the interpreter of the program gives the same bits as the compiled C, so printer and compiler are right.
 
     C that another version generated may round otherwise: it is held to the tolerance only.
     """
-    row = Row("", "interpreter = C, bit for bit", verdict="ok")
+    row = Check("", "interpreter = C, bit for bit")
     if against is not None and not _same_text(backend.generated.files, against):
-        row.verdict, row.reason = "not compared", OTHER_TEXT
+        row.words = OTHER_TEXT
         return row
     if not backend.wants:
-        row.verdict, row.reason = "not compared", "none of the functions answers a want; the self-test compares bits"
+        row.words = "none of the functions answers a want; the self-test compares bits"
         return row
     for number, (name, state) in enumerate(states):
         wants = [want for want in backend.wants if applicable(state, want)]
         if number % INVERSE_EVERY and "inverse" in wants:
             wants.remove("inverse")
-        row.states += 1
-        for want in wants:
-            if same_bits(_outcome(backend.evaluate, state, want), _outcome(backend.interpreter_evaluate, state, want)):
-                continue
-            if row.verdict == "ok":
-                row.verdict, row.state, row.request = "FAILED", name, Request(name, state, (want,))
-                row.reason = f"{want} differs"
+        pairs = (
+            (want, _outcome(backend.evaluate, state, want), _outcome(backend.interpreter_evaluate, state, want))
+            for want in wants
+        )
+        wrong = next((want for want, compiled, interpreted in pairs if not same_bits(compiled, interpreted)), None)
+        if wrong is None:
+            row.note(0.0, name)
+        else:
+            row.note(math.inf, name, f"{wrong} differs", Request(name, state, (wrong,)))
     return row
 
 
@@ -192,20 +196,19 @@ def _same_text(files: Mapping[str, str], folder: Path) -> bool:
 BATCH = "batch C = as generated, byte for byte"
 
 
-def check_batch(stand: Stand, generated: Generated, folder: Path) -> Row | None:
-    """Row on the bytes of `<stand>_batch.h` and `<stand>_batch.c` in a folder; None if neither exists.
+def check_batch(stand: Stand, generated: Generated, folder: Path) -> Check | None:
+    """Check on the bytes of `<stand>_batch.h` and `<stand>_batch.c` in a folder; None if neither exists.
 
     `generated`: C with the element type of the folder.
     """
     paths = [folder / f"{stand.name}_batch.{kind}" for kind in ("h", "c")]
     if not any(path.is_file() for path in paths):
         return None
-    row = Row("", BATCH, verdict="ok")
+    row = Check("", BATCH)
     expected = batch_files(stand, generated)
     for path in paths:
-        if not path.is_file():
-            row.verdict, row.reason = "FAILED", f"{path.name} is missing: generate it again with --batch"
-        elif path.read_bytes() != expected[path.name].encode("utf-8"):
-            row.verdict = "FAILED"
-            row.reason = f"{path.name} is not what this version generates: generate it again with --batch"
+        there = path.is_file()
+        words = "not what this version generates" if there else "missing"
+        same = there and path.read_bytes() == expected[path.name].encode("utf-8")
+        row.demand(same, "", f"{path.name} is {words}: generate it again with --batch")
     return row

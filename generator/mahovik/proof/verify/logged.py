@@ -9,7 +9,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import DOUBLE, uniform
-from mahovik.proof.verify.compare import Judge, Row
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.harness import report
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.states import Request
@@ -35,10 +36,8 @@ def verify_log(
             if name in answers.get(want, {}):
                 left_out = () if stand.hold is None else OF_HELD - given[want]
                 judge.compare(Request(f"{name}, {want}", state, (want,)), want, answers[want][name], left_out)
-    rows = judge.rows()
-    rows += [
-        Row(want, want, verdict="MISSING", reason="no row of the log has it") for want in wants if not answers.get(want)
-    ]
+    rows, missing = judge.rows(), [want for want in wants if not answers.get(want)]
+    rows += [Check(want, want, verdict="MISSING", words="no row of the log has it") for want in missing]
     return report(stand, source, 0, len(states), tolerance, rows)
 
 

@@ -19,7 +19,7 @@ from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.state import State
 from mahovik.core.toolchain.library import Library
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 
 Call = Callable[[str, Mapping[str, Any]], tuple[int, bool]]
 """Function name, inputs by argument name; status, and whether its outputs are untouched."""
@@ -54,12 +54,12 @@ class WrongValue:
         return f"{'.'.join(names)}{index} = {value}"
 
 
-def check_refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> Row:
-    """Row: every public function refuses one wrong value at a time. `inputs` are good ones, by argument name.
+def check_refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> Check:
+    """Check that every public function refuses one wrong value at a time. `inputs`: good ones, by argument name.
 
     A function that is not tried at all fails.
     """
-    row = Row("", "bad inputs refused, outputs untouched", verdict="ok")
+    check = Check("", "bad inputs refused, outputs untouched")
     for function in program.functions:
         if not function.public:
             continue
@@ -68,16 +68,13 @@ def check_refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> R
         for wrong in wrong_values(function, good, program.precision.name):
             tried += 1
             status, untouched = call(function.name, with_value(good, wrong))
-            row.states += 1
-            if status != STATUS_VALUES[wrong.status]:
-                found = f"status {status_words(status)}, expected {wrong.status}"
-                row.verdict, row.state, row.reason = "FAILED", f"{function.name}: {wrong.words}", found
-            elif not untouched:
-                row.verdict, row.state = "FAILED", f"{function.name}: {wrong.words}"
-                row.reason = "refused, but outputs were written"
+            right = status == STATUS_VALUES[wrong.status]
+            found = f"status {status_words(status)}, expected {wrong.status}"
+            words = "refused, but outputs were written" if right else found
+            check.demand(right and untouched, f"{function.name}: {wrong.words}", words)
         if not tried:
-            row.verdict, row.state, row.reason = "FAILED", function.name, "no wrong input is known for it"
-    return row
+            check.demand(False, function.name, "no wrong input is known for it")
+    return check
 
 
 def wrong_values(function: Function, good: Mapping[str, Any], real: str) -> Iterator[WrongValue]:

@@ -9,13 +9,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.states import state_line
 
 
 @dataclass(frozen=True)
 class Report:
-    """Result of a verification: the stand (without the features in `left_out`), what was judged, and the rows."""
+    """Result of a verification: the stand (without the features in `left_out`), what was judged, and the checks."""
 
     stand: str
     structure: str
@@ -24,7 +24,7 @@ class Report:
     seed: int
     states: int
     tolerance: float
-    rows: tuple[Row, ...]
+    rows: tuple[Check, ...]
     error: str = ""
     left_out: tuple[str, ...] = ()
 
@@ -34,7 +34,7 @@ class Report:
         return not self.error and any(row.verdict == "ok" for row in self.rows) and not self.failures
 
     @property
-    def failures(self) -> tuple[Row, ...]:
+    def failures(self) -> tuple[Check, ...]:
         """Rows that failed."""
         return tuple(row for row in self.rows if row.failed)
 
@@ -45,7 +45,7 @@ OTHER_TEXT = "its text is not what this version generates"
 
 def conclusion(report: Report) -> str:
     """The verdict in one line; of C with another text than this version's, it says so."""
-    differs = any(row.reason == OTHER_TEXT for row in report.rows)
+    differs = any(row.words == OTHER_TEXT for row in report.rows)
     return _verdict(report) + ("; text differs from this version's" if differs else "")
 
 
@@ -53,30 +53,30 @@ def _verdict(report: Report) -> str:
     if report.error:
         return f"FAILED: {report.error}"
     if report.failures:
-        names = (row.quantity if row.request is not None else f"{row.want} {row.quantity}" for row in report.failures)
+        names = (row.quantity if row.request is not None else f"{row.judged} {row.quantity}" for row in report.failures)
         return f"FAILED: {', '.join(dict.fromkeys(name.strip() for name in names))}"
     if not report.passed:
         return _nothing(report)
     ok = [row for row in report.rows if row.verdict == "ok"]
     quantities = [row for row in ok if row.request is not None] or ok  # of wants: functions have scales of their own
-    row = max(quantities, key=lambda row: row.excess)
-    difference, accepted, pair = row.nearest()
-    if has_one_bound(quantities):
-        return f"passed: worst {difference:.1e} of the natural scale, {row.tolerance or report.tolerance:.0e} accepted"
+    row = max(quantities, key=lambda row: row.share)
+    by_second = (row.second or 0.0) * row.limit > row.value * row.accepted_of_second
+    difference, accepted = (row.second or 0.0, row.accepted_of_second) if by_second else (row.value, row.limit)
     off = f"{difference:.1e} of the natural scale, {accepted:.0e} accepted"
-    return f"passed: nearest to its bound {row.quantity}, {pair}: {off}"
+    if has_one_limit(quantities):
+        return f"passed: worst {off}"
+    return f"passed: nearest to its limit {row.quantity}, {'second' if by_second else 'judged'} and reference: {off}"
 
 
 def _nothing(report: Report) -> str:
     """That nothing was compared, with the first reason why; not passed, but nothing failed either."""
-    reason = next((row.reason for row in report.rows if row.reason), "")
+    reason = next((row.words for row in report.rows if row.words), "")
     return f"nothing was compared: {reason}" if reason else "nothing was compared"
 
 
-def has_one_bound(rows: Sequence[Row]) -> bool:
-    """Whether all quantities and pairs of these rows have the same accepted difference."""
-    judged = [row for row in rows if row.tolerance is not None]
-    return len({bound for row in judged for bound in (row.tolerance, row.derivations or row.tolerance)}) <= 1
+def has_one_limit(rows: Sequence[Check]) -> bool:
+    """Whether all differences of these checks have the same limit, but those of which only equality is right."""
+    return len({limit for row in rows if row.limit for limit in (row.limit, row.accepted_of_second)}) <= 1
 
 
 def as_json(report: Report, more: Mapping[str, Any] | None = None) -> str:
@@ -86,17 +86,16 @@ def as_json(report: Report, more: Mapping[str, Any] | None = None) -> str:
     """
     rows = [
         {
-            "want": row.want,
+            "judged": row.judged,
             "quantity": row.quantity,
             "states": row.states,
-            "worst": _finite(row.worst),
+            "skipped": row.skipped,
+            "value": _finite(row.value),
+            "limit": row.limit,
             "second": _finite(row.second),
-            "between": _finite(row.between),
-            "disagreement": row.disagreement,
-            "tolerance": row.tolerance or report.tolerance,
             "state": row.state,
             "verdict": row.verdict,
-            "reason": row.reason,
+            "words": row.words,
         }
         for row in report.rows
     ]
@@ -125,21 +124,19 @@ def as_junit(report: Report) -> str:
     suite = ET.Element("testsuite", name=f"mahovik verify {report.stand}")
     skipped = 0
     for row in report.rows:
-        name = f"{row.want}: {row.quantity}" if row.want else row.quantity
+        name = f"{row.judged}: {row.quantity}" if row.judged else row.quantity
         case = ET.SubElement(suite, "testcase", classname=f"mahovik.{report.stand}", name=name)
-        words = f"{row.verdict}, {row.states} states, worst {row.worst:.3g} at {row.state or '-'}"
-        if row.second is not None and row.between is not None:
-            words += f", second derivation {row.second:.3g} from the reference, {row.between:.3g} from what is judged"
-        if row.second is not None or row.tolerance is not None:
+        words = f"{row.verdict}, {row.states} states, largest difference {row.value:.3g} at {row.state or '-'}"
+        if row.second is not None:
+            words += f", second derivation {row.second:.3g} from the reference"
+        if row.limit:
             ET.SubElement(case, "system-out").text = _printable(words)
         if row.failed:
-            failure = ET.SubElement(
-                case, "failure", message=_printable(f"{words} {row.disagreement} {row.reason}".strip())
-            )
-            failure.text = _printable(state_line(row.request) if row.request else row.reason)
+            failure = ET.SubElement(case, "failure", message=_printable(f"{words} {row.words}".strip()))
+            failure.text = _printable(state_line(row.request) if row.request else row.words)
         elif row.verdict != "ok":
             skipped += 1
-            ET.SubElement(case, "skipped", message=_printable(f"{row.verdict} {row.reason}".strip()))
+            ET.SubElement(case, "skipped", message=_printable(f"{row.verdict} {row.words}".strip()))
     errors = 0
     if report.error or not report.rows:
         errors = 1
@@ -160,7 +157,7 @@ def as_junit(report: Report) -> str:
 def worst_lines(report: Report) -> str:
     """States as `eval` takes them: the worst of every quantity that failed, or of all where none did; worst first."""
     rows = [row for row in report.failures or report.rows if row.request is not None]
-    rows.sort(key=lambda row: -row.excess)
+    rows.sort(key=lambda row: -row.share)
     return "".join(f"{line}\n" for line in dict.fromkeys(state_line(row.request) for row in rows if row.request))
 
 

@@ -20,9 +20,9 @@ from mahovik.proof.reference.coupled import coupled
 from mahovik.proof.reference.task import task_of, task_rows
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import Bounds
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions import allocation, task_torques
-from mahovik.proof.verify.functions.case import Comparison, Setting, ordinary
+from mahovik.proof.verify.functions.case import Setting, ordinary
 from mahovik.proof.verify.states import Request
 
 WANT = "torque_for"
@@ -64,10 +64,10 @@ def _demand(setting: TaskSetting, number: int, state: State, task: Task) -> Arra
     return task_rows(at, setting.stand, task).acceleration(coupled(at, tau)[0])
 
 
-def torque_rows(setting: TaskSetting, requests: Sequence[Request], results: Sequence[Mapping[str, Any]]) -> list[Row]:
+def torque_rows(setting: TaskSetting, requests: Sequence[Request], results: Sequence[Mapping[str, Any]]) -> list[Check]:
     """tau where no bound is touched, the error within bounds, the motion that results, status and limited."""
-    plain = Comparison(WANT, "tau, without bounds", setting.bounds.default)
-    bounded = Comparison(WANT, "residual, within bounds", max(allocation.EXCESS_LIMIT, setting.bounds.default))
+    plain = Check(WANT, "tau, without bounds", setting.bounds.default)
+    bounded = Check(WANT, "residual, within bounds", max(allocation.EXCESS_LIMIT, setting.bounds.default))
     beside = task_torques.Results(setting, WANT)
     options = _options(setting.stand)
     locked = np.zeros(setting.count, dtype=bool)
@@ -77,14 +77,14 @@ def torque_rows(setting: TaskSetting, requests: Sequence[Request], results: Sequ
             status = _status(result)
             found = _numbers(result, setting.count, len(state.demand))
         except StateError as error:
-            plain.note_refusal(error, where)
+            plain.refuse(error, where)
             continue
         rows = task_rows(setting.at(state), setting.stand, task_of(setting.stand, state.task))
         asked = task_torques.asked_of(setting, state, rows, options, locked)
         task_torques.note_plain(setting, plain, asked, options, found, where)
         task_torques.note_excess(setting, bounded, asked, found, where)
         beside.note(asked, status, found, where)
-    return [plain.with_verdict(), bounded.with_verdict(), *beside.rows()]
+    return [plain, bounded, *beside.rows()]
 
 
 def _options(stand: Stand) -> dict[str, Any]:

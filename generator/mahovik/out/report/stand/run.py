@@ -16,7 +16,7 @@ from mahovik.core.stand.model import Hold, Stand, Vec3, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import StateError, UsageError
 from mahovik.proof import reference
-from mahovik.proof.verify.compare import difference
+from mahovik.proof.verify.check import difference
 from mahovik.proof.verify.scales import scales
 from mahovik.use.simulate.held import rates
 from mahovik.use.simulate.run import column_names

@@ -18,7 +18,7 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge, report, verify_c
 from mahovik.proof.verify.judges.compare import JUDGES, compare_with_judges, load_judges
@@ -154,11 +154,11 @@ def derivations_table(found: Report) -> Markup:
     """Differences of the three pairs, quantity by quantity."""
     judged = "C" if found.judged == "generated C" else "program"
     head = (
-        "quantity", "by", "states>", f"{judged}, reference>", "reference, second>", f"{judged}, second>", "accepted>",
+        "quantity", "by", "states>", f"{judged}, reference>", "reference, second>", "accepted>",
         "verdict",
     )  # fmt: skip
-    groups = [list(rows) for _, rows in groupby(found.rows, key=lambda row: row.want)]
-    return table(head, [[_row(row, found.tolerance) for row in rows] for rows in groups], kind="verdicts")
+    groups = [list(rows) for _, rows in groupby(found.rows, key=lambda row: row.judged)]
+    return table(head, [[_row(row) for row in rows] for rows in groups], kind="verdicts")
 
 
 def judges_table(outside: Mapping[str, Report]) -> Markup:
@@ -171,13 +171,13 @@ def judges_table(outside: Mapping[str, Report]) -> Markup:
     for quantity in dict.fromkeys(quantity for rows in by.values() for quantity in rows):
         there = [rows.get(quantity) for rows in by.values()]
         given = [row for row in there if row is not None]
-        bad = [f"{TITLES[row.want]}: {row.reason or 'differs'}" for row in given if row.failed]
-        accepted = given[0].tolerance
+        bad = [f"{TITLES[row.judged]}: {row.words or 'differs'}" for row in given if row.failed]
+        accepted = given[0].limit
         lines.append([
             quantity,
             str(max(row.states for row in given)),
-            *("" if row is None else share(row.worst) for row in there),
-            "" if accepted is None else share(accepted),
+            *("" if row is None else share(row.value) for row in there),
+            share(accepted),
             verdict("FAILED", "bad") + Markup(" {}").format("; ".join(bad)) if bad else verdict("agrees", "good"),
         ])  # fmt: skip
     return table(head, [lines], kind="verdicts")
@@ -192,18 +192,18 @@ def _group_by_feature(left: Sequence[str]) -> str:
     return ", ".join(f"{what} ({', '.join(bodies)})" if any(bodies) else what for what, bodies in found.items())
 
 
-def _row(row: Row, tolerance: float) -> list[Cell]:
+def _row(row: Check) -> list[Cell]:
     """One quantity of three derivations."""
-    judged = bool(row.want) and row.verdict in _STYLE
-    differences: list[Cell] = [share(row.worst) if judged else ""]
-    differences += ["" if off is None or not judged else share(off) for off in (row.second, row.between)]
-    accepted: Cell = share(row.tolerance or tolerance) if judged else ""
-    said = " ".join(words for words in (row.disagreement, row.reason) if words and row.verdict != "ok")
+    judged = bool(row.judged) and row.verdict in _STYLE
+    differences: list[Cell] = [share(row.value) if judged else ""]
+    differences.append("" if row.second is None or not judged else share(row.second))
+    accepted: Cell = share(row.limit) if judged else ""
+    said = row.words if row.verdict != "ok" else ""
     style = _STYLE.get(row.verdict, "bad" if row.failed else "warn")
     words = verdict("agrees" if row.verdict == "ok" else row.verdict, style)
     if said:
         words += Markup(" {}").format(said)
-    return [row.quantity, row.want, str(row.states) if row.states else "", *differences, accepted, words]
+    return [row.quantity, row.judged, str(row.states) if row.states else "", *differences, accepted, words]
 
 
 def _verdict_line(found: Report, by: str = "") -> Markup:
@@ -218,7 +218,7 @@ def failures_of(found: Report, by: str) -> list[str]:
     """Messages about a comparison that did not pass, one line each; `by`: the judge."""
     if found.error:
         return [f"{by}: {found.error}"]
-    lines = [f"{by}: {row.quantity}: {row.disagreement or row.reason or 'FAILED'}" for row in found.failures]
+    lines = [f"{by}: {row.quantity}: {row.words or 'FAILED'}" for row in found.failures]
     return lines or ([] if found.passed else [f"{by}: nothing was compared"])
 
 

@@ -29,7 +29,7 @@ from mahovik.proof.evidence.piece import (
 )
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.harness import verify_c
 from mahovik.proof.verify.judges.compare import verify_judges
 from mahovik.proof.verify.report import Report, as_json, as_junit, conclusion, worst_lines
@@ -44,16 +44,16 @@ _NO_FAULT = {"double": ("equal",), "float": ("equal", "rounding")}
 def _table(report: Report) -> Table:
     """The table that `mahovik verify` prints."""
     third = any(row.second is not None for row in report.rows)
-    head = ("quantity", "by", "states>", "worst>", *(("second>", "between>") if third else ()), "verdict")
+    head = ("quantity", "by", "states>", "worst>", *(("second>",) if third else ()), "verdict")
     return Table(head, tuple(_row(row, third) for row in report.rows))
 
 
-def _row(row: Row, third: bool) -> tuple[str, ...]:
-    figures = bool(row.want) and row.verdict in ("ok", "FAILED")
-    pair = ("" if off is None else f"{off:.1e}" for off in (row.second, row.between) if third)
-    verdict = " ".join(words for words in (row.verdict, row.disagreement, row.reason) if words)
+def _row(row: Check, third: bool) -> tuple[str, ...]:
+    figures = bool(row.judged) and row.verdict in ("ok", "FAILED")
+    second = ("" if row.second is None else f"{row.second:.1e}",) if third else ()
+    verdict = f"{row.verdict} {row.words}".rstrip()
     states = str(row.states) if row.states else ""
-    return (row.quantity, row.want, states, f"{row.worst:.1e}" if figures else "", *pair, verdict)
+    return (row.quantity, row.judged, states, f"{row.value:.1e}" if figures else "", *second, verdict)
 
 
 def _compare(subject: Subject, tell: Tell) -> Outcome:
@@ -110,10 +110,10 @@ def _measure_rounding(subject: Subject, tell: Tell) -> Outcome:
     rows = tuple(
         (
             line.row.quantity,
-            line.row.want,
+            line.row.judged,
             str(line.row.states),
             f"{line.ulps:.2g}",
-            f"{line.row.worst:.1e}",
+            f"{line.row.value:.1e}",
             f"{line.typical:.1e}",
             line.row.verdict,
         )
@@ -147,7 +147,7 @@ def _ask_judges(subject: Subject, tell: Tell) -> Outcome:
     tell("equations and motions" if subject.stand.hold is None else "equations")
     found = verify_judges(subject.stand, count=subject.choose(50, 200), bare=True)
     if not any(row.verdict in ("ok", "FAILED") for row in found.rows):
-        return Outcome(Verdict.NOTHING, "; ".join(dict.fromkeys(row.reason for row in found.rows)), table=_table(found))
+        return Outcome(Verdict.NOTHING, "; ".join(dict.fromkeys(row.words for row in found.rows)), table=_table(found))
     without = f"The stand was judged without {', '.join(found.left_out)}: the judges do not know these."
     notes = (without,) if found.left_out else ()
     tools = tuple(f"{title} {_version(package)}" for title, package in _PACKAGES if _version(package))

@@ -19,21 +19,21 @@ from mahovik.proof.reference.hold import acceleration
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.task import TaskRows
 from mahovik.proof.reference.torque import torque
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions.allocation import FAST_DAMPING, with_demand, wrong_refusal
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.functions.case import Case
 
 ROOM = 0.1
 """Part by which a motor has more or less than is needed: well above what rounding moves."""
 
 
-def excess_rows(case: Case, function: str) -> Iterator[Row]:
+def excess_rows(case: Case, function: str) -> Iterator[Check]:
     """The bit EXCESSIVE of `inverse`, of its fast form, or of a task's: by torque, by speed, without motors by `most`.
 
     The fast functions count Theta_ff phi'' in place of the drive torque. A right refusal of one, such as where no
     flywheel acts along the freedoms of a held carrier, is counted as a case without a difference.
     """
-    row = Comparison(function, "EXCESSIVE, with other motors", 0.0)
+    row = Check(function, "EXCESSIVE, with other motors", 0.0)
     task = task_of(function)
     fast = function.startswith("inverse_fast")
     for number, (name, state) in enumerate(case.states if case.count else ()):
@@ -42,7 +42,7 @@ def excess_rows(case: Case, function: str) -> Iterator[Row]:
         if fast:  # of a state near a singular position
             given["options"] = {**given["options"], "damping": FAST_DAMPING}
             if _refuses_rightly(case, given, at, rows, function):
-                row.note_difference(0.0, "", name)
+                row.note(0.0, name)
                 continue
         try:
             _, phi_ddot = _answer(case, given, given["options"], function)
@@ -52,13 +52,13 @@ def excess_rows(case: Case, function: str) -> Iterator[Row]:
             stand, options = _motors(case, at, tau, phi_ddot, rng, short, number // 2 % 3)
             status, phi_ddot = _answer(case, given, {**given["options"], **options}, function)
         except StateError as error:
-            row.note_refusal(error, name)
+            row.refuse(error, name)
             continue
         due = bool(np.any(shares_of(stand, at, _torques(case, at, phi_ddot, fast), phi_ddot) > 1.0))
         wrong = due != ("EXCESSIVE" in status_bits(status))
         words = ("expected" if due else "not expected") if wrong else ""
-        row.note_difference(np.inf if wrong else 0.0, words, name)
-    yield row.with_verdict()
+        row.demand(not wrong, name, words)
+    yield row
 
 
 def _refuses_rightly(case: Case, given: Mapping[str, Any], at: Pieces, rows: TaskRows | None, function: str) -> bool:

@@ -29,8 +29,8 @@ from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.inverse import demand, inverse_root
 from mahovik.proof.reference.task import TaskRows, task_rows
 from mahovik.proof.reference.task import task_of as task_named
-from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Case, Comparison, Setting
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.functions.case import Case, Setting
 from mahovik.proof.verify.functions.diagnoses import Diagnoses
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.scales.wants import inverse as inverse_scales
@@ -151,7 +151,7 @@ def answer_of(
     return status, outputs["out"]
 
 
-def inverse_rows(case: Case) -> Iterator[Row]:
+def inverse_rows(case: Case) -> Iterator[Check]:
     """phi_ddot with weights, phi_ddot and damped_by with damping, and limits kept with the least residual.
 
     Of every answer, what the function says beside it is judged as well.
@@ -162,10 +162,10 @@ def inverse_rows(case: Case) -> Iterator[Row]:
         yield from beside.rows()
         return
     accepted = case.bounds.default
-    plain = Comparison("inverse", "phi_ddot, with weights", accepted)
-    damped = Comparison("inverse", "phi_ddot, with damping", accepted)
-    damped_by = Comparison("inverse", "damped_by", accepted)
-    limited = Comparison("inverse", "residual, with limits", EXCESS_LIMIT if case.real == "double" else 1e-3)
+    plain = Check("inverse", "phi_ddot, with weights", accepted)
+    damped = Check("inverse", "phi_ddot, with damping", accepted)
+    damped_by = Check("inverse", "damped_by", accepted)
+    limited = Check("inverse", "residual, with limits", EXCESS_LIMIT if case.real == "double" else 1e-3)
     for number, name, state, scaled in _demands(case):
         given = case.backend.arguments(state)
         options = options_of(case, number)
@@ -176,7 +176,7 @@ def inverse_rows(case: Case) -> Iterator[Row]:
             check_rank(case, scaled, rank)
             expected = weighted_solution(scaled, weight, rank)
             loss = _loss_along_freedoms(case, state, scaled)
-            plain.note(found["phi_ddot"], expected, loss * scale_of(scaled, weight, rank, expected), name)
+            plain.compare(found["phi_ddot"], expected, loss * scale_of(scaled, weight, rank, expected), name)
             beside.note(state, options, status, found, scaled, name)
             options = options_of(case, number, near_singular=NEAR, damping=DAMPING)
             options |= {key: float(np.float32(options[key])) for key in ("near_singular", "damping")}
@@ -184,9 +184,9 @@ def inverse_rows(case: Case) -> Iterator[Row]:
             status, found = answer_of(case, given, options)
             answer = weighted_solution(scaled, weight, rank, near, damping)
             scale = loss * damped_scale(case, scaled, options, rank, answer)
-            damped.note(found["phi_ddot"], answer, scale, name)
+            damped.compare(found["phi_ddot"], answer, scale, name)
             share = largest_damping(scaled, rank, near, damping)
-            damped_by.note(found["damped_by"], share, loss * np.linalg.norm(scaled.W), name)
+            damped_by.compare(found["damped_by"], share, loss * np.linalg.norm(scaled.W), name)
             beside.note(state, options, status, found, scaled, name)
             for fraction in LIMIT_SHARES:
                 options = options_of(case, number, limits_of(case, expected, fraction))
@@ -194,9 +194,8 @@ def inverse_rows(case: Case) -> Iterator[Row]:
                 note_limits(limited, case, status, found, options, scaled, name)
                 beside.note(state, options, status, found, scaled, name, free=False)
         except StateError as error:
-            plain.note_refusal(error, name)
-    for row in (plain, damped, damped_by, limited):
-        yield row.with_verdict()
+            plain.refuse(error, name)
+    yield from (plain, damped, damped_by, limited)
     yield from beside.rows()
 
 
@@ -215,10 +214,10 @@ def _loss_along_freedoms(case: Case, state: State, scaled: ScaledDemand) -> floa
     return float(max(terms / kept for terms, kept in pairs if kept > 0.0))
 
 
-def _left_over(case: Case, beside: Diagnoses) -> Iterator[Row]:
+def _left_over(case: Case, beside: Diagnoses) -> Iterator[Check]:
     """Demand of a stand without flywheels: all of it as residual, and as a unit vector in the norm of K^-1."""
-    residual = Comparison("inverse", "residual, without flywheels", case.bounds.default)
-    hardest = Comparison("inverse", "hardest, without flywheels", case.bounds.default)
+    residual = Check("inverse", "residual, without flywheels", case.bounds.default)
+    hardest = Check("inverse", "hardest, without flywheels", case.bounds.default)
     for _, name, state, scaled in _demands(case):
         at = case.at(state)
         natural = inverse_scales(Magnitudes(case.stand, state, at, case.bounds.cuts))["residual"]
@@ -226,15 +225,14 @@ def _left_over(case: Case, beside: Diagnoses) -> Iterator[Row]:
             given = case.backend.arguments(state)
             status, found = answer_of(case, given, given["options"])
         except StateError as error:
-            residual.note_refusal(error, name)
+            residual.refuse(error, name)
             continue
         wanted, length = demand(at, np.array(state.V_dot)), float(np.linalg.norm(scaled.r))
-        residual.note(found["residual"], wanted, natural, name)
+        residual.compare(found["residual"], wanted, natural, name)
         if length > np.linalg.norm(inverse_root(at.K) @ natural) * 1e-3:
-            hardest.note(found["hardest"], wanted / length, natural / length, name)
+            hardest.compare(found["hardest"], wanted / length, natural / length, name)
         beside.note(state, given["options"], status, found, scaled, name)
-    for row in (residual, hardest):
-        yield row.with_verdict()
+    yield from (residual, hardest)
 
 
 def least_residual(scaled: ScaledDemand, limit: Array) -> float:
@@ -251,24 +249,24 @@ def limits_of(case: Case, phi_ddot: Array, fraction: float) -> Array:
 
 
 def note_limits(
-    row: Comparison, case: Case, status: int, found: Mapping[str, Any], options: Mapping[str, Any],
+    row: Check, case: Case, status: int, found: Mapping[str, Any], options: Mapping[str, Any],
     scaled: ScaledDemand, name: str
 ) -> None:  # fmt: skip
     """Count a bounded answer: by how much its residual exceeds the least, relative to the demand."""
     limit = np.array(options["limit"])
     phi_ddot = np.array(found["phi_ddot"])
     if np.any(np.abs(phi_ddot) > limit):
-        row.note_difference(np.inf, "a limit is exceeded", name)
+        row.note(np.inf, name, "a limit is exceeded")
         return
     held = np.array(found["limited"], dtype=bool)
     if bool(status & STATUS_VALUES["LIMITED"]) != bool(held.any()) or np.any(np.abs(phi_ddot[held]) != limit[held]):
-        row.note_difference(np.inf, "LIMITED and the mask disagree with the answer", name)
+        row.note(np.inf, name, "LIMITED and the mask disagree with the answer")
         return
     y = phi_ddot / np.diag(scaled.to_phi_ddot)
     demanded = float(np.linalg.norm(scaled.r))
     excess = abs(float(np.linalg.norm(scaled.r - scaled.W @ y)) - least_residual(scaled, limit))
     excess -= _weak_demand(scaled, y, held, THRESHOLDS[case.real].regular)
-    row.note_difference(max(excess, 0.0) / max(demanded, 1e-290), "", name)
+    row.note(max(excess, 0.0) / max(demanded, 1e-290), name)
 
 
 def _weak_demand(scaled: ScaledDemand, y: Array, held: Array, regular: float) -> float:
@@ -286,17 +284,17 @@ def _weak_demand(scaled: ScaledDemand, y: Array, held: Array, regular: float) ->
     return float(np.linalg.norm(U[:, weak].T @ (scaled.r - scaled.W[:, held] @ y[held])))
 
 
-def fast_rows(case: Case, function: str, loss: Callable[[State, ScaledDemand], float] | None = None) -> Iterator[Row]:
+def fast_rows(case: Case, function: str, loss: Callable[[State, ScaledDemand], float] | None = None) -> Iterator[Check]:
     """phi_ddot by normal equations, without and with damping, the refusal, and how well the equations are solved.
 
     The last is judged at any condition: an answer of bad condition solves them all the same. `loss`: relative errors
     of W and r in units of rounding; None: those of the whole carrier, or of the freedoms of a held one.
     """
     loss = loss if loss is not None else partial(_loss_along_freedoms, case)
-    plain = Comparison(function, "phi_ddot, with weights", case.bounds.default)
-    damped = Comparison(function, "phi_ddot, with damping", case.bounds.default)
-    solved = Comparison(function, "residual of its equations", case.bounds.default)
-    status_row = Comparison(function, "status", 0.0)
+    plain = Check(function, "phi_ddot, with weights", case.bounds.default)
+    damped = Check(function, "phi_ddot, with damping", case.bounds.default)
+    solved = Check(function, "residual of its equations", case.bounds.default)
+    status_row = Check(function, "status", 0.0)
     for number, name, state, scaled in _demands(case, task_of(function)):
         given = case.backend.arguments(state)
         for row, damping in ((plain, 0.0), (damped, FAST_DAMPING)):
@@ -304,20 +302,19 @@ def fast_rows(case: Case, function: str, loss: Callable[[State, ScaledDemand], f
             weight = np.array(options["weight"])
             status, found = case.backend.call(function, given | {"options": options})
             rest = status & ~STATUS_VALUES["EXCESSIVE"] if status > 0 else status  # has a judge of its own
-            status_row.note_difference(*wrong_refusal(case, rest, normal_matrix(scaled, weight, damping)), name)
+            off, words = wrong_refusal(case, rest, normal_matrix(scaled, weight, damping))
+            status_row.note(off, name, words)
             note_fast(row, case, scaled, options, status, found, name, loss(state, scaled))
             if status >= 0 and not damping:
-                solved.note_difference(
-                    _normal_residual(scaled, weight, np.array(found["phi_ddot"])) / loss(state, scaled), "", name
-                )
-    if not plain.row.states:
-        plain.row.reason = f"condition of its equations above {SQUARED_CONDITION[case.real]:.0e}; see their residual"
+                solved.note(_normal_residual(scaled, weight, np.array(found["phi_ddot"])) / loss(state, scaled), name)
+    if not plain.states:
+        plain.words = f"condition of its equations above {SQUARED_CONDITION[case.real]:.0e}; see their residual"
     for row in (plain, damped, solved, status_row):
-        yield row.with_verdict()
+        yield row
 
 
 def note_fast(
-    row: Comparison, case: Case, scaled: ScaledDemand, options: Mapping[str, Any], status: int,
+    row: Check, case: Case, scaled: ScaledDemand, options: Mapping[str, Any], status: int,
     found: Mapping[str, Any], name: str, loss: float = 1.0
 ) -> None:  # fmt: skip
     """Count an answer by normal equations, where their condition leaves digits."""
@@ -326,11 +323,11 @@ def note_fast(
     if condition > SQUARED_CONDITION[case.real]:
         return
     if status < 0:
-        row.note_refusal(StateError(f"{row.function} refused with status {status_words(status)}"), name)
+        row.refuse(StateError(f"{row.judged} refused with status {status_words(status)}"), name)
         return
     expected = normal_equations(scaled, weight, damping)
     scale = loss * _scale_of_normal_equations(scaled, weight, condition, expected)
-    row.note(found["phi_ddot"], expected, scale, name)
+    row.compare(found["phi_ddot"], expected, scale, name)
 
 
 def wrong_refusal(case: Case, status: int, gram: Array) -> tuple[float, str]:

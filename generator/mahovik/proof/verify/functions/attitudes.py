@@ -19,8 +19,8 @@ from mahovik.proof.reference.rotation import (
     kinematic_matrix_rate,
     quaternion_rotation,
 )
-from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.scales.parts import length
 
 ATTITUDES = 24
@@ -36,22 +36,22 @@ def _angles(case: Case) -> Iterator[tuple[str, Array]]:
         yield f"attitude {number}", case.nearest_numbers(angles)
 
 
-def quaternion_rows(case: Case) -> Iterator[Row]:
+def quaternion_rows(case: Case) -> Iterator[Check]:
     """C of the quaternion against the product of the elementary rotations."""
-    row = Comparison("quaternion", "C", case.bounds.of("generalized", "A"))
+    row = Check("quaternion", "C", case.bounds.of("generalized", "A"))
     for name, angles in _angles(case):
         found = case.call("quaternion", {"angles": list(angles)})["attitude"]
-        row.note(quaternion_rotation(*found), attitude(case.stand.angles, *angles), np.ones((3, 3)), name)
-    yield row.with_verdict()
+        row.compare(quaternion_rotation(*found), attitude(case.stand.angles, *angles), np.ones((3, 3)), name)
+    yield row
 
 
-def coordinate_rows(case: Case) -> Iterator[Row]:
+def coordinate_rows(case: Case) -> Iterator[Check]:
     """V = A q' and V* = A q'' + D q' of (10), and position and attitude."""
     if case.stand.hold is not None:
         yield freedom_row(case, case.stand.hold)
         return
     rng, sequence = case.random(2), case.stand.angles
-    row = Comparison("state_from_coordinates", "state, V_dot", case.bounds.default)
+    row = Check("state_from_coordinates", "state, V_dot", case.bounds.default)
     count = case.count
     for name, angles in _angles(case):
         if _singular(sequence, angles):
@@ -67,25 +67,25 @@ def coordinate_rows(case: Case) -> Iterator[Row]:
         try:
             found = case.call("state_from_coordinates", given | {"x": x})
         except StateError as error:
-            row.note_refusal(error, name)
+            row.refuse(error, name)
             continue
         if count:
-            row.note({key: list(found["x"][key]) for key in kept}, kept, dict.fromkeys(kept), f"{name}, kept")
+            row.compare({key: list(found["x"][key]) for key in kept}, kept, dict.fromkeys(kept), f"{name}, kept")
         A, D = kinematic_matrix(sequence, angles), kinematic_matrix_rate(sequence, angles, q_dot[3:])
         S_A = np.kron(np.eye(2), np.ones((3, 3)))  # elements of rotations, and their rates
         S_D = float(np.abs(q_dot[3:]).sum()) * S_A
-        row.note(found["x"]["position"], position, np.abs(position), f"{name}, position")
+        row.compare(found["x"]["position"], position, np.abs(position), f"{name}, position")
         C = quaternion_rotation(*found["x"]["attitude"])
-        row.note(C, attitude(sequence, *angles), np.ones((3, 3)), f"{name}, attitude")
-        row.note(found["x"]["V"], A @ q_dot, S_A @ np.abs(q_dot), f"{name}, V")
+        row.compare(C, attitude(sequence, *angles), np.ones((3, 3)), f"{name}, attitude")
+        row.compare(found["x"]["V"], A @ q_dot, S_A @ np.abs(q_dot), f"{name}, V")
         scale = S_A @ np.abs(q_ddot) + S_D @ np.abs(q_dot)
-        row.note(found["V_dot"], A @ q_ddot + D @ q_dot, scale, f"{name}, V_dot")
-    yield row.with_verdict()
+        row.compare(found["V_dot"], A @ q_ddot + D @ q_dot, scale, f"{name}, V_dot")
+    yield row
 
 
-def freedom_row(case: Case, hold: Hold) -> Row:
+def freedom_row(case: Case, hold: Hold) -> Check:
     """Position, attitude, V and V* of coordinates of the freedoms of a hold."""
-    rng, row = case.random(2), Comparison("state_from_coordinates", "state, V_dot", case.bounds.default)
+    rng, row = case.random(2), Check("state_from_coordinates", "state, V_dot", case.bounds.default)
     takes = case.backend.program.function("state_from_coordinates").arguments
     sizes = {a.name: int(a.shape[0]) for a in takes if a.name.startswith(("q", "orientation"))}
     table, arm = case.backend.arguments(rest_state(case.stand))["table"], length(np.array(hold.pivot))
@@ -99,16 +99,16 @@ def freedom_row(case: Case, hold: Hold) -> Row:
         lists = {name: list(each) for name, each in given.items()}
         found, name = case.call("state_from_coordinates", {**lists, "table": table, "x": x}), f"coordinates {number}"
         if case.count:
-            row.note({key: list(found["x"][key]) for key in kept}, kept, dict.fromkeys(kept), f"{name}, kept")
+            row.compare({key: list(found["x"][key]) for key in kept}, kept, dict.fromkeys(kept), f"{name}, kept")
         q, orientation, rates = given.get("q", np.zeros(0)), given.get("orientation"), given["q_dot"]
         at = pose_of(hold, case.stand.angles, q, orientation, rates, given["q_ddot"])
         place = length(np.array(hold.position)) + 2 * arm + length(q)
         speed, second = length(rates), length(given["q_ddot"]) + length(rates) ** 2
-        row.note(found["x"]["position"], at.position, np.full(3, place), f"{name}, position")
-        row.note(quaternion_rotation(*found["x"]["attitude"]), at.C, np.ones((3, 3)), f"{name}, attitude")
-        row.note(found["x"]["V"], at.V, np.repeat([(1 + arm) * speed, speed], 3), f"{name}, V")
-        row.note(found["V_dot"], at.V_dot, np.repeat([(1 + arm) * second, second], 3), f"{name}, V_dot")
-    return row.with_verdict()
+        row.compare(found["x"]["position"], at.position, np.full(3, place), f"{name}, position")
+        row.compare(quaternion_rotation(*found["x"]["attitude"]), at.C, np.ones((3, 3)), f"{name}, attitude")
+        row.compare(found["x"]["V"], at.V, np.repeat([(1 + arm) * speed, speed], 3), f"{name}, V")
+        row.compare(found["V_dot"], at.V_dot, np.repeat([(1 + arm) * second, second], 3), f"{name}, V_dot")
+    return row
 
 
 def _singular(sequence: Sequence, angles: Array) -> bool:

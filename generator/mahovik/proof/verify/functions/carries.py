@@ -12,8 +12,8 @@ from mahovik.contract.status import status_words
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.functions.coarse import coarse_row
 from mahovik.proof.verify.functions.steps import AGREEMENT, SHORTER, Motion
 
@@ -25,25 +25,25 @@ AFTER_SHORT_STEPS = {"double": 1e-10, "float": 4e-6}
 without a carry the difference is 1e-4 to 1e-2."""
 
 
-def carried_rows(case: Case, function: str) -> Iterator[Row]:
+def carried_rows(case: Case, function: str) -> Iterator[Check]:
     """Agreement of a motion in some steps of order 4, and in a great number of short steps of order 2."""
-    few = Comparison(function, "state at the end of a motion", AGREEMENT[case.real])
-    many = Comparison(function, "likewise, in very many steps", AFTER_SHORT_STEPS[case.real])
+    few = Check(function, "state at the end of a motion", AGREEMENT[case.real])
+    many = Check(function, "likewise, in very many steps", AFTER_SHORT_STEPS[case.real])
     for name, state in case.states:
-        if few.row.states and many.row.states:
+        if few.states and many.states:
             break
         motion = Motion(case, function, state, None)
         try:
             off = motion.first(SHORTER, motion.least_error)
             if off is not None:
-                few.note_difference(off, "", name)
+                few.note(off, name)
             off = motion.first(SHORTER, partial(_error, case, function, motion, state))
             if off is not None:
-                many.note_difference(off, "", name)
+                many.note(off, name)
         except StateError as error:
-            few.note_refusal(error, name)
-    yield few.with_verdict()
-    yield many.with_verdict()
+            few.refuse(error, name)
+    yield few
+    yield many
     yield coarse_row(case, function)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
@@ -18,7 +18,6 @@ from mahovik.proof.reference.array import Array
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import Bounds
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.compare import Row, difference
 
 
 class Setting:
@@ -101,50 +100,3 @@ def ordinary(states: Sequence[tuple[str, State]], inputs: Sequence[str], most: i
         (name, replace(state, wrench=MappingProxyType({b: w for b, w in state.wrench.items() if b in inputs})))
         for name, state in chosen
     ]
-
-
-@dataclass
-class Comparison:
-    """Differences of one quantity of a function over several cases: a row of the report."""
-
-    function: str
-    quantity: str
-    tolerance: float
-    floor: float = 1e-290
-    row: Row = field(init=False)
-    refusals: list[tuple[str, str]] = field(default_factory=list, init=False)
-
-    def __post_init__(self) -> None:
-        self.row = Row(self.function, self.quantity, tolerance=self.tolerance)
-
-    def note(self, found: Any, expected: Any, scale: Any, where: str) -> None:
-        """Count one case: |found - expected| over the scale; equal values are demanded where the scale is None."""
-        self.note_difference(*difference(found, expected, scale, self.floor), where)
-
-    def note_difference(self, off: float, reason: str, where: str) -> None:
-        """Count one case by its relative difference, and words where there is more to say."""
-        row = self.row
-        row.states += 1
-        if row.states == 1 or off > row.worst:
-            row.worst, row.state, row.reason = off, where, reason
-
-    def note_refusal(self, error: Exception, where: str) -> None:
-        """Count a case that the function refused though its judge has an answer."""
-        self.note_difference(np.inf, str(error), where)
-
-    def note_absence(self, error: Exception, where: str) -> None:
-        """Note a case that the judge itself refused: a failure if it answers others, else the row is not compared."""
-        self.refusals.append((f"its judge refused: {error}", where))
-
-    def with_verdict(self) -> Row:
-        """The row with its verdict; a row without any case is not compared."""
-        row = self.row
-        if self.refusals and not row.states:
-            row.reason = self.refusals[0][0]
-        elif self.refusals:
-            self.note_difference(np.inf, *self.refusals[0])
-        if not row.states:
-            row.verdict, row.reason = "not compared", row.reason or "no state where its judge has an answer"
-        else:
-            row.verdict = "ok" if row.worst <= self.tolerance else "FAILED"
-        return row

@@ -6,8 +6,8 @@ import numpy as np
 
 from mahovik.contract.quantities import BOUNDS
 from mahovik.contract.status import STATUS_VALUES, status_words
-from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.functions.case import Case
 
 MARGIN = 1e-3
 """Relative distance of a step from the bound."""
@@ -16,12 +16,12 @@ ANSWERS = 2
 """Answers that are judged on each side of the bound of each order; a long step may be refused."""
 
 
-def coarse_row(case: Case, function: str) -> Row:
+def coarse_row(case: Case, function: str) -> Check:
     """COARSE if and only if dt times the fastest of |phi_dot| and |omega| exceeds the bound of the order.
 
     Every state is taken as it is, and with resting flywheels, where the carrier turns fastest.
     """
-    row = Comparison(function, "status COARSE", 0.0)
+    row = Check(function, "status COARSE", 0.0)
     count = {(order, side, still): 0 for order in (2, 4) for side in (-1, 1) for still in (False, True)}
     for name, state in case.states:
         for (order, side, still), answers in count.items():
@@ -41,8 +41,8 @@ def coarse_row(case: Case, function: str) -> Row:
             count[order, side, still] += 1
             wrong = status != (STATUS_VALUES["COARSE"] if side > 0 else STATUS_VALUES["OK"])
             words = f"status {status_words(status)} at {1 + side * MARGIN:g} of the bound of order {order}"
-            row.note_difference(np.inf if wrong else 0.0, words if wrong else "", name)
+            row.demand(not wrong, name, words)
     missing = [f"order {order}" for (order, side, _), answers in count.items() if side > 0 and not answers]
-    if row.row.states and missing:
-        row.row.reason = row.row.reason or f"no step above the bound answered: {', '.join(dict.fromkeys(missing))}"
-    return row.with_verdict()
+    if row.states and missing:
+        row.words = row.words or f"no step above the bound answered: {', '.join(dict.fromkeys(missing))}"
+    return row

@@ -11,15 +11,15 @@ from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.regressor import answer
-from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.scales.magnitudes import Magnitudes, origin, phi_magnitude, screw
 from mahovik.proof.verify.scales.parts import length
 
 
-def column_rows(case: Case) -> Iterator[Row]:
+def column_rows(case: Case) -> Iterator[Check]:
     """A row for each group of columns."""
-    rows: dict[str, Comparison] = {}
+    rows: dict[str, Check] = {}
     for name, state in case.states:
         at = case.at(state)
         expected = answer(at, case.stand, state)
@@ -27,17 +27,17 @@ def column_rows(case: Case) -> Iterator[Row]:
         for group in expected:
             if group not in rows:
                 tolerance = case.bounds.of("regressor", group)
-                rows[group] = Comparison("regressor", group, tolerance, case.bounds.floor)
+                rows[group] = Check("regressor", group, tolerance, case.bounds.floor)
         try:
             found = case.call("regressor", case.backend.arguments(state))
         except StateError as error:
             for row in rows.values():
-                row.note_refusal(error, name)
+                row.refuse(error, name)
             continue
         for group, row in rows.items():
-            row.note(np.array(found[group], dtype=np.float64), expected[group], natural[group], name)
+            row.compare(np.array(found[group], dtype=np.float64), expected[group], natural[group], name)
     for row in rows.values():
-        yield row.with_verdict()
+        yield row
 
 
 def column_scales(m: Magnitudes, at: Pieces, state: State) -> Mapping[str, Array]:

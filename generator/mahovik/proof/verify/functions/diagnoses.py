@@ -14,8 +14,9 @@ from mahovik.proof.reference.excess import motor_shares
 from mahovik.proof.reference.hold import acceleration, free_equations
 from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.verify.compare import EXCESS_MARGIN, Row
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.compare import EXCESS_MARGIN
+from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.scales.wants import inverse as inverse_scales
 
@@ -35,13 +36,13 @@ class Diagnoses:
     def __init__(self, case: Case) -> None:
         self._case = case
         accepted = case.bounds.default
-        self.status = Comparison("inverse", "status, with options", 0.0)
-        self.members = Comparison("inverse", "what else it says, with options", accepted)
-        self.hardest = Comparison("inverse", "hardest", accepted)
+        self.status = Check("inverse", "status, with options", 0.0)
+        self.members = Check("inverse", "what else it says, with options", accepted)
+        self.hardest = Check("inverse", "hardest", accepted)
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[Check]:
         """The rows with their verdicts."""
-        return [row.with_verdict() for row in (self.status, self.members, self.hardest)]
+        return [self.status, self.members, self.hardest]
 
     def note(
         self, state: State, options: Mapping[str, Any], status: int, found: Mapping[str, Any], asked: ScaledDemand,
@@ -66,16 +67,16 @@ class Diagnoses:
         phi_ddot = np.array(found.get("phi_ddot", []), dtype=np.float64)
         free_rows = free_equations(at, self._case.stand)
         left = free_rows.demand(at, np.array(state.V_dot)) - free_rows.I @ phi_ddot
-        row.note(found["residual"], left, natural["residual"], name)
+        row.compare(found["residual"], left, natural["residual"], name)
         if not self._case.count:
-            row.note(found["rank"], 0, None, name)
+            row.compare(found["rank"], 0, None, name)
             return
         sigma = np.linalg.svd(asked.W, compute_uv=False)
-        row.note(found["sigma"], sigma, natural["sigma"], name)
+        row.compare(found["sigma"], sigma, natural["sigma"], name)
         if not options["damping"]:
-            row.note(found["damped_by"], 0.0, None, name)
+            row.compare(found["damped_by"], 0.0, None, name)
         if free:
-            row.note(list(found["limited"]), [0] * self._case.count, None, name)
+            row.compare(list(found["limited"]), [0] * self._case.count, None, name)
 
     def _note_status(
         self, state: State, options: Mapping[str, Any], status: int, found: Mapping[str, Any], asked: ScaledDemand,
@@ -109,7 +110,7 @@ class Diagnoses:
         has = status_bits(status)
         wrong = [bit for bit, wanted in expected.items() if wanted is not None and wanted != (bit in has)]
         words = ", ".join(f"{bit} expected" if expected[bit] else f"{bit} not expected" for bit in wrong)
-        self.status.note_difference(np.inf if wrong else 0.0, words, name)
+        self.status.demand(not wrong, name, words)
 
     def _note_hardest(self, at: Pieces, rank: int, found: Mapping[str, Any], asked: ScaledDemand, name: str) -> None:
         """A unit vector u in the norm of K^-1: along the demand out of reach, or the least singular direction.
@@ -126,15 +127,15 @@ class Diagnoses:
         rounding = float(np.linalg.norm(np.abs(root) @ np.abs(np.array(found["hardest"])))) + float(
             np.linalg.norm(np.abs(root) @ np.sqrt(np.diag(K)))
         )
-        row.note(float(np.linalg.norm(u)), 1.0, rounding, name)
+        row.compare(float(np.linalg.norm(u)), 1.0, rounding, name)
         if rank == most:
             pulled = asked.W @ (asked.W.T @ u) / sigma[0] ** 2
-            row.note(pulled, (sigma[-1] / sigma[0]) ** 2 * u, np.full(most, rounding), name)
+            row.compare(pulled, (sigma[-1] / sigma[0]) ** 2 * u, np.full(most, rounding), name)
             return
         turned = rounding * (sigma[0] / sigma[rank - 1] if rank else 1.0)
-        row.note(U[:, :rank].T @ u, np.zeros(rank), np.full(rank, turned), name)
+        row.compare(U[:, :rank].T @ u, np.zeros(rank), np.full(rank, turned), name)
         beyond = asked.r - U[:, :rank] @ (U[:, :rank].T @ asked.r)
         size, length = float(np.linalg.norm(beyond)), float(np.linalg.norm(asked.r))
-        if size > 0 and turned * length / size * row.tolerance < CLEAR:
+        if size > 0 and turned * length / size * row.limit < CLEAR:
             scale = np.full(most, turned * length / size)
-            row.note(u, beyond / size, scale, name)
+            row.compare(u, beyond / size, scale, name)

@@ -10,8 +10,8 @@ import mpmath
 import numpy as np
 
 from mahovik.contract.quantities import limits_of
-from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.functions.case import Case
 
 _DIGITS = mpmath.MPContext()
 _DIGITS.dps = 50
@@ -35,9 +35,9 @@ def _beyond_half_a_turn(found: float, unit: float) -> float:
     return max(0.0, abs(found) - math.pi * (1 + unit))
 
 
-def wrap_rows(case: Case) -> Iterator[Row]:
+def wrap_rows(case: Case) -> Iterator[Check]:
     """The equal angle within half a turn."""
-    row = Comparison("wrap", "wrapped", WRAP_ERROR * case.unit)
+    row = Check("wrap", "wrapped", WRAP_ERROR * case.unit)
     rng, (most,) = case.random(3), limits_of("phi", case.real)
     edges = (2 * rng.integers(-100, 100, 100) + 1) * math.pi  # there the nearest number of turns hangs on rounding
     angles = [0.0, math.pi, -math.pi, most, -most, *edges, *rng.uniform(-most, most, 200), *rng.normal(size=50)]
@@ -46,13 +46,13 @@ def wrap_rows(case: Case) -> Iterator[Row]:
         phi = max(-most, min(most, phi))
         found = case.call("wrap", {"phi": phi})["wrapped"]
         off = _distance(found, _DIGITS.mpf(phi)) + _beyond_half_a_turn(found, case.unit)
-        row.note_difference(off, "", f"phi = {phi:g}")
-    yield row.with_verdict()
+        row.note(off, f"phi = {phi:g}")
+    yield row
 
 
-def phase_rows(case: Case) -> Iterator[Row]:
+def phase_rows(case: Case) -> Iterator[Check]:
     """2 pi (count - zero) / per_turn, but for whole turns."""
-    row = Comparison("phase_of_counts", "phi", PHASE_ERROR * case.unit)
+    row = Check("phase_of_counts", "phi", PHASE_ERROR * case.unit)
     rng = case.random(4)
     for number in range(200):
         per_turn = int(rng.integers(1, 1 << 12 if number % 2 else 1 << 22)) * (-1 if number % 5 == 0 else 1)
@@ -63,26 +63,26 @@ def phase_rows(case: Case) -> Iterator[Row]:
         angle = 2 * _DIGITS.pi * _DIGITS.mpf(exact.numerator) / exact.denominator
         off = _distance(found, angle) / max(abs(found), float(np.finfo(np.float32).tiny))
         off = 0.0 if abs(found) < case.unit and _distance(found, angle) < case.unit else off
-        row.note_difference(off + _beyond_half_a_turn(found, case.unit), "", f"count {count} of {per_turn}")
-    yield row.with_verdict()
+        row.note(off + _beyond_half_a_turn(found, case.unit), f"count {count} of {per_turn}")
+    yield row
 
 
-def speed_rows(case: Case) -> Iterator[Row]:
+def speed_rows(case: Case) -> Iterator[Check]:
     """2 pi moved / (per_turn dt)."""
-    row = Comparison("speed_of_counts", "phi_dot", 4 * case.unit)
+    row = Check("speed_of_counts", "phi_dot", 4 * case.unit)
     rng = case.random(5)
     for number in range(100):
         per_turn = int(rng.integers(100, 10000)) * (-1 if number % 3 == 0 else 1)
         moved, dt = int(rng.integers(-abs(per_turn), abs(per_turn) + 1)), 2.0 ** -int(rng.integers(4, 12))
         found = case.call("speed_of_counts", {"moved": moved, "per_turn": per_turn, "dt": dt})["phi_dot"]
         exact = 2 * math.pi * moved / (per_turn * dt)
-        row.note(found, exact, abs(exact), f"{moved} of {per_turn} in {dt:g} s")
-    yield row.with_verdict()
+        row.compare(found, exact, abs(exact), f"{moved} of {per_turn} in {dt:g} s")
+    yield row
 
 
-def accumulate_rows(case: Case) -> Iterator[Row]:
+def accumulate_rows(case: Case) -> Iterator[Check]:
     """Place and counts moved of an encoder that turns at random, its counter wrapping; exact."""
-    row = Comparison("accumulate", "place, moved, counter", 0.0)
+    row = Check("accumulate", "place, moved, counter", 0.0)
     rng = case.random(6)
     for per_turn, bits in ((4096, 16), (-4096, 16), (1000, 12), (-360, 0), (512, 0), (10000, 32)):
         size = abs(per_turn) if bits == 0 else 1 << bits
@@ -97,8 +97,8 @@ def accumulate_rows(case: Case) -> Iterator[Row]:
             expected = {"counter": counter, "place": true % abs(per_turn), "moved": moved}
             off = 0.0 if encoder == expected else math.inf
             reason = "" if not off else f"{encoder} where exact integers give {expected}"
-            row.note_difference(off, reason, f"reading {number}, {per_turn} a turn, {bits} bits")
-    yield row.with_verdict()
+            row.note(off, f"reading {number}, {per_turn} a turn, {bits} bits", reason)
+    yield row
 
 
 def _counter(true: int, bits: int, size: int) -> int:

@@ -11,8 +11,8 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.identify_step import Estimate, identify_step, slopes
-from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.scales import scales
 
 DEVIATION = 1e-3
@@ -27,10 +27,10 @@ ERRORS = 256
 """Roundings that both may make: six channels, each of which leaves a hundredth of what it sees."""
 
 
-def identification_rows(case: Case) -> Iterator[Row]:
+def identification_rows(case: Case) -> Iterator[Check]:
     """Unbalances and covariance after one sample."""
     tolerance = ERRORS * case.unit
-    rows = {name: Comparison("identify_step", name, tolerance) for name in ("unbalance", "covariance")}
+    rows = {name: Check("identify_step", name, tolerance) for name in ("unbalance", "covariance")}
     for number, (name, state) in enumerate(case.states):
         before, given = random_estimate(case.random(number), 2 * case.count, case)
         H = slopes(case.stand, state)
@@ -40,23 +40,23 @@ def identification_rows(case: Case) -> Iterator[Row]:
             found = case.call("identify_step", inputs)["estimate"]
         except StateError as error:
             for row in rows.values():
-                row.note_refusal(error, name)
+                row.refuse(error, name)
             continue
         _note(rows, case, name, state, noise, before, found)
     for row in rows.values():
-        yield row.with_verdict()
+        yield row
 
 
 def _note(
-    rows: dict[str, Comparison], case: Case, name: str, state: State, noise: Array, before: Estimate, found: Any
+    rows: dict[str, Check], case: Case, name: str, state: State, noise: Array, before: Estimate, found: Any
 ) -> None:
     after, sample = identify_step(case.stand, state, noise, FORGET, before)
     natural = scales(case.stand, state, case.at(state), "forward", case.bounds.cuts)["V_dot"]
     size = np.abs(state.V_dot) + natural + np.abs(sample.slopes) @ np.abs(before.unbalance)
     scale = np.abs(before.unbalance) + np.abs(sample.gain) @ size
-    rows["unbalance"].note(np.array(found["unbalance"], dtype=np.float64), after.unbalance, scale, name)
+    rows["unbalance"].compare(np.array(found["unbalance"], dtype=np.float64), after.unbalance, scale, name)
     deviation = np.sqrt(np.diag(before.covariance))
-    rows["covariance"].note(covariance(found), after.covariance, np.outer(deviation, deviation), name)
+    rows["covariance"].compare(covariance(found), after.covariance, np.outer(deviation, deviation), name)
 
 
 def random_estimate(rng: np.random.Generator, n: int, case: Case) -> tuple[Estimate, dict[str, Any]]:

@@ -13,8 +13,8 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.second.derivatives import Derivatives
-from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.functions.locks import lock_patterns
 from mahovik.proof.verify.scales import scales
 
@@ -28,27 +28,27 @@ CONDITION = 10.0
 """Accepted beyond the bound of the function itself: a derivative goes through K^-1 twice."""
 
 
-def jacobian_rows(case: Case, function: str) -> Iterator[Row]:
+def jacobian_rows(case: Case, function: str) -> Iterator[Check]:
     """All matrices of `forward_jacobian` or `coupled_jacobian`: the worst of them."""
     want = function.removesuffix("_jacobian")
     names = _matrices(case, function)
     by = tuple(dict.fromkeys(re.sub("^(V_dot|u_dot|phi_ddot)_", "", name) for name in names))
-    row = Comparison(function, "derivatives", CONDITION * case.bounds.default, case.bounds.floor)
+    row = Check(function, "derivatives", CONDITION * case.bounds.default, case.bounds.floor)
     derivatives = Derivatives(case.second, want, by)
     for name, state in case.states[:STATES]:
         try:
             found = case.call(function, case.backend.arguments(state))
         except StateError as error:
-            row.note_refusal(error, name)
+            row.refuse(error, name)
             continue
         try:
             expected, scale = derivatives.evaluate(state), derivative_scales(case, state, want, by)
         except StateError as error:
-            row.note_absence(error, name)
+            row.skip(f"its judge refused: {error}", name)
             continue
         for quantity in names:
-            row.note(found[quantity], expected[quantity], scale[quantity], f"{name}, {quantity}")
-    yield row.with_verdict()
+            row.compare(found[quantity], expected[quantity], scale[quantity], f"{name}, {quantity}")
+    yield row
     if want == "coupled":
         yield _row_with_locks(case, names, by)
 
@@ -82,23 +82,23 @@ def derivative_scales(case: Case, state: State, want: str, by: Sequence[str]) ->
     return {f"{value}_{name}": np.divide.outer(own[value], sizes[name]) for value in own for name in by}
 
 
-def _row_with_locks(case: Case, names: Sequence[str], by: Sequence[str]) -> Row:
+def _row_with_locks(case: Case, names: Sequence[str], by: Sequence[str]) -> Check:
     """All matrices of coupled_jacobian with locks: the worst of them."""
-    row = Comparison("coupled_jacobian", "derivatives, with locks", CONDITION * case.bounds.default, case.bounds.floor)
+    row = Check("coupled_jacobian", "derivatives, with locks", CONDITION * case.bounds.default, case.bounds.floor)
     for number, (name, state) in enumerate(case.states[:STATES_WITH_LOCKS]):
         locked = lock_patterns(case.count, number)
         given = case.backend.arguments(state) | {"locked": [int(x) for x in locked]}
         try:
             found = case.call("coupled_jacobian", given)
         except StateError as error:
-            row.note_refusal(error, name)
+            row.refuse(error, name)
             continue
         try:
             expected = Derivatives(case.second, "coupled", by, list(locked)).evaluate(state)
         except StateError as error:
-            row.note_absence(error, name)
+            row.skip(f"its judge refused: {error}", name)
             continue
         scale = derivative_scales(case, state, "coupled", by)
         for quantity in names:
-            row.note(found[quantity], expected[quantity], scale[quantity], f"{name}, {quantity}")
-    return row.with_verdict()
+            row.compare(found[quantity], expected[quantity], scale[quantity], f"{name}, {quantity}")
+    return row

@@ -9,8 +9,8 @@ import numpy as np
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.hold import accelerations
-from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.scales.wants import coupled as coupled_scale
 
@@ -22,10 +22,10 @@ def lock_patterns(count: int, number: int) -> Array:
     return np.asarray(patterns[number % 4])
 
 
-def rows_with_locks(case: Case, function: str = "coupled") -> Iterator[Row]:
+def rows_with_locks(case: Case, function: str = "coupled") -> Iterator[Check]:
     """V_dot and phi_ddot with some flywheels locked."""
     names = ("V_dot", "phi_ddot")
-    row = Comparison(function, "V_dot, phi_ddot, with locks", case.bounds.default, case.bounds.floor)
+    row = Check(function, "V_dot, phi_ddot, with locks", case.bounds.default, case.bounds.floor)
     for number, (name, state) in enumerate(case.states):
         locked, at = lock_patterns(case.count, number), case.at(state)
         given = case.backend.arguments(state) | {"locked": [int(x) for x in locked]}
@@ -34,8 +34,8 @@ def rows_with_locks(case: Case, function: str = "coupled") -> Iterator[Row]:
         try:
             found = case.call(function, given)
         except StateError as error:
-            row.note_refusal(error, name)
+            row.refuse(error, name)
             continue
         for quantity in names:
-            row.note(found[quantity], expected[quantity], scale[quantity], f"{name}, {quantity}")
-    yield row.with_verdict()
+            row.compare(found[quantity], expected[quantity], scale[quantity], f"{name}, {quantity}")
+    yield row

@@ -13,8 +13,9 @@ from mahovik.core.stand.model import Body, Flywheel, Mat3, MountingAngles, Mount
 from mahovik.core.stand.state import State
 from mahovik.errors import StandError, StateError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.verify.compare import Judge, Row
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.compare import Judge
+from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.states import Request
 
 STANDS = 3
@@ -98,19 +99,19 @@ def _point_inertia(place: Array) -> Array:
     return np.asarray(place @ place * np.eye(3) - np.outer(place, place))
 
 
-def prepare_rows(case: Case) -> Iterator[Row]:
+def prepare_rows(case: Case) -> Iterator[Check]:
     """The wants of the perturbed stands, by the table that the C makes of their parameters."""
     yield _row(case, "prepare", ("matrices", "momentum", "forward", "torque", "points"))
 
 
-def prepare_mounts_rows(case: Case) -> Iterator[Row]:
+def prepare_mounts_rows(case: Case) -> Iterator[Check]:
     """Mount wrenches of the perturbed stands."""
     yield _row(case, "prepare_mounts", ("mounts",))
 
 
-def _row(case: Case, function: str, wants: tuple[str, ...]) -> Row:
+def _row(case: Case, function: str, wants: tuple[str, ...]) -> Check:
     """Answers to some wants on perturbed stands: the worst difference of any quantity over its bound."""
-    row = Comparison(function, "answers, with other parameters", case.bounds.default)
+    row = Check(function, "answers, with other parameters", case.bounds.default)
     known = case.backend.wants_of(case.backend.complete.program)
     wants = tuple(want for want in wants if want in known)
     for number in range(STANDS):
@@ -123,9 +124,9 @@ def _row(case: Case, function: str, wants: tuple[str, ...]) -> Row:
         for name, state in case.states[number::STANDS]:
             _compare(case, function, judge, Request(f"{name}, stand {number + 1}", state, wants), given)
         for found in judge.rows():
-            off = found.excess * case.bounds.default
-            row.note_difference(off, found.reason, f"{found.state}, {found.quantity}")
-    return row.with_verdict()
+            off = found.share * case.bounds.default
+            row.note(off, f"{found.state}, {found.quantity}", found.words)
+    return row
 
 
 def _compare(case: Case, function: str, judge: Judge, request: Request, parameters: object) -> None:
@@ -138,7 +139,7 @@ def _compare(case: Case, function: str, judge: Judge, request: Request, paramete
             given["mounting"] = case.call("prepare_mounts", {"parameters": parameters})["mounting"]
     except StateError as error:
         for want in request.want:
-            judge.compare(request, want, None, reason=str(error))
+            judge.compare(request, want, None, words=str(error))
         return
     for want in request.want:
         judge.compare(request, want, case.backend.answer(want, state, given))

@@ -22,21 +22,21 @@ from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.rotation import C1
 from mahovik.proof.reference.screw import block_diagonal
 from mahovik.proof.second import Second
-from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.scales import scales
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 
 
-def mount_rows(case: Case) -> Iterator[Row]:
+def mount_rows(case: Case) -> Iterator[Check]:
     """Element 4 of each mount wrench against the second derivation's tau, and all six by the carrier's motion.
 
     Carrier and instruments alone, with the reactions of the mounts as wrenches on the carrier, must have the V* of the
     whole stand: Lagrange's equations of the stand without flywheels know nothing of what mounts bear.
     """
     tolerance, floor = case.bounds.of("mounts", "mount_wrench"), case.bounds.floor
-    torque = Comparison("mounts", "element 4, tau of the second", tolerance, floor)
-    motion = Comparison("mounts", "V_dot under the reactions", tolerance, floor)
+    torque = Check("mounts", "element 4, tau of the second", tolerance, floor)
+    motion = Check("mounts", "V_dot under the reactions", tolerance, floor)
     bare = Second(replace(case.stand, flywheels=(), points=()))
     for name, state in case.states:
         try:
@@ -45,23 +45,23 @@ def mount_rows(case: Case) -> Iterator[Row]:
             found = case.call("mounts", case.backend.arguments(moving))["mount_wrench"]
             wrenches = np.array(found, dtype=np.float64).reshape(-1, 6)
         except StateError as error:
-            torque.note_refusal(error, name)
+            torque.refuse(error, name)
             continue
         at = case.at(moving)
         natural = {want: scales(case.stand, moving, at, want, case.bounds.cuts) for want in ("torque", "mounts")}
         try:
             tau = case.second.evaluate(moving, ("torque",))["tau"]
-            torque.note(wrenches[:, 3], tau, natural["torque"]["tau"], name)
+            torque.compare(wrenches[:, 3], tau, natural["torque"]["tau"], name)
         except StateError as error:
-            torque.note_absence(error, name)
+            torque.skip(f"its judge refused: {error}", name)
         if not case.stand.carrier.mass:
             continue
         try:
             _note_motion(motion, case, bare, moving, at, wrenches, np.array(natural["mounts"]["mount_wrench"]), name)
         except StateError as error:  # such as that of a carrier without inertia
-            motion.note_absence(error, name)
-    yield torque.with_verdict()
-    yield motion.with_verdict()
+            motion.skip(f"its judge refused: {error}", name)
+    yield torque
+    yield motion
 
 
 def _rates(case: Case, V_dot: Sequence[float]) -> tuple[float, ...]:
@@ -73,7 +73,7 @@ def _rates(case: Case, V_dot: Sequence[float]) -> tuple[float, ...]:
 
 
 def _note_motion(
-    row: Comparison,
+    row: Check,
     case: Case,
     bare: Second,
     state: State,
@@ -107,18 +107,18 @@ def _note_motion(
     along = Magnitudes(bare.stand, alone, pieces).free  # all six where the carrier is free
     scale = scales(bare.stand, alone, pieces, "forward", case.bounds.cuts)["V_dot"]
     scale = scale + along.S @ along.K_inverse @ along.S.T @ size
-    row.note(state.V_dot, bare.evaluate(alone, ("forward",))["V_dot"], scale, name)
+    row.compare(state.V_dot, bare.evaluate(alone, ("forward",))["V_dot"], scale, name)
 
 
-def hold_rows(case: Case) -> Iterator[Row]:
+def hold_rows(case: Case) -> Iterator[Check]:
     """`reaction` for any motion, by the literal (8), and for the motion of the held carrier, by the second derivation.
 
     R = K V_r* + M V_r + I phi'' + J phi' - F of the V* of the state; of a motion that the second derivation finds, the
     wrench that it finds as well.
     """
     tolerance, floor = case.bounds.default, case.bounds.floor
-    given = Comparison("reaction", "reaction, of any motion", tolerance, floor)
-    found = Comparison("reaction", "reaction, second derivation", tolerance, floor)
+    given = Check("reaction", "reaction, of any motion", tolerance, floor)
+    found = Check("reaction", "reaction, second derivation", tolerance, floor)
     for name, state in case.states:
         at = case.at(state)
         m = Magnitudes(case.stand, state, at, case.bounds.cuts)
@@ -126,12 +126,12 @@ def hold_rows(case: Case) -> Iterator[Row]:
         literal = at.K @ at.V_r_dot(np.array(state.V_dot)) + bias(at) + at.I @ np.array(state.phi_ddot) - at.F
         try:
             R = case.call("reaction", case.backend.arguments(state))["reaction"]
-            given.note(R, literal, size + m.S_K @ np.abs(state.V_dot), name)
+            given.compare(R, literal, size + m.S_K @ np.abs(state.V_dot), name)
             own = case.second.evaluate(state, ("forward",))
             moving = replace(state, V_dot=cast(Vec6, tuple(own["V_dot"].tolist())))
             R = case.call("reaction", case.backend.arguments(moving))["reaction"]
-            found.note(R, own["reaction"], size + m.S_K @ np.abs(own["V_dot"]), name)
+            found.compare(R, own["reaction"], size + m.S_K @ np.abs(own["V_dot"]), name)
         except StateError as error:
-            given.note_refusal(error, name)
-    yield given.with_verdict()
-    yield found.with_verdict()
+            given.refuse(error, name)
+    yield given
+    yield found

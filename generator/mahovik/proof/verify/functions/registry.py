@@ -8,7 +8,7 @@ from itertools import chain
 
 from mahovik.contract.functions import FUNCTIONS, task_of
 from mahovik.errors import StateError
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions import (
     abilities,
     allocation,
@@ -29,11 +29,11 @@ from mahovik.proof.verify.functions import (
 from mahovik.proof.verify.functions.case import Case
 
 
-def _fast_rows(case: Case, function: str) -> Iterator[Row]:
+def _fast_rows(case: Case, function: str) -> Iterator[Check]:
     return chain(allocation.fast_rows(case, function), abilities.excess_rows(case, function))
 
 
-JUDGES: dict[str, Callable[[Case], Iterable[Row]]] = {
+JUDGES: dict[str, Callable[[Case], Iterable[Check]]] = {
     "wrench": external.wrench_rows,
     "mounts": reactions.mount_rows,
     "reaction": reactions.hold_rows,
@@ -67,7 +67,7 @@ JUDGES |= {
 }
 
 
-def judge_of(name: str) -> Callable[[Case], Iterable[Row]] | None:
+def judge_of(name: str) -> Callable[[Case], Iterable[Check]] | None:
     """The judge of a function here, by its name; a task's functions have those of their forms."""
     task = task_of(name)
     if not task:
@@ -81,27 +81,29 @@ def unjudged_functions(functions: Iterable[str]) -> list[str]:
     return [name for name in functions if judge_of(name) is None and not (name in FUNCTIONS and FUNCTIONS[name].want)]
 
 
-def function_rows(case: Case) -> Iterator[Row]:
+def function_rows(case: Case) -> Iterator[Check]:
     """Rows of every public function of the program that has a judge here, in the order of the program.
 
     A function without any judge has a row that fails, and one of which no row compared a state.
     """
     names = [function.name for function in case.backend.program.functions if function.public]
     for name in unjudged_functions(names):
-        yield Row(name, "no judge", verdict="FAILED", reason="nothing compares this function")
+        yield Check(name, "no judge", verdict="FAILED", words="nothing compares this function")
     for name in names:
         if judge_of(name) is not None:
             yield from rows_of(case, name)
 
 
-def rows_of(case: Case, name: str) -> list[Row]:
+def rows_of(case: Case, name: str) -> list[Check]:
     """Rows of one function by its judge, and one that fails where no row, but of its status, compared a state."""
     judge = judge_of(name)
     assert judge is not None
     try:
         rows = list(judge(case))
     except StateError as error:  # of a call that every program must answer
-        return [Row(name, "refused", verdict="FAILED", reason=str(error))]
+        return [Check(name, "refused", verdict="FAILED", words=str(error))]
     if case.states and all(row.verdict == "not compared" for row in rows if not row.quantity.startswith("status")):
-        rows.append(Row(name, "no state compared", verdict="FAILED", reason="no row of this function compares a state"))
+        rows.append(
+            Check(name, "no state compared", verdict="FAILED", words="no row of this function compares a state")
+        )
     return rows

@@ -22,8 +22,8 @@ from mahovik.proof.reference.hold import acceleration, accelerations
 from mahovik.proof.reference.pose import Pose
 from mahovik.proof.reference.rotation import carrier_rotation, quaternion_rotation
 from mahovik.proof.reference.screw import cross
-from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.functions.coarse import coarse_row
 from mahovik.proof.verify.functions.locks import lock_patterns
 
@@ -57,34 +57,34 @@ SLACK = 0.6
 Rates = Callable[[float, Array], Array]
 
 
-def step_rows(case: Case, function: str) -> Iterator[Row]:
+def step_rows(case: Case, function: str) -> Iterator[Check]:
     """Agreement of the motion by order 4, and the order of convergence of both methods."""
-    agreement = Comparison(function, "state at the end of a motion", AGREEMENT[case.real])
+    agreement = Check(function, "state at the end of a motion", AGREEMENT[case.real])
     sought = COARSE if case.real == "double" else ()  # in float rounding hides the order of the same program
-    orders = {order: Comparison(function, f"order {order}: order seen", SLACK) for order in sought}
+    orders = {order: Check(function, f"order {order}: order seen", SLACK) for order in sought}
     seen: dict[int, tuple[float, str]] = {}
     for number, (name, state) in enumerate(case.states):
-        if number >= STATES and agreement.row.states:
+        if number >= STATES and agreement.states:
             break
         locked = lock_patterns(case.count, 0) if function == "step" and number == 1 else None
         motion = Motion(case, function, state, locked)
         try:
             off = motion.first(SHORTER, motion.least_error)
             if off is not None:
-                agreement.note_difference(off, "", name)
+                agreement.note(off, name)
             for order in set(sought) - set(seen):
                 found = motion.first(ORDER_OVER, partial(motion.observed_order, order))
                 if found is not None:
                     seen[order] = found, name
         except StateError as error:
-            agreement.note_refusal(error, name)
-    yield agreement.with_verdict()
+            agreement.refuse(error, name)
+    yield agreement
     for order, row in orders.items():
         if order in seen:
-            row.note_difference(abs(seen[order][0] - order), f"{seen[order][0]:.2f}", seen[order][1])
+            row.note(abs(seen[order][0] - order), seen[order][1], f"{seen[order][0]:.2f}")
         else:
-            row.row.reason = "rounding, or a law with |V|, hides the order"
-        yield row.with_verdict()
+            row.words = "rounding, or a law with |V|, hides the order"
+        yield row
     yield coarse_row(case, function)
 
 

@@ -19,9 +19,9 @@ from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.coupled import coupled_with_locks
 from mahovik.proof.reference.task import TaskRows
 from mahovik.proof.reference.task_torque import TorqueDemand, torque_demand
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions import allocation
-from mahovik.proof.verify.functions.case import Case, Comparison, Setting
+from mahovik.proof.verify.functions.case import Case, Setting
 from mahovik.proof.verify.functions.tasks import task_residual
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.scales.wants import coupled, flywheel_wrenches
@@ -62,12 +62,12 @@ class TorqueCase:
         return float(np.linalg.norm(self.demand.r - self.demand.W @ self.y(tau)))
 
 
-def torque_rows(case: Case, function: str) -> Iterator[Row]:
+def torque_rows(case: Case, function: str) -> Iterator[Check]:
     """tau without bounds; the motion; within bounds the least error, or the largest share of the demand."""
     double = case.real == "double"
-    plain = Comparison(function, "tau, without bounds", case.bounds.default)
-    bounded = Comparison(function, "residual, within bounds", allocation.EXCESS_LIMIT if double else 1e-3)
-    shared = Comparison(function, "share, in the direction of the demand", 1e-6 if double else 1e-3)
+    plain = Check(function, "tau, without bounds", case.bounds.default)
+    bounded = Check(function, "residual, within bounds", allocation.EXCESS_LIMIT if double else 1e-3)
+    shared = Check(function, "share, in the direction of the demand", 1e-6 if double else 1e-3)
     results = Results(case, function)
     for number, (name, state) in enumerate(case.states):
         asked, rows = allocation.with_demand(case, number, state, task_of(function))
@@ -90,9 +90,8 @@ def torque_rows(case: Case, function: str) -> Iterator[Row]:
             _note_share(case, shared, tight, found, name)
             results.note(tight, status, found, name)
         except StateError as error:
-            plain.note_refusal(error, name)
-    for row in (plain, bounded, shared):
-        yield row.with_verdict()
+            plain.refuse(error, name)
+    yield from (plain, bounded, shared)
     yield from results.rows()
 
 
@@ -153,7 +152,7 @@ def asked_of(case: Setting, state: State, rows: TaskRows, options: Mapping[str, 
 
 
 def note_plain(
-    case: Setting, row: Comparison, asked: TorqueCase, options: Mapping[str, Any], found: Mapping[str, Any], name: str
+    case: Setting, row: Check, asked: TorqueCase, options: Mapping[str, Any], found: Mapping[str, Any], name: str
 ) -> Array:
     """Count an answer that no bound touches; returns the expected one (N, N m)."""
     scaled, weight, at = asked.demand, np.array(options["weight"]), case.at(asked.state)
@@ -167,7 +166,7 @@ def note_plain(
         magnitudes = Magnitudes(case.stand, asked.state, at, case.bounds.cuts)
         scale = allocation.scale_of(demand, weight, rank, given)
         scale = scale + flywheel_wrenches(magnitudes, *coupled_with_locks(at, expected, asked.locked))[:, 3]
-        row.note(found["tau"], expected, np.where(asked.locked, 1.0, scale), name)
+        row.compare(found["tau"], expected, np.where(asked.locked, 1.0, scale), name)
     return expected
 
 
@@ -178,13 +177,13 @@ def _is_weak(case: Setting, W: Array) -> bool:
     return bool(np.any(kept < WEAK * np.sqrt(THRESHOLDS[case.real].bounded) * sigma[0]))
 
 
-def note_excess(case: Setting, row: Comparison, asked: TorqueCase, found: Mapping[str, Any], name: str) -> None:
+def note_excess(case: Setting, row: Check, asked: TorqueCase, found: Mapping[str, Any], name: str) -> None:
     """Count an answer within bounds: by how much its error exceeds the least, relative to the demand."""
     tau = np.array(found["tau"])
     slack = 8 * case.unit * (asked.most - asked.least)  # rounding of the bounds
     beyond = (tau < asked.least - slack) | (tau > asked.most + slack)
     if np.any(beyond[np.logical_not(asked.locked)]):
-        row.note_difference(np.inf, "a bound is exceeded", name)
+        row.note(np.inf, name, "a bound is exceeded")
         return
     low, high = asked.bounds
     free = low < high
@@ -197,10 +196,10 @@ def note_excess(case: Setting, row: Comparison, asked: TorqueCase, found: Mappin
         best = lsq_linear(W, rest, (low[free], high[free]), method="bvls", tol=1e-14, max_iter=200)
         least = np.sqrt(2 * best.cost)
     size = float(np.linalg.norm(asked.demand.r))
-    row.note_difference(max(asked.error(tau) - float(least), 0.0) / max(size, 1e-290), "", name)
+    row.note(max(asked.error(tau) - float(least), 0.0) / max(size, 1e-290), name)
 
 
-def _note_share(case: Setting, row: Comparison, asked: TorqueCase, found: Mapping[str, Any], name: str) -> None:
+def _note_share(case: Setting, row: Check, asked: TorqueCase, found: Mapping[str, Any], name: str) -> None:
     """Count a share: the answer against the share, and this against SciPy's linear programme.
 
     SciPy meets the equations to 1e-7 of their terms, too little to judge shares where a direction is weak.
@@ -218,15 +217,15 @@ def _note_share(case: Setting, row: Comparison, asked: TorqueCase, found: Mappin
     )
     if best.status != 0:
         if not _is_weak(case, scaled.W):
-            row.note_difference(share, "not even the demand 0 is in reach", name)
+            row.note(share, name, "not even the demand 0 is in reach")
         return
     if not _is_weak(case, scaled.W):
         slack = 1e-7 * size / max(float(np.linalg.norm(towards)), 1e-290)
-        row.note_difference(max(abs(share - float(best.x[-1])) - slack, 0.0), "", name)
+        row.note(max(abs(share - float(best.x[-1])) - slack, 0.0), name)
     if share > 0.0:
         off = np.linalg.norm(scaled.W @ asked.y(np.array(found["tau"])) - start - share * towards)
         size += float(np.linalg.norm(towards))
-        row.note_difference(float(off) / max(size, 1e-290), "the answer is not that of the share", name)
+        row.note(float(off) / max(size, 1e-290), name, "the answer is not that of the share")
 
 
 class Results:
@@ -234,13 +233,13 @@ class Results:
 
     def __init__(self, case: Setting, function: str) -> None:
         self._case = case
-        self.motion = Comparison(function, "V_dot, phi_ddot, residual", case.bounds.default)
-        self.points = Comparison(function, "residual, by points of the second", case.bounds.default)
-        self.status = Comparison(function, "status, limited", 0.0)
+        self.motion = Check(function, "V_dot, phi_ddot, residual", case.bounds.default)
+        self.points = Check(function, "residual, by points of the second", case.bounds.default)
+        self.status = Check(function, "status, limited", 0.0)
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[Check]:
         """The rows with their verdicts."""
-        return [row.with_verdict() for row in (self.motion, self.points, self.status)]
+        return [self.motion, self.points, self.status]
 
     def note(self, asked: TorqueCase, status: int, found: Mapping[str, Any], name: str) -> None:
         """Count one good answer."""
@@ -250,15 +249,15 @@ class Results:
         magnitudes = Magnitudes(case.stand, driven, at, case.bounds.cuts)
         scales = coupled(magnitudes, asked.locked)
         of_V, of_phi = scales["V_dot"], scales["phi_ddot"]
-        self.motion.note(found["V_dot"], V_dot, of_V, name)
-        self.motion.note(found["phi_ddot"], phi_ddot, of_phi, name)
+        self.motion.compare(found["V_dot"], V_dot, of_V, name)
+        self.motion.compare(found["phi_ddot"], phi_ddot, of_phi, name)
         reached = np.abs(asked.rows.S) @ of_V + np.abs(asked.rows.s) + np.abs(asked.state.demand)
         reached += np.abs(asked.rows.S) @ (np.sum(np.abs(at.V)) ** 2 * np.ones(6))  # omega x v of a point
-        self.motion.note(
+        self.motion.compare(
             found["residual"], np.array(asked.state.demand) - asked.rows.acceleration(V_dot), reached, name
         )
         by_points, gravity = task_residual(case, asked.state, np.array(found["V_dot"], dtype=np.float64))
-        self.points.note(found["residual"], by_points, reached + gravity, name)
+        self.points.compare(found["residual"], by_points, reached + gravity, name)
         held = np.array(found["limited"], dtype=bool)
         at_bound = (tau == case.nearest_numbers(asked.least)) | (tau == case.nearest_numbers(asked.most))
         expected: dict[str, bool | None] = dict.fromkeys(BITS, False)
@@ -272,4 +271,4 @@ class Results:
         words = ", ".join(f"{bit} expected" if expected[bit] else f"{bit} not expected" for bit in wrong)
         if case.real == "double" and np.any((held & ~at_bound)[np.logical_not(asked.locked)]):
             words, wrong = "limited, but not at a bound", [*wrong, "LIMITED"]
-        self.status.note_difference(np.inf if wrong else 0.0, words, name)
+        self.status.demand(not wrong, name, words)

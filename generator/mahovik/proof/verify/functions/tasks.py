@@ -21,10 +21,11 @@ from mahovik.proof.reference.excess import motor_shares
 from mahovik.proof.reference.forward import bias, forward
 from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.reference.task import TaskRows, task_of
-from mahovik.proof.verify.compare import EXCESS_MARGIN, Row
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.compare import EXCESS_MARGIN
 from mahovik.proof.verify.functions import allocation
 from mahovik.proof.verify.functions.abilities import excess_rows
-from mahovik.proof.verify.functions.case import Case, Comparison, Setting
+from mahovik.proof.verify.functions.case import Case, Setting
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 
 Rows = NDArray[np.bool_]
@@ -33,14 +34,14 @@ NEAR_MARGIN = 1e-3
 """Relative distance of a singular value from `near_singular` below which rounding may decide the status."""
 
 
-def inverse_rows(case: Case, function: str) -> Iterator[Row]:
+def inverse_rows(case: Case, function: str) -> Iterator[Check]:
     """phi_ddot with weights, with rows freed, with damping; limits with the least residual; what is said beside."""
     accepted, task = case.bounds.default, task_name_of(function)
-    plain = Comparison(function, "phi_ddot, with weights", accepted)
-    damped = Comparison(function, "phi_ddot, with damping", accepted)
-    damped_by = Comparison(function, "damped_by", accepted)
-    freed = Comparison(function, "phi_ddot, with rows freed", accepted)
-    limited = Comparison(function, "residual, with limits", allocation.EXCESS_LIMIT if case.real == "double" else 1e-3)
+    plain = Check(function, "phi_ddot, with weights", accepted)
+    damped = Check(function, "phi_ddot, with damping", accepted)
+    damped_by = Check(function, "damped_by", accepted)
+    freed = Check(function, "phi_ddot, with rows freed", accepted)
+    limited = Check(function, "residual, with limits", allocation.EXCESS_LIMIT if case.real == "double" else 1e-3)
     beside = _Diagnoses(case, function)
     for number, (name, state) in enumerate(case.states):
         asked, rows = allocation.with_demand(case, number, state, task)
@@ -66,9 +67,9 @@ def inverse_rows(case: Case, function: str) -> Iterator[Row]:
                 scaled, np.array(options["weight"]), rank, options["near_singular"], options["damping"]
             )
             scale = allocation.damped_scale(case, scaled, options, rank, answer)
-            damped.note(found["phi_ddot"], answer, scale, name)
+            damped.compare(found["phi_ddot"], answer, scale, name)
             share = largest_damping(scaled, rank, options["near_singular"], options["damping"])
-            damped_by.note(found["damped_by"], share, np.linalg.norm(scaled.W), name)
+            damped_by.compare(found["damped_by"], share, np.linalg.norm(scaled.W), name)
             beside.note(asked, rows, everything, options, status, found, scaled, name)
             for fraction in allocation.LIMIT_SHARES:
                 options = allocation.options_of(case, number, allocation.limits_of(case, expected, fraction))
@@ -76,17 +77,16 @@ def inverse_rows(case: Case, function: str) -> Iterator[Row]:
                 allocation.note_limits(limited, case, status, found, options, scaled, name)
                 beside.note(asked, rows, everything, options, status, found, scaled, name, free=False)
         except StateError as error:
-            plain.note_refusal(error, name)
-    for row in (plain, freed, damped, damped_by, limited):
-        yield row.with_verdict()
+            plain.refuse(error, name)
+    yield from (plain, freed, damped, damped_by, limited)
     yield from beside.rows()
     yield from excess_rows(case, function)
 
 
-def fast_rows(case: Case, function: str) -> Iterator[Row]:
+def fast_rows(case: Case, function: str) -> Iterator[Check]:
     """Rows of `inverse_fast`, and one with rows freed."""
     yield from allocation.fast_rows(case, function, partial(_loss, case))
-    freed = Comparison(function, "phi_ddot, with rows freed", case.bounds.default)
+    freed = Check(function, "phi_ddot, with rows freed", case.bounds.default)
     task = task_name_of(function)
     for number, (name, state) in enumerate(case.states):
         asked, rows = allocation.with_demand(case, number, state, task)
@@ -97,7 +97,7 @@ def fast_rows(case: Case, function: str) -> Iterator[Row]:
         free = options | {f"use_{task}": [int(each) for each in use]}
         status, found = case.backend.call(function, case.backend.arguments(asked) | {"options": free})
         allocation.note_fast(freed, case, part, options, status, found, name, _loss(case, asked, part))
-    yield freed.with_verdict()
+    yield freed
     yield from excess_rows(case, function)
 
 
@@ -110,7 +110,7 @@ def _some_rows(case: Case, number: int, count: int) -> Rows:
 
 
 def _note_plain(
-    row: Comparison, case: Case, state: State, scaled: ScaledDemand, options: Mapping[str, Any],
+    row: Check, case: Case, state: State, scaled: ScaledDemand, options: Mapping[str, Any],
     found: Mapping[str, Any], name: str
 ) -> Array:  # fmt: skip
     """Count an answer with weights; returns the expected one."""
@@ -118,7 +118,7 @@ def _note_plain(
     allocation.check_rank(case, scaled, rank)
     expected = weighted_solution(scaled, weight, rank)
     scale = _loss(case, state, scaled) * allocation.scale_of(scaled, weight, rank, expected)
-    row.note(found["phi_ddot"], expected, scale, name)
+    row.compare(found["phi_ddot"], expected, scale, name)
     return expected
 
 
@@ -168,15 +168,15 @@ class _Diagnoses:
     def __init__(self, case: Case, function: str) -> None:
         accepted = case.bounds.default
         self._case = case
-        self.motion = Comparison(function, "V_dot", accepted)
-        self.members = Comparison(function, "residual, sigma, what else it says", accepted)
-        self.status = Comparison(function, "status, with options", 0.0)
-        self.hardest = Comparison(function, "hardest", accepted)
-        self.points = Comparison(function, "residual, by points of the second", accepted)
+        self.motion = Check(function, "V_dot", accepted)
+        self.members = Check(function, "residual, sigma, what else it says", accepted)
+        self.status = Check(function, "status, with options", 0.0)
+        self.hardest = Check(function, "hardest", accepted)
+        self.points = Check(function, "residual, by points of the second", accepted)
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[Check]:
         """The rows with their verdicts."""
-        return [row.with_verdict() for row in (self.motion, self.members, self.points, self.status, self.hardest)]
+        return [self.motion, self.members, self.points, self.status, self.hardest]
 
     def note(
         self, state: State, rows: TaskRows, use: Rows, options: Mapping[str, Any], status: int,
@@ -189,22 +189,22 @@ class _Diagnoses:
         magnitudes = Magnitudes(case.stand, state, at, case.bounds.cuts)
         scale = magnitudes.K_inverse @ (magnitudes.S_bias + magnitudes.S_I @ np.abs(phi_ddot))
         scale = scale + magnitudes.K_inverse @ magnitudes.S_K @ np.abs(V_dot) + magnitudes.stream_rate
-        self.motion.note(found["V_dot"], V_dot, scale, name)
+        self.motion.compare(found["V_dot"], V_dot, scale, name)
         reached = np.abs(rows.S) @ scale + np.abs(rows.s) + np.abs(state.demand)
         reached += np.abs(rows.S) @ (np.sum(np.abs(at.V)) ** 2 * np.ones(6))  # omega x v of a point
         left = np.where(use, np.array(state.demand) - rows.acceleration(V_dot), 0.0)
-        self.members.note(found["residual"], left, reached, name)
+        self.members.compare(found["residual"], left, reached, name)
         by_points, gravity = task_residual(case, state, np.array(found["V_dot"], dtype=np.float64))
-        self.points.note(found["residual"], np.where(use, by_points, 0.0), reached + gravity, name)
+        self.points.compare(found["residual"], np.where(use, by_points, 0.0), reached + gravity, name)
         rank, sigma = int(found["rank"]), np.asarray(np.linalg.svd(scaled.W, compute_uv=False), dtype=np.float64)
         padded = np.zeros(len(found["sigma"]))
         padded[: len(sigma)] = sigma
         spread = _loss(case, state, scaled) * max(sigma, default=0.0)
-        self.members.note(found["sigma"], padded, np.full(len(padded), spread), name)
+        self.members.compare(found["sigma"], padded, np.full(len(padded), spread), name)
         if not options["damping"]:
-            self.members.note(found["damped_by"], 0.0, None, name)
+            self.members.compare(found["damped_by"], 0.0, None, name)
         if free:
-            self.members.note(list(found["limited"]), [0] * case.count, None, name)
+            self.members.compare(list(found["limited"]), [0] * case.count, None, name)
         self._note_status(options, status, found, scaled, motor_shares(case.stand, at, V_dot, phi_ddot), sigma, name)
         if rank and len(scaled.r):
             self._note_hardest(found, use, scaled, rank, name)
@@ -235,7 +235,7 @@ class _Diagnoses:
         has = status_bits(status)
         wrong = [bit for bit, wanted in expected.items() if wanted is not None and wanted != (bit in has)]
         words = ", ".join(f"{bit} expected" if expected[bit] else f"{bit} not expected" for bit in wrong)
-        self.status.note_difference(np.inf if wrong else 0.0, words, name)
+        self.status.demand(not wrong, name, words)
 
     def _note_hardest(self, found: Mapping[str, Any], use: Rows, scaled: ScaledDemand, rank: int, name: str) -> None:
         """A unit vector in the norm of G^-1: along the demand out of reach, or the least singular direction."""
@@ -245,11 +245,11 @@ class _Diagnoses:
         rounding = float(np.linalg.norm(np.abs(root) @ np.abs(given[use]))) + float(
             np.linalg.norm(np.abs(root) @ np.sqrt(np.diag(np.linalg.inv(root.T @ root))))
         )
-        self.hardest.note(float(np.linalg.norm(u)), 1.0, rounding, name)
+        self.hardest.compare(float(np.linalg.norm(u)), 1.0, rounding, name)
         U, sigma, _ = np.linalg.svd(scaled.W, full_matrices=True)
         if rank == rows:
             pulled = scaled.W @ (scaled.W.T @ u) / sigma[0] ** 2
-            self.hardest.note(pulled, (sigma[-1] / sigma[0]) ** 2 * u, np.full(rows, rounding), name)
+            self.hardest.compare(pulled, (sigma[-1] / sigma[0]) ** 2 * u, np.full(rows, rounding), name)
         else:
             turned = rounding * sigma[0] / sigma[rank - 1]
-            self.hardest.note(U[:, :rank].T @ u, np.zeros(rank), np.full(rank, turned), name)
+            self.hardest.compare(U[:, :rank].T @ u, np.zeros(rank), np.full(rank, turned), name)

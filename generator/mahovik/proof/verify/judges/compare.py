@@ -20,7 +20,7 @@ from mahovik.proof import reference
 from mahovik.proof.verify.backends import Backend
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.compare import Differences, Row, difference
+from mahovik.proof.verify.check import Check, difference
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import Progress, report
 from mahovik.proof.verify.judges.held import HeldJudge, compare_held
@@ -226,7 +226,7 @@ def verify_judges(
     until: float = UNTIL,
     progress: Progress | None = None,
 ) -> Report:
-    """Rows of every judge and quantity: generated C against the judge, relative to the natural scale.
+    """Checks of every judge and quantity: generated C against the judge, relative to the natural scale.
 
     A judge that refuses the stand has one row that says why; if all do, nothing was compared and the report does not
     pass. `bare`: of the stand without what no judge has; the report names it. `until`: s, of the free motion.
@@ -252,14 +252,14 @@ def verify_judges(
     return replace(found, rows=(*found.rows, *absent))
 
 
-def _skipped_row(judge: str, reason: str) -> Row:
+def _skipped_row(judge: str, reason: str) -> Check:
     """The row of a judge that does not take the stand."""
-    return Row(judge, "all quantities", verdict="not compared", reason=reason)
+    return Check(judge, "all quantities", words=reason)
 
 
-def _without_judges(stand: Stand, skipped: Sequence[Row], seed: int, count: int) -> Report:
+def _without_judges(stand: Stand, skipped: Sequence[Check], seed: int, count: int) -> Report:
     """Report on a stand that no judge takes."""
-    who = ", ".join(row.want for row in skipped)
+    who = ", ".join(row.judged for row in skipped)
     return report(stand, f"generated C against {who}", seed, count, DOUBLE.default, list(skipped))
 
 
@@ -274,7 +274,7 @@ def compare_with_judges(
     judged: str = "generated C",
     progress: Progress | None = None,
 ) -> Report:
-    """Rows of judges that have the stand already.
+    """Checks of judges that have the stand already.
 
     `backend`: what is judged, where that is not fresh C; `judged`: its name. `until` 0: no free motion, of which a
     held carrier has none.
@@ -285,7 +285,11 @@ def compare_with_judges(
         drawn = [(name, near_origin(state)) for name, state in draw(stand, seed, count)]
         held = compare_held(stand, cast(list[HeldJudge], judges), backend, drawn, progress)
         return report(stand, f"{judged} against {who}", seed, count, DOUBLE.default, held)
-    rows = {(judge.name, key): Row(judge.name, words) for judge in judges for key, words in QUANTITIES.items()}
+    rows = {
+        (judge.name, key): Check(judge.name, words, DOUBLE.default)
+        for judge in judges
+        for key, words in QUANTITIES.items()
+    }
     states = draw(stand, seed, count)
     for done, (name, given) in enumerate(states):
         state = near_origin(given)
@@ -296,15 +300,12 @@ def compare_with_judges(
                 if _empty(value):
                     continue  # no flywheels, no points: nothing to agree on
                 off, reason = difference(own[key], value, natural[key])
-                rows[judge.name, key].note(Differences(off), request, reason)
+                rows[judge.name, key].note(off, name, reason, request)
         if progress is not None:
             progress(done + 1, len(states))
     moved = [_motion_row(stand, backend, judge, seed, until) for judge in judges if until > 0.0]
     noted = [row for row in (*rows.values(), *moved) if row.states]
-    for row in noted:
-        row.tolerance = row.tolerance or DOUBLE.default
-        row.verdict = "ok" if row.worst <= row.tolerance else "FAILED"
-    ordered = [row for judge in judges for row in noted if row.want == judge.name]
+    ordered = [row for judge in judges for row in noted if row.judged == judge.name]
     return report(stand, f"{judged} against {who}", seed, count, DOUBLE.default, ordered)
 
 
@@ -354,10 +355,10 @@ def _empty(value: Any) -> bool:
     return not value if isinstance(value, dict) else np.size(value) == 0
 
 
-def _motion_row(stand: Stand, backend: Backend, judge: Judge, seed: int, until: float) -> Row:
+def _motion_row(stand: Stand, backend: Backend, judge: Judge, seed: int, until: float) -> Check:
     """Where the stand is in the end, by the C and by the judge, each integrated by itself."""
     state = motion_start(stand, seed)
-    row = Row(judge.name, motion_name(until), tolerance=MOTION_TOLERANCE)
+    row = Check(judge.name, motion_name(until), MOTION_TOLERANCE)
 
     def coupled(moved: State) -> tuple[Vec6, tuple[float, ...]]:
         found = backend.evaluate(moved, ("coupled",))
@@ -366,9 +367,7 @@ def _motion_row(stand: Stand, backend: Backend, judge: Judge, seed: int, until: 
     request = Request("moderate", replace(state, wrench=MappingProxyType({})), ("coupled",))
     for part, (own, other, scale) in end_of_motion(stand, state, coupled, judge, until).items():
         off, _ = difference(own, other, scale)
-        if off > row.worst or not row.states:
-            row.reason = part
-        row.note(Differences(off), request, part)
+        row.note(off, "moderate", part, request)
     row.states = 1
-    row.reason = "" if row.worst <= MOTION_TOLERANCE else row.reason
+    row.words = row.words if row.failed else ""
     return row

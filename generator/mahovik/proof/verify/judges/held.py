@@ -12,7 +12,7 @@ from mahovik.core.stand.state import State
 from mahovik.proof import reference
 from mahovik.proof.verify.backends import Backend
 from mahovik.proof.verify.bounds import DOUBLE
-from mahovik.proof.verify.compare import Differences, Row, difference
+from mahovik.proof.verify.check import Check, difference
 from mahovik.proof.verify.harness import Progress
 from mahovik.proof.verify.judges.rigid import Values
 from mahovik.proof.verify.scales import scales
@@ -38,9 +38,9 @@ def compare_held(
     backend: Backend,
     states: Sequence[tuple[str, State]],
     progress: Progress | None = None,
-) -> list[Row]:
+) -> list[Check]:
     """A row for each judge and quantity: `backend` against the judge, relative to the natural scale."""
-    rows: dict[tuple[str, str], Row] = {}
+    rows: dict[tuple[str, str], Check] = {}
     for done, (name, state) in enumerate(states):
         theirs = [(judge.name, judge.evaluate(state)) for judge in judges]
         with np.errstate(all="ignore"):
@@ -52,12 +52,9 @@ def compare_held(
                 for key in answers[want].keys() & own.keys():
                     if np.size(answers[want][key]) == 0:
                         continue  # no flywheels, or no freedoms: nothing to agree on
-                    row = rows.setdefault((judge, f"{want} {key}"), Row(judge, f"{key}{given}"))
+                    row = rows.setdefault((judge, f"{want} {key}"), Check(judge, f"{key}{given}", DOUBLE.default))
                     off, reason = difference(own[key], answers[want][key], natural[want][key])
-                    row.note(Differences(off), Request(name, state, (want,)), reason)
+                    row.note(off, name, reason, Request(name, state, (want,)))
         if progress is not None:
             progress(done + 1, len(states))
-    for row in rows.values():
-        row.tolerance = row.tolerance or DOUBLE.default
-        row.verdict = "ok" if row.worst <= row.tolerance else "FAILED"
     return [rows[key] for judge in judges for key in sorted(rows) if key[0] == judge.name]

@@ -28,7 +28,7 @@ from mahovik.proof.rigorous.evaluate import BITS, Balls, enclose
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend, prepare_records
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import Progress, report
 from mahovik.proof.verify.program_backend import ProgramBackend, is_beyond, public_names
@@ -119,7 +119,7 @@ class Rounding:
     limit  accepted of `ulps`; None where nothing is promised but the tolerance
     """
 
-    row: Row
+    row: Check
     limit: float | None
     ulps: float = 0.0
     alone: float = 0.0
@@ -138,9 +138,9 @@ class Rounding:
         """Count one state; the row keeps the one of the most ulp."""
         row = self.row
         if row.request is None or whole.ulps > self.ulps:
-            row.request, row.reason, row.state = request, reason, str(request.id)
+            row.request, row.words, row.state = request, reason, str(request.id)
         row.states += 1
-        row.worst = max(row.worst, whole.scale)
+        row.value = max(row.value, whole.scale)
         self.ulps = max(self.ulps, whole.ulps)
         self.alone = max(self.alone, alone.ulps)
         for judge in judges:
@@ -150,9 +150,9 @@ class Rounding:
     def judge(self) -> None:
         """Set the verdict of the row."""
         row, beyond = self.row, self.limit is not None and self.ulps > self.limit
-        row.verdict = "ok" if row.states and row.excess <= 1 and not beyond else "FAILED"
-        if beyond and not row.reason:
-            row.reason = f"{self.ulps:.3g} ulp of the natural scale, {self.limit:g} accepted"
+        row.verdict = "ok" if row.states and row.share <= 1 and not beyond else "FAILED"
+        if beyond and not row.words:
+            row.words = f"{self.ulps:.3g} ulp of the natural scale, {self.limit:g} accepted"
 
 
 @dataclass(frozen=True)
@@ -252,7 +252,7 @@ class Ruler:
         return found
 
     def _line(self, want: str, quantity: str) -> Rounding:
-        row = Row(want, quantity, tolerance=self._bounds.of(want, quantity))
+        row = Check(want, quantity, self._bounds.of(want, quantity))
         return self.lines.setdefault((want, quantity), Rounding(row, self._limit))
 
 
@@ -304,7 +304,7 @@ def conclusion(found: RoundingReport) -> str:
     if not found.report.passed:
         return report_conclusion(found.report)
     worst = max(found.lines, key=lambda line: line.ulps)
-    words = f"passed: worst {ulp_text(worst.ulps)} ulp of the natural scale, {worst.row.quantity} ({worst.row.want})"
+    words = f"passed: worst {ulp_text(worst.ulps)} ulp of the natural scale, {worst.row.quantity} ({worst.row.judged})"
     return words if worst.limit is None else f"{words}; {worst.limit:g} accepted"
 
 
@@ -314,7 +314,7 @@ def as_json(found: RoundingReport) -> str:
     table["real"] = found.real
     table["conclusion"] = conclusion(found)
     for row, line in zip(table["rows"], found.lines, strict=True):
-        for unused in ("second", "between", "disagreement"):
+        for unused in ("second",):
             del row[unused]
         row.update(_errors(line))
     return json.dumps(table, indent=1, allow_nan=False)

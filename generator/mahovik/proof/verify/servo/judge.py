@@ -13,7 +13,7 @@ from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.finding import motion_finding, stand_finding
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.servo.folder import CompiledServo, load_servo_folder
@@ -39,7 +39,7 @@ class ServoCase:
         return () if self.servo.trim is None else self.servo.trim.coordinates
 
 
-JUDGES: dict[str, Callable[[ServoCase], Iterable[Row]]] = {
+JUDGES: dict[str, Callable[[ServoCase], Iterable[Check]]] = {
     "servo_reset": lambda case: [reset_row(case.compiled, "servo_reset", "servo_state")],
     "servo_step": lambda case: step_rows(case.compiled, case.seed, case.count),
     "trim_reset": lambda case: [reset_row(case.compiled, "trim_reset", "trim_state")],
@@ -97,13 +97,13 @@ def _check_programme(stand: Stand, motion: RequiredMotion | None, programme: Pro
             raise UsageError(f"{found.words}: give the programme that the servos follow")
 
 
-def _rows(case: ServoCase, motion: RequiredMotion | None, programme: Programme | None) -> Iterator[Row]:
+def _rows(case: ServoCase, motion: RequiredMotion | None, programme: Programme | None) -> Iterator[Check]:
     made, trim = case.compiled, case.servo.trim
     public = made.library.functions()
     yield from gain_rows(made, case.stand, case.servo)
     if (trim is not None) != made.has_trim:
         words = "the servo file has a trim, the C has none" if trim is not None else "the C has a trim, not the file"
-        yield Row("trim_default", "trim", verdict="FAILED", reason=f"{words}: export the servo again")
+        yield Check("trim_default", "trim", verdict="FAILED", words=f"{words}: export the servo again")
     elif trim is not None:
         yield from design_rows(made, case.stand, case.servo, trim, motion, programme)
     yield time_row(made, case.servo, motion)
@@ -112,8 +112,8 @@ def _rows(case: ServoCase, motion: RequiredMotion | None, programme: Programme |
         if function in public:
             yield from JUDGES[function](case)
         else:
-            yield Row(function, "function", verdict="FAILED", reason="not in the C: export the servo again")
+            yield Check(function, "function", verdict="FAILED", words="not in the C: export the servo again")
     yield from refusal_rows(made, public)
     for function in public:
         if function not in JUDGES:
-            yield Row(function, "function", verdict="FAILED", reason="a public function without a judge")
+            yield Check(function, "function", verdict="FAILED", words="a public function without a judge")

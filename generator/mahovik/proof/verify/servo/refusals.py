@@ -11,7 +11,7 @@ import numpy as np
 
 from mahovik.contract.quantities import BOUNDS
 from mahovik.contract.status import STATUS_VALUES, status_words
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.servo.folder import CompiledServo
 
 BEYOND = 1 + 1e-6
@@ -42,7 +42,7 @@ class _Call:
     results: tuple[str, ...] = ()
 
 
-def refusal_rows(made: CompiledServo, functions: Sequence[str]) -> Iterator[Row]:
+def refusal_rows(made: CompiledServo, functions: Sequence[str]) -> Iterator[Check]:
     """A row for each of these functions."""
     for call in _calls(made):
         if call.function in functions:
@@ -75,16 +75,12 @@ def _calls(made: CompiledServo) -> Iterator[_Call]:
     yield _Call("trim_coordinates", pose, results=("q",))
 
 
-def _row(made: CompiledServo, call: _Call) -> Row:
-    row = Row(call.function, "bad inputs refused, results untouched", verdict="ok")
+def _row(made: CompiledServo, call: _Call) -> Check:
+    row = Check(call.function, "bad inputs refused, results untouched")
     for words, status, found, untouched in _outcomes(made, call):
-        row.states += 1
-        if row.failed:
-            continue
-        if found != STATUS_VALUES[status]:
-            row.verdict, row.state, row.reason = "FAILED", words, f"status {status_words(found)}, expected {status}"
-        elif not untouched:
-            row.verdict, row.state, row.reason = "FAILED", words, "refused, but results were written"
+        right = found == STATUS_VALUES[status]
+        wrong = "refused, but results were written" if right else f"status {status_words(found)}, expected {status}"
+        row.demand(right and untouched, words, wrong)
     return row
 
 

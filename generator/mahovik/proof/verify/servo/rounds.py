@@ -11,8 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.stand.model import Stand
-from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Comparison
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.servo.folder import CompiledServo
 from mahovik.proof.verify.servo.law import Array, TrimLaw
 from mahovik.proof.verify.servo.samples import check_status
@@ -43,19 +42,19 @@ def _design(made: CompiledServo, rng: np.random.Generator, settling: int, window
     return inputs | {"settling": settling, "window": window}
 
 
-def trim_rows(made: CompiledServo, seed: int) -> Iterator[Row]:
+def trim_rows(made: CompiledServo, seed: int) -> Iterator[Check]:
     """Corrected angles, speeds and torques; corrections, error and counts of the state; the status."""
     rng = np.random.default_rng((seed, 2))
     terms = int(np.shape(made.default("trim_default")["target"])[1])
     # cosine and sine of k theta are sums of k angles: their rounding grows with k
     tolerance = made.bounds.default * max(1, terms // 2)
-    rows = {name: Comparison("trim_step", name, tolerance) for name in (*INPUTS, "wanted", "present", "error")}
-    status_row, counts = Row("trim_step", "status", verdict="ok"), Row("trim_step", "sample, rounds", verdict="ok")
+    rows = {name: Check("trim_step", name, tolerance) for name in (*INPUTS, "wanted", "present", "error")}
+    status_row, counts = Check("trim_step", "status"), Check("trim_step", "sample, rounds")
     for settling, window, own, size in ROUNDS:
         design = _design(made, rng, settling, window, own)
         name = f"{'its' if own else 'drawn'} numbers, window {window}"
         _run(made, rng, design, size, name, (rows, status_row, counts))
-    yield from (each.with_verdict() for each in rows.values())
+    yield from (each for each in rows.values())
     yield from (status_row, counts, _last_round_row(made))
 
 
@@ -65,11 +64,11 @@ def _run(
     design: dict[str, Any],
     size: float,
     name: str,
-    into: tuple[dict[str, Comparison], Row, Row],
+    into: tuple[dict[str, Check], Check, Check],
 ) -> None:
     """Rounds of one design, sample by sample, compared with the law of the whole."""
     rows, status_row, counts = into
-    law = TrimLaw(design, made.count, rows["phi"].tolerance)
+    law = TrimLaw(design, made.count, rows["phi"].limit)
     ffi = made.library.ffi
     state, table = ffi.new(f"{made.prefix}_trim_state *"), made.struct("trim_design", design)
     amplitude = size * float(design["limit"]) / max(float(np.abs(design["matrix"]).sum(axis=1).max()), 1e-12)
@@ -84,16 +83,14 @@ def _run(
         expected, found, where = law.take(phase, q, given), made.members(state), f"{name}, sample {number}"
         check_status(status_row, status, expected.limited, where)
         for key in INPUTS:
-            rows[key].note(made.read(changed[key]), expected.values[key], expected.scales[key], where)
+            rows[key].compare(made.read(changed[key]), expected.values[key], expected.scales[key], where)
         largest = law.size.max(axis=1, keepdims=True)
-        rows["wanted"].note(found["wanted"], law.wanted, law.size, where)
-        rows["present"].note(found["present"], law.present, np.broadcast_to(largest, law.present.shape), where)
+        rows["wanted"].compare(found["wanted"], law.wanted, law.size, where)
+        rows["present"].compare(found["present"], law.present, np.broadcast_to(largest, law.present.shape), where)
         if law.ends_window:
-            rows["error"].note(found["sum"], law.error, law.error_scale, where)
-        counts.states += 1
-        if (found["sample"], found["rounds"]) != (law.sample, law.rounds) and not counts.failed:
-            counts.verdict, counts.state = "FAILED", where
-            counts.reason = f"{found['sample']}, {found['rounds']}, expected {law.sample}, {law.rounds}"
+            rows["error"].compare(found["sum"], law.error, law.error_scale, where)
+        words = f"{found['sample']}, {found['rounds']}, expected {law.sample}, {law.rounds}"
+        counts.demand((found["sample"], found["rounds"]) == (law.sample, law.rounds), where, words)
 
 
 def _series(coefficients: Array, phase: float) -> Array:
@@ -103,29 +100,28 @@ def _series(coefficients: Array, phase: float) -> Array:
     return np.asarray(coefficients[:, 0] + coefficients[:, 1::2] @ spun.real + coefficients[:, 2::2] @ spun.imag)
 
 
-def _last_round_row(made: CompiledServo) -> Row:
+def _last_round_row(made: CompiledServo) -> Check:
     """The count of rounds stays at the largest int."""
-    row = Row("trim_step", "rounds stop at the largest int", 1, verdict="ok")
+    row = Check("trim_step", "rounds stop at the largest int")
     design = made.default("trim_default") | {"settling": 0, "window": 1}
     state = made.library.ffi.new(f"{made.prefix}_trim_state *")
     state.sample, state.rounds = made.count, MOST_ROUNDS  # the last flywheel's correction
     zeros = [made.reals(np.zeros(made.count)) for _ in INPUTS]
     q = made.reals(np.zeros(len(design["target"])))
     status = made.call("trim_step", made.struct("trim_design", design), state, 0.25, q, *zeros)
-    if status < 0 or (state.sample, state.rounds) != (0, MOST_ROUNDS):
-        row.verdict = "FAILED"
-        row.reason = f"status {status_words(status)}, sample {state.sample}, rounds {state.rounds}"
+    words = f"status {status_words(status)}, sample {state.sample}, rounds {state.rounds}"
+    row.demand(status >= 0 and (state.sample, state.rounds) == (0, MOST_ROUNDS), "", words)
     return row
 
 
-def coordinate_rows(made: CompiledServo, stand: Stand, coordinates: tuple[int, ...], seed: int) -> Iterator[Row]:
+def coordinate_rows(made: CompiledServo, stand: Stand, coordinates: tuple[int, ...], seed: int) -> Iterator[Check]:
     """Measured coordinates from poses, by SciPy's rotations. `coordinates`: numbers among x, y, z, psi, theta, phi."""
     rng = np.random.default_rng((seed, 3))
-    row = Comparison("trim_coordinates", "q", made.bounds.default)
+    row = Check("trim_coordinates", "q", made.bounds.default)
     many = len(made.default("trim_default")["target"])
     if many != len(coordinates):
-        row.note_difference(math.inf, f"the C measures {many} coordinates, the servo file {len(coordinates)}", "")
-        yield row.with_verdict()
+        row.note(math.inf, "", f"the C measures {many} coordinates, the servo file {len(coordinates)}")
+        yield row
         return
     for number in range(200):
         position = made.round(rng.normal(size=3) * (1.0 if number % 2 else 1e3))
@@ -138,14 +134,14 @@ def coordinate_rows(made: CompiledServo, stand: Stand, coordinates: tuple[int, .
         q = made.reals(np.zeros(many))
         status = made.call("trim_coordinates", made.reals(position), made.reals(attitude), q)
         if status != STATUS_VALUES["OK"]:
-            row.note_difference(math.inf, f"status {status_words(status)}", f"pose {number}")
+            row.note(math.inf, f"pose {number}", f"status {status_words(status)}")
             continue
         expected = np.concatenate([position, angles])[list(coordinates)]
         found, angular = made.read(q), np.array(coordinates) >= 3
         turns = np.where(angular, np.round((found - expected) / math.tau), 0.0)
         scale = np.where(angular, math.pi / away, np.maximum(np.abs(expected), 1e-300))
-        row.note(found - math.tau * turns, expected, scale, f"pose {number}")
-    yield row.with_verdict()
+        row.compare(found - math.tau * turns, expected, scale, f"pose {number}")
+    yield row
 
 
 def _turn(rng: np.random.Generator, number: int) -> Array:

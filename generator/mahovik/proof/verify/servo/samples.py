@@ -10,8 +10,7 @@ import numpy as np
 
 from mahovik.contract.quantities import BOUNDS
 from mahovik.contract.status import STATUS_VALUES, status_words
-from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Comparison
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.servo.folder import CompiledServo
 from mahovik.proof.verify.servo.law import Array, LawResult, servo_sample
 
@@ -21,25 +20,23 @@ INVALID_READINGS = (math.nan, math.inf, -math.inf, 1e300)
 """Readings of an encoder that has none."""
 
 
-def check_status(row: Row, status: int, limited: bool | None, where: str) -> None:
+def check_status(row: Check, status: int, limited: bool | None, where: str) -> None:
     """Count a status; one that is not that of the law fails the row. `limited` None: rounding decides."""
-    row.states += 1
     right = {True: ("LIMITED",), False: ("OK",), None: ("OK", "LIMITED")}[limited]
-    if status not in [STATUS_VALUES[name] for name in right] and not row.failed:
-        row.verdict, row.state = "FAILED", where
-        row.reason = f"status {status_words(status)}, expected {' or '.join(right)}"
+    words = f"status {status_words(status)}, expected {' or '.join(right)}"
+    row.demand(status in [STATUS_VALUES[name] for name in right], where, words)
 
 
-def reset_row(made: CompiledServo, function: str, kind: str) -> Row:
+def reset_row(made: CompiledServo, function: str, kind: str) -> Check:
     """All members of the state that a reset makes are zero, whatever was there before."""
-    row = Row(function, "state", 1, verdict="ok")
+    row = Check(function, "state")
     ffi = made.library.ffi
     state = ffi.new(f"{made.prefix}_{kind} *")
     ffi.buffer(state)[:] = b"\x3f" * ffi.sizeof(state[0])
     status = made.call(function, state)
     wrong = [name for name, value in made.members(state).items() if np.any(np.asarray(value) != 0)]
-    if status != 0 or wrong:
-        row.verdict, row.reason = "FAILED", f"status {status_words(status)}; not zero: {', '.join(wrong) or 'none'}"
+    words = f"status {status_words(status)}; not zero: {', '.join(wrong) or 'none'}"
+    row.demand(status == 0 and not wrong, "", words)
     return row
 
 
@@ -110,19 +107,19 @@ def _step(
     return status, {"tau": made.read(tau), **made.members(kept)}
 
 
-def _compare(rows: dict[str, Comparison], found: dict[str, Array], expected: LawResult, where: str) -> None:
+def _compare(rows: dict[str, Check], found: dict[str, Array], expected: LawResult, where: str) -> None:
     """Note every result against the law."""
     for name, row in rows.items():
-        row.note(found[name], expected.values[name], expected.scales[name], where)
+        row.compare(found[name], expected.values[name], expected.scales[name], where)
 
 
-def step_rows(made: CompiledServo, seed: int, count: int) -> Iterator[Row]:
+def step_rows(made: CompiledServo, seed: int, count: int) -> Iterator[Check]:
     """Torque, each member of the state, the status, and flags of encoders without a good reading."""
     tolerance = made.bounds.default
     drawn = _Samples(made, seed)
-    rows = {name: Comparison("servo_step", name, tolerance) for name in ("tau", *STATE)}
-    masked = Comparison("servo_step", "encoders without a good reading", tolerance)
-    status_row, alone = Row("servo_step", "status", verdict="ok"), Row("servo_step", "other flywheels", verdict="ok")
+    rows = {name: Check("servo_step", name, tolerance) for name in ("tau", *STATE)}
+    masked = Check("servo_step", "encoders without a good reading", tolerance)
+    status_row, alone = Check("servo_step", "status"), Check("servo_step", "other flywheels")
     for number in range(count):
         g = drawn.gains(number)
         state, row = drawn.state(g), drawn.inputs(g, number)
@@ -140,9 +137,8 @@ def step_rows(made: CompiledServo, seed: int, count: int) -> Iterator[Row]:
         status, without = _step(made, g, state, blind, flags)
         check_status(status_row, status, expected.limited, f"{where}, flags {flags}")
         _compare(dict.fromkeys(("tau", *STATE), masked), without, expected, f"{where}, flags {flags}")
-        alone.states += 1
-        if any(np.any(without[name][~lost] != found[name][~lost]) for name in ("tau", *STATE)) and not alone.failed:
-            alone.verdict, alone.state = "FAILED", f"{where}, flags {flags}"
-            alone.reason = "flywheels with a good reading have other bits than beside good ones"
-    yield from (each.with_verdict() for each in (*rows.values(), masked))
+        same = all(np.all(without[name][~lost] == found[name][~lost]) for name in ("tau", *STATE))
+        words = "flywheels with a good reading have other bits than beside good ones"
+        alone.demand(same, f"{where}, flags {flags}", words)
+    yield from (each for each in (*rows.values(), masked))
     yield from (status_row, alone)

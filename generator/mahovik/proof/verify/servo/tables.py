@@ -18,8 +18,7 @@ from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
 from mahovik.proof.reference.bodies import bodies_of, spinning_bodies
 from mahovik.proof.reference.mass import spin_inertia
-from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Comparison
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.servo.folder import CompiledServo
 from mahovik.proof.verify.servo.law import Array
 from mahovik.proof.verify.servo.trim_matrix import trim_matrix
@@ -66,17 +65,17 @@ def gains_of(stand: Stand, servo: Servo, span: float) -> dict[str, Any]:
     }
 
 
-def gain_rows(made: CompiledServo, stand: Stand, servo: Servo) -> Iterator[Row]:
+def gain_rows(made: CompiledServo, stand: Stand, servo: Servo) -> Iterator[Check]:
     """Every member of `servo_default`."""
     found = made.default("servo_default")
     expected = gains_of(stand, servo, _span(made, servo))
     for name, value in found.items():
-        row = Comparison("servo_default", name, max(made.bounds.default, TIME if name == "lead" else 0.0))
+        row = Check("servo_default", name, max(made.bounds.default, TIME if name == "lead" else 0.0))
         if name in expected:
-            row.note(value, expected[name], np.abs(expected[name]), "")
+            row.compare(value, expected[name], np.abs(expected[name]), "")
         else:
-            row.note_difference(math.inf, "no such number in the law", "")
-        yield row.with_verdict()
+            row.note(math.inf, "", "no such number in the law")
+        yield row
 
 
 def design_rows(
@@ -86,7 +85,7 @@ def design_rows(
     trim: Trim,
     motion: RequiredMotion | None,
     programme: Programme | None,
-) -> Iterator[Row]:
+) -> Iterator[Check]:
     """Every member of `trim_default`."""
     found, span = made.default("trim_default"), _span(made, servo)
     samples = _samples(made)
@@ -103,31 +102,31 @@ def design_rows(
         if name == "matrix":
             yield _matrix_row(made, value, stand, trim, motion, programme)
             continue
-        row = Comparison("trim_default", name, max(made.bounds.default, TIME if name == "omega" else 0.0))
+        row = Check("trim_default", name, max(made.bounds.default, TIME if name == "omega" else 0.0))
         if name == "target":
             if motion is not None:
                 target = _target(motion, trim)
                 # all coefficients are averages of the same samples; coordinates at rest have only their rounding
                 scale = np.abs(target).max(axis=1, keepdims=True) + RESTING * np.abs(target).max()
                 # means, which are not corrected, are shifted by the programme's bias
-                row.note(value[:, 1:], target[:, 1:], np.broadcast_to(scale, target[:, 1:].shape), "")
+                row.compare(value[:, 1:], target[:, 1:], np.broadcast_to(scale, target[:, 1:].shape), "")
             else:
-                row.row.reason = "needs the required motion: give --motion MOTION.json"
+                row.words = "needs the required motion: give --motion MOTION.json"
         elif name in expected:
-            row.note(value, expected[name], np.abs(expected[name]), "")
+            row.compare(value, expected[name], np.abs(expected[name]), "")
         else:
-            row.note_difference(math.inf, "no such number in the law", "")
-        yield row.with_verdict()
+            row.note(math.inf, "", "no such number in the law")
+        yield row
 
 
-def time_row(made: CompiledServo, servo: Servo, motion: RequiredMotion | None) -> Row:
+def time_row(made: CompiledServo, servo: Servo, motion: RequiredMotion | None) -> Check:
     """SERVO_TICKS samples are SERVO_PERIODS periods of the required motion."""
-    row = Comparison("SERVO_TICKS", "SERVO_PERIODS", TIME)
+    row = Check("SERVO_TICKS", "SERVO_PERIODS", TIME)
     if motion is None:
-        row.row.reason = "needs the required motion: give --motion MOTION.json"
+        row.words = "needs the required motion: give --motion MOTION.json"
     else:
-        row.note(_span(made, servo), motion.span, motion.span, "")
-    return row.with_verdict()
+        row.compare(_span(made, servo), motion.span, motion.span, "")
+    return row
 
 
 def _matrix_row(
@@ -137,23 +136,23 @@ def _matrix_row(
     trim: Trim,
     motion: RequiredMotion | None,
     programme: Programme | None,
-) -> Row:
+) -> Check:
     """Corrections by the error. Without motion and programme only the zeros are judged: means are not corrected."""
     terms = 2 * trim.harmonics + 1
-    row = Comparison("trim_default", "matrix", max(MATRIX, made.bounds.default))
+    row = Check("trim_default", "matrix", max(MATRIX, made.bounds.default))
     shape = (made.count * terms, terms * len(trim.coordinates))
     if matrix.shape != shape:
-        row.note_difference(math.inf, f"its shape {list(matrix.shape)} is not that of the servo file", "")
+        row.note(math.inf, "", f"its shape {list(matrix.shape)} is not that of the servo file")
     elif np.any(matrix[:, ::terms]) or not np.any(matrix):
-        row.note_difference(math.inf, "it corrects means of the carrier, or nothing at all", "")
+        row.note(math.inf, "", "it corrects means of the carrier, or nothing at all")
     elif motion is None or programme is None:
-        row.row.reason = "only its zeros: give --motion MOTION.json and --programme PROGRAMME.json"
+        row.words = "only its zeros: give --motion MOTION.json and --programme PROGRAMME.json"
     else:
         try:
-            row.note(matrix, *trim_matrix(stand, motion, programme, trim), "")
+            row.compare(matrix, *trim_matrix(stand, motion, programme, trim), "")
         except StateError as error:
-            row.note_absence(error, "")
-    return row.with_verdict()
+            row.skip(f"its judge refused: {error}", "")
+    return row
 
 
 def _target(motion: RequiredMotion, trim: Trim) -> Array:
