@@ -22,6 +22,9 @@ SHAKER = str(path("shaker2"))
 EVAL = f"{shlex.quote(sys.executable)} -m mahovik eval {{stand}} --backend numpy"
 
 
+ODD = "reference and second agree, program differs"
+
+
 def program(text: str) -> str:
     """A command that runs this program with the stand file."""
     return f"{shlex.quote(sys.executable)} -c {shlex.quote(text)} {{stand}}"
@@ -69,14 +72,14 @@ def test_the_table_of_generated_c_as_junit_and_its_worst_states() -> None:
 def test_the_reference_itself_passes_as_a_program(stand: str, left_out: set[str]) -> None:
     judged = rows("verify", stand, "--states", "3", "--with", EVAL, status=0)
     assert {row["judged"] for row in judged} == set(WANTS) - left_out
-    assert {row["worst"] for row in judged} == {0.0}
+    assert {row["value"] for row in judged} == {0.0}
 
 
 @pytest.mark.parametrize(("name", "drop"), [("I0", "if number: "), ("D", "")])
 def test_what_is_left_out_now_and_then_or_not_allowed_to_be_is_missing(name: str, drop: str) -> None:
     command = changed(result=f"{drop}result.pop({name!r}, None)")
     judged = rows("verify", DEMO3, "--states", "6", "--with", command, "--want", "generalized", status=1)
-    assert {row["quantity"]: row["words"] for row in judged if row["verdict"] == "FAILED"} == {name: "missing"}
+    assert {row["quantity"]: row["words"] for row in judged if row["verdict"] == "FAILED"} == {name: f"{ODD}: missing"}
 
 
 ECHO = "import sys, json\nfor l in sys.stdin:\n    d = json.loads(l)\n    "
@@ -93,7 +96,7 @@ def test_a_want_that_is_demanded_must_be_offered() -> None:
 
 def test_results_without_their_quantities_fail() -> None:
     judged = rows("verify", DEMO3, "--states", "3", "--with", EMPTY, status=1)
-    assert {row["words"] for row in judged if row["verdict"] == "FAILED"} == {"missing"}
+    assert {row["words"] for row in judged if row["verdict"] == "FAILED"} == {f"{ODD}: missing"}
     assert {row["quantity"] for row in judged if row["verdict"] != "FAILED"} == {"I0", "J0"}
     result = run("judge", DEMO3, "--states", "2", "--with", EMPTY, "--explain")
     assert result.exit_code == 1 and "no diagnosis: the program answered nothing" in result.stdout

@@ -135,7 +135,7 @@ class Judge:
         """Count a state by its differences: judged and reference, second and reference, judged and second."""
         off, other, between = differences
         odd = odd_one(off / row.limit, other / row.accepted_of_second, between / row.limit, self._judged)
-        row.note(off, _name(request), " ".join(filter(None, (odd, reason))), request, other)
+        row.note(off, _name(request), ": ".join(filter(None, (odd, reason))), request, other)
 
     def _compare_at_its_rank(self, request: Request, found: Mapping[str, Any], left_out: Collection[str]) -> None:
         """Note sigma, and phi_ddot and residual for the rank that was found; status and rank depend on rounding.
