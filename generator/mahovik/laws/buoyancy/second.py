@@ -6,9 +6,8 @@ import casadi as ca
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.buoyancy.data import Buoyancy
-from mahovik.proof.second.bodies import MovingBody
-from mahovik.proof.second.chart import Expr
-from mahovik.proof.second.potential import Potential
+from mahovik.proof.second.body import MovingBody, Potential
+from mahovik.proof.second.rotation import Expr
 
 
 def numbers(body: Body) -> tuple[float, ...]:

@@ -6,7 +6,7 @@ import casadi as ca
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.control.data import ControlDerivatives, Factor, Velocity
-from mahovik.proof.second.chart import Expr
+from mahovik.proof.second.rotation import Expr
 
 
 def wrench(body: Body, V_r: Expr) -> Expr | None:

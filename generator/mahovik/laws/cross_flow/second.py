@@ -10,7 +10,7 @@ from scipy.special import roots_legendre
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.cross_flow.data import CrossFlow
-from mahovik.proof.second.chart import Expr
+from mahovik.proof.second.rotation import Expr
 
 
 def wrench(body: Body, V_r: Expr) -> Expr | None:

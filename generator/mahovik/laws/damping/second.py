@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.damping.data import Damping, DampingTerm
-from mahovik.proof.second.chart import Expr
+from mahovik.proof.second.rotation import Expr
 
 
 def wrench(body: Body, V_r: Expr) -> Expr | None:

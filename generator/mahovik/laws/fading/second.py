@@ -7,7 +7,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.fading.data import FadingDamping
-from mahovik.proof.second.chart import Expr
+from mahovik.proof.second.rotation import Expr
 
 
 def wrench(body: Body, V_r: Expr) -> Expr | None:

@@ -10,8 +10,7 @@ import numpy as np
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.friction.data import Friction, frictions_of
-from mahovik.proof.second.chart import Expr
-from mahovik.proof.second.rotation import Array
+from mahovik.proof.second.rotation import Array, Expr, unit
 
 
 def inputs(stand: Stand) -> dict[str, tuple[int, int]]:
@@ -51,9 +50,8 @@ def _speeds(hold: Hold, V: Expr) -> Expr:
     at_pivot = V[:3] + ca.cross(V[3:], ca.DM(hold.pivot))
     found = []
     for freedom in hold.freedoms:
-        direction = ca.DM(freedom.direction) / max(abs(x) for x in freedom.direction)
         part = at_pivot if freedom.kind == "slide" else V[3:]
-        found.append(ca.dot(direction / ca.norm_2(direction), part))
+        found.append(ca.dot(ca.DM(unit(freedom.direction)), part))
     return ca.vertcat(*found)
 
 

@@ -13,8 +13,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.laws.leg.data import legs_of
-from mahovik.proof.second.chart import Chart, Expr, turn
-from mahovik.proof.second.rotation import Array
+from mahovik.proof.second.body import Chart
+from mahovik.proof.second.rotation import Array, Expr, turn
 
 SHORTEST = 1e-9
 """m; a shorter leg has no direction."""

@@ -8,7 +8,7 @@ import casadi as ca
 
 from mahovik.core.stand.model import Body, Vec3
 from mahovik.laws.propeller.data import Propeller, Propellers
-from mahovik.proof.second.chart import Expr
+from mahovik.proof.second.rotation import Expr
 
 
 def wrench(body: Body, V_r: Expr) -> Expr | None:

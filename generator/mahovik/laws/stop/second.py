@@ -9,9 +9,8 @@ import casadi as ca
 from mahovik.core.stand.model import Freedom, Hold, Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.stop.data import Stop, stops_of
-from mahovik.proof.second.chart import Expr
-from mahovik.proof.second.coordinates import coordinate, unit
-from mahovik.proof.second.rotation import Array, by_angles
+from mahovik.proof.second.coordinates import coordinate
+from mahovik.proof.second.rotation import Array, Expr, by_angles, unit
 
 
 def inputs(stand: Stand) -> dict[str, tuple[int, int]]:
@@ -48,8 +47,8 @@ def _force(stop: Stop) -> Expr:
 def _speed(hold: Hold, freedom: Freedom, V: Expr) -> Expr:
     """Speed of turning about the axis, or of the pivot along the direction."""
     if freedom.kind == "turn":
-        return ca.dot(unit(freedom), V[3:])
-    return ca.dot(unit(freedom), V[:3] + ca.cross(V[3:], ca.DM(hold.pivot)))
+        return ca.dot(ca.DM(unit(freedom.direction)), V[3:])
+    return ca.dot(ca.DM(unit(freedom.direction)), V[:3] + ca.cross(V[3:], ca.DM(hold.pivot)))
 
 
 def arguments(stand: Stand, state: State, C: Array) -> dict[str, Any]:

@@ -10,8 +10,7 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.suspension.data import Suspension
-from mahovik.proof.second.chart import Expr
-from mahovik.proof.second.rotation import Array, by_angles, rotation_vector
+from mahovik.proof.second.rotation import Array, Expr, by_angles, rotation_vector
 
 SMALL = 0.02
 """rad: a rotation vector below it is differentiated as a series, exact to rounding there."""

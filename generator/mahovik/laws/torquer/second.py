@@ -11,8 +11,8 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.torquer.data import Torquers, mount_of
-from mahovik.proof.second.chart import Chart, Expr, turn
-from mahovik.proof.second.rotation import Array, fixed_rotation
+from mahovik.proof.second.body import Chart
+from mahovik.proof.second.rotation import Array, Expr, fixed_rotation, turn
 
 
 def inputs(stand: Stand) -> dict[str, tuple[int, int]]:

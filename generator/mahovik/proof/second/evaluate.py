@@ -1,4 +1,4 @@
-"""The second derivation as a backend of the evaluation contract."""
+"""The second derivation as a backend of the evaluation contract, and its derivatives to judge Jacobians."""
 
 from __future__ import annotations
 
@@ -14,25 +14,20 @@ from mahovik.contract.functions import hold_fault, want_fault, wants_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.second import coordinates, hold, points, problems
-from mahovik.proof.second.chart import Expr
-from mahovik.proof.second.kinematics import generalized
-from mahovik.proof.second.rotation import Array, attitude
-from mahovik.proof.second.stream import check_depth
-from mahovik.proof.second.system import System
+from mahovik.proof.second import problems
+from mahovik.proof.second.coordinates import free_coordinates, held_coordinates
+from mahovik.proof.second.rotation import Array, Expr, attitude
+from mahovik.proof.second.system import System, check_depth
 
 PROBLEMS: dict[str, Callable[[System], dict[str, Expr]]] = {
     "momentum": problems.momentum,
     "forward": problems.forward,
     "torque": problems.torque,
     "coupled": problems.coupled,
-    "points": points.points,
-    "reaction": hold.reaction,
+    "points": problems.points,
+    "reaction": problems.reaction,
 }
 """Wants that are CasADi functions of the state."""
-
-OF_HELD: dict[str, Callable[[System], dict[str, Expr]]] = {"forward": hold.forward, "coupled": hold.coupled}
-"""Wants that a held carrier answers in its freedoms."""
 
 WANTS = wants_of("second")
 """Wants of the second derivation: those of PROBLEMS, and `generalized`."""
@@ -60,13 +55,14 @@ class Second:
         Inputs by the names of `System.inputs`; results by theirs after the want's: `forward_V_dot`, `points_C`.
         """
         if want not in self._functions:
-            problem = PROBLEMS[want] if self.stand.hold is None else OF_HELD.get(want, PROBLEMS[want])
-            found = problem(self.system)
-            inputs = self.system.inputs
-            self._functions[want] = ca.Function(
-                want, list(inputs.values()), list(found.values()), list(inputs), [f"{want}_{name}" for name in found]
-            )
+            results = {f"{want}_{name}": value for name, value in PROBLEMS[want](self.system).items()}
+            self._functions[want] = self.as_function(want, results)
         return self._functions[want]
+
+    def as_function(self, name: str, results: dict[str, Expr]) -> Expr:
+        """Expressions in the system's inputs as a CasADi function of all of them."""
+        inputs = self.system.inputs
+        return ca.Function(name, list(inputs.values()), list(results.values()), list(inputs), list(results))
 
     def evaluate(self, state: State, want: Sequence[str]) -> Values:
         """What `want` names, under the names of the contract: arrays in SI, V and V_dot relative to E0, in E1.
@@ -82,53 +78,50 @@ class Second:
         if state.task:
             raise StateError("task: the second derivation has no tasks, ask the backends c or numpy")
         if self.stand.hold is not None:
-            state = hold.held_state(self.stand.hold, state)
+            state = problems.held_state(self.stand.hold, state)
         self._check_state(state)
         check_depth(self.stand, state)
         with np.errstate(all="ignore"):  # what is not finite is found below
             inputs = self.arguments(state)
-            found: Values = {}
-            for each in want:
+            values: Values = {}
+            for name in want:
                 try:
-                    found |= self._generalized(state, inputs) if each == "generalized" else self._solve(each, inputs)
+                    values |= self._generalized(state, inputs) if name == "generalized" else self._solve(name, inputs)
                 except RuntimeError as error:  # as CasADi raises them
-                    raise StateError(f"{each}: {' '.join(str(error).split())[:200]}") from None
-        for name, value in found.items():
-            if not _finite(value):
-                raise StateError(f"{name}: not finite at this state")
-        return found
+                    raise StateError(f"{name}: {' '.join(str(error).split())[:200]}") from None
+        return _finite_only(values)
 
     def arguments(self, state: State) -> dict[str, Any]:
         """Arguments of the functions at a state, by name: those of `System.inputs`. Raises StateError."""
         stand = self.stand
         C = attitude(stand.angles, state)
-        own: dict[str, Any] = {}
+        of_laws: dict[str, Any] = {}
         for law in laws.parts("second"):
-            own |= law.arguments(stand, state, C)
+            of_laws |= law.arguments(stand, state, C)
         names = ("position", "V", "V_dot", "phi", "phi_dot", "phi_ddot", "tau")
         return {
             **{name: np.array(getattr(state, name), dtype=np.float64) for name in names},
             "C": C,
             "wrench": np.column_stack([state.wrench.get(body.name, np.zeros(6)) for body in stand.bodies]),
-            **own,
+            **of_laws,
         }
 
     def _solve(self, want: str, inputs: dict[str, Any]) -> Values:
-        if want == "points" and not points.names(self.stand):
+        if want == "points" and not problems.point_names(self.stand):
             return {"points": {}}
         if want == "momentum" and not any(body.mass for body in self.stand.bodies):
             raise StateError("momentum: no body of the stand has a mass, so there is no center_of_mass")
-        found = self.function(want)(**inputs)
-        values = {name.removeprefix(f"{want}_"): value.full() for name, value in found.items()}
+        answer = self.function(want)(**inputs)
+        values = {name.removeprefix(f"{want}_"): value.full() for name, value in answer.items()}
         if want == "points":
             return {"points": self._by_point(values)}
         return {name: float(value[0, 0]) if name == "energy" else value[:, 0] for name, value in values.items()}
 
     def _by_point(self, values: dict[str, Array]) -> dict[str, dict[str, Array]]:
-        names = points.names(self.stand)
+        names = problems.point_names(self.stand)
         split = {name: np.split(value, len(names), axis=1) for name, value in values.items()}
         return {
-            point: {name: split[name][k] if name == "C" else split[name][k][:, 0] for name in points.QUANTITIES}
+            point: {name: split[name][k] if name == "C" else split[name][k][:, 0] for name in problems.POINT_QUANTITIES}
             for k, point in enumerate(names)
         }
 
@@ -136,28 +129,66 @@ class Second:
         if self.stand.hold is not None:
             V_dot = self._solve("forward", inputs)["V_dot"]
             where = (state.position, inputs["C"], state.V, V_dot)
-            return coordinates.generalized(self.stand.hold, self.stand.angles, *where)
+            return held_coordinates(self.stand.hold, self.stand.angles, *where)
         if state.quaternion is not None:
             raise StateError("quaternion: `generalized` needs `angles`")
         V_dot = self._solve("forward", inputs)["V_dot"]
         try:
-            return generalized(self.stand.angles, state.angles or (0.0, 0.0, 0.0), inputs["V"], V_dot)
+            return free_coordinates(self.stand.angles, state.angles or (0.0, 0.0, 0.0), inputs["V"], V_dot)
         except np.linalg.LinAlgError as error:
             raise StateError(f"generalized: {error}") from None
 
     def _check_state(self, state: State) -> None:
         N = len(self.stand.flywheels)
         for name, count in (("V", 6), ("V_dot", 6), ("phi", N), ("phi_dot", N), ("phi_ddot", N), ("tau", N)):
-            found = len(getattr(state, name))
-            if found != count:
-                raise StateError(f"{name}: expected {count} numbers, found {found}")
+            if (length := len(getattr(state, name))) != count:
+                raise StateError(f"{name}: expected {count} numbers, found {length}")
         names = [body.name for body in self.stand.bodies]
         for name in state.wrench:
             if name not in names:
                 raise StateError(f"wrench: {name!r} is no body of the stand; known are " + ", ".join(names))
 
 
-def _finite(value: Any) -> bool:
+class Derivatives:
+    """Jacobians of what a want gives by inputs of a state, at fixed position and attitude.
+
+    `locked` (N): flywheels held at phi_ddot = 0, of `coupled` only.
+    """
+
+    def __init__(self, second: Second, want: str, by: Sequence[str], locked: Sequence[bool] = ()) -> None:
+        self._second, system = second, second.system
+        answer = problems.coupled(system, locked) if want == "coupled" else PROBLEMS[want](system)
+        rate = "V_dot" if system.stand.hold is None else "u_dot"
+        slopes = {f"{v}_{name}": self._slope(answer[v], name) for v in (rate, "phi_ddot") if v in answer for name in by}
+        self._function = second.as_function("derivatives", slopes)
+
+    def _slope(self, value: Expr, name: str) -> Expr:
+        """Derivative of a value by an input, or by `u` of a held carrier, V = S u."""
+        system = self._second.system
+        if name != "u":
+            return ca.jacobian(value, system.inputs[name])
+        assert system.stand.hold is not None
+        return ca.jacobian(value, system.V) @ ca.DM(problems.twists(system.stand.hold))
+
+    @property
+    def stand(self) -> Stand:
+        """The stand whose equations are differentiated."""
+        return self._second.stand
+
+    def evaluate(self, state: State) -> dict[str, Array]:
+        """Matrices by name: `V_dot_phi` is that of V_dot by phi. Raises StateError."""
+        slopes = self._function(**self._second.arguments(state))
+        return _finite_only({name: matrix.full() for name, matrix in slopes.items()})
+
+
+def _finite_only(values: Values) -> Values:
+    for name, value in values.items():
+        if not _is_finite(value):
+            raise StateError(f"{name}: not finite at this state")
+    return values
+
+
+def _is_finite(value: Any) -> bool:
     if isinstance(value, dict):
-        return all(_finite(each) for each in value.values())
+        return all(map(_is_finite, value.values()))
     return bool(np.isfinite(value).all())

@@ -12,10 +12,9 @@ import numpy as np
 from mahovik.contract import laws
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.proof.second.chart import Expr
 from mahovik.proof.second.evaluate import Second
-from mahovik.proof.second.points import names
-from mahovik.proof.second.rotation import Array
+from mahovik.proof.second.problems import point_names
+from mahovik.proof.second.rotation import Array, Expr, turn
 
 
 class Matrices(NamedTuple):
@@ -42,7 +41,7 @@ def linear(stand: Stand, state: State) -> Matrices:
     x, u = ca.MX.sym("x", 12 + 2 * N), ca.MX.sym("u", N + 6)
     e, eta, V, phi, phi_dot = ca.vertsplit(x, [0, 3, 6, 12, 12 + N, 12 + 2 * N])
     at = second.arguments(moving)
-    place, C = at["position"] + at["C"] @ e, ca.DM(at["C"]) @ _small_rotation(eta)
+    place, C = at["position"] + at["C"] @ e, ca.DM(at["C"]) @ turn(eta)
     given: dict[str, Any] = {
         **at,
         "position": place,
@@ -65,22 +64,16 @@ def linear(stand: Stand, state: State) -> Matrices:
     return Matrices(*(each.full() for each in values))
 
 
-def _small_rotation(eta: Expr) -> Expr:
-    """exp<eta> to the second order: exact for first derivatives at zero."""
-    return ca.MX.eye(3) + ca.skew(eta) + ca.skew(eta) @ ca.skew(eta) / 2
-
-
 def _drift(e: Expr, eta: Expr, V0: Array, V: Expr) -> tuple[Expr, Expr]:
     """Rates of place and rotation vector, seen from axes that move with the motion itself at V0."""
     v0, omega0, v, omega = V0[:3], V0[3:], V[:3], V[3:]
-    shift = _small_rotation(eta) @ v - v0 - ca.cross(omega0, e)
-    turn = (omega + ca.cross(eta, omega) / 2) - (omega0 - ca.cross(eta, omega0) / 2)
-    return shift, turn
+    shift = turn(eta) @ v - v0 - ca.cross(omega0, e)
+    return shift, (omega + ca.cross(eta, omega) / 2) - (omega0 - ca.cross(eta, omega0) / 2)
 
 
 def _outputs(second: Second, state: State, given: dict[str, Any]) -> Iterator[Expr]:
     """Place, velocity and acceleration (less gravity, a constant) in E0 of every point, on its axes as they are."""
-    known = names(second.stand)
+    known = point_names(second.stand)
     if not known:
         return
     still = second.evaluate(state, ["points"])["points"]

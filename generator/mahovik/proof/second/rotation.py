@@ -1,18 +1,21 @@
-"""Rotations by angles, of expressions and of numbers alike, and the attitude of a state."""
+"""Rotations of expressions and of numbers: by angles, about an axis, by a small vector; rates of turning axes."""
 
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from mahovik.core.stand.model import MountingAngles, MountingAxes, Sequence, Vec3
 from mahovik.core.stand.state import Quaternion, State
-from mahovik.proof.second.chart import Expr
 
 Array = NDArray[np.float64]
+
+Expr = Any
+"""A CasADi expression (SX, MX) or matrix of numbers (DM): CasADi has no common type for them."""
 
 AXES: dict[Sequence, tuple[int, int, int]] = {"ship": (3, 2, 1), "aircraft": (2, 3, 1), "euler": (3, 1, 3)}
 """Axes about which psi, theta, phi turn, one after the other, each about the axis where the last turn left it."""
@@ -41,6 +44,22 @@ def by_axis(axis: Expr, angle: Expr) -> Expr:
     return outer + ca.cos(angle) * (ca.DM.eye(3) - outer) + ca.sin(angle) * ca.skew(axis)
 
 
+def turn(xi: Expr) -> Expr:
+    """E(xi) = 1 + <xi> + <xi>^2 / 2 (3x3): the rotation by the vector xi, to the second order."""
+    return ca.DM.eye(3) + ca.skew(xi) + ca.skew(xi) @ ca.skew(xi) / 2
+
+
+def directional_derivative(expression: Expr, variables: Expr, rates: Expr) -> Expr:
+    """Directional derivative of a matrix expression along `rates` of `variables`; of the same shape."""
+    return ca.reshape(ca.jtimes(ca.vec(expression), variables, rates), *expression.shape)
+
+
+def angular_velocity(R: Expr, R_dot: Expr) -> Expr:
+    """omega (3; rad/s) of axes R with rates R_dot, in these axes: <omega> = R^T R', its antisymmetric part."""
+    S = R.T @ R_dot
+    return ca.vertcat(S[2, 1] - S[1, 2], S[0, 2] - S[2, 0], S[1, 0] - S[0, 1]) / 2
+
+
 def fixed_rotation(angles: Vec3) -> Array:
     """C3(psi) C2(theta) C1(phi) (3x3) of an instrument or a point."""
     return np.asarray(by_angles("ship", ca.DM(angles)).full())
@@ -50,14 +69,14 @@ def mounting(given: MountingAngles | MountingAxes) -> Array:
     """Axes of a flywheel in its mount's frame at phi_s = 0 (3x3)."""
     if isinstance(given, MountingAngles):
         return fixed_rotation((given.psi, given.theta, given.zero))
-    first = _unit(np.array(given.axis))
-    zero = _unit(np.array(given.zero))
-    second = _unit(zero - first * float(first @ zero))
+    first, zero = unit(given.axis), unit(given.zero)
+    second = unit(zero - first * float(first @ zero))
     return np.column_stack([first, second, np.cross(first, second)])
 
 
-def _unit(a: Array) -> Array:
-    scaled = a / np.abs(a).max()  # first, so that squares neither overflow nor vanish
+def unit(a: ArrayLike) -> Array:
+    """The direction of a vector (3) that is not zero, as a vector of length 1."""
+    scaled = np.asarray(a) / np.abs(a).max()  # first, so that squares neither overflow nor vanish
     return np.asarray(scaled / math.hypot(*scaled))
 
 

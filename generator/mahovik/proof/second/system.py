@@ -1,4 +1,4 @@
-"""The whole system of a stand as one set of Lagrange's equations: the sums over its bodies."""
+"""The whole system of a stand as one set of Lagrange's equations: its numbers, and the sums over its bodies."""
 
 from __future__ import annotations
 
@@ -6,12 +6,86 @@ import casadi as ca
 import numpy as np
 
 from mahovik.contract import laws
-from mahovik.core.stand.model import Stand
-from mahovik.proof.second import force, lagrange
-from mahovik.proof.second.bodies import columns
-from mahovik.proof.second.chart import Expr, inertial_acceleration
-from mahovik.proof.second.rotation import Array
-from mahovik.proof.second.stream import stream_at
+from mahovik.core.stand.model import Body, Stand
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof.second import body as one
+from mahovik.proof.second.rotation import Array, Expr, fixed_rotation, mounting
+
+Place = tuple[Array, Array]
+"""Origin (3; m, from O1) and axes (3x3) in E1; a flywheel's at phi_s = 0."""
+
+
+def places(stand: Stand) -> dict[str, Place]:
+    """Place of the carrier, every instrument, flywheel and point, by name."""
+    found: dict[str, Place] = {stand.carrier.name: (np.zeros(3), np.eye(3))}
+    for p in stand.instruments:
+        found[p.name] = (np.array(p.position), fixed_rotation(p.angles))
+    for s in stand.flywheels:
+        found[s.name] = place_in_E1(found[s.mount], (np.array(s.position), mounting(s.mounting)))
+    for point in stand.points:
+        found[point.name] = place_in_E1(found[point.mount], (np.array(point.position), fixed_rotation(point.angles)))
+    return found
+
+
+def place_in_E1(mount: Place, place: Place) -> Place:
+    """A place in the mount's frame as a place in E1."""
+    (at, axes), (position, rotation) = mount, place
+    return at + axes @ position, axes @ rotation
+
+
+def central_inertia(body: Body) -> Array:
+    """Tensor of inertia about the mass centre (3x3; kg m2), on the body's axes."""
+    J, c = np.array(body.inertia), np.array(body.center_of_mass)
+    if body.inertia_about == "center_of_mass":
+        return J
+    return np.asarray(J - body.mass * (float(c @ c) * np.eye(3) - np.outer(c, c)))
+
+
+def columns(stand: Stand) -> Array:
+    """The numbers of all bodies (SIZE x bodies): carrier, instruments, flywheels."""
+    at = places(stand)
+    return np.column_stack([_column(body, at[body.name]) for body in stand.bodies])
+
+
+def _column(body: Body, place: Place) -> Array:
+    (origin, axes), J = place, central_inertia(body)
+    return np.concatenate([origin, axes.ravel("F"), [body.mass], body.center_of_mass, J.ravel("F")])
+
+
+def added_mass(stand: Stand) -> Array | None:
+    """Added mass of carrier and instruments together (6x6), about O1 in E1; None where there is none."""
+    parts = [np.array(b.added_mass) for b in (stand.carrier, *stand.instruments) if b.added_mass is not None]
+    return np.asarray(sum(parts)) if parts else None
+
+
+def stream_at(stand: Stand, position: Expr) -> Expr:
+    """u (3; m/s) in E0 where O1 is, by CasADi's own function of lines between stations.
+
+    It is a number to the energies, so that all of the fluid moves as it does there.
+    """
+    u = ca.DM(stand.stream or (0.0, 0.0, 0.0))
+    if stand.profile is None:
+        return u
+    depth = ca.SX.sym("depth")
+    lines = [ca.pw_lin(depth, ca.DM(stand.profile.depth), ca.DM(v)) for v in zip(*stand.profile.velocity, strict=True)]
+    by_depth = ca.Function("stream_by_depth", [depth], [ca.vertcat(*lines)])
+    return u + by_depth(_depth(stand, position))
+
+
+def _depth(stand: Stand, position: Expr) -> Expr:
+    assert stand.profile is not None
+    down = ca.DM(stand.profile.down)
+    return ca.dot(down, position) / ca.norm_2(down)
+
+
+def check_depth(stand: Stand, state: State) -> None:
+    """StateError where the profile does not reach to the depth of O1."""
+    if stand.profile is None:
+        return
+    depth, stations = float(_depth(stand, ca.DM(state.position))), stand.profile.depth
+    if not stations[0] <= depth <= stations[-1]:
+        raise StateError(f"position: depth {depth:.6g} m is outside of stream_profile")
 
 
 class System:
@@ -36,56 +110,57 @@ class System:
         self.gravity = self.inputs["C"].T @ ca.DM(stand.gravity)
         self.stream = self.inputs["C"].T @ stream_at(stand, self.inputs["position"])
         self.bodies = ca.DM(columns(stand))
-        self.law_numbers = ca.DM(force.law_columns(stand))
         self.phi = self._flywheel_row(self.inputs["phi"])
         self.q_dot = self._rates(self.V, self.inputs["phi_dot"])
         self.Lambda = added_mass(stand)
 
     def kinetics(self) -> tuple[Expr, Expr, Expr, Expr]:
         """T (J), Z (6; kg m/s, kg m2/s, in E1 about O1), and of the bodies: K (6x6), flywheel columns (7xN)."""
-        T, momenta, mass = self._map_over_bodies(lagrange.body_kinetics())(self.bodies, self.q_dot, self.phi)
+        T, momenta, mass = self._map_over_bodies(one.body_kinetics())(self.bodies, self.q_dot, self.phi)
         T, Z = ca.sum2(T), ca.sum2(momenta[:6, :])
         K = mass[:6, :] @ ca.DM(np.tile(np.eye(7)[:, :6], (self.count, 1)))
         if self.Lambda is not None:
-            fluid_T, fluid_Z = lagrange.fluid_kinetics()(self.Lambda, self.stream, self.V)
+            fluid_T, fluid_Z, _ = one.fluid_motion()(self.Lambda, self.stream, self.V, ca.DM.zeros(6))
             T, Z, K = T + fluid_T, Z + fluid_Z, K + self.Lambda
         return T, Z, K, mass[:, [7 * body + 6 for body in range(self.fixed, self.count)]]
 
     def center_of_mass(self) -> Expr:
         """Centre of mass of all bodies (3; m), in E1. Not a number where there is no mass."""
-        moments = self._map_over_bodies(lagrange.body_moment())(self.bodies, self.phi)
+        moments = self._map_over_bodies(one.body_moment())(self.bodies, self.phi)
         return ca.sum2(moments) / sum(body.mass for body in self.stand.bodies)
 
     def inertial_force(self, V_dot: Expr, phi_ddot: Expr) -> tuple[Expr, Expr]:
         """d/dt (dT/dq') - dT/dq for the accelerations V_dot (6), phi_ddot (N): of the carrier (6), flywheels (N)."""
-        acceleration = inertial_acceleration(self.V, V_dot)
+        acceleration = one.inertial_acceleration(self.V, V_dot)
         q_ddot = self._rates(acceleration, phi_ddot)
-        found = self._map_over_bodies(lagrange.body_inertial_force())(self.bodies, self.q_dot, q_ddot, self.phi)
-        carrier = ca.sum2(found[:6, :])
+        forces = self._map_over_bodies(one.body_inertial_force())(self.bodies, self.q_dot, q_ddot, self.phi)
+        carrier = ca.sum2(forces[:6, :])
         if self.Lambda is not None:
-            carrier += lagrange.fluid_inertial_force()(self.Lambda, self.stream, self.V, acceleration)
-        return carrier, self._of_flywheels(found[6, :])
+            carrier += one.fluid_motion()(self.Lambda, self.stream, self.V, acceleration)[2]
+        return carrier, self._of_flywheels(forces[6, :])
 
     def applied_force(self) -> tuple[Expr, Expr]:
         """Generalized forces of all wrenches but the drive torques: on the carrier (6), on the flywheels (N)."""
+        potentials = laws.of_bodies("second", "POTENTIAL")
+        numbers = np.array([[x for law in potentials for x in law.numbers(body)] for body in self.stand.bodies]).T
         gravity = ca.repmat(self.gravity, 1, self.count)
-        found = self._map_over_bodies(force.body_force())(
-            self.bodies, self.law_numbers, self.phi, gravity, self._wrenches()
+        forces = self._map_over_bodies(one.body_force(potentials))(
+            self.bodies, ca.DM(numbers), self.phi, gravity, self._wrenches()
         )
-        carrier = ca.sum2(found[:6, :])
+        carrier = ca.sum2(forces[:6, :])
         for law in laws.parts("second"):
             carrier += law.force(self.stand, self.inputs)
-        return carrier, self._of_flywheels(found[6, :])
+        return carrier, self._of_flywheels(forces[6, :])
 
     def _wrenches(self) -> Expr:
         """P (6 x bodies): the run-time wrench and those of laws without a potential, each in its body's frame."""
         stream = ca.repmat(self.stream, 1, self.count)
-        twists = self._map_over_bodies(force.body_twist())(self.bodies, self.q_dot, self.phi, stream)
+        twists = self._map_over_bodies(one.body_twist())(self.bodies, self.q_dot, self.phi, stream)
         wrenches = ca.horzsplit(self.inputs["wrench"])
         for wrench in laws.of_bodies("second", "wrench"):
             for k, body in enumerate(self.stand.bodies):
-                if (found := wrench(body, twists[:, k])) is not None:
-                    wrenches[k] = wrenches[k] + found
+                if (applied := wrench(body, twists[:, k])) is not None:
+                    wrenches[k] = wrenches[k] + applied
         return ca.horzcat(*wrenches)
 
     def _map_over_bodies(self, function: Expr) -> Expr:
@@ -102,10 +177,3 @@ class System:
 
     def _of_flywheels(self, row: Expr) -> Expr:
         return row[self.fixed :].T
-
-
-def added_mass(stand: Stand) -> Array | None:
-    """Added mass of carrier and instruments together (6x6), about O1 in E1; None where there is none."""
-    given = [stand.carrier.added_mass, *(p.added_mass for p in stand.instruments)]
-    found = [np.array(Lambda) for Lambda in given if Lambda is not None]
-    return np.asarray(sum(found)) if found else None

@@ -12,7 +12,7 @@ from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.second.derivatives import Derivatives
+from mahovik.proof.second.evaluate import Derivatives
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.functions.locks import lock_patterns

@@ -1,0 +1,198 @@
+"""One generic body: its coordinates, its energy, and Lagrange's equations of it by automatic differentiation.
+
+Local coordinates q = (delta, xi, phi) go through the present pose of the system:
+
+    x = delta + E(xi) rho(phi),     R = E(xi) G(phi)
+
+are place and axes of anything that moves with the carrier, on the inertial axes that coincide with E1 at this
+instant: delta (3; m) moves O1, xi (3; rad) turns the carrier, phi (rad) turns a flywheel. The present pose is
+delta = 0, xi = 0, so q' = (V, phi') there. E(xi) is exact to the second order in xi: no equation of motion, and no
+acceleration, differentiates it more than twice, so all that is found at xi = 0 is exact. In these coordinates
+Lagrange's equations hold as they stand, without any rule for quasi-velocities.
+
+Every function is of one body and built once; a stand calls it with one column of numbers per body.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+
+import casadi as ca
+
+from mahovik.core.stand.model import Body
+from mahovik.proof.second.rotation import Expr, angular_velocity, directional_derivative, elementary, turn
+
+SIZE = 25
+"""Numbers of a body: origin 3, axes 9, mass 1, mass centre 3, inertia about it 9."""
+
+
+class Chart:
+    """Symbols of the coordinates of one body and their rates: q, q_dot, q_ddot (7)."""
+
+    def __init__(self) -> None:
+        self.q = ca.SX.sym("q", 7)
+        self.q_dot = ca.SX.sym("q_dot", 7)
+        self.q_ddot = ca.SX.sym("q_ddot", 7)
+        self.delta, self.xi, self.phi = self.q[:3], self.q[3:6], self.q[6]
+
+    def rate(self, expression: Expr) -> Expr:
+        """d/dt of an expression in q, along q'; of the same shape."""
+        return directional_derivative(expression, self.q, self.q_dot)
+
+    def second_rate(self, expression: Expr) -> Expr:
+        """d/dt of an expression in q and q', along (q', q''); of the same shape.
+
+        The parts by q' and by q'' are formed apart: where the first cancels in itself, it leaves the second intact.
+        """
+        return self.rate(expression) + directional_derivative(expression, self.q_dot, self.q_ddot)
+
+    def here(self, expression: Expr) -> Expr:
+        """The expression at the present pose, delta = 0 and xi = 0."""
+        return ca.substitute(expression, self.q[:6], ca.SX.zeros(6))
+
+
+def inertial_acceleration(V: Expr, V_dot: Expr) -> Expr:
+    """(delta'', xi'') (6; m/s2, rad/s2) of a carrier with twist V whose components change at V_dot.
+
+    delta' = E(xi) v at any pose, so delta'' is its rate; and xi'' = omega' at xi = 0.
+    """
+    xi = ca.SX.sym("xi", 3)
+    v, omega = ca.SX.sym("v", 3), ca.SX.sym("omega", 3)
+    turning = ca.substitute(directional_derivative(turn(xi) @ v, xi, omega), xi, ca.SX.zeros(3))
+    rate = ca.Function("turning", [v, omega], [turning])
+    return ca.vertcat(V_dot[:3] + rate(V[:3], V[3:]), V_dot[3:])
+
+
+class MovingBody:
+    """One generic body as expressions in the coordinates of a chart; `numbers` is its column.
+
+    A body fixed on the carrier is one whose phi stays 0.
+    """
+
+    def __init__(self) -> None:
+        self.chart = Chart()
+        self.numbers = ca.SX.sym("body", SIZE)
+        split = ca.vertsplit(self.numbers, [0, 3, 12, 13, 16, 25])
+        self._origin, axes, self.mass, self.center_of_mass, J = split
+        self.central_inertia = ca.reshape(J, 3, 3)
+        self._turned = turn(self.chart.xi)
+        self._axes = ca.reshape(axes, 3, 3) @ elementary(1, self.chart.phi)
+
+    def place(self, own: Expr) -> Expr:
+        """x = delta + E(xi) rho (3; m): where a point `own` of the body's frame is."""
+        return self.chart.delta + self._turned @ (self._origin + self._axes @ own)
+
+    def axes(self) -> Expr:
+        """R = E(xi) G(phi) (3x3): the body's axes."""
+        return self._turned @ self._axes
+
+    def angular_velocity(self) -> Expr:
+        """omega (3; rad/s), on the body's axes."""
+        return angular_velocity(self.axes(), self.chart.rate(self.axes()))
+
+    def twist(self, stream: Expr) -> Expr:
+        """Velocity of the body's origin relative to a fluid, and angular velocity, on the body's axes (6)."""
+        velocity = self.chart.rate(self.place(ca.SX.zeros(3))) - stream
+        return ca.vertcat(self.axes().T @ velocity, self.angular_velocity())
+
+    def energy(self) -> Expr:
+        """T = m |x_c'|^2 / 2 + omega^T J_c omega / 2 (J), x_c the place of the mass centre, J_c about it."""
+        velocity, omega = self.chart.rate(self.place(self.center_of_mass)), self.angular_velocity()
+        return self.mass * ca.sumsqr(velocity) / 2 + ca.dot(omega, self.central_inertia @ omega) / 2
+
+
+@dataclass(frozen=True)
+class Potential:
+    """Potential energy of any body under one law of `laws/`.
+
+    count    how many numbers of its own the law has for a body
+    numbers  those of a body
+    energy   potential energy (J) of a moving body with such numbers in `gravity` (3; m/s2) on the chart's axes
+    """
+
+    count: int
+    numbers: Callable[[Body], tuple[float, ...]]
+    energy: Callable[[MovingBody, Expr, Expr], Expr]
+
+
+def inertial_force(chart: Chart, T: Expr) -> Expr:
+    """d/dt (dT/dq') - dT/dq (7; N, N m, N m) along q', q''."""
+    return chart.second_rate(ca.gradient(T, chart.q_dot)) - ca.gradient(T, chart.q)
+
+
+@cache
+def body_kinetics() -> Expr:
+    """(body, q', phi) -> T (J), dT/dq' (7), d2T/dq'2 (7x7): energy, momenta, mass matrix of a body."""
+    body = MovingBody()
+    chart, T = body.chart, body.energy()
+    momenta = ca.gradient(T, chart.q_dot)
+    results = [chart.here(value) for value in (T, momenta, ca.jacobian(momenta, chart.q_dot))]
+    return ca.Function("body_kinetics", [body.numbers, chart.q_dot, chart.phi], results)
+
+
+@cache
+def body_moment() -> Expr:
+    """(body, phi) -> m x_c (3; kg m): first moment of a body about O1, in E1."""
+    body = MovingBody()
+    moment = body.chart.here(body.mass * body.place(body.center_of_mass))
+    return ca.Function("body_moment", [body.numbers, body.chart.phi], [moment])
+
+
+@cache
+def body_inertial_force() -> Expr:
+    """(body, q', q'', phi) -> d/dt (dT/dq') - dT/dq (7) of a body."""
+    body = MovingBody()
+    chart = body.chart
+    force = chart.here(inertial_force(chart, body.energy()))
+    return ca.Function("body_inertial_force", [body.numbers, chart.q_dot, chart.q_ddot, chart.phi], [force])
+
+
+@cache
+def body_twist() -> Expr:
+    """(body, q', phi, stream) -> twist (6) of a body relative to the fluid, in its own frame."""
+    body, stream = MovingBody(), ca.SX.sym("stream", 3)
+    chart = body.chart
+    return ca.Function("body_twist", [body.numbers, chart.q_dot, chart.phi, stream], [chart.here(body.twist(stream))])
+
+
+@cache
+def body_force(potentials: tuple[Potential, ...]) -> Expr:
+    """(body, numbers, phi, gravity, P) -> generalized force (7) of the potentials and of a wrench P of a body.
+
+    -dU/dq of the sum U of the potentials, with the laws' `numbers` of the body, and d/dq' of the power P . V_k that P
+    has in the twist V_k of the body (own frame). `gravity` (3; m/s2) is on the chart's axes.
+    """
+    body = MovingBody()
+    chart = body.chart
+    gravity, P = ca.SX.sym("gravity", 3), ca.SX.sym("P", 6)
+    numbers = ca.SX.sym("numbers", sum(law.count for law in potentials))
+    potential, first = ca.SX(0), 0
+    for law in potentials:
+        potential += law.energy(body, numbers[first : first + law.count], gravity)
+        first += law.count
+    power = ca.dot(body.twist(ca.SX.zeros(3)), P)
+    force = chart.here(ca.gradient(power, chart.q_dot) - ca.gradient(potential, chart.q))
+    return ca.Function("body_force", [body.numbers, numbers, chart.phi, gravity, P], [force])
+
+
+def fluid_energy(chart: Chart, Lambda: Expr, stream: Expr) -> Expr:
+    """T = V_r^T Lambda V_r / 2 (J), V_r the carrier's twist relative to a fluid of velocity `stream`, in E1.
+
+    Lambda (6x6) is the added mass about O1 in E1; `stream` (3; m/s) is on the chart's axes, which do not turn.
+    """
+    turned = turn(chart.xi)
+    relative = turned.T @ (chart.q_dot[:3] - stream)
+    V_r = ca.vertcat(relative, angular_velocity(turned, chart.rate(turned)))
+    return ca.dot(V_r, Lambda @ V_r) / 2
+
+
+@cache
+def fluid_motion() -> Expr:
+    """(Lambda, stream, V, (delta'', xi'')) -> T (J), dT/dV (6) and d/dt (dT/dq') - dT/dq (6) of the fluid."""
+    chart, Lambda, stream = Chart(), ca.SX.sym("Lambda", 6, 6), ca.SX.sym("stream", 3)
+    T = fluid_energy(chart, Lambda, stream)
+    results = [T, ca.gradient(T, chart.q_dot)[:6], inertial_force(chart, T)[:6]]
+    arguments = [Lambda, stream, chart.q_dot[:6], chart.q_ddot[:6]]
+    return ca.Function("fluid_motion", arguments, [chart.here(value) for value in results])
