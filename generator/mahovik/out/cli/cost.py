@@ -54,8 +54,8 @@ def cost(
         add_to_delivery,
         delivered_options,
         require_place_for_cost,
+        stand_in,
     )
-    from mahovik.proof.verify.folder_stand import stand_in
 
     stand = load_stand(stand_file)
     folder = Path(output if output is not None else stand.name)

@@ -73,7 +73,7 @@ def evidence(
 
     stand, options = load_stand(stand_file), Options(real)
     if against is not None:
-        from mahovik.proof.verify.folder_stand import stand_in
+        from mahovik.proof.verify.delivery import stand_in
 
         delivered = delivered_options(Path(against))
         if delivered is None:

@@ -81,7 +81,7 @@ def fmu(
     """
     from mahovik.out.export.fmu import export_fmu
     from mahovik.out.functions.equilibrium import warn_of_turn
-    from mahovik.proof.verify.folder_stand import with_prefix
+    from mahovik.proof.verify.delivery import with_prefix
     from mahovik.use.simulate.case import load_start
     from mahovik.writing import probe, write
 
@@ -119,8 +119,7 @@ def target(
     project is written again. Never overwrites other files of yours, nor a folder of `mahovik generate`.
     """
     from mahovik.out.export.target import exportable, project
-    from mahovik.proof.verify.delivery import deliver
-    from mahovik.proof.verify.folder_stand import with_prefix
+    from mahovik.proof.verify.delivery import deliver, with_prefix
 
     stand_file, (name,) = stand_first(stand_file, further, {"--target": target_name}, former=("--target", STAND))
     found = exportable(name)
@@ -259,8 +258,7 @@ def cmake(
     `mahovik generate`.
     """
     from mahovik.out.export.cmake import cmake_project
-    from mahovik.proof.verify.delivery import deliver
-    from mahovik.proof.verify.folder_stand import with_prefix
+    from mahovik.proof.verify.delivery import deliver, with_prefix
 
     stand, chosen = with_prefix(load_stand(stand_file), prefix), only or ()
     files = cmake_project(stand, real, batch, chosen)

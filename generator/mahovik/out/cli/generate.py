@@ -49,8 +49,7 @@ def generate(
     stand = load_stand(stand_file)
     from mahovik.errors import CheckError
     from mahovik.out.functions.evidence import generate as make
-    from mahovik.proof.verify.delivery import delivered_options, differences
-    from mahovik.proof.verify.folder_stand import stand_in
+    from mahovik.proof.verify.delivery import delivered_options, differences, stand_in
 
     folder, chosen = Path(output or prefix or stand.name), only or ()
     if check:  # as it was delivered, but for what is asked for here

@@ -84,7 +84,7 @@ def _stand(start: Start, stand_file: str | None, log: Path) -> tuple[Stand, str]
     from mahovik import stands
     from mahovik.core.stand.identity import identities
     from mahovik.errors import StandError
-    from mahovik.proof.verify.folder_stand import under_name
+    from mahovik.proof.verify.delivery import under_name
 
     if stand_file is not None:
         stand = load_stand(stand_file)

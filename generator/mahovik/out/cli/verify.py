@@ -117,16 +117,17 @@ def verify(
     from mahovik.out.functions import evidence
 
     wants = read_wants(want)
-    stand, folder = load_stand(stand_file), None if against is None else Path(against)
+    folder = None if against is None else Path(against)
     if rigorous:
-        from mahovik.proof.verify.delivery import real_of
-        from mahovik.proof.verify.folder_stand import stand_in
+        from mahovik.proof.verify.delivery import Options, delivered_options, stand_in
 
+        stand = load_stand(stand_file)
         if folder is not None:
-            stand, real = stand_in(folder, stand), real if is_given("real") else real_of(folder) or real
+            stand, delivered = stand_in(folder, stand), delivered_options(folder) or Options(real)
+            real = real if is_given("real") else delivered.real
         _conclude(_verify_rigorously(stand, seed, states, folder, real, as_json), as_json, junit, worst)
         return
-    with progress(f"verify {stand.name}") as stage:
+    with progress(f"verify {Path(stand_file).stem}") as stage:
         if command is not None:
             from mahovik.out.functions.judging import judge
 
@@ -135,7 +136,7 @@ def verify(
             )
         else:
             found = evidence.verify(
-                stand, states=states, seed=seed, against=folder,
+                stand_file, states=states, seed=seed, against=folder,
                 real=real if is_given("real") else None, judges=judges, bare=bare,
                 progress=stage.show,
             )  # fmt: skip

@@ -120,18 +120,19 @@ def verify(
 
     Raises StandError, ToolchainError where it does not compile, CheckError where it is of another stand.
     """
-    from mahovik.proof.verify.delivery import real_of
-    from mahovik.proof.verify.folder_stand import stand_in
+    from mahovik.proof.second.reading import load_tables
+    from mahovik.proof.verify.delivery import Options, delivered_options, stand_in
     from mahovik.proof.verify.harness import verify_c
 
     own: CoreStand = Stand.of(stand)
+    document = load_tables(Path(stand)) if isinstance(stand, str | Path) else own.__dict__.get("_document")
     folder, words = None if against is None else Path(against), f"verify {own.name}"
     if judges and folder is not None:
         raise UsageError("--judges judges a fresh copy: not with --with, --against")
     if bare and not judges:
         raise UsageError("--bare needs --judges")
     if folder is not None:
-        own, real = stand_in(folder, own), real or real_of(folder)
+        own, real = stand_in(folder, own), real or (delivered_options(folder) or Options()).real
     real = real or "double"
 
     def on_state(done: float, *_: object) -> None:
@@ -141,7 +142,7 @@ def verify(
         from mahovik.proof.verify.judges.compare import verify_judges
 
         return Verification(verify_judges(own, seed=seed, count=states, bare=bare, progress=on_state))
-    found = verify_c(own, seed=seed, count=states, against=folder, real=real, progress=on_state)
+    found = verify_c(own, seed=seed, count=states, against=folder, real=real, progress=on_state, document=document)
     return Verification(found)
 
 
@@ -185,8 +186,7 @@ def generate(
     Raises StandError, UsageError; nothing is written over files of others.
     """
     from mahovik.core.emit.delivery import delivery
-    from mahovik.proof.verify.delivery import deliver, provenance
-    from mahovik.proof.verify.folder_stand import with_prefix
+    from mahovik.proof.verify.delivery import deliver, provenance, with_prefix
 
     own = load_file(stand) if isinstance(stand, str | Path) else stand  # of a held carrier too
     own = with_prefix(own, prefix)

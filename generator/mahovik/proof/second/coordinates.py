@@ -93,7 +93,7 @@ def _motion(hold: Hold, C0: Expr, numbered: list[int]) -> Expr:
     """
     r, number = ca.SX.sym("r", len(hold.freedoms)), {k: i for i, k in enumerate(numbered)}
     q, C, place = ca.SX.sym("q", len(numbered)), C0, ca.DM(hold.pivot)
-    directions = [ca.DM(unit(freedom.direction)) for freedom in hold.freedoms]
+    directions: list[Expr] = [ca.DM(unit(freedom.direction)) for freedom in hold.freedoms]
     for k in numbered:
         if hold.freedoms[k].kind == "turn":
             C = C0 @ by_axis(directions[k], q[number[k]])

@@ -55,7 +55,8 @@ def _column(body: Body, place: Place) -> Array:
 
 def added_mass(stand: Stand) -> Array | None:
     """Added mass of carrier and instruments together (6x6), about O1 in E1; None where there is none."""
-    parts = [np.array(b.added_mass) for b in (stand.carrier, *stand.instruments) if b.added_mass is not None]
+    fluids = [stand.carrier.added_mass, *(p.added_mass for p in stand.instruments)]
+    parts = [np.array(Lambda) for Lambda in fluids if Lambda is not None]
     return np.asarray(sum(parts)) if parts else None
 
 

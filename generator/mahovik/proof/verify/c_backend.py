@@ -22,8 +22,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import CheckError, UsageError
-from mahovik.proof.verify.delivery import delivered_options
-from mahovik.proof.verify.folder_stand import declared_functions
+from mahovik.proof.verify.delivery import declared_functions, delivered_options
 from mahovik.proof.verify.program_backend import ProgramBackend, public_names, with_all_inputs
 
 

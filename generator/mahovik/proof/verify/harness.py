@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
 from mahovik.contract.functions import TASK_WANTS
-from mahovik.core.emit.batch import batch_files
-from mahovik.core.emit.generate import Generated
 from mahovik.core.lower.hold import OF_COORDINATES
 from mahovik.core.stand.hold import has_coordinates
 from mahovik.core.stand.identity import identities
@@ -18,12 +16,14 @@ from mahovik.core.stand.state import State
 from mahovik.core.toolchain.process import side_by_side
 from mahovik.errors import StateError
 from mahovik.proof.second import Second
+from mahovik.proof.second.reading import Table
 from mahovik.proof.verify.backends import Backend
 from mahovik.proof.verify.bounds import BOUNDS, DOUBLE, Bounds
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import Judge, same_bits
 from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.files import check_batch, check_file, check_text, is_as_generated
 from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.program_backend import public_names
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
@@ -91,11 +91,12 @@ def verify_c(
     progress: Progress | None = None,
     wrenches: bool = True,
     backend: CBackend | None = None,
+    document: Table | None = None,
 ) -> Report:
     """Compile the generated C, fresh or of the folder `against`, without a warning, and compare it three ways.
 
     `wrenches`: run-time wrenches on every body, for which fresh C is compiled once more, with all its inputs.
-    `backend`: of these options, where the caller has it.
+    `backend`: of these options, where the caller has it. `document`: tables of the stand's file, None without one.
     Batch C in `against` must be what this version generates.
 
     Raises ToolchainError where it does not compile, CheckError where it is of another stand.
@@ -116,8 +117,10 @@ def verify_c(
         rows.append(check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)))
         rows += absent_rows(backend.left_out)
         rows += free_only_rows(stand)
-    if against is not None and (batch := check_batch(stand, backend.generated, against)) is not None:
-        rows.append(batch)
+    rows.append(check_file(stand, document))
+    if against is not None:
+        rows.append(check_text(stand, backend.generated, against))
+        rows += filter(None, [check_batch(stand, backend.generated, against)])
     judged = "generated C" if against is None else f"C in {against}"
     judged += f", only {', '.join(public_names(backend.program))}" if backend.left_out else ""
     return report(stand, judged, seed, len(states), BOUNDS[real].default, rows)
@@ -157,7 +160,7 @@ def check_bits(backend: CBackend, states: Sequence[tuple[str, State]], against: 
     C that another version generated may round otherwise: it is held to the tolerance only.
     """
     row = Check("", "interpreter = C, bit for bit")
-    if against is not None and not _same_text(backend.generated.files, against):
+    if against is not None and not is_as_generated(backend.generated.files, against):
         row.words = OTHER_TEXT
         return row
     if not backend.wants:
@@ -185,30 +188,3 @@ def _outcome(evaluate: Callable[[State, Sequence[str]], dict[str, Any]], state: 
         return evaluate(state, (want,))
     except StateError as error:
         return str(error)
-
-
-def _same_text(files: Mapping[str, str], folder: Path) -> bool:
-    return all(
-        (folder / name).read_bytes().replace(b"\r\n", b"\n") == text.encode("utf-8") for name, text in files.items()
-    )
-
-
-BATCH = "batch C = as generated, byte for byte"
-
-
-def check_batch(stand: Stand, generated: Generated, folder: Path) -> Check | None:
-    """Check on the bytes of `<stand>_batch.h` and `<stand>_batch.c` in a folder; None if neither exists.
-
-    `generated`: C with the element type of the folder.
-    """
-    paths = [folder / f"{stand.name}_batch.{kind}" for kind in ("h", "c")]
-    if not any(path.is_file() for path in paths):
-        return None
-    row = Check("", BATCH)
-    expected = batch_files(stand, generated)
-    for path in paths:
-        there = path.is_file()
-        words = "not what this version generates" if there else "missing"
-        same = there and path.read_bytes() == expected[path.name].encode("utf-8")
-        row.demand(same, "", f"{path.name} is {words}: generate it again with --batch")
-    return row

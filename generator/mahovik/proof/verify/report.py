@@ -39,14 +39,17 @@ class Report:
         return tuple(row for row in self.rows if row.failed)
 
 
+TEXT = "text = as generated"
+"""Quantity of the row on the text of a folder; its words say where that differs, and who has written it."""
+
 OTHER_TEXT = "its text is not what this version generates"
 """Reason of a row that C of a folder is not compared in, because another version or a hand has written it."""
 
 
 def conclusion(report: Report) -> str:
     """The verdict in one line; of C with another text than this version's, it says so."""
-    differs = any(row.words == OTHER_TEXT for row in report.rows)
-    return _verdict(report) + ("; text differs from this version's" if differs else "")
+    differs = next((row.words for row in report.rows if row.quantity == TEXT and row.words), "")
+    return _verdict(report) + (f"; text differs from this version's, {differs}" if differs else "")
 
 
 def _verdict(report: Report) -> str:

@@ -19,7 +19,7 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.errors import UsageError
-from mahovik.proof.verify.folder_stand import under_name
+from mahovik.proof.verify.delivery import under_name
 from mahovik.proof.verify.targets import run_selftest, selftest_sources
 
 _Value = TypeVar("_Value")

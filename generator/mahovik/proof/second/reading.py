@@ -1,0 +1,214 @@
+"""A second reading of the stand file: masses, their centres and inertia, added mass, and where everything is mounted.
+
+All derivations begin with the numbers that `core/stand` has read, so that a wrong sign there is the same in all of
+them. This one reads the file's tables itself, by other ways: units by a table of its own; an unbalance as a complex
+number; inertia by the second moments of mass, S = int r r^T dm, with J = tr(S) E - S; attitudes by three arms that
+turn one after the other. What a file may hold is checked elsewhere: a file that `core/stand` refuses is not read here.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+import re
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from mahovik.core.stand.model import Stand
+from mahovik.proof.second.rotation import Array
+from mahovik.proof.second.system import added_mass, columns, places
+
+Table = Mapping[str, Any]
+"""A table as `tomllib` gives it; numbers may be Decimals."""
+
+UNITS = {
+    "m": 1.0, "in": 0.0254, "ft": 0.3048, "inch": 0.0254,
+    "g": 1e-3, "t": 1e3, "oz": 0.028349523125, "lb": 0.45359237,
+    "s": 1.0, "min": 60.0, "N": 1.0,
+    "rad": 1.0, "deg": math.pi / 180, "°": math.pi / 180, "degree": math.pi / 180, "degrees": math.pi / 180,
+    "turn": 2 * math.pi, "rev": 2 * math.pi, "rpm": math.pi / 30,
+    "arcmin": math.pi / 10800, "arcsec": math.pi / 648000,
+}  # fmt: skip
+"""SI value of one of each."""
+
+PREFIXES = {"k": 1e3, "d": 1e-1, "c": 1e-2, "m": 1e-3, "u": 1e-6, "µ": 1e-6, "μ": 1e-6, "n": 1e-9}
+
+DIGITS = str.maketrans("²³·⋅", "23**")
+
+
+class UnknownUnitError(ValueError):
+    """A unit that this reading does not know; the text is the unit."""
+
+
+class BodyNumbers(NamedTuple):
+    """A body's mass (kg), centre of mass (3; m) in its own frame, and inertia about it (3x3; kg m2), on its axes."""
+
+    mass: float
+    center_of_mass: Array
+    inertia: Array
+
+
+class Reading(NamedTuple):
+    """What the file has: bodies and places by name, in the file's order, and the added mass of all (6x6), about O1.
+
+    A place is an origin (3; m, from O1) and axes (3x3, columns), in E1; a flywheel's at phi_s = 0.
+    """
+
+    bodies: dict[str, BodyNumbers]
+    places: dict[str, tuple[Array, Array]]
+    added_mass: Array
+
+
+def load_tables(path: Path) -> Table:
+    """The tables of a stand file."""
+    return tomllib.loads(path.read_text(encoding="utf-8-sig"))
+
+
+def read(document: Table) -> Reading:
+    """The reading of a stand file's tables. Raises UnknownUnitError."""
+    carrier, instruments, flywheels = document["carrier"], document.get("instrument", []), document.get("flywheel", [])
+    at = {"carrier": (np.zeros(3), np.eye(3))}
+    for table in (*instruments, *flywheels, *document.get("point", [])):
+        origin, axes = at[table.get("mount", "carrier")]
+        at[table["name"]] = origin + axes @ _numbers(table.get("position", [0, 0, 0])), axes @ _axes(table)
+    masses = {"carrier": _body(carrier)} | {table["name"]: _body(table) for table in (*instruments, *flywheels)}
+    fluid = [_symmetric(table["added_mass"], 6) for table in (carrier, *instruments) if "added_mass" in table]
+    return Reading(masses, at, sum(fluid, np.zeros((6, 6))))
+
+
+def _body(table: Table) -> BodyNumbers:
+    mass, c = _si(table.get("mass", 0)), _numbers(table.get("center_of_mass", [0, 0, 0]))
+    if "spin_inertia" in table:
+        static, dynamic = (_phasor(table.get("unbalance", {}), kind) for kind in ("static", "dynamic"))
+        across = table["transverse_inertia"]
+        pair = isinstance(across, list) or (isinstance(across, dict) and isinstance(across["value"], list))
+        J = np.diag([_si(table["spin_inertia"]), *(_numbers(across) if pair else [_si(across)] * 2)])
+        c = np.array([0.0, static.real, static.imag]) / (mass or 1.0)
+        S = _second_moments(J)
+        S[0, 1:] = S[1:, 0] = (
+            dynamic.real,
+            dynamic.imag,
+        )  # int x y and int x z: the products of inertia are their negatives
+    else:
+        S = _second_moments(_symmetric(table.get("inertia", [0, 0, 0]), 3))
+    if table.get("inertia_about") == "center_of_mass":
+        return BodyNumbers(mass, c, np.trace(S) * np.eye(3) - S)
+    central = S - mass * np.outer(c, c)
+    return BodyNumbers(mass, c, np.trace(central) * np.eye(3) - central)
+
+
+def _second_moments(J: Array) -> Array:
+    """S (3x3; kg m2) of a tensor of inertia about the same point."""
+    return np.asarray(np.trace(J) / 2 * np.eye(3) - J)
+
+
+def _phasor(unbalance: Table, kind: str) -> complex:
+    """Unbalance as y + i z: its amount, at its angle from the second axis."""
+    return cmath.rect(_si(unbalance.get(kind, 0)), _si(unbalance.get(f"{kind}_at", 0)))
+
+
+def _axes(table: Table) -> Array:
+    """Axes (3x3, columns) in the mount's frame."""
+    if "axis" in table:
+        spin, zero = _numbers(table["axis"]), _numbers(table["zero"])
+        third = np.cross(spin / np.linalg.norm(spin), zero / np.linalg.norm(zero))
+        return np.column_stack([arm / np.linalg.norm(arm) for arm in (spin, np.cross(third, spin), third)])
+    arms = np.eye(3)
+    for angle, number in zip(_numbers(table.get("angles", [0, 0])), (2, 1, 0), strict=False):
+        k = arms[:, [number]]
+        arms = (
+            arms * math.cos(angle)
+            + np.cross(k, arms, axis=0) * math.sin(angle)
+            + k @ (k.T @ arms) * (1 - math.cos(angle))
+        )
+    return arms
+
+
+def _symmetric(raw: Any, size: int) -> Array:
+    """A matrix by its rows, or by its diagonal; the mean of elements that differ as they were rounded."""
+    rows, unit = (raw["value"], raw["unit"]) if isinstance(raw, dict) else (raw, None)
+    if not any(isinstance(row, list | dict) and not _is_number(row) for row in rows):
+        return np.diag(_numbers(rows, unit))
+    matrix = np.array([_numbers(row, unit) for row in rows])
+    assert matrix.shape == (size, size)
+    return np.asarray((matrix + matrix.T) / 2)
+
+
+def _is_number(raw: Any) -> bool:
+    return isinstance(raw, dict) and not isinstance(raw["value"], list)
+
+
+def _numbers(raw: Any, unit: str | None = None) -> Array:
+    """A list of numbers, with a unit each or one for all."""
+    values, unit = (raw["value"], raw["unit"]) if isinstance(raw, dict) else (raw, unit)
+    return np.array([_si(value, unit) for value in values])
+
+
+def _si(raw: Any, unit: str | None = None) -> float:
+    """One number: plain, `"2 g cm"`, or `{ value = 2, unit = "g cm" }`."""
+    if isinstance(raw, dict):
+        return _si(raw["value"], raw["unit"])
+    if isinstance(raw, str):
+        value, unit = re.fullmatch(r"([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(.*)", raw.strip(), re.DOTALL).groups()  # type: ignore[union-attr]
+        return float(value) * _factor(unit)
+    return float(raw) * (1.0 if unit is None else _factor(unit))
+
+
+def _factor(unit: str) -> float:
+    """SI value of one such unit: `g cm`, `kg*m^2`, `gcm²`, `1/s`."""
+    product, text = 1.0, unit.translate(DIGITS)
+    for sign, name, power in re.findall(r"([*/]?)\s*([A-Za-zµμ°]+|1)\s*\^?(-?\d*)", text):
+        product *= _name(name, unit) ** ((-1 if sign == "/" else 1) * int(power or 1))
+    if re.sub(r"([*/]?)\s*([A-Za-zµμ°]+|1)\s*\^?(-?\d*)\s*", "", text):
+        raise UnknownUnitError(unit)
+    return product
+
+
+def _name(name: str, unit: str) -> float:
+    """SI value of one name, or of two that are joined."""
+    if name == "1":
+        return 1.0
+    if name in UNITS:
+        return UNITS[name]
+    if name[0] in PREFIXES and name[1:] in ("m", "g", "N", "s", "rad"):
+        return PREFIXES[name[0]] * UNITS[name[1:]]
+    for first in ("kg", "mg", "g", "mN", "N", "oz", "lb"):
+        if name.startswith(first) and name != first:
+            return _name(first, unit) * _name(name.removeprefix(first), unit)
+    raise UnknownUnitError(unit)
+
+
+def differences(stand: Stand, document: Table) -> dict[str, float]:
+    """Relative differences of a stand's numbers from the second reading of its file, by body and quantity.
+
+    Lengths are over the largest of the stand, centres of mass over their own, inertia over its largest element and
+    that of its transfer. Raises UnknownUnitError.
+    """
+    file, at, numbers = read(document), places(stand), columns(stand)
+    if list(file.places) != [*dict.fromkeys((*file.bodies, *at))] or list(file.bodies) != [
+        b.name for b in stand.bodies
+    ]:
+        return {"bodies": math.inf}
+    reach = max(float(np.abs(origin).max()) for origin, _ in at.values())
+    found = {}
+    for name, (origin, axes) in at.items():
+        found[f"{name} position"] = _relative(origin, file.places[name][0], reach)
+        found[f"{name} axes"] = _relative(axes, file.places[name][1], 1.0)
+    for name, column in zip(file.bodies, numbers.T, strict=True):
+        mass, c, J = column[12], column[13:16], column[16:].reshape(3, 3)
+        body = file.bodies[name]
+        found[f"{name} mass"] = _relative(mass, body.mass, mass)
+        found[f"{name} center of mass"] = _relative(c, body.center_of_mass, np.abs(c).max())
+        found[f"{name} inertia"] = _relative(J, body.inertia, np.abs(J).max() + mass * float(c @ c))
+    fluid = added_mass(stand)
+    here = np.zeros((6, 6)) if fluid is None else fluid
+    return {**found, "added mass": _relative(here, file.added_mass, np.abs(here).max())}
+
+
+def _relative(value: Any, expected: Any, scale: float) -> float:
+    off = float(np.max(np.abs(value - expected)))
+    return off / scale if scale else math.inf if off else 0.0

@@ -1,0 +1,118 @@
+"""What comparison of answers cannot see: the reader of stand files, and text of a delivered folder."""
+
+import json
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.manifest import manifest
+from mahovik.core.stand import Stand, dumps, load, loads
+from mahovik.proof.second.reading import differences
+from mahovik.proof.verify.files import ACCEPTED, check_file, check_text
+from mahovik.stands import path
+from strategies import stands
+
+DEMO = load(path("demo3"))
+DATA_SHEET = """
+schema = 1
+name = "sheet"
+[carrier]
+mass = "12000 g"
+center_of_mass = ["10 mm", 0, 0.02]
+inertia = { value = [0.4, 0.5, 0.6], unit = "kg m^2" }
+inertia_about = "center_of_mass"
+added_mass = [[3, 0, 0, 0, 0.2, 0], [0, 4, 0, -0.1, 0, 0.3], [0, 0, 5, 0, 0, 0],
+              [0, -0.1, 0, 0.02, 0, 0], [0.2, 0, 0, 0, 0.03, 0], [0, 0.3, 0, 0, 0, 0.04]]
+[[instrument]]
+name = "arm"
+position = { value = [100, -50, 20], unit = "mm" }
+angles = ["20 deg", 0.3, "-40 deg"]
+mass = 2.0
+center_of_mass = ["3 cm", "1 cm", 0]
+inertia = [[0.02, 0.001, 0], [0.001, 0.03, -0.002], [0, -0.002, 0.04]]
+inertia_about = "origin"
+added_mass = [0, 0, 0, 0.01, 0.02, 0.03]
+[[flywheel]]
+name = "sheet"
+mount = "arm"
+position = [0.1, 0.2, -0.3]
+axis = [1, 2, 3]
+zero = [0, 1, 0.5]
+mass = 0.8
+spin_inertia = "16 kg cm^2"
+transverse_inertia = ["9 kg cm²", 0.00095]
+unbalance = { static = "0.5 gcm", static_at = "30 deg", dynamic = "2 g cm^2", dynamic_at = "1 turn" }
+[[flywheel]]
+name = "disc"
+angles = ["0.1 turn", "12 arcmin", 0.7]
+mass = "2 lb"
+spin_inertia = "5 oz in^2"
+transverse_inertia = "2.6 oz in^2"
+unbalance = { static = "3 g mm", static_at = 2.0, dynamic = "1e-7 kg m^2", dynamic_at = "200 deg" }
+[[point]]
+name = "sensor"
+mount = "arm"
+position = [0.01, 0, 0]
+angles = [0.1, 0.2, 0.3]
+"""
+
+
+def test_every_form_of_a_data_sheet_is_read_twice() -> None:
+    """Of the same file, by `core/stand` and by the second reading: faults are planted in both."""
+    found = differences(loads(DATA_SHEET), tomllib.loads(DATA_SHEET))
+    assert max(found.values()) <= ACCEPTED, found
+    assert {"sheet inertia", "disc center of mass", "arm axes", "sensor position", "added mass"} <= found.keys()
+
+
+@pytest.mark.parametrize("name", ["bench8", "auv6", "remus6", "sat4"])
+def test_an_example_is_read_twice(name: str) -> None:
+    assert check_file(load(path(name)), tomllib.loads(path(name).read_text())).verdict == "ok"
+
+
+@given(stands())
+def test_any_stand_is_read_twice(stand: Stand) -> None:
+    assert check_file(stand, tomllib.loads(dumps(stand))).verdict == "ok"
+
+
+def test_a_number_that_was_read_otherwise_fails() -> None:
+    (w1, *others), document = DEMO.flywheels, tomllib.loads(path("demo3").read_text())
+    (x, y, z), fails = w1.center_of_mass, []
+    for wrong in (replace(w1, center_of_mass=(x, y, z + 1e-9)), replace(w1, mass=w1.mass * (1 + 1e-9))):
+        row = check_file(replace(DEMO, flywheels=(wrong, *others)), document)
+        fails.append(f"{row.verdict} {row.words.partition(':')[0]}")
+    assert fails == ["FAILED w1 center of mass", "FAILED w1 mass"]
+    assert check_file(DEMO, None).verdict == "not compared"
+    document["carrier"]["mass"] = "3 stone"
+    assert check_file(DEMO, document).words == 'the second reading does not know the unit "stone"'
+
+
+def test_text_that_differs_is_named_with_its_functions(tmp_path: Path) -> None:
+    made = generate_all(DEMO)
+    files = {name: text for name, text in made.files.items() if name.startswith("demo3.")}
+    whole = {**files, "manifest.json": manifest(DEMO, "double", files)}
+
+    def row(edit: str = "", **changed: str) -> tuple[str, str]:
+        for name, text in (whole | changed).items():
+            old, new = edit.split(" -> ") if name == "demo3.c" and edit else ("", "")
+            (tmp_path / name).write_text(text.replace(old, new) if old else text, newline="\n")
+        found = check_text(DEMO, made, tmp_path)
+        return found.verdict, found.words
+
+    by_hand = "edited by hand after mahovik"
+    assert row() == ("ok", "")
+    assert row("\n -> \r\n") == ("ok", "")
+    verdict, words = row("found = DEMO3_EXCESSIVE -> found = DEMO3_OK")
+    assert verdict == "not compared"
+    assert words.startswith(by_hand)
+    assert words.endswith("wrote it: excessive (internal, of inverse)")
+    assert row("0.0 ->  0.0 ")[1].count(" and ") >= 1  # more than are listed are counted
+    other = files["demo3.c"].replace("motion of", "motion, of")
+    listed = json.loads(manifest(DEMO, "double", files | {"demo3.c": other})) | {"generator": "mahovik 0.0.1"}
+    words = row(**{"demo3.c": other, "manifest.json": json.dumps(listed)})[1]
+    assert words == "of mahovik 0.0.1: demo3.c outside of functions"
+    (tmp_path / "manifest.json").unlink()
+    assert "manifest.json is missing" in check_text(DEMO, made, tmp_path).words
