@@ -1,4 +1,4 @@
-"""Write what pages show of the code: docs/commands.md, the table of functions in docs/architecture.md, pictures.
+"""Write what pages show of the code: docs/commands.md, tables of the contract on two pages, pictures.
 
 python tools/pages.py [--pictures]
 
@@ -10,22 +10,27 @@ from __future__ import annotations
 import re
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import click
 
+from mahovik.contract.evaluation import text_lines
 from mahovik.contract.functions import CHOSEN, ROWS
 from mahovik.out.cli import SECTIONS, main
 
 ROOT = Path(__file__).resolve().parents[1]
 COMMANDS, ARCHITECTURE = ROOT / "docs" / "commands.md", ROOT / "docs" / "architecture.md"
+VERIFICATION = ROOT / "docs" / "verification.md"
 
 DRAWN = ("README.md", "docs/tutorial-pendulum.md", "docs/tutorial-held-examples.md")
 """Pages whose own commands draw their pictures."""
 
 FUNCTIONS = "<!-- functions: tools/pages.py -->\n\n", "\n<!-- end of functions -->"
 """Marks around the table of functions."""
+
+EVALUATION = "<!-- contract: tools/pages.py -->\n\n", "\n<!-- end of contract -->"
+"""Marks around the contract of programs that are judged."""
 
 HEAD = """# Commands
 
@@ -103,9 +108,19 @@ def architecture_page() -> str:
             marks = ("yes" if row.want else "", "yes" if row.batch else "")
             cells = (f"`{row.name}`", row.equation, ", ".join(row.gives), *marks, ", ".join(row.judges))
             lines.append(f"| {' | '.join(cells)} |")
-    before, _, rest = ARCHITECTURE.read_text(encoding="utf-8").partition(FUNCTIONS[0])
-    _, end, after = rest.partition(FUNCTIONS[1])
-    return before + FUNCTIONS[0] + "".join(f"{line}\n" for line in lines) + end + after
+    return between_marks(ARCHITECTURE, FUNCTIONS, lines)
+
+
+def verification_page() -> str:
+    """The page with the contract of programs that are judged, as `eval --help` shows it."""
+    return between_marks(VERIFICATION, EVALUATION, ["```text", *text_lines(), "```"])
+
+
+def between_marks(page: Path, marks: tuple[str, str], lines: Iterable[str]) -> str:
+    """The text of a page with these lines between two marks."""
+    before, _, rest = page.read_text(encoding="utf-8").partition(marks[0])
+    _, end, after = rest.partition(marks[1])
+    return before + marks[0] + "".join(f"{line}\n" for line in lines) + end + after
 
 
 def draw(page: Path) -> None:
@@ -126,6 +141,7 @@ def draw(page: Path) -> None:
 if __name__ == "__main__":
     COMMANDS.write_text(commands_page(), encoding="utf-8")
     ARCHITECTURE.write_text(architecture_page(), encoding="utf-8")
+    VERIFICATION.write_text(verification_page(), encoding="utf-8")
     if "--pictures" in sys.argv[1:]:
         for name in DRAWN:
             draw(ROOT / name)

@@ -1,9 +1,10 @@
-"""verify and judge: the table of the C, right and wrong foreign programs, and every way in which one can fail."""
+"""verify and judge: the table of the C, right and wrong programs, every way in which one can fail, and adapters."""
 
 from __future__ import annotations
 
 import json
 import shlex
+import subprocess
 import sys
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -14,13 +15,13 @@ import pytest
 from cli.run import DEMO3, run
 from mahovik.contract.functions import WANTS
 from mahovik.stands import path
+from toolchain.tools import require
 
 PENDULUM = str(Path(__file__).parents[2] / "docs" / "held" / "pendulum.toml")
 SHAKER = str(path("shaker2"))
 """A stand with unbalanced flywheels: without wrenches balanced ones know no phase."""
 
 EVAL = f"{shlex.quote(sys.executable)} -m mahovik eval {{stand}} --backend numpy"
-
 
 ODD = "reference and second agree, program differs"
 
@@ -70,7 +71,7 @@ def test_the_table_of_generated_c_as_junit_and_its_worst_states() -> None:
 
 @pytest.mark.parametrize(("stand", "left_out"), [(DEMO3, {"reaction"}), (PENDULUM, set())])
 def test_the_reference_itself_passes_as_a_program(stand: str, left_out: set[str]) -> None:
-    judged = rows("verify", stand, "--states", "3", "--with", EVAL, status=0)
+    judged = rows("judge", stand, "--states", "3", "--with", EVAL, status=0)
     assert {row["judged"] for row in judged} == set(WANTS) - left_out
     assert {row["value"] for row in judged} == {0.0}
 
@@ -78,8 +79,41 @@ def test_the_reference_itself_passes_as_a_program(stand: str, left_out: set[str]
 @pytest.mark.parametrize(("name", "drop"), [("I0", "if number: "), ("D", "")])
 def test_what_is_left_out_now_and_then_or_not_allowed_to_be_is_missing(name: str, drop: str) -> None:
     command = changed(result=f"{drop}result.pop({name!r}, None)")
-    judged = rows("verify", DEMO3, "--states", "6", "--with", command, "--want", "generalized", status=1)
-    assert {row["quantity"]: row["words"] for row in judged if row["verdict"] == "FAILED"} == {name: f"{ODD}: missing"}
+    judged = rows("judge", DEMO3, "--states", "6", "--with", command, "--want", "generalized", status=1)
+    words = {row["quantity"]: row["words"] for row in judged if row["verdict"] == "FAILED"}
+    assert words == {name: "missing" if name == "I0" else f"{ODD}: missing"}  # the second derivation has no I0
+
+
+@pytest.mark.parametrize(("attitude", "other"), [("quaternion", "angles"), ("angles", "quaternion")])
+def test_attitudes_are_given_in_one_form(attitude: str, other: str) -> None:
+    """Of free and of held carriers; the reference at the same attitude agrees to the last bit."""
+    command = changed(f'assert "{attitude}" in state and "{other}" not in state')
+    for stand in (DEMO3, PENDULUM):
+        options = ("--with", command, "--attitude", attitude, "--want", "forward,points", "--states", "9")
+        assert {row["value"] for row in rows("judge", stand, *options, status=0)} == {0.0}
+
+
+@pytest.mark.parametrize("file", ["adapter.py", "adapter.cpp"])
+def test_a_skeleton_answers_at_once(file: str) -> None:
+    """It is right for the stand in its head, line by line, and offers nothing else."""
+    assert run("new", "adapter", "-o", file).output == f"{file}\n"
+    lines = [line.removeprefix("//").strip() for line in Path(file).read_text(encoding="utf-8").splitlines()]
+    first = lines.index("schema = 1")
+    Path("body.toml").write_text("\n".join(lines[first : first + 6]), encoding="utf-8")
+    command = f"{shlex.quote(sys.executable)} {file}"
+    if file.endswith(".cpp"):
+        require("g++", "g++")
+        subprocess.run(["g++", "-std=c++17", "-Wall", "-Wextra", "-Werror", "-o", "adapter", file], check=True)
+        command = "./adapter"
+    judged = rows("judge", "body.toml", "--states", "12", "--with", command, status=0)
+    assert [row["judged"] for row in judged if row["verdict"] == "ok"] == ["forward"]
+    assert {row["words"] for row in judged if row["verdict"] == "not offered"} >= {"matrices: not offered"}
+    with subprocess.Popen(shlex.split(command), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdin is not None and process.stdout is not None
+        process.stdin.write('{"id": [1, "a"], "want": ["forward"]}\n')
+        process.stdin.flush()
+        assert json.loads(process.stdout.readline()) == {"id": [1, "a"], "V_dot": [0.0] * 6}
+        process.stdin.close()
 
 
 ECHO = "import sys, json\nfor l in sys.stdin:\n    d = json.loads(l)\n    "
@@ -88,31 +122,46 @@ EMPTY = program(ECHO + 'print(json.dumps({"id": d["id"]}))')
 
 
 def test_a_want_that_is_demanded_must_be_offered() -> None:
-    result = run("verify", DEMO3, "--states", "2", "--with", REFUSING, "--want", "torque")
+    result = run("judge", DEMO3, "--states", "2", "--with", REFUSING, "--want", "torque")
     assert result.exit_code == 1 and "MISSING" in result.stdout
-    unasked = run("verify", DEMO3, "--states", "2", "--with", REFUSING)
+    unasked = run("judge", DEMO3, "--states", "2", "--with", REFUSING)
     assert unasked.exit_code == 1 and "nothing was compared" in unasked.stdout
 
 
 def test_results_without_their_quantities_fail() -> None:
-    judged = rows("verify", DEMO3, "--states", "3", "--with", EMPTY, status=1)
-    assert {row["words"] for row in judged if row["verdict"] == "FAILED"} == {f"{ODD}: missing"}
+    judged = rows("judge", DEMO3, "--states", "3", "--with", EMPTY, status=1)
+    assert {row["words"].removeprefix(f"{ODD}: ") for row in judged if row["verdict"] == "FAILED"} == {"missing"}
     assert {row["quantity"] for row in judged if row["verdict"] != "FAILED"} == {"I0", "J0"}
     result = run("judge", DEMO3, "--states", "2", "--with", EMPTY, "--explain")
     assert result.exit_code == 1 and "no diagnosis: the program answered nothing" in result.stdout
 
 
+def answering(result: str) -> str:
+    """A program that answers every state with these members."""
+    return ECHO + f'print(json.dumps({{"id": d["id"], {result}}}))'
+
+
 BROKEN = {
-    "drops all": ("import sys; sys.stdin.read()", "gave nothing"),
+    "drops all": ("import sys; sys.stdin.read()", "answered none of 3 states and ended with status 0"),
     "dies": ("1/0", "ZeroDivisionError"),
     "is killed": ("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", "ended with signal 9"),
     "ends with a status of its own": (ECHO + 'print("{}")\nsys.exit(7)', "ended with status 7"),
     "prints garbage": (ECHO + 'print("hello")', "is no JSON: 'hello"),
     "prints numbers": (ECHO + "print(1)", "is no object"),
     "loses the ids": (ECHO + 'print("{}")', "has the id null, expected"),
-    "stops half way": (ECHO + 'print(json.dumps({"id": d["id"]})); sys.exit(0)', "1 lines of output for"),
+    "stops half way": (
+        ECHO + 'print(json.dumps({"id": d["id"]})); sys.exit(0)',
+        "answered 1 of 3 states and ended with status 0",
+    ),
     "never stops": ('while True: print("{}")', "gave more lines than"),
-    "hangs": ("import time; time.sleep(60)", "gave no complete answer in 1 s"),
+    "dies half way": (ECHO + 'print(json.dumps({"id": d["id"], "V_dot": [0] * 6}), flush=True); 1/0', "1: ZeroDiv"),
+    "misspells a key": (
+        answering('"Vdot": [0] * 6'),
+        'line 1 of its output: unknown key "Vdot", did you mean "V_dot"?',
+    ),
+    "lacks a number": (answering('"V_dot": [0] * 5'), "V_dot: found a list of 5, expected a list of 6"),
+    "mixes lengths": (answering('"V_dot": [[0], 1]'), "V_dot: found lists of different lengths"),
+    "hangs": ("import time; time.sleep(60)", "answered none of 3 states in 1 s and had not ended: --timeout"),
 }
 
 
@@ -120,7 +169,8 @@ BROKEN = {
 def test_a_program_that_fails_is_one_line_and_status_1(name: str) -> None:
     text, words = BROKEN[name]
     timeout = "1" if name == "hangs" else "60"
-    result = run("verify", DEMO3, "--states", "3", "--with", program(text), "--timeout", timeout)
+    options = ("--states", "3", "--want", "forward", "--timeout", timeout)
+    result = run("judge", DEMO3, "--with", program(text), *options)
     (line,) = result.stderr.splitlines()
     assert result.exit_code == 1 and "FAILED" in result.stdout
     assert line.startswith("error: ") and words in line

@@ -48,7 +48,6 @@ CASES: dict[str, tuple[int, tuple[str, ...]]] = {
     "simulate": (0, (DEMO3, "--until", "0.001", "--backend", "scipy", "-o", "run.csv")),
     "plan, far": (1, (DEMO3, "--motion", "far.json", "-o", "p.json")),
     "design, reach": (1, (SHAKER2, "--motion", TILT, "--free", "phase", "-o", "d.toml", "--time", "0.1")),
-    "verify, cat": (1, (DEMO3, "--with", "cat", "--states", "2")),
     "judge, cat": (1, (DEMO3, "--with", "cat", "--states", "2")),
     "verify-programme, other": (1, (SHAKER2, "--motion", SPIN, "--programme", "still.json")),
     "evidence": (0, (DEMO3, "--only", "good")),

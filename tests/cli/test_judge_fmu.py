@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import tempfile
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 from zipfile import ZIP_DEFLATED, ZipFile
@@ -18,8 +19,8 @@ from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.read import loads
 from mahovik.proof.reference.coordinates import coordinates_at
 from mahovik.proof.reference.hold import twists
-from mahovik.proof.verify.fmu.mapping import read_map
-from mahovik.proof.verify.fmu.program import FmuProgram
+from mahovik.proof.verify.fmu import FmuProgram
+from mahovik.proof.verify.fmu_map import read_map
 from mahovik.proof.verify.held import onto_hold
 from toolchain.quick import quick
 
@@ -208,10 +209,16 @@ def test_an_fmu_that_would_fill_the_disk_is_not_unpacked(
 ) -> None:
     (tmp_path / "room" / "inner").mkdir(parents=True)
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "room" / "inner"))
-    monkeypatch.setattr("mahovik.proof.verify.fmu.program.MOST_BYTES", 1 << 23)
+    monkeypatch.setattr("mahovik.proof.verify.fmu.MOST_BYTES", 1 << 23)
     said = refused(*judged(FREE, damaged(fmu, tmp_path / "bad.fmu", **files), FREE_MAP))
     assert "bad.fmu: no FMU: " in said and words in said
     assert [each.name for each in (tmp_path / "room").rglob("*")] == ["inner"]
+
+
+def late() -> Iterator[bytes]:
+    """No lines, after the time limit."""
+    time.sleep(3)
+    yield from ()
 
 
 @pytest.mark.parametrize("kill", quick(1, [False, True]))
@@ -221,7 +228,7 @@ def test_nothing_of_an_fmu_stays(fmu: Path, tmp_path: Path, monkeypatch: pytest.
     monkeypatch.setenv("TMPDIR", str(tmp_path))
     limit: Any = ("--timeout", "1 s") if kill else ()
     if kill:
-        monkeypatch.setattr("mahovik.proof.verify.foreign._read", lambda *_: time.sleep(3))
+        monkeypatch.setattr("mahovik.proof.verify.foreign._lines", lambda _: late())
     result = run(*judged(FREE, fmu, FREE_MAP, "--states", "3", *limit))
     assert result.exit_code == (1 if kill else 0), result.output
     assert list(tmp_path.iterdir()) == []

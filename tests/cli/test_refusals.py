@@ -32,6 +32,8 @@ COMMANDS = {
     "replay": "replay $demo3 --log none.log",
     "report": "report $demo3 -o r.html",
     "judge": "judge $demo3 --log log.csv",
+    "program": "judge $demo3",
+    "new": "new adapter",
     "linearize": "linearize $shaker2 --at state.json -o model.json",
 }
 """Arguments that are right; those of a case come after them."""
@@ -92,14 +94,17 @@ CASES = [
     ("excite", "--noise imu.rat=1", 'did you mean "imu.rate"'),
     ("excite", "--noise rate=0", "expected a number above 0"),
     ("excite", "--rate 1e9", "samples, expected"),
-    ("verify", "--against . --with cat", "--with, --against: give only one of them"),
-    ("verify", "--want forward", "--want needs --with"),
-    ("verify", "--with ''", "no command"),
-    ("verify", '--with "\'unclosed"', "No closing quotation"),
-    ("verify", "--with 'no-such-program {stand}'", "cannot be started"),
-    ("verify", "--with cat --want frward", 'unknown "frward", did you mean "forward"?'),
+    ("program", "--with ''", "no command"),
+    ("program", '--with "\'unclosed"', "No closing quotation"),
+    ("program", "--with 'no-such-program {stand}'", "cannot be started"),
+    ("program", "--with cat --want frward", 'unknown "frward", did you mean "forward"?'),
+    ("program", "--with cat --want torque_for", "demo3 has no task, [task.NAME]"),
+    ("program", "--with cat --attitude quaternion --want generalized", "generalized: needs angles"),
+    ("new", "-o adapter.rs", "expected a name that ends in .py or .cpp"),
+    ("new", "-o twice.py", "twice.py: exists already"),
+    ("judge", "--attitude angles", "--attitude: only of a program"),
     ("verify", "--real float --judges", "for the generated C"),
-    ("verify", "--rigorous --judges", "--rigorous measures the C: not with --judges, --with, --targets"),
+    ("verify", "--rigorous --judges", "--rigorous measures the C: not with --judges, --targets"),
     ("replay", "", "none.log: cannot be read"),
     ("replay", "-o states.txt", "expected a name that ends in .csv or .jsonl"),
     ("report", "--motion $turn", "goes with --programme P.json, which is missing"),
@@ -120,6 +125,7 @@ def files(own_folder: Path) -> set[str]:
     bench8(2).save("two.toml")
     Path("servo.toml").write_text(SERVO)
     Path("twice.json").write_text('{"phi": [0, 0, 0], "phi": [1, 0, 0]}')
+    Path("twice.py").touch()
     Path("broken.json").write_text('{\n "V" [1]}')
     for name in ("tau", "state"):
         Path(f"{name}.json").write_text(json.dumps({"tau": [1.0, 2.0]}))

@@ -16,7 +16,7 @@ SAT4 = str(path("sat4"))
 TABLES = {
     "check": ("check", AUV6),
     "modes": ("modes", SAT4),
-    "verify": ("verify", DEMO3, "--with", "cat", "--states", "2"),
+    "judge": ("judge", DEMO3, "--with", "cat", "--states", "2"),
 }
 
 

@@ -91,6 +91,11 @@ def test_the_table_of_functions_is_that_of_the_contract() -> None:
     assert pages.ARCHITECTURE.read_text(encoding="utf-8") == pages.architecture_page()
 
 
+def test_the_contract_of_programs_is_that_of_the_help() -> None:
+    """`python tools/pages.py` rewrites it."""
+    assert pages.VERIFICATION.read_text(encoding="utf-8") == pages.verification_page()
+
+
 @pytest.mark.parametrize("page", PAGES, ids=name)
 def test_commands_in_sentences_exist(page: Path) -> None:
     """`mahovik command --option`: there is such a command, and it has that option."""

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from mahovik.contract.evaluation import text_lines
 from mahovik.errors import UsageError
 from mahovik.out.cli.options import REAL, STAND_FILE, choice, command, load_stand
 from mahovik.out.cli.progress import progress
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
     from mahovik.proof.verify.backends import Backend
 
 
-@command(name="eval")
+@command(name="eval", lines=text_lines())
 def evaluate(
     stand_file: str = STAND_FILE,
     backend: str = choice(
@@ -32,15 +33,8 @@ def evaluate(
 
     One JSON object per line; a result line for each, in order.
 
-    A state with "task" and "demand" in place of "V_dot" is one of a task of the stand: `inverse` answers for its rows,
-    and `torque`, `mounts`, `points` take the motion that results. `torque_for` answers in place of `inverse` with drive
-    torques within what the motors have.
-
-    A state of a held carrier has "u" and "u_dot" in place of "V" and "V_dot": speeds of its freedoms in the order of
-    the file, and their rates; `forward` and `coupled` answer `u_dot`, `V_dot` and `reaction`, which is also a want of
-    its own, for the "u_dot", required, and "phi_ddot" of the state.
-
-    "actuators": {"rudder": 0.2} sets deflections of fins (rad) and speeds of propellers (rad/s) by name.
+    With a task `inverse` answers for its rows, `torque_for` with drive torques within what the motors have, and
+    `torque`, `mounts`, `points` take the motion that results.
 
     A state that cannot be evaluated gives an error line in its place; the exit status is then 1.
     """

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import click
 
+from mahovik.contract.evaluation import text_lines
 from mahovik.errors import UsageError
 from mahovik.out.cli import quantities
 from mahovik.out.cli.options import (
@@ -12,6 +15,7 @@ from mahovik.out.cli.options import (
     STAND_FILE,
     STATES,
     WORST,
+    choice,
     command,
     file_option,
     flag,
@@ -20,10 +24,13 @@ from mahovik.out.cli.options import (
     option,
 )
 from mahovik.out.cli.progress import progress
-from mahovik.out.cli.verify import finish, read_wants
+from mahovik.out.cli.verify import finish
+
+if TYPE_CHECKING:
+    from mahovik.proof.verify.foreign import Attitude
 
 
-@command(short_help="Judge a program, and find its fault.")
+@command(short_help="Judge a program, and find its fault.", lines=text_lines())
 def judge(
     stand_file: str = STAND_FILE,
     command: str | None = option(
@@ -35,6 +42,9 @@ def judge(
     fmu: str | None = file_option("--fmu", "FILE.fmu", "Judge an FMU instead, with --map."),
     variables: str | None = file_option(
         "--map", "MAP.toml", "Read from this file what the variables of --fmu are.", reads="a map of variables"
+    ),
+    attitude: Attitude | None = choice(
+        "--attitude", ["quaternion", "angles"], "Give attitudes in this form; default: some states each way."
     ),
     explain: bool = flag("--explain", "Name the fault in its equations if it differs."),
     want: str | None = option(
@@ -72,10 +82,10 @@ def judge(
     for name in ("states", "timeout") if log is not None else ():
         if is_given(name):
             raise UsageError(f"--{name}: not with --log, of which all rows are judged")
-    wants = read_wants(want)
+    wants = () if want is None else tuple(dict.fromkeys(name.strip() for name in want.split(",")))
     with progress(f"judge {command or log or fmu}") as stage:
         found = judged(
-            stand_file, command, log=log, fmu=fmu, variables=variables, explain=explain, want=wants, states=states,
-            seed=seed, tolerance=tolerance, timeout=timeout, progress=stage.show,
+            stand_file, command, log=log, fmu=fmu, variables=variables, attitude=attitude, explain=explain, want=wants,
+            states=states, seed=seed, tolerance=tolerance, timeout=timeout, progress=stage.show,
         )  # fmt: skip
     finish(found.result, as_json, junit, worst, found.more(), found.explanation)

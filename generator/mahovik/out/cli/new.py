@@ -1,4 +1,4 @@
-"""`mahovik new`: copy an example stand."""
+"""`mahovik new`: copy an example stand, or write a skeleton of a program that `mahovik judge` can judge."""
 
 from __future__ import annotations
 
@@ -9,7 +9,10 @@ import click
 
 from mahovik.errors import UsageError
 from mahovik.out.cli.options import argument, command, file_option, flag, json_option, option
-from mahovik.out.cli.output import new_file, print_json, print_paths
+from mahovik.out.cli.output import new_file, print_json, print_paths, require_suffix
+
+ADAPTER = "adapter"
+"""What `new` writes that is no example."""
 
 
 @command()
@@ -26,6 +29,9 @@ def new(
 ) -> None:
     """Copy an example stand with its motions and servos. Nothing is ever overwritten.
 
+    `new adapter -o adapter.py` or `-o adapter.cpp` writes a program that reads states and answers them, to be judged by
+    `mahovik judge --with`: put your own equations into it.
+
     To a device or a FIFO, such as -o /dev/stdout, the stand file alone is written.
     """
     from mahovik import stands
@@ -40,7 +46,10 @@ def new(
                 click.echo(f"{each:10} {words}".rstrip())
         return
     if name is None:
-        raise UsageError(f"which example? One of {', '.join(stands.names())}")
+        raise UsageError(f"which example? One of {', '.join(stands.names())}; or {ADAPTER}")
+    if name == ADAPTER:
+        _write_adapter(Path(output or "adapter.py"), own_name, as_json)
+        return
     source = stands.path(name)
     if own_name is not None:
         _check_name(own_name)
@@ -63,6 +72,30 @@ def new(
         print_json({"files": [str(path) for path in paths]})
     else:
         print_paths(paths, err=alone)  # standard output may be what was written
+
+
+def _write_adapter(path: Path, own_name: str | None, as_json: bool) -> None:
+    """Write the skeleton in the language that the name of the file says. Raises UsageError."""
+    from mahovik.contract.evaluation import STATE, ZEROS, text_lines
+    from mahovik.core.emit.templates import template
+    from mahovik.writing import is_written_through, write
+
+    suffix = require_suffix(str(path), [".py", ".cpp"])
+    if own_name is not None:
+        raise UsageError(f"--name {own_name}: no stand is written; it names that of an example")
+    if path.exists() and not is_written_through(path):
+        raise UsageError(f"{path}: exists already, nothing was written")
+    shapes = {key.name: key.shape or () for key in STATE.values() if key.default == ZEROS}
+    zeros = [
+        (name, "flywheels" if shape == ("N",) else shape[0])
+        for name, shape in shapes.items()
+        if shape != ("m",) and name not in ("angles", "wrench")
+    ]
+    write(path, template(f"adapter{suffix}.j2").render(contract=text_lines(), zeros=zeros, file=path.name))
+    if as_json:
+        print_json({"files": [str(path)]})
+    else:
+        print_paths([path], err=is_written_through(path))
 
 
 def _name_of_file(target: Path, example: str) -> str:
@@ -92,7 +125,7 @@ def _examples(typed: str) -> list[str]:
     """Names for completion in a shell."""
     from mahovik import stands
 
-    return [name for name in stands.names() if name.startswith(typed)]
+    return [name for name in (*stands.names(), ADAPTER) if name.startswith(typed)]
 
 
 def _first_sentence(path: Path) -> str:

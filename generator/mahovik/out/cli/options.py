@@ -34,23 +34,34 @@ class Parameter:
 
 
 def command(
-    name: str | None = None, *, short_help: str | None = None, group: click.Group | None = None
+    name: str | None = None,
+    *,
+    short_help: str | None = None,
+    group: click.Group | None = None,
+    lines: Sequence[str] = (),
 ) -> Callable[[Callable[..., None]], click.Command]:
     """Make a command of a function whose parameters have options and arguments as defaults; its docstring is the help.
 
-    The command is added to `group`.
+    The command is added to `group`; `lines` stand as they are at the end of its help.
     """
 
     def make_command(function: Callable[..., None]) -> click.Command:
         defaults = {key: each.default for key, each in inspect.signature(function).parameters.items()}
         params = [each.make([*each.declarations, key], **each.attributes) for key, each in defaults.items()]
         own, words = name or function.__name__.replace("_", "-"), inspect.getdoc(function)
-        found = click.Command(own, callback=function, params=params, help=words, short_help=short_help)
+        found = click.Command(
+            own, callback=function, params=params, help=words, short_help=short_help, epilog=_as_is(lines)
+        )
         if group is not None:
             group.add_command(found)
         return found
 
     return make_command
+
+
+def _as_is(lines: Sequence[str]) -> str:
+    """Text of which click folds no line."""
+    return "\n".join(line or "\n\b" for line in ("", *lines))
 
 
 def argument(metavar: str | None, *, reads: str | None = None, **attributes: Any) -> Any:

@@ -1,4 +1,4 @@
-"""`mahovik verify`: the generated C, or any other program, against the literal reference and the second derivation."""
+"""`mahovik verify`: the generated C against the literal reference and the second derivation."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mahovik.errors import UsageError
-from mahovik.out.cli import quantities
 from mahovik.out.cli.options import (
     JUNIT,
     REAL,
@@ -43,19 +42,6 @@ def verify(
     junit: str | None = JUNIT,
     worst: str | None = WORST,
     against: str | None = file_option("--against", "DIR", "Judge the C in this folder, not a fresh copy."),
-    command: str | None = option(
-        "--with", "Judge a program that reads states; {stand} stands for the stand file.", metavar="COMMAND"
-    ),
-    want: str | None = option(
-        "--want", "Require these wants of the program of --with; default: those it offers.", metavar="NAME,..."
-    ),
-    timeout: float = option(
-        "--timeout",
-        "Limit the time of the program of --with.",
-        metavar="TIME",
-        default="5 min",
-        parse=quantities.time_limit,
-    ),
     servo: str | None = file_option(
         "--servo", "S.toml", "Judge the C of these servos in the folder of --against.", reads="a servo file"
     ),
@@ -78,7 +64,7 @@ def verify(
     ),
     real: str = REAL,
 ) -> None:
-    """Judge C or any program by the reference.
+    """Judge the C of a stand by the reference.
 
     Generates the C of a stand, compiles it with warnings as errors, evaluates random and extreme states, and compares
     every quantity with the literal reference (worst), and that with the second derivation (second), relative to its
@@ -95,28 +81,23 @@ def verify(
     for given in ("motion", "programme", "name"):
         if is_given(given):
             raise UsageError(f"--{given}: no servos are judged; give them, as --servo S.toml --against DIR")
-    if real == "float" and (judges or command is not None):
-        raise UsageError("--real float: only for the generated C, not with --judges, --with")
-    if command is not None and against is not None:
-        raise UsageError("--with, --against: give only one of them")
-    if judges and (command is not None or against is not None):
-        raise UsageError("--judges judges a fresh copy: not with --with, --against")
+    if real == "float" and judges:
+        raise UsageError("--real float: only for the generated C, not with --judges")
+    if judges and against is not None:
+        raise UsageError("--judges judges a fresh copy: not with --against")
     if bare and not judges:
         raise UsageError("--bare needs --judges")
-    if want is not None and command is None:
-        raise UsageError("--want needs --with")
-    if rigorous and (judges or command is not None or targets is not None):
-        raise UsageError("--rigorous measures the C: not with --judges, --with, --targets")
+    if rigorous and (judges or targets is not None):
+        raise UsageError("--rigorous measures the C: not with --judges, --targets")
     if targets is not None:
-        if judges or command is not None or against is not None or worst is not None:
-            raise UsageError("--targets runs the self-test of a fresh copy: not with --judges, --with, --against, -o")
+        if judges or against is not None or worst is not None:
+            raise UsageError("--targets runs the self-test of a fresh copy: not with --judges, --against, -o")
         reals = (real,) if is_given("real") else None
         sweep = states if is_given("states") else None
         _verify_on_targets(load_stand(stand_file), targets, reals, sweep, as_json, junit)
         return
     from mahovik.out.functions import evidence
 
-    wants = read_wants(want)
     folder = None if against is None else Path(against)
     if rigorous:
         from mahovik.proof.verify.delivery import Options, delivered_options, stand_in
@@ -128,26 +109,15 @@ def verify(
         _conclude(_verify_rigorously(stand, seed, states, folder, real, as_json), as_json, junit, worst)
         return
     with progress(f"verify {Path(stand_file).stem}") as stage:
-        if command is not None:
-            from mahovik.out.functions.judging import judge
-
-            found = judge(
-                stand_file, command, want=wants, states=states, seed=seed, timeout=timeout, progress=stage.show
-            )
-        else:
-            found = evidence.verify(
-                stand_file, states=states, seed=seed, against=folder,
-                real=real if is_given("real") else None, judges=judges, bare=bare,
-                progress=stage.show,
-            )  # fmt: skip
+        found = evidence.verify(
+            stand_file, states=states, seed=seed, against=folder, real=real if is_given("real") else None,
+            judges=judges, bare=bare, progress=stage.show,
+        )  # fmt: skip
     finish(found.result, as_json, junit, worst)
 
 
 WITHOUT_SERVO = (
     "worst",
-    "command",
-    "want",
-    "timeout",
     "judges",
     "rigorous",
     "bare",
@@ -182,7 +152,7 @@ def _verify_servo(
         raise UsageError(f"--programme {programme_file}: needs --motion M.json, which is missing")
     for given in WITHOUT_SERVO:
         if is_given(given):
-            option_name = {"worst": "-o", "command": "--with"}.get(given, f"--{given}")
+            option_name = "-o" if given == "worst" else f"--{given}"
             raise UsageError(
                 f"{option_name}: not with --servo, which judges the C of servos in the folder of --against"
             )
@@ -239,20 +209,6 @@ def _verify_rigorously(stand: Stand, seed: int, states: int, against: Path | Non
         found = measure_rounding(stand, seed=seed, count=states, real=real, against=against, progress=stage.at)
     print_json_text(json_text(found)) if as_json else print_rounding(found)
     return found.report
-
-
-def read_wants(text: str | None) -> tuple[str, ...]:
-    """The wants of `--want`. Raises UsageError."""
-    if text is None:
-        return ()
-    from mahovik.contract.functions import ALL_WANTS
-    from mahovik.nearest import suggestion
-
-    names = tuple(dict.fromkeys(name.strip() for name in text.split(",")))
-    for name in names:
-        if name not in ALL_WANTS:
-            raise UsageError(f'--want: unknown "{name}"{suggestion(name, ALL_WANTS)}')
-    return names
 
 
 def finish(

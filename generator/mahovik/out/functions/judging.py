@@ -20,7 +20,7 @@ from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 
 if TYPE_CHECKING:
     from mahovik.proof.diagnose.diagnosis import Diagnosis
-    from mahovik.proof.verify.foreign import Program
+    from mahovik.proof.verify.foreign import Attitude, Program
     from mahovik.proof.verify.report import Report
     from mahovik.proof.verify.states import Request
 
@@ -50,6 +50,7 @@ def judge(
     log: str | Path | None = None,
     fmu: str | Path | None = None,
     variables: str | Path | None = None,
+    attitude: Attitude | None = None,
     explain: bool = False,
     want: Sequence[str] = (),
     states: int = STATES,
@@ -63,13 +64,14 @@ def judge(
     stand      path of the stand file, which the program reads; `{stand}` in `command` stands for it
     log        CSV or Parquet file in place of a program, with the columns of `simulate`; all its rows are judged
     fmu        FMU in place of a program; variables: the file that maps its variables
+    attitude   how a program is given attitudes, "quaternion" or "angles"; default: some states each way
     explain    name the fault where it differs; want: wants it must offer, default those that it offers
     tolerance  relative to the natural scale; timeout of the program, s, or a text with a unit
 
     A program that dies or hangs gives a result with an `error`. Raises StandError, DataError, UsageError where it
     cannot start.
     """
-    own, longest = Stand.of(stand), time("timeout", timeout)
+    own, longest, wants = Stand.of(stand), time("timeout", timeout), tuple(want)
     for name, value in (("tolerance", tolerance), ("timeout", longest)):
         above_zero(name, value)
     if unknown := [each for each in want if each not in ALL_WANTS]:
@@ -78,19 +80,32 @@ def judge(
         raise UsageError("--with, --log, --fmu: expected one of them")
     if (fmu is None) != (variables is None):
         raise UsageError("--fmu, --map: one is missing, expected both")
+    if attitude is not None and command is None:
+        raise UsageError("--attitude: only of a program, --with; a map and a log have their own attitudes")
+    if attitude not in (None, "quaternion", "angles"):
+        raise UsageError(f'attitude: found "{attitude}", expected "quaternion" or "angles"')
     if log is not None:
-        return _judge_log(own, Path(log), explain, tuple(want), seed, tolerance, progress)
-    from mahovik.proof.verify.foreign import program_of
+        return _judge_log(own, Path(log), explain, wants, seed, tolerance, progress)
+    from mahovik.proof.verify.fmu import fmu_program
+    from mahovik.proof.verify.foreign import answers_of_program, program_of, verify_program
 
     with TemporaryDirectory(prefix="mahovik-") as unpacked:
         if fmu is not None and variables is not None:
-            from mahovik.proof.verify.fmu.program import program
-
-            judged, actuators = program(Path(fmu), Path(unpacked), Path(variables), own, str(stand)), False
+            program = fmu_program(Path(fmu), Path(unpacked), Path(variables), own, str(stand))
         else:
-            judged = program_of(str(command), str(stand))
-            actuators = _takes_actuators(own, judged, longest)
-        return _judge_program(own, judged, explain, tuple(want), states, seed, tolerance, longest, actuators, progress)
+            program = program_of(str(command), str(stand), attitude)
+            program = replace(program, actuators=_takes_actuators(own, program, longest))
+        tell(progress, Progress(f"judge {program.name}"))
+        found = verify_program(own, program, wants=wants, seed=seed, count=states, timeout=longest, tolerance=tolerance)
+
+        def answers(requests: Sequence[Request]) -> Answers:
+            results = answers_of_program(own, program, requests, longest)
+            by_id = {request.id: result for request, result in zip(requests, results, strict=True)}
+            return lambda request: by_id[request.id]
+
+        return _explain(
+            own, found, explain, answers, seed, tolerance, None, progress, program.actuators, program.on_hold
+        )
 
 
 def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool:
@@ -112,33 +127,6 @@ def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool
     return found
 
 
-def _judge_program(
-    stand: CoreStand,
-    program: Program,
-    explain: bool,
-    wants: tuple[str, ...],
-    states: int,
-    seed: int,
-    tolerance: float,
-    timeout: float,
-    actuators: bool,
-    progress: OnProgress | None,
-) -> Verification:
-    from mahovik.proof.verify.foreign import answers_of, verify_program
-
-    tell(progress, Progress(f"judge {program.name}"))
-    found = verify_program(
-        stand, program, wants=wants, seed=seed, count=states, timeout=timeout, tolerance=tolerance, actuators=actuators
-    )
-
-    def answers(requests: Sequence[Request]) -> Answers:
-        results = answers_of(program, requests, timeout)
-        by_id = {request.id: result for request, result in zip(requests, results, strict=True)}
-        return lambda request: by_id[request.id]
-
-    return _explain(stand, found, explain, answers, seed, tolerance, None, progress, actuators, program.on_hold)
-
-
 def _judge_log(
     stand: CoreStand,
     path: Path,
@@ -148,7 +136,8 @@ def _judge_log(
     tolerance: float,
     progress: OnProgress | None,
 ) -> Verification:
-    from mahovik.proof.verify.logged import by_request, verify_log
+    from mahovik.proof.verify.foreign import verify_log
+    from mahovik.proof.verify.states import Request
     from mahovik.use.measured.state_log import read_state_log
 
     log = read_state_log(path, stand)
@@ -158,8 +147,14 @@ def _judge_log(
         tolerance = min(MARGIN * log.error, COARSEST)
         warn(f"{path}: accepted are differences of {tolerance:.0e}, as derived accelerations need")
     tell(progress, Progress(f"judge {path}"))
-    found = verify_log(stand, str(path), log.states, log.answers, wants=wants, tolerance=tolerance)
-    by_id = by_request(log.answers)
+    answered = [
+        (Request(f"{name}, {want}", state, (want,)), rows[name])
+        for name, state in log.states
+        for want, rows in log.answers.items()
+        if name in rows
+    ]
+    found = verify_log(stand, str(path), answered, len(log.states), wants=wants, tolerance=tolerance)
+    by_id = {request.id: result for request, result in answered}
 
     def answers(_: Sequence[Request]) -> Answers:
         return lambda request: by_id.get(request.id, {})

@@ -1,4 +1,4 @@
-"""Comparison of any program that follows the `eval` contract: states are sent to it, its results are compared."""
+"""Judge of what others wrote: programs that follow the contract of `eval`, and logs of states with their answers."""
 
 from __future__ import annotations
 
@@ -8,53 +8,82 @@ import os
 import shlex
 import signal
 import subprocess
+import tempfile
 import threading
-from collections import deque
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import IO, Any
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import IO, Any, Literal
 
 import numpy as np
 
+from mahovik.contract.evaluation import ANSWERS, MAY_BE_LEFT_OUT, STATE, answers_of
 from mahovik.contract.functions import wants_of_carrier
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
+from mahovik.nearest import suggestion
 from mahovik.proof.second import Second
-from mahovik.proof.verify.actuators import actuators_of, with_drawn_actuators
+from mahovik.proof.verify.actuators import with_drawn_actuators
 from mahovik.proof.verify.bounds import DOUBLE, uniform
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import applicable, report
-from mahovik.proof.verify.held import onto_hold
+from mahovik.proof.verify.held import onto_hold, with_angles, with_quaternion
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.states import LONGEST, Request, excerpt, state_line
 from mahovik.proof.verify.torque_want import WANT as TORQUE_FOR
 from mahovik.proof.verify.torque_want import TaskSetting, torque_requests, torque_rows
 
-OPTIONAL = {"generalized": ("I0", "J0")}
-"""Quantities that a program may leave out of a want that it offers: (10) and (11) do not need them."""
+Attitude = Literal["angles", "quaternion"]
+
+Answered = Sequence[tuple[Request, Mapping[str, Any]]]
+"""Requests of one want each, with their results."""
 
 
 @dataclass(frozen=True)
 class Program:
-    """A program that reads states: its name in reports, the words of its command, and the wants that it may offer."""
+    """A program that reads states.
+
+    name       in reports
+    words      of its command
+    offers     wants that it may offer; none: those of the carrier
+    left_out   quantities that it may leave out of a want that it offers
+    on_hold    whether it takes only poses of a held carrier that the hold allows
+    attitude   the only form in which it is given attitudes; None: in both
+    actuators  whether it takes deflections of fins and speeds of propellers
+    """
 
     name: str
     words: tuple[str, ...]
     offers: tuple[str, ...] = ()
-    """Wants that it may offer; none given: those that the carrier has."""
-    optional: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: OPTIONAL)
-    """Quantities that it may leave out of a want that it offers."""
+    left_out: tuple[str, ...] = MAY_BE_LEFT_OUT
     on_hold: bool = False
-    """Whether it takes only poses of a held carrier that the hold allows."""
+    attitude: Attitude | None = None
+    actuators: bool = False
+
+    def wants(self, stand: Stand) -> tuple[str, ...]:
+        """Wants that it may offer of a stand."""
+        return self.offers or (*wants_of_carrier(stand.hold is not None), *((TORQUE_FOR,) if stand.tasks else ()))
+
+    def state(self, stand: Stand, state: State) -> State:
+        """A state as the program is given it."""
+        if self.on_hold:
+            state = onto_hold(stand, state)
+        turned = {"angles": with_angles, "quaternion": with_quaternion}
+        return turned[self.attitude](stand, state) if self.attitude else state
 
 
-def program_of(command: str, stand_file: str) -> Program:
+def program_of(command: str, stand_file: str, attitude: Attitude | None = None) -> Program:
     """The program of a command; `{stand}` in it becomes the stand file. Raises UsageError."""
-    return Program(command, tuple(_words(command, stand_file)))
+    try:
+        words = tuple(word.replace("{stand}", stand_file) for word in shlex.split(command))
+    except ValueError as error:
+        raise UsageError(f"--with {command}: {error}") from None
+    if not words:
+        raise UsageError("--with: no command")
+    return Program(command, words, attitude=attitude)
 
 
 def verify_program(
@@ -66,38 +95,55 @@ def verify_program(
     count: int = 200,
     timeout: float = 300.0,
     tolerance: float = DOUBLE.default,
-    actuators: bool = False,
 ) -> Report:
     """Judge a program. `wants`: those it must offer; else what it does offer.
 
-    `actuators`: two of three states have deflections of fins and speeds of propellers, for a program that takes them.
-
     A program that dies, hangs, drops lines or prints anything else is reported with an `error`.
-    Raises UsageError where it cannot be started, or a want is of tasks and the stand has none.
+    Raises UsageError where it cannot be started, or a want cannot be asked.
     """
-    states = draw(stand, seed, count, wrenches=False)
-    if program.on_hold:
-        states = [(name, onto_hold(stand, state)) for name, state in states]
-    if actuators:
+    asked = tuple(wants) or program.wants(stand)
+    if not stand.tasks and TORQUE_FOR in asked:
+        raise UsageError(f"--want {TORQUE_FOR}: {stand.name} has no task, [task.NAME]")
+    if program.attitude == "quaternion" and "generalized" in wants and stand.hold is None:
+        raise UsageError("--want generalized: needs angles, not with --attitude quaternion")
+    states = [(name, program.state(stand, state)) for name, state in draw(stand, seed, count, wrenches=False)]
+    if program.actuators:
         states = _with_actuators(stand, states, seed)
+    requests = [
+        Request(f"{name}, {want}", state, (want,))  # so that a want that a program lacks does not affect others
+        for name, state in states
+        for want in asked
+        if applicable(state, want)
+    ]
     setting = TaskSetting(stand, uniform(tolerance), Second(stand), seed)
-    asked = tuple(wants) or _offers(stand, program)
-    requests = _requests(states, [want for want in asked if want != TORQUE_FOR])
     if TORQUE_FOR in asked:
         requests += torque_requests(setting, states)
-    if not stand.tasks and TORQUE_FOR in wants:
-        raise UsageError(f"--want {TORQUE_FOR}: {stand.name} has no task, [task.NAME]")
     try:
-        found = answers_of(program, requests, timeout)
+        results = answers_of_program(stand, program, requests, timeout)
     except CheckError as error:
         return report(stand, program.name, seed, len(states), tolerance, (), str(error))
-    rows = _rows(setting, requests, found, tolerance, bool(wants), program.optional)
+    rows = _rows(setting, list(zip(requests, results, strict=True)), program.left_out, bool(wants))
     return report(stand, program.name, seed, len(states), tolerance, rows)
 
 
-def _offers(stand: Stand, program: Program) -> tuple[str, ...]:
-    """Wants that a program may offer of this carrier."""
-    return program.offers or (*wants_of_carrier(stand.hold is not None), TORQUE_FOR)
+def verify_log(
+    stand: Stand,
+    source: str,
+    answers: Answered,
+    count: int,
+    *,
+    wants: Sequence[str] = (),
+    tolerance: float = DOUBLE.default,
+) -> Report:
+    """Judge the answers of a log of `count` states. `wants`: those it must have."""
+    known = {want for request, _ in answers for want in request.want}
+    judge = Judge(stand, uniform(tolerance), Second(stand), "log")
+    for request, result in answers:
+        if not wants or request.want[0] in wants:
+            # the reaction of a held carrier has a want of its own
+            judge.compare(request, request.want[0], result, ("reaction",) if "reaction" not in result else ())
+    lacking = [Check(w, w, verdict="MISSING", words="no row of the log has it") for w in wants if w not in known]
+    return report(stand, source, 0, count, tolerance, [*judge.rows(), *lacking])
 
 
 def takes_actuators(stand: Stand, program: Program, timeout: float) -> bool:
@@ -105,19 +151,17 @@ def takes_actuators(stand: Stand, program: Program, timeout: float) -> bool:
 
     Raises CheckError where it dies, hangs or prints anything else; UsageError where it cannot be started.
     """
-    if not actuators_of(stand):
-        return False
     rng = np.random.default_rng(0)
-    still = random_state(stand, rng)
+    still = program.state(stand, random_state(stand, rng))
     moved = with_drawn_actuators(stand, still, rng)
-    wants = [want for want in _offers(stand, program) if want != TORQUE_FOR and applicable(still, want)]
     requests = [
         Request(f"{name}, {want}", state, (want,))
-        for want in wants
+        for want in program.wants(stand)
+        if applicable(still, want)
         for name, state in (("file", still), ("set", moved))
     ]
-    found = answers_of(program, requests, timeout)
-    pairs = zip(found[::2], found[1::2], strict=True)
+    results = answers_of_program(stand, program, requests, timeout)
+    pairs = zip(results[::2], results[1::2], strict=True)
     return any("error" not in b and {**a, "id": None} != {**b, "id": None} for a, b in pairs if "error" not in a)
 
 
@@ -131,173 +175,161 @@ def _with_actuators(stand: Stand, states: Sequence[tuple[str, State]], seed: int
     ]
 
 
-def answers_of(program: Program, requests: Sequence[Request], timeout: float) -> list[Mapping[str, Any]]:
+def _rows(setting: TaskSetting, answered: Answered, left_out: Sequence[str], required: bool) -> list[Check]:
+    """Rows of the wants that a program offers; one row for each that it does not."""
+    by_want: dict[str, list[tuple[Request, Mapping[str, Any]]]] = {}
+    for request, result in answered:
+        by_want.setdefault(request.want[0], []).append((request, result))
+    judge = Judge(setting.stand, setting.bounds, setting.second, "program")
+    rows: list[Check] = []
+    for want, pairs in by_want.items():
+        refusals = [str(result["error"])[:200] for _, result in pairs if "error" in result]
+        if len(refusals) == len(pairs):
+            rows.append(Check(want, want, verdict="MISSING" if required else "not offered", words=refusals[0]))
+            continue
+        if want == TORQUE_FOR:
+            rows += torque_rows(setting, *map(list, zip(*pairs, strict=True)))
+            continue
+        # what is in some of its results must be in all
+        held = setting.stand.hold is not None
+        absent = [name for name in answers_of(want, held) if not any(name in result for _, result in pairs)]
+        absent = [name for name in absent if name in left_out]
+        rows += [Check(want, name, verdict="not offered", words="in none of its results") for name in absent]
+        for request, result in pairs:
+            if "error" in result:
+                judge.compare(request, want, None, absent, f"refused: {result['error']}"[:200])
+            else:
+                judge.compare(request, want, result, absent)
+    return [*judge.rows(), *rows]
+
+
+def answers_of_program(
+    stand: Stand, program: Program, requests: Sequence[Request], timeout: float
+) -> list[Mapping[str, Any]]:
     """Results of a program for requests, in order.
 
     Raises CheckError where it dies, hangs, drops lines or prints anything else; UsageError where it cannot be started.
     """
-    output = run_program(program.words, [state_line(request) for request in requests], timeout)
-    return read_results(output, requests)
-
-
-def _requests(states: Sequence[tuple[str, State]], wants: Sequence[str]) -> list[Request]:
-    """Requests of one want each, so that a want that a program lacks does not affect others."""
-    return [
-        Request(f"{name}, {want}", state, (want,))
-        for name, state in states
-        for want in wants
-        if applicable(state, want)
-    ]
-
-
-def _words(command: str, stand_file: str) -> list[str]:
-    try:
-        words = [word.replace("{stand}", stand_file) for word in shlex.split(command)]
-    except ValueError as error:
-        raise UsageError(f"--with {command}: {error}") from None
-    if not words:
-        raise UsageError("--with: no command")
-    return words
+    sent = [replace(request, state=program.state(stand, request.state)) for request in requests]
+    return read_results(run_program(program.words, [state_line(request) for request in sent], timeout), sent)
 
 
 def read_results(lines: Sequence[bytes], requests: Sequence[Request]) -> list[Mapping[str, Any]]:
     """A result for every request, in order. Raises CheckError."""
     found: list[Mapping[str, Any]] = []
     for number, (line, request) in enumerate(zip(lines, requests, strict=False), start=1):
+        start = ascii(line[:60].decode("utf-8", "replace"))
         try:
             result = json.loads(line)
         except (ValueError, RecursionError):
-            raise CheckError(f"line {number} of its output is no JSON: {_start(line)}") from None
+            raise CheckError(f"line {number} of its output is no JSON: {start}") from None
         if not isinstance(result, dict):
-            raise CheckError(f"line {number} of its output is no object: {_start(line)}")
+            raise CheckError(f"line {number} of its output is no object: {start}")
         if result.get("id") != request.id:
-            given = excerpt(result.get("id"))
-            raise CheckError(f'line {number} of its output has the id {given}, expected "{request.id}"')
+            value = excerpt(result.get("id"))
+            raise CheckError(f'line {number} of its output has the id {value}, expected "{request.id}"')
+        if fault := _fault(request, result):
+            raise CheckError(f"line {number} of its output: {fault}")
         found.append(result)
+    if all(result == json.loads(state_line(request)) for result, request in zip(found, requests, strict=False)):
+        raise CheckError("it answered nothing: each line of its output is the state that it was given, without results")
     if len(lines) != len(requests):
         raise CheckError(f"{len(lines)} lines of output for {len(requests)} states")
-    if all(result == json.loads(state_line(request)) for result, request in zip(found, requests, strict=True)):
-        raise CheckError("it answered nothing: each line of its output is the state that it was given, without results")
     return found
 
 
-def _start(line: bytes) -> str:
-    return ascii(line[:60].decode("utf-8", "replace"))
+def _fault(request: Request, result: Mapping[str, Any]) -> str:
+    """What of a result is not by the contract, in words: a name in the place of one that is missing, another shape."""
+    if "error" in result:
+        return ""
+    wanted = answers_of(request.want[0], bool(request.state.u), bool(request.state.task))
+    missing = [name for name in wanted if name not in result and name not in MAY_BE_LEFT_OUT]
+    unknown = [name for name in result if name not in ANSWERS and name not in STATE]
+    if missing and unknown:
+        return f'unknown key "{unknown[0]}"{suggestion(unknown[0], missing)}'
+    for name in wanted:
+        expected = ANSWERS[name].shape_of(len(request.state.phi), len(request.state.u))
+        if expected is None or result.get(name) is None:
+            continue
+        try:
+            shape = np.shape(result[name])
+        except ValueError:
+            return f"{name}: found lists of different lengths, expected {_size(expected)}"
+        if shape != expected and (np.prod(shape) or np.prod(expected)):
+            return f"{name}: found {_size(shape)}, expected {_size(expected)}"
+    return ""
 
 
-def _rows(
-    setting: TaskSetting,
-    requests: Sequence[Request],
-    found: Sequence[Mapping[str, Any]],
-    tolerance: float,
-    required: bool,
-    optional: Mapping[str, tuple[str, ...]],
-) -> list[Check]:
-    """Checks of the wants it offers; one row for each it does not."""
-    stand = setting.stand
-    judge = Judge(stand, uniform(tolerance), Second(stand), "program")
-    pairs = list(zip(requests, found, strict=True))
-    torques = [pair for pair in pairs if pair[0].want[0] == TORQUE_FOR]
-    by_want: dict[str, list[Mapping[str, Any]]] = {}
-    for request, result in pairs:
-        by_want.setdefault(request.want[0], []).append(result)
-    # of each want it offers, the optional quantities that are in no result; one that is in some must be in all
-    omitted = {
-        want: tuple(name for name in optional.get(want, ()) if not any(name in result for result in results))
-        for want, results in by_want.items()
-        if not all("error" in result for result in results)
-    }
-    for request, result in pairs:
-        want = request.want[0]
-        if want in omitted and want != TORQUE_FOR:
-            refusal = f"refused: {result['error']}"[:200] if "error" in result else ""
-            judge.compare(request, want, None if refusal else result, omitted[want], refusal)
-    rows = judge.rows()
-    if TORQUE_FOR in omitted:
-        rows += torque_rows(setting, [pair[0] for pair in torques], [pair[1] for pair in torques])
-    for want, names in omitted.items():
-        rows += (Check(want, name, verdict="not offered", words="in none of its results") for name in names)
-    for want, results in by_want.items():
-        if want not in omitted:
-            verdict = "MISSING" if required else "not offered"
-            rows.append(Check(want, want, verdict=verdict, words=str(results[0]["error"])[:200]))
-    return rows
+def _size(shape: Sequence[int]) -> str:
+    return f"a list of {' x '.join(map(str, shape))}" if shape else "one value"
 
 
 def run_program(words: Sequence[str], lines: Sequence[str], timeout: float) -> list[bytes]:
     """Output lines of a program for these input lines, without blank lines.
 
-    All lines are written and its input is closed, whether it answers each at once or all at the end.
+    It finds all lines and the end of its input, whether it answers each at once or all at the end.
     Raises CheckError where it dies, hangs or does not stop printing; UsageError where it cannot be started.
     """
+    found: list[bytes] = []
+    last_words = [b""]
+    late = threading.Event()
+    with tempfile.TemporaryFile() as states:
+        states.write("".join(f"{line}\n" for line in lines).encode())
+        states.seek(0)
+        process = _start(words, states)
+        assert process.stdout is not None and process.stderr is not None
+        timer = threading.Timer(timeout, _stop, (process, late))
+        listener = threading.Thread(target=_keep_last, args=(process.stderr, last_words), daemon=True)
+        try:
+            timer.start()
+            listener.start()
+            for line in _lines(process.stdout):
+                found.append(line)
+                if len(found) > len(lines):
+                    raise CheckError(f"{words[0]} gave more lines than the {len(lines)} states")
+            status = process.wait()
+        finally:
+            timer.cancel()
+            _stop(process)
+            listener.join()
+            process.stdout.close()
+            process.stderr.close()
+    answered = f"{words[0]} answered {len(found) or 'none'} of {len(lines)} states"
+    if late.is_set():
+        raise CheckError(f"{answered} in {timeout:g} s and had not ended: --timeout gives it longer")
+    if status in (0, 1) and len(found) == len(lines):  # 1: some states failed, which their lines say
+        return found
+    end = f"signal {-status}" if status < 0 else f"status {status}"
+    reason = last_words[0].decode("utf-8", "replace").strip()[:200] or "nothing on its standard error"
+    raise CheckError(f"{answered} and ended with {end}: {reason}")
+
+
+def _start(words: Sequence[str], states: IO[bytes]) -> subprocess.Popen[bytes]:
+    """Start a program in a group of its own. Raises UsageError."""
+    pipe = subprocess.PIPE
     try:
-        process = subprocess.Popen(
-            words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
-        )
+        return subprocess.Popen(words, stdin=states, stdout=pipe, stderr=pipe, start_new_session=True)
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
         raise UsageError(f"--with {words[0]}: cannot be started: {reason}") from None
-    assert process.stdin is not None and process.stdout is not None and process.stderr is not None
-    found: list[bytes] = []
-    complaints: deque[bytes] = deque(maxlen=1)
-    threads = [
-        threading.Thread(target=_feed, args=(process.stdin, lines), daemon=True),
-        threading.Thread(target=_read, args=(process.stdout, found, len(lines)), daemon=True),
-        threading.Thread(target=_listen, args=(process.stderr, complaints), daemon=True),
-    ]
-    try:
-        for thread in threads:
-            thread.start()
-        threads[1].join(timeout)
-        if threads[1].is_alive():
-            raise CheckError(f"{words[0]} gave no complete answer in {timeout:g} s")
-        if len(found) > len(lines):
-            raise CheckError(f"{words[0]} gave more lines than the {len(lines)} states")
-        try:
-            status = process.wait(timeout)
-        except subprocess.TimeoutExpired:
-            raise CheckError(f"{words[0]} did not end in {timeout:g} s") from None
-    finally:
-        _stop(process)
-        for thread in threads:
-            thread.join()
-        process.stdout.close()
-        process.stderr.close()
-    last = complaints[0].decode("utf-8", "replace").strip()[:200] if complaints else ""
-    if status not in (0, 1):  # 1: some states failed, which their lines say
-        how = f"signal {-status}" if status < 0 else f"status {status}"
-        raise CheckError(f"{words[0]} ended with {how}" + (f": {last}" if last else ""))
-    if not found:
-        raise CheckError(f"{words[0]} gave nothing" + (f": {last}" if last else ""))
-    return found
 
 
-def _feed(pipe: IO[bytes], lines: Sequence[str]) -> None:
-    with contextlib.suppress(OSError):  # it has stopped reading: what it printed will tell
-        for line in lines:
-            pipe.write(line.encode() + b"\n")
-    with contextlib.suppress(OSError):
-        pipe.close()
-
-
-def _read(pipe: IO[bytes], found: list[bytes], count: int) -> None:
-    """Lines until the end, or until there are too many."""
-    while len(found) <= count:
-        line = pipe.readline(LONGEST)
-        if not line:
-            return
-        if line.strip():
-            found.append(line)
-
-
-def _listen(pipe: IO[bytes], complaints: deque[bytes]) -> None:
+def _lines(pipe: IO[bytes]) -> Iterator[bytes]:
+    """Lines that are not blank."""
     while line := pipe.readline(LONGEST):
         if line.strip():
-            complaints.append(line)
+            yield line
 
 
-def _stop(process: subprocess.Popen[bytes]) -> None:
-    """Kill the program and all processes that it started."""
+def _keep_last(pipe: IO[bytes], last: list[bytes]) -> None:
+    for last[0] in _lines(pipe):
+        pass
+
+
+def _stop(process: subprocess.Popen[bytes], late: threading.Event | None = None) -> None:
+    """Kill the program and all processes that it started; note that it was late."""
+    if late is not None:
+        late.set()
     with contextlib.suppress(OSError):
         os.killpg(process.pid, signal.SIGKILL)
     process.wait()

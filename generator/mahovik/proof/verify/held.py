@@ -13,7 +13,7 @@ from mahovik.core.stand.model import Hold, Stand, Vec3
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.coordinates import coordinates_at, pose_of
-from mahovik.proof.reference.rotation import attitude, carrier_rotation
+from mahovik.proof.reference.rotation import AXES, attitude, carrier_rotation
 
 ALLOWED = 1e-6
 """m, rad; m/s, rad/s: what is given may be off what the hold allows by as much as figures of six digits are."""
@@ -58,6 +58,24 @@ def quaternion_of(C: Array) -> Quaternion:
 
     x, y, z, w = Rotation.from_matrix(C).as_quat().tolist()
     return w, x, y, z
+
+
+def with_quaternion(stand: Stand, state: State) -> State:
+    """The state with its attitude as a unit quaternion, w first."""
+    if state.quaternion is not None:
+        return state
+    return replace(state, angles=None, quaternion=quaternion_of(carrier_rotation(stand, state)))
+
+
+def with_angles(stand: Stand, state: State) -> State:
+    """The state with its attitude as psi, theta, phi of the stand's sequence."""
+    from scipy.spatial.transform import Rotation
+
+    if state.angles is not None:
+        return state
+    axes = "".join("XYZ"[k] for k in AXES[stand.angles])
+    angles = Rotation.from_matrix(carrier_rotation(stand, state)).as_euler(axes).tolist()
+    return replace(state, quaternion=None, angles=cast(Vec3, tuple(angles)))
 
 
 def with_pose(stand: Stand, state: State, given: Collection[str]) -> State:

@@ -11,6 +11,7 @@ from itertools import cycle
 from types import MappingProxyType
 from typing import IO, Any, cast
 
+from mahovik.contract.evaluation import STATE
 from mahovik.contract.functions import ALL_WANTS, TASK_CONFLICTS, TASK_WANTS, WANTS, hold_fault, want_fault
 from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH, Quantity
 from mahovik.core.stand.hold import has_coordinates, no_coordinates, twist_of
@@ -24,18 +25,6 @@ from mahovik.proof.verify.json_text import members
 
 ROUNDING = 4 * 2.0**-52
 """Rounding of four squares and a root: a quaternion this near to unit length stays as it is, so that states replay."""
-
-KEYS = (
-    "id",
-    "quaternion",
-    *(row.symbol for row in QUANTITIES.values() if row.input),
-    "task",
-    "demand",
-    "actuators",
-    "u",
-    "u_dot",
-    "want",
-)
 
 HELD_KEYS = {"u": "V", "u_dot": "V_dot"}
 """Keys of a state of a held carrier, and those that they stand for."""
@@ -78,8 +67,8 @@ def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> R
     """The request in a line's object. StateError names the key, what was found and what was expected."""
     refuse_duplicates(found)
     for key, value in found.items():
-        if key not in KEYS:
-            raise StateError(f'unknown key "{key}"{suggestion(key, KEYS)}')
+        if key not in STATE:
+            raise StateError(f'unknown key "{key}"{suggestion(key, STATE)}')
         if isinstance(value, _RepeatedKeys):
             raise StateError(f'{key}: key "{value.key}" appears twice')
     if "angles" in found and "quaternion" in found:

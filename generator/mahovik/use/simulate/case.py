@@ -11,6 +11,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.contract.evaluation import STATE
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.regime import Regime
 from mahovik.core.stand.content import content
@@ -18,7 +19,6 @@ from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError, UsageError
 from mahovik.nearest import suggestion
-from mahovik.proof.verify.states import KEYS as STATE_KEYS
 from mahovik.proof.verify.states import read_object, read_request, refuse_duplicates
 from mahovik.use.simulate.held import complete_start, rates
 
@@ -192,6 +192,6 @@ def read_start(text: str, stand: Stand, keys: tuple[str, ...] = START_KEYS, hint
 def _refuse_unknown(found: dict[str, Any], keys: tuple[str, ...], hint: str) -> None:
     for key in found:
         if key not in keys:
-            if key in STATE_KEYS:
+            if key in STATE:
                 raise StateError(f'"{key}" is not part of a start, expected some of {", ".join(keys)}{hint}')
             raise StateError(f'unknown key "{key}"{suggestion(key, keys)}')

@@ -1,6 +1,6 @@
 """An FMU as a program: lines of states in, lines of results out, each state set before initialization and read after.
 
-Started in a process of its own, which an FMU may end: `python -m mahovik.proof.verify.fmu.program FOLDER MAP STAND`.
+Started in a process of its own, which an FMU may end: `python -m mahovik.proof.verify.fmu FOLDER MAP STAND`.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from typing import Any
 from zipfile import ZipFile
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
+from mahovik.contract.evaluation import ANSWERS, MAY_BE_LEFT_OUT
 from mahovik.core.stand import read
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand
@@ -25,10 +25,9 @@ from mahovik.core.stand.units import show
 from mahovik.errors import DataError, MahovikError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference.coordinates import coordinates_at
-from mahovik.proof.reference.rotation import AXES, carrier_rotation
-from mahovik.proof.verify.fmu.mapping import FmuMap, Place, read_map
-from mahovik.proof.verify.foreign import OPTIONAL, Program
-from mahovik.proof.verify.held import freedom_rates
+from mahovik.proof.verify.fmu_map import FmuMap, Place, read_map
+from mahovik.proof.verify.foreign import Program
+from mahovik.proof.verify.held import freedom_rates, with_angles, with_quaternion
 from mahovik.proof.verify.states import Request, read_line
 
 KINDS = (("ModelExchange", "modelExchange"), ("CoSimulation", "coSimulation"))
@@ -38,7 +37,7 @@ MOST_FILES, MOST_BYTES, MOST_DESCRIPTION = 10_000, 1 << 30, 1 << 26
 """Files of an FMU, their bytes and those of its modelDescription.xml: more is not unpacked."""
 
 
-def program(fmu: Path, unpacked: Path, map_file: Path, stand: Stand, stand_file: str) -> Program:
+def fmu_program(fmu: Path, unpacked: Path, map_file: Path, stand: Stand, stand_file: str) -> Program:
     """A program that answers states by an FMU; `map_file` names its variables.
 
     It is unpacked into the folder `unpacked`, which must stay as long as the program runs. Raises DataError where a
@@ -47,10 +46,9 @@ def program(fmu: Path, unpacked: Path, map_file: Path, stand: Stand, stand_file:
     found = read_map(map_file, stand)
     _check_variables(fmu, _unpack(fmu, unpacked), found)
     words = (sys.executable, "-m", __name__, str(unpacked), str(map_file), stand_file)
-    if stand.hold is None:
-        return Program(str(fmu), words, tuple(found.answers))
-    lacking = {want: ("reaction",) for want, of in found.answers.items() if "reaction" not in of}
-    return Program(str(fmu), words, tuple(found.answers), {**OPTIONAL, **lacking}, on_hold=True)
+    held = stand.hold is not None
+    left_out = (*MAY_BE_LEFT_OUT, "reaction") if held else MAY_BE_LEFT_OUT
+    return Program(str(fmu), words, tuple(found.answers), left_out, on_hold=held)
 
 
 def _unpack(fmu: Path, folder: Path) -> Any:
@@ -67,9 +65,8 @@ def _unpack(fmu: Path, folder: Path) -> Any:
             archive.extractall(folder)
         found = read_model_description(str(folder), validate=False)
     except Exception as error:  # fmpy raises what zip, XML and schema raise
-        raise DataError(
-            [f"{fmu}: no FMU: {str(error).splitlines()[0] if str(error) else type(error).__name__}"]
-        ) from None
+        reason = str(error).splitlines()[0] if str(error) else type(error).__name__
+        raise DataError([f"{fmu}: no FMU: {reason}"]) from None
     if found.fmiVersion not in ("2.0", "3.0"):
         raise DataError([f"{fmu}: FMI {found.fmiVersion}, expected 2.0 or 3.0"])
     return found
@@ -77,12 +74,11 @@ def _unpack(fmu: Path, folder: Path) -> Any:
 
 def _require_harmless(archive: ZipFile) -> None:
     """Raise ValueError for an archive that would fill the disk, or write outside its folder."""
-    files = archive.infolist()
-    sizes = {each.filename: each.file_size for each in files}
+    sizes = {each.filename: each.file_size for each in archive.infolist()}
     for what, count, most in (
-        ("files", len(files), MOST_FILES),
+        ("files", len(archive.infolist()), MOST_FILES),
         ("bytes of modelDescription.xml", sizes.get("modelDescription.xml", 0), MOST_DESCRIPTION),
-        ("bytes", sum(each.file_size for each in files), MOST_BYTES),
+        ("bytes", sum(each.file_size for each in archive.infolist()), MOST_BYTES),
     ):
         if count > most:
             raise ValueError(f"{count} {what}, expected at most {most}")
@@ -95,24 +91,21 @@ def _check_variables(fmu: Path, description: Any, found: FmuMap) -> None:
     """Raises DataError: a variable is not there, no number, or cannot be set."""
     known = {variable.name: variable for variable in description.modelVariables}
     problems = []
-    for place in dict.fromkeys((*found.places_to_set(), *found.places_to_read())):
-        variable = known.get(place.variable)
-        if variable is None:
-            problems.append(f'{fmu}: no variable "{place.variable}"{suggestion(place.variable, known)}')
-        elif variable.type not in ("Real", "Float64") or getattr(variable, "dimensions", None):
-            problems.append(f'{fmu}: "{place.variable}" is no real scalar')
-    for place in dict.fromkeys(found.places_to_set()):
-        variable = known.get(place.variable)
-        if variable is not None and not _settable(variable):
-            problems.append(f'{fmu}: "{place.variable}" cannot be set: it is calculated')
+    for name in dict.fromkeys(place.variable for place in (*found.places_to_set(), *found.places_to_read())):
+        if name not in known:
+            problems.append(f'{fmu}: no variable "{name}"{suggestion(name, known)}')
+        elif known[name].type not in ("Real", "Float64") or getattr(known[name], "dimensions", None):
+            problems.append(f'{fmu}: "{name}" is no real scalar')
+    for name in dict.fromkeys(place.variable for place in found.places_to_set()):
+        if name in known and not _settable(known[name]):
+            problems.append(f'{fmu}: "{name}" cannot be set: it is calculated')
     if problems:
         raise DataError(problems)
 
 
 def _settable(variable: Any) -> bool:
-    return variable.variability != "constant" and (
-        variable.causality in ("input", "parameter") or variable.start is not None
-    )
+    free = variable.causality in ("input", "parameter") or variable.start is not None
+    return variable.variability != "constant" and free
 
 
 class FmuProgram:
@@ -126,6 +119,7 @@ class FmuProgram:
         self._description = read_model_description(self._folder, validate=False)
         self._variables = {v.name: v for v in self._description.modelVariables}
         self._kind = next(kind for kind, name in KINDS if getattr(self._description, name) is not None)
+        self._second = self._description.fmiVersion == "2.0"
         self._instance: Any = None
 
     def answer(self, request: Request) -> dict[str, Any]:
@@ -135,18 +129,20 @@ class FmuProgram:
             return {"error": f"{want}: not in the map"}
         instance = self._fresh()
         values = self._values(request.state)
-        own = {k: x for k, x in values.items() if self._variables[k].causality != "input"}
-        later = {k: x for k, x in values.items() if k not in own}
-        self._set(instance, own)
-        if self._description.fmiVersion == "2.0":
+        inputs = {k: x for k, x in values.items() if self._variables[k].causality == "input"}
+        self._set(instance, {k: x for k, x in values.items() if k not in inputs})
+        if self._second:
             instance.setupExperiment(startTime=0.0)
             instance.enterInitializationMode()
         else:
             instance.enterInitializationMode(startTime=0.0)
-        self._set(instance, later)
+        self._set(instance, inputs)
         instance.exitInitializationMode()
-        quantities = self._map.answers[want].items()
-        return self._whole({name: self._shape(name, self._get(instance, places)) for name, places in quantities})
+        found: dict[str, Any] = {}
+        for name, places in self._map.answers[want].items():
+            shape = ANSWERS[name].shape_of(len(self._stand.flywheels), len(request.state.u))
+            found[name] = np.reshape(self._get(instance, places), shape or ()).tolist()
+        return self._whole(found)
 
     def _whole(self, answer: dict[str, Any]) -> dict[str, Any]:
         """The answer of a held carrier with u_dot and V_dot, where it has one of them."""
@@ -172,54 +168,30 @@ class FmuProgram:
 
     def _values(self, state: State) -> dict[str, float]:
         """Values of the variables that are set, by name."""
-        found: dict[str, float] = {}
-        for key, places in self._map.inputs.items():
-            given: Sequence[float]
-            if key == "quaternion":
-                given = quaternion_of(self._stand, state)
-            elif key == "angles":
-                given = angles_of(self._stand, state)
-            elif key in ("q", "orientation"):
-                given = getattr(coordinates_at(self._stand, state), key).tolist()
+        values: dict[str, Sequence[float]] = {}
+        for key in self._map.inputs:
+            if key in ("q", "orientation"):
+                values[key] = getattr(coordinates_at(self._stand, state), key).tolist()
             else:
-                given = getattr(state, key)
-            found |= {place.variable: float(x) / place.factor for place, x in zip(places, given, strict=True)}
-        for name, places in self._map.wrenches.items():
-            wrench = state.wrench.get(name, (0.0,) * 6)
-            found |= {place.variable: float(x) / place.factor for place, x in zip(places, wrench, strict=True)}
-        return found
+                turn = {"quaternion": with_quaternion, "angles": with_angles}.get(key, lambda _, same: same)
+                values[key] = getattr(turn(self._stand, state), key)
+        pairs = [(places, values[key]) for key, places in self._map.inputs.items()]
+        pairs += [(places, state.wrench.get(name, (0.0,) * 6)) for name, places in self._map.wrenches.items()]
+        return {
+            place.variable: float(x) / place.factor
+            for places, numbers in pairs
+            for place, x in zip(places, numbers, strict=True)
+        }
 
     def _set(self, instance: Any, values: Mapping[str, float]) -> None:
-        if not values:
-            return
-        references = [self._variables[name].valueReference for name in values]
-        put = instance.setReal if self._description.fmiVersion == "2.0" else instance.setFloat64
-        put(references, list(values.values()))
+        if values:
+            put = instance.setReal if self._second else instance.setFloat64
+            put([self._variables[name].valueReference for name in values], list(values.values()))
 
     def _get(self, instance: Any, places: Sequence[Place]) -> list[float]:
-        references = [self._variables[place.variable].valueReference for place in places]
-        get = instance.getReal if self._description.fmiVersion == "2.0" else instance.getFloat64
-        return [float(x) * place.factor for x, place in zip(get(references), places, strict=True)]
-
-    def _shape(self, name: str, values: list[float]) -> Any:
-        if name == "energy":
-            return values[0]
-        if name == "mount_wrench":
-            return np.reshape(values, (-1, 6)).tolist()
-        return values
-
-
-def quaternion_of(stand: Stand, state: State) -> Sequence[float]:
-    """Attitude of a state as a unit quaternion, w first."""
-    x, y, z, w = Rotation.from_matrix(carrier_rotation(stand, state)).as_quat()
-    return state.quaternion or (w, x, y, z)
-
-
-def angles_of(stand: Stand, state: State) -> Sequence[float]:
-    """Attitude of a state as psi, theta, phi of the stand's sequence."""
-    axes = "".join("XYZ"[k] for k in AXES[stand.angles])
-    psi, theta, phi = Rotation.from_matrix(carrier_rotation(stand, state)).as_euler(axes)
-    return state.angles or (psi, theta, phi)
+        get = instance.getReal if self._second else instance.getFloat64
+        values = get([self._variables[place.variable].valueReference for place in places])
+        return [float(x) * place.factor for x, place in zip(values, places, strict=True)]
 
 
 def main(folder: str, map_file: str, stand_file: str) -> None:
@@ -227,22 +199,20 @@ def main(folder: str, map_file: str, stand_file: str) -> None:
     output = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)  # what the FMU prints is no answer
     stand = read.load(stand_file)
-    found = FmuProgram(Path(folder), read_map(Path(map_file), stand), stand)
+    program = FmuProgram(Path(folder), read_map(Path(map_file), stand), stand)
     for line in sys.stdin:
         if not line.strip():
             continue
         request = read_line(stand, line)
         try:
-            result = found.answer(request)
+            result = program.answer(request)
         except Exception as error:  # fmpy raises its own errors of calls, and those of ctypes
             result = {"error": f"the FMU refused the state: {error}"}
-        if not all(math.isfinite(x) for x in _numbers(result)):
+        if not all(
+            math.isfinite(x) for value in result.values() if not isinstance(value, str) for x in np.ravel(value)
+        ):
             result = {"error": "the FMU answers numbers that are not finite"}
         print(json.dumps({"id": request.id, **result}), file=output, flush=True)
-
-
-def _numbers(result: Mapping[str, Any]) -> list[float]:
-    return [float(x) for value in result.values() if not isinstance(value, str) for x in np.ravel(value)]
 
 
 if __name__ == "__main__":

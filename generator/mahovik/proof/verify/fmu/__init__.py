@@ -1,1 +1,0 @@
-"""FMUs as programs of the `eval` contract: a file says which of its variables is what."""
