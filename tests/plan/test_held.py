@@ -14,7 +14,9 @@ from mahovik.core.motion.programme import programme_text, read_programme
 from mahovik.core.motion.required import RequiredMotion, read_motion
 from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
-from mahovik.proof.verify.programme import held, simulation, verify_programme
+from mahovik.proof.verify.programme import verify_programme
+from mahovik.proof.verify.programme.mechanics import carrier_at, twist
+from mahovik.proof.verify.programme.verification import stability_check
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists
@@ -162,13 +164,11 @@ def test_planner_and_verification_have_the_same_kinematics(hold: str) -> None:
     C, O1 = held_pose(own, x)
     e = 1e-6
     for i in range(4):
-        place, attitude = held.pose(own, x[i])
-        assert np.abs(attitude - C[i]).max() < 1e-14 and np.abs(place - O1[i]).max() < 1e-14
-        assert np.abs(held.held_twist(own, x[i], rate[i]) - V[i]).max() < 1e-13
-        assert np.abs(held.held_twist_rate(own, x[i], rate[i], second[i]) - V_dot[i]).max() < 1e-13
-        sides = [
-            held.held_twist(own, x[i] + h * rate[i] + h * h / 2 * second[i], rate[i] + h * second[i]) for h in (e, -e)
-        ]
+        carrier = carrier_at(own, x[i], rate[i])
+        assert np.abs(carrier.C - C[i]).max() < 1e-14 and np.abs(carrier.O1 - O1[i]).max() < 1e-14
+        assert np.abs(carrier.A @ rate[i] - V[i]).max() < 1e-13
+        assert np.abs(carrier.A @ second[i] + carrier.drift - V_dot[i]).max() < 1e-13
+        sides = [twist(own, x[i] + h * rate[i] + h * h / 2 * second[i], rate[i] + h * second[i]) for h in (e, -e)]
         assert np.abs((sides[0] - sides[1]) / (2 * e) - V_dot[i]).max() < 1e-7
 
 
@@ -177,9 +177,9 @@ def test_a_programme_file_names_its_coordinates_and_is_verified() -> None:
     found = planned(SHAKER, required, verify=False).programmes[0]
     again = read_programme(programme_text(found))
     assert again.coordinates == ("z",) and len(again.bias) == 1
-    assert all(each.passed for each in verify_programme(SHAKER, required, again))
+    assert not any(item.failed for item in verify_programme(SHAKER, required, again))
     wrong = replace(again, coordinates=("x",))
-    assert [each.name for each in verify_programme(SHAKER, required, wrong) if not each.passed] == ["stand"]
+    assert [item.quantity for item in verify_programme(SHAKER, required, wrong) if item.failed] == ["stand"]
 
 
 @pytest.mark.parametrize(
@@ -196,8 +196,8 @@ def test_a_neutral_carrier_swings_or_drifts(law: str, words: str) -> None:
     own = stand('freedoms = ["z"]', wheels, law, gravity=-9.81 if law else 0.0)
     required = motion(own, {"cos": [2e-3]}, period=0.05, winding="spin")
     found = planned(own, required, verify=False)
-    finding = simulation.floquet_finding(own, required, found.programmes[0], 1.001)
-    assert finding.words.startswith(f"largest multiplier: {words}")
+    item = stability_check(own, required, found.programmes[0], 1.001)
+    assert item.words.startswith(f"largest multiplier: {words}")
 
 
 @pytest.mark.parametrize(

@@ -22,11 +22,17 @@ from mahovik.core.motion.required import Bounds, RequiredMotion, read_motion
 from mahovik.core.stand import Stand
 from mahovik.errors import MahovikError
 from mahovik.proof.reference.hold import held_forward
-from mahovik.proof.verify.programme import Finding, held, verify_programme
-from mahovik.proof.verify.programme.finding import RUNUP, SMOOTH, Tolerance
-from mahovik.proof.verify.programme.mechanics import pieces_at, scale_of, twist
-from mahovik.proof.verify.programme.runup import runup_findings
-from mahovik.proof.verify.programme.simulation import rate, rest_near
+from mahovik.proof.verify.programme import verify_programme
+from mahovik.proof.verify.programme.items import RUNUP, SMOOTH, Tolerance, as_item, check
+from mahovik.proof.verify.programme.mechanics import (
+    displacement,
+    free_acceleration,
+    moment,
+    rest_near,
+    scale_of,
+    twist,
+)
+from mahovik.proof.verify.programme.transitions import runup_checks
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
@@ -61,11 +67,11 @@ def planned() -> Programme:
 
 
 def simulated(table: RunUpTable, start: Array, stand: Stand) -> Array:
-    """(q, V) (M, 12) at the rows: DOP853 on the reference, never over a row, where phi''' jumps."""
+    """(q, q') (M, 12) at the rows: DOP853 on the reference, never over a row, where phi''' jumps."""
 
     def rates(t: float, y: Array) -> Array:
         angles = table.at(np.array([t]))
-        return rate(stand, y, angles.phi[0], angles.phi_dot[0], angles.phi_ddot[0])
+        return np.concatenate([y[6:], free_acceleration(stand, y[:6], y[6:], *(row[0] for row in angles))])
 
     states, rows = [start], table.samples.t
     for begin, end in pairwise(rows):
@@ -86,7 +92,7 @@ def test_the_carrier_ends_where_it_shall_and_strays_as_is_told(up: bool) -> None
     assert table is not None and table.duration == LASTS
     scale, mean = scale_of(stand, motion, programme), motion.mean + programme.bias
     course = motion.at(np.zeros(1), programme.bias)
-    joint = np.concatenate([course.q[0], course.q_dot[0]])  # without attitude V is q'
+    joint = np.concatenate([course.q[0], course.q_dot[0]])
     rest = np.concatenate([rest_near(stand, table.samples.phi[0 if up else -1], mean, scale.K0).q, np.zeros(6)])
     y = simulated(table, rest if up else joint, stand)
     apart = y[-1] - (joint if up else rest)
@@ -120,22 +126,22 @@ def test_a_general_stand_is_run_up_and_verified() -> None:
     asked = replace(motion, runup=1.0, winding="spin")
     found = plan_motion(stand, asked, PlanOptions(verify=False))
     assert found.status == "OK", found.words
-    findings = verify_programme(stand, asked, found.programmes[0])
-    assert [each for each in findings if not each.passed] == []
-    assert {"run-up end", "run-down end"} <= {each.name for each in findings}
+    items = verify_programme(stand, asked, found.programmes[0])
+    assert [item for item in items if item.failed] == []
+    assert {"run-up end", "run-down end"} <= {item.quantity for item in items}
 
 
 def test_what_is_refused_is_left_out_and_nothing_else() -> None:
     """A run-down that ends elsewhere, or that cannot be followed; bounds are no refusal; the programme's items stay."""
     items = [
-        Finding("residual", 1e-8, 1e-6, True, "of (12)"),
-        Finding("run-up end", 1e-7, 1e-5, True, "carrier"),
-        Finding("run-up bound speed", 1.2, 1.0, False, "left"),
-        Finding("run-down rest", 0.0, 1e-6, True, "flywheels"),
-        Finding("run-down end", np.inf, 1e-5, False, "no equilibrium to start from"),
+        check("residual", 1e-8, 1e-6, "of (12)"),
+        check("run-up end", 1e-7, 1e-5, "carrier"),
+        check("run-up bound speed", 1.2, 1.0, "left"),
+        check("run-down rest", 0.0, 1e-6, "flywheels"),
+        check("run-down end", np.inf, 1e-5, "no equilibrium to start from"),
     ]
     made = planned()
-    report = {**made.report, "verified": False, "verification": [each.as_item() for each in items]}
+    report = {**made.report, "verified": False, "verification": [as_item(item) for item in items]}
     left = drop_refused_tables(replace(made, report=report))
     assert left.runup is made.runup and left.rundown is None
     reason = "refused by the verification: run-down end not finite, at most 1e-05, no equilibrium to start from"
@@ -272,14 +278,15 @@ def test_the_verification_takes_the_tables_and_refuses_wrong_ones() -> None:
     own, required, programme = shaken(Bounds(torque=(1e3, 1e3), deviation=(0.2, math.inf)))
     scale = scale_of(own, required, programme)
     limits = Tolerance(SMOOTH, SMOOTH, RUNUP)
-    found = runup_findings(own, required, made(), scale, limits)
-    assert all(each.passed for each in found)
-    assert {"run-up end", "run-down end", "run-up bound deviation", "run-up bound torque"} <= {e.name for e in found}
+    found = runup_checks(own, required, made(), scale, limits)
+    assert not any(item.failed for item in found)
+    names = {item.quantity for item in found}
+    assert {"run-up end", "run-down end", "run-up bound deviation", "run-up bound torque"} <= names
     table = made().runup
     assert table is not None
     turned = replace(table.samples, phi=table.samples.phi + np.array([2e-3, 0.0]))
-    wrong = runup_findings(own, required, replace(made(), runup=replace(table, samples=turned)), scale, limits)
-    assert "run-up end" in {each.name for each in wrong if not each.passed}
+    wrong = runup_checks(own, required, replace(made(), runup=replace(table, samples=turned)), scale, limits)
+    assert "run-up end" in {item.quantity for item in wrong if item.failed}
 
 
 def chart_of(own: Stand, q: Array) -> HeldChart:
@@ -301,15 +308,15 @@ def test_equations_along_the_freedoms_are_those_of_the_reference(hold: str) -> N
     rate, S = chart.rate(given, y), chart.mechanics.freedoms
     for i in range(3):
         q, u = q0 + y[i, :m], y[i, m:]
-        at = pieces_at(own, q, S @ u, phi[i], phi_dot[i])
+        assert np.abs(twist(own, q, rate[i, :m]) - S @ u).max() < 1e-12
+        at = moment(own, q, rate[i, :m], phi[i], phi_dot[i]).at
         expected = held_forward(at, own.hold, phi_ddot[i]).u_dot
         assert np.abs(rate[i, m:] - expected).max() < 1e-10 * max(1.0, np.abs(expected).max())
-        assert np.abs(twist(own, q, rate[i, :m]) - S @ u).max() < 1e-12
     still = Course(y[:, :m] + q0, rate[:, :m], np.zeros((3, m)))
     assert np.abs(chart.of(still) - y).max() < 1e-12
     away = chart.displacement(y)
     for i in range(3):
-        told = held.displacement(own, q0 + y[i, :m], q0)
+        told = displacement(own, q0 + y[i, :m], q0)
         assert [np.linalg.norm(away[i, :3]), np.linalg.norm(away[i, 3:])] == pytest.approx(told, abs=1e-12)
     moved = rng.normal(size=(3, 2 * m, 1))
     changes = chart.displacement_change(y, moved)[:, :, 0].reshape(3, 2, 3)

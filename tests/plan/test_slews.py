@@ -19,8 +19,7 @@ from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand import Stand
 from mahovik.core.stand.capacity import torque_capacity
 from mahovik.core.stand.whole import mass_properties
-from mahovik.proof.verify.programme.mechanics import scale_of
-from mahovik.proof.verify.programme.simulation import simulate
+from mahovik.proof.verify.programme.mechanics import carrier_at, scale_of, simulate
 from mahovik.use.plan.outcome import Plan
 from mahovik.use.plan.residual import Mechanics, prescribe, torques
 from mahovik.use.plan.slew import plan_slew
@@ -285,7 +284,8 @@ def test_what_unbalance_adds_is_what_the_reference_simulates() -> None:
     V = twist_at_rest(stand, np.zeros(6), start.phi[0], start.phi_dot[0])
     t = effect.t[: k + 1 : 8]
     scale = replace(scale_of(stand, motion, programme), amplitude=1e-3)
-    y = simulate(stand, programme.at, np.concatenate([np.zeros(6), V]), t, scale, 1e-3)
+    q_dot = np.linalg.solve(carrier_at(stand, np.zeros(6), np.zeros(6)).A, V)
+    y = simulate(stand, programme.at, np.concatenate([np.zeros(6), q_dot]), t, scale, 1e-3)
     aside = y[:, :6] - motion.at(t, programme.bias).q
     assert aside[:, :3] == pytest.approx(effect.shift[: k + 1 : 8], abs=1e-4 * float(np.abs(effect.shift).max()))
     yaw_pitch_roll = effect.turn[: k + 1 : 8, ::-1]  # near the attitude of E0 they are the small angles, in reverse

@@ -15,8 +15,9 @@ from mahovik.core.motion.programme import Fourier, Programme, RunUpTable, Sample
 from mahovik.core.motion.required import RequiredMotion, load_motion, read_motion
 from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.identity import identities
-from mahovik.proof.verify.programme import Finding, verify_programme
-from mahovik.proof.verify.programme.mechanics import instants, scale_of
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.programme import verify_programme
+from mahovik.proof.verify.programme.mechanics import residual_and_torque, scale_of
 
 Case = tuple[Stand, RequiredMotion, Programme]
 
@@ -48,8 +49,8 @@ def solved(stand: Stand, motion: RequiredMotion, winding: tuple[int, ...], mean:
 
     def residual(x: np.ndarray) -> np.ndarray:
         programme = programme_at(x)
-        along = instants(stand, motion.at(t, programme.bias), programme.at(t))
-        return np.concatenate([L @ each.residual() for each in along])
+        R, _ = residual_and_torque(stand, motion.at(t, programme.bias), programme.at(t))
+        return (R @ L.T).ravel()
 
     found = least_squares(residual, start, xtol=1e-15, ftol=1e-15, gtol=1e-15, max_nfev=12)
     return stand, motion, programme_at(found.x)
@@ -98,9 +99,9 @@ def twins_run_up() -> RunUpTable:
     return RunUpTable(Tr, Samples(Tr * x[:, 0], phi, omega * speed, omega * slope / Tr))
 
 
-def failed(found: Sequence[Finding]) -> set[str]:
+def failed(found: Sequence[Check]) -> set[str]:
     """Names of the items that have not passed."""
-    return {each.name for each in found if not each.passed}
+    return {item.quantity for item in found if item.failed}
 
 
 def offended(programme: Programme, **motion: Any) -> set[str]:
@@ -109,9 +110,9 @@ def offended(programme: Programme, **motion: Any) -> set[str]:
     return failed(verify_programme(stand, replace(required, **motion), programme))
 
 
-def item(found: Sequence[Finding], name: str) -> Finding:
+def item(found: Sequence[Check], name: str) -> Check:
     """The one of a name."""
-    return next(each for each in found if each.name == name)
+    return next(item for item in found if item.quantity == name)
 
 
 def tabled(M: int = 12) -> Samples:

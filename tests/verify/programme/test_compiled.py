@@ -11,19 +11,19 @@ import pytest
 from export import programmes
 from export.programmes import exported, motion, written
 from mahovik.errors import ToolchainError, UsageError
-from mahovik.proof.verify.programme import Finding
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.programme.compiled import compiled_checks
 from mahovik.proof.verify.programme.mechanics import scale_of
-from mahovik.proof.verify.programme.programme_c import compiled_findings
 from toolchain.quick import quick
 from verify.build import changed
 
 
-def judged(folder: Path, programme: str = "started") -> dict[str, Finding]:
-    """Findings on the C in a folder by their names."""
+def judged(folder: Path, programme: str = "started") -> dict[str, Check]:
+    """Checks of the C in a folder by their names."""
     stand, given = programmes.stand(), getattr(programmes, programme)()
     scale = scale_of(stand, motion(), given)
-    found = compiled_findings(stand, motion(), given, scale, 1e-6, folder, "programme")
-    return {each.name: each for each in found}
+    found = compiled_checks(stand, motion(), given, scale, 1e-6, folder, "programme")
+    return {item.quantity: item for item in found}
 
 
 @pytest.mark.parametrize(
@@ -42,7 +42,7 @@ def judged(folder: Path, programme: str = "started") -> dict[str, Finding]:
 def test_every_function_of_the_header_is_judged(programme: str, kind: str, real: str, tmp_path: Path) -> None:
     source = written(exported(programme, kind, real), tmp_path, real)
     found = judged(tmp_path, programme)
-    assert [each.name for each in found.values() if not each.passed] == []
+    assert not any(item.failed for item in found.values())
     header = re.sub(r"/\*.*?\*/", "", source.with_suffix(".h").read_text(), flags=re.DOTALL)
     functions = set(re.findall(r"^shaker2_status shaker2_programme_(\w+)\(", header, re.MULTILINE))
     assert functions - {"at", "runup_at", "rundown_at"} == {"start", "phase", "advance"}  # judged by the clock's row
@@ -66,7 +66,7 @@ def test_a_planted_fault_fails_by_its_row(
 ) -> None:
     source = written(exported(programme), tmp_path)
     source.write_text(change(source.read_text()))
-    assert failed <= {name for name, each in judged(tmp_path, programme).items() if not each.passed}
+    assert failed <= {name for name, item in judged(tmp_path, programme).items() if item.failed}
 
 
 def test_c_that_is_not_there_or_of_another_stand_is_refused(tmp_path: Path) -> None:

@@ -13,8 +13,8 @@ import pytest
 from mahovik.core.motion.programme import Angles, Fourier, Programme
 from mahovik.core.motion.required import Bounds
 from mahovik.core.motion.required.model import Winding
-from mahovik.proof.verify.programme import finding, mechanics, simulation, table
-from mahovik.proof.verify.programme.finding import tolerance_for
+from mahovik.proof.verify.programme import items, mechanics, verification
+from mahovik.proof.verify.programme.items import tolerance_for
 from mahovik.proof.verify.programme.mechanics import Scale, scale_of
 from verify.programme.programmes import failed, fourier, offended, shaker, tabled
 
@@ -27,7 +27,7 @@ def scale() -> Scale:
 def residual_passes(programme: Programme) -> bool:
     """Scale of the shaker's motion."""
     stand, motion, _ = shaker()
-    return mechanics.residual_finding(mechanics.residuals(stand, motion, programme, scale()), 1e-6).passed
+    return not verification.residual_check(mechanics.residuals(stand, motion, programme, scale()), 1e-6).failed
 
 
 def shifted(z: float = 0.0, phi: float = 0.0) -> np.ndarray:
@@ -67,13 +67,13 @@ def test_all_items_that_a_change_offends_are_named() -> None:
     moved = replace(programme, bias=shifted(z=1e-6))
     for free, offends in ((True, set()), (False, {"bias"})):
         wanted = replace(motion, free_mean=(True, True, free, True, True, True))
-        assert failed(table.bias_findings(wanted, moved)) == offends
+        assert failed(items.bias_checks(wanted, moved)) == offends
 
 
 @pytest.mark.parametrize(("winding", "other"), [("rock", 2), ("spin", 0), ((1, -1), 0), ((1, 1), 1)])
 def test_windings_that_are_not_as_wanted_are_counted(winding: Winding, other: int) -> None:
-    (found,) = table.winding_finding(replace(shaker()[1], winding=winding), shaker()[2])
-    assert (found.value, found.passed) == (other, other == 0)
+    (found,) = items.winding_checks(replace(shaker()[1], winding=winding), shaker()[2])
+    assert (found.value, found.failed) == (other, other != 0)
 
 
 @cache
@@ -99,9 +99,9 @@ def test_bounds_are_kept_or_named(bounds: Bounds, offends: set[str]) -> None:
     _, motion, programme = shaker()
     angles, tau = angles_and_torques()
     t = motion.span * np.arange(len(tau)) / len(tau)
-    rocking = table.rocking_of(programme, t, programme.at(t).phi)
-    found = table.bound_findings(bounds, programme.flywheels, angles, tau, rocking)
-    assert failed([*found, *table.slowest_finding(bounds, programme.flywheels, angles.phi_dot)]) == offends
+    rocking = items.rocking_of(programme, t, programme.at(t).phi)
+    found = items.bound_checks(bounds, programme.flywheels, angles, tau, rocking)
+    assert failed([*found, *items.slowest_checks(bounds, programme.flywheels, angles.phi_dot)]) == offends
 
 
 @pytest.mark.parametrize(
@@ -119,8 +119,8 @@ def test_bounds_are_kept_or_named(bounds: Bounds, offends: set[str]) -> None:
 def test_a_programme_of_another_stand_or_motion_says_so(change: dict[str, Any], words: str) -> None:
     stand, motion, programme = shaker()
     changed = replace(programme, **change)
-    found = (finding.stand_finding(stand, changed), finding.motion_finding(motion, changed))
-    assert words in "; ".join(each.words for each in found if not each.passed)
+    found = (items.stand_check(stand, changed), items.motion_check(motion, changed))
+    assert words in "; ".join(item.words for item in found if item.failed)
 
 
 @pytest.mark.parametrize("column", ["phi", "phi_dot", "phi_ddot"])
@@ -130,15 +130,15 @@ def test_a_row_that_its_neighbours_do_not_foretell(column: str, row: int, name: 
     changed = getattr(samples, column).copy()
     changed[row, 1] += {"phi": 0.1, "phi_dot": 10.0, "phi_ddot": 1.0}[column]
     programme = replace(shaker()[2], course=replace(samples, **{column: changed}))
-    assert name in failed(table.table_findings(programme, tolerance_for(shaker()[0], None).table))
+    assert name in failed(items.table_checks(programme, tolerance_for(shaker()[0], None).table))
 
 
 def test_a_carrier_that_is_thrown_off_is_not_followed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(simulation, "FURTHEST", 2.5)
+    monkeypatch.setattr(verification, "FURTHEST", 2.5)
     stand, motion, programme = shaker()
     wild = replace(programme, course=fourier(mean=(1.0, 1.0)))
-    found = simulation.simulation_finding(stand, motion, wild, scale(), 1e-6)
-    assert not found.passed
+    found = verification.simulation_check(stand, motion, wild, scale(), 1e-6)
+    assert found.failed
     assert "2.5 amplitudes from the required motion at t = 0.0" in found.words
 
 

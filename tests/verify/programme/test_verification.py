@@ -21,15 +21,18 @@ from mahovik.core.stand.random import SEQUENCES
 from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference.rotation import attitude
 from mahovik.proof.reference.screw import cross
-from mahovik.proof.verify.programme import Finding, table, verify_programme
-from mahovik.proof.verify.programme.mechanics import scale_of, twist, twist_rate
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.programme import verify_programme
+from mahovik.proof.verify.programme.items import start_checks
+from mahovik.proof.verify.programme.mechanics import carrier_at, scale_of, twist
+from mahovik.proof.verify.programme.verification import Stability
 from mahovik.use.plan.slew import plan_slew
 from plan.slew_stands import PYRAMID, about, satellite, slew
 from verify.programme.programmes import Case, failed, item, shaker, tabled, twins, twins_run_up
 
 
 @cache
-def right() -> tuple[Finding, ...]:
+def right() -> tuple[Check, ...]:
     return verify_programme(*shaker())
 
 
@@ -38,7 +41,7 @@ def test_a_right_programme_passes() -> None:
     assert failed(found) == set()
     assert item(found, "residual").value < 1e-11
     assert item(found, "simulation").value < 1e-8
-    assert [each.name for each in found] == [
+    assert [each.quantity for each in found] == [
         "stand", "motion", "winding", "table", "periodicity", "bias", "residual", "simulation", "Floquet",
     ]  # fmt: skip
 
@@ -46,10 +49,12 @@ def test_a_right_programme_passes() -> None:
 def test_all_twelve_multipliers_are_those_of_the_suspension() -> None:
     """Their product is exp(-T tr K^-1 D) (Liouville), D the suspension's damping; complex ones come in pairs."""
     stand, _, programme = shaker()
-    found = np.array(item(right(), "Floquet").multipliers)
+    stability = item(right(), "Floquet")
+    assert isinstance(stability, Stability)
+    found = np.array(stability.multipliers)
     assert len(found) == 12
     assert list(abs(found)) == sorted(abs(found), reverse=True)
-    assert abs(found[0]) == item(right(), "Floquet").value
+    assert abs(found[0]) == stability.value
     assert np.sort_complex(found) == pytest.approx(np.sort_complex(found.conj()), abs=1e-9)
     held = stand.law(Suspension)
     assert held is not None
@@ -91,9 +96,9 @@ def test_a_finite_programme() -> None:
     wanted = replace(motion, bounds=Bounds(start_phi=tuple(phi), start_phi_dot=(0.0, 0.0)))
     found = verify_programme(stand, wanted, programme)
     assert failed(found) == set()
-    assert {"start phi", "start phi_dot", "table", "simulation"} <= {each.name for each in found}
+    assert {"start phi", "start phi_dot", "table", "simulation"} <= {each.quantity for each in found}
     elsewhere = replace(motion, bounds=Bounds(start_phi=(phi[0] + 0.1, phi[1]), start_phi_dot=(0.0, 0.5)))
-    assert failed(table.start_findings(elsewhere, programme, 1e-6)) == {"start phi", "start phi_dot"}
+    assert failed(start_checks(elsewhere, programme, 1e-6)) == {"start phi", "start phi_dot"}
 
 
 STAND = load(stands.path("demo3"))
@@ -109,7 +114,9 @@ def test_twist_and_its_rate_along_a_motion(sequence: Sequence) -> None:
         q, q_dot, q_ddot = course.at(np.array([t - h, t, t + h]))
         q = q + np.array([0.0, 0.0, 0.0, 0.3, 0.9, -0.5])  # far from the singular attitudes
         before, now, after = (twist(stand, *row) for row in zip(q, q_dot, strict=True))
-        assert twist_rate(stand, q[1], q_dot[1], q_ddot[1]) == pytest.approx((after - before) / (2 * h), abs=1e-5)
+        carrier = carrier_at(stand, q[1], q_dot[1])
+        rate = carrier.A @ q_ddot[1] + carrier.drift
+        assert rate == pytest.approx((after - before) / (2 * h), abs=1e-5)
         C0, C, C1 = (attitude(sequence, *row[3:]) for row in q)
         assert C @ now[:3] == pytest.approx(q_dot[1, :3], abs=1e-12)
         assert C.T @ (C1 - C0) / (2 * h) == pytest.approx(cross(now[3:]), abs=1e-6)
@@ -123,9 +130,7 @@ def case() -> tuple[Stand, Slew, Programme]:
 
 
 def failures_of_slew(stand: Stand, wanted: Slew, programme: Programme) -> set[str]:
-    return {
-        each.name for each in verify_programme(stand, motion_of_slew(wanted, programme), programme) if not each.passed
-    }
+    return failed(verify_programme(stand, motion_of_slew(wanted, programme), programme))
 
 
 def moved(programme: Programme, **changed: Any) -> Programme:

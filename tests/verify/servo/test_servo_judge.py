@@ -19,8 +19,8 @@ from mahovik.core.motion.servo import Servo, read_servo
 from mahovik.errors import StateError, ToolchainError, UsageError
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.servo import verify_servo
-from mahovik.proof.verify.servo.tables import MATRIX
-from mahovik.proof.verify.servo.trim_matrix import Balance, least_cost_matrix, responses, trim_matrix
+from mahovik.proof.verify.servo.judge import MATRIX
+from mahovik.proof.verify.servo.trim_matrix import least_cost_matrix, responses, trim_matrix
 from mahovik.stands import path
 from mahovik.use.control.trim import design_trim
 from toolchain.quick import quick
@@ -178,6 +178,6 @@ def test_what_rounding_decides_has_no_answer() -> None:
 def test_harmonics_that_are_not_determined_have_no_answer() -> None:
     """An undamped carrier in resonance with the first harmonic."""
     zeros = np.zeros((9, 6, 6))
-    resonant = Balance(zeros - np.eye(6), zeros, *(np.zeros((3, 9, 6, 1)) + 1.0))
+    resonant = (zeros - np.eye(6), zeros, *(np.zeros((3, 9, 6, 1)) + 1.0))
     with pytest.raises(StateError, match="a free motion of the carrier"):
         responses(resonant, 1)

@@ -20,7 +20,7 @@ from mahovik.out.campaign.quantities import Quantity
 from mahovik.out.campaign.required import Required
 from mahovik.out.campaign.start import Start
 from mahovik.out.functions.given import motion_of, programme_of
-from mahovik.proof.verify.programme.finding import motion_finding, stand_finding
+from mahovik.proof.verify.programme.items import motion_check, stand_check
 from mahovik.use.control.plant import plant_state
 from mahovik.use.plan.forward import Chart
 from mahovik.use.plan.residual import Mechanics
@@ -54,10 +54,10 @@ def read_programme(stand: Stand, over: OverTable, folder: Path) -> tuple[Program
     """Programme and motion of a run, which belong to the stand. Raises UsageError and what the files raise."""
     assert over.programme is not None and over.motion is not None
     programme = programme_of(folder / over.programme)
-    if not (whose := stand_finding(stand, programme)).passed:
+    if (whose := stand_check(stand, programme)).failed:
         raise UsageError(f"programme: {over.programme}: {whose.words}")
     motion = motion_of(folder / over.motion, stand, programme)
-    if not (whose := motion_finding(motion, programme)).passed:
+    if (whose := motion_check(motion, programme)).failed:
         raise UsageError(f"programme: {over.programme}: {whose.words}")
     return programme, motion
 

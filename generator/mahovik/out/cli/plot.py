@@ -75,7 +75,7 @@ def _programme_panels(file: str, stand_file: str | None, motion_file: str | None
     from mahovik.core.motion.programme import load_programme
     from mahovik.core.motion.required import load_motion
     from mahovik.out.report.plot.programme import panels
-    from mahovik.proof.verify.programme.finding import motion_finding, stand_finding
+    from mahovik.proof.verify.programme.items import motion_check, stand_check
 
     programme = load_programme(file)
     title = f"{programme.stand}: {programme.motion}"
@@ -83,7 +83,7 @@ def _programme_panels(file: str, stand_file: str | None, motion_file: str | None
         return title, panels(programme)
     stand = load_stand(stand_file)
     motion = load_motion(motion_file, stand, programme)
-    for whose in (stand_finding(stand, programme), motion_finding(motion, programme)):
-        if not whose.passed:
+    for whose in (stand_check(stand, programme), motion_check(motion, programme)):
+        if whose.failed:
             raise CheckError(f"{file}: {whose.words}")
     return title, panels(programme, stand, motion)

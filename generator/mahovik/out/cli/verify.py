@@ -143,7 +143,7 @@ def _verify_servo(
     from mahovik.core.motion.programme import load_programme
     from mahovik.core.motion.required import load_motion
     from mahovik.core.motion.servo import load_servo
-    from mahovik.proof.verify.programme.finding import motion_finding
+    from mahovik.proof.verify.programme.items import motion_check
     from mahovik.proof.verify.servo import verify_servo
 
     if against is None:
@@ -160,7 +160,7 @@ def _verify_servo(
     servo = load_servo(servo_file, stand)
     programme = None if programme_file is None else load_programme(programme_file)
     motion = None if motion_file is None else load_motion(Path(motion_file), stand, programme)
-    if motion is not None and programme is not None and not (whose := motion_finding(motion, programme)).passed:
+    if motion is not None and programme is not None and (whose := motion_check(motion, programme)).failed:
         raise UsageError(f"{programme_file}: {whose.words}")
     with progress(f"judge servos of {stand.name}"):
         found = verify_servo(

@@ -15,7 +15,7 @@ from mahovik.out.cli.stand_first import FURTHER, STAND, needed_option, stand_fir
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from mahovik.proof.verify.programme import Finding
+    from mahovik.proof.verify.check import Check
 
 
 @command("verify-programme", short_help="Judge a programme by the reference.")
@@ -57,23 +57,25 @@ def verify_programme(
         )
     findings = found.findings
     if as_json:
-        from mahovik.proof.verify.programme.finding import findings_object
+        from mahovik.proof.verify.programme.verification import checks_object
 
-        print_json(findings_object(stand.name, found.motion.name, findings))
+        print_json(checks_object(stand.name, found.motion.name, findings))
     else:
         _print(findings)
     if not found.passed:
         raise SystemExit(1)
 
 
-def _print(findings: Sequence[Finding]) -> None:
+def _print(items: Sequence[Check]) -> None:
+    from mahovik.proof.verify.programme.items import warns
+
     rows = []
-    for each in findings:
-        verdict = ("FAILED", "red") if not each.passed else ("warns", "yellow") if each.has_warning else ("ok", "")
-        rows.append((each.name, f"{each.value:.3g}", f"{each.limit:.4g}", verdict, each.words))
+    for item in items:
+        verdict = ("FAILED", "red") if item.failed else ("warns", "yellow") if warns(item) else ("ok", "")
+        rows.append((item.quantity, f"{item.value:.3g}", f"{item.limit:.4g}", verdict, item.words))
     # long words about another stand would widen every row; programs read --json
     print_table(("item", "found>", "accepted>", "verdict", "quantity"), rows, piped=100)
-    failed = [each.name for each in findings if not each.passed]
+    failed = [item.quantity for item in items if item.failed]
     if failed:
         print_line(f"REFUSED: {', '.join(failed)}", "bold red")
     else:

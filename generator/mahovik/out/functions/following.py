@@ -183,7 +183,7 @@ def following_case(
     backend: str,
 ) -> Case:
     """The run to be made. Raises UsageError and what the files raise."""
-    from mahovik.proof.verify.programme.finding import motion_finding, stand_finding
+    from mahovik.proof.verify.programme.items import motion_check, stand_check
     from mahovik.use.control.mismatch import with_mismatch
     from mahovik.use.control.reference_motion import ReferenceMotion
     from mahovik.use.control.trim import design_trim
@@ -191,10 +191,10 @@ def following_case(
     share = share_of(mismatch)
     found = given_programme(programme)
     source = _name(programme, "the programme")
-    if not (whose := stand_finding(stand, found)).passed:
+    if (whose := stand_check(stand, found)).failed:
         raise UsageError(f"{source}: {whose.words}")
     required = motion_of(motion, stand, found)
-    if not (whose := motion_finding(required, found)).passed:
+    if (whose := motion_check(required, found)).failed:
         raise UsageError(f"{source}: {whose.words}")
     servos, servo_source = servo_of(servo, stand), _name(servo, "the servos")
     if not found.periodic:

@@ -35,7 +35,7 @@ from mahovik.use.plan.smoothing import smoothing_warnings
 
 if TYPE_CHECKING:
     from mahovik.out.report.plot.panel import Panel
-    from mahovik.proof.verify.programme import Finding
+    from mahovik.proof.verify.check import Check
     from mahovik.use.design import Freedom, Outcome
 
 _KINDS = (("phi", "rad"), ("phi_dot", "rad/s"), ("phi_ddot", "rad/s2"))
@@ -233,17 +233,17 @@ class Verdict(Table):
 
     index = "item"
 
-    def __init__(self, stand: CoreStand, motion: RequiredMotion, findings: Sequence[Finding]) -> None:
+    def __init__(self, stand: CoreStand, motion: RequiredMotion, findings: Sequence[Check]) -> None:
         self.stand, self.motion, self.findings = stand, motion, tuple(findings)
 
     @property
     def columns(self) -> tuple[Column, ...]:
         return (
-            Column("item", "", np.array([each.name for each in self.findings], dtype=object)),
-            Column("found", "", np.array([each.value for each in self.findings])),
-            Column("accepted", "", np.array([each.limit for each in self.findings])),
-            Column("passed", "", np.array([each.passed for each in self.findings])),
-            Column("words", "", np.array([each.words for each in self.findings], dtype=object)),
+            Column("item", "", np.array([item.quantity for item in self.findings], dtype=object)),
+            Column("found", "", np.array([item.value for item in self.findings])),
+            Column("accepted", "", np.array([item.limit for item in self.findings])),
+            Column("passed", "", np.array([not item.failed for item in self.findings])),
+            Column("words", "", np.array([item.words for item in self.findings], dtype=object)),
         )
 
     def _panels(self) -> Sequence[Panel]:
@@ -254,10 +254,10 @@ class Verdict(Table):
     @property
     def passed(self) -> bool:
         """Whether every item is right."""
-        return all(each.passed for each in self.findings)
+        return not any(item.failed for item in self.findings)
 
     def __repr__(self) -> str:
-        failed = [each.name for each in self.findings if not each.passed]
+        failed = [item.quantity for item in self.findings if item.failed]
         return f"<Verdict on {self.motion.name}: {'passed' if self.passed else 'refused, ' + ', '.join(failed)}>"
 
 

@@ -133,7 +133,7 @@ class Errors:
     amplitude  (6): of the required motion
     peak, rms  (6): of the error
     share, share_rms   largest and root mean square of the error of all six together, by the inertia's norm, as shares
-               of the largest of the motion: no choice of units or axes changes them (proof/verify/programme/scale.py)
+               of the largest of the motion: no choice of units or axes changes them (`Scale` of proof/verify/programme)
     apart      (N): largest distance of the flywheels from the programme, rad
     """
 

@@ -54,18 +54,19 @@ def make_programme(
 def certify(stand: Stand, motion: RequiredMotion, programme: Programme) -> Programme:
     """The programme with the findings of the independent verification in its report."""
     from mahovik.proof.verify.programme import verify_programme
-    from mahovik.proof.verify.programme.finding import floquet_multipliers
+    from mahovik.proof.verify.programme.items import as_item, warns
+    from mahovik.proof.verify.programme.verification import floquet_multipliers
 
-    findings = verify_programme(stand, motion, programme)
-    items = [each.as_item() for each in findings]
+    checks = verify_programme(stand, motion, programme)
+    items = [as_item(item) for item in checks]
     values = {each["name"]: each["value"] for each in items}
     words = {
-        "verified": all(each.passed for each in findings),
+        "verified": not any(item.failed for item in checks),
         "simulation_error": values.get("simulation"),
         "largest_multiplier": values.get("Floquet"),
-        "floquet": floquet_multipliers(findings),
+        "floquet": floquet_multipliers(checks),
         "verification": items,
-        "warnings": [f"{each.name}: {each.words}" for each in findings if each.has_warning],
+        "warnings": [f"{item.quantity}: {item.words}" for item in checks if warns(item)],
     }
     return replace(programme, report={**programme.report, **words})
 

@@ -14,10 +14,15 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.program.types import Precision
 from mahovik.core.stand.model import Stand
 from mahovik.out.export.programme.tables import Array, Table
-from mahovik.proof.verify.programme.mechanics import Scale, instants, scale_of, state_at
-from mahovik.proof.verify.programme.phase_spread import spread_phases
-from mahovik.proof.verify.programme.runup import torques_along
-from mahovik.proof.verify.programme.simulation import rest_near, simulate
+from mahovik.proof.verify.programme.compiled import spread_phases
+from mahovik.proof.verify.programme.mechanics import (
+    Scale,
+    residual_and_torque,
+    rest_near,
+    scale_of,
+    simulate,
+    torques_along,
+)
 
 STEP_ERROR = 1e-7
 """Error per step of the simulated run-up, in amplitudes: enough for feedforward torques."""
@@ -34,7 +39,7 @@ class RequiredCourse:
     def torques(self, t: Array) -> Array:
         """Drive torques (M, N; N m) of the programme at the times t (M, s)."""
         course = self.motion.at(t, self.programme.bias)
-        return np.array([each.torque() for each in instants(self.stand, course, self.programme.at(t))])
+        return residual_and_torque(self.stand, course, self.programme.at(t))[1]
 
     def free_torques(self, table: RunUpTable, up: bool, t: Array) -> Array:
         """Drive torques (M, N; N m) of a run-up, or run-down, at rising times t (M, s).
@@ -49,16 +54,16 @@ class RequiredCourse:
             start = np.concatenate([q, np.zeros_like(q)])
         else:
             begin = self.motion.at(np.zeros(1), bias)
-            start = state_at(stand, begin.q[0], begin.q_dot[0])
+            start = np.concatenate([begin.q[0], begin.q_dot[0]])
         times = np.unique(np.concatenate([[0.0], t]))
         longest = min(self.programme.span, table.duration) / 8
-        y = simulate(stand, table.at, start, times, self._scale, longest, STEP_ERROR)
+        y = simulate(stand, table.at, start, times, self._scale, longest, error=STEP_ERROR)
         return torques_along(stand, y[np.searchsorted(times, t)], table.at(t))
 
     def residual(self, t: Array, angles: Angles) -> Array:
         """F - K V* - M V - J phi' - I phi'' (M, 6; N, N m) of (12) at the motion and these angles."""
         course = self.motion.at(t, self.programme.bias)
-        return np.array([each.residual() for each in instants(self.stand, course, angles)])
+        return residual_and_torque(self.stand, course, angles)[0]
 
     def relative(self, R: Array) -> float:
         """The largest of residuals (M, 6), relative to the required wrench."""

@@ -31,8 +31,14 @@ from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.out.export.programme.accuracy import Errors, RequiredCourse, errors
 from mahovik.out.export.programme.naming import check_name
 from mahovik.out.export.programme.tables import Array, Table, Torques, fourier_table, quintic_table
-from mahovik.proof.verify.programme.finding import motion_finding, stand_finding, tolerance_for
-from mahovik.proof.verify.programme.table import bound_findings, rocking_of, slowest_finding
+from mahovik.proof.verify.programme.items import (
+    bound_checks,
+    motion_check,
+    rocking_of,
+    slowest_checks,
+    stand_check,
+    tolerance_for,
+)
 from mahovik.writing import write_all
 
 LIMITS = {"double": 1e-6, "float": 1e-3}
@@ -138,15 +144,15 @@ def _is_coarse(found: Errors, most: float) -> bool:
 
 def check_belongs(stand: Stand, programme: Programme, motion: RequiredMotion | None, source: str) -> None:
     """Raise CheckError if a programme is for another stand, or was planned for another motion."""
-    whose = stand_finding(stand, programme)
-    if not whose.passed:
+    whose = stand_check(stand, programme)
+    if whose.failed:
         raise CheckError(
             f"{source}: {whose.words}: give the stand file that it was planned for, or plan again; nothing was written"
         )
     if motion is None:
         return
-    wanted = motion_finding(motion, programme)
-    if not wanted.passed:
+    wanted = motion_check(motion, programme)
+    if wanted.failed:
         raise CheckError(f"{source}: {wanted.words}: give the motion that it was planned for; nothing was written")
 
 
@@ -162,9 +168,9 @@ def _exceeded_bounds(stand: Stand, programme: Programme, motion: RequiredMotion 
     if motion.bounds.torque is not None:
         tau = RequiredCourse(programme.planned_for(stand), motion, programme).torques(t)
     names, rocking = programme.flywheels, rocking_of(programme, t, angles.phi)
-    findings = bound_findings(motion.bounds, names, angles, tau, rocking)
-    findings += slowest_finding(motion.bounds, names, angles.phi_dot)
-    return [f"{each.name} {each.words}" for each in findings if not each.passed]
+    items = bound_checks(motion.bounds, names, angles, tau, rocking)
+    items += slowest_checks(motion.bounds, names, angles.phi_dot)
+    return [f"{item.quantity} {item.words}" for item in items if item.failed]
 
 
 def _course(programme: Programme, layout: Layout, prescribed: RequiredCourse | None, kind: str, count: int) -> Table:

@@ -10,9 +10,8 @@ from mahovik.contract.quantities import RPM
 from mahovik.core.motion.programme import Angles, Programme
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.out.report.plot.panel import Array, Panel, family, limit
-from mahovik.proof.verify.programme.finding import tolerance_for
-from mahovik.proof.verify.programme.mechanics import Scale, residuals, scale_of, state_at
-from mahovik.proof.verify.programme.simulation import rest_near, simulate
+from mahovik.proof.verify.programme.items import tolerance_for
+from mahovik.proof.verify.programme.mechanics import Scale, residuals, rest_near, scale_of, simulate
 
 if TYPE_CHECKING:
     from mahovik.core.motion.required import RequiredMotion
@@ -61,7 +60,7 @@ def panels(
 def _carrier(programme: Programme, stand: Stand, motion: RequiredMotion, scale: Scale, t: Array) -> list[Panel]:
     """The carrier by (8) from the required state at t = 0, beside what is required; each less its mean."""
     course = motion.at(t, programme.bias)
-    start = state_at(stand, course.q[0], course.q_dot[0])
+    start = np.concatenate([course.q[0], course.q_dot[0]])
     y = simulate(stand, programme.at, start, t, scale, programme.span / 16)
     mean = course.q[:-1].mean(axis=0)
     required, achieved = 1e3 * (course.q - mean), 1e3 * (y[:, : len(mean)] - mean)
@@ -120,7 +119,7 @@ def _carrier_on_the_way(programme: Programme, stand: Stand, motion: RequiredMoti
         if table is None:
             continue
         begin = motion.at(np.zeros(1), programme.bias)
-        start = state_at(stand, begin.q[0], begin.q_dot[0])
+        start = np.concatenate([begin.q[0], begin.q_dot[0]])
         if name == "run-up":
             rest = rest_near(stand, table.samples.phi[0], mean, scale.K0).q
             start = np.concatenate([rest, np.zeros_like(rest)])

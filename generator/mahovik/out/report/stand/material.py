@@ -26,7 +26,7 @@ from mahovik.out.report.stand.run import Run, refuse_foreign_run
 from mahovik.proof.cost.page import read_accepted_costs
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.verify.delivery import FIGURES, accepted_figures
-from mahovik.proof.verify.programme.finding import motion_finding, stand_finding
+from mahovik.proof.verify.programme.items import motion_check, stand_check
 from mahovik.proof.verify.targets import parse_targets
 from mahovik.use.simulate.held import home, move
 from mahovik.writing import format_of
@@ -220,8 +220,8 @@ def _costs(folder: Path, stand: Stand) -> tuple[Mapping[str, Any], ...]:
 
 
 def _refuse_foreign_programme(source: str, stand: Stand, programme: Programme, motion: RequiredMotion | None) -> None:
-    findings = [stand_finding(stand, programme)]
-    findings += [] if motion is None else [motion_finding(motion, programme)]
-    for each in findings:
-        if not each.passed:
-            raise UsageError(f"--programme {source}: {each.words}")
+    owners = [stand_check(stand, programme)]
+    owners += [] if motion is None else [motion_check(motion, programme)]
+    for owner in owners:
+        if owner.failed:
+            raise UsageError(f"--programme {source}: {owner.words}")

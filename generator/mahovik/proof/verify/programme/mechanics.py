@@ -1,52 +1,142 @@
-"""Mechanics of a motion and a programme, by the reference: states, scales of errors, item 1 (the residual of (12))."""
+"""Mechanics of a carrier, free or held, in its coordinates q, by the literal reference: residual, simulation, rest.
+
+V = A q', V* = A q'' + D q': of a free carrier (10), of a held one by the motions of its freedoms one after the other,
+H = H_0 exp(S_1^ q_1) exp(S_2^ q_2) .., S^ = [[<omega>, v], [0, 0]], which takes points of E1 to E0; V^ = H^-1 H'.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import cast
+from typing import Any
 
 import numpy as np
+from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.programme import Angles, Fourier, Programme
 from mahovik.core.motion.required import Course, RequiredMotion
-from mahovik.core.stand.model import Stand, Vec3, Vec6
-from mahovik.core.stand.state import State
+from mahovik.core.stand.coordinates import coordinates_of
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import rest_state
+from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.bodies import Bodies, bodies_of
-from mahovik.proof.reference.hold import twists
+from mahovik.proof.reference.hold import acceleration, twists
 from mahovik.proof.reference.inverse import demand
-from mahovik.proof.reference.rotation import kinematic_matrix, kinematic_matrix_rate
+from mahovik.proof.reference.rotation import (
+    attitude,
+    check_attitude,
+    kinematic_matrix,
+    kinematic_matrix_rate,
+    rotation_vector,
+)
+from mahovik.proof.reference.screw import cross
 from mahovik.proof.reference.torque import torque
-from mahovik.proof.verify.programme.finding import Finding, check_limit
-from mahovik.proof.verify.programme.held import held_twist, held_twist_rate, pose, speeds
 
 
-def pieces_at(stand: Stand, q: Array, V: Array, phi: Array, phi_dot: Array) -> Pieces:
-    """Pieces of (1)-(11) at q (6; m, rad; of a held carrier the coordinates of its freedoms), V (6), phi, phi' (N)."""
-    zeros = (0.0,) * len(phi)
-    position, angles, quaternion = q[:3], q[3:], None
+@dataclass(frozen=True, eq=False)
+class Carrier:
+    """O1 (3) in E0, C (3x3), and of V = A q', V* = A q'' + drift: A (6xm), drift (6)."""
+
+    O1: Array
+    C: Array
+    A: Array
+    drift: Array
+
+
+def carrier_at(stand: Stand, q: Array, q_dot: Array) -> Carrier:
+    """The carrier at coordinates q and rates q' (m each; m, rad, s)."""
+    if stand.hold is None:
+        D = kinematic_matrix_rate(stand.angles, q[3:], q_dot[3:])
+        return Carrier(q[:3], attitude(stand.angles, *q[3:]), kinematic_matrix(stand.angles, q[3:]), D @ q_dot)
+    H, motions = _freedoms(stand)
+    columns, drift = np.zeros((len(q), 4, 4)), np.zeros((4, 4))
+    for k, S in motions:
+        onward, back = expm(S * q[k]), expm(-S * q[k])
+        columns, drift, H = back @ columns @ onward, back @ drift @ onward, H @ onward
+        rate = np.tensordot(q_dot, columns, 1)
+        drift += (rate @ S - S @ rate) * q_dot[k]
+        columns[k] = S
+    return Carrier(H[:3, 3], H[:3, :3], _twist(columns).T, _twist(drift))
+
+
+@lru_cache(maxsize=4)
+def _freedoms(stand: Stand) -> tuple[Array, tuple[tuple[int, Array], ...]]:
+    """H_0, and S^ of each freedom with its number, in the order of the coordinates."""
+    hold = stand.hold
+    assert hold is not None
+    home, S, order = np.eye(4), twists(hold), coordinates_of(stand).order
+    home[:3, :3], home[:3, 3] = attitude(stand.angles, *hold.angles), vector(hold.position)
+    motions = [(k, np.vstack([np.column_stack([cross(S[3:, k]), S[:3, k]]), np.zeros(4)])) for k in order]
+    return home, tuple(motions)
+
+
+def _twist(rate: Array) -> Array:
+    """(v; omega) of matrices [[<omega>, v], [0, 0]]."""
+    return np.concatenate([rate[..., :3, 3], rate[..., (2, 0, 1), (1, 2, 0)]], axis=-1)
+
+
+def twist(stand: Stand, q: Array, q_dot: Array) -> Array:
+    """V = A q' (6)."""
+    return carrier_at(stand, q, q_dot).A @ q_dot
+
+
+def displacement(stand: Stand, q: Array, mean: Array) -> tuple[float, float]:
+    """Way of O1 (m) and angle of E1 (rad) from the pose of coordinates `mean` (m) to that of q (m).
+
+    Turns about one axis are counted; otherwise the angle is at most half a turn.
+    """
+    now, start = (carrier_at(stand, each, np.zeros_like(q)) for each in (q, mean))
+    turned = rotation_vector(start.C.T @ now.C)
+    if np.linalg.matrix_rank(start.A[3:]) <= 1:
+        turned = start.A[3:] @ (q - mean)
+    return float(np.linalg.norm(now.O1 - start.O1)), float(np.linalg.norm(turned))
+
+
+@dataclass(frozen=True, eq=False)
+class Moment:
+    """The carrier and the pieces of (1)-(11) at one time."""
+
+    stand: Stand
+    carrier: Carrier
+    at: Pieces
+
+    def V_dot(self, q_ddot: Array) -> Array:
+        """V* (6) in E1."""
+        return self.carrier.A @ q_ddot + self.carrier.drift
+
+    def q_ddot(self, phi_ddot: Array) -> Array:
+        """q'' (m; m, rad, s) by (8) under accelerations of the flywheels (N)."""
+        moved = acceleration(self.at, self.stand, phi_ddot) - self.carrier.drift
+        return np.asarray(np.linalg.lstsq(self.carrier.A, moved, rcond=None)[0])
+
+    def residual(self, q_ddot: Array, phi_ddot: Array) -> Array:
+        """F - K V_r* - M V_r - J phi' - I phi'' (6; N, N m) of (12)."""
+        return demand(self.at, self.V_dot(q_ddot)) - self.at.I @ phi_ddot
+
+    def torque(self, q_ddot: Array, phi_ddot: Array) -> Array:
+        """Drive torques tau (N, N m)."""
+        return torque(self.at, self.V_dot(q_ddot), phi_ddot)
+
+
+def moment(stand: Stand, q: Array, q_dot: Array, phi: Array, phi_dot: Array) -> Moment:
+    """Everything at coordinates q, q' (m each), angles phi and speeds phi' of the flywheels (N each)."""
+    if not (np.isfinite(q).all() and np.isfinite(q_dot).all()):
+        raise StateError("the carrier is thrown off: its coordinates are not finite")
+    carrier = carrier_at(stand, q, q_dot)
+    pose: dict[str, Any] = {"angles": tuple(q[3:])}
     if stand.hold is not None:
-        position, C = pose(stand, q)
-        x, y, z, w = Rotation.from_matrix(C).as_quat().tolist()
-        quaternion = (w, x, y, z)
-    state = State(
-        position=cast(Vec3, tuple(position.tolist())),
-        angles=None if quaternion is not None else cast(Vec3, tuple(angles.tolist())),
-        quaternion=quaternion,
-        V=cast(Vec6, tuple(V.tolist())),
-        phi=tuple(phi.tolist()),
-        phi_dot=tuple(phi_dot.tolist()),
-        phi_ddot=zeros,
-        V_dot=(0.0,) * 6,
-        tau=zeros,
-    )
-    return reference.pieces(stand, state, _bodies(stand))
+        pose = {"quaternion": tuple(np.roll(Rotation.from_matrix(carrier.C).as_quat(), 1))}
+    state = replace(
+        rest_state(stand), position=tuple(carrier.O1), V=tuple(carrier.A @ q_dot), phi=tuple(phi),
+        phi_dot=tuple(phi_dot), **pose,
+    )  # fmt: skip
+    return Moment(stand, carrier, reference.pieces(stand, state, _bodies(stand)))
 
 
 @lru_cache(maxsize=4)
@@ -55,49 +145,30 @@ def _bodies(stand: Stand) -> Bodies:
     return bodies_of(stand)
 
 
-def twist(stand: Stand, q: Array, q_dot: Array) -> Array:
-    """V = A q' (6) of (10)."""
-    if stand.hold is not None:
-        return held_twist(stand, q, q_dot)
-    return kinematic_matrix(stand.angles, q[3:]) @ q_dot
+def free_acceleration(stand: Stand, q: Array, q_dot: Array, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
+    """q'' (m; m, rad, s) of a carrier that nothing prescribes, (8). StateError at a singular attitude."""
+    if stand.hold is None and np.isfinite(q).all():
+        check_attitude(stand.angles, q[3:])
+    return moment(stand, q, q_dot, phi, phi_dot).q_ddot(phi_ddot)
 
 
-def twist_rate(stand: Stand, q: Array, q_dot: Array, q_ddot: Array) -> Array:
-    """V* = A q'' + D q' (6) of (10)."""
-    if stand.hold is not None:
-        return held_twist_rate(stand, q, q_dot, q_ddot)
-    D = kinematic_matrix_rate(stand.angles, q[3:], q_dot[3:])
-    return kinematic_matrix(stand.angles, q[3:]) @ q_ddot + D @ q_dot
-
-
-def state_at(stand: Stand, q: Array, q_dot: Array) -> Array:
-    """y = (q, V) (12) of a free carrier, (q, u) (2 m) of a held one."""
-    V = twist(stand, q, q_dot)
-    return np.concatenate([q, V if stand.hold is None else speeds(stand, V)])
-
-
-@dataclass(frozen=True, eq=False)
-class Instant:
-    """The pieces at one time of the prescribed motion, with V* (6) and phi'' (N)."""
-
-    at: Pieces
-    V_dot: Array
-    phi_ddot: Array
-
-    def residual(self) -> Array:
-        """Residual F - K V_r* - M V_r - J phi' - I phi'' (6; N, N m) of (12)."""
-        return demand(self.at, self.V_dot) - self.at.I @ self.phi_ddot
-
-    def torque(self) -> Array:
-        """Drive torques tau (N, N m)."""
-        return torque(self.at, self.V_dot, self.phi_ddot)
-
-
-def instants(stand: Stand, course: Course, angles: Angles) -> Iterator[Instant]:
-    """Instants, one for each row of the course and of the angles."""
+def residual_and_torque(stand: Stand, course: Course, angles: Angles) -> tuple[Array, Array]:
+    """Residual (M, 6; N, N m) of (12) and drive torques (M, N; N m) along a course of the carrier and of flywheels."""
+    R, tau = [], []
     for q, q_dot, q_ddot, phi, phi_dot, phi_ddot in zip(*course, *angles, strict=True):
-        at = pieces_at(stand, q, twist(stand, q, q_dot), phi, phi_dot)
-        yield Instant(at, twist_rate(stand, q, q_dot, q_ddot), phi_ddot)
+        now = moment(stand, q, q_dot, phi, phi_dot)
+        R.append(now.residual(q_ddot, phi_ddot))
+        tau.append(now.torque(q_ddot, phi_ddot))
+    return np.array(R), np.array(tau)
+
+
+def torques_along(stand: Stand, y: Array, angles: Angles) -> Array:
+    """Drive torques (M, N; N m) along states y = (q, q') (M, 2 m) of a carrier that nothing prescribes."""
+    tau = []
+    for q, q_dot, phi, phi_dot, phi_ddot in zip(*np.hsplit(y, 2), *angles, strict=True):
+        now = moment(stand, q, q_dot, phi, phi_dot)
+        tau.append(now.torque(now.q_ddot(phi_ddot), phi_ddot))
+    return np.array(tau)
 
 
 _PHASES = 2 * np.pi * np.arange(4) / 4
@@ -108,32 +179,36 @@ _PHASES = 2 * np.pi * np.arange(4) / 4
 class Scale:
     """Scales of a motion, in the norms of K0 (6x6), the mean of K over the phases.
 
-    wrench             max of |K0^-1/2 (P - mean P)|
+    S                  (6xm): freedoms, along which alone wrenches count; of a free carrier the unit matrix
+    wrench             max of |(S^T K0 S)^-1/2 S^T (P - mean P)|
     amplitude, speed   max of |K0^1/2 x| for displacements from the mean pose and for twists along the motion
-    S                  (6xm): freedoms of a held carrier, along which alone wrenches count
     """
 
+    stand: Stand
     K0: Array
+    S: Array
     wrench: float
     amplitude: float
     speed: float
-    S: Array | None = None
 
     def wrench_share(self, R: Array) -> float:
-        """|K0^-1/2 R| of a wrench (6), as a share."""
+        """A wrench R (6), as a share."""
         return wrench_norm(self.K0, self.S, R) / self.wrench
 
     def displacement_share(self, x: Array) -> float:
-        """|K0^1/2 x| of a small displacement (6; m, rad; in E1 about O1), as a share."""
+        """A small displacement x (6; m, rad; in E1 about O1), as a share."""
         return norm(self.K0, x) / self.amplitude
 
     def twist_share(self, V: Array) -> float:
-        """|K0^1/2 V| of a twist (6), as a share."""
+        """A twist (6), as a share."""
         return norm(self.K0, V) / self.speed
 
-    def lengths(self) -> tuple[float, float]:
-        """Displacement in m and rotation in rad that each have the whole amplitude."""
-        return self.amplitude / math.sqrt(self.K0[0, 0]), self.amplitude / math.sqrt(np.trace(self.K0[3:, 3:]) / 3)
+    def lengths(self) -> Array:
+        """Displacement along each coordinate (m; m, rad) that has the whole amplitude."""
+        if self.stand.hold is not None:
+            return np.array([self.amplitude / norm(self.K0, each) for each in self.S.T])
+        masses = np.repeat([self.K0[0, 0], np.trace(self.K0[3:, 3:]) / 3], 3)
+        return np.asarray(self.amplitude / np.sqrt(masses))
 
 
 def norm(K0: Array, x: Array) -> float:
@@ -141,45 +216,41 @@ def norm(K0: Array, x: Array) -> float:
     return math.sqrt(max(float(x @ K0 @ x), 0.0))
 
 
-def wrench_norm(K0: Array, S: Array | None, R: Array) -> float:
-    """|K0^-1/2 R| of a wrench (6); of a held carrier |(S^T K0 S)^-1/2 S^T R|."""
-    if S is not None:
-        K0, R = S.T @ K0 @ S, S.T @ R
-    return math.sqrt(max(float(R @ np.linalg.solve(K0, R)), 0.0))
+def wrench_norm(K0: Array, S: Array, R: Array) -> float:
+    """|(S^T K0 S)^-1/2 S^T R| of a wrench R (6)."""
+    return math.sqrt(max(float(S.T @ R @ np.linalg.solve(S.T @ K0 @ S, S.T @ R)), 0.0))
 
 
 def scale_of(stand: Stand, motion: RequiredMotion, programme: Programme) -> Scale:
     """The scales of a required motion. For a carrier held still they are those of the flywheels' own unbalance."""
     fastest = max(motion.harmonics, default=1) if motion.periodic else 12
-    M = min(max(32, 16 * fastest), 512)
-    t = motion.span * np.arange(M) / M
-    course = motion.at(t, programme.bias)
+    M, N = min(max(32, 16 * fastest), 512), len(stand.flywheels)
+    course = motion.at(motion.span * np.arange(M) / M, programme.bias)
     mean = course.q.mean(axis=0)
-    N = len(stand.flywheels)
-    locked = [pieces_at(stand, mean, np.zeros(6), np.full(N, phase), np.zeros(N)) for phase in _PHASES]
-    K0 = np.mean([at.K for at in locked], axis=0)
-    S = None if stand.hold is None else twists(stand.hold)
-    still = not np.any(course.q_dot)
-    if still:
-        I = np.mean([np.abs(at.I) for at in locked], axis=0)
+
+    def locked(q: Array, q_dot: Array) -> list[Moment]:
+        return [moment(stand, q, q_dot, np.full(N, phase), np.zeros(N)) for phase in _PHASES]
+
+    still = [each.at for each in locked(mean, np.zeros_like(mean))]
+    K0 = np.mean([at.K for at in still], axis=0)
+    S = np.eye(6) if stand.hold is None else twists(stand.hold)
+    if not np.any(course.q_dot):
         omega = 2 * math.pi * max(1, *(abs(n) for n in programme.winding)) / motion.span
-        if S is not None:
-            wrench = sum(wrench_norm(K0, S, each) for each in I.T) * omega**2
-            return Scale(K0, wrench, wrench / omega**2, wrench / omega, S)
-        m = math.sqrt(K0[0, 0])
-        first_moments = sum(s.mass * math.hypot(*s.center_of_mass[1:]) for s in stand.flywheels)
-        wrench = first_moments * omega**2 / m or max(norm(np.linalg.inv(K0), each) for each in I.T) * omega**2
-        return Scale(K0, wrench, wrench / omega**2, wrench / omega)
-    P = []
-    amplitude = speed = 0.0
+        each = [wrench_norm(K0, S, column) for column in np.mean([np.abs(at.I) for at in still], axis=0).T]
+        if stand.hold is not None:
+            unbalance = sum(each)
+        else:
+            first_moments = sum(s.mass * math.hypot(*s.center_of_mass[1:]) for s in stand.flywheels)
+            unbalance = first_moments / math.sqrt(K0[0, 0]) or max(each)
+        return Scale(stand, K0, S, unbalance * omega**2, unbalance, unbalance * omega)
+    P, amplitude, speed = [], 0.0, 0.0
     for q, q_dot, q_ddot in zip(*course, strict=True):
-        V, V_dot = twist(stand, q, q_dot), twist_rate(stand, q, q_dot, q_ddot)
-        needed = [pieces_at(stand, q, V, np.full(N, phase), np.zeros(N)) for phase in _PHASES]
-        P.append(np.mean([demand(at, V_dot) for at in needed], axis=0))
-        amplitude = max(amplitude, norm(K0, twist(stand, q, q - mean)))
-        speed = max(speed, norm(K0, V))
+        needed = locked(q, q_dot)
+        P.append(np.mean([demand(each.at, each.V_dot(q_ddot)) for each in needed], axis=0))
+        A = needed[0].carrier.A
+        amplitude, speed = max(amplitude, norm(K0, A @ (q - mean))), max(speed, norm(K0, A @ q_dot))
     wrench = max(wrench_norm(K0, S, each) for each in np.array(P) - np.mean(P, axis=0))
-    return Scale(K0, wrench, amplitude, speed, S)
+    return Scale(stand, K0, S, wrench, amplitude, speed)
 
 
 FINER = 20
@@ -199,32 +270,148 @@ class Residuals:
     tau: Array
 
 
-def nodes(programme: Programme, motion: RequiredMotion) -> int:
-    """Points of the grid in a span; no fewer than the fastest of flywheels and motion needs."""
-    own = 2 * len(programme.course.cos) + 1 if isinstance(programme.course, Fourier) else len(programme.course.t)
-    fastest = max([*motion.harmonics, *(abs(n) for n in programme.winding), 1])
-    return max(own, 2 * fastest + 1)
-
-
 def residuals(
     stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, times: int | None = None
 ) -> Residuals:
     """Residuals over the whole span, beside every node: at a number of `times`, by default 20 to a node."""
-    M = times or FINER * nodes(programme, motion)
+    course = programme.course
+    nodes = 2 * len(course.cos) + 1 if isinstance(course, Fourier) else len(course.t)
+    fastest = max([*motion.harmonics, *(abs(n) for n in programme.winding), 1])
+    M = times or FINER * max(nodes, 2 * fastest + 1)
     t = programme.span * (np.arange(M) + OFFSET) / M
-    R, tau = [], []
-    for instant in instants(stand, motion.at(t, programme.bias), programme.at(t)):
-        R.append(instant.residual())
-        tau.append(instant.torque())
+    R, tau = residual_and_torque(stand, motion.at(t, programme.bias), programme.at(t))
     shares = np.array([scale.wrench_share(each) for each in R])
-    return Residuals(t, shares, scale.wrench_share(np.mean(R, axis=0)), np.array(tau))
+    return Residuals(t, shares, scale.wrench_share(np.mean(R, axis=0)), tau)
 
 
-def residual_finding(found: Residuals, limit: float) -> Finding:
-    """The largest residual of (12), relative."""
-    i = int(np.argmax(found.residual))
-    value = float(found.residual[i])
-    words = f"of (12), at {len(found.t)} times; largest at t = {found.t[i]:.6g} s"
-    if found.mean > 0.5 * value and value > 0.1 * limit:
-        words += f"; mean {found.mean:.2g}, which nothing balances: the carrier drifts"
-    return check_limit("residual", value, limit, words)
+RTOL = 1e-12
+STEP_ERROR = 1e-9
+"""Error of a step, over the amplitude."""
+
+
+def simulate(
+    stand: Stand,
+    angles: Callable[[Array], Angles],
+    start: Array,
+    t: Array,
+    scale: Scale,
+    longest: float,
+    *,
+    error: float = STEP_ERROR,
+    furthest: float = np.inf,
+    rows: bool = False,
+) -> Array:
+    """y = (q, q') (M, 2 m) at the times t (M, s) by (8), from `start` at the first; no step longer than `longest` (s).
+
+    `error`: of a step, share of the amplitude. `rows`: no step goes over one of the times, because the third derivative
+    of the angles jumps there. StateError where the motion cannot be followed, or is `furthest` amplitudes from the
+    start.
+    """
+    from scipy.integrate import DOP853
+
+    def rates(now: float, y: Array) -> Array:
+        q, q_dot = np.split(y, 2)
+        phi, phi_dot, phi_ddot = (row[0] for row in angles(np.array([now])))
+        return np.concatenate([q_dot, free_acceleration(stand, q, q_dot, phi, phi_dot, phi_ddot)])
+
+    lengths = scale.lengths()
+    atol = error * np.concatenate([lengths, lengths * scale.speed / scale.amplitude])
+    solver = DOP853(
+        rates, t[0], start, t[-1], rtol=RTOL, atol=atol, max_step=longest, first_step=min(longest, t[1] - t[0])
+    )
+    states = [start]
+    for stop in t[1:] if rows else t[-1:]:
+        solver.t_bound, solver.status = stop, "running"
+        while solver.status == "running":
+            message = solver.step()
+            if solver.status == "failed":
+                raise StateError(f"the simulation stops at t = {solver.t:.6g} s: {message}")
+            if np.any(np.abs(solver.y - start)[: len(lengths)] > furthest * lengths):
+                raise StateError(f"{furthest:g} amplitudes from the required motion at t = {solver.t:.6g} s")
+            passed = t[(t > solver.t_old) & (t < solver.t)]
+            states += [*solver.dense_output()(passed).T] if len(passed) else []
+            states += [solver.y] if solver.t in t else []
+    return np.array(states)
+
+
+def slope(function: Callable[..., Array], given: Sequence[Array], number: int, step: Array | float) -> Array:
+    """Derivatives (K, n) of a function (K) by its argument of this number (n), by central differences of `step`."""
+    columns = []
+    for way in np.eye(len(given[number])) * step:
+        ends = [function(*given[:number], given[number] + aside, *given[number + 1 :]) for aside in (way, -way)]
+        columns.append((ends[0] - ends[1]) / (2 * np.abs(way).max()))
+    return np.array(columns).T
+
+
+STEPS_OF_PERIOD = 12
+"""Least number of steps in a period, and two for every turn and harmonic: the carrier is slower than its excitation.
+
+Ten to a period leave the multipliers of the example stands right to 1e-5.
+"""
+
+DIFFERENCE = 1e-6
+"""Step of a difference, m, rad, and over 1 + the number itself of a rate."""
+
+
+def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> tuple[complex, ...]:
+    """The 12 eigenvalues of the monodromy matrix, held 2 m: the largest modulus first, of a pair that with Im > 0.
+
+    x' = A(t) x along the required motion, of (q, q'), over a period by Magnus's fourth-order steps with A at the
+    two points of Gauss. StateError at a singular attitude.
+    """
+    steps = max(STEPS_OF_PERIOD, 2 * max([*motion.harmonics, *map(abs, programme.winding)], default=0))
+    h = programme.span / steps
+    times = ((np.arange(steps)[:, None] + 0.5 + np.array([-1, 1]) * np.sqrt(3) / 6) * h).ravel()
+    course = motion.at(times, programme.bias)
+    m = course.q.shape[1]
+    matrices = []
+    for given in zip(course.q, course.q_dot, *programme.at(times), strict=True):
+        along = [
+            slope(lambda *at: free_acceleration(stand, *at), given, k, DIFFERENCE * (1.0 + np.abs(given[k])))
+            for k in (0, 1)
+        ]
+        matrices.append(np.block([[np.zeros((m, m)), np.eye(m)], along]))
+    monodromy = np.eye(2 * m)
+    for A1, A2 in zip(matrices[::2], matrices[1::2], strict=True):
+        monodromy = expm(h / 2 * (A1 + A2) + np.sqrt(3) / 12 * h**2 * (A2 @ A1 - A1 @ A2)) @ monodromy
+    found = [complex(z) for z in np.linalg.eigvals(monodromy)]
+    # moduli of a pair may differ in the last digits
+    return tuple(sorted(found, key=lambda z: (-round(abs(z), 12), -round(z.real, 12), -z.imag)))
+
+
+FREE = 1e-6
+"""Part of the largest stiffness below which the stand is free to move in a direction."""
+
+TURN = 1e-10
+"""Length of the last step, rad and m."""
+
+
+@dataclass(frozen=True, eq=False)
+class Rest:
+    """Equilibrium: q (m) at rest, and the free directions (6, n): displacements in E1, orthogonal in K0."""
+
+    q: Array
+    free: Array
+
+
+def rest_near(stand: Stand, phi: Array, q: Array, K0: Array) -> Rest:
+    """The equilibrium for phases phi (N) that Newton's steps, least in K0, find from q. StateError: there is none."""
+    still, none = np.zeros_like(phi), np.zeros_like(q)
+
+    def pull_at(q: Array) -> Array:
+        return free_acceleration(stand, q, none, phi, still, still)
+
+    for _ in range(50):
+        A = carrier_at(stand, q, none).A
+        root = np.linalg.cholesky(A.T @ K0 @ A).T  # x^T A^T K0 A x = |root x|^2
+        pull = root @ pull_at(q)
+        U, sigma, Vt = np.linalg.svd(root @ slope(pull_at, [q], 0, DIFFERENCE) @ np.linalg.inv(root))
+        kept = sigma > FREE * max(sigma[0], 1e-9)
+        step = np.linalg.solve(root, -(Vt[kept].T @ ((U[:, kept].T @ pull) / sigma[kept])))
+        q = q + step * min(1.0, 0.3 / max(float(np.abs(step).max()), 1e-300))
+        if np.abs(step).max() < TURN:
+            left = float(np.linalg.norm(U[:, ~kept].T @ pull))
+            if left > 1e-6 * max(float(np.linalg.norm(stand.gravity)), 1.0) * root[0, 0]:
+                break
+            return Rest(q, A @ np.linalg.solve(root, Vt[~kept].T))
+    raise StateError("no equilibrium to start from: with the flywheels at rest the carrier accelerates everywhere")

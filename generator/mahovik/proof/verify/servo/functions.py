@@ -1,0 +1,362 @@
+"""Judges of the functions of a servo's C: drawn samples and whole rounds by the law, poses, what must be refused."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from mahovik.contract.quantities import BOUNDS as LIMITS
+from mahovik.contract.quantities import limits_of
+from mahovik.contract.status import STATUS_VALUES, status_words
+from mahovik.core.motion.servo import Servo
+from mahovik.core.stand.model import Stand
+from mahovik.proof.verify.bounds import BOUNDS
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.programme.compiled import Part
+from mahovik.proof.verify.refusals import BEYOND, NULL, WrongValue, with_value
+from mahovik.proof.verify.servo.law import Array, TrimLaw, servo_sample
+
+STATE = ("integral", "speed", "torque")
+DEMAND = ("phi", "phi_dot", "tau")
+INVALID_READINGS = (math.nan, math.inf, -math.inf, 1e300)
+"""Readings of an encoder that has none."""
+
+ROUNDS = ((3, 20, True, 0.1), (0, 7, True, 10.0), (2, 11, False, 1.0), (5, 1, False, 0.05))
+"""Samples of settling and of a window, whether the numbers are the folder's, and the size of what is measured."""
+
+ROUNDS_EACH = 3
+MOST_ROUNDS = 2**31 - 1
+"""Number of rounds at which the count stops."""
+
+SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
+"""Axes about which psi, theta, phi turn, each in the frame that the one before has turned."""
+
+NEAR, POSES = 0.05, 200
+"""Poses with |cos theta| (Euler: |sin theta|) below this are left out: there angles lose their digits."""
+
+
+@dataclass(frozen=True)
+class ServoCase:
+    """A stand, a servo and its C: where the judges of functions start. `count`: drawn samples of `servo_step`."""
+
+    stand: Stand
+    servo: Servo
+    made: Part
+    seed: int
+    count: int
+
+    @property
+    def wheels(self) -> int:
+        """Number of flywheels."""
+        return len(self.stand.flywheels)
+
+    @property
+    def tolerance(self) -> float:
+        """Accepted difference over the scale."""
+        return BOUNDS[self.made.real].default
+
+    def default(self, name: str) -> dict[str, Any]:
+        """Members of a table of the C, `servo_default` or `trim_default`."""
+        found: dict[str, Any] = self.made.read(self.made.library.default(name))
+        return found
+
+
+def reset_checks(case: ServoCase, function: str, kind: str) -> list[Check]:
+    """All members of the state that a reset makes are zero, whatever was there before."""
+    row, ffi = Check(function, "state"), case.made.library.ffi
+    state = ffi.new(f"{case.made.prefix}_{kind} *")
+    ffi.buffer(state)[:] = b"\x3f" * ffi.sizeof(state[0])
+    status, (members,) = case.made.call(function, state)
+    wrong = [name for name, value in members.items() if np.any(np.asarray(value) != 0)]
+    words = f"status {status_words(status)}; not zero: {', '.join(wrong) or 'none'}"
+    row.demand(status == 0 and not wrong, words=words)
+    return [row]
+
+
+def demand_status(row: Check, status: int, limited: bool | None, where: str) -> None:
+    """Count a status; one that is not that of the law fails the row. `limited` None: rounding decides."""
+    right = {True: ("LIMITED",), False: ("OK",), None: ("OK", "LIMITED")}[limited]
+    due = status in [STATUS_VALUES[name] for name in right]
+    row.demand(due, where, f"status {status_words(status)}, expected {' or '.join(right)}")
+
+
+class _Samples:
+    """Drawn samples of a servo: gains, states, wanted and measured values as the element type holds them."""
+
+    def __init__(self, case: ServoCase) -> None:
+        self.made, self.n, self.rng = case.made, case.wheels, np.random.default_rng((case.seed, 1))
+        self.table = {name: np.asarray(value) for name, value in case.default("servo_default").items()}
+        self.most, self.unlimited = LIMITS["MAX_PHASE"].at(case.made.real), LIMITS["MAX_WRENCH"].value
+
+    def _rounded(self, drawn: dict[str, Any]) -> dict[str, Array]:
+        return {name: self.made.round(value) for name, value in drawn.items()}
+
+    def gains(self, number: int) -> dict[str, Array]:
+        """The folder's gains in every other sample, else drawn ones that use every term."""
+        if number % 2 == 0:
+            return self.table
+        n, rng = self.n, self.rng
+        drawn: dict[str, Any] = {name: rng.uniform(0.1, 2.0, n) for name in self.table}
+        drawn |= {"filter": rng.uniform(0.1, 1.0), "back": rng.uniform(0.0, 1.0, n), "lead": 0.0}
+        for name, every in (("limit", 3), ("change", 4)):
+            if number // 2 % every == 0:
+                drawn[name] = np.full(n, self.unlimited)
+        return self._rounded(drawn)
+
+    def draw(self, g: dict[str, Array], number: int) -> tuple[dict[str, Array], dict[str, Array]]:
+        """A state that the servos can reach with these gains; wanted and measured values.
+
+        Torques are such that limits cut now and then; errors small, of many turns, and just below and above half turns.
+        """
+        n, rng = self.n, self.rng
+        size = np.where(g["limit"] < self.unlimited, g["limit"], g["angle"] + 1e-3)
+        state = {name: rng.uniform(-1, 1, n) * size for name in ("integral", "torque")}
+        state["speed"] = rng.normal(size=n) * size / np.maximum(g["speed"], 1e-6)
+        phi_ref = rng.uniform(-1, 1, n) * (10.0 if number % 4 else 0.4 * self.most)
+        small = 0.5 * rng.normal(size=n) * np.minimum(1.0, size / np.maximum(g["angle"], 1e-6))
+        turns = rng.integers(-3, 4, n) + 0.5 + rng.choice([-1, 1], n) * 10.0 ** rng.uniform(-3, -1, n)
+        most = 20 if number % 4 else int(0.08 * self.most)
+        whole = rng.integers(-most, most + 1, n) * math.tau + small
+        phi_dot_ref = rng.normal(size=n) * (1.0 if number % 3 else 200.0)
+        inputs = {
+            "phi_ref": phi_ref,
+            "phi_dot_ref": phi_dot_ref,
+            "tau_ff": 0.3 * rng.normal(size=n) * size,
+            "phi": phi_ref - (small, math.tau * turns, whole)[number // 2 % 3],
+            "phi_dot": phi_dot_ref - 0.3 * rng.normal(size=n) * size / np.maximum(g["speed"], 1e-6),
+        }
+        return self._rounded(state), self._rounded(inputs)
+
+    def flags(self) -> list[int]:
+        """Flags of readings that are not good, of any value but 0."""
+        flags = [int(each) for each in self.rng.choice([0, 0, 1, -7], self.n)]
+        flags[int(self.rng.integers(self.n))] = 1
+        return flags
+
+
+def step_checks(case: ServoCase) -> Iterable[Check]:
+    """Torque, each member of the state, the status, and flags of encoders without a good reading."""
+    drawn, names = _Samples(case), ("tau", *STATE)
+    rows = {name: Check("servo_step", name, case.tolerance) for name in names}
+    masked = Check("servo_step", "encoders without a good reading", case.tolerance)
+    status_row, alone = Check("servo_step", "status"), Check("servo_step", "other flywheels")
+
+    def step(into: dict[str, Check], row: dict[str, Array], flags: list[int] | None, where: str) -> dict[str, Array]:
+        status, found = case.made.call("servo_step", g, state, *row.values(), flags, np.zeros(case.wheels))
+        lost = np.zeros(case.wheels, bool) if flags is None else np.array(flags) != 0
+        phi, phi_dot = np.where(lost, row["phi_ref"], row["phi"]), np.where(lost, row["phi_dot_ref"], row["phi_dot"])
+        law = servo_sample(g, state, row, phi, phi_dot, case.tolerance)
+        demand_status(status_row, status, law.limited, where)
+        results = {"tau": found[-1], **found[1]}
+        for name in names:
+            into[name].compare(results[name], law.values[name], law.scales[name], where)
+        return results
+
+    for number in range(case.count):
+        g, where = drawn.gains(number), f"sample {number}"
+        state, row = drawn.draw(g, number)
+        found = step(rows, row, None if number % 2 else [0] * case.wheels, where)
+        flags, none = drawn.flags(), INVALID_READINGS[number % len(INVALID_READINGS)]
+        lost, where = np.array(flags) != 0, f"{where}, flags {flags}"
+        blind = row | {name: np.where(lost, none, row[name]) for name in ("phi", "phi_dot")}
+        without = step(dict.fromkeys(names, masked), blind, flags, where)
+        same = all(np.array_equal(without[name][~lost], found[name][~lost]) for name in names)
+        alone.demand(same, where, "flywheels with a good reading have other bits than beside good ones")
+    return (*rows.values(), masked, status_row, alone)
+
+
+def trim_checks(case: ServoCase) -> Iterable[Check]:
+    """Corrected angles, speeds and torques; corrections, error and counts of the state; the status."""
+    rng, made = np.random.default_rng((case.seed, 2)), case.made
+    # cosine and sine of k theta are sums of k angles: their rounding grows with k
+    tolerance = case.tolerance * max(1, np.shape(case.default("trim_default")["target"])[1] // 2)
+    rows = {name: Check("trim_step", name, tolerance) for name in (*DEMAND, "wanted", "present", "error")}
+    status_row, counts = Check("trim_step", "status"), Check("trim_step", "sample, rounds")
+    for settling, window, of_folder, size in ROUNDS:
+        design = case.default("trim_default")
+        if not of_folder:  # drawn, using every term
+            design |= {
+                "smoothing": rng.uniform(0.1, 1.0),
+                "limit": rng.uniform(0.1, 0.5),
+                "omega": rng.uniform(10, 100),
+            }
+            design |= {name: rng.normal(size=np.shape(design[name])) for name in ("inertia", "target", "matrix")}
+            design["inertia"] = np.abs(design["inertia"])
+        design = {name: made.round(value) for name, value in design.items()} | {"settling": settling, "window": window}
+        law, target, matrix = TrimLaw(design, case.wheels, tolerance), design["target"], design["matrix"]
+        amplitude = size * float(design["limit"]) / max(float(np.abs(matrix).sum(axis=1).max()), 1e-12)
+        table, state = made.hold("trim_step", design, {}, 0.0, *[None] * 4)[:2]
+        for number in range(ROUNDS_EACH * (settling + window + case.wheels)):
+            phase = (0.0, 0.5, 1.0 - 2.0**-20)[number % 7] if number % 7 < 3 else float(rng.uniform())
+            phase = min(float(made.round(phase)), 1.0 - 2.0**-24)
+            q = made.round(_series(target, phase) + amplitude * rng.normal(size=len(target)))
+            given = {key: made.round(rng.normal(size=case.wheels)) for key in DEMAND}
+            status, found = made.call("trim_step", table, state, phase, q, *given.values())
+            expected, members = law.take(phase, q, given), found[1]
+            where = f"{'its' if of_folder else 'drawn'} numbers, window {window}, sample {number}"
+            demand_status(status_row, status, expected.limited, where)
+            for key, value in zip(DEMAND, found[4:], strict=True):
+                rows[key].compare(value, expected.values[key], expected.scales[key], where)
+            rows["wanted"].compare(members["wanted"], law.wanted, law.size, where)
+            most = np.broadcast_to(law.size.max(axis=1, keepdims=True), law.present.shape)
+            rows["present"].compare(members["present"], law.present, most, where)
+            if law.ends_window:
+                rows["error"].compare(members["sum"], law.error, law.error_scale, where)
+            right = members["sample"], members["rounds"]
+            words = f"{right[0]}, {right[1]}, expected {law.sample}, {law.rounds}"
+            counts.demand(right == (law.sample, law.rounds), where, words)
+    return (*rows.values(), status_row, counts, _last_round(case))
+
+
+def _series(coefficients: Array, phase: float) -> Array:
+    """Values (C) of Fourier series with the coefficients (C, T) at a phase."""
+    k = np.arange(1, coefficients.shape[1] // 2 + 1)
+    spun = np.exp(2j * math.pi * k * phase)
+    return np.asarray(coefficients[:, 0] + coefficients[:, 1::2] @ spun.real + coefficients[:, 2::2] @ spun.imag)
+
+
+def _last_round(case: ServoCase) -> Check:
+    """The count of rounds stays at the largest int after the last flywheel's correction."""
+    design = case.default("trim_default") | {"settling": 0, "window": 1}
+    counts = {"sample": case.wheels, "rounds": MOST_ROUNDS}
+    zeros = [np.zeros(case.wheels)] * 3
+    status, found = case.made.call("trim_step", design, counts, 0.25, np.zeros(len(design["target"])), *zeros)
+    end, row = (found[1]["sample"], found[1]["rounds"]), Check("trim_step", "rounds stop at the largest int")
+    words = f"status {status_words(status)}, sample {end[0]}, rounds {end[1]}"
+    row.demand(status >= 0 and end == (0, MOST_ROUNDS), words=words)
+    return row
+
+
+def coordinate_checks(case: ServoCase) -> list[Check]:
+    """Measured coordinates from poses, by SciPy's rotations."""
+    rng, made = np.random.default_rng((case.seed, 3)), case.made
+    row = Check("trim_coordinates", "q", case.tolerance)
+    coordinates = list(case.servo.trim.coordinates) if case.servo.trim is not None else []
+    many, angular = len(case.default("trim_default")["target"]), np.array(coordinates) >= 3
+    if many != len(coordinates):
+        row.demand(False, words=f"the C measures {many} coordinates, the servo file {len(coordinates)}")
+        return [row]
+    for number in range(POSES):
+        position = made.round(rng.normal(size=3) * (1.0 if number % 2 else 1e3))
+        # any attitude, or one near that of E0
+        drawn = rng.normal(size=4) if number % 3 else np.array([1.0, *(0.1 * rng.normal(size=3))])
+        attitude = made.round(drawn / np.linalg.norm(drawn))
+        angles = Rotation.from_quat(np.roll(attitude, -1)).as_euler(SEQUENCES[case.stand.angles])
+        away = abs(math.sin(angles[1]) if case.stand.angles == "euler" else math.cos(angles[1]))
+        if away < NEAR:
+            continue
+        status, (*_, q) = made.call("trim_coordinates", position, attitude, np.zeros(many))
+        if status != STATUS_VALUES["OK"]:
+            row.demand(False, f"pose {number}", f"status {status_words(status)}")
+            continue
+        expected = np.concatenate([position, angles])[coordinates]
+        turns = np.where(angular, np.round((q - expected) / math.tau), 0.0)
+        scale = np.where(angular, math.pi / away, np.maximum(np.abs(expected), 1e-300))
+        row.compare(q - math.tau * turns, expected, scale, f"pose {number}")
+    return [row]
+
+
+JUDGES: dict[str, Callable[[ServoCase], Iterable[Check]]] = {
+    "servo_reset": lambda case: reset_checks(case, "servo_reset", "servo_state"),
+    "servo_step": step_checks,
+    "trim_reset": lambda case: reset_checks(case, "trim_reset", "trim_state"),
+    "trim_step": trim_checks,
+    "trim_coordinates": coordinate_checks,
+}
+"""The judge of each public function."""
+
+
+def function_checks(case: ServoCase) -> Iterator[Check]:
+    """Every public function of the header, and those that it lacks."""
+    public, trim = case.made.library.functions(), case.made.library.has("trim_default")
+    for function in dict.fromkeys((*JUDGES, *public)):
+        # `generalized` of a held carrier's C gives the coordinates that its trim measures
+        needed = trim and (function != "trim_coordinates" or case.stand.hold is None)
+        if function in public and function in JUDGES:
+            yield from JUDGES[function](case)
+            yield refusal_check(case, function)
+        elif function in public or function.startswith("servo") or needed:
+            row = Check(function, "function")
+            row.demand(False, words="a public function without a judge" if function in public else LACKS)
+            yield row
+
+
+LACKS = "not in the C: export the servo again"
+
+OPTIONAL, RESULTS, TRUSTED = ("invalid",), ("servo_step tau", "trim_coordinates q"), ("gains", "design")
+"""Arguments that may be null; that only receive results; tables that a program has in its text."""
+
+LIKE = {"phi_ref": "phi", "phi_dot_ref": "phi_dot", "tau_ff": "tau", "integral": "tau", "torque": "tau"}
+"""Quantities of the contract whose bounds others have; filtered speeds may be the difference of two."""
+
+NOT_FINITE = tuple((value, "NOT_FINITE") for value in (math.nan, math.inf, -math.inf))
+
+
+def refusal_check(case: ServoCase, function: str) -> Check:
+    """Bad inputs of a function are refused, one wrong value at a time, with all results untouched."""
+    row, made = Check(function, "bad inputs refused, results untouched"), case.made
+    good = _good_arguments(case, function)
+    for wrong in _wrong_values(case, function, good):
+        held = made.hold(function, *(None if x is NULL else x for x in with_value(good, wrong).values()))
+        written = [each for each in held if isinstance(each, made.library.ffi.CData) and each != made.library.ffi.NULL]
+        before = [bytes(made.library.ffi.buffer(each)) for each in written]
+        status = int(made.library.function(function)(*held))
+        words = f"status {status_words(status)}, expected {wrong.status}"
+        row.demand(status == STATUS_VALUES[wrong.status], wrong.words, words)
+        same = before == [bytes(made.library.ffi.buffer(each)) for each in written]
+        row.demand(same, wrong.words, "refused, but results were written")
+    return row
+
+
+def _good_arguments(case: ServoCase, function: str) -> dict[str, Any]:
+    """Arguments of a function by name; of a state those members that it checks."""
+    numbers = [0.125] * case.wheels
+    if function.endswith("reset"):
+        return {"state": {}}
+    if function == "servo_step":
+        state = dict.fromkeys(STATE, numbers)
+        inputs = dict.fromkeys(("phi_ref", "phi_dot_ref", "tau_ff", "phi", "phi_dot"), numbers)
+        gains = case.made.library.default("servo_default")
+        return {"gains": gains, "state": state, **inputs, "invalid": None, "tau": numbers}
+    q = [0.125] * len(case.default("trim_default")["target"])
+    if function == "trim_coordinates":
+        return {"position": [0.125] * 3, "attitude": [1.0, 0.0, 0.0, 0.0], "q": q}
+    given = {"design": case.made.library.default("trim_default"), "state": {"sample": 0, "rounds": 0}, "phase": 0.25}
+    return given | {"q": q} | dict.fromkeys(DEMAND, numbers)
+
+
+def _wrong_values(case: ServoCase, function: str, good: dict[str, Any]) -> Iterator[WrongValue]:
+    """Every wrong value of every argument, and of what a state has."""
+    for name, value in good.items():
+        if name not in OPTIONAL and name != "phase":
+            yield WrongValue((name,), NULL, "BAD_ARGUMENT")
+        if name in (*OPTIONAL, *TRUSTED) or f"{function} {name}" in RESULTS:
+            continue
+        members = value if isinstance(value, dict) else {"": value}
+        for member, numbers in members.items():
+            path, symbol = (name, member) if member else (name,), member or name
+            for place in range(len(numbers)) if isinstance(numbers, list) else [()]:
+                index = () if place == () else (place,)
+                for bad, status in _wrong_numbers(case, symbol):
+                    yield WrongValue((*path, *index), bad, status)
+
+
+def _wrong_numbers(case: ServoCase, symbol: str) -> tuple[tuple[float, str], ...]:
+    """Wrong values of one number, with the statuses that are due."""
+    if symbol in ("sample", "rounds"):  # counts that the trim never makes
+        design = case.default("trim_default")
+        end = int(design["settling"]) + int(design["window"]) + case.wheels
+        return tuple((value, "BAD_ARGUMENT") for value in ((-1, end) if symbol == "sample" else (-1,)))
+    if symbol in ("phase", "attitude"):
+        wrong: tuple[float, ...] = (1.0, -0.01, 7.0) if symbol == "phase" else (1.01, 3.0)
+    else:
+        most = (
+            2 * limits_of("phi_dot")[0] if symbol == "speed" else limits_of(LIKE.get(symbol, symbol), case.made.real)[0]
+        )
+        wrong = BEYOND * most, -BEYOND * most
+    return (*NOT_FINITE, *((value, "RANGE") for value in wrong))
