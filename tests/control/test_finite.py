@@ -18,7 +18,7 @@ from mahovik.core.motion.servo import read_servo
 from mahovik.core.stand import Stand
 from mahovik.core.stand.model import Mat3
 from mahovik.core.stand.write import dumps
-from mahovik.proof.verify.programme.transitions import ARCSEC
+from mahovik.proof.verify.programme.verification import ARCSEC
 from mahovik.use.control.finite import tracking
 from mahovik.use.control.loop import Case, close_loop
 from mahovik.use.control.reference_motion import ReferenceMotion

@@ -24,7 +24,7 @@ from mahovik.out.campaign.over import KINDS as RUNS
 from mahovik.out.campaign.signals import SIGNALS
 from mahovik.out.campaign.vary import KINDS
 from mahovik.out.campaign.wanted import STATISTICS
-from mahovik.proof.verify.programme.items import tolerance_for
+from mahovik.proof.verify.programme.verification import tolerance_for
 from mahovik.stands import path
 from mahovik.use.design.freedom import PARTS
 from mahovik.use.design.read import FreedomTable, read_freedom

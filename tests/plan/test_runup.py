@@ -22,8 +22,8 @@ from mahovik.core.motion.required import Bounds, RequiredMotion, read_motion
 from mahovik.core.stand import Stand
 from mahovik.errors import MahovikError
 from mahovik.proof.reference.hold import held_forward
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme import verify_programme
-from mahovik.proof.verify.programme.items import RUNUP, SMOOTH, Tolerance, as_item, check
 from mahovik.proof.verify.programme.mechanics import (
     displacement,
     free_acceleration,
@@ -32,7 +32,7 @@ from mahovik.proof.verify.programme.mechanics import (
     scale_of,
     twist,
 )
-from mahovik.proof.verify.programme.transitions import runup_checks
+from mahovik.proof.verify.programme.verification import RUNUP, SMOOTH, ProgrammeCase, Tolerance, as_item
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
@@ -134,11 +134,11 @@ def test_a_general_stand_is_run_up_and_verified() -> None:
 def test_what_is_refused_is_left_out_and_nothing_else() -> None:
     """A run-down that ends elsewhere, or that cannot be followed; bounds are no refusal; the programme's items stay."""
     items = [
-        check("residual", 1e-8, 1e-6, "of (12)"),
-        check("run-up end", 1e-7, 1e-5, "carrier"),
-        check("run-up bound speed", 1.2, 1.0, "left"),
-        check("run-down rest", 0.0, 1e-6, "flywheels"),
-        check("run-down end", np.inf, 1e-5, "no equilibrium to start from"),
+        Check.of("residual", 1e-8, 1e-6, "of (12)"),
+        Check.of("run-up end", 1e-7, 1e-5, "carrier"),
+        Check.of("run-up bound speed", 1.2, 1.0, "left"),
+        Check.of("run-down rest", 0.0, 1e-6, "flywheels"),
+        Check.of("run-down end", np.inf, 1e-5, "no equilibrium to start from"),
     ]
     made = planned()
     report = {**made.report, "verified": False, "verification": [as_item(item) for item in items]}
@@ -275,17 +275,17 @@ def test_a_shaker_goes_through_its_resonance_by_the_closed_formula(up: bool) -> 
 
 @pytest.mark.slow
 def test_the_verification_takes_the_tables_and_refuses_wrong_ones() -> None:
-    own, required, programme = shaken(Bounds(torque=(1e3, 1e3), deviation=(0.2, math.inf)))
-    scale = scale_of(own, required, programme)
+    own, required, _ = shaken(Bounds(torque=(1e3, 1e3), deviation=(0.2, math.inf)))
     limits = Tolerance(SMOOTH, SMOOTH, RUNUP)
-    found = runup_checks(own, required, made(), scale, limits)
+    found = ProgrammeCase(own, required, made(), limits).runups()
     assert not any(item.failed for item in found)
     names = {item.quantity for item in found}
     assert {"run-up end", "run-down end", "run-up bound deviation", "run-up bound torque"} <= names
     table = made().runup
     assert table is not None
     turned = replace(table.samples, phi=table.samples.phi + np.array([2e-3, 0.0]))
-    wrong = runup_checks(own, required, replace(made(), runup=replace(table, samples=turned)), scale, limits)
+    turned_table = replace(made(), runup=replace(table, samples=turned))
+    wrong = ProgrammeCase(own, required, turned_table, limits).runups()
     assert "run-up end" in {item.quantity for item in wrong if item.failed}
 
 

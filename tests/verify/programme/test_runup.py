@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -17,22 +16,16 @@ from mahovik.errors import StateError
 from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.programme.items import tolerance_for
-from mahovik.proof.verify.programme.mechanics import Scale, free_acceleration, moment, rest_near, scale_of
-from mahovik.proof.verify.programme.transitions import deviation, runup_checks
+from mahovik.proof.verify.programme.mechanics import displacement, free_acceleration, moment, rest_near
+from mahovik.proof.verify.programme.verification import ProgrammeCase, tolerance_for
 from verify.programme.programmes import twins, twins_run_up
-
-
-@cache
-def scale() -> Scale:
-    return scale_of(*twins())
 
 
 def checks(bounds: Bounds | None = None, **tables: Any) -> dict[str, Check]:
     """Checks of run-up and run-down alone, by their names, with other tables in the programme."""
     stand, motion, programme = twins()
     required = replace(motion, bounds=bounds or Bounds())
-    found = runup_checks(stand, required, replace(programme, **tables), scale(), tolerance_for(stand, None))
+    found = ProgrammeCase(stand, required, replace(programme, **tables), tolerance_for(stand, None)).runups()
     return {item.quantity: item for item in found}
 
 
@@ -114,11 +107,8 @@ def test_a_run_down_is_the_run_up_reversed() -> None:
 def test_deviation_is_a_distance_and_an_angle() -> None:
     """From a mean pose that is turned: the angle between attitudes, not that of coordinates."""
     mean = np.array([1.0, 2.0, 3.0, 0.5, 1.2, -0.3])
-    y = np.zeros((2, 12))
-    y[:, :6] = mean
-    y[0, :3] += [3e-3, -4e-3, 0.0]
-    y[1, 3] += 0.2  # about the vertical, whatever the pose
-    assert deviation(twins()[0], y, mean) == pytest.approx([5e-3, 0.2])
+    moved = mean + np.array([3e-3, -4e-3, 0.0, 0.2, 0.0, 0.0])  # turned about the vertical, whatever the pose
+    assert displacement(twins()[0], moved, mean) == pytest.approx((5e-3, 0.2))
 
 
 def rest_of(stand: Stand, phi: Array, q: Array) -> tuple[Array, Array, Array]:

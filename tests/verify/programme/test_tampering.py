@@ -4,30 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache
 from typing import Any
 
 import numpy as np
 import pytest
 
-from mahovik.core.motion.programme import Angles, Fourier, Programme
+from mahovik.core.motion.programme import Fourier, Programme
 from mahovik.core.motion.required import Bounds
 from mahovik.core.motion.required.model import Winding
-from mahovik.proof.verify.programme import items, mechanics, verification
-from mahovik.proof.verify.programme.items import tolerance_for
-from mahovik.proof.verify.programme.mechanics import Scale, scale_of
+from mahovik.proof.verify.programme import verification
+from mahovik.proof.verify.programme.verification import ProgrammeCase, tolerance_for
 from verify.programme.programmes import failed, fourier, offended, shaker, tabled
 
 
-@cache
-def scale() -> Scale:
-    return scale_of(*shaker())
+def case(programme: Programme, **changed: Any) -> ProgrammeCase:
+    """The shaker with a programme, and a motion that is changed."""
+    stand, motion, _ = shaker()
+    return ProgrammeCase(stand, replace(motion, **changed), programme, tolerance_for(stand, None))
 
 
 def residual_passes(programme: Programme) -> bool:
-    """Scale of the shaker's motion."""
-    stand, motion, _ = shaker()
-    return not verification.residual_check(mechanics.residuals(stand, motion, programme, scale()), 1e-6).failed
+    return not case(programme).residual().failed
 
 
 def shifted(z: float = 0.0, phi: float = 0.0) -> np.ndarray:
@@ -61,27 +58,18 @@ def test_a_changed_programme_leaves_a_residual(change: str) -> None:
 
 
 def test_all_items_that_a_change_offends_are_named() -> None:
-    _, motion, programme = shaker()
+    _, _, programme = shaker()
     assert offended(replace(programme, course=fourier(cos=1e-4))) == {"residual", "simulation"}
     assert offended(replace(programme, winding=(-1, 1))) == {"winding", "residual", "simulation"}
     moved = replace(programme, bias=shifted(z=1e-6))
     for free, offends in ((True, set()), (False, {"bias"})):
-        wanted = replace(motion, free_mean=(True, True, free, True, True, True))
-        assert failed(items.bias_checks(wanted, moved)) == offends
+        assert failed(case(moved, free_mean=(True, True, free, True, True, True)).bias()) == offends
 
 
 @pytest.mark.parametrize(("winding", "other"), [("rock", 2), ("spin", 0), ((1, -1), 0), ((1, 1), 1)])
 def test_windings_that_are_not_as_wanted_are_counted(winding: Winding, other: int) -> None:
-    (found,) = items.winding_checks(replace(shaker()[1], winding=winding), shaker()[2])
+    (found,) = case(shaker()[2], winding=winding).winding()
     assert (found.value, found.failed) == (other, other != 0)
-
-
-@cache
-def angles_and_torques() -> tuple[Angles, np.ndarray]:
-    """Angles and torques of the shaker's programme."""
-    stand, motion, programme = shaker()
-    found = mechanics.residuals(stand, motion, programme, scale())
-    return programme.at(found.t), found.tau
 
 
 @pytest.mark.parametrize(
@@ -96,12 +84,7 @@ def angles_and_torques() -> tuple[Angles, np.ndarray]:
     ],
 )
 def test_bounds_are_kept_or_named(bounds: Bounds, offends: set[str]) -> None:
-    _, motion, programme = shaker()
-    angles, tau = angles_and_torques()
-    t = motion.span * np.arange(len(tau)) / len(tau)
-    rocking = items.rocking_of(programme, t, programme.at(t).phi)
-    found = items.bound_checks(bounds, programme.flywheels, angles, tau, rocking)
-    assert failed([*found, *items.slowest_checks(bounds, programme.flywheels, angles.phi_dot)]) == offends
+    assert failed(case(shaker()[2], bounds=bounds).bounds()) == offends
 
 
 @pytest.mark.parametrize(
@@ -119,7 +102,7 @@ def test_bounds_are_kept_or_named(bounds: Bounds, offends: set[str]) -> None:
 def test_a_programme_of_another_stand_or_motion_says_so(change: dict[str, Any], words: str) -> None:
     stand, motion, programme = shaker()
     changed = replace(programme, **change)
-    found = (items.stand_check(stand, changed), items.motion_check(motion, changed))
+    found = (verification.stand_check(stand, changed), verification.motion_check(motion, changed))
     assert words in "; ".join(item.words for item in found if item.failed)
 
 
@@ -130,14 +113,12 @@ def test_a_row_that_its_neighbours_do_not_foretell(column: str, row: int, name: 
     changed = getattr(samples, column).copy()
     changed[row, 1] += {"phi": 0.1, "phi_dot": 10.0, "phi_ddot": 1.0}[column]
     programme = replace(shaker()[2], course=replace(samples, **{column: changed}))
-    assert name in failed(items.table_checks(programme, tolerance_for(shaker()[0], None).table))
+    assert name in failed(case(programme).table())
 
 
 def test_a_carrier_that_is_thrown_off_is_not_followed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(verification, "FURTHEST", 2.5)
-    stand, motion, programme = shaker()
-    wild = replace(programme, course=fourier(mean=(1.0, 1.0)))
-    found = verification.simulation_check(stand, motion, wild, scale(), 1e-6)
+    found = case(replace(shaker()[2], course=fourier(mean=(1.0, 1.0)))).simulation()
     assert found.failed
     assert "2.5 amplitudes from the required motion at t = 0.0" in found.words
 

@@ -20,7 +20,7 @@ from mahovik.out.campaign.quantities import Quantity
 from mahovik.out.campaign.required import Required
 from mahovik.out.campaign.start import Start
 from mahovik.out.functions.given import motion_of, programme_of
-from mahovik.proof.verify.programme.items import motion_check, stand_check
+from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.use.control.plant import plant_state
 from mahovik.use.plan.forward import Chart
 from mahovik.use.plan.residual import Mechanics

@@ -189,7 +189,7 @@ def _where(found: Following | Tracking, case: Case) -> str:
 
 
 def _arcsec(angle: float) -> str:
-    from mahovik.proof.verify.programme.transitions import ARCSEC
+    from mahovik.proof.verify.programme.verification import ARCSEC
 
     return f"{angle / ARCSEC:.3g}"
 

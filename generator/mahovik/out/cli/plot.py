@@ -75,7 +75,7 @@ def _programme_panels(file: str, stand_file: str | None, motion_file: str | None
     from mahovik.core.motion.programme import load_programme
     from mahovik.core.motion.required import load_motion
     from mahovik.out.report.plot.programme import panels
-    from mahovik.proof.verify.programme.items import motion_check, stand_check
+    from mahovik.proof.verify.programme.verification import motion_check, stand_check
 
     programme = load_programme(file)
     title = f"{programme.stand}: {programme.motion}"

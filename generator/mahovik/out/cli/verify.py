@@ -143,7 +143,7 @@ def _verify_servo(
     from mahovik.core.motion.programme import load_programme
     from mahovik.core.motion.required import load_motion
     from mahovik.core.motion.servo import load_servo
-    from mahovik.proof.verify.programme.items import motion_check
+    from mahovik.proof.verify.programme.verification import motion_check
     from mahovik.proof.verify.servo import verify_servo
 
     if against is None:

@@ -57,9 +57,11 @@ def verify_programme(
         )
     findings = found.findings
     if as_json:
-        from mahovik.proof.verify.programme.verification import checks_object
+        from mahovik.proof.verify.programme.verification import as_item, floquet_multipliers
 
-        print_json(checks_object(stand.name, found.motion.name, findings))
+        items, floquet = [as_item(item) for item in findings], floquet_multipliers(findings)
+        owner = {"stand": stand.name, "motion": found.motion.name}
+        print_json({**owner, "passed": found.passed, "findings": items, "floquet": floquet})
     else:
         _print(findings)
     if not found.passed:
@@ -67,7 +69,7 @@ def verify_programme(
 
 
 def _print(items: Sequence[Check]) -> None:
-    from mahovik.proof.verify.programme.items import warns
+    from mahovik.proof.verify.programme.verification import warns
 
     rows = []
     for item in items:

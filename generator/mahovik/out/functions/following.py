@@ -183,7 +183,7 @@ def following_case(
     backend: str,
 ) -> Case:
     """The run to be made. Raises UsageError and what the files raise."""
-    from mahovik.proof.verify.programme.items import motion_check, stand_check
+    from mahovik.proof.verify.programme.verification import motion_check, stand_check
     from mahovik.use.control.mismatch import with_mismatch
     from mahovik.use.control.reference_motion import ReferenceMotion
     from mahovik.use.control.trim import design_trim

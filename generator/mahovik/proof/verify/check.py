@@ -47,6 +47,13 @@ class Check:
     second_limit: float | None = None
     floor: float = FLOOR
 
+    @classmethod
+    def of(cls, quantity: str, value: float, limit: float, words: str = "") -> Check:
+        """A check of one value, with words about it whatever the verdict."""
+        made = cls("", quantity, limit)
+        made.note(float(value), words=words)
+        return made
+
     @property
     def failed(self) -> bool:
         """Whether this check makes the whole verification fail."""

@@ -31,11 +31,10 @@ from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.out.export.programme.accuracy import Errors, RequiredCourse, errors
 from mahovik.out.export.programme.naming import check_name
 from mahovik.out.export.programme.tables import Array, Table, Torques, fourier_table, quintic_table
-from mahovik.proof.verify.programme.items import (
+from mahovik.proof.verify.programme.verification import (
     bound_checks,
     motion_check,
     rocking_of,
-    slowest_checks,
     stand_check,
     tolerance_for,
 )
@@ -169,7 +168,6 @@ def _exceeded_bounds(stand: Stand, programme: Programme, motion: RequiredMotion 
         tau = RequiredCourse(programme.planned_for(stand), motion, programme).torques(t)
     names, rocking = programme.flywheels, rocking_of(programme, t, angles.phi)
     items = bound_checks(motion.bounds, names, angles, tau, rocking)
-    items += slowest_checks(motion.bounds, names, angles.phi_dot)
     return [f"{item.quantity} {item.words}" for item in items if item.failed]
 
 

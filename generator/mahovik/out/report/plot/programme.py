@@ -10,8 +10,8 @@ from mahovik.contract.quantities import RPM
 from mahovik.core.motion.programme import Angles, Programme
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.out.report.plot.panel import Array, Panel, family, limit
-from mahovik.proof.verify.programme.items import tolerance_for
 from mahovik.proof.verify.programme.mechanics import Scale, residuals, rest_near, scale_of, simulate
+from mahovik.proof.verify.programme.verification import tolerance_for
 
 if TYPE_CHECKING:
     from mahovik.core.motion.required import RequiredMotion

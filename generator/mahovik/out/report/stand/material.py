@@ -26,7 +26,7 @@ from mahovik.out.report.stand.run import Run, refuse_foreign_run
 from mahovik.proof.cost.page import read_accepted_costs
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.verify.delivery import FIGURES, accepted_figures
-from mahovik.proof.verify.programme.items import motion_check, stand_check
+from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.proof.verify.targets import parse_targets
 from mahovik.use.simulate.held import home, move
 from mahovik.writing import format_of

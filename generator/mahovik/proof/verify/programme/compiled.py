@@ -21,8 +21,7 @@ from mahovik.core.toolchain.library import Library
 from mahovik.errors import UsageError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.programme.items import check, largest
-from mahovik.proof.verify.programme.mechanics import Scale, residual_and_torque
+from mahovik.proof.verify.programme.mechanics import Scale, largest, residual_and_torque
 
 
 @dataclass(frozen=True)
@@ -134,19 +133,19 @@ def compiled_checks(
             shares = [scale.wrench_share(each) for each in residual_and_torque(planned_for, course, angles)[0]]
             i = int(np.argmax(shares))
             words = f"of (12) with the C's angles, at {POINTS} times; largest at t = {t[i]:.6g} s"
-            items.append(check("C residual", shares[i], residual + made.limit, words))
+            items.append(Check.of("C residual", shares[i], residual + made.limit, words))
             if tau is not None:
                 exact = residual_and_torque(planned_for, course, programme.at(t))[1]
                 peak = largest(exact) or 1.0
                 words = f"drive torques, share of the largest, {peak:.3g} N m"
-                items.append(check("C torque", largest(tau - exact) / peak, TORQUE * made.limit, words))
+                items.append(Check.of("C torque", largest(tau - exact) / peak, TORQUE * made.limit, words))
         for part, table in (("runup", programme.runup), ("rundown", programme.rundown)):
             if table is not None:
                 items.append(_table_check(made, f"{part}_at", table.at, table.duration)[0])
         clocks = CLOCKS if programme.periodic else [(ticks, 1) for ticks, _ in CLOCKS]
         wrong = sum(_clock_errors(made, ticks, periods) for ticks, periods in clocks)
     words = "ticks whose phase or laps are not the exact fraction, rounded down: start, phase, advance"
-    return [*items, check("C clock", wrong, 0, words)]
+    return [*items, Check.of("C clock", wrong, 0, words)]
 
 
 def _table_check(
@@ -159,12 +158,12 @@ def _table_check(
     phases = made.round(spread_phases(POINTS))
     exact, name = at(phases * span), f"C {function}"
     if not made.library.has(function):
-        return check(name, np.inf, made.limit, "the C has no such function: export the programme again"), None, None
+        return Check.of(name, np.inf, made.limit, "the C has no such function: export the programme again"), None, None
     N = exact.phi.shape[1]
     outputs = [np.zeros(max(N, 1))] * (len(made.library.ffi.typeof(made.library.function(function)).args) - 1)
     answers = [made.call(function, float(phase), *outputs) for phase in phases]
     if (status := min(status for status, _ in answers)) < 0:
-        return check(name, np.inf, made.limit, f"the C answers with status {status}"), None, None
+        return Check.of(name, np.inf, made.limit, f"the C answers with status {status}"), None, None
     columns = np.array([found[1:] for _, found in answers])[:, :, :N]
     angles = Angles(columns[:, 0], columns[:, 1], columns[:, 2])
     turned = angles.phi - exact.phi
@@ -172,7 +171,7 @@ def _table_check(
     speed = largest(exact.phi_dot) or 1.0
     value = max(largest(turned), largest(angles.phi_dot - exact.phi_dot) / speed)
     words = f"angles, rad, and speeds, share of the largest, at {POINTS} times, against the programme's file"
-    return check(name, value, made.limit, words), angles, columns[:, 3] if columns.shape[1] > 3 else None
+    return Check.of(name, value, made.limit, words), angles, columns[:, 3] if columns.shape[1] > 3 else None
 
 
 def _clock_errors(made: Part, ticks: int, periods: int) -> int:

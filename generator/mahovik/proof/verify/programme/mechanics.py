@@ -39,6 +39,11 @@ from mahovik.proof.reference.screw import cross
 from mahovik.proof.reference.torque import torque
 
 
+def largest(values: Array) -> float:
+    """Largest magnitude; 0 if there are no values."""
+    return float(np.abs(values).max(initial=0.0))
+
+
 @dataclass(frozen=True, eq=False)
 class Carrier:
     """O1 (3) in E0, C (3x3), and of V = A q', V* = A q'' + drift: A (6xm), drift (6)."""

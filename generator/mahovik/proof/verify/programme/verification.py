@@ -2,46 +2,220 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy.linalg import expm
 
-from mahovik.core.motion.programme import Programme, Samples
-from mahovik.core.motion.required import RequiredMotion
-from mahovik.core.stand.coordinates import coordinates_of
+from mahovik.core.motion.motor import available_torque, required_torque
+from mahovik.core.motion.programme import Angles, Fourier, Programme, RunUpTable, Samples
+from mahovik.core.motion.required import Bounds, RequiredMotion
+from mahovik.core.stand.coordinates import FREE, coordinates_of
+from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-from mahovik.errors import StateError
+from mahovik.errors import StateError, above_zero
+from mahovik.proof.reference.array import Array, vector
+from mahovik.proof.reference.rotation import rotation_vector
+from mahovik.proof.reference.screw import cross
+from mahovik.proof.reference.task import task_rows
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.compiled import compiled_checks
-from mahovik.proof.verify.programme.items import (
-    Tolerance,
-    as_item,
-    bias_checks,
-    bound_checks,
-    check,
-    motion_check,
-    rocking_of,
-    slowest_checks,
-    stand_check,
-    start_checks,
-    table_checks,
-    tolerance_for,
-    winding_checks,
+from mahovik.proof.verify.programme.mechanics import (
+    Residuals,
+    Scale,
+    displacement,
+    largest,
+    moment,
+    multipliers,
+    residuals,
+    rest_near,
+    scale_of,
+    simulate,
+    torques_along,
+    twist,
 )
-from mahovik.proof.verify.programme.mechanics import Residuals, Scale, multipliers, residuals, scale_of, simulate, twist
-from mahovik.proof.verify.programme.transitions import motor_checks, motor_torques, runup_checks, slew_checks
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """residual, error   of the equations and of the carrier's motion by simulation, shares
+    runup           of the carrier's state at the end of a run-up or run-down, share of the amplitude
+    table           of phi', phi'' in a table, share of their peaks: each row against its prediction by its neighbours
+    joint           of two courses that meet, share of peaks; rad for phi
+    multiplier      largest Floquet multiplier without a warning
+    """
+
+    residual: float
+    error: float
+    runup: float
+    table: float = 0.03
+    joint: float = 1e-6
+    multiplier: float = 1.001
+
+
+SMOOTH, KINKED, RUNUP = 1e-6, 1e-5, 1e-5
+"""Tolerances. A stand with V|V| has forces of class C1 only, and over a period a mean that nothing may balance."""
+
+DRIFT = 20
+"""(2 pi)^2 / 2: amplitudes that a constant residual, of one amplitude's share, moves a floating carrier in a period."""
+
+EXCEEDED = 1 + 1e-9
+"""Value over its bound that counts as exceeded: rounding of the program that kept it does not."""
 
 FINER_ANGLES = 8
 """Ratio of the grid for angles to that of the residual: angles are cheap."""
 
-STEPS_OF_SPAN = 32
-"""Least number of steps in a span: the error estimate of a step misses jumps of phi's third derivative at rows."""
+OF_WAVE = 32
+"""Rows of the table that a Fourier series is judged as, in a period of its highest harmonic."""
+
+STEPS_OF_SPAN, STEPS_OF_RUNUP = 32, 24
+"""Least number of steps in a span, and of a run-up in a period: the error estimate of a step misses jumps of phi's
+third derivative at rows."""
+
+RUNUP_ERROR = 1e-8
+"""Error of a step over the amplitude: the end of a run-up has a wider tolerance than a programme."""
 
 FURTHEST = 100.0
 """Largest distance from the required motion, in amplitudes, at which the simulation goes on."""
+
+POINTS, ARCSEC = 400, np.pi / 648000.0
+"""Times along a slew, and an angle, rad."""
+
+BEGIN, END, ALONG = 1e-9, 1.0, 1e-6
+"""Accepted of a slew: at its start (m, rad, s); from the demanded attitude or line of sight at the end, arcsec; from
+the shortest turn, share of it, and of what rests at the end from rest, share of its peak."""
+
+
+def tolerance_for(stand: Stand, given: float | None) -> Tolerance:
+    """Limits for a stand; `given` replaces that of the residual, and the others follow from it."""
+    if given is not None:
+        above_zero("tolerance", given)
+    nonlinear = any(law.nonlinear for body in stand.bodies for law in body.laws)
+    if given is None and not nonlinear:
+        return Tolerance(SMOOTH, SMOOTH, RUNUP)
+    share = KINKED if given is None else given
+    return Tolerance(share, DRIFT * share, max(DRIFT * share, RUNUP))
+
+
+def stand_check(stand: Stand, programme: Programme) -> Check:
+    """How many of name, structure, physics, flywheels and coordinates are of another stand."""
+    now = identities(stand)
+    pairs = {
+        "name": (programme.stand, stand.name),
+        "structure": (programme.structure, now.structure),
+        "physics": (programme.physics, now.physics),
+        "flywheels": (", ".join(programme.flywheels), ", ".join(s.name for s in stand.flywheels)),
+        "coordinates": (", ".join(programme.coordinates or FREE), ", ".join(coordinates_of(stand).names)),
+    }
+    other = [f"{key} is {theirs}, of the stand {ours}" for key, (theirs, ours) in pairs.items() if theirs != ours]
+    return _owner_check("stand", other, f"{now.structure} {now.physics}")
+
+
+def motion_check(motion: RequiredMotion, programme: Programme) -> Check:
+    """How many of name, kind, period (duration) and unbalance are of another motion."""
+    kind, other = {True: "periodic", False: "finite"}, []
+    if programme.motion != motion.name:
+        other.append(f"name is {programme.motion}, of the motion {motion.name}")
+    if programme.periodic != motion.periodic:
+        other.append(f"it is {kind[programme.periodic]}, the motion {kind[motion.periodic]}")
+    elif abs(programme.span - motion.span) > 1e-12 * motion.span:
+        word = "period" if motion.periodic else "duration"
+        other.append(f"{word} is {programme.span:.12g} s, of the motion {motion.span:.12g} s")
+    wanted = "resisted" if motion.slew is None else motion.slew.unbalance
+    if programme.unbalance != wanted:
+        other.append(f"unbalance is {programme.unbalance}, of the motion {wanted}")
+    return _owner_check("motion", other, motion.name)
+
+
+def _owner_check(kind: str, other: list[str], words: str) -> Check:
+    return Check.of(kind, len(other), 0, f"programme of another {kind}: {'; '.join(other)}" if other else words)
+
+
+def bound_check(name: str, values: Array, limits: Any, names: Sequence[str], unit: str) -> Check:
+    """Largest magnitude of values (M, N) over its limit (N, or M, N)."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        shares = np.where(values == 0.0, 0.0, np.abs(values) / limits)
+    i, s = divmod(int(np.argmax(shares)), shares.shape[1])
+    most = np.broadcast_to(limits, shares.shape)[i, s]
+    return Check.of(name, shares[i, s], EXCEEDED, f"{names[s]}: {abs(values[i, s]):.6g} of {most:.6g} {unit}".rstrip())
+
+
+def bound_checks(
+    bounds: Bounds, names: Sequence[str], angles: Angles, tau: Array, rocking: Array | None = None, prefix: str = ""
+) -> list[Check]:
+    """An item for each given bound. `rocking` (M, N): phi less winding and mean; without it this is part of a run-up,
+    where `angle` and `speed_min` are not bounded.
+    """
+    columns = {
+        "speed": (angles.phi_dot, "rad/s"),
+        "acceleration": (angles.phi_ddot, "rad/s2"),
+        "torque": (tau, "N m"),
+        "angle": (rocking, "rad"),
+    }
+    items = [
+        bound_check(f"{prefix}bound {key}", values, np.array(getattr(bounds, key)), names, unit)
+        for key, (values, unit) in columns.items()
+        if values is not None and getattr(bounds, key) is not None and names
+    ]
+    if rocking is not None and bounds.speed_min is not None and names:
+        turns_back = angles.phi_dot.min(axis=0) * angles.phi_dot.max(axis=0) < 0.0
+        least = np.where(turns_back, 0.0, np.abs(angles.phi_dot).min(axis=0))
+        unit = "rad/s that it goes down to"
+        items.append(bound_check("bound speed_min", np.array([bounds.speed_min]), least, names, unit))
+    return items
+
+
+def rocking_of(programme: Programme, t: Array, phi: Array) -> Array:
+    """Angles phi less their winding and mean (M, N; rad)."""
+    left = phi - (t / programme.span)[:, None] * 2 * np.pi * np.array(programme.winding, dtype=np.float64)
+    return np.asarray(left - left.mean(axis=0))
+
+
+def neighbour_errors(samples: Samples) -> Array:
+    """For each inner row what the quintic between its two neighbours misses phi, phi', phi'' by (M - 2).
+
+    phi' and phi'' as shares of their peaks, phi of the way that the peak speed goes in the step.
+    """
+    speed = largest(samples.phi_dot) or 1.0
+    acceleration = max(largest(samples.phi_ddot), 1e-6 * speed / float(np.ptp(samples.t)))
+    errors = np.zeros(max(len(samples.t) - 2, 0))
+    for first in (1, 2):
+        skipped = np.arange(first, len(samples.t) - 1, 2)
+        if len(skipped):
+            rows = [samples.t, samples.phi, samples.phi_dot, samples.phi_ddot]
+            coarse = Samples(*(np.delete(row, skipped, axis=0) for row in rows)).at(samples.t[skipped])
+            step = np.diff(samples.t)[skipped - 1][:, None]
+            scales = speed * step, speed, acceleration
+            off = [np.abs(x - y[skipped]) / scale for x, y, scale in zip(coarse, rows[1:], scales, strict=True)]
+            errors[skipped - 1] = np.max(off, axis=(0, 2))
+    return errors
+
+
+def rows_check(name: str, t: Array, errors: Array, limit: float) -> Check:
+    """The worst of rows at times t (M, s)."""
+    if not len(errors):
+        return Check.of(name, 0.0, limit, "no row has neighbours")
+    i = int(np.argmax(errors))
+    return Check.of(name, errors[i], limit, f"row {i + 1}, t = {t[i]:.6g} s, against its neighbours")
+
+
+def motor_torques(stand: Stand, phi_dot: Array, tau: Array) -> tuple[Array, Array]:
+    """Torques of the motors themselves in drive torques tau, which friction is part of, and what they can give.
+
+    All (M, N; N m), at speeds phi_dot (M, N).
+    """
+    needed, most = np.array(tau), np.full_like(tau, np.inf)
+    for s, motor in enumerate(wheel.motor for wheel in stand.flywheels):
+        if motor is not None:
+            for i, speed in enumerate(phi_dot[:, s].tolist()):
+                needed[i, s] = required_torque(motor, float(tau[i, s]), speed)
+                most[i, s] = available_torque(motor, float(needed[i, s]), speed)
+    return needed, most
 
 
 @dataclass
@@ -49,6 +223,259 @@ class Stability(Check):
     """The item Floquet: `value` is the largest modulus of the multipliers, which are all there, the largest first."""
 
     multipliers: tuple[complex, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class ProgrammeCase:
+    """A programme, the motion that it shall give, and the stand whose equations it keeps. Items in groups."""
+
+    stand: Stand
+    motion: RequiredMotion
+    programme: Programme
+    limit: Tolerance
+
+    @cached_property
+    def scale(self) -> Scale:
+        """Scales of the motion."""
+        return scale_of(self.stand, self.motion, self.programme)
+
+    @cached_property
+    def course(self) -> Residuals:
+        """Residual of (12) and drive torques between the nodes of the programme."""
+        return residuals(self.stand, self.motion, self.programme, self.scale)
+
+    @cached_property
+    def start(self) -> Array:
+        """The required state (q, q') (2 m) at t = 0."""
+        q, q_dot, _ = self.motion.at(np.zeros(1), self.programme.bias)
+        return np.concatenate([q[0], q_dot[0]])
+
+    def winding(self) -> list[Check]:
+        """Flywheels whose winding is not as the motion wants it."""
+        wanted, turns = self.motion.winding, self.programme.winding
+        if not self.motion.periodic or wanted == "any":
+            return []
+        if isinstance(wanted, str):
+            other = sum((n != 0) == (wanted == "rock") for n in turns)
+        else:
+            other = sum(a != b for a, b in zip(wanted, turns, strict=True))
+        named = wanted if isinstance(wanted, str) else list(wanted)
+        return [Check.of("winding", other, 0, f"{list(turns)}, wanted {named}")]
+
+    def table(self) -> list[Check]:
+        """Whether phi', phi'' are derivatives of phi, and a period ends where it began, a winding further on."""
+        rows, span, limit = self.programme.course, self.programme.span, self.limit.table
+        if isinstance(rows, Fourier):
+            M = OF_WAVE * max(len(rows.cos), 1)
+            rows = Samples(span * np.arange(M) / M, *self.programme.at(span * np.arange(M) / M))
+        if not self.programme.periodic:
+            return [rows_check("table", rows.t[1:-1], neighbour_errors(rows), limit)]
+
+        def around(column: Array, further: Array | float = 0.0) -> Array:  # so that all rows are inner rows
+            return np.concatenate([column[-1:] - further, column, column[:1] + further])
+
+        turn = 2 * np.pi * np.array(self.programme.winding, dtype=np.float64)
+        angles = around(rows.phi, turn), around(rows.phi_dot), around(rows.phi_ddot)
+        errors = neighbour_errors(Samples(around(rows.t, span), *angles))
+        joint = "last and first row, winding turns apart, against their neighbours"
+        return [
+            rows_check("table", rows.t[1:-1], errors[1:-1], limit),
+            Check.of("periodicity", np.max(errors[[0, -1]]), limit, joint),
+        ]
+
+    def bias(self) -> list[Check]:
+        """The bias: zero where the mean is not free; within its bound."""
+        names, bias, bound = self.programme.coordinates or FREE, self.programme.bias, self.motion.bounds.bias
+        held = np.where(self.motion.free_mean, 0.0, np.abs(bias))
+        worst = int(np.argmax(held))
+        words = f"of {names[worst]}, whose mean is not free" if held[worst] else "zero where the mean is not free"
+        items = [Check.of("bias", held[worst], 0.0, words)]
+        return items if bound is None else [*items, bound_check("bound bias", bias[None], np.array(bound), names, "")]
+
+    def bounds(self) -> list[Check]:
+        """Bounds of the motion, on a finer grid than that of the residual; of a slew torques of its motors."""
+        M, programme = FINER_ANGLES * len(self.course.t), self.programme
+        t, tau = programme.span * np.arange(M + (not programme.periodic)) / M, self.course.tau
+        if self.motion.slew is not None:
+            tau = motor_torques(self.stand, programme.at(self.course.t).phi_dot, tau)[0]
+        angles = programme.at(t)
+        return bound_checks(self.motion.bounds, programme.flywheels, angles, tau, rocking_of(programme, t, angles.phi))
+
+    def residual(self) -> Check:
+        """The largest residual of (12), relative."""
+        course, i = self.course, int(np.argmax(self.course.residual))
+        value = float(course.residual[i])
+        words = f"of (12), at {len(course.t)} times; largest at t = {course.t[i]:.6g} s"
+        if course.mean > 0.5 * value and value > 0.1 * self.limit.residual:
+            words += f"; mean {course.mean:.2g}, which nothing balances: the carrier drifts"
+        return Check.of("residual", value, self.limit.residual, words)
+
+    def simulation(self) -> Check:
+        """The carrier's distance from the required motion over one span, from the required state at t = 0."""
+        stand, programme = self.stand, self.programme
+        t, furthest = np.linspace(0.0, programme.span, 16 * max([*self.motion.harmonics, 12]) + 1), FURTHEST
+        rows = self.motion.slew is not None and isinstance(programme.course, Samples)
+        if isinstance(programme.course, Samples) and rows:  # torques of a slew bend within a hundredth of its time
+            t, furthest = programme.course.t, np.inf
+        try:
+            longest = programme.span / STEPS_OF_SPAN
+            y = simulate(stand, programme.at, self.start, t, self.scale, longest, furthest=furthest, rows=rows)
+        except StateError as error:
+            return Check.of("simulation", np.inf, self.limit.error, str(error))
+        required, coordinates = self.motion.at(t, programme.bias).q, coordinates_of(stand)
+        apart = np.hsplit(y, 2)[0] - required
+        shares = [self.scale.displacement_share(twist(stand, q, x)) for q, x in zip(required, apart, strict=True)]
+        i = int(np.argmax(shares))
+        x = 1e3 * apart[i]
+        away = f"O1 {np.linalg.norm(x[:3]):.2g} mm, angles {np.linalg.norm(x[3:]):.2g} mrad"
+        if stand.hold is not None:
+            parts = zip(coordinates.names, np.abs(x), coordinates.unit_names, strict=True)
+            away = ", ".join(f"{name} {size:.2g}{f' m{unit}' if unit else 'e-3'}" for name, size, unit in parts)
+        words = f"of (8) from the required state: largest at t = {t[i]:.6g} s, {away} away"
+        return Check.of("simulation", shares[i], self.limit.error, words)
+
+    def stability(self) -> Check:
+        """The largest multiplier. Above 1 the motion is right, but something must hold it: a warning, no failure."""
+        limit = self.limit.multiplier
+        try:
+            found = multipliers(self.stand, self.motion, self.programme)
+        except StateError as error:
+            return Check.of("Floquet", np.inf, limit, str(error))
+        value = abs(found[0])
+        if value > limit:
+            words = "the motion is right, but not stable without feedback"
+        elif value > 2 - limit:
+            # of modulus 1, one that is 1 itself keeps a displacement, any other one turns it on
+            kept = [abs(z - 1) <= limit - 1 for z in found if abs(z) > 2 - limit]
+            fates = [*(["is free to drift"] if any(kept) else []), *([] if all(kept) else ["swings undamped"])]
+            words = f"neutral, the carrier {' and '.join(fates)}"
+        else:
+            words = f"stable, disturbances decay by {value:.3g} a period"
+        verdict = "ok" if np.isfinite(value) else "FAILED"
+        return Stability("", "Floquet", limit, value, verdict, f"largest multiplier: {words}", 1, multipliers=found)
+
+    def runups(self) -> list[Check]:
+        """Of run-up and run-down: rows, joint with the programme, rest at the other end, end of the carrier, bounds."""
+        items = []
+        for name, table in (("run-up", self.programme.runup), ("run-down", self.programme.rundown)):
+            if table is not None:
+                rows, (joint, rest) = table.samples, (-1, 0) if name == "run-up" else (0, -1)
+                columns, begin = Angles(rows.phi, rows.phi_dot, rows.phi_ddot), self.programme.at(np.zeros(1))
+                turned = columns.phi[joint] - begin.phi[0]
+                apart = [largest(turned - 2 * np.pi * np.round(turned / (2 * np.pi)))]
+                for ours, theirs in zip(columns[1:], begin[1:], strict=True):
+                    apart.append(largest(ours[joint] - theirs[0]) / max(largest(ours), largest(theirs), 1e-300))
+                moving = [largest(each[rest]) / (largest(each) or 1.0) for each in columns[1:]]
+                where = f"{('phi', 'phi_dot', 'phi_ddot')[int(np.argmax(apart))]} at the programme's t = 0"
+                still = "phi', phi'' of the flywheels at rest, share of their peaks"
+                items += [
+                    rows_check(f"{name} table", rows.t[1:-1], neighbour_errors(rows), self.limit.table),
+                    Check.of(f"{name} joint", np.max(apart), self.limit.joint, where),
+                    Check.of(f"{name} rest", np.max(moving), self.limit.joint, still),
+                    *self._way(name, table),
+                ]
+        return items
+
+    def _way(self, name: str, table: RunUpTable) -> list[Check]:
+        """The carrier by (8), from equilibrium to the required state or the reverse, and bounds on the way."""
+        stand, bounds, scale, up = self.stand, self.motion.bounds, self.scale, name == "run-up"
+        (q, q_dot), mean = np.split(self.start, 2), self.motion.mean + self.programme.bias
+        phi, t, begin = table.samples.phi, table.samples.t, self.start
+        try:
+            if up:
+                rest = rest_near(stand, phi[0], mean, scale.K0)
+                begin = np.concatenate([rest.q, np.zeros_like(q)])
+            longest = min(self.programme.span, table.duration) / STEPS_OF_RUNUP
+            y = simulate(stand, table.at, begin, t, scale, longest, error=RUNUP_ERROR, rows=True)
+            end, end_dot = np.split(y[-1], 2)
+            if not up:
+                rest = rest_near(stand, phi[-1], end, scale.K0)
+        except StateError as error:
+            return [Check.of(f"{name} end", np.inf, self.limit.runup, str(error))]
+        apart = twist(stand, q, end - (q if up else rest.q))
+        apart -= rest.free @ (rest.free.T @ (scale.K0 @ apart))  # where the stand may as well have begun elsewhere
+        left = twist(stand, end, end_dot) - (twist(stand, q, q_dot) if up else 0.0)
+        shares = scale.displacement_share(apart), scale.twist_share(left)
+        strayed = np.array([displacement(stand, row, mean) for row in np.hsplit(y, 2)[0]]).max(axis=0)
+        words = (
+            f"carrier at the end, pose {shares[0]:.2g}, twist {shares[1]:.2g} of the amplitude; on the way "
+            f"{1e3 * strayed[0]:.3g} mm, {1e3 * strayed[1]:.3g} mrad from the mean pose"
+        )
+        angles = table.at(t)
+        tau = torques_along(stand, y, angles) if bounds.torque is not None else np.zeros_like(angles.phi)
+        items = [Check.of(f"{name} end", np.max(shares), self.limit.runup, words)]
+        items += bound_checks(bounds, self.programme.flywheels, angles, tau, prefix=f"{name} ")
+        if bounds.deviation is not None:
+            names, most = ("O1, m", "E1, rad"), np.array(bounds.deviation)
+            items.append(bound_check(f"{name} bound deviation", strayed[None], most, names, "from the mean pose"))
+        return items
+
+    def beginning(self) -> list[Check]:
+        """Distance from `start` of a finite motion: rad, and share of the peak speed."""
+        angles, bounds, limit, items = self.programme.at(np.zeros(1)), self.motion.bounds, self.limit.joint, []
+        if bounds.start_phi is not None:
+            items.append(Check.of("start phi", largest(angles.phi[0] - np.array(bounds.start_phi)), limit, "rad"))
+        if bounds.start_phi_dot is not None:
+            speeds, t = np.array(bounds.start_phi_dot), np.linspace(0.0, self.programme.span, 999)
+            peak = max(largest(self.programme.at(t).phi_dot), largest(speeds), 1e-12)
+            share = largest(angles.phi_dot[0] - speeds) / peak
+            items.append(Check.of("start phi_dot", share, limit, "share of the peak speed"))
+        return items
+
+    def slew(self) -> list[Check]:
+        """The course of a slew begins, goes and ends as demanded, which (8) follows by another item; its motors."""
+        slew, stand, programme = self.motion.slew, self.stand, self.programme
+        if slew is None:
+            return []
+        t, C, rates, accelerations = np.linspace(0.0, programme.span, POINTS + 1), [], [], []
+        angles = programme.at(t)
+        for q, q_dot, q_ddot, phi, phi_dot in zip(*self.motion.at(t), angles.phi, angles.phi_dot, strict=True):
+            now = moment(stand, q, q_dot, phi, phi_dot)
+            rows = task_rows(now.at, stand, slew.task)
+            C.append(now.carrier.C)
+            rates.append(rows.S @ now.at.V)
+            accelerations.append(rows.acceleration(now.V_dot(q_ddot)))
+        q, q_dot = np.split(self.start, 2)
+        turned = [np.linalg.norm(rotation_vector(C[0].T @ slew.start))]
+        begins = q[:3] - vector(slew.position), turned, twist(stand, q, q_dot)
+        items = [Check.of("slew start", largest(np.concatenate(begins)), BEGIN, "pose and twist at t = 0: m, rad, s")]
+        if slew.kind != "still":
+            wanted = expm(slew.angle * cross(slew.normal)) @ slew.start
+            if slew.kind == "attitude":
+                what, end = "attitude", float(np.linalg.norm(rotation_vector(C[-1].T @ wanted)))
+                way = np.array([rotation_vector(each @ slew.start.T) for each in C])
+                aside = largest(way - np.outer(way @ slew.normal, slew.normal))
+            else:
+                sight, goal = np.array(C) @ slew.axis, wanted @ slew.axis
+                what, end = "line of sight", math.atan2(np.linalg.norm(np.cross(sight[-1], goal)), sight[-1] @ goal)
+                aside = largest(sight @ slew.normal)
+            words = f"arcsec between the {what} at the end and the demanded one"
+            items.append(Check.of("slew end", end / ARCSEC, END, words))
+            words = f"of the {what} aside from the shortest turn, share of it"
+            items.append(Check.of("slew path", aside / slew.angle, ALONG, words))
+        angular = np.array([row.component.startswith("w") for row in slew.task.rows])
+        turning, moving = np.array(rates)[:, angular], np.array(accelerations)
+        if angular.any():
+            peak = largest(turning) or 1.0
+            words = f"rates of the rows at the end, share of {peak:.3g} rad/s"
+            items.append(Check.of("slew rest", largest(turning[-1]) / peak, ALONG, words))
+        if not angular.all():
+            peak = largest(moving[:, angular]) or 1.0
+            words = f"accelerations of the linear rows, m/s2, over {peak:.3g} rad/s2 of the angular ones"
+            items.append(Check.of("slew rows", largest(moving[:, ~angular]) / peak, ALONG, words))
+        return [*items, *self._motors()]
+
+    def _motors(self) -> list[Check]:
+        """The torque that each motor itself gives, with its friction, over what it can at that speed; and the speed."""
+        names, motors = self.programme.flywheels, [s.motor for s in self.stand.flywheels]
+        fastest = np.array([np.inf if motor is None or motor.speed is None else motor.speed for motor in motors])
+        phi_dot, items = self.programme.at(self.course.t).phi_dot, []
+        if any(motor is not None for motor in motors):
+            torques = motor_torques(self.stand, phi_dot, self.course.tau)
+            items.append(bound_check("motor torque", *torques, names, "N m"))
+        if np.isfinite(fastest).any():
+            items.append(bound_check("motor speed", phi_dot, fastest, names, "rad/s"))
+        return items
 
 
 def verify_programme(
@@ -70,114 +497,40 @@ def verify_programme(
     Raises UsageError, ToolchainError: the folder has no such C, or it does not compile.
     """
     limit = tolerance_for(stand, tolerance)
-    owner = [stand_check(stand, programme), motion_check(motion, programme)]
+    items = [stand_check(stand, programme), motion_check(motion, programme)]
     same_span = programme.periodic == motion.periodic and abs(programme.span / motion.span - 1) < 1e-9
     same_size = len(programme.bias) == coordinates_of(stand).count
     if not same_span or not same_size or programme.flywheels != tuple(s.name for s in stand.flywheels):
-        return tuple(item for item in owner if item.failed)
+        return tuple(item for item in items if item.failed)
+    case = ProgrammeCase(programme.planned_for(stand), motion, programme, limit)
     with np.errstate(all="ignore"):  # what overflows is not finite, and fails
-        planned_for = programme.planned_for(stand)
-        items = [*owner, *winding_checks(motion, programme), *table_checks(programme, limit.table)]
-        items += bias_checks(motion, programme)
+        items += [*case.winding(), *case.table(), *case.bias()]
         try:
-            scale = scale_of(planned_for, motion, programme)
-            course = residuals(planned_for, motion, programme, scale)
+            items.append(case.residual())
         except StateError as error:
-            return (*items, check("residual", np.inf, limit.residual, str(error)))
-        items += _mechanics(planned_for, motion, programme, scale, course, limit)
+            return (*items, Check.of("residual", np.inf, limit.residual, str(error)))
+        items.append(case.simulation())
+        follows = not any(item.failed for item in items[-2:])
+        items += case.bounds()
+        items += [case.stability(), *case.runups()] if motion.periodic and follows else case.beginning()
+        items += case.slew()
         if against is not None:
-            items += compiled_checks(stand, motion, programme, scale, limit.residual, against, name)
+            items += compiled_checks(stand, motion, programme, case.scale, limit.residual, against, name)
     return tuple(items)
 
 
-def _mechanics(
-    stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, course: Residuals, limit: Tolerance
-) -> list[Check]:
-    """Items that need the equations: residual, simulation, bounds, stability and run-ups, or start and slew."""
-    items = [residual_check(course, limit.residual), simulation_check(stand, motion, programme, scale, limit.error)]
-    follows = not any(item.failed for item in items)
-    M = FINER_ANGLES * len(course.t)
-    t = programme.span * np.arange(M + (not motion.periodic)) / M
-    angles, speeds, tau = programme.at(t), programme.at(course.t).phi_dot, course.tau
-    if motion.slew is not None:
-        tau = motor_torques(stand, speeds, tau)[0]
-    items += bound_checks(motion.bounds, programme.flywheels, angles, tau, rocking_of(programme, t, angles.phi))
-    items += slowest_checks(motion.bounds, programme.flywheels, angles.phi_dot)
-    if motion.periodic and follows:
-        items.append(stability_check(stand, motion, programme, limit.multiplier))
-        items += runup_checks(stand, motion, programme, scale, limit)
-    else:
-        items += start_checks(motion, programme, limit.joint)
-    if motion.slew is not None:
-        items += [*slew_checks(stand, motion, programme), *motor_checks(stand, speeds, course.tau)]
-    return items
+def warns(item: Check) -> bool:
+    """Whether an item has passed with a value above its limit."""
+    return not item.failed and not item.value <= item.limit
 
 
-def residual_check(course: Residuals, limit: float) -> Check:
-    """The largest residual of (12), relative."""
-    i = int(np.argmax(course.residual))
-    value = float(course.residual[i])
-    words = f"of (12), at {len(course.t)} times; largest at t = {course.t[i]:.6g} s"
-    if course.mean > 0.5 * value and value > 0.1 * limit:
-        words += f"; mean {course.mean:.2g}, which nothing balances: the carrier drifts"
-    return check("residual", value, limit, words)
-
-
-def simulation_check(stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, limit: float) -> Check:
-    """The carrier's distance from the required motion over one span, from the required state at t = 0."""
-    t, rows = np.linspace(0.0, programme.span, 16 * max([*motion.harmonics, 12]) + 1), False
-    if motion.slew is not None and isinstance(programme.course, Samples):
-        t, rows = programme.course.t, True  # its torques bend within a hundredth of the time
-    course = motion.at(t, programme.bias)
-    start, longest = np.concatenate([course.q[0], course.q_dot[0]]), programme.span / STEPS_OF_SPAN
-    furthest = np.inf if rows else FURTHEST
-    try:
-        y = simulate(stand, programme.at, start, t, scale, longest, furthest=furthest, rows=rows)
-    except StateError as error:
-        return check("simulation", np.inf, limit, str(error))
-    apart = np.hsplit(y, 2)[0] - course.q
-    shares = [scale.displacement_share(twist(stand, q, x)) for q, x in zip(course.q, apart, strict=True)]
-    i, coordinates = int(np.argmax(shares)), coordinates_of(stand)
-    if stand.hold is None:
-        away = f"O1 {1e3 * np.linalg.norm(apart[i, :3]):.2g} mm, angles {1e3 * np.linalg.norm(apart[i, 3:]):.2g} mrad"
-    else:
-        parts = zip(coordinates.names, np.abs(apart[i]), coordinates.unit_names, strict=True)
-        away = ", ".join(f"{name} {1e3 * x:.2g}{f' m{unit}' if unit else 'e-3'}" for name, x, unit in parts)
-    words = f"of (8) from the required state: largest at t = {t[i]:.6g} s, {away} away"
-    return check("simulation", float(shares[i]), limit, words)
-
-
-def stability_check(stand: Stand, motion: RequiredMotion, programme: Programme, limit: float) -> Check:
-    """The largest multiplier. Above 1 the motion is right, but something must hold it: a warning, no failure."""
-    try:
-        found = multipliers(stand, motion, programme)
-    except StateError as error:
-        return check("Floquet", np.inf, limit, str(error))
-    value = abs(found[0])
-    if value > limit:
-        words = "largest multiplier: the motion is right, but not stable without feedback"
-    elif value > 2 - limit:
-        # of modulus 1, one that is 1 itself keeps a displacement, any other one turns it on
-        kept = [abs(z - 1) <= limit - 1 for z in found if abs(z) > 2 - limit]
-        fates = [*(["is free to drift"] if any(kept) else []), *([] if all(kept) else ["swings undamped"])]
-        words = f"largest multiplier: neutral, the carrier {' and '.join(fates)}"
-    else:
-        words = f"largest multiplier: stable, disturbances decay by {value:.3g} a period"
-    return Stability("", "Floquet", limit, value, "ok" if np.isfinite(value) else "FAILED", words, 1, multipliers=found)
+def as_item(item: Check) -> dict[str, Any]:
+    """An item for JSON; a value that is not finite is null."""
+    value = item.value if math.isfinite(item.value) else None
+    return {"name": item.quantity, "value": value, "limit": item.limit, "passed": not item.failed, "words": item.words}
 
 
 def floquet_multipliers(items: Sequence[Check]) -> list[list[float]] | None:
     """The Floquet multipliers among checks, real and imaginary part each; None: they have none."""
     found = [[z.real, z.imag] for item in items if isinstance(item, Stability) for z in item.multipliers]
     return found or None
-
-
-def checks_object(stand: str, motion: str, items: Sequence[Check]) -> dict[str, Any]:
-    """All checks for JSON; `floquet` is null if there are no multipliers."""
-    return {
-        "stand": stand,
-        "motion": motion,
-        "passed": not any(item.failed for item in items),
-        "findings": [as_item(item) for item in items],
-        "floquet": floquet_multipliers(items),
-    }

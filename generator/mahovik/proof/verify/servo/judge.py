@@ -23,7 +23,7 @@ from mahovik.proof.reference.bodies import bodies_of, spinning_bodies
 from mahovik.proof.reference.mass import spin_inertia
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.compiled import load_part
-from mahovik.proof.verify.programme.items import motion_check, stand_check
+from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.servo.functions import ServoCase, function_checks
 from mahovik.proof.verify.servo.law import Array
