@@ -19,7 +19,7 @@ from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.compiled import Part
 from mahovik.proof.verify.refusals import BEYOND, NULL, WrongValue, with_value
-from mahovik.proof.verify.servo.law import Array, TrimLaw, servo_sample
+from mahovik.proof.verify.servo.law import CHANGE, NEIGHBOURS, Array, TrimLaw, changed, scales_of, servo_sample
 
 STATE = ("integral", "speed", "torque")
 DEMAND = ("phi", "phi_dot", "tau")
@@ -85,111 +85,87 @@ def demand_status(row: Check, status: int, limited: bool | None, where: str) -> 
     row.demand(due, where, f"status {status_words(status)}, expected {' or '.join(right)}")
 
 
-class _Samples:
-    """Drawn samples of a servo: gains, states, wanted and measured values as the element type holds them."""
+def drawn_samples(case: ServoCase, rng: np.random.Generator) -> Iterator[tuple[dict[str, Array], ...]]:
+    """Gains, state, wanted and measured values of samples, as the element type holds them.
 
-    def __init__(self, case: ServoCase) -> None:
-        self.made, self.n, self.rng = case.made, case.wheels, np.random.default_rng((case.seed, 1))
-        self.table = {name: np.asarray(value) for name, value in case.default("servo_default").items()}
-        self.most, self.unlimited = LIMITS["MAX_PHASE"].at(case.made.real), LIMITS["MAX_WRENCH"].value
-
-    def _rounded(self, drawn: dict[str, Any]) -> dict[str, Array]:
-        return {name: self.made.round(value) for name, value in drawn.items()}
-
-    def gains(self, number: int) -> dict[str, Array]:
-        """The folder's gains in every other sample, else drawn ones that use every term."""
-        if number % 2 == 0:
-            return self.table
-        n, rng = self.n, self.rng
-        drawn: dict[str, Any] = {name: rng.uniform(0.1, 2.0, n) for name in self.table}
-        drawn |= {"filter": rng.uniform(0.1, 1.0), "back": rng.uniform(0.0, 1.0, n), "lead": 0.0}
-        for name, every in (("limit", 3), ("change", 4)):
-            if number // 2 % every == 0:
-                drawn[name] = np.full(n, self.unlimited)
-        return self._rounded(drawn)
-
-    def draw(self, g: dict[str, Array], number: int) -> tuple[dict[str, Array], dict[str, Array]]:
-        """A state that the servos can reach with these gains; wanted and measured values.
-
-        Torques are such that limits cut now and then; errors small, of many turns, and just below and above half turns.
-        """
-        n, rng = self.n, self.rng
-        size = np.where(g["limit"] < self.unlimited, g["limit"], g["angle"] + 1e-3)
+    The folder's gains in every other sample, else drawn ones that use every term. Torques are such that limits cut now
+    and then; errors small, of many turns, and just below and above half turns.
+    """
+    n, most, unlimited = case.wheels, LIMITS["MAX_PHASE"].at(case.made.real), LIMITS["MAX_WRENCH"].value
+    table = {name: np.asarray(value) for name, value in case.default("servo_default").items()}
+    for number in range(case.count):
+        g: dict[str, Any] = table
+        if number % 2:
+            g = {name: rng.uniform(0.1, 2.0, n) for name in table}
+            g |= {"filter": rng.uniform(0.1, 1.0), "back": rng.uniform(0.0, 1.0, n), "lead": 0.0}
+            g |= {
+                name: np.full(n, unlimited) for name, every in (("limit", 3), ("change", 4)) if not number // 2 % every
+            }
+        size = np.where(g["limit"] < unlimited, g["limit"], g["angle"] + 1e-3)
         state = {name: rng.uniform(-1, 1, n) * size for name in ("integral", "torque")}
         state["speed"] = rng.normal(size=n) * size / np.maximum(g["speed"], 1e-6)
-        phi_ref = rng.uniform(-1, 1, n) * (10.0 if number % 4 else 0.4 * self.most)
+        phi_ref = rng.uniform(-1, 1, n) * (10.0 if number % 4 else 0.4 * most)
+        phi_dot_ref = rng.normal(size=n) * (1.0 if number % 3 else 200.0)
         small = 0.5 * rng.normal(size=n) * np.minimum(1.0, size / np.maximum(g["angle"], 1e-6))
         turns = rng.integers(-3, 4, n) + 0.5 + rng.choice([-1, 1], n) * 10.0 ** rng.uniform(-3, -1, n)
-        most = 20 if number % 4 else int(0.08 * self.most)
-        whole = rng.integers(-most, most + 1, n) * math.tau + small
-        phi_dot_ref = rng.normal(size=n) * (1.0 if number % 3 else 200.0)
+        whole = rng.integers(-20, 21, n) if number % 4 else rng.integers(-int(0.08 * most), int(0.08 * most) + 1, n)
         inputs = {
             "phi_ref": phi_ref,
             "phi_dot_ref": phi_dot_ref,
             "tau_ff": 0.3 * rng.normal(size=n) * size,
-            "phi": phi_ref - (small, math.tau * turns, whole)[number // 2 % 3],
+            "phi": phi_ref - (small, math.tau * turns, whole * math.tau + small)[number // 2 % 3],
             "phi_dot": phi_dot_ref - 0.3 * rng.normal(size=n) * size / np.maximum(g["speed"], 1e-6),
         }
-        return self._rounded(state), self._rounded(inputs)
-
-    def flags(self) -> list[int]:
-        """Flags of readings that are not good, of any value but 0."""
-        flags = [int(each) for each in self.rng.choice([0, 0, 1, -7], self.n)]
-        flags[int(self.rng.integers(self.n))] = 1
-        return flags
+        yield tuple({name: case.made.round(value) for name, value in each.items()} for each in (g, state, inputs))
 
 
 def step_checks(case: ServoCase) -> Iterable[Check]:
     """Torque, each member of the state, the status, and flags of encoders without a good reading."""
-    drawn, names = _Samples(case), ("tau", *STATE)
+    names, rng, size = ("tau", *STATE), np.random.default_rng((case.seed, 1)), CHANGE[case.made.real]
     rows = {name: Check("servo_step", name, case.tolerance) for name in names}
     masked = Check("servo_step", "encoders without a good reading", case.tolerance)
     status_row, alone = Check("servo_step", "status"), Check("servo_step", "other flywheels")
-
-    def step(into: dict[str, Check], row: dict[str, Array], flags: list[int] | None, where: str) -> dict[str, Array]:
-        status, found = case.made.call("servo_step", g, state, *row.values(), flags, np.zeros(case.wheels))
-        lost = np.zeros(case.wheels, bool) if flags is None else np.array(flags) != 0
-        phi, phi_dot = np.where(lost, row["phi_ref"], row["phi"]), np.where(lost, row["phi_dot_ref"], row["phi_dot"])
-        law = servo_sample(g, state, row, phi, phi_dot, case.tolerance)
-        demand_status(status_row, status, law.limited, where)
-        results = {"tau": found[-1], **found[1]}
-        for name in names:
-            into[name].compare(results[name], law.values[name], law.scales[name], where)
-        return results
-
-    for number in range(case.count):
-        g, where = drawn.gains(number), f"sample {number}"
-        state, row = drawn.draw(g, number)
-        found = step(rows, row, None if number % 2 else [0] * case.wheels, where)
-        flags, none = drawn.flags(), INVALID_READINGS[number % len(INVALID_READINGS)]
-        lost, where = np.array(flags) != 0, f"{where}, flags {flags}"
-        blind = row | {name: np.where(lost, none, row[name]) for name in ("phi", "phi_dot")}
-        without = step(dict.fromkeys(names, masked), blind, flags, where)
-        same = all(np.array_equal(without[name][~lost], found[name][~lost]) for name in names)
+    for number, given in enumerate(drawn_samples(case, rng)):
+        g, state, inputs = given
+        flags = rng.choice([0, 0, 1, -7], case.wheels)  # of readings that are not good: any value but 0
+        flags[rng.integers(case.wheels)] = 1
+        results = []
+        for into, lost in ((rows, np.zeros_like(flags)), (dict.fromkeys(names, masked), flags)):
+            where = f"sample {number}" + (f", flags {lost.tolist()}" if lost.any() else "")
+            none = INVALID_READINGS[number % len(INVALID_READINGS)]
+            read = inputs | {name: np.where(lost != 0, none, inputs[name]) for name in ("phi", "phi_dot")}
+            mask = lost if lost.any() or number % 2 else None
+            status, found = case.made.call("servo_step", g, state, *read.values(), mask, np.zeros(case.wheels))
+            laws = [servo_sample(*given, lost != 0)]
+            for _ in range(NEIGHBOURS):
+                laws.append(servo_sample(*(changed(each, size, rng) for each in given), lost != 0))
+            scales, limited = scales_of(laws, size)
+            demand_status(status_row, status, limited, where)
+            results.append({"tau": found[-1], **found[1]})
+            for name in names:
+                into[name].compare(results[-1][name], laws[0][name], scales[name], where)
+        same = all(np.array_equal(*(each[name][flags == 0] for each in results)) for name in names)
         alone.demand(same, where, "flywheels with a good reading have other bits than beside good ones")
     return (*rows.values(), masked, status_row, alone)
 
 
 def trim_checks(case: ServoCase) -> Iterable[Check]:
     """Corrected angles, speeds and torques; corrections, error and counts of the state; the status."""
-    rng, made = np.random.default_rng((case.seed, 2)), case.made
+    rng, made, size = np.random.default_rng((case.seed, 2)), case.made, CHANGE[case.made.real]
     # cosine and sine of k theta are sums of k angles: their rounding grows with k
     tolerance = case.tolerance * max(1, np.shape(case.default("trim_default")["target"])[1] // 2)
     rows = {name: Check("trim_step", name, tolerance) for name in (*DEMAND, "wanted", "present", "error")}
     status_row, counts = Check("trim_step", "status"), Check("trim_step", "sample, rounds")
-    for settling, window, of_folder, size in ROUNDS:
+    for settling, window, of_folder, part in ROUNDS:
         design = case.default("trim_default")
         if not of_folder:  # drawn, using every term
-            design |= {
-                "smoothing": rng.uniform(0.1, 1.0),
-                "limit": rng.uniform(0.1, 0.5),
-                "omega": rng.uniform(10, 100),
-            }
+            design |= {"smoothing": rng.uniform(0.1, 1.0), "limit": rng.uniform(0.1, 0.5), "omega": rng.uniform(10, 99)}
             design |= {name: rng.normal(size=np.shape(design[name])) for name in ("inertia", "target", "matrix")}
             design["inertia"] = np.abs(design["inertia"])
         design = {name: made.round(value) for name, value in design.items()} | {"settling": settling, "window": window}
-        law, target, matrix = TrimLaw(design, case.wheels, tolerance), design["target"], design["matrix"]
-        amplitude = size * float(design["limit"]) / max(float(np.abs(matrix).sum(axis=1).max()), 1e-12)
+        designs = [design, *(changed(design, size, rng) for _ in range(NEIGHBOURS))]
+        laws, target = [TrimLaw(each, case.wheels) for each in designs], design["target"]
+        amplitude = part * float(design["limit"]) / max(float(np.abs(design["matrix"]).sum(axis=1).max()), 1e-12)
         table, state = made.hold("trim_step", design, {}, 0.0, *[None] * 4)[:2]
         for number in range(ROUNDS_EACH * (settling + window + case.wheels)):
             phase = (0.0, 0.5, 1.0 - 2.0**-20)[number % 7] if number % 7 < 3 else float(rng.uniform())
@@ -197,19 +173,19 @@ def trim_checks(case: ServoCase) -> Iterable[Check]:
             q = made.round(_series(target, phase) + amplitude * rng.normal(size=len(target)))
             given = {key: made.round(rng.normal(size=case.wheels)) for key in DEMAND}
             status, found = made.call("trim_step", table, state, phase, q, *given.values())
-            expected, members = law.take(phase, q, given), found[1]
+            answers = [laws[0].take(phase, q, given)]
+            for law in laws[1:]:
+                answers.append(law.take(phase, changed({"q": q}, size, rng)["q"], changed(given, size, rng)))
+            scales, limited = scales_of(answers, size)
+            scales["present"] = np.broadcast_to(scales["present"].max(axis=1, keepdims=True), scales["present"].shape)
             where = f"{'its' if of_folder else 'drawn'} numbers, window {window}, sample {number}"
-            demand_status(status_row, status, expected.limited, where)
-            for key, value in zip(DEMAND, found[4:], strict=True):
-                rows[key].compare(value, expected.values[key], expected.scales[key], where)
-            rows["wanted"].compare(members["wanted"], law.wanted, law.size, where)
-            most = np.broadcast_to(law.size.max(axis=1, keepdims=True), law.present.shape)
-            rows["present"].compare(members["present"], law.present, most, where)
-            if law.ends_window:
-                rows["error"].compare(members["sum"], law.error, law.error_scale, where)
-            right = members["sample"], members["rounds"]
-            words = f"{right[0]}, {right[1]}, expected {law.sample}, {law.rounds}"
-            counts.demand(right == (law.sample, law.rounds), where, words)
+            demand_status(status_row, status, limited, where)
+            results = {**found[1], "error": found[1]["sum"], **dict(zip(DEMAND, found[4:], strict=True))}
+            for name, row in rows.items():
+                if name != "error" or laws[0].ends_window:
+                    row.compare(results[name], answers[0][name], scales[name], where)
+            there, right = (results["sample"], results["rounds"]), (laws[0].sample, laws[0].rounds)
+            counts.demand(there == right, where, f"{there}, expected {right}")
     return (*rows.values(), status_row, counts, _last_round(case))
 
 

@@ -1,13 +1,10 @@
-"""The law of servo and trim (docs/control.md), literally in NumPy, with the scale of each result.
-
-A scale is the sum of the magnitudes of the terms. Nothing here comes from the code that makes the C.
-"""
+"""The law of servo and trim (docs/control.md), literally in NumPy: nothing of the code that makes the C is here."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,55 +16,31 @@ WHOLE = 3.0
 """Argument of dry friction from which it is whole."""
 
 
-class LawResult(NamedTuple):
-    """Results by name, their scales, and whether a limit was met (None: rounding decides)."""
-
-    values: dict[str, Array]
-    scales: dict[str, Array]
-    limited: bool | None
-
-
 def dry_friction(x: Array) -> Array:
     """Share of the dry friction: y (27 + y^2) / (27 + 9 y^2) with y = x inside -3..3, within 0.024 of tanh x."""
     y = np.clip(x, -WHOLE, WHOLE)
     return np.asarray((27 * y + y**3) / (27 + 9 * y**2))
 
 
-def exceeds(excess: Array, doubt: Array) -> bool | None:
-    """Whether any excess is above zero; None if one is nearer to zero than its doubt and the others are below."""
-    if np.any(excess > doubt):
-        return True
-    return None if np.any(excess >= -doubt) else False
+def servo_sample(g: Values, state: Values, inputs: Values, lost: Array) -> dict[str, Any]:
+    """One sample of all servos: `tau`, the members of the state after it, and whether a limit cut a torque.
 
-
-def servo_sample(g: Values, state: Values, wanted: Values, phi: Array, phi_dot: Array, tolerance: float) -> LawResult:
-    """One sample of all servos.
-
-    g         members of the gains, (N) each or a number
-    state     `integral`, `speed`, `torque` before the sample
-    wanted    `phi_ref`, `phi_dot_ref`, `tau_ff`
-    phi, phi_dot  measured; the wanted ones where there is no good reading
+    g       members of the gains, (N) each or a number
+    state   `integral`, `speed`, `torque` before the sample
+    inputs  `phi_ref`, `phi_dot_ref`, `tau_ff`, and measured `phi`, `phi_dot`; `lost` (N): without a good reading
     """
-    turn, slip = wanted["phi_ref"] - phi, wanted["phi_dot_ref"] - phi_dot
-    e, e_scale = np.array([math.remainder(each, math.tau) for each in turn]), np.abs(turn)  # within half a turn
+    turn, slip = (np.where(lost, 0.0, inputs[f"{name}_ref"] - inputs[name]) for name in ("phi", "phi_dot"))
+    e = np.array([math.remainder(each, math.tau) for each in turn])  # within half a turn
     f = (1 - g["filter"]) * state["speed"] + g["filter"] * slip
-    f_scale = np.abs(state["speed"]) + g["filter"] * (np.abs(slip) + np.abs(state["speed"]))
-    viscous = g["viscous"] * wanted["phi_dot_ref"]
-    dry = g["coulomb"] * dry_friction(g["coulomb_rate"] * wanted["phi_dot_ref"])
+    viscous = g["viscous"] * inputs["phi_dot_ref"]
+    dry = g["coulomb"] * dry_friction(g["coulomb_rate"] * inputs["phi_dot_ref"])
     z, last = state["integral"], state["torque"]
-    u = wanted["tau_ff"] + viscous + dry + g["angle"] * e + g["speed"] * f + z
-    u_scale = np.abs(wanted["tau_ff"]) + np.abs(viscous) + np.abs(dry)
-    u_scale = u_scale + g["angle"] * e_scale + g["speed"] * f_scale + np.abs(z)
+    u = inputs["tau_ff"] + viscous + dry + g["angle"] * e + g["speed"] * f + z
     low, high = np.maximum(-g["limit"], last - g["change"]), np.minimum(g["limit"], last + g["change"])
     tau = np.minimum(np.maximum(u, low), high)
-    tau_scale = u_scale + np.where(tau == u, 0.0, np.minimum(g["limit"], np.abs(last) + g["change"]))
     rest = z + g["integral"] * e + g["back"] * (tau - u)
-    z_scale = np.abs(z) + g["integral"] * e_scale + g["back"] * (tau_scale + u_scale)
-    return LawResult(
-        {"tau": tau, "torque": tau, "speed": f, "integral": np.clip(rest, -g["limit"], g["limit"])},
-        {"tau": tau_scale, "torque": tau_scale, "speed": f_scale, "integral": z_scale},
-        exceeds(np.maximum(low - u, u - high), tolerance * tau_scale),
-    )
+    integral = np.clip(rest, -g["limit"], g["limit"])
+    return {"tau": tau, "torque": tau, "speed": f, "integral": integral, "limited": bool(np.any(tau != u))}
 
 
 class TrimLaw:
@@ -75,28 +48,23 @@ class TrimLaw:
 
     design       members of the design: `settling`, `window` whole numbers, `matrix` (N T, C T), `target` (C, T) ...
     count        number of flywheels N
-    wanted, present  corrections (N, T): mean, cosine 1, sine 1, ... of each flywheel; `size`: scale of both
-    error        (C, T) of the last round, known while `ends_window`
+    wanted, present  corrections (N, T): mean, cosine 1, sine 1, ... of each flywheel
     """
 
-    def __init__(self, design: Mapping[str, Array | int], count: int, tolerance: float) -> None:
-        self.design, self.count, self.tolerance = design, count, tolerance
+    def __init__(self, design: Mapping[str, Any], count: int) -> None:
+        self.design, self.count = design, count
         self.start, self.window = int(design["settling"]), int(design["window"])
         self.terms = np.shape(design["target"])[1]
-        self.wanted, self.present, self.size = (np.zeros((count, self.terms)) for _ in range(3))
-        self.error, self.error_scale = (np.zeros(np.shape(design["target"])) for _ in range(2))
-        self.rounds = self.sample = 0
+        self.wanted, self.present = np.zeros((count, self.terms)), np.zeros((count, self.terms))
+        self.error, self.rounds, self.sample = np.zeros(np.shape(design["target"])), 0, 0
         self._samples: list[tuple[float, Array]] = []
 
-    @property
-    def ends_window(self) -> bool:
-        """Whether the last sample was the end of a window, so that the error of the round is known."""
-        return self.sample == self.start + self.window
+    def take(self, phase: float, q: Array, given: Values) -> dict[str, Any]:
+        """The next sample: coordinates q measured at a phase; `given` are `phi`, `phi_dot`, `tau` of the programme.
 
-    def take(self, phase: float, q: Array, given: Values) -> LawResult:
-        """The next sample: coordinates q measured at a phase; `given` are `phi`, `phi_dot`, `tau` of the programme."""
-        limited: bool | None = False
-        after = self.sample - self.start - self.window
+        These as they are corrected, `wanted`, `present`, `error` (C, T), and whether a limit cut a correction.
+        """
+        limited, after = False, self.sample - self.start - self.window
         if self.start <= self.sample and after < 0:
             self._samples.append((phase, q))
             if after == -1:
@@ -107,47 +75,66 @@ class TrimLaw:
         if after + 1 == self.count:
             self.sample, self.rounds = 0, self.rounds + 1
         self.present = self.present + self.design["smoothing"] * (self.wanted - self.present)
-        return self._corrected_demand(phase, given, limited)
+        k = np.arange(1, self.terms // 2 + 1)
+        turn = k * self.design["omega"]  # a Fourier series and its derivatives by time
+        vector = np.exp(2j * math.pi * k * phase) * (self.present[:, 1::2] - 1j * self.present[:, 2::2])
+        return {
+            "phi": given["phi"] + self.present[:, 0] + vector.real.sum(axis=1),
+            "phi_dot": given["phi_dot"] + (1j * turn * vector).real.sum(axis=1),
+            "tau": given["tau"] + self.design["inertia"] * (-(turn**2) * vector).real.sum(axis=1),
+            "wanted": self.wanted.copy(),
+            "present": self.present,
+            "error": self.error,
+            "limited": limited,
+        }
+
+    @property
+    def ends_window(self) -> bool:
+        """Whether the last sample was the end of a window, so that the error of the round is known."""
+        return self.sample == self.start + self.window
 
     def _compare(self) -> None:
         """The error of the round: Fourier coefficients of the window less the target."""
-        target = np.asarray(self.design["target"])
         phases, q = (np.array(each) for each in zip(*self._samples, strict=True))
-        self.error, self.error_scale = -target, np.abs(target)
-        for i in range(self.terms):
-            k, part = (i + 1) // 2, math.cos if i % 2 or i == 0 else math.sin
-            wave = np.array([part(2 * math.pi * k * phase) for phase in phases]) * (1 if k == 0 else 2)
-            self.error[:, i] += (wave[:, None] * q).mean(axis=0)
-            self.error_scale[:, i] += np.abs(q).mean(axis=0) * (1 if k == 0 else 2)
+        waves = [np.ones_like(phases)]
+        for k in range(1, self.terms // 2 + 1):
+            waves += [2 * np.cos(2 * math.pi * k * phases), 2 * np.sin(2 * math.pi * k * phases)]
+        self.error = q.T @ np.array(waves).T / len(phases) - self.design["target"]
         self._samples.clear()
 
-    def _correct(self, s: int) -> bool | None:
-        """The corrections of flywheel s lose matrix times error, inside the limit."""
-        rows = np.asarray(self.design["matrix"])[s * self.terms : (s + 1) * self.terms]
-        limit = np.asarray(self.design["limit"])
-        free = self.wanted[s] - rows @ self.error.ravel()
-        self.size[s] += np.abs(rows) @ self.error_scale.ravel()
+    def _correct(self, s: int) -> bool:
+        """The corrections of flywheel s lose matrix times error, inside the limit, which may cut them."""
+        limit = self.design["limit"]
+        free = self.wanted[s] - self.design["matrix"][s * self.terms : (s + 1) * self.terms] @ self.error.ravel()
         self.wanted[s] = np.clip(free, -limit, limit)
-        return exceeds(np.abs(free) - limit, self.tolerance * self.size[s])
+        return bool(np.any(np.abs(free) > limit))
 
-    def _corrected_demand(self, phase: float, given: Values, limited: bool | None) -> LawResult:
-        """Angle, speed and torque with the corrections: a Fourier series and its derivatives by time."""
-        k = np.arange(1, self.terms // 2 + 1)
-        turn, inertia = k * self.design["omega"], np.asarray(self.design["inertia"])
-        vector = np.exp(2j * math.pi * k * phase) * (self.present[:, 1::2] - 1j * self.present[:, 2::2])
-        size = self.size[:, 1::2] + self.size[:, 2::2]
-        added = {
-            "phi": self.present[:, 0] + vector.real.sum(axis=1),
-            "phi_dot": (1j * turn * vector).real.sum(axis=1),
-            "tau": inertia * (-(turn**2) * vector).real.sum(axis=1),
-        }
-        scales = {
-            "phi": self.size[:, 0] + size.sum(axis=1),
-            "phi_dot": (turn * size).sum(axis=1),
-            "tau": inertia * (turn**2 * size).sum(axis=1),
-        }
-        return LawResult(
-            {name: given[name] + added[name] for name in added},
-            {name: np.abs(given[name]) + scales[name] for name in added},
-            limited,
-        )
+
+NEIGHBOURS = 6
+"""How often inputs are changed to measure a scale: the largest change counts."""
+
+CHANGE = {"double": 2.0**-36, "float": 2.0**-18}
+"""Relative change of every input, by element type: far above its rounding."""
+
+
+def changed(values: Mapping[str, Any], size: float, rng: np.random.Generator) -> dict[str, Any]:
+    """Inputs with every number times 1 + size u, |u| <= 1; whole numbers stay."""
+    return {
+        name: value if isinstance(value, int) else value * (1 + size * rng.uniform(-1, 1, np.shape(value)))
+        for name, value in values.items()
+    }
+
+
+def scales_of(answers: Sequence[Mapping[str, Any]], size: float) -> tuple[dict[str, Array], bool | None]:
+    """The scale of each number in the first of answers, whose others have inputs changed by `size`; whether limited.
+
+    A scale is the number itself, or its largest change over `size`. None: rounding decides whether a limit is met.
+    """
+    first, *others = answers
+    scales = {
+        name: np.max([np.abs(value), *(np.abs(other[name] - value) / size for other in others)], axis=0)
+        for name, value in first.items()
+        if name != "limited"
+    }
+    sure = all(other["limited"] == first["limited"] for other in others)
+    return scales, first["limited"] if sure else None
