@@ -196,12 +196,12 @@ def neighbour_errors(samples: Samples) -> Array:
     return errors
 
 
-def rows_check(name: str, t: Array, errors: Array, limit: float) -> Check:
-    """The worst of rows at times t (M, s)."""
+def rows_check(name: str, t: Array, errors: Array, limit: float, words: str = "") -> Check:
+    """The worst of rows at times t (M, s); with `words` in place of its number and time."""
     if not len(errors):
         return Check.of(name, 0.0, limit, "no row has neighbours")
     i = int(np.argmax(errors))
-    return Check.of(name, errors[i], limit, f"row {i + 1}, t = {t[i]:.6g} s, against its neighbours")
+    return Check.of(name, errors[i], limit, words or f"row {i + 1}, t = {t[i]:.6g} s, against its neighbours")
 
 
 def motor_torques(stand: Stand, phi_dot: Array, tau: Array) -> tuple[Array, Array]:
@@ -264,10 +264,11 @@ class ProgrammeCase:
 
     def table(self) -> list[Check]:
         """Whether phi', phi'' are derivatives of phi, and a period ends where it began, a winding further on."""
-        rows, span, limit = self.programme.course, self.programme.span, self.limit.table
+        rows, span, limit, words = self.programme.course, self.programme.span, self.limit.table, ""
         if isinstance(rows, Fourier):
             M = OF_WAVE * max(len(rows.cos), 1)
             rows = Samples(span * np.arange(M) / M, *self.programme.at(span * np.arange(M) / M))
+            words = "rows of the Fourier series against their neighbours"
         if not self.programme.periodic:
             return [rows_check("table", rows.t[1:-1], neighbour_errors(rows), limit)]
 
@@ -277,9 +278,9 @@ class ProgrammeCase:
         turn = 2 * np.pi * np.array(self.programme.winding, dtype=np.float64)
         angles = around(rows.phi, turn), around(rows.phi_dot), around(rows.phi_ddot)
         errors = neighbour_errors(Samples(around(rows.t, span), *angles))
-        joint = "last and first row, winding turns apart, against their neighbours"
+        joint = "last and first row, winding turns apart"
         return [
-            rows_check("table", rows.t[1:-1], errors[1:-1], limit),
+            rows_check("table", rows.t[1:-1], errors[1:-1], limit, words),
             Check.of("periodicity", np.max(errors[[0, -1]]), limit, joint),
         ]
 
