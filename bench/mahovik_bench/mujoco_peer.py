@@ -13,11 +13,12 @@ def peers(case: Case) -> list[Peer]:
     """Coupled by mj_forward, torque by mj_inverse; it has no forward for given phi''."""
     import mujoco
 
-    from mahovik.proof.verify.judges.mujoco_judge import mjcf
+    from mahovik.proof.verify.judges import mujoco_spec
 
     CACHE.mkdir(parents=True, exist_ok=True)
-    model = CACHE / f"{case.stand.name}.xml"
-    model.write_text(mjcf(case.stand), encoding="utf-8")
+    model, spec = CACHE / f"{case.stand.name}.mjb", mujoco_spec(case.stand)
+    spec.worldbody.first_body().add_freejoint()
+    mujoco.mj_saveModel(spec.compile(), str(model))
     package = Path(mujoco.__file__).parent
     (library,) = package.glob("libmujoco.so.*")
     flags = ("-std=c99", "-O2", f"-DFLYWHEELS={case.N}", f"-I{package / 'include'}")

@@ -5,7 +5,8 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from mahovik.proof.verify.judges.rigid import tree
+from mahovik.core.stand.frames import pose
+from mahovik.core.stand.inertia import inertia_about_center
 from mahovik_bench.build import CACHE, NATIVE, Recipe
 from mahovik_bench.cases import Case
 from mahovik_bench.contestant import Peer
@@ -36,8 +37,11 @@ def peers(case: Case) -> list[Peer]:
     model = CACHE / f"{case.stand.name}.bodies"
     CACHE.mkdir(parents=True, exist_ok=True)
     lines = [str(case.N + 1)]
-    for body in tree(case.stand):
-        numbers = (*body.axes.ravel(), *body.position, body.mass, *body.center, *body.inertia.ravel())
+    for body in case.stand.bodies:
+        position, axes = pose(case.stand, body)
+        numbers = (
+            *axes.ravel(), *position, body.mass, *body.center_of_mass, *inertia_about_center(body).ravel(),
+        )  # fmt: skip
         lines.append(" ".join(repr(float(x)) for x in numbers))
     model.write_text("\n".join(lines) + "\n", encoding="ascii")
     files = {"adapter.cpp": (NATIVE / "pinocchio_peer.cpp").read_text(encoding="utf-8")}

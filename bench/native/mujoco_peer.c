@@ -4,7 +4,6 @@
 #include "peer.h"
 
 #include <mujoco/mujoco.h>
-#include <stdio.h>
 #include <string.h>
 
 static mjModel *model;
@@ -22,11 +21,8 @@ typedef struct record {
 
 int peer_setup(const char *path)
 {
-    char error[300] = "";
-
-    model = mj_loadXML(path, NULL, error, (int)sizeof error);
+    model = mj_loadModel(path, NULL);
     if (model == NULL) {
-        fprintf(stderr, "%s\n", error);
         return 1;
     }
     data = mj_makeData(model);

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.read import read
 from mahovik.core.stand.state import State
-from mahovik.proof.verify.judges.rigid import attitude
+from mahovik.proof.verify.judges import attitude
 
 Array = NDArray[np.float64]
 

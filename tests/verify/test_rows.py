@@ -28,7 +28,7 @@ from mahovik.proof.verify.functions.abilities import excess_rows
 from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.reactions import mount_rows
 from mahovik.proof.verify.harness import applicable
-from mahovik.proof.verify.judges.compare import ALL, verify_judges
+from mahovik.proof.verify.judges import PROGRAMS, verify_judges
 from mahovik.proof.verify.scales import WANT_SCALES, scales
 from mahovik.proof.verify.states import Request
 from verify.holds import PENDULUM, random_held_stand
@@ -147,8 +147,8 @@ def test_reactions_on_a_carrier_without_inertia_are_skipped_with_the_reason() ->
 
 def test_a_stand_that_is_none_without_fluid_is_skipped_with_the_reason() -> None:
     """Every judge says so; nothing is compared, which is no pass."""
-    report = verify_judges(HELD, count=2, bare=True)
-    assert [row.judged for row in report.rows] == list(ALL)
+    report = verify_judges(HELD, count=2)
+    assert [row.judged for row in report.rows] == list(PROGRAMS)
     for row in report.rows:
         assert (row.verdict, row.states) == ("not compared", 0)
         assert row.words.startswith("the stand without carrier: added_mass has no positive definite mass matrix")
@@ -210,7 +210,7 @@ def test_evidence_says_that_there_is_nothing_to_judge(tmp_path: Path, monkeypatc
     assert outcome.verdict is Verdict.NOTHING
     assert "no positive definite mass matrix" in outcome.figure
     refused = [Check(name, "all quantities", words=f"{name}: too light") for name in "ab"]
-    report = replace(verify_judges(POINT, count=1, names=(), until=0.0), rows=tuple(refused))
+    report = replace(verify_judges(POINT, count=1, names=()), rows=tuple(refused))
     monkeypatch.setattr(agreement, "verify_judges", lambda *_, **__: report)
     outcome = agreement._ask_judges(subject(tmp_path), lambda _: None)
     assert (outcome.verdict, outcome.figure) == (Verdict.NOTHING, "a: too light; b: too light")

@@ -23,7 +23,7 @@ from mahovik.laws.fin.data import Fins
 from mahovik.laws.propeller.data import Propellers
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.harness import verify_c
-from mahovik.proof.verify.judges.compare import verify_judges
+from mahovik.proof.verify.judges import verify_judges
 from mahovik.proof.verify.report import Report, conclusion
 from toolchain.quick import quick
 from verify.build import everything
@@ -168,7 +168,7 @@ def compared(report: Report, stand: Stand) -> set[tuple[str, str]]:
 @pytest.mark.parametrize("file", HELD, ids=lambda file: file.stem)
 def test_joints_of_others_agree_with_the_held_stands_of_the_docs(file: Path) -> None:
     """Pinocchio has no joint without freedoms."""
-    report = verify_judges(load(file), count=6, names=("pinocchio", "mujoco"), bare=True)
+    report = verify_judges(load(file), count=6)
     assert report.passed
     silent = {row.judged for row in report.rows if row.verdict == "not compared"}
     assert silent == ({"pinocchio"} if file.stem == "force_table" else set())

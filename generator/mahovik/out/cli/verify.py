@@ -52,11 +52,8 @@ def verify(
         "--programme", "P.json", "Judge also the matrix of a trim, or along a slew of --motion, with --servo."
     ),
     name: str = option("--name", "Judge the servos of the programme of this name in C.", default="programme"),
-    judges: bool = flag("--judges", "Judge by Pinocchio, MuJoCo and, if possible, Basilisk."),
+    judges: bool = flag("--judges", "Judge by Pinocchio and MuJoCo, without the laws that they do not know."),
     rigorous: bool = flag("--rigorous", "Bound the true error of the C by enclosures of the exact answer."),
-    bare: bool = flag(
-        "--bare", "Leave out fluid, stream, suspension, legs, torquers, friction and stops, with --judges."
-    ),
     targets: str | None = option(
         "--targets",
         "Check for the same bits on processors: all, quick, m7,rv64gc,...; both element types.",
@@ -85,8 +82,6 @@ def verify(
         raise UsageError("--real float: only for the generated C, not with --judges")
     if judges and against is not None:
         raise UsageError("--judges judges a fresh copy: not with --against")
-    if bare and not judges:
-        raise UsageError("--bare needs --judges")
     if rigorous and (judges or targets is not None):
         raise UsageError("--rigorous measures the C: not with --judges, --targets")
     if targets is not None:
@@ -111,7 +106,7 @@ def verify(
     with progress(f"verify {Path(stand_file).stem}") as stage:
         found = evidence.verify(
             stand_file, states=states, seed=seed, against=folder, real=real if is_given("real") else None,
-            judges=judges, bare=bare, progress=stage.show,
+            judges=judges, progress=stage.show,
         )  # fmt: skip
     finish(found.result, as_json, junit, worst)
 
@@ -120,7 +115,6 @@ WITHOUT_SERVO = (
     "worst",
     "judges",
     "rigorous",
-    "bare",
     "targets",
     "real",
 )

@@ -108,15 +108,13 @@ def verify(
     against: str | Path | None = None,
     real: str | None = None,
     judges: bool = False,
-    bare: bool = False,
     progress: OnProgress | None = None,
 ) -> Verification:
     """Judge the generated C by the literal reference and the second derivation, at random and extreme states.
 
     against      folder of the C to judge; None: a fresh copy
     real         "double" or "float"; None: that of the folder, else double
-    judges       judge by Pinocchio, MuJoCo and, if possible, Basilisk instead; bare: without the laws that they do
-                 not have
+    judges       judge by Pinocchio and MuJoCo instead, without the laws that they do not have
 
     Raises StandError, ToolchainError where it does not compile, CheckError where it is of another stand.
     """
@@ -129,8 +127,6 @@ def verify(
     folder, words = None if against is None else Path(against), f"verify {own.name}"
     if judges and folder is not None:
         raise UsageError("--judges judges a fresh copy: not with --with, --against")
-    if bare and not judges:
-        raise UsageError("--bare needs --judges")
     if folder is not None:
         own, real = stand_in(folder, own), real or (delivered_options(folder) or Options()).real
     real = real or "double"
@@ -139,9 +135,9 @@ def verify(
         tell(progress, Progress(words, done, states))
 
     if judges:
-        from mahovik.proof.verify.judges.compare import verify_judges
+        from mahovik.proof.verify.judges import verify_judges
 
-        return Verification(verify_judges(own, seed=seed, count=states, bare=bare, progress=on_state))
+        return Verification(verify_judges(own, seed=seed, count=states, progress=on_state))
     found = verify_c(own, seed=seed, count=states, against=folder, real=real, progress=on_state, document=document)
     return Verification(found)
 

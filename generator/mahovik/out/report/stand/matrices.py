@@ -21,7 +21,7 @@ from mahovik.out.report.stand.material import Material, Section
 from mahovik.proof import reference
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.hold import held_forward
-from mahovik.proof.verify.judges.rigid import SEQUENCES
+from mahovik.proof.verify.judges import SEQUENCES
 from mahovik.proof.verify.scales import scales
 
 Array = NDArray[np.float64]

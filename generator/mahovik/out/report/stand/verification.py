@@ -21,8 +21,7 @@ from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge, report, verify_c
-from mahovik.proof.verify.judges.compare import JUDGES, compare_with_judges, load_judges
-from mahovik.proof.verify.judges.rigid import bare_stand, missing
+from mahovik.proof.verify.judges import PROGRAMS, missing, verify_judges
 from mahovik.proof.verify.report import Report, conclusion
 from mahovik.proof.verify.targets import TargetsReport, parse_targets, verify_targets
 
@@ -41,12 +40,12 @@ def section(material: Material) -> Section | None:
     if reason:
         open_.append((f"the compiled C: {reason}", f"mahovik verify {file}"))
     outside: dict[str, Report] = {}
-    for name in JUDGES:
-        try:
-            outside[name] = _outside(stand, name)
-        except UsageError as error:
-            reason = str(error).removeprefix("--judges: ")
-            open_.append((f"{TITLES[name]}: {reason}", f"mahovik verify {file} --judges --bare"))
+    for name in PROGRAMS:
+        found, reason = _outside(stand, name)
+        if found is not None:
+            outside[name] = found
+        else:
+            open_.append((f"{TITLES[name]}: {reason}", f"mahovik verify {file} --judges"))
     targets, reason = _on_targets(material)
     if targets is None:
         command = f"mahovik verify {file} --targets {material.targets or 'quick'}"
@@ -111,13 +110,16 @@ def _compare_three(stand: Stand) -> tuple[Report, str]:
     return verify_c(stand, seed=1, count=STATES, wrenches=False, backend=backend_c), ""
 
 
-def _outside(stand: Stand, name: str) -> Report:
-    """The literal reference of the stand, without what no judge has, against one of them. Raises UsageError."""
-    bare = bare_stand(stand)
-    judges = load_judges(bare, [name])
-    return compare_with_judges(
-        bare, judges, count=JUDGED_STATES, until=0.0, backend=NumpyBackend(bare), judged="the literal reference"
-    )
+def _outside(stand: Stand, name: str) -> tuple[Report | None, str]:
+    """The literal reference against a program of others; None and the reason where that does not take the stand."""
+    try:
+        found = verify_judges(
+            stand, count=JUDGED_STATES, names=(name,), make=NumpyBackend, judged="the literal reference"
+        )
+    except UsageError as error:
+        return None, str(error).removeprefix("--judges: ")
+    refusal = next((row.words for row in found.rows if row.verdict == "not compared"), "")
+    return (None, refusal) if refusal else (found, "")
 
 
 def _on_targets(material: Material) -> tuple[TargetsReport | None, str]:

@@ -31,11 +31,11 @@ from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.harness import verify_c
-from mahovik.proof.verify.judges.compare import verify_judges
+from mahovik.proof.verify.judges import verify_judges
 from mahovik.proof.verify.report import Report, as_json, as_junit, conclusion, worst_lines
 from mahovik.proof.verify.states import Request
 
-_PACKAGES = (("Pinocchio", "pin"), ("MuJoCo", "mujoco"), ("Basilisk", "bsk"))
+_PACKAGES = (("Pinocchio", "pin"), ("MuJoCo", "mujoco"))
 
 _NO_FAULT = {"double": ("equal",), "float": ("equal", "rounding")}
 """Outcomes of a diagnosis with which the C passes."""
@@ -144,8 +144,8 @@ def _ask_judges(subject: Subject, tell: Tell) -> Outcome:
         return Outcome(Verdict.NOTHING, "the judges calculate in double: collect the evidence of the C in double")
     if not any(body.mass > 0.0 for body in subject.stand.bodies):
         return Outcome(Verdict.NOTHING, "no body of the stand has a mass")
-    tell("equations and motions" if subject.stand.hold is None else "equations")
-    found = verify_judges(subject.stand, count=subject.choose(50, 200), bare=True)
+    tell("equations")
+    found = verify_judges(subject.stand, count=subject.choose(50, 200))
     if not any(row.verdict in ("ok", "FAILED") for row in found.rows):
         return Outcome(Verdict.NOTHING, "; ".join(dict.fromkeys(row.words for row in found.rows)), table=_table(found))
     without = f"The stand was judged without {', '.join(found.left_out)}: the judges do not know these."
@@ -166,15 +166,14 @@ JUDGES = Piece(
     name="judges",
     title="Programs of others",
     shows=(
-        "Mass matrix, bias forces, accelerations, joint forces and a free motion agree with Pinocchio, MuJoCo and, for "
-        "stands that its model can be, Basilisk: nobody of these projects knows this one. Of a held carrier "
-        "accelerations, the reaction and drive torques agree with the joint itself."
+        "Mass matrix, bias forces, accelerations, drive torques, joint forces, points and, of a held carrier, the "
+        "reaction agree with Pinocchio and MuJoCo: nobody of these projects knows this one."
     ),
     limits=(
         "Suspension, legs, fluid and stream, which they do not have: the stand is judged without. For these the three "
         "derivations above speak."
     ),
-    command=lambda s: f"mahovik verify {s.stand_file} --judges --bare --states {s.choose(50, 200)}",
+    command=lambda s: f"mahovik verify {s.stand_file} --judges --states {s.choose(50, 200)}",
     run=_ask_judges,
     needs=lambda _: (
         program("gcc"),
