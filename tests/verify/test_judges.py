@@ -1,4 +1,4 @@
-"""Programs of others: they agree with the C on free and held stands, name what they do not know, catch what is wrong."""
+"""Programs of others: they agree with the C on free and held stands, name what they lack, catch what is wrong."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import pytest
 
 from cli.run import DEMO3, refused, run
 from mahovik.core.stand import Stand, load
-from mahovik.core.stand.hold import FREEDOMS
+from mahovik.core.stand.hold import FREEDOMS, twists
 from mahovik.core.stand.model import Freedom, MountingAngles
 from mahovik.core.stand.random import random_stand
 from mahovik.errors import UsageError
@@ -173,7 +173,9 @@ def test_the_command_judges_the_c_of_a_held_carrier(name: str) -> None:
     assert all(words.startswith(REFUSED[name, kind]) for kind, words in refusals.items())
 
 
-@pytest.mark.parametrize(("name", "kind"), [("ball joint", "pinocchio"), ("ball joint", "mujoco"), ("screw", "pinocchio")])
+@pytest.mark.parametrize(
+    ("name", "kind"), [("ball joint", "pinocchio"), ("ball joint", "mujoco"), ("screw", "pinocchio")]
+)
 def test_a_hold_that_is_a_billionth_off_fails(name: str, kind: str) -> None:
     stand = held_case(name, 3, flywheels=1)
     assert stand.hold is not None
@@ -181,6 +183,17 @@ def test_a_hold_that_is_a_billionth_off_fails(name: str, kind: str) -> None:
     changed = {"freedoms": (screw(AXIS, 0.17 + 1e-9),)} if name == "screw" else {"pivot": (x, y, z + 1e-9)}
     assert failures(stand, stand, PROGRAMS[kind]) == set()
     assert failures(stand, replace(stand, hold=replace(stand.hold, **changed)), PROGRAMS[kind])
+
+
+def test_twists_that_are_not_those_of_the_joints_fail(monkeypatch: pytest.MonkeyPatch) -> None:
+    """S is shared with the C, the joints are made of direction and pivot."""
+    stand = held_case("hinge", 3)
+    assert stand.hold is not None
+    x, y, z = stand.hold.pivot
+    off = twists(replace(stand.hold, pivot=(x, y, z + 1e-9)))
+    monkeypatch.setattr("mahovik.proof.verify.judges.twists", lambda _: off)
+    for kind in PROGRAMS.values():
+        assert failures(stand, stand, kind)
 
 
 KNIFE = (slide((1.0, 0.0, 0.0)), Freedom("twist", twist=(0.0, 0.0, 0.0, 0.0, 0.0, 1.0)))

@@ -121,7 +121,8 @@ class BasiliskRotors:
             tensor += axes @ inertia_about_center(body) @ axes.T + body.mass * (c @ c * np.eye(3) - np.outer(c, c))
         self.craft.hub.mHub, self.craft.hub.r_BcB_B = mass, column(center)
         self.craft.hub.IHubPntBc_B = tensor.tolist()
-        self.torques, self.rotors = [], []
+        self.torques: list[Any] = []
+        self.rotors: list[Any] = []
         for s in flywheels or stand.flywheels:
             rotor, torque = (
                 spinningBodyOneDOFStateEffector.SpinningBodyOneDOFStateEffector(),
@@ -144,7 +145,7 @@ class BasiliskRotors:
     def put(self, state: State) -> Array:
         """Set the state; returns C."""
         turn, put = attitude(self.stand, state), self.craft.dynManager.getStateObject
-        C = turn.as_matrix()
+        C: Array = turn.as_matrix()
         put("hubPosition").setState(column(state.position))
         put("hubVelocity").setState(column(C @ np.array(state.V[:3])))
         put("hubSigma").setState(column(turn.as_mrp()))

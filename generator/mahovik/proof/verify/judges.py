@@ -42,11 +42,9 @@ Array = NDArray[np.float64]
 Values = dict[str, Any]
 States = Sequence[tuple[str, State]]
 
-LIMIT = 1e-12
-"""Accepted difference of an answer, a share of its scale."""
-
-NEAR = 10.0
-"""m from the origin of E0; carriers farther away are put there, as the programs add their position to every body's."""
+LIMIT, NEAR = 1e-12, 10.0
+"""Accepted difference, a share of its scale; m from the origin of E0 beyond which a carrier is put there, since the
+programs add its position to that of every body."""
 
 SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 """Attitude sequences as SciPy names them; capitals: about moving axes."""
@@ -137,6 +135,7 @@ class Program:
         self.chain = [] if stand.hold is None else chain(stand.hold)
         self.rates = np.ones(6) if self.free else np.array([joint.rate for joint in self.chain])
         self.S = np.eye(6) if stand.hold is None else twists(stand.hold)
+        self.along = np.linalg.pinv(self.S)  # u_dot of V_dot = S u_dot
 
     def solve(self, state: State, velocities: Array) -> tuple[Array, Array]:
         """Set the state and velocities of the joints (m + N, the carrier's first); returns their mass matrix, and their
@@ -160,12 +159,12 @@ class Program:
         forward = self.rates * np.linalg.solve(K, -self.S.T @ idle["wrench"] - I @ phi_ddot)
 
         def motion(u_dot: Any, phi_ddot: Array) -> Values:
-            joints = self.rates * (u_dot - self._along(idle["V_dot"]))  # twists of a chain change while it moves
+            joints = self.rates * (u_dot - self.along @ idle["V_dot"])  # twists of a chain change while it moves
             return self.motion(np.concatenate([joints, phi_ddot]))
 
         def response(accelerations: Array) -> Values:
             found, key = self.motion(accelerations), "V_dot" if self.free else "u_dot"
-            return {key: self._along(found["V_dot"]), "phi_ddot": accelerations[m:], "reaction": found["wrench"]}
+            return {key: self.along @ found["V_dot"], "phi_ddot": accelerations[m:], "reaction": found["wrench"]}
 
         given = motion(np.array(u_dot), phi_ddot)
         matrices = {"bias": motion(np.zeros(m), np.zeros(self.N))["wrench"]} | ({"K": K, "I": I} if self.free else {})
@@ -177,10 +176,6 @@ class Program:
             "mounts": {"mount_wrench": given["mount_wrench"]},
             "points": {"points": {name: dict(zip(POINT, own, strict=True)) for name, own in given["points"].items()}},
         }
-
-    def _along(self, V_dot: Array) -> Array:
-        """u_dot of V_dot = S u_dot."""
-        return np.asarray(np.linalg.lstsq(self.S, V_dot, rcond=None)[0])
 
 
 class Pinocchio(Program):
@@ -274,8 +269,8 @@ def mujoco_spec(stand: Stand) -> Any:
     return spec
 
 
-def _quaternion(axes: Array) -> Array:
-    return np.asarray(Rotation.from_matrix(axes).as_quat(scalar_first=True))
+def _quaternion(axes: Array) -> Any:
+    return Rotation.from_matrix(axes).as_quat(scalar_first=True)
 
 
 class Mujoco(Program):
@@ -346,8 +341,8 @@ class Mujoco(Program):
             felt, turning = np.split(read(mujoco.mj_objectAcceleration, kinds.mjOBJ_SITE, site), 2)
             position, axes = data.site_xpos[site].copy(), data.site_xmat[site].reshape(3, 3).copy()
             points[name] = position, axes, twist, felt, turning
-        mount_wrench = np.reshape(mounts, (-1, 6))
-        return {"V_dot": V_dot, "wrench": wrench(1, C), "mount_wrench": mount_wrench, "points": points}
+        reshaped = np.reshape(mounts, (-1, 6))
+        return {"V_dot": V_dot, "wrench": wrench(1, C), "mount_wrench": reshaped, "points": points}
 
 
 PROGRAMS: dict[str, type[Program]] = {"pinocchio": Pinocchio, "mujoco": Mujoco}
