@@ -395,9 +395,9 @@ def judge(
                 if want == "matrices":
                     M, J = (np.reshape(ours[key], (6, -1)) for key in "MJ")
                     ours["bias"] = M @ np.array(state.V) + J @ np.array(state.phi_dot) - np.array(ours["F"])
-                for quantity in values.keys() & ours.keys():
-                    value = values[quantity]
-                    if len(value) and np.size(value):  # flywheels, points, freedoms: not of every stand
+                for quantity, value in values.items():
+                    # flywheels, points, freedoms: not of every stand
+                    if quantity in ours and len(value) and np.size(value):
                         check = Check(program.name, f"{want} {quantity}", LIMIT)
                         check = checks.setdefault((program.name, check.quantity), check)
                         off, words = difference(ours[quantity], value, natural[want][quantity])
