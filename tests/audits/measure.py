@@ -114,8 +114,8 @@ def _measure_free(audit: Audit, faults: bool) -> Outcome:
     named: TermSearchResult | None = None
     if differing:
         if faults:
-            diagnosis = Diagnoser(audit.stand, 1, audit.wants).diagnose(lambda request: ask(audit, request))
-            known = tuple(part.fault.name for cause in diagnosis.causes for part in cause.parts)
+            diagnosis = Diagnoser(audit.stand, wants=audit.wants).diagnose(lambda request: ask(audit, request))
+            known = tuple(cause.name for cause in diagnosis.causes) if diagnosis.verdict == "named" else ()
         if not known:
             named = search.find(lambda request: ask(audit, request))
     found = named.terms if named is not None and named.whole else ()

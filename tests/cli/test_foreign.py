@@ -181,7 +181,7 @@ def test_a_program_that_differs_is_told_its_fault() -> None:
     result = run("judge", SHAKER, "--with", PHASE, "--explain", "--states", "6", "--json")
     assert result.exit_code == 1
     diagnosis = json.loads(result.stdout)["diagnosis"]
-    assert diagnosis["outcome"] == "named" and diagnosis["causes"][0]["faults"][0]["name"] == "phase, sign"
+    assert diagnosis["verdict"] == "named" and diagnosis["found"][0]["fault"] == "phase of the opposite sense"
 
 
 def test_a_difference_within_what_is_accepted() -> None:

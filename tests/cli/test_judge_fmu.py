@@ -106,27 +106,22 @@ def test_an_fmu_of_a_held_carrier_agrees(freedoms: str) -> None:
 
 
 @pytest.mark.slow
-def test_wrong_terms_of_an_fmu_are_named() -> None:
+def test_a_wrong_number_of_an_fmu_is_named() -> None:
     exported(FREE.replace("inertia = [0.2,", "inertia = [0.25,"), "heavy.fmu", "--version", "3.0", "--kind", "me")
     result = run(*judged(FREE, "heavy.fmu", FREE_MAP, "--states", "4", "--explain", "--json"))
     assert result.exit_code == 1
-    found = json.loads(result.stdout)["diagnosis"]["found"]
-    # without moments about the centre of mass p_dot is a multiple of q r: another I_xx is another factor of q r as well
-    assert {(row["component"], row["term"]) for row in found} == {("K", "q r"), ("M", "p r"), ("N", "p q")}
-    errors = {row["component"]: row["factor"] - row["expected"] for row in found if not row["coefficient"]}
-    assert (errors["M"], errors["N"]) == (pytest.approx(-0.05), pytest.approx(0.05))
+    (found,) = json.loads(result.stdout)["diagnosis"]["found"]
+    assert (found["number"], found["value"], found["expected"]) == ("carrier.inertia.J11", 0.25, 0.2)
 
 
 @pytest.mark.slow
-def test_a_wrong_term_of_a_held_fmu_is_named() -> None:
+def test_a_wrong_number_of_a_held_fmu_is_named() -> None:
     wrong = held_text().replace("inertia = [0.02, 0.02,", "inertia = [0.02, 0.025,")
     exported(wrong, "wrong.fmu", "--inputs", "acceleration")
     result = run(*judged(held_text(), "wrong.fmu", HELD_MAP, "--states", "12", "--explain", "--json"))
     assert result.exit_code == 1
-    (term,) = json.loads(result.stdout)["diagnosis"]["found"]
-    assert (term["want"], term["component"], term["term"], term["coefficient"]) == ("forward", "M", "q_dot", "I_yy")
-    inertia = 0.02 + 0.0004 + 2.5 * 0.2**2 + 0.0006
-    assert term["factor"] == pytest.approx(-1 - 0.005 / inertia, rel=1e-3)
+    (found,) = json.loads(result.stdout)["diagnosis"]["found"]
+    assert (found["number"], found["value"], found["expected"]) == ("carrier.inertia.J22", 0.025, 0.02)
 
 
 def test_a_joint_has_its_angle_and_its_speed() -> None:

@@ -68,8 +68,8 @@ def judge(
     """Judge a program, an FMU or a log by the reference, and find its fault.
 
     Starts a program, gives it states, and compares every quantity that it offers with the literal reference. With
-    --explain a program that differs gets more states, which distinguish faults, and its error is compared with that of
-    each physical fault in a dictionary. Where none is the cause, the few wrong terms are found whose sum is the error.
+    --explain a program that differs gets more states, and its error is compared with wrong readings, then with wrong
+    numbers of the stand file; where none is the cause, the few wrong terms are found whose sum is the error.
     An FMU is a program too, of which --map names the variables. A log has states of its own: all its rows are compared.
 
     Exit status: 0 it agrees, 1 it does not, 2 bad input.

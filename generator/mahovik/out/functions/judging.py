@@ -180,7 +180,7 @@ def _explain(
     tell(progress, Progress("distinguish faults"))
     try:
         diagnosed = _diagnosis(stand, found, answers, seed, tolerance, states, actuators, on_hold)
-        return Verification(found, diagnosed.by_factors())
+        return Verification(found, diagnosed)
     except CheckError as error:
         return Verification(replace(found, error=str(error)))
 
@@ -205,39 +205,40 @@ def _diagnosis(
     from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
     from mahovik.proof.diagnose.states import spread_rows, telling_rows
     from mahovik.proof.diagnose.terms.monomials import count
-    from mahovik.proof.diagnose.terms.search import ROUNDING, WANTS, TermSearch
-    from mahovik.proof.verify.bounds import DOUBLE
+    from mahovik.proof.diagnose.terms.search import WANTS, TermSearch
 
     if found.passed:
-        return Diagnosis("equal")
+        return Diagnosis("none")
     offered = tuple(dict.fromkeys(row.judged for row in found.rows if row.verdict in ("ok", "FAILED")))
     if not offered:
-        return Diagnosis("nothing", failed=_failure_words(found))
+        return Diagnosis("unnamed", unexplained=1.0, failed=_failure_words(found))
     rows = None if states is None else telling_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
-    diagnoser = Diagnoser(stand, seed, offered, rows, tolerance, actuators, on_hold)
+    document = Stand.of(stand).to_dict()
+    taken = {"actuators": actuators, "on_hold": on_hold}
+    diagnoser = Diagnoser(stand, document, seed=seed, wants=offered, states=rows, tolerance=tolerance, **taken)
     diagnosed = diagnoser.diagnose(answers(diagnoser.requests))
     diagnosed = replace(diagnosed, failed=_failure_words(found, diagnosed.wrong))
-    if diagnosed.outcome in ("equal", "rounding"):
+    precision = diagnosed.precision
+    if precision is None or not diagnosed.wrong or (diagnosed.verdict == "named" and len(diagnosed.causes) < 2):
+        if diagnosed.verdict == "none" and diagnosed.failed:
+            return replace(diagnosed, verdict="unnamed")
         return diagnosed
     silent = {gap.want for gap in diagnosed.gaps if gap.everywhere}
     searched = tuple(want for want in offered if want not in silent)
-    if diagnosed.outcome != "unknown" and not (diagnosed.of_two and stand.hold is not None):
-        return diagnosed
-    known = diagnosed.outcome == "named"
     if not set(searched) & set(WANTS):
         without = [want for want in WANTS if want in silent]
-        return replace(diagnosed, hindrance=_silence(without)) if without and not known else diagnosed
-    rounding = ROUNDING if tolerance <= DOUBLE.default else tolerance
+        known = diagnosed.verdict == "named" or not without
+        return diagnosed if known else replace(diagnosed, hindrance=_silence(without))
     if states is not None:
         states = spread_rows(states, ROWS_OF_TERMS * count(stand))
     wrong = [each.partition(":")[0] for each in diagnosed.wrong]
-    terms = TermSearch(stand, seed, searched, states, rounding, actuators, on_hold, wrong)
+    terms = TermSearch(stand, seed, searched, states, precision, wrong=wrong, **taken)
     try:
         return diagnosed.with_terms(terms.find(answers(terms.requests)))
     except CheckError as error:
-        if not (diagnosed.gaps or diagnosed.factors or known):
+        if not (diagnosed.gaps or diagnosed.causes):
             raise
-        return diagnosed if known else replace(diagnosed, hindrance=str(error))
+        return diagnosed if diagnosed.verdict == "named" else replace(diagnosed, hindrance=str(error))
 
 
 def _silence(wants: Sequence[str]) -> str:

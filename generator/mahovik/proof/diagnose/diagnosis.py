@@ -1,8 +1,8 @@
-"""Diagnosis of a program: its requests, the search of its error, and the result."""
+"""Diagnosis of a program: a wrong reading, one number of the stand file or two, wrong terms; what is left is said."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -11,38 +11,41 @@ import numpy as np
 from mahovik.contract.functions import wants_of_carrier
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.proof.diagnose.answer_vector import answer_vector
-from mahovik.proof.diagnose.factors import WholeFactor, whole_factors
+from mahovik.core.stand.toml import parse
+from mahovik.core.stand.write import dumps
+from mahovik.proof.diagnose.answers import Answers, AnswerVector, Model, Precision, answer_vector
 from mahovik.proof.diagnose.gaps import Gap, gaps_of
-from mahovik.proof.diagnose.predict import Part, Predictions
-from mahovik.proof.diagnose.search import Evidence, Finding, Search
+from mahovik.proof.diagnose.numbers import NumberSearch, SolvedNumbers
+from mahovik.proof.diagnose.readings import FACTORS, Reading, answered_by_factor, readings_of
 from mahovik.proof.diagnose.states import FIRST, separating_states
-from mahovik.proof.diagnose.terms.search import TermSearchResult, WrongTerm
+from mahovik.proof.diagnose.terms.search import TermSearchResult
 from mahovik.proof.reference.array import Array
-from mahovik.proof.verify.bounds import DOUBLE, FLOAT, Bounds, uniform
+from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.states import Request
 
-Outcome = Literal["equal", "rounding", "named", "terms", "factors", "unknown", "nothing"]
+Verdict = Literal["none", "named", "approximate", "unnamed"]
 
-NINE_DIGITS = 5e-9
-"""Relative rounding of a number written with nine digits; one of double lies up to 6e-8 from the next of float."""
+NEAR = 0.2
+"""Part of the error that a reading or a number may leave and be called approximately the cause."""
 
-Answers = Callable[[Request], Mapping[str, Any]]
-"""Answer of a program to a request: empty if it refused."""
+SIMPLE = 6
+"""Digits of a number that people write: of numbers that explain an error alike, one with so few comes first."""
 
 
 @dataclass(frozen=True)
 class Cause:
-    """A cause of the error of a program: one fault, or two at once.
+    """A cause of the error of a program, alone or with another: a reading, or a number of the stand file.
 
-    parts    faults, each with the flywheel it is in alone, or None
-    score    0: it explains the error to rounding; 1: it explains nothing
-    only_in  quantities in which the error is, where the fault would spoil others as well; else empty
+    name    what the program does, or the path of the number
+    number  its value in the program, that in the file, and its unit; None of a reading
+    like    other names of the same effect on this stand
+    only_in wants in which it is, where it would spoil others as well that are right
     """
 
-    parts: tuple[Part, ...]
-    score: float
+    name: str
+    number: tuple[float, float, str] | None = None
+    like: tuple[str, ...] = ()
     only_in: tuple[str, ...] = ()
 
 
@@ -50,93 +53,60 @@ class Cause:
 class Diagnosis:
     """Result of the search of a program's error.
 
-    outcome     equal: no error beyond double rounding at these states; rounding: none beyond that of float, and the
-                answers are in float; named: `causes`; terms: `wrong_terms`; factors: `factors`; unknown: an error that
-                none of these explains; nothing: no numbers
-    causes      the best first; more than one where answers at these states cannot tell them apart
-    confidence  of `named`, 0 to 1: how well the first explains the error, and how much worse the best other does
-    others      the next best, for what they are worth
-    unseen      names of faults that have no effect on this stand, in what the program offers
-    wrong       quantities with an error, as want: quantity
-    terms       of an unknown error, the wrong terms that a sparse fit finds, see `terms`; None: not looked for
-    gaps        wants with answers that are no numbers, which are left out of all else
-    failed      what the table says FAILED and the diagnosis finds no difference in: it did not compare this
-    hindrance   why wrong terms were not looked for, where gaps leave too few answers
-    factors     of an error that is no whole fault, the constant factors of quantities that explain all of it
+    verdict      none: no error beyond rounding; named: `causes` or `terms` explain all of it to rounding; approximate:
+                 they explain most of it; unnamed: nothing does, or there are no numbers
+    causes       at most two at once
+    unexplained  part of the error that has no name, 0 to 1
+    precision    of the program, to which its error is explained; None: it answered no numbers
+    wrong        quantities with an error, as want: quantity
+    terms        wrong terms that a sparse fit finds; None: not looked for
+    gaps         wants with answers that are no numbers, which are left out of all else
+    failed       what the table says FAILED and the diagnosis did not compare
+    hindrance    why wrong terms were not looked for
     """
 
-    outcome: Outcome
+    verdict: Verdict
     causes: tuple[Cause, ...] = ()
-    confidence: float = 0.0
-    others: tuple[Cause, ...] = ()
-    unseen: tuple[str, ...] = ()
+    unexplained: float = 0.0
+    precision: Precision | None = None
     wrong: tuple[str, ...] = ()
     terms: TermSearchResult | None = None
     gaps: tuple[Gap, ...] = ()
     failed: tuple[str, ...] = ()
     hindrance: str = ""
-    factors: tuple[WholeFactor, ...] = ()
 
     @property
-    def wrong_terms(self) -> tuple[WrongTerm, ...]:
-        """Wrong terms that are the whole error; none where they leave more than rounding."""
-        return self.terms.terms if self.terms is not None and self.terms.whole else ()
+    def by_terms(self) -> bool:
+        """Whether its causes are wrong terms."""
+        return self.terms is not None and self.terms.whole and not self.causes
 
     @property
-    def verdict(self) -> Literal["none", "named", "approximate", "unnamed"]:
-        """Whether there is an error, and whether it has a name: that of a fault, or those of wrong terms.
-
-        Approximate: a want beside those of the wrong terms has an error without a name.
-        """
-        if self.outcome in ("equal", "rounding"):
-            return "unnamed" if self.gaps or self.failed else "none"
-        if self.outcome == "terms" and self.terms is not None and self.terms.besides:
-            return "approximate"
-        return "named" if self.outcome in ("named", "terms", "factors") else "unnamed"
-
-    @property
-    def of_two(self) -> bool:
-        """Whether two faults at once are named: along few freedoms a wrong factor looks like two of many faults."""
-        return self.outcome == "named" and len(self.causes[0].parts) > 1
+    def not_looked_at(self) -> tuple[str, ...]:
+        """Quantities with an error that the search for wrong terms did not look at."""
+        return tuple(x for x in self.wrong if self.terms is None or x not in self.terms.looked_at)
 
     def with_terms(self, found: TermSearchResult) -> Diagnosis:
-        """The diagnosis of an error after the search for wrong terms: of one that is unknown, or named as two faults.
+        """The diagnosis after the search for wrong terms, of an error that has no other name.
 
-        In place of two faults terms are named only where they are no more than these.
+        In place of two numbers terms are named only where they are fewer.
         """
-        after = replace(self, terms=found)
-        if self.of_two and not 0 < len(after.wrong_terms) <= len(self.causes[0].parts):
+        if self.verdict == "named" and not (found.whole and len(found.terms) < len(self.causes)):
             return self
-        return replace(after, outcome="terms", causes=(), others=()) if after.wrong_terms else after
-
-    def by_factors(self) -> Diagnosis:
-        """The diagnosis by constant factors of whole quantities, where these are a shorter name than what was found."""
-        if not self.factors or not (self.outcome in ("unknown", "terms") or self.of_two):
-            return self
-        names = len(self.wrong_terms) or min((len(each.parts) for each in self.causes), default=0)
-        count, plain = len(self.factors), all(each.is_plain for each in self.factors)
-        if names and (count > names or (count == names and not plain)):
-            return self
-        return replace(self, outcome="factors", causes=(), others=(), confidence=0.0, terms=None)
-
-    @property
-    def unexplained(self) -> float:
-        """Part of the error that has no name, 0 to 1."""
-        if self.verdict == "none":
-            return 0.0
-        if self.outcome == "factors":
-            return 0.0
-        if self.terms is not None and self.terms.whole:
-            return self.terms.unexplained
-        return self.causes[0].score if self.causes else 1.0
+        if not found.whole:
+            unsure = replace(self, verdict="unnamed", causes=(), unexplained=1.0) if found.doubtful else self
+            return replace(unsure, terms=found)
+        after = replace(self, verdict="named", causes=(), terms=found, unexplained=found.unexplained)
+        return replace(after, verdict="approximate") if found.besides or after.not_looked_at else after
 
 
 class Diagnoser:
-    """Diagnoses programs of one stand: the states, the reference's answers and what the faults predict are kept."""
+    """Diagnoses programs of one stand: the states and the reference's answers are kept."""
 
     def __init__(
         self,
         stand: Stand,
+        document: Mapping[str, Any] | None = None,
+        *,
         seed: int = 1,
         wants: Sequence[str] = (),
         states: Sequence[tuple[str, State]] | None = None,
@@ -144,17 +114,14 @@ class Diagnoser:
         actuators: bool = False,
         on_hold: bool = False,
     ) -> None:
-        """`states`: the only ones with answers, by name, as in a log; None: those that tell faults apart best.
+        """`document`: the keys of the stand's file, whose numbers are named; None: those of the stand in SI.
 
-        `tolerance`: accepted difference, relative to the natural scale; that of float is a rounding in any case.
-
-        `actuators`: the program takes deflections of fins and speeds of propellers. `on_hold`: it takes only poses that
-        the hold allows.
+        `states`: the only ones with answers, by name, as in a log; None: those that tell faults apart best.
+        `tolerance`: accepted difference, relative to the scale, where it is more than rounding. `actuators`: the
+        program takes deflections of fins and speeds of propellers. `on_hold`: it takes only poses that the hold allows.
         """
         self._stand = stand
-        self._double, self._float = (
-            each if each.default >= tolerance else uniform(tolerance) for each in (DOUBLE, FLOAT)
-        )
+        self._tolerance = tolerance if tolerance > DOUBLE.default else 0.0
         if states is None:
             states = separating_states(stand, seed, actuators, on_hold)
         asked = [
@@ -165,9 +132,8 @@ class Diagnoser:
         ]
         self.whole = answer_vector(stand, [request for _, request in asked])
         searched = {request.id for number, request in asked if number < FIRST}
-        count = sum(request.id in searched for request in self.whole.requests)
-        self._first = self.whole.head(count).expected.size
-        self.predictions = Predictions(stand, self.whole, count)
+        self._first = self.whole.head(sum(request.id in searched for request in self.whole.requests))
+        self._document = document if document is not None else parse(dumps(stand))
 
     @property
     def requests(self) -> tuple[Request, ...]:
@@ -175,77 +141,131 @@ class Diagnoser:
         return self.whole.requests
 
     def diagnose(self, answers: Answers) -> Diagnosis:
-        """The diagnosis of a program by its answers to `requests`."""
+        """The diagnosis of a program by its answers to `requests`, without wrong terms."""
         found = self.whole.fill(answers)
         found[~np.isfinite(found)] = np.nan
         gaps = gaps_of(self._stand, self.whole, found, answers)
-        diagnosed = replace(self._by_numbers(found), gaps=gaps)
-        if diagnosed.outcome != "unknown" and not diagnosed.of_two:
-            return diagnosed
-        noise = self.whole.noise(self._precision(found))
-        return replace(diagnosed, factors=whole_factors(self.whole, found, diagnosed.wrong, noise))
-
-    def _precision(self, found: Array) -> Bounds:
-        """The bounds of the program's own element type."""
-        return self._float if is_float(found) else self._double
-
-    def _by_numbers(self, found: Array) -> Diagnosis:
-        """The diagnosis by the numbers that there are."""
         if not np.isfinite(found).any():
-            return Diagnosis("nothing")
-        fine = self._evidence(found, self._double)
-        if not self._wrong(fine):
-            return Diagnosis("equal")
-        own = self._evidence(found, self._precision(found))
-        return self._search(own) if self._wrong(own) else Diagnosis("rounding", wrong=self._wrong(fine))
+            return Diagnosis("unnamed", unexplained=1.0, gaps=gaps)
+        precision = Precision.of(found, self._tolerance)
+        evidence = _Evidence(self.whole, self._first, found, precision)
+        wrong = self.whole.words_of(evidence.wrong)
+        if not wrong:
+            return Diagnosis("unnamed" if gaps else "none", precision=precision, gaps=gaps)
+        base = Diagnosis("unnamed", (), 1.0, precision, wrong, gaps=gaps)
+        named, nearest = self._by_reading(evidence, wrong)
+        if named is not None:
+            return replace(base, verdict="named", causes=named, unexplained=0.0)
+        named, near_numbers = self._by_numbers(evidence)
+        if named is not None:
+            return replace(base, verdict="named", causes=named, unexplained=0.0)
+        left, causes = min((nearest, near_numbers), key=lambda each: each[0])
+        return replace(base, verdict="approximate" if left < NEAR else "unnamed", causes=causes, unexplained=left)
 
-    def _evidence(self, found: Array, bounds: Bounds) -> Evidence:
-        e = self.whole.over_scale(found - self.whole.expected)
-        return Evidence(e, self.whole.noise(bounds), self.whole.block, self._first)
+    def _by_reading(self, evidence: _Evidence, wrong: Sequence[str]) -> tuple[tuple[Cause, ...] | None, _Near]:
+        """A reading that explains all of the error, with those of the same effect; else the nearest one."""
+        quantities = dict.fromkeys(each.partition(": ")[2] for each in wrong)
+        factors = [answered_by_factor(name, factor) for name in quantities for factor in FACTORS]
+        exact: list[tuple[Reading, tuple[str, ...]]] = []
+        near: _Near = 1.0, ()
+        for reading in (*factors, *readings_of(self._stand)):
+            if reading.only and exact:
+                break
+            model = reading.model(self._stand)
+            left, wants = evidence.compare(model)
+            if wants is not None:
+                exact.append((reading, wants))
+            elif left < near[0]:
+                near = left, (Cause(reading.words),)
+        if not exact:
+            return None, near
+        exact.sort(key=lambda each: len(each[1]))  # what is right nowhere else comes first
+        best, only = exact[0]
+        same = tuple(reading.words for reading, wants in exact[1:] if len(wants) == len(only))
+        return (Cause(best.words, None, same, only),), near
 
-    def _wrong(self, evidence: Evidence) -> tuple[str, ...]:
-        """Quantities with an error beyond rounding."""
-        there = np.abs(np.nan_to_num(evidence.e, nan=0.0)) > evidence.noise
-        blocks = sorted({int(i) for i in evidence.block[there]})
-        return tuple(f"{want}: {quantity}" for want, quantity in (self.whole.quantities[i] for i in blocks))
-
-    def _search(self, evidence: Evidence) -> Diagnosis:
-        wrong = self._wrong(evidence)
-        search = Search(self._stand, evidence, self.predictions)
-        ranked = search.rank_suspects()
-        unseen = tuple(part.fault.name for (part,) in search.invisible_faults())
-        if not ranked or not ranked[0].match.exact:
-            nearest = sorted(ranked, key=lambda each: each.match.score)[:3]
-            return Diagnosis("unknown", (), 0.0, tuple(_cause(each, wrong) for each in nearest), unseen, wrong)
-        best = ranked[0]
-        twins = search.equal_findings(best, ranked)
-        others = [each for each in ranked if not any(each.repeats(named) for named in (best, *twins))]
-        return Diagnosis(
-            "named",
-            tuple(_cause(each, wrong) for each in (best, *twins)),
-            _confidence(best, others),
-            tuple(_cause(each, wrong) for each in others)[:3],
-            unseen,
-            wrong,
-        )
+    def _by_numbers(self, evidence: _Evidence) -> tuple[tuple[Cause, ...] | None, _Near]:
+        """A number, or two, that explain all of the error; else those that leave least."""
+        few = evidence.first if evidence.seen_first else self.whole
+        search = NumberSearch(self._stand, self._document, few)
+        error, noise = evidence.error[: few.expected.size], evidence.noise[: few.expected.size]
+        near: _Near = 1.0, ()
+        for solved in (search.singles, search.pairs):
+            exact = []
+            for each in solved(error, noise):
+                left, wants = evidence.compare(search.model(each.values))
+                if wants == ():
+                    exact.append(search.rounded(each, error, noise))
+                elif left < near[0]:
+                    near = left, _causes(each)
+            if exact:
+                exact.sort(key=lambda each: _digits(each) > SIMPLE)
+                first, *others = exact
+                like = tuple(" and ".join(x.path for x in each.values) for each in others)
+                return tuple(replace(cause, like=like) for cause in _causes(first)), near
+        return None, near
 
 
-def is_float(numbers: Array) -> bool:
-    """Whether all numbers that there are may be of float, written with nine digits or more."""
-    there = numbers[np.isfinite(numbers)]
-    with np.errstate(over="ignore"):
-        rounded = there.astype(np.float32).astype(np.float64)
-    return bool((np.abs(there - rounded) <= NINE_DIGITS * np.abs(there)).all())
+_Near = tuple[float, tuple[Cause, ...]]
+"""Part of the error that some causes leave, and these."""
 
 
-def _cause(finding: Finding, wrong: Sequence[str]) -> Cause:
-    only = tuple(wrong) if finding.match.absent and finding.match.exact else ()
-    return Cause(finding.suspect, finding.match.score, only)
+class _Evidence:
+    """The error of a program, and what of it may be rounding."""
+
+    def __init__(self, whole: AnswerVector, first: AnswerVector, found: Array, precision: Precision) -> None:
+        self._whole, self.first, self._found = whole, first, found
+        self.error = found - whole.expected
+        self.noise = precision.noise(np.nan_to_num(found), whole.scale)
+        self.wrong = np.abs(np.nan_to_num(self.error, nan=0.0)) > self.noise
+        self.seen_first = bool(self.wrong[: first.expected.size].any())
+        self._there = np.isfinite(found)
+        self._wants = {want for want, _ in (whole.quantities[i] for i in set(whole.block[self.wrong].tolist()))}
+        of_wants = np.array([want in self._wants for want, _ in whole.quantities])
+        self._in_wrong_wants = of_wants[whole.block]
+
+    def compare(self, model: Model) -> tuple[float, tuple[str, ...] | None]:
+        """What a model leaves of the error, 0 to 1; and, where this is rounding, the wants that it is in alone.
+
+        These are none where it explains the rightness of all others as well; None where it leaves more than rounding.
+        """
+        if self.seen_first:
+            left, exact, _ = self._left(self.first, model)
+            if not exact:
+                return left, None
+        left, exact, everywhere = self._left(self._whole, model)
+        if not exact:
+            return left, None
+        return left, () if everywhere else tuple(sorted(self._wants))
+
+    def _left(self, vector: AnswerVector, model: Model) -> tuple[float, bool, bool]:
+        """What is left of the error; whether it is rounding in the wants that are wrong, and in all."""
+        n = vector.expected.size
+        there, wrong = self._there[:n], self.wrong[:n]
+        predicted = vector.of_model(model)
+        rest = np.abs(np.nan_to_num(self._found[:n] - predicted, nan=np.inf))
+        beyond = there & (rest > self.noise[:n] * self._growth(vector, predicted))
+        in_wrong = self._in_wrong_wants[:n]
+        blocks = vector.block[wrong]
+        e, r = np.abs(self.error[:n][wrong]), np.minimum(rest[wrong], np.abs(self.error[:n][wrong]))
+        with np.errstate(all="ignore"):
+            shares = np.bincount(blocks, r**2) / np.bincount(blocks, e**2)
+        left = float(np.sqrt(np.nanmean(shares))) if blocks.size else 0.0
+        return left, not (beyond & in_wrong).any(), not beyond.any()
+
+    def _growth(self, vector: AnswerVector, predicted: Array) -> Array:
+        """How much larger the numbers of each quantity are than the right ones: their rounding is so too."""
+        count = len(vector.quantities)
+        largest = [np.zeros(count), np.zeros(count)]
+        for size, numbers in zip(largest, (vector.expected, predicted), strict=True):
+            np.maximum.at(size, vector.block, np.nan_to_num(np.abs(numbers) / vector.scale))
+        return np.asarray(np.maximum(1.0, largest[1] / np.maximum(largest[0], 1e-12)))[vector.block]
 
 
-def _confidence(best: Finding, others: Sequence[Finding]) -> float:
-    """(1 - score) (1 - score / next score)."""
-    score = best.match.score
-    next_score = min((each.match.score for each in others), default=1.0)
-    apart = 1.0 - min(score / next_score, 1.0) if next_score > 0.0 else 0.0
-    return (1.0 - score) * apart
+def _causes(solved: SolvedNumbers) -> tuple[Cause, ...]:
+    return tuple(Cause(n.path, (value, n.value, n.dimension.si)) for n, value in solved.values.items())
+
+
+def _digits(solved: SolvedNumbers) -> int:
+    """Digits of the longest of the numbers."""
+    return max(len(f"{value:.15g}".partition("e")[0].replace(".", "").strip("-0")) for value in solved.values.values())

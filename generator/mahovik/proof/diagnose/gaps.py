@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
-from mahovik.proof.diagnose.answer_vector import AnswerVector, numbers_at
+from mahovik.proof.diagnose.answers import AnswerVector, numbers_at
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.states import Request
 

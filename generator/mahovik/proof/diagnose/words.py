@@ -2,24 +2,14 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Sequence
 from typing import Any
 
 from mahovik.core.stand.model import WRENCH_LETTERS
 from mahovik.proof.diagnose.diagnosis import Cause, Diagnosis
-from mahovik.proof.diagnose.factors import join
-from mahovik.proof.diagnose.faults import DICTIONARY
-from mahovik.proof.diagnose.predict import Part
 from mahovik.proof.diagnose.terms.coefficients import Multiple
 from mahovik.proof.diagnose.terms.search import TermSearchResult, WrongTerm
-
-SURE = 0.5
-"""Least confidence of a fault that is not called a guess."""
-
-SUREST = 0.999
-"""Largest confidence that is reported: a fault that is not in the dictionary may look like one that is."""
 
 WRENCH_SIDE = "factors are those on the right-hand side of K V* = ..., of force and moment about {} in E1"
 """The equations that the factors of wrong terms of a wrench belong to, in words."""
@@ -37,98 +27,43 @@ MOST_TWINS = 4
 """Number of products that are printed beside one that looks like them."""
 
 
-def name_of(part: Part) -> str:
-    """Name of the fault, and the flywheel that has it alone."""
-    return part.fault.name + (f" ({part.wheel} alone)" if part.wheel else "")
-
-
-def short_text(cause: Cause) -> str:
-    """A cause in a few words."""
-    return " and ".join(name_of(part) for part in cause.parts)
-
-
 def sentences(diagnosis: Diagnosis) -> list[str]:
-    """Lines with the fault of the program, the confidence, and the terms to look at; before, numbers it leaves out."""
-    gaps = [gap.sentence() for gap in diagnosis.gaps]
-    if diagnosis.outcome in ("equal", "rounding", "nothing") and (gaps or diagnosis.failed):
-        return gaps + _no_difference(diagnosis)
-    return [*gaps, *_sentences(diagnosis), *_not_compared(diagnosis)]
-
-
-def _no_difference(diagnosis: Diagnosis) -> list[str]:
-    """A line where nothing differs, though the table says FAILED: what was compared, and what was not."""
-    if diagnosis.outcome == "nothing":
-        return [] if diagnosis.gaps else ["no diagnosis: the program answered nothing that can be compared"]
-    kind = "rounding in float" if diagnosis.outcome == "rounding" else "rounding"
-    if diagnosis.gaps:
-        return [f"the numbers that it does answer differ by no more than {kind}"]
-    (more,) = _not_compared(diagnosis)
-    return [f"nothing is named: at the states of the diagnosis nothing differs by more than {kind}; {more}"]
-
-
-def _not_compared(diagnosis: Diagnosis) -> list[str]:
-    """A line on what the diagnosis did not compare."""
-    return [f"not compared there, but FAILED above: {'; '.join(diagnosis.failed)}"] if diagnosis.failed else []
-
-
-def _sentences(diagnosis: Diagnosis) -> list[str]:
-    match diagnosis.outcome:
-        case "equal":
-            return ["no fault: nothing differs beyond rounding at the states of the diagnosis"]
-        case "rounding":
-            return ["no fault found: its answers are numbers of float, and differ by no more than rounding in float"]
-        case "nothing":
-            return ["no diagnosis: the program answered nothing that can be compared"]
-        case "terms":
-            assert diagnosis.terms is not None
-            besides = diagnosis.terms.besides
-            more = [f"the error of {want} is not a few terms: nothing of it is named" for want in besides]
-            return _term_lines(diagnosis.terms, diagnosis.wrong) + more
-        case "factors":
-            them = "this" if len(diagnosis.factors) == 1 else "these"
-            lines = [each.sentence() for each in diagnosis.factors]
-            if diagnosis.gaps or diagnosis.failed:
-                return lines
-            return [*lines, f"with {them} put right nothing is left of the error beyond rounding"]
-        case "unknown" if diagnosis.terms is not None and diagnosis.terms.doubtful:
-            return _doubtful_lines(diagnosis.terms.doubtful)
-        case "unknown":
-            nearest = "".join(
-                f"; nearest: {short_text(each)} ({_explained_part(each)})" for each in diagnosis.others[:1]
-            )
-            few = (
-                []
-                if diagnosis.terms is None
-                else [f"nor do a few wrong terms in {' and '.join(diagnosis.terms.wants)}"]
-            )
-            return [
-                f"no fault of the {len(DICTIONARY)} in the dictionary explains it{nearest}",
-                *few,
-                *([f"wrong terms are not looked for: {diagnosis.hindrance}"] if diagnosis.hindrance else []),
-                *_unseen(diagnosis),
-            ]
-    best, *twins = diagnosis.causes
-    what = "fault" if len(best.parts) == 1 else "two faults at once"
-    lines = [what + (" found:" if diagnosis.confidence >= SURE else ", perhaps:")]
-    for part in best.parts:
-        lines += _part_lines(part)
-    if best.only_in:
-        lines.append(f"  only in {', '.join(best.only_in)}: what else it would spoil is right")
-    lines += [f"  or, with the same effect on this stand: {_sentence(each)}" for each in twins]
-    lines.append(f"confidence {min(diagnosis.confidence, SUREST):.1%}: {_reason(diagnosis)}")
-    return lines + _unseen(diagnosis)
+    """Lines with the cause of the error, or what comes nearest; before, numbers that the program leaves out."""
+    lines = [gap.sentence() for gap in diagnosis.gaps]
+    found = diagnosis.terms
+    if not diagnosis.wrong:
+        lines += _no_difference(diagnosis)
+    elif diagnosis.by_terms and found is not None:
+        lines += _term_lines(found, diagnosis.not_looked_at)
+        lines += [f"the error of {want} is not a few terms: nothing of it is named" for want in found.besides]
+    elif diagnosis.verdict == "named":
+        lines += _cause_lines(diagnosis.causes, _to_rounding(diagnosis))
+    elif found is not None and found.doubtful:
+        lines += _doubtful_lines(found.doubtful)
+    else:
+        left = f"{max(diagnosis.unexplained, 0.001):.1%} of the error is left"
+        if diagnosis.verdict == "approximate":
+            lines += [f"approximately, {left}:", *_cause_lines(diagnosis.causes, "")]
+        else:
+            near = f"; nearest: {' and '.join(map(_short, diagnosis.causes))}, {left}" if diagnosis.causes else ""
+            lines.append(f"no wrong reading and no one or two numbers of the stand file explain it{near}")
+        if found is not None:
+            lines.append(f"nor do a few wrong terms in {join(found.wants)}")
+        if diagnosis.hindrance:
+            lines.append(f"wrong terms are not looked for: {diagnosis.hindrance}")
+    return lines + (
+        [f"not compared there, but FAILED above: {'; '.join(diagnosis.failed)}"] if diagnosis.failed else []
+    )
 
 
 def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
     """The diagnosis for `--json`."""
+    precision = diagnosis.precision
     return {
-        "outcome": diagnosis.outcome,
         "verdict": diagnosis.verdict,
         "unexplained": diagnosis.unexplained,
-        "found": _parts_of_error(diagnosis),
-        "causes": [_cause(each) for each in diagnosis.causes],
-        "confidence": diagnosis.confidence if diagnosis.outcome == "named" else None,
-        "others": [_cause(each) for each in diagnosis.others],
+        "precision": None if precision is None else {"name": precision.name, "accepted": precision.accepted},
+        "found": _found(diagnosis),
         "gaps": [
             {
                 "want": gap.want,
@@ -140,20 +75,15 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
             for gap in diagnosis.gaps
         ],
         "wrong": list(diagnosis.wrong),
-        "unseen": list(diagnosis.unseen),
-        "dictionary": len(DICTIONARY),
         "words": sentences(diagnosis),
     }
 
 
-def _parts_of_error(diagnosis: Diagnosis) -> list[dict[str, Any]]:
-    """Parts of the error by name: factors, wrong terms, or faults of the dictionary; none where it has no name."""
-    if diagnosis.outcome == "factors":
-        return [
-            {"quantities": list(each.quantities), "wants": list(each.wants), "factor": each.factor}
-            for each in diagnosis.factors
-        ]
-    if diagnosis.wrong_terms:
+def _found(diagnosis: Diagnosis) -> list[dict[str, Any]]:
+    """Causes of the error by name; none where it has no name."""
+    if diagnosis.verdict not in ("named", "approximate"):
+        return []
+    if diagnosis.by_terms and diagnosis.terms is not None:
         return [
             {
                 "want": each.want,
@@ -165,13 +95,66 @@ def _parts_of_error(diagnosis: Diagnosis) -> list[dict[str, Any]]:
                 "share": each.share,
                 **({"like": list(each.twins)} if each.twins else {}),
             }
-            for each in diagnosis.wrong_terms
+            for each in diagnosis.terms.terms
         ]
-    return [{"fault": name_of(part), "share": 1.0 - each.score} for each in diagnosis.causes[:1] for part in each.parts]
+    share = (1.0 - diagnosis.unexplained) / max(len(diagnosis.causes), 1)
+    return [_cause(each, share) for each in diagnosis.causes]
 
 
-def _term_lines(result: TermSearchResult, wrong: Sequence[str]) -> list[str]:
-    """A line for each wrong term, what their names stand for, and whether they are all of the `wrong` quantities."""
+def _cause(cause: Cause, share: float) -> dict[str, Any]:
+    more = ({"like": list(cause.like)} if cause.like else {}) | (
+        {"only_in": list(cause.only_in)} if cause.only_in else {}
+    )
+    if cause.number is None:
+        return {"fault": cause.name, "share": share, **more}
+    value, expected, unit = cause.number
+    return {"number": cause.name, "value": value, "expected": expected, "unit": unit, "share": share, **more}
+
+
+def _no_difference(diagnosis: Diagnosis) -> list[str]:
+    """A line where nothing differs: to what precision, though the table may say FAILED of what was not compared."""
+    if diagnosis.precision is None:
+        return [] if diagnosis.gaps else ["no diagnosis: the program answered nothing that can be compared"]
+    kind = f"rounding ({diagnosis.precision.name})"
+    if diagnosis.gaps:
+        return [f"the numbers that it does answer differ by no more than {kind}"]
+    return [f"no fault: nothing differs by more than {kind} at the states of the diagnosis"]
+
+
+def _to_rounding(diagnosis: Diagnosis) -> str:
+    assert diagnosis.precision is not None
+    return f"explains the error to rounding ({diagnosis.precision.name})"
+
+
+def _cause_lines(causes: Sequence[Cause], explains: str) -> list[str]:
+    """A line for each cause, and what has the same effect."""
+    lines = []
+    for each in causes:
+        if each.number is None:
+            lines.append(f"reading: {each.name}" + (f"; it {explains}" if explains else ""))
+        else:
+            value, expected, unit = each.number
+            more = "with the other " if len(causes) > 1 else ""
+            words = f" {more}{explains};" if explains else ""
+            lines.append(f"{each.name}: {f'{value:.15g} {unit}'.rstrip()}{words} the file has {expected:.15g}")
+    if causes and causes[0].only_in:
+        lines.append(f"  only in {join(causes[0].only_in)}: what else it would spoil is right")
+    if causes and causes[0].like:
+        lines.append(f"  of the same effect on this stand: {_some(causes[0].like)}")
+    return lines
+
+
+def _short(cause: Cause) -> str:
+    return cause.name if cause.number is None else f"{cause.name} = {cause.number[0]:.6g} {cause.number[2]}".rstrip()
+
+
+def join(names: Sequence[str]) -> str:
+    """`a, b and c`."""
+    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+def _term_lines(result: TermSearchResult, unknown: Sequence[str]) -> list[str]:
+    """A line for each wrong term, what their names stand for, and whether they are all of the error."""
     found = result.terms
     count = len(found)
     lines = ["wrong term found:" if count == 1 else f"{count} wrong terms found:"]
@@ -183,14 +166,18 @@ def _term_lines(result: TermSearchResult, wrong: Sequence[str]) -> list[str]:
             lines.append(f"    these states do not tell it from {_some(each.twins)}, which the equations do not have")
     sides = dict.fromkeys(WRENCHES, WRENCH_SIDE.format(result.about))
     sides |= {"momentum": f"factors are those in Z about {result.about} in E1"}
-    for side in dict.fromkeys(sides[each.want] for each in found if each.want in sides):
+    products = [each for each in found if not each.of_body]
+    for side in dict.fromkeys(sides[each.want] for each in products if each.want in sides):
         lines.append(f"  {side}; letters of SNAME")
-    if any(each.want in WRENCHES and ACCELERATION.search(each.term) for each in found):
+    if len(products) < count:
+        lines.append(
+            "  e: spin axis; O, r: from O1 to the origin of the body, and from there to its mass centre; on the left"
+        )
+    if any(each.want in WRENCHES and ACCELERATION.search(each.term) for each in products):
         lines.append("  accelerations stand on the left; the signs of their factors are those on the right, -K")
     if result.freedoms:
         lines.append(f"  {result.freedoms}")
     them, they_explain = ("it", "it explains") if count == 1 else ("them", "they explain")
-    unknown = [each for each in wrong if each not in result.looked_at]
     if not unknown and not result.besides:
         return [*lines, f"without {them} nothing is left of the error beyond rounding"]
     lines.append(f"without {them} the equations of {join(list(dict.fromkeys(each.want for each in found)))} are right")
@@ -212,6 +199,9 @@ def _some(terms: Sequence[str]) -> str:
 
 def _term_words(multiple: Multiple, term: str) -> str:
     unit = f" {multiple.coefficient}" if multiple.coefficient else ""
+    if multiple.value and multiple.expected is not None:
+        factor, expected = multiple.factor * multiple.value, multiple.expected * multiple.value
+        return f"{term} has the factor {factor:.6g}, expected {expected:.6g}: {multiple.coefficient}"
     if multiple.expected is None:
         return f"{term} has a factor that is wrong by {multiple.factor:.6g}"
     if multiple.expected == 0.0:
@@ -243,44 +233,3 @@ def _constant_words(term: WrongTerm) -> str:
 
 def _part(share: float) -> str:
     return f"{share:.0%}" if share >= 0.01 else "less than 1 %"
-
-
-def _cause(cause: Cause) -> dict[str, Any]:
-    faults = [
-        {
-            "name": part.fault.name,
-            "flywheel": part.wheel,
-            "equation": part.fault.equation,
-            "words": part.fault.words,
-            "look": part.fault.look,
-        }
-        for part in cause.parts
-    ]
-    return {"faults": faults, "unexplained": cause.score, "only_in": list(cause.only_in)}
-
-
-def _part_lines(part: Part) -> list[str]:
-    where = f"in {part.wheel} alone: " if part.wheel else ""
-    return [f"  {where}{part.fault.words}", f"  equation {part.fault.equation}; look at: {part.fault.look}"]
-
-
-def _sentence(cause: Cause) -> str:
-    return "; and ".join((f"in {p.wheel} alone: " if p.wheel else "") + p.fault.words for p in cause.parts)
-
-
-def _explained_part(cause: Cause) -> str:
-    """Part of the error that a cause explains, rounded down: all of it would be named."""
-    return f"{math.floor(100 * max(1.0 - cause.score, 0.0))} %"
-
-
-def _reason(diagnosis: Diagnosis) -> str:
-    left = "it explains the error to rounding"
-    for each in diagnosis.others[:1]:
-        return f"{left}; the next best, {short_text(each)}, leaves {each.score:.0%}"
-    return left
-
-
-def _unseen(diagnosis: Diagnosis) -> list[str]:
-    if not diagnosis.unseen:
-        return []
-    return [f"{len(diagnosis.unseen)} faults of the dictionary have no effect here, so that they cannot be seen"]

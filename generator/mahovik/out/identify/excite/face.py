@@ -86,7 +86,7 @@ class Excitation(Table):
             errors = np.sqrt(np.diag(S @ covariance @ S.T))
         row = 0
         for entry in self.free.entries:
-            own = slice(row, row + len(entry.places))
+            own = slice(row, row + len(entry.numbers))
             if entry.polar:
                 block = np.array(entry.slopes(self.free.nominal[own]))
                 errors[own] = np.sqrt(np.diag(block @ covariance[own, own] @ block.T))

@@ -45,11 +45,13 @@ class Multiple:
     """Factor of a term in a program, and the right one, as multiples of a quantity; plain SI numbers without one.
 
     expected  None: unknown, for the equations hold more than the products; `factor` is then the error
+    value     of a coefficient that is a number of the stand file, SI; 0: it is another quantity
     """
 
     factor: float
     expected: float | None
     coefficient: str
+    value: float = 0.0
 
 
 class Coefficients:
@@ -154,7 +156,7 @@ def _name_part(expected: float, error: float, parts: Sequence[Quantity], place: 
         multiple = each.places[place]
         factor = multiple + error / each.value
         if len(parts) == 1 or any(abs(factor - x * abs(multiple)) <= SAME for x in LIKELY):
-            return Multiple(_round(factor), multiple, each.name)
+            return Multiple(_round(factor), multiple, each.name, each.value if each.in_file else 0.0)
     for a, b in combinations(parts, 2):
         of_a, of_b = a.places[place], b.places[place]
         whole = of_a * a.value + of_b * b.value
@@ -187,12 +189,16 @@ def _round(factor: float) -> float:
 
 @dataclass(frozen=True)
 class Quantity:
-    """A quantity of the stand, SI, and its multiples in the coefficients of products; `added`: it is an added mass."""
+    """A quantity of the stand, SI, and its multiples in the coefficients of products.
+
+    `added`: it is an added mass; `in_file`: its name is a path of the stand file.
+    """
 
     name: str
     value: float
     places: Mapping[Place, float]
     added: bool = False
+    in_file: bool = False
 
 
 def _quantities(stand: Stand, about_O1: Array, at: Pieces, along: Directions) -> Iterator[Quantity]:
@@ -205,13 +211,16 @@ def _quantities(stand: Stand, about_O1: Array, at: Pieces, along: Directions) ->
     moments = (g * x for x in (K[0, 0], K[5, 1], K[3, 2], K[4, 0]))
     found = [*_inertial(K, Lambda), *_of_weight("W", "G", 1.0, *moments)]
     named: dict[str, float] = {}
-    for of_law in laws.of_bodies("faults", "coefficients") if along.at_origin else ():  # those of laws are about O1
+    for of_law in laws.of_bodies("terms", "coefficients") if along.at_origin else ():  # those of laws are about O1
         named |= of_law(stand.carrier, g)
     weightlike = [name for name in named if name.startswith("B")]
     if weightlike:
         sizes = (named.get(name, 0.0) for name in ("B", "B x_B", "B y_B", "B z_B"))
         found += _of_weight("B", "B", -1.0, *sizes)
     found += [Quantity(name, x, _of_derivative(name)) for name, x in named.items() if name not in weightlike]
+    for of_stand in laws.parts("terms") if along.at_origin else ():
+        for (i, letter), (path, value) in of_stand.coefficients(stand).items():
+            found.append(Quantity(path, value, {(i, (letter,)): -1.0}, in_file=True))
     for wheel, J in zip(stand.flywheels, np.diag(at.Theta_ff), strict=True):
         found.append(Quantity(f"J11({wheel.name})", float(J), dict.fromkeys(_of_wheel(wheel.name), 1.0)))
     largest = max(abs(each.value) for each in found)

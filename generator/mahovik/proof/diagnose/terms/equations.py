@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof import reference
+from mahovik.proof.diagnose.terms.bodies import ROWS, BodyTerm, body_terms, mount_rows, torque_rows
 from mahovik.proof.diagnose.terms.coefficients import THERE, Coefficients, Multiple, is_there
 from mahovik.proof.diagnose.terms.directions import (
     Directions,
@@ -29,7 +30,9 @@ from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.momentum import momentum
-from mahovik.proof.reference.torque import torque
+from mahovik.proof.reference.rotation import C1
+from mahovik.proof.reference.screw import block_diagonal
+from mahovik.proof.reference.torque import mount_on_flywheel, torque
 from mahovik.proof.reference.wrenches import body_wrenches
 from mahovik.proof.verify.actuators import stand_at
 
@@ -39,13 +42,18 @@ ANSWERS: Mapping[str, tuple[str, ...]] = {
     "coupled": ("V_dot", "phi_ddot"),
     "momentum": ("Z",),
     "reaction": ("reaction",),
+    "inverse": ("phi_ddot", "residual"),
+    "mounts": ("mount_wrench",),
 }
-"""Wants whose error is a sum of products of the model, and the quantities that it is taken from."""
+"""Wants whose error is a sum of terms of the model, and the quantities that it is taken from."""
+
+WHERE_WRONG = ("inverse", "mounts")
+"""Wants that are looked at only where they are known to differ."""
 
 OF_HELD = ("reaction",)
 """Wants that a free carrier does not have."""
 
-OF_FLYWHEELS = ("torque", "coupled")
+OF_FLYWHEELS = ("torque", "coupled", "inverse", "mounts")
 """Wants that a stand without flywheels does not have."""
 
 
@@ -68,6 +76,7 @@ class EquationErrors:
     multiple    factor of product k in a component, where its coefficient has an error
     occurs      whether the right equations have product k in a component
     of_laws     coefficients of laws, which are looked for where the products do not explain an error; None: no such
+    bodies      terms body by body at the leading states, and their columns (n', c); None: not looked for
     """
 
     components: tuple[str, ...]
@@ -77,6 +86,7 @@ class EquationErrors:
     multiple: Callable[[int, int, float], Multiple]
     occurs: Callable[[int, int], bool]
     of_laws: LawColumns | None = None
+    bodies: Callable[[], tuple[list[BodyTerm], list[Array]]] | None = None
 
     @cached_property
     def columns(self) -> Columns:
@@ -110,6 +120,11 @@ class Equations:
             return [self._torque(states, at, answers["tau"])]
         if want == "reaction":
             return [self._reaction(states, at, answers["reaction"], self._all_components)]
+        if want == "inverse":
+            reached = self._states_of_answers(states, answers)
+            return [self._reaction(reached, at, -answers["residual"], self._all_components)]
+        if want == "mounts":
+            return [self._mounts(states, at, answers["mount_wrench"])]
         reached = self._states_of_answers(states, answers)
         wrong = {"V_dot", "u_dot", "phi_ddot"} & answers.keys() - right
         left_out = right if wrong else frozenset()
@@ -123,7 +138,9 @@ class Equations:
     def _states_of_answers(self, states: Sequence[State], answers: Mapping[str, Array]) -> list[State]:
         """The states with the accelerations that the program answers (n, ...)."""
         V_dot = answers.get("V_dot")
-        if V_dot is None:
+        if V_dot is None and "residual" in answers:
+            V_dot = np.array([s.V_dot for s in states])
+        elif V_dot is None:
             u_dot = answers.get("u_dot", np.zeros((len(states), 0)))
             V_dot = u_dot @ self._along.rows.T
         found = [replace(s, V_dot=tuple(a)) for s, a in zip(states, V_dot.tolist(), strict=True)]
@@ -135,29 +152,62 @@ class Equations:
     def _forward(self, states: Sequence[State], at: Sequence[Pieces]) -> EquationErrors:
         """Errors of the V_dot of the states, as wrenches K V_r* - (F - M V_r - J phi' - I phi'') along what is free."""
         none = np.zeros((len(states), 6))
-        return self._wrench_errors(states, at, none, self._wrench, self._along)
+        return self._wrench_errors(states, at, none, _Rows(self._along, lambda: self._wrench))
 
     def _reaction(self, states: Sequence[State], at: Sequence[Pieces], reaction: Array, known: _Rows) -> EquationErrors:
         """Errors of the reactions (n, 6) of the motion of the states, as wrenches K V_r* - (F + R - M V_r - ...)."""
-        return self._wrench_errors(states, at, reaction, known.coefficients, known.along)
+        return self._wrench_errors(states, at, reaction, known)
 
     def _wrench_errors(
-        self, states: Sequence[State], at: Sequence[Pieces], reaction: Array, known: Coefficients, along: Directions
+        self, states: Sequence[State], at: Sequence[Pieces], reaction: Array, known: _Rows
     ) -> EquationErrors:
+        along = known.along
         V_r_dot = _relative_rates(states, at)
         inertial = np.array([p.K @ x for p, x in zip(at, V_r_dot, strict=True)])
         size = [np.abs(p.K) @ np.abs(x) + np.abs(p.F) + np.abs(bias(p)) for p, x in zip(at, V_r_dot, strict=True)]
         products = monomials(self._stand, Motion.of(states, at, V_r_dot, self._along))
         error = (inertial - _right_hand_sides(states, at) - reaction) @ along.rows
-        sizes, of_laws = np.array(size) @ np.abs(along.rows), LawColumns(at, along.rows)
-        return EquationErrors(along.components, error, sizes, products, known.multiple, known.occurs, of_laws)
+        sizes, of_laws = np.array(size) @ np.abs(along.rows), LawColumns(self._stand, at, along.rows)
+
+        def columns() -> tuple[list[BodyTerm], list[Array]]:
+            terms = body_terms(states[:ROWS], at[:ROWS])
+            return terms, [-each.on_O1 @ along.rows for each in terms]
+
+        of_bodies = columns if self._stand.flywheels else None
+        return EquationErrors(
+            along.components,
+            error,
+            sizes,
+            products,
+            lambda component, k, wrong: known.coefficients().multiple(component, k, wrong),
+            lambda component, k: known.coefficients().occurs(component, k),
+            of_laws,
+            of_bodies,
+        )
+
+    def _mounts(self, states: Sequence[State], at: Sequence[Pieces], found: Array) -> EquationErrors:
+        """Errors of the wrenches of mounts (n, 6 N), which are looked for in terms body by body alone."""
+        right = np.array([mount_wrenches(p, s) for p, s in zip(at, states, strict=True)])
+
+        def columns() -> tuple[list[BodyTerm], list[Array]]:
+            terms = body_terms(states[:ROWS], at[:ROWS])
+            return terms, mount_rows(terms, at[:ROWS])
+
+        names = tuple(f"{wheel.name} {letter}" for wheel in self._stand.flywheels for letter in WRENCH_LETTERS)
+        plain = _PlainFactors(None)
+        return EquationErrors(names, found - right, np.abs(right), [], plain.multiple, plain.occurs, None, columns)
 
     def _torque(self, states: Sequence[State], at: Sequence[Pieces], tau: Array) -> EquationErrors:
         """Errors of the drive torques (n, N)."""
         right, products = self._torques(states, at)
         names = tuple(each.name for each in self._stand.flywheels)
         plain = _PlainFactors(self._known_torques)
-        return EquationErrors(names, tau - right, np.abs(right), products, plain.multiple, plain.occurs)
+
+        def columns() -> tuple[list[BodyTerm], list[Array]]:
+            terms = body_terms(states[:ROWS], at[:ROWS])
+            return terms, torque_rows(terms, at[:ROWS])
+
+        return EquationErrors(names, tau - right, np.abs(right), products, plain.multiple, plain.occurs, None, columns)
 
     def _momentum(self, states: Sequence[State], at: Sequence[Pieces], Z: Array) -> EquationErrors:
         """Errors of the momentum Z (n, 6), (2); of a held carrier about its pivot."""
@@ -165,7 +215,7 @@ class Equations:
         own_right, own_products = self._momenta(self._own, self._own_pieces)
         along = self._all_components.along
         factors = columns_of(own_products).least_squares(own_right @ along.rows, with_later=True)
-        plain = _PlainFactors(factors, self._all_components.coefficients, products)
+        plain = _PlainFactors(factors, self._all_components.coefficients(), products)
         size = np.abs(right) @ np.abs(along.rows)
         error = (Z - right) @ along.rows
         return EquationErrors(along.components, error, size, products, plain.multiple, plain.occurs)
@@ -183,20 +233,20 @@ class Equations:
     def _all_components(self) -> _Rows:
         """Equations of all six components, about the pivot."""
         along = of_all_components(self._stand)
-        return _Rows(along, self._wrench if self._stand.hold is None else self._coefficients(along))
+        return _Rows(along, cache(lambda: self._wrench if self._stand.hold is None else self._coefficients(along)))
 
     @cached_property
     def _blocked_components(self) -> _Rows:
         """Equations of the components that the hold bears, about the pivot."""
         along = of_blocked_components(self._stand)
-        return _Rows(along, self._coefficients(along))
+        return _Rows(along, cache(lambda: self._coefficients(along)))
 
     def _coefficients(self, along: Directions) -> Coefficients:
         others = np.array([_other_wrenches(p, self._stand) for p in self._own_pieces]) @ along.rows
         right = _right_hand_sides(self._own, self._own_pieces) @ along.rows
         motion = Motion.of(self._own, self._own_pieces, np.array([s.V_dot for s in self._own]), self._along)
         products = monomials(self._stand, motion)
-        of_laws = LawColumns(self._own_pieces, along.rows)
+        of_laws = LawColumns(self._stand, self._own_pieces, along.rows)
         columns = columns_of(products)
         factors = _factors_beside_laws(columns, right, of_laws)
         if factors is None and others.any():
@@ -227,10 +277,10 @@ class Equations:
 
 @dataclass(frozen=True, eq=False)
 class _Rows:
-    """Equations, and the right coefficients in them."""
+    """Equations, and the right coefficients in them, which take a while."""
 
     along: Directions
-    coefficients: Coefficients
+    coefficients: Callable[[], Coefficients]
 
 
 class _PlainFactors:
@@ -279,6 +329,17 @@ def _factors_beside_laws(columns: Columns, right: Array, of_laws: LawColumns) ->
             return None
         found.append(factors[: columns.count, 0])
     return np.column_stack(found)
+
+
+def mount_wrenches(at: Pieces, state: State) -> Array:
+    """Right wrenches of mounts (6 N)."""
+    accelerations = zip(at.flywheels, state.phi_ddot, strict=True)
+    V_dot = np.array(state.V_dot)
+    wrenches = [
+        block_diagonal(C1(s.phi)) @ mount_on_flywheel(s, at.P[s.body.name], at.V, V_dot, rate)
+        for s, rate in accelerations
+    ]
+    return np.concatenate(wrenches)
 
 
 def _right_hand_sides(states: Sequence[State], at: Sequence[Pieces]) -> Array:

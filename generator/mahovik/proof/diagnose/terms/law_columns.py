@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from mahovik.contract import laws
+from mahovik.core.stand.model import Stand
 from mahovik.proof.diagnose.terms.coefficients import Multiple
 from mahovik.proof.diagnose.terms.fit import Columns
 from mahovik.proof.diagnose.terms.law_term import LawTerm
@@ -19,7 +20,7 @@ from mahovik.proof.reference.array import Array
 ALIKE = 1e-10
 """Sine of the angle between columns below which they are one."""
 
-KINDS = laws.of_bodies("terms", "KIND")
+KINDS = (*laws.of_bodies("terms", "KIND"), *(part.KIND for part in laws.parts("terms")))
 """Kinds of wrench whose coefficients are columns of their own."""
 
 
@@ -39,15 +40,15 @@ class LawColumn:
         """The factor of the coefficient, where that of the column has this error."""
         if not self.right:
             return Multiple(error, 0.0, "")
-        return Multiple(round(1.0 + error / self.right, 9) + 0.0, 1.0, self.coefficient)
+        return Multiple(round(1.0 + error / self.right, 9) + 0.0, 1.0, self.coefficient, self.right)
 
 
 class LawColumns:
     """Columns of all laws at n states, from coarse to fine."""
 
-    def __init__(self, at: Sequence[Pieces], rows: Array) -> None:
+    def __init__(self, stand: Stand, at: Sequence[Pieces], rows: Array) -> None:
         """`rows` (6 x c): components are rows^T of a wrench on the carrier, in E1 about O1."""
-        self._at, self._rows = at, rows
+        self._stand, self._at, self._rows = stand, at, rows
 
     @property
     def there(self) -> bool:
@@ -73,7 +74,8 @@ class LawColumns:
     @cached_property
     def _terms(self) -> list[list[tuple[str, Array, LawTerm]]]:
         """The parts of each law of each body, with the name of the body and its L (6x6)."""
-        found = []
+        between = (part.law_terms(self._stand, self._at) for part in laws.parts("terms"))
+        found = [[("carrier", np.eye(6), term) for term in terms] for terms in between if terms]
         for s, k in enumerate(self._at[0].fixed):
             bodies = [p.fixed[s].body for p in self._at]
             V_r = np.array([p.fixed[s].twist(p.V_r) for p in self._at])

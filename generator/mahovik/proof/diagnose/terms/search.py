@@ -16,12 +16,15 @@ from mahovik.core.stand.random_state import along_freedoms
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import CheckError
 from mahovik.proof import reference
+from mahovik.proof.diagnose.answers import Precision
+from mahovik.proof.diagnose.terms.bodies import ROWS, explain
 from mahovik.proof.diagnose.terms.coefficients import Multiple
 from mahovik.proof.diagnose.terms.directions import freedoms_in_words, point_in_words
 from mahovik.proof.diagnose.terms.equations import (
     ANSWERS,
     OF_FLYWHEELS,
     OF_HELD,
+    WHERE_WRONG,
     EquationErrors,
     Equations,
     quantities_of,
@@ -40,7 +43,7 @@ WANTS = tuple(ANSWERS)
 """Wants in which wrong terms are looked for."""
 
 IMPLIED = {"coupled": ("forward", "torque")}
-"""Wants that say nothing new where a program offers these, unless they alone differ."""
+"""Wants that say nothing new where a program offers these, unless they differ."""
 
 BESIDES = ("momentum",)
 """Wants whose error hinders no name of other errors where it is no few terms itself."""
@@ -75,6 +78,7 @@ class WrongTerm:
     share      its mean square over the sum of those of all wrong terms of the want
     twins      other products that explain the error as well in its place, at the states that there are
     likely     whether it alone of its twins is a product of the right equations
+    of_body    whether it is a vector term of bodies, which `component` names, in all components
     """
 
     want: str
@@ -85,6 +89,7 @@ class WrongTerm:
     share: float
     twins: tuple[str, ...] = ()
     likely: bool = False
+    of_body: bool = False
 
 
 @dataclass(frozen=True)
@@ -134,19 +139,21 @@ class TermSearch:
         seed: int = 1,
         wants: Sequence[str] = WANTS,
         states: Sequence[tuple[str, State]] | None = None,
-        rounding: float = ROUNDING,
+        precision: Precision | None = None,
         actuators: bool = False,
         on_hold: bool = False,
         wrong: Sequence[str] = (),
     ) -> None:
         """`states`: the only ones with answers, by name, as in a log; None: those that the search asks for.
 
-        `rounding`: error over the size of the terms that a right program may have; `actuators`: it takes deflections
+        `precision`: of the program, None: double; `actuators`: it takes deflections
         of fins and speeds of propellers; `on_hold`: it takes only poses that the hold allows; `wrong`: wants that are
         known to differ.
         """
         rng = np.random.default_rng(seed)
-        self._stand, self._rounding = stand, max(rounding, ROUNDING)
+        self._stand, self._rounding = stand, ROUNDING
+        if precision is not None:
+            self._rounding = max(ROUNDING, precision.accepted, 2.0 * 10.0 ** (1 - precision.digits))
         self._own = [_state(stand, rng) for _ in range(math.ceil(MORE * count(stand)) + SPARE)]
         if actuators:
             self._own = [with_drawn_actuators(stand, state, rng) for state in self._own]
@@ -160,6 +167,7 @@ class TermSearch:
             if want in wants
             and (stand.flywheels or want not in OF_FLYWHEELS)
             and (stand.hold is not None or want not in OF_HELD)
+            and (want not in WHERE_WRONG or (want in wrong and stand.hold is None))
             and not _is_implied(want, wants, wrong)
         )
         self._requests = {
@@ -186,12 +194,12 @@ class TermSearch:
         fits: list[Fit] = []
         besides: list[str] = []
         for want in self.wants:
-            parts = [self._terms(want, errors) for errors in self._errors(want, answers)]
+            parts = [self._terms(want, errors, found) for errors in self._errors(want, answers)]
             if want in BESIDES and fits and not all(fit.exact for _, of_part in parts for fit in of_part):
                 besides.append(want)
                 continue
             for terms, of_part in parts:
-                found += terms
+                found += [x for x in terms if not (want in IMPLIED and any(_is_same(x, other) for other in found))]
                 fits += of_part
         in_forces = [(x.component, x.term, x.error) for x in found if x.want in ("forward", "coupled", "momentum")]
         if not has_mass_matrix(self._stand, in_forces):
@@ -246,9 +254,9 @@ class TermSearch:
         rows: list[int] = []
         N, hold = len(self._stand.flywheels), self._stand.hold
         names = self._names(want, answers)
-        lengths = {"u_dot": len(hold.freedoms) if hold else 0, "tau": N, "phi_ddot": N}
+        lengths = {"u_dot": (len(hold.freedoms) if hold else 0,), "tau": (N,), "phi_ddot": (N,), "mount_wrench": (N, 6)}
         found: dict[str, list[Array]] = {name: [] for name in names}
-        sizes = [(lengths.get(name, 6),) for name in names]
+        sizes = [lengths.get(name, (6,)) for name in names]
         for i, request in enumerate(self._requests[want]):
             given = answers(request)
             try:
@@ -258,7 +266,7 @@ class TermSearch:
             if [x.shape for x in values] == sizes and all(np.isfinite(x).all() for x in values):
                 rows.append(i)
                 for name, x in zip(found, values, strict=True):
-                    found[name].append(x)
+                    found[name].append(x.ravel())
         if not rows:
             raise CheckError(
                 f"{want}: 0 of {len(self._states)} states have an answer; expected at least {len(self._own)}"
@@ -271,7 +279,7 @@ class TermSearch:
             reference.evaluate(stand_at(self._stand, self._states[i]), self._states[i], (want,), self._pieces[i])
             for i in rows
         ]
-        expected = np.array([np.concatenate([each[name] for name in values]) for each in right])
+        expected = np.array([np.concatenate([np.ravel(each[name]) for name in values]) for each in right])
         given = np.hstack(list(values.values()))
         size = np.abs(expected).max(axis=0) + 1e-300
         off = np.abs((given - expected) / size)
@@ -288,8 +296,44 @@ class TermSearch:
         parts = np.split(off, np.cumsum([x.shape[1] for x in values.values()])[:-1], axis=1)
         return frozenset(name for name, x in zip(values, parts, strict=True) if (x <= self._rounding).all())
 
-    def _terms(self, want: str, of: EquationErrors) -> tuple[list[WrongTerm], list[Fit]]:
-        """Wrong terms of all components, and the fit of each wrong one."""
+    def _terms(self, want: str, of: EquationErrors, before: Sequence[WrongTerm]) -> tuple[list[WrongTerm], list[Fit]]:
+        """Wrong terms of all components, and the fit of each wrong one; of whole bodies where these are fewer."""
+        by_body = self._body_terms(want, of, before)
+        wrong_rows = np.sqrt(np.mean(of.error**2, axis=0)) > 10 * self._rounding * np.sqrt(np.mean(of.size**2))
+        if by_body and (len(by_body) < np.count_nonzero(wrong_rows) or not of.products):
+            return by_body, [Fit({}, 0.0, True)]
+        if not of.products:
+            return [], [Fit({}, 1.0)] if wrong_rows.any() else []
+        terms, fits = self._product_terms(want, of)
+        if by_body and (len(by_body) < len(terms) or not all(fit.exact for fit in fits)):
+            return by_body, [Fit({}, 0.0, True)]
+        return terms, fits
+
+    def _body_terms(self, want: str, of: EquationErrors, before: Sequence[WrongTerm]) -> list[WrongTerm]:
+        """One wrong term, or two, of whole bodies that explain all components; none where they do not.
+
+        `before`: those of other wants, which come before terms of the same effect.
+        """
+        error = of.error[:ROWS]
+        rounding = self._rounding * np.sqrt(np.mean(of.size**2, axis=0))
+        if of.bodies is None or (np.sqrt(np.mean(error**2, axis=0)) <= 10 * rounding).all():
+            return []
+        terms, columns = of.bodies()
+        known = {(each.component, each.term) for each in before}
+        first = [j for j, each in enumerate(terms) if (each.bodies, each.name) in known]
+        found = explain(error, columns, np.maximum(rounding, 1e-3 * rounding.max()), first)
+        sizes = [float(np.sum((c * columns[j]) ** 2)) for j, c in found]
+        return [
+            WrongTerm(
+                want, terms[j].bodies, terms[j].name,
+                Multiple(round(terms[j].expected + c, 9) + 0.0, terms[j].expected, ""),
+                c, size / sum(sizes), of_body=True,
+            )
+            for (j, c), size in zip(found, sizes, strict=True)
+        ]  # fmt: skip
+
+    def _product_terms(self, want: str, of: EquationErrors) -> tuple[list[WrongTerm], list[Fit]]:
+        """Wrong products of all components, and the fit of each wrong one."""
         products = of.products
         found: list[tuple[int, int, str, Multiple, float, float]] = []
         fits: list[Fit] = []
@@ -322,11 +366,22 @@ class TermSearch:
         return sorted(terms, key=lambda term: -term.share), fits
 
 
+def _is_same(term: WrongTerm, other: WrongTerm) -> bool:
+    """Whether two wants have one wrong term."""
+    a, b = term.multiple, other.multiple
+    same = (term.component, term.term, a.coefficient, a.expected) == (
+        other.component,
+        other.term,
+        b.coefficient,
+        b.expected,
+    )
+    return same and abs(a.factor - b.factor) <= 1e-6 * max(abs(a.factor), 1.0)
+
+
 def _is_implied(want: str, wants: Sequence[str], wrong: Sequence[str]) -> bool:
-    """Whether other wants tell all that a want does: not where it differs and they do not."""
+    """Whether other wants tell all that a want does: not where it is known to differ."""
     others = IMPLIED.get(want, ())
-    alone = want in wrong and not set(others) & set(wrong)
-    return bool(others) and set(others) <= set(wants) and not alone
+    return bool(others) and set(others) <= set(wants) and want not in wrong
 
 
 def _fit(of: EquationErrors, component: int, error: Array, rounding: float) -> tuple[Fit, list[LawColumn]]:

@@ -11,9 +11,9 @@ import numpy as np
 
 from mahovik.core.toolchain.board import version as compiler
 from mahovik.errors import StateError
+from mahovik.proof.diagnose.answers import Precision
 from mahovik.proof.diagnose.diagnosis import Diagnoser
-from mahovik.proof.diagnose.faults import DICTIONARY
-from mahovik.proof.diagnose.predict import single_faults
+from mahovik.proof.diagnose.readings import READINGS
 from mahovik.proof.diagnose.words import as_object, sentences
 from mahovik.proof.evidence.piece import (
     Outcome,
@@ -27,7 +27,6 @@ from mahovik.proof.evidence.piece import (
     program,
     verdict_of,
 )
-from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.harness import verify_c
@@ -36,9 +35,6 @@ from mahovik.proof.verify.report import Report, as_json, as_junit, conclusion, w
 from mahovik.proof.verify.states import Request
 
 _PACKAGES = (("Pinocchio", "pin"), ("MuJoCo", "mujoco"))
-
-_NO_FAULT = {"double": ("equal",), "float": ("equal", "rounding")}
-"""Outcomes of a diagnosis with which the C passes."""
 
 
 def _table(report: Report) -> Table:
@@ -184,11 +180,11 @@ JUDGES = Piece(
 
 
 def _plant_faults(subject: Subject, tell: Tell) -> Outcome:
-    """Plant each fault of the dictionary on this stand, and look for them in the C, which must have none."""
+    """Plant each wrong reading on this stand, and look for them in the C, which must have none."""
     if subject.stand.hold is not None:
-        return _of_free_carriers("the faults of the dictionary")
+        return _of_free_carriers("wrong readings")
     backend = CBackend(subject.stand, subject.real, subject.part)
-    diagnoser = Diagnoser(subject.stand, 1, backend.wants)
+    diagnoser = Diagnoser(subject.stand, wants=backend.wants)
 
     def answer(request: Request) -> Mapping[str, Any]:
         try:
@@ -198,23 +194,26 @@ def _plant_faults(subject: Subject, tell: Tell) -> Outcome:
 
     tell("the C")
     diagnosis = diagnoser.diagnose(answer)
-    noise = diagnoser.whole.noise(BOUNDS[subject.real])
+    whole = diagnoser.whole
+    noise = Precision.of(whole.fill(answer)).noise(whole.expected, whole.scale)
     rows, largest = [], {}
-    for number, suspect in enumerate(single_faults(DICTIONARY)):
-        tell(f"fault {number + 1} of {len(DICTIONARY)}")
-        error = np.abs(np.nan_to_num(diagnoser.predictions.error(suspect, True), nan=0.0))
-        fault, worst = suspect[0].fault, float(error.max(initial=0.0))
-        word = "seen" if (error > noise[: error.size]).any() else "within rounding" if worst else "no effect here"
-        largest[fault.name] = {"equation": fault.equation, "error": worst, "outcome": word}
-        rows.append((fault.name, fault.equation, f"{worst:.0e}" if worst else "0", word))
+    for number, reading in enumerate(READINGS):
+        tell(f"reading {number + 1} of {len(READINGS)}")
+        error = np.abs(np.nan_to_num(whole.of_model(reading.model(subject.stand)) - whole.expected, nan=0.0))
+        worst = float((error / whole.scale).max(initial=0.0))
+        word = "seen" if (error > noise).any() else "within rounding" if worst else "no effect here"
+        largest[reading.name] = {"error": worst, "outcome": word}
+        rows.append((reading.name, f"{worst:.0e}" if worst else "0", word))
     seen = sum(each["outcome"] == "seen" for each in largest.values())
     absent = sum(each["outcome"] == "no effect here" for each in largest.values())
     rest = len(largest) - seen - absent
-    clear = diagnosis.outcome in _NO_FAULT[subject.real] and not diagnosis.gaps
-    figure = f"the C has none; of {len(largest)} faults {seen} would be seen, {absent} have no effect on this stand"
+    clear = diagnosis.verdict == "none"
+    figure = (
+        f"the C has none; of {len(largest)} wrong readings {seen} would be seen, {absent} have no effect on this stand"
+    )
     figure += f", {rest} none beyond rounding" if rest else ""
     files = {"diagnosis.json": json.dumps({"C": as_object(diagnosis), "faults": largest}, indent=1) + "\n"}
-    table = Table(("fault", "equation", "largest error, of scale>", "outcome"), tuple(rows))
+    table = Table(("reading", "largest error, of scale>", "outcome"), tuple(rows))
     notes = tuple(line.strip() for line in sentences(diagnosis))
     tools = (f"NumPy {version('numpy')}",)
     return Outcome(verdict_of(clear), figure if clear else notes[0], tools, table, notes, files)
@@ -224,12 +223,12 @@ FAULTS = Piece(
     name="faults",
     title="Would a fault be seen?",
     shows=(
-        "Each physical fault of a dictionary (a term left out, a sign, an inertia about the wrong point) is planted in "
-        "the equations of this stand; the table says how far its answers are from the right ones. The C is asked as a "
-        "foreign program would be, and found to have none of them."
+        "Each wrong reading of a table (an order, a frame, a unit, a sign, an inertia about the wrong point) is made "
+        "on this stand; the table says how far its answers are from the right ones. The C is asked as a foreign "
+        "program would be, and found to have none of them."
     ),
     limits=(
-        "Faults that the dictionary does not have, and faults of the C as C, such as a loop bound: these are planted "
+        "Faults that the table does not have, and faults of the C as C, such as a loop bound: these are planted "
         "in the emitted text by the project's own tests, for its example stands: `make faults`."
     ),
     command=lambda s: f'mahovik judge {s.stand_file} --with "mahovik eval {s.stand_file}{s.option}" --explain',

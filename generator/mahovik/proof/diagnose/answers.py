@@ -1,0 +1,237 @@
+"""Answers to many requests as one vector: the right ones, their scale, and the rounding that a program may have."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass, replace
+from decimal import Decimal
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof import reference
+from mahovik.proof.reference import Pieces
+from mahovik.proof.reference.array import Array, Values
+from mahovik.proof.reference.hold import held_state
+from mahovik.proof.verify.actuators import stand_at
+from mahovik.proof.verify.states import Request
+
+Answers = Callable[[Request], Mapping[str, Any]]
+"""Answer of a program to a request: empty if it refused."""
+
+Model = Callable[[State, str], Mapping[str, Any]]
+"""Values of a want at a state, by some equations: empty where they have none."""
+
+NOT_COMPARED = ("status", "rank")
+
+MOVE, MOVES = 2.0**-24, 6
+"""Relative change of every number of stand and state, by which scales are measured, and how often."""
+
+FLOOR = 2.0**-10
+"""Least scale of a number, in the largest of its quantity."""
+
+LEAST = 1e-290
+
+ACCEPTED = {"double": 1e-11, "float": 3e-5}
+"""Part of the scale to which rounding may add up in right equations of whatever form, by arithmetic."""
+
+NINE_DIGITS = 5e-9
+"""Relative rounding of a number written with nine digits; one of double lies up to 6e-8 from the next of float."""
+
+MOST_DIGITS = 15
+"""Digits up to which a program is taken to round its numbers as it prints them."""
+
+
+@dataclass(frozen=True)
+class Precision:
+    """Precision of a program, read off its answers.
+
+    name      "double", "float", with the digits that it prints if it prints few; or the tolerance that the user gave
+    accepted  part of the scale that its arithmetic may leave
+    digits    significant digits that it prints; decimals: most places behind the point
+    """
+
+    name: str
+    accepted: float
+    digits: int
+    decimals: int
+
+    @classmethod
+    def of(cls, numbers: Array, tolerance: float = 0.0) -> Precision:
+        """Of the numbers of its answers; at least `tolerance`, where the user gives one."""
+        there = numbers[np.isfinite(numbers) & (numbers != 0.0)]
+        with np.errstate(over="ignore"):
+            rounded = there.astype(np.float32).astype(np.float64)
+        is_float = bool(there.size and (np.abs(there - rounded) <= NINE_DIGITS * np.abs(there)).all())
+        written = [Decimal(repr(x)).normalize().as_tuple() for x in there.tolist()]
+        digits = max((len(each.digits) for each in written), default=17)
+        decimals = max((-int(each.exponent) for each in written), default=330)
+        name = "float" if is_float else "double"
+        accepted = ACCEPTED[name]
+        if digits <= MOST_DIGITS:
+            name = f"{digits} digits" if not is_float else f"float, {digits} digits"
+        if accepted < tolerance:
+            name, accepted = f"tolerance {tolerance:.1g}", tolerance
+        return cls(name, accepted, digits, decimals if digits <= MOST_DIGITS else 330)
+
+    def noise(self, numbers: Array, scale: Array) -> Array:
+        """Largest rounding error of numbers with a scale."""
+        printed = 0.5 * 10.0 ** (1 - self.digits) * np.abs(numbers) if self.digits <= MOST_DIGITS else 0.0
+        return np.asarray(self.accepted * scale + 2.0 * (printed + 0.5 * 10.0**-self.decimals))
+
+
+class Reference:
+    """The literal reference of one stand as a program. The pieces of the last state are kept, for its other wants."""
+
+    def __init__(self, stand: Stand) -> None:
+        self._stand = stand
+        self._last: tuple[State, Stand, State, Pieces] | None = None
+
+    def __call__(self, state: State, want: str) -> Values:
+        """Values of a want; none where the reference refuses."""
+        try:
+            with np.errstate(all="ignore"):
+                if self._last is None or self._last[0] is not state:
+                    own = stand_at(self._stand, state)
+                    held = held_state(own, state)
+                    self._last = state, own, held, reference.pieces(own, held)
+                _, own, held, at = self._last
+                return reference.evaluate(own, held, (want,), at)
+        except (StateError, np.linalg.LinAlgError, ArithmeticError, ValueError):
+            return {}
+
+
+@dataclass(frozen=True, eq=False)
+class AnswerVector:
+    """Requests of one want each and the answers of the reference, as vectors of the same length.
+
+    block     of each number, the index in `quantities` of its (want, quantity)
+    expected  of the reference
+    scale     largest change under a relative change of all numbers of stand and state, divided by this
+    parts     of each request, its slices: (quantity as a path, shape, start)
+    """
+
+    requests: tuple[Request, ...]
+    quantities: tuple[tuple[str, str], ...]
+    block: NDArray[np.int64]
+    expected: Array
+    scale: Array
+    parts: tuple[tuple[tuple[tuple[str, ...], tuple[int, ...], int], ...], ...]
+
+    def fill(self, answers: Answers) -> Array:
+        """The same numbers from other answers; NaN if missing or of another shape."""
+        found = np.full(self.expected.size, np.nan)
+        for request, parts in zip(self.requests, self.parts, strict=True):
+            values = answers(request)
+            for path, shape, start in parts:
+                numbers = numbers_at(values, path)
+                if numbers is not None and numbers.shape == shape:
+                    found[start : start + numbers.size] = numbers.ravel()
+        return found
+
+    def of_model(self, model: Model) -> Array:
+        """The numbers that other equations answer; NaN where they have none."""
+        return self.fill(lambda request: model(request.state, request.want[0]))
+
+    def head(self, count: int) -> AnswerVector:
+        """The vector of the first requests: its numbers are the first ones of this."""
+        end = next((start for parts in self.parts[count:] for _, _, start in parts), self.expected.size)
+        cut = (self.block[:end], self.expected[:end], self.scale[:end], self.parts[:count])
+        return AnswerVector(self.requests[:count], self.quantities, *cut)
+
+    def words_of(self, places: NDArray[np.bool_]) -> tuple[str, ...]:
+        """Quantities that some numbers belong to, as want: quantity."""
+        wanted = sorted({int(i) for i in self.block[places]})
+        return tuple(f"{want}: {quantity}" for want, quantity in (self.quantities[i] for i in wanted))
+
+
+def answer_vector(stand: Stand, requests: Sequence[Request], seed: int = 1) -> AnswerVector:
+    """The vector of one-want requests; those that the reference refuses are left out."""
+    rng = np.random.default_rng(seed)
+    right = Reference(stand)
+    near = [Reference(moved(stand, rng)) for _ in range(MOVES)]
+    moved_states: dict[int, list[State]] = {}
+    quantities: dict[tuple[str, str], int] = {}
+    kept, parts, blocks, expected, scale = [], [], [], [], []
+    start = 0
+    for request in requests:
+        (want,) = request.want
+        values = right(request.state, want)
+        if not values:
+            continue
+        states = moved_states.setdefault(id(request.state), [_unit(moved(request.state, rng)) for _ in near])
+        others = [dict(_leaves(model(state, want))) for model, state in zip(near, states, strict=True)]
+        places = []
+        for path, value in _leaves(values):
+            moves = [np.abs(other[path] - value) for other in others if path in other]
+            size = _shared(np.maximum(np.max([0.0 * value, *moves], axis=0) / MOVE, np.abs(value)))
+            places.append((path, value.shape, start))
+            name = path[0] if len(path) == 1 else f"{path[0]}.{path[-1]}"
+            blocks.append(np.full(value.size, quantities.setdefault((want, name), len(quantities))))
+            expected.append(value.ravel())
+            scale.append(np.maximum(size, max(LEAST, FLOOR * float(np.max(size, initial=0.0)))).ravel())
+            start += value.size
+        kept.append(request)
+        parts.append(tuple(places))
+    return AnswerVector(
+        tuple(kept),
+        tuple(quantities),
+        np.concatenate([*blocks, np.zeros(0)]).astype(np.int64),
+        np.concatenate([*expected, np.zeros(0)]),
+        np.concatenate([*scale, np.zeros(0)]),
+        tuple(parts),
+    )
+
+
+def moved(value: Any, rng: np.random.Generator) -> Any:
+    """Nested data with every number changed by its part MOVE at most."""
+    if isinstance(value, float):
+        return value * (1.0 + MOVE * rng.uniform(-1.0, 1.0))
+    if isinstance(value, tuple):
+        return tuple(moved(each, rng) for each in value)
+    if is_dataclass(value) and not isinstance(value, type):
+        return replace(value, **{f.name: moved(getattr(value, f.name), rng) for f in fields(value) if f.init})
+    if isinstance(value, Mapping):
+        return {key: moved(each, rng) for key, each in value.items()}
+    return value
+
+
+def _unit(state: State) -> State:
+    if state.quaternion is None:
+        return state
+    q = np.array(state.quaternion)
+    return replace(state, quaternion=tuple((q / np.linalg.norm(q)).tolist()))
+
+
+def _shared(size: Array) -> Array:
+    """The largest of each block of three along every axis of three or six: components that a rotation mixes."""
+    for axis, n in enumerate(size.shape):
+        if n in (3, 6):
+            blocks = size.reshape(*size.shape[:axis], n // 3, 3, *size.shape[axis + 1 :])
+            largest = blocks.max(axis=axis + 1, keepdims=True)
+            size = np.broadcast_to(largest, blocks.shape).reshape(size.shape)
+    return size
+
+
+def _leaves(values: Mapping[str, Any], path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Array]]:
+    for name, value in values.items():
+        if isinstance(value, Mapping):
+            yield from _leaves(value, (*path, name))
+        elif name not in NOT_COMPARED:
+            yield (*path, name), np.asarray(value, dtype=np.float64)
+
+
+def numbers_at(values: Any, path: tuple[str, ...]) -> Array | None:
+    """Numbers of a quantity in an answer, in whatever shape; None: missing, or no array of numbers."""
+    for name in path:
+        if not isinstance(values, Mapping) or name not in values:
+            return None
+        values = values[name]
+    try:
+        return np.array(values, dtype=np.float64)
+    except (ValueError, TypeError, OverflowError):
+        return None

@@ -1,0 +1,259 @@
+"""Diagnosis of a program, of a free and of a held carrier: readings and numbers are named, gaps are said."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random import EVERYTHING, random_stand
+from mahovik.proof.diagnose.answers import Precision, Reference
+from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
+from mahovik.proof.diagnose.readings import READINGS, Reading, readings_of
+from mahovik.proof.diagnose.words import as_object, sentences
+from mahovik.proof.reference.hold import twists
+from mahovik.proof.second import Second
+from mahovik.proof.verify.states import Request
+from mahovik.stands import path
+from physics.motions import vec
+
+WANTS = ("forward", "torque", "momentum")
+BY_NAME = {reading.name: reading for reading in READINGS}
+
+
+@cache
+def stand() -> Stand:
+    """Two flywheels, one of them on an instrument, in a stream and with every wrench."""
+    found = random_stand(np.random.default_rng(5), 2, replace(EVERYTHING, instruments=1, angles="aircraft"), "small")
+    first, second = found.flywheels
+    return replace(found, flywheels=(replace(first, mount="carrier"), replace(second, mount="i1")))
+
+
+@cache
+def diagnoser() -> Diagnoser:
+    return Diagnoser(stand(), wants=WANTS)
+
+
+def planted(reading: Reading) -> Diagnosis:
+    model = reading.model(stand())
+    return diagnoser().diagnose(lambda request: model(request.state, request.want[0]))
+
+
+def of(other: Stand, digits: int | None = None) -> Diagnosis:
+    """Diagnosis of the right equations of another stand, whose program may print few digits."""
+    model = Reference(other)
+
+    def answer(request: Request) -> Mapping[str, Any]:
+        values = model(request.state, request.want[0])
+        return values if digits is None else rounded(values, digits)
+
+    return diagnoser().diagnose(answer)
+
+
+def rounded(value: Any, digits: int) -> Any:
+    if isinstance(value, Mapping):
+        return {name: rounded(each, digits) for name, each in value.items()}
+    return np.vectorize(lambda x: float(f"{x:.{digits}g}"))(value).tolist()
+
+
+QUICK = READINGS[::16]
+
+
+@pytest.mark.parametrize(
+    "reading",
+    [*QUICK, *(pytest.param(each, marks=pytest.mark.slow) for each in READINGS if each not in QUICK)],
+    ids=lambda reading: reading.name,
+)
+def test_a_wrong_reading_is_named(reading: Reading) -> None:
+    found = planted(reading)
+    assert found.verdict in ("named", "none")
+    if found.verdict == "named":
+        (cause,) = found.causes
+        assert reading.name in (cause.name, *cause.like)
+
+
+def test_the_flywheel_that_has_it_is_named() -> None:
+    reading = next(each for each in readings_of(stand()) if each.words == "phase of the opposite sense (w2 alone)")
+    found = planted(reading)
+    assert [cause.name for cause in found.causes] == ["phase of the opposite sense (w2 alone)"]
+
+
+@pytest.mark.parametrize("factor", [0.5, 1.0 + 1e-7])
+def test_all_of_gravity_by_a_factor_is_no_single_number(factor: float) -> None:
+    """In double a difference of 1e-7 is no rounding of float; what three numbers leave is said."""
+    found = of(replace(stand(), gravity=vec(factor * x for x in stand().gravity)))
+    assert found.verdict != "none"
+    assert found.precision is not None and found.precision.name == "double"
+    assert not any("nothing is left" in line for line in sentences(found))
+
+
+def test_two_numbers_at_once() -> None:
+    carrier = stand().carrier
+    c = carrier.center_of_mass
+    found = of(
+        replace(stand(), carrier=replace(carrier, mass=1.02 * carrier.mass, center_of_mass=(c[0] + 0.01, *c[1:])))
+    )
+    assert found.verdict == "named"
+    assert {cause.name for cause in found.causes} == {"carrier.mass", "carrier.center_of_mass[0]"}
+
+
+def test_a_number_is_named_to_the_digits_that_are_printed() -> None:
+    wheel, *others = stand().flywheels
+    found = of(replace(stand(), flywheels=(replace(wheel, mass=1.01 * wheel.mass), *others)), digits=7)
+    assert found.precision is not None and found.precision.name == "7 digits"
+    assert found.verdict == "named"
+    assert found.causes[0].name == f"{wheel.name}.mass"
+    assert "rounding (7 digits)" in sentences(found)[0]
+
+
+def test_correct_programs_have_no_fault() -> None:
+    assert of(stand()).verdict == "none"
+    second = Second(stand())
+    assert diagnoser().diagnose(lambda request: second.evaluate(request.state, request.want)).verdict == "none"
+    assert of(stand(), digits=6).verdict == "none"
+
+
+def test_a_correct_program_in_float_has_no_fault() -> None:
+    model = Reference(stand())
+    found = diagnoser().diagnose(lambda request: as_float(model(request.state, request.want[0])))
+    assert found.verdict == "none"
+    assert sentences(found) == [
+        "no fault: nothing differs by more than rounding (float) at the states of the diagnosis"
+    ]
+
+
+def as_float(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {name: as_float(each) for name, each in value.items()}
+    return np.asarray(value, dtype=np.float32).astype(np.float64)
+
+
+def test_precision_is_read_off_the_answers() -> None:
+    numbers = np.random.default_rng(1).normal(size=50)
+    assert Precision.of(numbers).name == "double"
+    assert Precision.of(numbers.astype(np.float32).astype(np.float64)).name == "float"
+    assert Precision.of(np.round(numbers, 4)).decimals == 4
+    assert Precision.of(numbers, 1e-3).name == "tolerance 0.001"
+
+
+def test_a_program_without_answers() -> None:
+    garbage: dict[str, Any] = {"V_dot": "many", "tau": [[1]], "K": None}
+    for found in (diagnoser().diagnose(lambda _: {}), diagnoser().diagnose(lambda _: garbage)):
+        assert (found.verdict, found.precision) == ("unnamed", None)
+
+
+def test_a_fault_of_one_function_alone_says_so() -> None:
+    """Gravity of the opposite sign in torques alone: accelerations are right."""
+    right, wrong = Reference(stand()), BY_NAME["gravity of the opposite sign"].model(stand())
+
+    def answer(request: Request) -> Mapping[str, Any]:
+        (want,) = request.want
+        return (wrong if want == "torque" else right)(request.state, want)
+
+    found = diagnoser().diagnose(answer)
+    assert found.causes[0].only_in == ("torque",)
+    assert "  only in torque: what else it would spoil is right" in sentences(found)
+
+
+def test_a_diagnosis_as_data() -> None:
+    data = as_object(planted(BY_NAME["quaternion conjugated"]))
+    assert (data["verdict"], data["unexplained"]) == ("named", 0.0)
+    assert data["found"][0] == {"fault": "quaternion conjugated", "share": 1.0}
+    assert data["precision"] == {"name": "double", "accepted": 1e-11}
+    assert as_object(Diagnosis("none"))["found"] == []
+
+
+# ---- numbers that a program leaves out ----
+
+
+def with_gaps(change: Callable[[Request, dict[str, Any]], None], *wants: str, reading: str = "") -> Any:
+    """Diagnosis of shaker2's program after a change of its answers, and how many states were asked."""
+    shaker = load(path("shaker2"))
+    program = BY_NAME[reading].model(shaker) if reading else Reference(shaker)
+    asked = Diagnoser(shaker, wants=wants)
+
+    def answer(request: Request) -> Mapping[str, Any]:
+        values = {name: np.array(value).tolist() for name, value in program(request.state, request.want[0]).items()}
+        change(request, values)
+        return values
+
+    return asked.diagnose(answer), len(asked.requests)
+
+
+def test_a_missing_component_is_said_beside_a_fault_too() -> None:
+    def change(_: Request, values: dict[str, Any]) -> None:
+        values["V_dot"][2] = math.nan
+
+    found, count = with_gaps(change, "forward")
+    line = f"forward answers no number at {count} of {count} states of the diagnosis (component Z)"
+    assert sentences(found)[0] == line and "no fault" not in " ".join(sentences(found))
+    gap = {"want": "forward", "missing": count, "states": count, "components": {"V_dot": ["Z"]}}
+    assert (as_object(found)["verdict"], as_object(found)["gaps"]) == ("unnamed", [gap])
+    found, _ = with_gaps(change, "forward", reading="attitude transposed: from E0 to E1")
+    assert sentences(found)[0] == line
+    assert [cause.name for cause in found.causes] == ["attitude transposed: from E0 to E1"]
+
+
+def test_another_shape_is_said_with_the_expected_one() -> None:
+    def change(_: Request, values: dict[str, Any]) -> None:
+        values["V_dot"] = values["V_dot"][:3]
+        if "phi_ddot" in values:
+            values["phi_ddot"] = None
+
+    found, _ = with_gaps(change, "forward", "coupled")
+    first, second, *_ = sentences(found)
+    assert first.startswith("forward answers another shape at ") and first.endswith("(shape [3], expected [6])")
+    assert second.startswith("coupled answers no number at ")
+    assert second.endswith("(V_dot, shape [3], expected [6]; phi_ddot, all components)")
+
+
+# ---- held carriers ----
+
+
+@cache
+def pendulum() -> Stand:
+    return load(Path(__file__).parents[2] / "docs" / "held" / "pendulum.toml")
+
+
+@cache
+def pendulum_diagnoser() -> Diagnoser:
+    return Diagnoser(pendulum(), wants=("momentum", "forward", "coupled", "generalized", "reaction"))
+
+
+@pytest.mark.parametrize(
+    ("quantity", "factor", "words"),
+    [
+        ("reaction", -1.0, "reaction answered of the opposite sign"),
+        ("q_dot", 180 / math.pi, "q_dot answered in degrees"),
+        ("q_dot", 0.0, "q_dot answered as zero"),
+    ],
+)
+def test_a_quantity_that_is_wrong_by_one_factor_is_named(quantity: str, factor: float, words: str) -> None:
+    model = Reference(pendulum())
+
+    def answer(request: Request) -> Mapping[str, Any]:
+        values = model(request.state, request.want[0])
+        return {name: np.array(value) * (factor if name == quantity else 1.0) for name, value in values.items()}
+
+    (cause,) = pendulum_diagnoser().diagnose(answer).causes
+    assert words in (cause.name, *cause.like)
+
+
+def test_speeds_of_a_freedom_in_degrees_are_a_wrong_reading() -> None:
+    hold, model = pendulum().hold, Reference(pendulum())
+    assert hold is not None
+
+    def answer(request: Request) -> Mapping[str, Any]:
+        u = math.pi / 180 * np.array(request.state.u)
+        return model(replace(request.state, u=tuple(u), V=tuple(twists(hold) @ u)), request.want[0])
+
+    (cause,) = pendulum_diagnoser().diagnose(answer).causes
+    assert "omega in degrees a second" in (cause.name, *cause.like)

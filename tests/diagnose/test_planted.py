@@ -1,0 +1,159 @@
+"""Faults and wrong numbers in the program of a rig that knows nothing of the package: what is planted is named."""
+
+from __future__ import annotations
+
+import copy
+import json
+import sys
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import mahovik
+from diagnose.rig import WANTS, Rig
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.read import read
+from mahovik.core.stand.toml import parse
+from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
+from mahovik.proof.diagnose.terms.search import TermSearch
+from mahovik.proof.diagnose.words import as_object, sentences
+from mahovik.proof.verify.states import Request
+
+HERE = Path(__file__).parent
+TEXT = (HERE / "rig.toml").read_text(encoding="utf-8")
+
+FAULTS: dict[str, Any] = {
+    "scalar last": "quaternion read with the scalar last",
+    "conjugate": "quaternion conjugated",
+    "degrees": "attitude angles in degrees",
+    "gravity": "gravity of the opposite sign",
+    "products": "products of inertia of the opposite sign (carrier alone)",
+    "about": "inertia taken about the origin though it is about the centre of mass",
+    "phase": "phase of the opposite sense",
+    "rpm": "speed of a flywheel in revolutions a minute",
+    "transposed": "stiffness matrix transposed",
+    "buoyancy": "buoyancy that does not turn into the axes of the body",
+    "added mass": "added mass of the opposite sign",
+    "wrench": "run-time wrenches taken in the axes of E0",
+    "coriolis": ("flywheels", "m phi_dot omega x (e x r)", 1.0, 2.0),
+    "omega x u": ("flywheels", "J phi_dot omega x e", 0.0, 1.0),
+    "centripetal": ("w2", "m phi_dot^2 e x (e x r)", 0.0, 1.0),
+    "weight": ("flywheels", "moment of weight", 0.0, 1.0),
+    "armature": ("w1", "w1.acceleration", None, None),
+}
+"""Faults of `rig.py`, and their names: a reading, or a term with its factor and the right one."""
+
+NUMBERS: dict[str, float] = {
+    "carrier.mass": 2.01,
+    "carrier.center_of_mass[2]": 0.031,
+    "carrier.inertia.J11": 0.0305,
+    "carrier.added_mass[1][1]": 0.65,
+    "carrier.buoyancy.displaced_mass": 1.45,
+    "carrier.buoyancy.center[2]": 0.055,
+    "arm.mass": 0.31,
+    "arm.position[1]": 0.055,
+    "w1.mass": 0.41,
+    "w1.center_of_mass[1]": 0.0035,
+    "w1.inertia.J11": 0.0012,
+    "w1.angles[1]": -0.25,
+    "w2.position[0]": 0.033,
+    "suspension.damping[5][5]": 0.5,
+    "suspension.stiffness[2][2]": 510.0,
+    "suspension.position[2]": -0.025,
+    "gravity[2]": -9.80665,
+}
+"""Numbers of the file that the program has otherwise."""
+
+QUICK = ("scalar last", "buoyancy", "coriolis", "carrier.mass", "suspension.damping[5][5]")
+
+
+@cache
+def diagnoser() -> Diagnoser:
+    return Diagnoser(stand(), parse(TEXT), wants=WANTS)
+
+
+@cache
+def stand() -> Stand:
+    return read(parse(TEXT), "rig")
+
+
+@cache
+def term_search(wrong: tuple[str, ...]) -> TermSearch:
+    return TermSearch(stand(), wants=WANTS, wrong=wrong)
+
+
+def with_number(path: str, value: float) -> Mapping[str, Any]:
+    """The keys of the file as the program reads them, with another number."""
+    file: Any = copy.deepcopy(tomllib.loads(TEXT))
+    changed = mahovik.Stand.from_dict(parse(TEXT)).replace({path: value}).to_dict()
+    file.update(json.loads(json.dumps(changed, default=float)))
+    return dict(file)
+
+
+def diagnosis_of(rig: Rig) -> Diagnosis:
+    """Diagnosis of a program, as `judge --explain` makes it."""
+
+    def answer(request: Request) -> Mapping[str, Any]:
+        given = {key: value for key, value in vars(request.state).items() if value is not None}
+        return rig.answer({**given, "wrench": dict(request.state.wrench)}, request.want[0])
+
+    found = diagnoser().diagnose(answer)
+    if found.wrong and not (found.verdict == "named" and len(found.causes) == 1):
+        wrong = tuple(dict.fromkeys(each.partition(":")[0] for each in found.wrong))
+        found = found.with_terms(term_search(wrong).find(answer))
+    return found
+
+
+def marked(names: Mapping[str, Any]) -> list[Any]:
+    return [pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in names]
+
+
+@pytest.mark.parametrize("fault", marked(FAULTS))
+def test_a_fault_in_the_code_is_named(fault: str) -> None:
+    found, expected = diagnosis_of(Rig(tomllib.loads(TEXT), fault)), FAULTS[fault]
+    assert found.verdict == "named", sentences(found)
+    if isinstance(expected, str):
+        (cause,) = found.causes
+        assert expected in (cause.name, *cause.like)
+        return
+    assert found.terms is not None
+    body, term, factor, right = expected
+    if factor is None:
+        own = {(each.component, each.term) for each in found.terms.terms if each.want == "torque"}
+        assert own == {(body, term), ("w2", "w2.acceleration")}
+        return
+    for each in found.terms.terms:
+        assert (each.component, each.term) == (body, term)
+        assert each.multiple.factor == pytest.approx(factor, abs=1e-6) and each.multiple.expected == right
+
+
+@pytest.mark.parametrize("path", marked(NUMBERS))
+def test_a_wrong_number_is_named_with_its_value(path: str) -> None:
+    found = diagnosis_of(Rig(with_number(path, NUMBERS[path])))
+    (cause,) = found.causes
+    assert found.verdict == "named" and cause.number is not None
+    assert path in (cause.name, *cause.like)
+    assert cause.name != path or cause.number[0] == NUMBERS[path]
+
+
+def test_the_right_program_has_no_fault() -> None:
+    assert diagnosis_of(Rig(tomllib.loads(TEXT))).verdict == "none"
+
+
+def test_the_command_names_a_number(tmp_path: Path) -> None:
+    """By a process and JSON, to the digits that it prints."""
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(TEXT.replace("mass = 2.0\n", "mass = 2.01\n"), encoding="utf-8")
+    file = tmp_path / "rig.toml"
+    file.write_text(TEXT, encoding="utf-8")
+    found = mahovik.judge(file, f"{sys.executable} {HERE / 'rig.py'} {wrong}", explain=True, states=20)
+    assert found.explanation == ("carrier.mass: 2.01 kg explains the error to rounding (double); the file has 2",)
+    diagnosis = found.to_dict()["diagnosis"]
+    assert diagnosis["found"] == [
+        {"number": "carrier.mass", "value": 2.01, "expected": 2.0, "unit": "kg", "share": 1.0}
+    ]
+    assert diagnosis == as_object(found.diagnosis)  # type: ignore[arg-type]
