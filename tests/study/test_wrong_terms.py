@@ -33,6 +33,7 @@ from mahovik.proof.reference.wrench_kinds import body_wrench
 from mahovik.proof.verify.actuators import stand_at, with_drawn_actuators
 from mahovik.proof.verify.backends import CasadiBackend, NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.foreign import Program
 from mahovik.proof.verify.states import Request
 from mahovik.stands import path
 
@@ -301,7 +302,7 @@ def vehicle() -> Stand:
 
 @cache
 def law_search() -> TermSearch:
-    return TermSearch(vehicle(), wants=("forward",), actuators=True)
+    return TermSearch(vehicle(), wants=("forward",), program=Program("", (), actuators=True))
 
 
 def law_terms_found(wrong: Callable[[Stand], Stand], rows: Sequence[int] = range(6)) -> TermSearchResult:

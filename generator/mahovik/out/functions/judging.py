@@ -103,9 +103,7 @@ def judge(
             by_id = {request.id: result for request, result in zip(requests, results, strict=True)}
             return lambda request: by_id[request.id]
 
-        return _explain(
-            own, found, explain, answers, seed, tolerance, None, progress, program.actuators, program.on_hold
-        )
+        return _explain(own, found, explain, answers, seed, tolerance, None, progress, program)
 
 
 def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool:
@@ -171,15 +169,14 @@ def _explain(
     tolerance: float,
     states: States | None,
     progress: OnProgress | None,
-    actuators: bool = False,
-    on_hold: bool = False,
+    program: Program | None = None,
 ) -> Verification:
     """The verdict with its diagnosis, where one is asked for and possible."""
     if not explain or found.error:
         return Verification(found)
     tell(progress, Progress("distinguish faults"))
     try:
-        diagnosed = _diagnosis(stand, found, answers, seed, tolerance, states, actuators, on_hold)
+        diagnosed = _diagnosis(stand, found, answers, seed, tolerance, states, program)
         return Verification(found, diagnosed)
     except CheckError as error:
         return Verification(replace(found, error=str(error)))
@@ -192,13 +189,9 @@ def _diagnosis(
     seed: int,
     tolerance: float,
     states: States | None,
-    actuators: bool,
-    on_hold: bool,
+    program: Program | None,
 ) -> Diagnosis:
     """Diagnosis of what differs, for the wants that it offers. `states`: the only ones with answers, or None.
-
-    `actuators`: the program takes deflections of fins and speeds of propellers. `on_hold`: it takes only poses that the
-    hold of a held carrier allows.
 
     Raises CheckError, UsageError.
     """
@@ -214,8 +207,7 @@ def _diagnosis(
         return Diagnosis("unnamed", unexplained=1.0, failed=_failure_words(found))
     rows = None if states is None else telling_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
     document = Stand.of(stand).to_dict()
-    taken = {"actuators": actuators, "on_hold": on_hold}
-    diagnoser = Diagnoser(stand, document, seed=seed, wants=offered, states=rows, tolerance=tolerance, **taken)
+    diagnoser = Diagnoser(stand, document, seed=seed, wants=offered, states=rows, tolerance=tolerance, program=program)
     diagnosed = diagnoser.diagnose(answers(diagnoser.requests))
     diagnosed = replace(diagnosed, failed=_failure_words(found, diagnosed.wrong))
     precision = diagnosed.precision
@@ -232,7 +224,7 @@ def _diagnosis(
     if states is not None:
         states = spread_rows(states, ROWS_OF_TERMS * count(stand))
     wrong = [each.partition(":")[0] for each in diagnosed.wrong]
-    terms = TermSearch(stand, seed, searched, states, precision, wrong=wrong, **taken)
+    terms = TermSearch(stand, seed, searched, states, precision, program, wrong)
     try:
         return diagnosed.with_terms(terms.find(answers(terms.requests)))
     except CheckError as error:

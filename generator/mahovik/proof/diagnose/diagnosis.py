@@ -21,6 +21,7 @@ from mahovik.proof.diagnose.states import FIRST, separating_states
 from mahovik.proof.diagnose.terms.search import TermSearchResult
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.bounds import DOUBLE
+from mahovik.proof.verify.foreign import Program
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.states import Request
 
@@ -111,19 +112,18 @@ class Diagnoser:
         wants: Sequence[str] = (),
         states: Sequence[tuple[str, State]] | None = None,
         tolerance: float = DOUBLE.default,
-        actuators: bool = False,
-        on_hold: bool = False,
+        program: Program | None = None,
     ) -> None:
         """`document`: the keys of the stand's file, whose numbers are named; None: those of the stand in SI.
 
         `states`: the only ones with answers, by name, as in a log; None: those that tell faults apart best.
-        `tolerance`: accepted difference, relative to the scale, where it is more than rounding. `actuators`: the
-        program takes deflections of fins and speeds of propellers. `on_hold`: it takes only poses that the hold allows.
+        `tolerance`: accepted difference, relative to the scale, where it is more than rounding. `program`: which states
+        it takes; None: all.
         """
         self._stand = stand
         self._tolerance = tolerance if tolerance > DOUBLE.default else 0.0
         if states is None:
-            states = separating_states(stand, seed, actuators, on_hold)
+            states = separating_states(stand, seed, program)
         asked = [
             (number, Request(f"{name}, {want}", state, (want,)))
             for number, (name, state) in enumerate(states)

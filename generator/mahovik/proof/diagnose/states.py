@@ -14,7 +14,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random_state import in_layer, random_state, random_wrenches
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.proof.verify.actuators import with_drawn_actuators
-from mahovik.proof.verify.held import onto_hold
+from mahovik.proof.verify.foreign import Program
 
 FIRST = 3
 """Number of leading states with all features active: every visible fault shows in them, so they suffice to search."""
@@ -23,13 +23,10 @@ ALONE = 4
 """Largest number of flywheels that have a state in which they alone turn."""
 
 
-def separating_states(
-    stand: Stand, seed: int = 1, actuators: bool = False, on_hold: bool = False
-) -> list[tuple[str, State]]:
+def separating_states(stand: Stand, seed: int = 1, program: Program | None = None) -> list[tuple[str, State]]:
     """States with their names, the same for the same seed; without the extremes of `verify`, which rounding disturbs.
 
-    `actuators`: with deflections of fins and speeds of propellers, for programs that take them. `on_hold`: in poses
-    that the hold of a held carrier allows.
+    `program`: that takes them, in the form in which it is given them.
     """
     rng = np.random.default_rng(seed)
     found = [
@@ -61,10 +58,10 @@ def separating_states(
         layers = len(stand.profile.depth) - 1
         found = [(s[0], in_layer(stand, s[1], layers - 1 - k % layers, (0.7, 0.4)[k % 2])) for k, s in enumerate(found)]
     if stand.hold is not None:
-        found = [(name, _in_freedoms(onto_hold(stand, state) if on_hold else state)) for name, state in found]
-    if actuators:
+        found = [(name, _in_freedoms(state)) for name, state in found]
+    if program is not None and program.actuators:
         found = [(name, with_drawn_actuators(stand, state, rng)) for name, state in found]
-    return found
+    return found if program is None else [(name, program.state(stand, state)) for name, state in found]
 
 
 def _in_freedoms(state: State) -> State:

@@ -36,7 +36,7 @@ from mahovik.proof.diagnose.terms.solvable import has_mass_matrix
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.actuators import stand_at, with_drawn_actuators
-from mahovik.proof.verify.held import onto_hold
+from mahovik.proof.verify.foreign import Program
 from mahovik.proof.verify.states import Request
 
 WANTS = tuple(ANSWERS)
@@ -140,14 +140,12 @@ class TermSearch:
         wants: Sequence[str] = WANTS,
         states: Sequence[tuple[str, State]] | None = None,
         precision: Precision | None = None,
-        actuators: bool = False,
-        on_hold: bool = False,
+        program: Program | None = None,
         wrong: Sequence[str] = (),
     ) -> None:
         """`states`: the only ones with answers, by name, as in a log; None: those that the search asks for.
 
-        `precision`: of the program, None: double; `actuators`: it takes deflections
-        of fins and speeds of propellers; `on_hold`: it takes only poses that the hold allows; `wrong`: wants that are
+        `precision`: of the program, None: double; `program`: which states it takes, None: all; `wrong`: wants that are
         known to differ.
         """
         rng = np.random.default_rng(seed)
@@ -155,9 +153,9 @@ class TermSearch:
         if precision is not None:
             self._rounding = max(ROUNDING, precision.accepted, 2.0 * 10.0 ** (1 - precision.digits))
         self._own = [_state(stand, rng) for _ in range(math.ceil(MORE * count(stand)) + SPARE)]
-        if actuators:
+        if program is not None and program.actuators:
             self._own = [with_drawn_actuators(stand, state, rng) for state in self._own]
-        asked = [onto_hold(stand, state) for state in self._own] if on_hold else self._own
+        asked = self._own if program is None else [program.state(stand, state) for state in self._own]
         named = [(f"term {i}", state) for i, state in enumerate(asked)] if states is None else states
         self._states = [state for _, state in named]
         self._equations = Equations(stand, self._own)
