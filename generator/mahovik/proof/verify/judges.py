@@ -12,7 +12,7 @@ from __future__ import annotations
 import importlib
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,8 +43,8 @@ Values = dict[str, Any]
 States = Sequence[tuple[str, State]]
 
 LIMIT, NEAR = 1e-12, 10.0
-"""Accepted difference, a share of its scale; m from the origin of E0 beyond which a carrier is put there, since the
-programs add its position to that of every body."""
+"""Accepted difference, a share of its scale; coordinate of the carrier in E0, m, beyond which it is put there, since
+the programs add its position to that of every body."""
 
 SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 """Attitude sequences as SciPy names them; capitals: about moving axes."""
@@ -90,37 +90,26 @@ def places(stand: Stand) -> dict[str, tuple[Array, Array]]:
     return found
 
 
-class Joint(NamedTuple):
-    """A joint that turns about an axis (unit vector) through a point of E1 and moves along it, at `rate` for u = 1.
-
-    `advance`: m/rad, zero of a hinge; None: it moves along the axis only.
-    """
-
-    axis: Array
-    point: Array
-    advance: float | None
-    rate: float
-
-
-def chain(hold: Hold) -> list[Joint]:
-    """A joint for each freedom, which bears the next. UsageError: no chain of joints moves as V = S u.
+def chain(hold: Hold) -> list[tuple[Array, Array, float | None, float]]:
+    """A joint for each freedom, which bears the next: axis (unit vector) and a point on it in E1, advance along it in
+    m/rad (0: a hinge; None: it only slides), its velocity at u = 1. UsageError: no chain of joints moves as V = S u.
 
     A twist (v, omega) turns about the axis along omega through c = omega x v / omega^2, with the advance
     h = omega . v / omega^2: v = h omega + c x omega.
     """
     if hold.freedoms and not is_closed(hold):
         raise UsageError("no chain of joints has these freedoms, expected a closed set of freedoms")
-    joints, pivot = [], np.array(hold.pivot)
+    joints: list[tuple[Array, Array, float | None, float]] = []
     for freedom in hold.freedoms:
         if freedom.kind != "twist":
             axis = np.array(freedom.direction) / np.linalg.norm(freedom.direction)
-            joints.append(Joint(axis, pivot, 0.0 if freedom.kind == "turn" else None, 1.0))
+            joints.append((axis, np.array(hold.pivot), 0.0 if freedom.kind == "turn" else None, 1.0))
             continue
         v, omega = np.split(np.array(freedom.twist), 2)
         along = omega if omega.any() else v
         rate, advance = float(np.linalg.norm(along)), float(omega @ v) / float(along @ along)
         advance = 0.0 if abs(advance) < 1e-15 else advance  # of a hinge, but for rounding
-        joints.append(Joint(along / rate, np.cross(omega, v) / rate**2, advance if omega.any() else None, rate))
+        joints.append((along / rate, np.cross(omega, v) / rate**2, advance if omega.any() else None, rate))
     return joints
 
 
@@ -133,7 +122,7 @@ class Program:
     def __init__(self, stand: Stand) -> None:
         self.stand, self.free, self.N = stand, stand.hold is None, len(stand.flywheels)
         self.chain = [] if stand.hold is None else chain(stand.hold)
-        self.rates = np.ones(6) if self.free else np.array([joint.rate for joint in self.chain])
+        self.rates = np.ones(6) if self.free else np.array([rate for *_, rate in self.chain])
         self.S = np.eye(6) if stand.hold is None else twists(stand.hold)
         self.along = np.linalg.pinv(self.S)  # u_dot of V_dot = S u_dot
 
@@ -155,8 +144,8 @@ class Program:
         m, phi_ddot = len(self.rates), np.array(state.phi_ddot)
         full, coupled = self.solve(state, np.array([*(self.rates * u), *state.phi_dot]))
         idle = self.motion(np.zeros(m + self.N))
-        K, I = full[:m, :m] * np.outer(self.rates, self.rates), full[:m, m:] * self.rates[:, None]
-        forward = self.rates * np.linalg.solve(K, -self.S.T @ idle["wrench"] - I @ phi_ddot)
+        K, I, twists_of_joints = full[:m, :m], full[:m, m:], self.S / self.rates
+        forward = np.linalg.solve(K, -twists_of_joints.T @ idle["wrench"] - I @ phi_ddot)
 
         def motion(u_dot: Any, phi_ddot: Array) -> Values:
             joints = self.rates * (u_dot - self.along @ idle["V_dot"])  # twists of a chain change while it moves
@@ -179,10 +168,7 @@ class Program:
 
 
 class Pinocchio(Program):
-    """Free-flyer, or a composite of prismatic and helical joints; CRBA, ABA, RNEA.
-
-    Its twists are (linear; angular) in a body's axes, its spatial acceleration is the derivative of their components.
-    """
+    """Free-flyer, or a composite of prismatic and helical joints, whose accelerations are V_dot; CRBA, ABA, RNEA."""
 
     name = "pinocchio"
 
@@ -257,20 +243,19 @@ def mujoco_spec(stand: Stand) -> Any:
     for body in stand.bodies:
         (position, axes), own = pose(stand, body), carrier
         if body is not stand.carrier:
-            own = carrier.add_body(name=body.name, pos=position, quat=_quaternion(axes))
+            own = carrier.add_body(
+                name=body.name, pos=position, quat=Rotation.from_matrix(axes).as_quat(scalar_first=True)
+            )
         if body in stand.flywheels:
             own.add_joint(type=mujoco.mjtJoint.mjJNT_HINGE, axis=(1.0, 0.0, 0.0))
         moments, axes = np.linalg.eigh(inertia_about_center(body))
         if body.mass > 0.0 or np.any(moments):
             own.mass, own.ipos, own.inertia = body.mass, body.center_of_mass, moments
-            own.explicitinertial, own.iquat = True, _quaternion(axes * np.linalg.det(axes))
+            own.iquat = Rotation.from_matrix(axes * np.linalg.det(axes)).as_quat(scalar_first=True)
+            own.explicitinertial = True
     for name, (position, axes) in places(stand).items():
-        carrier.add_site(name=name, pos=position, quat=_quaternion(axes))
+        carrier.add_site(name=name, pos=position, quat=Rotation.from_matrix(axes).as_quat(scalar_first=True))
     return spec
-
-
-def _quaternion(axes: Array) -> Any:
-    return Rotation.from_matrix(axes).as_quat(scalar_first=True)
 
 
 class Mujoco(Program):
@@ -386,8 +371,7 @@ def judge(
     """A check for each program and quantity."""
     checks: dict[tuple[str, str], Check] = {}
     for done, (name, drawn) in enumerate(states):
-        far = max(map(abs, drawn.position)) > NEAR
-        state = replace(drawn, position=(0.0, 0.0, 0.0)) if far else drawn
+        state = replace(drawn, position=tuple(np.clip(drawn.position, -NEAR, NEAR).tolist()))
         natural = _scales(stand, state)
         for program in programs:
             for want, values in program.answers(state).items():
