@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from hypothesis import strategies as st
@@ -53,33 +54,9 @@ def features(
 
 
 @st.composite
-def stands(
-    draw: st.DrawFn,
-    min_flywheels: int = 0,
-    max_flywheels: int = 8,
-    *,
-    fluid: bool | None = None,
-    gravity: bool | None = None,
-    stream: bool | None = None,
-    instruments: int | None = None,
-    points: int | None = None,
-    wrench_inputs: bool | None = None,
-    motors: bool | None = None,
-    laws: Mapping[str, int] = MappingProxyType({}),
-) -> Stand:
-    """General stands; options left None are drawn. Every body is a cloud of point masses off its origin."""
-    has = draw(
-        features(
-            fluid=fluid,
-            gravity=gravity,
-            stream=stream,
-            instruments=instruments,
-            points=points,
-            wrench_inputs=wrench_inputs,
-            motors=motors,
-            laws=laws,
-        )
-    )
+def stands(draw: st.DrawFn, /, min_flywheels: int = 0, max_flywheels: int = 8, **given: Any) -> Stand:
+    """General stands; what `features` takes is drawn if not given. Every body is a cloud of points off its origin."""
+    has = draw(features(**given))
     flywheels = draw(st.integers(min_flywheels, max_flywheels))
     return random_stand(np.random.default_rng(draw(_SEEDS)), flywheels, has)
 

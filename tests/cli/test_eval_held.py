@@ -10,33 +10,12 @@ import numpy as np
 import pytest
 
 from cli.run import run
-
-TEXT = """
-schema = 1
-name = "pendulum"
-gravity = [0, 0, -9.81]
-[hold]
-freedoms = ["pitch"]
-pivot = [0, 0, -0.2]
-[carrier]
-mass = 2
-inertia = [0.02, 0.02, 0.01]
-[[flywheel]]
-name = "w1"
-axis = [0, 1, 0]
-zero = [0, 0, 1]
-mass = 0.5
-spin_inertia = 0.001
-transverse_inertia = 0.0006
-[[point]]
-name = "tip"
-position = [0, 0, 0.1]
-"""
+from verify.holds import PENDULUM
 
 
 def pendulum_file(folder: Path) -> str:
     path = folder / "pendulum.toml"
-    path.write_text(TEXT)
+    path.write_text(PENDULUM)
     return str(path)
 
 
@@ -94,7 +73,7 @@ def test_the_reaction_of_no_motion_is_an_error_line(file: str, tmp_path: Path) -
     R = still["reaction"]  # along the freedom: what a drive would hold it with
     assert 0.2 * R[0] + R[4] == pytest.approx(-2.5 * 9.81 * 0.2 * np.sin(0.3), rel=1e-12)
     clamped = tmp_path / "clamped.toml"
-    clamped.write_text(TEXT.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', "freedoms = []\n"))
+    clamped.write_text(PENDULUM.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', "freedoms = []\n"))
     (found,) = answers(str(clamped), {"want": ["reaction"]})
     assert found["reaction"][2] == pytest.approx(2.5 * 9.81)
 
@@ -105,7 +84,7 @@ def test_a_free_carrier_and_two_reactions_in_one_want_are_error_lines(file: str,
     (found,) = answers(file, {"want": ["forward"], "V": [0, 0, 0, 0, 1, 0]}, status=1)
     assert found["error"] == "V: the carrier is held, expected u, 1 number"
     free = tmp_path / "free.toml"
-    free.write_text(TEXT.replace('[hold]\nfreedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', ""))
+    free.write_text(PENDULUM.replace('[hold]\nfreedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', ""))
     reaction, speed = answers(str(free), {"want": ["reaction"]}, {"want": ["forward"], "u": [1.0]}, status=1)
     assert reaction["error"] == 'want: "reaction" is of held carriers, and the stand has no [hold]: ask for forward'
     assert speed["error"] == "u: the stand has no [hold], expected V"
