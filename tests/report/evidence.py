@@ -7,8 +7,8 @@ from pathlib import Path
 
 from mahovik.core.stand import load
 from mahovik.errors import MahovikError
-from mahovik.proof.evidence.collect import collect
-from mahovik.proof.evidence.piece import Need, Outcome, Piece, PieceResult, Subject, Table, Tell, Verdict
+from mahovik.proof.evidence.collect import Need, Outcome, Piece, PieceResult, Subject, Table, Verdict, collect
+from mahovik.proof.verify.delivery import Options
 from mahovik.stands import path
 
 DEMO3 = str(path("demo3"))
@@ -17,13 +17,14 @@ DEMO3 = str(path("demo3"))
 def piece(name: str, said: Outcome | BaseException, *needs: Need) -> Piece:
     """A piece that comes out so, or raises."""
 
-    def run(subject: Subject, tell: Tell) -> Outcome:
-        tell("runs")
+    def run(subject: Subject) -> Outcome:
         if isinstance(said, BaseException):
             raise said
         return said
 
-    return Piece(name, f"Title of {name}", "shows `that`", "not this", lambda s: f"again {name}", run, lambda _: needs)
+    return Piece(
+        name, f"Title of {name}", "shows `that`", "not this", lambda s: f"again {name}", lambda _: needs, run=run
+    )
 
 
 def passed_outcome(**more: object) -> Outcome:
@@ -44,4 +45,4 @@ def refusing(error: MahovikError) -> Piece:
 
 def collected(folder: Path, pieces: Sequence[Piece], **options: object) -> list[PieceResult]:
     """The evidence of demo3."""
-    return collect(load(DEMO3), Path(DEMO3).read_bytes(), folder, pieces, **options)  # type: ignore[arg-type]  # what a test gives by name is not typed
+    return collect(load(DEMO3), Path(DEMO3).read_bytes(), folder, pieces, Options(), **options)  # type: ignore[arg-type]  # what a test gives by name is not typed

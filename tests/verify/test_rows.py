@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
@@ -15,8 +14,6 @@ from mahovik.core.stand import Stand, loads
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.errors import StateError
 from mahovik.proof import reference
-from mahovik.proof.evidence.piece import Subject, Verdict
-from mahovik.proof.evidence.pieces import agreement
 from mahovik.proof.second import Second
 from mahovik.proof.verify import harness
 from mahovik.proof.verify.bounds import DOUBLE
@@ -199,21 +196,6 @@ def test_a_quantity_is_never_larger_than_its_scale(want: str) -> None:
 @pytest.mark.parametrize("tables", HOLDS)
 def test_a_reaction_is_never_larger_than_its_scale(tables: str) -> None:
     assert check_bounds(held_stand(tables), "reaction", 3)
-
-
-def subject(folder: Path) -> Subject:
-    return Subject(HELD, "double", folder, folder)
-
-
-def test_evidence_says_that_there_is_nothing_to_judge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    outcome = agreement._ask_judges(subject(tmp_path), lambda _: None)
-    assert outcome.verdict is Verdict.NOTHING
-    assert "no positive definite mass matrix" in outcome.figure
-    refused = [Check(name, "all quantities", words=f"{name}: too light") for name in "ab"]
-    report = replace(verify_judges(POINT, count=1, names=()), rows=tuple(refused))
-    monkeypatch.setattr(agreement, "verify_judges", lambda *_, **__: report)
-    outcome = agreement._ask_judges(subject(tmp_path), lambda _: None)
-    assert (outcome.verdict, outcome.figure) == (Verdict.NOTHING, "a: too light; b: too light")
 
 
 def test_a_judge_that_refuses_some_cases_only_fails() -> None:
