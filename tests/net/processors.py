@@ -19,8 +19,8 @@ from typing import Any
 import mahovik
 from mahovik.core.stand import Stand
 from mahovik.core.toolchain.targets import TARGETS, Target
-from mahovik.proof.cost.check import COMPARED_FIGURES, compare
 from mahovik.proof.cost.measure import USUAL, Costs, TargetCost, measure
+from mahovik.proof.cost.page import COMPARED_FIGURES, compare
 from mahovik.proof.verify.targets import parse_targets, verify_targets
 from net import HERE, record
 

@@ -19,10 +19,10 @@ from mahovik.core.stand import load
 from mahovik.core.stand.identity import identities
 from mahovik.errors import CheckError, ToolchainError, UsageError
 from mahovik.out.cli import main
+from mahovik.proof.evidence.collect import Subject, Verdict
 from mahovik.proof.evidence.folder import check
 from mahovik.proof.evidence.page import conclusion, failures
-from mahovik.proof.evidence.collect import Verdict
-from mahovik.proof.evidence.pieces import DELIVERY, EQUATIONS, JUDGES, SELFTEST
+from mahovik.proof.evidence.pieces import EQUATIONS, JUDGES
 from mahovik.stands import path
 from report.evidence import ABLE, BAD, DEMO3, GOOD, collected, passed_outcome, piece, refusing
 from report.stand.reports import read
@@ -220,19 +220,21 @@ def test_a_public_function_without_an_equation_fails(tmp_path: Path, monkeypatch
 
 def test_a_piece_is_its_command(tmp_path: Path) -> None:
     """Its output is kept, its exit status is the verdict, and what it writes is not part of the evidence."""
-    words = f"mahovik check demo3.toml >/dev/null && mkdir more && echo 1 >more/a.txt && echo $PWD; {{}} demo3.toml"
-    right, wrong = (replace(GOOD, name=name, command=lambda s, name=name: words.format(name), run=None, kept=("more/*",))
-                    for name in ("test -f", "test -d"))  # fmt: skip
+    first = "mahovik check demo3.toml >/dev/null && mkdir more && echo 1 >more/a.txt && echo $PWD; "
+    right = replace(GOOD, command=lambda _: f"{first} test -f demo3.toml", run=None, kept=("more/*",))
+    wrong = replace(right, name="wrong", command=lambda _: f"{first} test -d demo3.toml")
     found = collected(tmp_path / "out", [right, wrong])
     assert [each.outcome.verdict for each in found] == [Verdict.PASSED, Verdict.FAILED]
-    assert found[0].outcome.files == {"output.txt": "test -f\n", "a.txt": b"1\n"}
+    assert found[0].outcome.files == {"output.txt": "good\n", "a.txt": b"1\n"}
     assert not (tmp_path / "out" / "more").exists()
 
 
 def test_the_judges_have_nothing_to_judge(tmp_path: Path) -> None:
-    massless = Subject(replace(load(DEMO3), carrier=POINT, flywheels=()), "double", tmp_path, tmp_path)
-    assert JUDGES.idle(massless) == "no body of the stand has a mass"
-    assert "double" in JUDGES.idle(replace(massless, real="float"))
+    stand = load(DEMO3)
+    weightless = replace(stand, carrier=replace(stand.carrier, mass=0.0), instruments=(), flywheels=())
+    subject = Subject(weightless, "double", tmp_path, tmp_path)
+    assert JUDGES.idle(subject) == "no body of the stand has a mass"
+    assert "double" in JUDGES.idle(replace(subject, real="float"))
 
 
 def test_own_evidence_is_replaced(tmp_path: Path) -> None:

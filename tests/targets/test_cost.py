@@ -13,9 +13,8 @@ from cli.run import BENCH8, DEMO3, refused, run
 from mahovik.core.stand import load
 from mahovik.errors import UsageError
 from mahovik.proof.cost import measure as measuring
-from mahovik.proof.cost.check import compare
 from mahovik.proof.cost.measure import Costs, FunctionCost, TargetCost, measure, parse_targets
-from mahovik.proof.cost.page import as_json, page, read_accepted_costs
+from mahovik.proof.cost.page import as_json, compare, page, read_accepted_costs
 from toolchain.tools import require, target
 
 

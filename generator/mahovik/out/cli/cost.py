@@ -96,7 +96,7 @@ def _compare(
     found: Costs, before: Sequence[Mapping[str, Any]], required: Sequence[tuple[str, str]], quiet: bool
 ) -> None:
     """Print differences from the accepted figures. Raises CheckError if the cost has risen or is not accepted."""
-    from mahovik.proof.cost.check import compare
+    from mahovik.proof.cost.page import compare
 
     result = compare(found, before, required)
     for title, lines in (("rise", result.rises), ("not accepted", result.missing), ("not compared", result.other)):

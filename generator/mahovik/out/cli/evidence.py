@@ -153,16 +153,13 @@ def _collect(
 def _plain(found: list[PieceResult], folder: Path) -> dict[str, Any]:
     from mahovik.proof.evidence.page import conclusion
 
-    pieces = [
-        {"name": e.piece.name, "verdict": e.outcome.verdict.value, "figure": e.outcome.figure, "command": e.command}
-        for e in found
-    ]
+    pieces = [each.as_dict() for each in found]
     return {"folder": str(folder), "conclusion": conclusion(found), "pieces": pieces}
 
 
 def _print(found: list[PieceResult]) -> None:
-    from mahovik.proof.evidence.page import conclusion
     from mahovik.proof.evidence.collect import Verdict
+    from mahovik.proof.evidence.page import conclusion
 
     styles = {Verdict.PASSED: "green", Verdict.FAILED: "red"}
     rows = ((e.piece.name, ((v := e.outcome.verdict).value, styles.get(v, "yellow")), e.outcome.figure) for e in found)

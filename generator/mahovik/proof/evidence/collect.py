@@ -128,12 +128,22 @@ def module(name: str, package: str, extra: str) -> Need:
     return Need(name, lambda: find_spec(name) is not None, install, lambda: f"{package} {version(package)}")
 
 
+def library(package: str) -> Need:
+    """A Python package that is always there."""
+    return Need(package, lambda: True, "", lambda: f"{package} {version(package)}")
+
+
 @dataclass(frozen=True)
 class Table:
     """Figures of a piece; columns whose name ends in ">" are right-aligned."""
 
     head: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
+
+    @property
+    def kinds(self) -> list[str]:
+        """Class of each column in HTML."""
+        return ["number" if name.endswith(">") else "" for name in self.head]
 
 
 @dataclass(frozen=True)
@@ -199,6 +209,23 @@ class PieceResult:
     command: str
     outcome: Outcome
 
+    @property
+    def files(self) -> list[str]:
+        """Places of what is kept, in the folder."""
+        return [f"raw/{self.piece.name}/{name}" for name in self.outcome.files]
+
+    def as_dict(self) -> dict[str, object]:
+        """What is kept of it in JSON."""
+        outcome = self.outcome
+        return {
+            "name": self.piece.name,
+            "verdict": outcome.verdict.value,
+            "figure": outcome.figure,
+            "command": self.command,
+            "tools": list(outcome.tools),
+            "files": self.files,
+        }
+
 
 def select_pieces(pieces: Sequence[Piece], only: str | None, without: str | None) -> frozenset[str]:
     """Names of the pieces to run. Raises UsageError for an unknown name."""
@@ -259,17 +286,6 @@ def collect(
 def record(subject: Subject, results: Sequence[PieceResult]) -> str:
     """The summary as JSON."""
     names = identities(subject.stand)
-    pieces = [
-        {
-            "name": result.piece.name,
-            "verdict": result.outcome.verdict.value,
-            "figure": result.outcome.figure,
-            "command": result.command,
-            "tools": list(result.outcome.tools),
-            "files": [f"raw/{result.piece.name}/{name}" for name in result.outcome.files],
-        }
-        for result in results
-    ]
     content = {
         "format": FORMAT,
         "generator": f"mahovik {__version__}",
@@ -278,7 +294,7 @@ def record(subject: Subject, results: Sequence[PieceResult]) -> str:
         "physics": names.physics,
         "real": subject.real,
         "extent": "full" if subject.full else "quick",
-        "pieces": pieces,
+        "pieces": [result.as_dict() for result in results],
     }
     return json.dumps(content, indent=1) + "\n"
 

@@ -7,7 +7,6 @@ import re
 import shlex
 import subprocess
 from dataclasses import asdict
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -36,6 +35,7 @@ from mahovik.proof.evidence.collect import (
     Subject,
     Table,
     last_words,
+    library,
     module,
     program,
     verdict_of,
@@ -206,13 +206,7 @@ COMPARISON = Piece(
         f"mahovik verify {s.stand_file} --states {s.choose(200, 2000)} --junit junit.xml{s.option}{s.of_part}"
     ),
     kept=("junit.xml", "*-worst.jsonl"),
-    needs=lambda _: (
-        program("gcc"),
-        *(
-            Need(name, lambda: True, "", lambda name=name: f"{name} {version(name)}")
-            for name in ("numpy", "casadi", "sympy")
-        ),
-    ),
+    needs=lambda _: (program("gcc"), *map(library, ("numpy", "casadi", "sympy"))),
 )
 
 ROUNDING = Piece(

@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
 
-from mahovik.core.emit.delivery import firmware, selftest_files
+from mahovik.core.emit.delivery import firmware
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.lower.golden import CASES, FAR
@@ -36,9 +36,6 @@ SWEEP = 20
 TIMEOUT = 300.0
 """Longest run on an emulator, s; the machine may be busy."""
 
-_NOT_INSTALLED = "not installed"
-_NOT_HERE = "not here"
-
 
 @dataclass(frozen=True)
 class TargetRow:
@@ -63,7 +60,7 @@ class TargetRow:
     @property
     def missing(self) -> bool:
         """Whether there is no verdict because a tool is not installed."""
-        return self.verdict == _NOT_INSTALLED
+        return self.verdict == "not installed"
 
 
 @dataclass(frozen=True)
@@ -141,13 +138,9 @@ def verify_targets(
 
 def selftest_sources(stand: Stand, real: str, sweep: int, only: tuple[str, ...] = ()) -> dict[str, str]:
     """A stand's C with its self-test and a `main` for boards, by file name; `only`: with these functions alone."""
-    main = {"main.c": selftest_main(stand.name, sweep)}
-    if only:
-        made = generate_all(stand, real, only=only)
-        return {**made.files, **selftest_files(stand, made), **main}
-    files = firmware(stand, real)
+    files = firmware(stand, real, only)
     files.pop("README.md")
-    return {**files, **main}
+    return {**files, "main.c": selftest_main(stand.name, sweep)}
 
 
 def _row(
@@ -158,10 +151,10 @@ def _row(
 
     built_with = " ".join((*target.compiler[:1], target.optimisation))
     if missing := target.missing_commands():
-        return row(_NOT_INSTALLED, f"no {', '.join(missing)}: make targets")
+        return row("not installed", f"no {', '.join(missing)}: make targets")
     built_with = build_version(target)
     if unable := target.obstacle():
-        return row(_NOT_HERE, unable)
+        return row("not here", unable)
     try:
         found = run_selftest(target, program.name, files).splitlines()
     except ToolchainError as error:
@@ -197,16 +190,10 @@ def _problems(expected: Sequence[str], found: Sequence[str]) -> Iterator[str]:
 
 def as_json(report: TargetsReport) -> str:
     """The table as JSON."""
-    found = {
-        "stand": report.stand,
-        "structure": report.structure,
-        "physics": report.physics,
-        "states": report.sweep,
-        "passed": report.passed,
-        "conclusion": report.conclusion,
-        "rows": [asdict(row) for row in report.rows],
-    }
-    return json.dumps(found, indent=1)
+    facts = asdict(report)
+    rows, states = facts.pop("rows"), facts.pop("sweep")
+    verdict = {"states": states, "passed": report.passed, "conclusion": report.conclusion}
+    return json.dumps({**facts, **verdict, "rows": rows}, indent=1)
 
 
 def as_junit(report: TargetsReport) -> str:
@@ -221,14 +208,9 @@ def as_junit(report: TargetsReport) -> str:
             ET.SubElement(case, "error", message=row.reason)
         elif row.verdict != "ok":
             ET.SubElement(case, "skipped", message=row.reason)
-    counts = {
-        "tests": len(report.rows),
-        "failures": sum(row.failed for row in report.rows),
-        "errors": sum(row.missing for row in report.rows),
-        "skipped": sum(row.verdict == "not here" for row in report.rows),
-    }
-    for key, number in counts.items():
-        suite.set(key, str(number))
+    suite.set("tests", str(len(report.rows)))
+    for key, kind in (("failures", "failure"), ("errors", "error"), ("skipped", "skipped")):
+        suite.set(key, str(len(suite.findall(f"testcase/{kind}"))))
     ET.indent(suite)
     return '<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(suite, encoding="unicode") + "\n"
 
