@@ -7,7 +7,8 @@ from pathlib import Path
 
 from mahovik.core.stand import load
 from mahovik.errors import MahovikError
-from mahovik.proof.evidence.collect import Need, Outcome, Piece, PieceResult, Subject, Table, Verdict, collect
+from mahovik.proof.evidence.collect import collect
+from mahovik.proof.evidence.piece import Need, Outcome, Piece, PieceResult, Subject, Table, Verdict
 from mahovik.proof.verify.delivery import Options
 from mahovik.stands import path
 

@@ -19,9 +19,9 @@ from mahovik.core.stand import load
 from mahovik.core.stand.identity import identities
 from mahovik.errors import CheckError, ToolchainError, UsageError
 from mahovik.out.cli import main
-from mahovik.proof.evidence.collect import Subject, Verdict
 from mahovik.proof.evidence.folder import check
 from mahovik.proof.evidence.page import conclusion, failures
+from mahovik.proof.evidence.piece import Subject, Verdict
 from mahovik.proof.evidence.pieces import EQUATIONS, JUDGES
 from mahovik.stands import path
 from report.evidence import ABLE, BAD, DEMO3, GOOD, collected, passed_outcome, piece, refusing

@@ -25,7 +25,7 @@ from mahovik.out.cli.progress import can_show_line, progress
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
-    from mahovik.proof.evidence.collect import PieceResult
+    from mahovik.proof.evidence.piece import PieceResult
     from mahovik.proof.verify.delivery import Options
 
 FUZZ_SECONDS = (20, 600)
@@ -158,8 +158,8 @@ def _plain(found: list[PieceResult], folder: Path) -> dict[str, Any]:
 
 
 def _print(found: list[PieceResult]) -> None:
-    from mahovik.proof.evidence.collect import Verdict
     from mahovik.proof.evidence.page import conclusion
+    from mahovik.proof.evidence.piece import Verdict
 
     styles = {Verdict.PASSED: "green", Verdict.FAILED: "red"}
     rows = ((e.piece.name, ((v := e.outcome.verdict).value, styles.get(v, "yellow")), e.outcome.figure) for e in found)

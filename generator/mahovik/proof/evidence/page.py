@@ -13,7 +13,7 @@ from mahovik import __version__
 from mahovik.core.emit.generate import describe_bodies
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
-from mahovik.proof.evidence.collect import NO_VERDICT, PieceResult, Subject, Verdict
+from mahovik.proof.evidence.piece import NO_VERDICT, PieceResult, Subject, Verdict
 
 LONG = 14
 """Least number of rows of a table that is folded at first."""

@@ -6,9 +6,13 @@ import json
 import re
 import shlex
 import subprocess
+from collections import Counter
+from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from mahovik.contract.functions import ROWS, row_of
 from mahovik.core.emit.eva import drivers
@@ -28,7 +32,12 @@ from mahovik.core.toolchain.static_checks import (
     warnings_of,
 )
 from mahovik.core.toolchain.static_checks import WARNINGS as WARNING_FLAGS
-from mahovik.proof.evidence.collect import (
+from mahovik.errors import StateError
+from mahovik.proof.diagnose.answers import Precision
+from mahovik.proof.diagnose.diagnosis import Diagnoser
+from mahovik.proof.diagnose.readings import READINGS
+from mahovik.proof.diagnose.words import as_object, sentences
+from mahovik.proof.evidence.piece import (
     Need,
     Outcome,
     Piece,
@@ -40,6 +49,8 @@ from mahovik.proof.evidence.collect import (
     program,
     verdict_of,
 )
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.states import Request
 from mahovik.proof.verify.targets import as_json, parse_targets, verify_targets
 
 DELIVERY = Piece(
@@ -244,20 +255,53 @@ JUDGES = Piece(
     needs=lambda _: (program("gcc"), module("pinocchio", "pin", "judges"), module("mujoco", "mujoco", "judges")),
 )
 
+
+def _plant_readings(subject: Subject) -> Outcome:
+    """Make each wrong reading on this stand, and look for them in the C, which must have none."""
+    backend = CBackend(subject.stand, subject.real, subject.c if subject.only else None)
+    diagnoser = Diagnoser(subject.stand, wants=backend.wants)
+
+    def answer(request: Request) -> Mapping[str, Any]:
+        try:
+            return backend.evaluate(request.state, request.want)
+        except StateError:
+            return {}
+
+    diagnosis, whole = diagnoser.diagnose(answer), diagnoser.whole
+    noise = Precision.of(whole.fill(answer)).noise(whole.expected, whole.scale)
+    rows: list[tuple[str, str, str]] = []
+    for reading in READINGS:
+        error = np.abs(np.nan_to_num(whole.of_model(reading.model(subject.stand)) - whole.expected, nan=0.0))
+        worst = float((error / whole.scale).max(initial=0.0))
+        word = "seen" if (error > noise).any() else "within rounding" if worst else "no effect here"
+        rows.append((reading.name, f"{worst:.0e}" if worst else "0", word))
+    counts, clear = Counter(word for *_, word in rows), diagnosis.verdict == "none"
+    figure = (
+        f"the C has none; of {len(rows)} wrong readings {counts['seen']} would be seen, {counts['no effect here']} have "
+        f"no effect on this stand, {counts['within rounding']} none beyond rounding"
+    )
+    notes = tuple(line.strip() for line in sentences(diagnosis))
+    table = Table(("reading", "largest error, of scale>", "outcome"), tuple(rows))
+    files = {"diagnosis.json": json.dumps({"C": as_object(diagnosis), "readings": rows}, indent=1) + "\n"}
+    return Outcome(verdict_of(clear), figure if clear else notes[0], (), table, notes, files)
+
+
 FAULTS = Piece(
     name="faults",
-    title="Has it a fault that can be named?",
+    title="Would a fault be seen?",
     shows=(
-        "The C is asked as a foreign program would be: no other reading of state or stand, no other number and no "
-        "other term explains its answers better than the equations do."
+        "Each wrong reading of a table (an order, a frame, a unit, a sign, an inertia about the wrong point) is made "
+        "on this stand; the table says how far its answers are from the right ones. The C is asked as a foreign "
+        "program would be, and found to have none of them."
     ),
     limits=(
-        "Faults of the C as C, such as a loop bound: these are planted in the emitted text by the project's own tests, "
-        "for its example stands: `make faults`."
+        "Faults that the table does not have, and faults of the C as C, such as a loop bound: these are planted "
+        "in the emitted text by the project's own tests, for its example stands: `make faults`."
     ),
-    command=lambda s: f'mahovik judge {s.stand_file} --with "mahovik eval {s.stand_file}" --explain',
-    idle=lambda s: "" if s.real == "double" else "it compares in double: collect the evidence of the C in double",
-    needs=lambda _: (program("gcc"),),
+    command=lambda s: f'mahovik judge {s.stand_file} --with "mahovik eval {s.stand_file}{s.option}" --explain',
+    run=_plant_readings,
+    idle=lambda s: "" if s.stand.hold is None else "wrong readings take free carriers only, and this one has [hold]",
+    needs=lambda _: (program("gcc"), library("numpy")),
 )
 
 
