@@ -15,9 +15,6 @@ from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
 from mahovik.proof.evidence.piece import NO_VERDICT, PieceResult, Subject, Verdict
 
-LONG = 14
-"""Least number of rows of a table that is folded at first."""
-
 GENERAL = (
     ("Sine, cosine, square root, arc tangent: bounds of their errors, and how they are known", "docs/proofs.md"),
     ("Faults planted in the emitted C and in the derivations, each caught by a test", "docs/verification.md"),
@@ -43,7 +40,6 @@ def html(subject: Subject, results: Sequence[PieceResult]) -> str:
         styles=_STYLE,
         general=GENERAL,
         results=results,
-        long=LONG,
         text=_text,
         command=_command,
     )

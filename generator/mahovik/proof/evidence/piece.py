@@ -134,6 +134,11 @@ class Table:
         """Class of each column in HTML."""
         return ["number" if name.endswith(">") else "" for name in self.head]
 
+    @property
+    def is_short(self) -> bool:
+        """Whether it is shown at first, and not folded."""
+        return len(self.rows) < 14
+
 
 @dataclass(frozen=True)
 class Outcome:

@@ -276,10 +276,8 @@ def _plant_readings(subject: Subject) -> Outcome:
         word = "seen" if (error > noise).any() else "within rounding" if worst else "no effect here"
         rows.append((reading.name, f"{worst:.0e}" if worst else "0", word))
     counts, clear = Counter(word for *_, word in rows), diagnosis.verdict == "none"
-    figure = (
-        f"the C has none; of {len(rows)} wrong readings {counts['seen']} would be seen, {counts['no effect here']} have "
-        f"no effect on this stand, {counts['within rounding']} none beyond rounding"
-    )
+    words = ", ".join(f"{count} {word}" for word, count in counts.items())
+    figure = f"the C has none; of {len(rows)} wrong readings {words}"
     notes = tuple(line.strip() for line in sentences(diagnosis))
     table = Table(("reading", "largest error, of scale>", "outcome"), tuple(rows))
     files = {"diagnosis.json": json.dumps({"C": as_object(diagnosis), "readings": rows}, indent=1) + "\n"}
