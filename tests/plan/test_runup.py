@@ -93,7 +93,8 @@ def test_the_carrier_ends_where_it_shall_and_strays_as_is_told(up: bool) -> None
     scale, mean = scale_of(stand, motion, programme), motion.mean + programme.bias
     course = motion.at(np.zeros(1), programme.bias)
     joint = np.concatenate([course.q[0], course.q_dot[0]])
-    rest = np.concatenate([rest_near(stand, table.samples.phi[0 if up else -1], mean, scale.K0).q, np.zeros(6)])
+    equilibrium, _ = rest_near(stand, table.samples.phi[0 if up else -1], mean, scale.K0)
+    rest = np.concatenate([equilibrium, np.zeros(6)])
     y = simulated(table, rest if up else joint, stand)
     apart = y[-1] - (joint if up else rest)
     assert scale.displacement_share(apart[:6]) <= 1e-6

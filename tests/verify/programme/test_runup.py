@@ -114,8 +114,7 @@ def test_deviation_is_a_distance_and_an_angle() -> None:
 def rest_of(stand: Stand, phi: Array, q: Array) -> tuple[Array, Array, Array]:
     """Pose, free directions and K there."""
     K0 = moment(stand, q, np.zeros(6), phi, np.zeros(len(phi))).at.K
-    at = rest_near(stand, phi, q, K0)
-    return at.q, at.free, K0
+    return *rest_near(stand, phi, q, K0), K0
 
 
 @pytest.mark.parametrize(("name", "free"), [("bench8", 0), ("auv6", 4), ("demo3", 6)])

@@ -217,7 +217,8 @@ def following(record: Record, periods: int) -> Following:
 
 def displacement_shares(scale: Scale, stand: Stand, required: Array, error: Array) -> Array:
     """Errors (M, 6; m, rad) of all six coordinates together (M), as shares of the largest of the motion."""
-    return np.array([scale.displacement_share(twist(stand, q, e)) for q, e in zip(required, error, strict=True)])
+    moved = [twist(stand, q, e) for q, e in zip(required, error, strict=True)]
+    return scale.displacement_share(np.array(moved).reshape(-1, 6))
 
 
 def _waves(turns: Array, K: int) -> Array:

@@ -50,7 +50,7 @@ class RequiredCourse:
         stand, bias = self.stand, self.programme.bias
         if up:
             phi = table.at(np.zeros(1)).phi[0]
-            q = rest_near(stand, phi, self.motion.mean + bias, self._scale.K0).q
+            q, _ = rest_near(stand, phi, self.motion.mean + bias, self._scale.K0)
             start = np.concatenate([q, np.zeros_like(q)])
         else:
             begin = self.motion.at(np.zeros(1), bias)
@@ -67,7 +67,7 @@ class RequiredCourse:
 
     def relative(self, R: Array) -> float:
         """The largest of residuals (M, 6), relative to the required wrench."""
-        return max(self._scale.wrench_share(each) for each in R)
+        return float(np.max(self._scale.wrench_share(R)))
 
     @cached_property
     def _scale(self) -> Scale:

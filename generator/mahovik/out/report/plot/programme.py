@@ -121,7 +121,7 @@ def _carrier_on_the_way(programme: Programme, stand: Stand, motion: RequiredMoti
         begin = motion.at(np.zeros(1), programme.bias)
         start = np.concatenate([begin.q[0], begin.q_dot[0]])
         if name == "run-up":
-            rest = rest_near(stand, table.samples.phi[0], mean, scale.K0).q
+            rest, _ = rest_near(stand, table.samples.phi[0], mean, scale.K0)
             start = np.concatenate([rest, np.zeros_like(rest)])
         count = max(POINTS, round(OF_TURN * fastest * table.duration / programme.span))
         t = np.linspace(0.0, table.duration, count + 1)

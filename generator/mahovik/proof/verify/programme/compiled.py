@@ -130,7 +130,7 @@ def compiled_checks(
         if angles is not None:
             t = made.round(spread_phases(POINTS)) * programme.span
             course, planned_for = motion.at(t, programme.bias), programme.planned_for(stand)
-            shares = [scale.wrench_share(each) for each in residual_and_torque(planned_for, course, angles)[0]]
+            shares = scale.wrench_share(residual_and_torque(planned_for, course, angles)[0])
             i = int(np.argmax(shares))
             words = f"of (12) with the C's angles, at {POINTS} times; largest at t = {t[i]:.6g} s"
             items.append(Check.of("C residual", shares[i], residual + made.limit, words))

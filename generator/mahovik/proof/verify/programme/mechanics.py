@@ -169,11 +169,9 @@ def residual_and_torque(stand: Stand, course: Course, angles: Angles) -> tuple[A
 
 def torques_along(stand: Stand, y: Array, angles: Angles) -> Array:
     """Drive torques (M, N; N m) along states y = (q, q') (M, 2 m) of a carrier that nothing prescribes."""
-    tau = []
-    for q, q_dot, phi, phi_dot, phi_ddot in zip(*np.hsplit(y, 2), *angles, strict=True):
-        now = moment(stand, q, q_dot, phi, phi_dot)
-        tau.append(now.torque(now.q_ddot(phi_ddot), phi_ddot))
-    return np.array(tau)
+    rows = zip(*np.hsplit(y, 2), *angles, strict=True)
+    moments = [(moment(stand, *row), phi_ddot) for *row, phi_ddot in rows]
+    return np.array([now.torque(now.q_ddot(phi_ddot), phi_ddot) for now, phi_ddot in moments])
 
 
 _PHASES = 2 * np.pi * np.arange(4) / 4
@@ -196,34 +194,34 @@ class Scale:
     amplitude: float
     speed: float
 
-    def wrench_share(self, R: Array) -> float:
-        """A wrench R (6), as a share."""
+    def wrench_share(self, R: Array) -> Array:
+        """Wrenches R (.., 6), as shares."""
         return wrench_norm(self.K0, self.S, R) / self.wrench
 
-    def displacement_share(self, x: Array) -> float:
-        """A small displacement x (6; m, rad; in E1 about O1), as a share."""
+    def displacement_share(self, x: Array) -> Array:
+        """Small displacements x (.., 6; m, rad; in E1 about O1), as shares."""
         return norm(self.K0, x) / self.amplitude
 
-    def twist_share(self, V: Array) -> float:
-        """A twist (6), as a share."""
+    def twist_share(self, V: Array) -> Array:
+        """Twists (.., 6), as shares."""
         return norm(self.K0, V) / self.speed
 
     def lengths(self) -> Array:
         """Displacement along each coordinate (m; m, rad) that has the whole amplitude."""
         if self.stand.hold is not None:
-            return np.array([self.amplitude / norm(self.K0, each) for each in self.S.T])
+            return self.amplitude / norm(self.K0, self.S.T)
         masses = np.repeat([self.K0[0, 0], np.trace(self.K0[3:, 3:]) / 3], 3)
         return np.asarray(self.amplitude / np.sqrt(masses))
 
 
-def norm(K0: Array, x: Array) -> float:
-    """|K0^1/2 x|."""
-    return math.sqrt(max(float(x @ K0 @ x), 0.0))
+def norm(K0: Array, x: Array) -> Array:
+    """|K0^1/2 x| of x (.., 6)."""
+    return np.asarray(np.linalg.norm(x @ np.linalg.cholesky(K0), axis=-1))
 
 
-def wrench_norm(K0: Array, S: Array, R: Array) -> float:
-    """|(S^T K0 S)^-1/2 S^T R| of a wrench R (6)."""
-    return math.sqrt(max(float(S.T @ R @ np.linalg.solve(S.T @ K0 @ S, S.T @ R)), 0.0))
+def wrench_norm(K0: Array, S: Array, R: Array) -> Array:
+    """|(S^T K0 S)^-1/2 S^T R| of wrenches R (.., 6)."""
+    return np.asarray(np.linalg.norm(R @ S @ np.linalg.inv(np.linalg.cholesky(S.T @ K0 @ S)).T, axis=-1))
 
 
 def scale_of(stand: Stand, motion: RequiredMotion, programme: Programme) -> Scale:
@@ -241,21 +239,22 @@ def scale_of(stand: Stand, motion: RequiredMotion, programme: Programme) -> Scal
     S = np.eye(6) if stand.hold is None else twists(stand.hold)
     if not np.any(course.q_dot):
         omega = 2 * math.pi * max(1, *(abs(n) for n in programme.winding)) / motion.span
-        each = [wrench_norm(K0, S, column) for column in np.mean([np.abs(at.I) for at in still], axis=0).T]
+        forces = wrench_norm(K0, S, np.mean([np.abs(at.I) for at in still], axis=0).T)
+        first_moments = sum(s.mass * math.hypot(*s.center_of_mass[1:]) for s in stand.flywheels)
+        unbalance = float(first_moments / math.sqrt(K0[0, 0]) or largest(forces))
         if stand.hold is not None:
-            unbalance = sum(each)
-        else:
-            first_moments = sum(s.mass * math.hypot(*s.center_of_mass[1:]) for s in stand.flywheels)
-            unbalance = first_moments / math.sqrt(K0[0, 0]) or max(each)
+            unbalance = float(forces.sum())
         return Scale(stand, K0, S, unbalance * omega**2, unbalance, unbalance * omega)
-    P, amplitude, speed = [], 0.0, 0.0
+    P, away, V = [], [], []
     for q, q_dot, q_ddot in zip(*course, strict=True):
         needed = locked(q, q_dot)
         P.append(np.mean([demand(each.at, each.V_dot(q_ddot)) for each in needed], axis=0))
-        A = needed[0].carrier.A
-        amplitude, speed = max(amplitude, norm(K0, A @ (q - mean))), max(speed, norm(K0, A @ q_dot))
-    wrench = max(wrench_norm(K0, S, each) for each in np.array(P) - np.mean(P, axis=0))
-    return Scale(stand, K0, S, wrench, amplitude, speed)
+        away.append(needed[0].carrier.A @ (q - mean))
+        V.append(needed[0].at.V)
+    wrench = wrench_norm(K0, S, np.array(P) - np.mean(P, axis=0))
+    return Scale(
+        stand, K0, S, *(float(np.max(each)) for each in (wrench, norm(K0, np.array(away)), norm(K0, np.array(V))))
+    )
 
 
 FINER = 20
@@ -285,8 +284,7 @@ def residuals(
     M = times or FINER * max(nodes, 2 * fastest + 1)
     t = programme.span * (np.arange(M) + OFFSET) / M
     R, tau = residual_and_torque(stand, motion.at(t, programme.bias), programme.at(t))
-    shares = np.array([scale.wrench_share(each) for each in R])
-    return Residuals(t, shares, scale.wrench_share(np.mean(R, axis=0)), tau)
+    return Residuals(t, scale.wrench_share(R), float(scale.wrench_share(np.mean(R, axis=0))), tau)
 
 
 RTOL = 1e-12
@@ -391,16 +389,11 @@ TURN = 1e-10
 """Length of the last step, rad and m."""
 
 
-@dataclass(frozen=True, eq=False)
-class Rest:
-    """Equilibrium: q (m) at rest, and the free directions (6, n): displacements in E1, orthogonal in K0."""
+def rest_near(stand: Stand, phi: Array, q: Array, K0: Array) -> tuple[Array, Array]:
+    """The equilibrium q (m) for phases phi (N) that Newton's steps, least in K0, find from q, and directions (6, n).
 
-    q: Array
-    free: Array
-
-
-def rest_near(stand: Stand, phi: Array, q: Array, K0: Array) -> Rest:
-    """The equilibrium for phases phi (N) that Newton's steps, least in K0, find from q. StateError: there is none."""
+    In these the carrier is free: displacements in E1, orthogonal in K0. StateError: there is no equilibrium.
+    """
     still, none = np.zeros_like(phi), np.zeros_like(q)
 
     def pull_at(q: Array) -> Array:
@@ -418,5 +411,5 @@ def rest_near(stand: Stand, phi: Array, q: Array, K0: Array) -> Rest:
             left = float(np.linalg.norm(U[:, ~kept].T @ pull))
             if left > 1e-6 * max(float(np.linalg.norm(stand.gravity)), 1.0) * root[0, 0]:
                 break
-            return Rest(q, A @ np.linalg.solve(root, Vt[~kept].T))
+            return q, A @ np.linalg.solve(root, Vt[~kept].T)
     raise StateError("no equilibrium to start from: with the flywheels at rest the carrier accelerates everywhere")

@@ -325,7 +325,8 @@ class ProgrammeCase:
             return Check.of("simulation", np.inf, self.limit.error, str(error))
         required, coordinates = self.motion.at(t, programme.bias).q, coordinates_of(stand)
         apart = np.hsplit(y, 2)[0] - required
-        shares = [self.scale.displacement_share(twist(stand, q, x)) for q, x in zip(required, apart, strict=True)]
+        moved = np.array([twist(stand, q, x) for q, x in zip(required, apart, strict=True)])
+        shares = self.scale.displacement_share(moved)
         i = int(np.argmax(shares))
         x = 1e3 * apart[i]
         away = f"O1 {np.linalg.norm(x[:3]):.2g} mm, angles {np.linalg.norm(x[3:]):.2g} mrad"
@@ -384,17 +385,17 @@ class ProgrammeCase:
         phi, t, begin = table.samples.phi, table.samples.t, self.start
         try:
             if up:
-                rest = rest_near(stand, phi[0], mean, scale.K0)
-                begin = np.concatenate([rest.q, np.zeros_like(q)])
+                rest, free = rest_near(stand, phi[0], mean, scale.K0)
+                begin = np.concatenate([rest, np.zeros_like(q)])
             longest = min(self.programme.span, table.duration) / STEPS_OF_RUNUP
             y = simulate(stand, table.at, begin, t, scale, longest, error=RUNUP_ERROR, rows=True)
             end, end_dot = np.split(y[-1], 2)
             if not up:
-                rest = rest_near(stand, phi[-1], end, scale.K0)
+                rest, free = rest_near(stand, phi[-1], end, scale.K0)
         except StateError as error:
             return [Check.of(f"{name} end", np.inf, self.limit.runup, str(error))]
-        apart = twist(stand, q, end - (q if up else rest.q))
-        apart -= rest.free @ (rest.free.T @ (scale.K0 @ apart))  # where the stand may as well have begun elsewhere
+        apart = twist(stand, q, end - (q if up else rest))
+        apart -= free @ (free.T @ (scale.K0 @ apart))  # where the stand may as well have begun elsewhere
         left = twist(stand, end, end_dot) - (twist(stand, q, q_dot) if up else 0.0)
         shares = scale.displacement_share(apart), scale.twist_share(left)
         strayed = np.array([displacement(stand, row, mean) for row in np.hsplit(y, 2)[0]]).max(axis=0)
