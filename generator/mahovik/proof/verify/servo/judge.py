@@ -31,7 +31,17 @@ from mahovik.proof.verify.programme.compiled import Part, load_part
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.proof.verify.refusals import BEYOND, NULL, WrongValue, with_value
 from mahovik.proof.verify.report import Report
-from mahovik.proof.verify.servo.law import CHANGE, NEIGHBOURS, Array, TrimLaw, changed, scales_of, servo_sample
+from mahovik.proof.verify.servo.law import (
+    CHANGE,
+    NEIGHBOURS,
+    Array,
+    TrimLaw,
+    changed,
+    coefficients,
+    scales_of,
+    servo_sample,
+    waves,
+)
 from mahovik.proof.verify.servo.trim_matrix import trim_matrix
 
 STATE = ("integral", "speed", "torque")
@@ -220,14 +230,11 @@ def _target_check(case: ServoCase, trim: Trim, motion: RequiredMotion | None) ->
         return row
     phase = np.arange(NODES) / NODES
     q = motion.at(phase * motion.span, np.zeros_like(motion.mean)).q[:, list(trim.coordinates)]
-    k = np.arange(1, trim.harmonics + 1)
-    waves = 2.0 * np.exp(-2j * math.pi * k[:, None] * phase) @ q / NODES
-    # means, which are not corrected, are shifted by the programme's bias
-    target = np.stack([waves.real, -waves.imag], axis=1).reshape(-1, q.shape[1]).T
+    target = coefficients(q, phase, trim.harmonics).T
     # all coefficients are averages of the same samples; coordinates at rest have only their rounding
-    sizes = np.abs(np.column_stack([q.mean(axis=0), target]))
-    scale = sizes.max(axis=1, keepdims=True) + RESTING * sizes.max()
-    row.compare(case.default("trim_default")["target"][:, 1:], target, np.broadcast_to(scale, target.shape))
+    scale = np.abs(target).max(axis=1, keepdims=True) + RESTING * np.abs(target).max()
+    # means, which are not corrected, are shifted by the programme's bias
+    row.compare(case.default("trim_default")["target"][:, 1:], target[:, 1:], scale)
     return row
 
 
@@ -358,7 +365,8 @@ def trim_checks(case: ServoCase) -> Iterable[Check]:
         for number in range(ROUNDS_EACH * (settling + window + case.wheels)):
             phase = (0.0, 0.5, 1.0 - 2.0**-20)[number % 7] if number % 7 < 3 else float(rng.uniform())
             phase = min(float(made.round(phase)), 1.0 - 2.0**-24)
-            q = made.round(_series(target, phase) + amplitude * rng.normal(size=len(target)))
+            required = target @ waves(np.array([phase]), target.shape[1] // 2)[:, 0]
+            q = made.round(required + amplitude * rng.normal(size=len(target)))
             given = {key: made.round(rng.normal(size=case.wheels)) for key in DEMAND}
             status, found = made.call("trim_step", table, state, phase, q, *given.values())
             answers = [laws[0].take(phase, q, given)]
@@ -377,13 +385,6 @@ def trim_checks(case: ServoCase) -> Iterable[Check]:
             there, right = (results["sample"], results["rounds"]), (laws[0].sample, laws[0].rounds)
             counts.demand(there == right, where, f"{there}, expected {right}")
     return (*rows.values(), status_row, counts, _last_round(case))
-
-
-def _series(coefficients: Array, phase: float) -> Array:
-    """Values (C) of Fourier series with the coefficients (C, T) at a phase."""
-    k = np.arange(1, coefficients.shape[1] // 2 + 1)
-    spun = np.exp(2j * math.pi * k * phase)
-    return np.asarray(coefficients[:, 0] + coefficients[:, 1::2] @ spun.real + coefficients[:, 2::2] @ spun.imag)
 
 
 def _last_round(case: ServoCase) -> Check:

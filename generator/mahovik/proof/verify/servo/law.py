@@ -43,6 +43,19 @@ def servo_sample(g: Values, state: Values, inputs: Values, lost: Array) -> dict[
     return {"tau": tau, "torque": tau, "speed": f, "integral": integral, "limited": bool(np.any(tau != u))}
 
 
+def waves(phase: Array, harmonics: int) -> Array:
+    """1, cos 1, sin 1, cos 2, ... (1 + 2 H, M) of 2 pi k times phases (M)."""
+    angles = 2 * math.pi * np.arange(1, harmonics + 1)[:, None] * phase
+    pairs = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    return np.vstack([np.ones((1, len(phase))), pairs.reshape(-1, len(phase))])
+
+
+def coefficients(values: Array, phase: Array, harmonics: int) -> Array:
+    """Mean, cosine 1, sine 1, ... (1 + 2 H, ..) of values (M, ..) at phases (M), as averages of a whole period."""
+    sums = np.tensordot(waves(phase, harmonics), values, 1) / len(phase)
+    return np.concatenate([sums[:1], 2 * sums[1:]])
+
+
 class TrimLaw:
     """The trim as a whole: what the C must have after each sample, from all that was measured so far.
 
@@ -96,10 +109,7 @@ class TrimLaw:
     def _compare(self) -> None:
         """The error of the round: Fourier coefficients of the window less the target."""
         phases, q = (np.array(each) for each in zip(*self._samples, strict=True))
-        waves = [np.ones_like(phases)]
-        for k in range(1, self.terms // 2 + 1):
-            waves += [2 * np.cos(2 * math.pi * k * phases), 2 * np.sin(2 * math.pi * k * phases)]
-        self.error = q.T @ np.array(waves).T / len(phases) - self.design["target"]
+        self.error = coefficients(q, phases, self.terms // 2).T - self.design["target"]
         self._samples.clear()
 
     def _correct(self, s: int) -> bool:

@@ -23,6 +23,7 @@ from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.hold import twists
 from mahovik.proof.verify.programme.mechanics import free_acceleration, moment, slope
+from mahovik.proof.verify.servo.law import coefficients, waves
 
 PROTECTED, WEIGHT = 2, 30.0
 """Harmonics above the corrected ones that cost, and the weight of their size in the largest effect on those."""
@@ -104,36 +105,24 @@ def responses(of: tuple[Array, ...], harmonics: int) -> Array:
     first, second = (_differentiation(M, order) for order in (1, 2))
     left = np.einsum("ij,kl->ikjl", second, np.eye(n)) - np.einsum("ij,ikl->ikjl", first, speed)
     left -= np.einsum("ij,ikl->ikjl", np.eye(M), pose)
-    phase = 2.0 * math.pi * np.arange(M) / M
-    waves = [np.ones(M)]
-    for k in range(1, harmonics + 1):
-        waves += [np.cos(k * phase), np.sin(k * phase)]
+    phase, highest = np.arange(M) / M, harmonics + PROTECTED
     forced = sum(
-        np.einsum("ikl,ij->iklj", part, order @ np.array(waves).T)
+        np.einsum("ikl,ij->iklj", part, order @ waves(phase, harmonics).T)
         for part, order in ((angle, np.eye(M)), (rate, first), (change, second))
     )
     U, size, Vt = np.linalg.svd(left.reshape(n * M, n * M))
     kept = size >= FREE * size[0]
-    free = _harmonics(Vt[~kept].T.reshape(M, n, -1), harmonics + PROTECTED)
+    free = coefficients(Vt[~kept].T.reshape(M, n, -1), phase, highest)
     if np.any(np.abs(free[1:]) > STILL):
         raise StateError("a free motion of the carrier changes the harmonics")
     d = Vt[kept].T @ ((U[:, kept].T @ np.reshape(forced, (n * M, -1))) / size[kept][:, None])
-    return _harmonics(d.reshape(M, n, -1), harmonics + PROTECTED)
+    return coefficients(d.reshape(M, n, -1), phase, highest)
 
 
 def _differentiation(M: int, order: int) -> Array:
     """(M, M): derivative by the phase of the trigonometric polynomial through M values, M odd."""
     k = np.fft.fftfreq(M, 1.0 / M)
     return np.asarray(np.fft.ifft((1j * k[:, None]) ** order * np.fft.fft(np.eye(M), axis=0), axis=0).real)
-
-
-def _harmonics(d: Array, highest: int) -> Array:
-    """Mean, cos 1, sin 1, ... (1 + 2 H, ...) of values (M, ...) at uniform times of a period."""
-    found = np.fft.fft(d, axis=0) / len(d)
-    parts = [found[0].real]
-    for k in range(1, highest + 1):
-        parts += [2.0 * found[k].real, -2.0 * found[k].imag]
-    return np.array(parts)
 
 
 def _units(stand: Stand) -> Array:
