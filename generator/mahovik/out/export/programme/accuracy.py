@@ -15,14 +15,8 @@ from mahovik.core.program.types import Precision
 from mahovik.core.stand.model import Stand
 from mahovik.out.export.programme.tables import Array, Table
 from mahovik.proof.verify.programme.compiled import spread_phases
-from mahovik.proof.verify.programme.mechanics import (
-    Scale,
-    residual_and_torque,
-    rest_near,
-    scale_of,
-    simulate,
-    torques_along,
-)
+from mahovik.proof.verify.programme.mechanics import residual_and_torque, torques_along
+from mahovik.proof.verify.programme.verification import ProgrammeCase, tolerance_for
 
 STEP_ERROR = 1e-7
 """Error per step of the simulated run-up, in amplitudes: enough for feedforward torques."""
@@ -47,18 +41,9 @@ class RequiredCourse:
         The carrier is free: (8) from rest at its equilibrium, or from the required state at t = 0. StateError: there is
         no equilibrium, or the simulation stops.
         """
-        stand, bias = self.stand, self.programme.bias
-        if up:
-            phi = table.at(np.zeros(1)).phi[0]
-            q, _ = rest_near(stand, phi, self.motion.mean + bias, self._scale.K0)
-            start = np.concatenate([q, np.zeros_like(q)])
-        else:
-            begin = self.motion.at(np.zeros(1), bias)
-            start = np.concatenate([begin.q[0], begin.q_dot[0]])
-        times = np.unique(np.concatenate([[0.0], t]))
-        longest = min(self.programme.span, table.duration) / 8
-        y = simulate(stand, table.at, start, times, self._scale, longest, error=STEP_ERROR)
-        return torques_along(stand, y[np.searchsorted(times, t)], table.at(t))
+        times, name = np.unique(np.concatenate([[0.0], t])), "run-up" if up else "run-down"
+        y = self._case.run_up(name, times, 8, STEP_ERROR)
+        return torques_along(self.stand, y[np.searchsorted(times, t)], table.at(t))
 
     def residual(self, t: Array, angles: Angles) -> Array:
         """F - K V* - M V - J phi' - I phi'' (M, 6; N, N m) of (12) at the motion and these angles."""
@@ -67,11 +52,11 @@ class RequiredCourse:
 
     def relative(self, R: Array) -> float:
         """The largest of residuals (M, 6), relative to the required wrench."""
-        return float(np.max(self._scale.wrench_share(R)))
+        return float(np.max(self._case.scale.wrench_share(R)))
 
     @cached_property
-    def _scale(self) -> Scale:
-        return scale_of(self.stand, self.motion, self.programme)
+    def _case(self) -> ProgrammeCase:
+        return ProgrammeCase(self.stand, self.motion, self.programme, tolerance_for(self.stand, None))
 
 
 POINTS = 1024

@@ -10,8 +10,8 @@ from mahovik.contract.quantities import RPM
 from mahovik.core.motion.programme import Angles, Programme
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.out.report.plot.panel import Array, Panel, family, limit
-from mahovik.proof.verify.programme.mechanics import Scale, residuals, rest_near, scale_of, simulate
-from mahovik.proof.verify.programme.verification import tolerance_for
+from mahovik.proof.verify.programme.mechanics import residuals, simulate
+from mahovik.proof.verify.programme.verification import ProgrammeCase, tolerance_for
 
 if TYPE_CHECKING:
     from mahovik.core.motion.required import RequiredMotion
@@ -43,25 +43,25 @@ def panels(
     if stand is None or motion is None:
         return [*_wheels(programme, t, found, None), *_transients(programme)]
     stand = programme.planned_for(stand)
-    scale = scale_of(stand, motion, programme)
-    seen = residuals(stand, motion, programme, scale, times)
+    case = ProgrammeCase(stand, motion, programme, tolerance_for(stand, None))
+    seen = residuals(stand, motion, programme, case.scale, times)
     residual = family(("of (12), relative",), seen.t, np.maximum(seen.residual, 1e-17)[:, None])
-    level = tolerance_for(stand, None).residual
+    level = case.limit.residual
     return [
-        *_carrier(programme, stand, motion, scale, t),
+        *_carrier(case, t),
         *_wheels(programme, t, found, motion),
         _flywheel_panel("drive torque, N m", programme, seen.t, seen.tau, motion.bounds.torque),
         Panel("residual", (*residual, limit(f"accepted: {level:g}", seen.t, level)), log=True),
         *_transients(programme),
-        *(_carrier_on_the_way(programme, stand, motion, scale) if stand.hold is not None else ()),
+        *(_carrier_on_the_way(case) if stand.hold is not None else ()),
     ]
 
 
-def _carrier(programme: Programme, stand: Stand, motion: RequiredMotion, scale: Scale, t: Array) -> list[Panel]:
+def _carrier(case: ProgrammeCase, t: Array) -> list[Panel]:
     """The carrier by (8) from the required state at t = 0, beside what is required; each less its mean."""
-    course = motion.at(t, programme.bias)
-    start = np.concatenate([course.q[0], course.q_dot[0]])
-    y = simulate(stand, programme.at, start, t, scale, programme.span / 16)
+    stand, programme = case.stand, case.programme
+    course = case.motion.at(t, programme.bias)
+    y = simulate(stand, programme.at, case.start, t, case.scale, programme.span / 16)
     mean = course.q[:-1].mean(axis=0)
     required, achieved = 1e3 * (course.q - mean), 1e3 * (y[:, : len(mean)] - mean)
     own, found = coordinates_of(stand), []
@@ -110,22 +110,18 @@ def _transients(programme: Programme) -> list[Panel]:
     return found
 
 
-def _carrier_on_the_way(programme: Programme, stand: Stand, motion: RequiredMotion, scale: Scale) -> list[Panel]:
+def _carrier_on_the_way(case: ProgrammeCase) -> list[Panel]:
     """A held carrier along its freedoms by (8) on run-up and run-down, from the mean pose. Raises StateError."""
     found: list[Panel] = []
-    own, mean = coordinates_of(stand), motion.mean + programme.bias
+    motion, programme, own = case.motion, case.programme, coordinates_of(case.stand)
+    mean = motion.mean + programme.bias
     fastest = max([1, *motion.harmonics, *map(abs, programme.winding)])
     for name, table in (("run-up", programme.runup), ("run-down", programme.rundown)):
         if table is None:
             continue
-        begin = motion.at(np.zeros(1), programme.bias)
-        start = np.concatenate([begin.q[0], begin.q_dot[0]])
-        if name == "run-up":
-            rest, _ = rest_near(stand, table.samples.phi[0], mean, scale.K0)
-            start = np.concatenate([rest, np.zeros_like(rest)])
         count = max(POINTS, round(OF_TURN * fastest * table.duration / programme.span))
         t = np.linspace(0.0, table.duration, count + 1)
-        y = simulate(stand, table.at, start, t, scale, min(programme.span, table.duration) / 16)
+        y = case.run_up(name, t, 16)
         for group in own.groups:
             part, unit = list(group), own.unit_names[group[0]]
             words = f"{name}: carrier, {f'm{unit}' if unit else '1e-3'}, from the mean pose"

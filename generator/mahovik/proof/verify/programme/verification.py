@@ -26,6 +26,7 @@ from mahovik.proof.reference.task import task_rows
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.compiled import compiled_checks
 from mahovik.proof.verify.programme.mechanics import (
+    STEP_ERROR,
     Residuals,
     Scale,
     displacement,
@@ -356,6 +357,21 @@ class ProgrammeCase:
         verdict = "ok" if np.isfinite(value) else "FAILED"
         return Stability("", "Floquet", limit, value, verdict, f"largest multiplier: {words}", 1, multipliers=found)
 
+    def run_up(self, name: str, t: Array, steps: int, error: float = STEP_ERROR, *, rows: bool = False) -> Array:
+        """y = (q, q') (M, 2 m) at the times t (M, s) of "run-up" or "run-down", on which the carrier is free, by (8).
+
+        A run-up begins at rest at the equilibrium, a run-down with the required state. `steps`: least number in
+        a period; `error`, `rows`: see `simulate`. StateError: there is no equilibrium, or the simulation stops.
+        """
+        table, start = self.programme.runup if name == "run-up" else self.programme.rundown, self.start
+        assert table is not None
+        if name == "run-up":
+            mean = self.motion.mean + self.programme.bias
+            rest, _ = rest_near(self.stand, table.samples.phi[0], mean, self.scale.K0)
+            start = np.concatenate([rest, np.zeros_like(rest)])
+        longest = min(self.programme.span, table.duration) / steps
+        return simulate(self.stand, table.at, start, t, self.scale, longest, error=error, rows=rows)
+
     def runups(self) -> list[Check]:
         """Of run-up and run-down: rows, joint with the programme, rest at the other end, end of the carrier, bounds."""
         items = []
@@ -382,18 +398,13 @@ class ProgrammeCase:
         """The carrier by (8), from equilibrium to the required state or the reverse, and bounds on the way."""
         stand, bounds, scale, up = self.stand, self.motion.bounds, self.scale, name == "run-up"
         (q, q_dot), mean = np.split(self.start, 2), self.motion.mean + self.programme.bias
-        phi, t, begin = table.samples.phi, table.samples.t, self.start
+        t, still = table.samples.t, 0 if up else -1
         try:
-            if up:
-                rest, free = rest_near(stand, phi[0], mean, scale.K0)
-                begin = np.concatenate([rest, np.zeros_like(q)])
-            longest = min(self.programme.span, table.duration) / STEPS_OF_RUNUP
-            y = simulate(stand, table.at, begin, t, scale, longest, error=RUNUP_ERROR, rows=True)
-            end, end_dot = np.split(y[-1], 2)
-            if not up:
-                rest, free = rest_near(stand, phi[-1], end, scale.K0)
+            y = self.run_up(name, t, STEPS_OF_RUNUP, RUNUP_ERROR, rows=True)
+            rest, free = rest_near(stand, table.samples.phi[still], y[still, : len(q)], scale.K0)
         except StateError as error:
             return [Check.of(f"{name} end", np.inf, self.limit.runup, str(error))]
+        end, end_dot = np.split(y[-1], 2)
         apart = twist(stand, q, end - (q if up else rest))
         apart -= free @ (free.T @ (scale.K0 @ apart))  # where the stand may as well have begun elsewhere
         left = twist(stand, end, end_dot) - (twist(stand, q, q_dot) if up else 0.0)
