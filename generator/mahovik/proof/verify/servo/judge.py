@@ -182,14 +182,15 @@ NEEDS_MOTION = "needs the required motion: give --motion MOTION.json"
 
 def _members(case: ServoCase, table: str, expected: dict[str, Any], limits: dict[str, float]) -> Iterator[Check]:
     """Every member of a table of the C, but for those that are judged by themselves: None."""
-    for name, value in case.default(table).items():
+    found = case.default(table)
+    for name in dict.fromkeys((*found, *expected)):
         row = Check(table, name, max(case.tolerance, limits.get(name, 0.0)))
         if name not in expected:
             row.demand(False, words="no such number in the law")
         elif expected[name] is None:
             continue
         else:
-            row.compare(value, expected[name], np.abs(expected[name]))
+            row.compare(found.get(name), expected[name], np.abs(expected[name]))
         yield row
 
 
