@@ -16,7 +16,7 @@ Of a held carrier u, u_dot, q may take the place of V, V_dot and the pose; {free
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -119,28 +119,22 @@ def read_map(path: Path, stand: Stand) -> FmuMap:
         raise DataError([str(error)]) from None
     problems: list[str] = []
     wants, takes = wants_of(stand), [body.name for body in stand.bodies if body.wrench_input]
-    _note_unknown(raw, ("state", *wants), "", problems)
-    state = dict(_table(raw, "state", problems))
+    known = ("state", *wants)
+    problems += [f'unknown key "{key}"{suggestion(key, known)}' for key in raw if key not in known]
+    state = _table(raw, "state", problems)
     wrenches = _table(state, "wrench", problems)
-    state.pop("wrench", None)
     found = FmuMap(
-        _group(state, inputs_of(stand), "state", problems),
+        _group({key: state[key] for key in state if key != "wrench"}, inputs_of(stand), "state", problems),
         _group(wrenches, dict.fromkeys(takes, _names(stand, (6,))), "state.wrench", problems),
         {
-            want: _group(_table(raw, want, problems), known, want, problems)
-            for want, known in wants.items()
+            want: _group(_table(raw, want, problems), quantities, want, problems)
+            for want, quantities in wants.items()
             if want in raw
         },
     )
-    if problems := problems or list(_missing(stand, found)):
+    if problems := problems or _missing(stand, found):
         raise DataError([f"{path}: {problem}" for problem in problems])
     return found
-
-
-def _note_unknown(table: Mapping[str, Any], known: Collection[str], where: str, problems: list[str]) -> None:
-    problems += [
-        f'{where}unknown key "{key}"{suggestion(key, known) if known else ""}' for key in table if key not in known
-    ]
 
 
 def _table(table: Mapping[str, Any], key: str, problems: list[str]) -> Mapping[str, Any]:
@@ -153,7 +147,8 @@ def _table(table: Mapping[str, Any], key: str, problems: list[str]) -> Mapping[s
 
 def _group(table: Mapping[str, Any], known: Mapping[str, Names], where: str, problems: list[str]) -> Group:
     """The variables of each key: by a pattern, or by a list."""
-    _note_unknown(table, known, f"{where}: ", problems)
+    unknown = [key for key in table if key not in known]
+    problems += [f'{where}: unknown key "{key}"{suggestion(key, known) if known else ""}' for key in unknown]
     found = {}
     for key, names in known.items():
         if key not in table:
@@ -191,43 +186,38 @@ def _place(value: Any) -> Place | None:
     return None
 
 
-def _missing(stand: Stand, found: FmuMap) -> Iterator[str]:
+def _missing(stand: Stand, found: FmuMap) -> list[str]:
     """What a map lacks, in words."""
     wants, hold, given = wants_of(stand), stand.hold, found.inputs
-    if not found.answers:
-        yield f"no answers, expected a table for a want: {', '.join(wants)}"
+    problems = [] if found.answers else [f"no answers, expected a table for a want: {', '.join(wants)}"]
 
-    def lacks(key: str) -> bool:
-        if hold is not None and key in TWISTS:  # a clamped carrier has no motion
-            return bool(hold.freedoms) and key not in given and TWISTS[key] not in given
-        return key not in given and bool(key in TWISTS or stand.flywheels)
+    def require(keys: Sequence[str], reason: str) -> None:
+        for key in keys:
+            of_hold = hold is not None and key in TWISTS
+            lacks = key not in given and bool(key in TWISTS or stand.flywheels)
+            if of_hold:  # a clamped carrier has no motion
+                lacks = lacks and TWISTS[key] not in given and bool(hold and hold.freedoms)
+            if lacks:
+                problems.append(f"state.{key}{f' or state.{TWISTS[key]}' if of_hold else ''} is missing: {reason}")
 
-    def missing(key: str) -> str:
-        instead = f" or state.{TWISTS[key]}" if hold is not None and key in TWISTS else ""
-        return f"state.{key}{instead} is missing"
-
-    complete = True
-    for key in filter(lacks, ("V", "phi", "phi_dot")):
-        complete = False
-        yield f"{missing(key)}: every state has it"
+    require(("V", "phi", "phi_dot"), "every state has it")
     for want, group in found.answers.items():
         # of a held carrier the reaction is a want of its own, and u_dot and V_dot are one motion
         motion = {"u_dot", "V_dot"} if {"u_dot", "V_dot"} & group.keys() else set()
         spared = {"reaction", *motion} if hold is not None and want != "reaction" else set()
-        for name in [each for each in wants[want] if each not in group and each not in spared]:
-            complete = False
-            yield f"{want}.{name} is missing"
-        for key in filter(lacks, needs_of(want)):
-            complete = False
-            yield f"{missing(key)}: {want} needs it as an input of the FMU"
+        problems += [f"{want}.{name} is missing" for name in wants[want] if name not in {*group, *spared}]
+        require(needs_of(want), f"{want} needs it as an input of the FMU")
     if "quaternion" in given and "angles" in given:
-        complete = False
-        yield "state: quaternion and angles, expected one of them"
+        problems.append("state: quaternion and angles, expected one of them")
     coordinates = {"q", "orientation"} & inputs_of(stand).keys()
-    posed = coordinates and coordinates <= given.keys()
-    for part, keys in POSES.items():
-        if complete and not posed and not given.keys() & set(keys) and depends_on(stand, list(found.answers), part):
-            yield f"state.{part} is missing: answers of this stand depend on it"
-    for body in stand.bodies:
-        if body.wrench_input and body.name not in found.wrenches:
-            yield f"state.wrench.{body.name} is missing: the stand has `wrench_input` there"
+    if not problems and not (coordinates and coordinates <= given.keys()):
+        problems += [
+            f"state.{part} is missing: answers of this stand depend on it"
+            for part, keys in POSES.items()
+            if not given.keys() & set(keys) and depends_on(stand, list(found.answers), part)
+        ]
+    return problems + [
+        f"state.wrench.{body.name} is missing: the stand has `wrench_input` there"
+        for body in stand.bodies
+        if body.wrench_input and body.name not in found.wrenches
+    ]

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from mahovik.contract.evaluation import answers_of
 from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, TASK_WANTS, WANTS, hold_fault, inverse_fault, want_fault
 from mahovik.contract.quantities import limits_of
 from mahovik.contract.status import refusal_reason, status_words
@@ -26,13 +27,6 @@ if TYPE_CHECKING:
 
 NEAR_SINGULAR_BELOW = 1e-6
 """`NEAR_SINGULAR` in eval: smallest kept singular value below this part of the first."""
-
-
-_TASK_ANSWERS = {
-    "inverse": ("phi_ddot", "V_dot", "residual", "sigma", "rank"),
-    "torque_for": ("tau", "phi_ddot", "V_dot", "residual", "limited"),
-}
-"""Members of the results of a task's functions that `eval` answers; the status besides."""
 
 Runner = Callable[[str, Mapping[str, Any]], tuple[int, dict[str, Any]]]
 """Calls a function of the program by name with plain inputs; returns its status and outputs."""
@@ -62,21 +56,9 @@ class FunctionBackend(ABC):
         return self.layout.inputs
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
-        """Results by the names of contract/quantities.py. Raises StateError."""
-        if fault := want_fault(want) or hold_fault(want, bool(self.layout.held)):
+        """Results by the names of the contract. Raises StateError."""
+        if fault := want_fault(want) or hold_fault(want, bool(self.layout.held)) or self._fault(state, want):
             raise StateError(fault)
-        for name in want:
-            if name in TASK_WANTS and not state.task:
-                raise StateError(f'want: "{name}" needs a task and its demand')
-            if self.layout.held and name in OF_COORDINATES and not self.layout.coordinates:
-                lacks = "whose freedoms have no coordinates" if self.layout.freedoms else "that clamps the carrier"
-                raise StateError(f'want: no "{name}" of a hold {lacks}, ask for forward')
-            own = self.layout.held and name == "inverse"
-            if own and (fault := inverse_fault(self.layout.freedoms, self.layout.flywheels)):
-                raise StateError(f"want: {fault}")
-        missing = [body for body in state.wrench if body not in self.inputs]
-        if missing:
-            raise StateError(f'wrench: the C takes none on "{missing[0]}": set `wrench_input = true` in the stand file')
         inputs = self.arguments(state)
         results: dict[str, Any] = {}
         moved = inputs
@@ -92,20 +74,49 @@ class FunctionBackend(ABC):
                 results |= self.answer(name, state, moved if name in TASK_TAKERS else inputs)
         return results
 
+    def _fault(self, state: State, want: Sequence[str]) -> str:
+        """Why the C has no answer to these wants, in words; "" where it has."""
+        layout = self.layout
+        for name in want:
+            if name in TASK_WANTS and not state.task:
+                return f'want: "{name}" needs a task and its demand'
+            if layout.held and name in OF_COORDINATES and not layout.coordinates:
+                lacks = "whose freedoms have no coordinates" if layout.freedoms else "that clamps the carrier"
+                return f'want: no "{name}" of a hold {lacks}, ask for forward'
+            if layout.held and name == "inverse" and (fault := inverse_fault(layout.freedoms, layout.flywheels)):
+                return f"want: {fault}"
+        for body in state.wrench:
+            if body not in self.inputs:
+                return f'wrench: the C takes none on "{body}": set `wrench_input = true` in the stand file'
+        return ""
+
     def answer(self, want: str, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         """Results of one want, for arguments by name. Raises StateError."""
-        shaped = getattr(self, f"_{want}", None)
-        found: dict[str, Any] = shaped(state, inputs) if shaped else self._plain(want, inputs)
+        layout = self.layout
+        found: dict[str, Any]
+        if want == "points":
+            readings = self._call("points", inputs)["out"] if layout.sensors else []
+            return {"points": dict(zip(layout.sensors, readings, strict=True))}
+        if want == "inverse":
+            return self._members("inverse", inputs, answers_of("inverse"))
+        if want == "generalized" and not layout.held:
+            if state.quaternion is not None:
+                raise StateError("generalized: needs angles, not a quaternion")
+            inputs = {**inputs, "angles": state.angles or (0.0, 0.0, 0.0)}
+        if not layout.flywheels and want in ("torque", "mounts"):  # the C has no such functions
+            return {"tau": []} if want == "torque" else {"mount_wrench": np.zeros((0, 6))}
+        if not layout.flywheels and want == "coupled":
+            return {**self.answer("forward", state, inputs), "phi_ddot": []}
+        outputs = self._call(want, inputs)
+        found = outputs.get("out", outputs)  # members of a struct of results
+        if want in ("forward", "coupled"):
+            return self.with_reaction(inputs, found)
+        if want == "mounts":
+            flat = found["mount_wrench"]
+            return {"mount_wrench": [flat[i : i + 6] for i in range(0, len(flat), 6)]}
+        if want == "matrices" and not layout.flywheels:
+            found |= {"I": [[] for _ in range(6)], "J": [[] for _ in range(6)]}
         return found
-
-    def _plain(self, function: str, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        """Results of a function by name; those of a struct of results by its members."""
-        outputs = self._call(function, inputs)
-        found: dict[str, Any] = outputs.get("out", outputs)
-        return found
-
-    def _forward(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        return self.with_reaction(inputs, self._call("forward", inputs))
 
     def with_reaction(self, inputs: Mapping[str, Any], motion: dict[str, Any]) -> dict[str, Any]:
         """A motion, with its reaction where the carrier is held, and no rates of no freedoms where it is clamped.
@@ -158,67 +169,29 @@ class FunctionBackend(ABC):
         }
 
     def _call(self, function: str, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        status, outputs = self.call(function, inputs)
-        self._refuse(status)
-        return outputs
+        """Outputs of a function. Raises StateError where it refuses the state."""
+        return self._call_with_status(function, inputs)[1]
 
-    def _refuse(self, status: int) -> None:
-        """Raises StateError for a negative status."""
+    def _call_with_status(self, function: str, inputs: Mapping[str, Any]) -> tuple[str, dict[str, Any]]:
+        """Status in words, and outputs of a function. Raises StateError where it refuses the state."""
+        status, outputs = self.call(function, inputs)
         if status < 0:
             name = status_words(status)
             raise StateError(f"{name}: {refusal_reason(name, 'refused')}")
+        return status_words(status), outputs
 
-    def _matrices(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        found = self._plain("matrices", inputs)
-        if not self.layout.flywheels:
-            found |= {"I": [[] for _ in range(6)], "J": [[] for _ in range(6)]}
-        return found
-
-    def _generalized(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        if self.layout.held:
-            return self._plain("generalized", inputs)
-        if state.quaternion is not None:
-            raise StateError("generalized: needs angles, not a quaternion")
-        angles = state.angles or (0.0, 0.0, 0.0)
-        found: dict[str, Any] = self._call("generalized", {**inputs, "angles": angles})["out"]
-        return found
-
-    def _torque(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        return self._call("torque", inputs) if self.layout.flywheels else {"tau": []}
-
-    def _mounts(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        if not self.layout.flywheels:
-            return {"mount_wrench": np.zeros((0, 6))}
-        flat = self._call("mounts", inputs)["mount_wrench"]
-        return {"mount_wrench": [flat[i : i + 6] for i in range(0, len(flat), 6)]}
-
-    def _coupled(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        if not self.layout.flywheels:
-            return {**self._forward(state, inputs), "phi_ddot": []}
-        return self.with_reaction(inputs, self._call("coupled", inputs))
-
-    def _inverse(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        status, outputs = self.call("inverse", inputs)
-        self._refuse(status)
-        found = {"phi_ddot": [], "sigma": []} | outputs["out"]
-        result = {name: found[name] for name in ("phi_ddot", "residual", "sigma", "rank")}
-        return result | {"status": status_words(status)}
+    def _members(self, function: str, inputs: Mapping[str, Any], names: Sequence[str]) -> dict[str, Any]:
+        """These members of a struct of results, the status among them; lists of flywheels are empty without any."""
+        status, outputs = self._call_with_status(function, inputs)
+        found = {"phi_ddot": [], "sigma": []} | outputs["out"] | {"status": status}
+        return {name: found[name] for name in names}
 
     def _of_task(self, state: State, inputs: Mapping[str, Any], want: str) -> dict[str, Any]:
         """The answer of the task of a state: accelerations (`inverse`) or torques (`torque_for`). Raises StateError."""
         rows = {task.name: len(task.rows) for task in self.layout.structure.tasks}
         if rows.get(state.task) != len(state.demand):
             raise StateError(f"demand: expected {rows.get(state.task, 0)} numbers, found {len(state.demand)}")
-        status, outputs = self.call(f"{want}_{state.task}", inputs)
-        self._refuse(status)
-        found = {name: outputs["out"][name] for name in _TASK_ANSWERS[want]}
-        return found | {"status": status_words(status)}
-
-    def _points(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        if not self.layout.sensors:
-            return {"points": {}}
-        readings = self._call("points", inputs)["out"]
-        return {"points": dict(zip(self.layout.sensors, readings, strict=True))}
+        return self._members(f"{want}_{state.task}", inputs, answers_of(want, task=True))
 
 
 def is_beyond(motion: Mapping[str, Any]) -> bool:

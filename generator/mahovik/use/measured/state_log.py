@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.evaluation import needs_of
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.units import (
@@ -51,14 +52,6 @@ SPEEDS = {"V_dot": "V", "phi_ddot": "phi_dot"}
 
 ACCELERATIONS = ("V_dot", "u_dot", "phi_ddot")
 """Inputs that not every want needs."""
-
-NEEDS = {
-    "forward": ("phi_ddot",),
-    "torque": ("V_dot", "phi_ddot"),
-    "mounts": ("V_dot", "phi_ddot"),
-    "reaction": ("V_dot", "phi_ddot"),
-}
-"""Inputs of these wants besides the state."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +116,7 @@ class _Reader:
             found.append((name, self._state(name, {key: given[key].tolist() for key in whole})))
             for want in wants:
                 value = self._values[ANSWERS[want]][k]
-                if np.isfinite(value).all() and {key for key in NEEDS[want] if key in self._groups} <= whole:
+                if np.isfinite(value).all() and {key for key in needs_of(want) if key in self._groups} <= whole:
                     answers[want][name] = {ANSWERS[want]: value.tolist()}
                     if want == "forward" and self._held is not None:
                         answers[want][name]["u_dot"] = self._values["u_dot"][k].tolist()
@@ -199,7 +192,7 @@ class _Reader:
         """Whether there are columns of a want and of what it needs."""
         if want == "forward" and self._held is not None and self._held.clamped:
             return False  # there is no motion to find
-        keys = (ANSWERS[want], *(key for key in NEEDS[want] if key in self._groups))
+        keys = (ANSWERS[want], *(key for key in needs_of(want) if key in self._groups))
         return all(key in self._values for key in keys)
 
     def _require(self, wants: Sequence[str]) -> None:
