@@ -505,13 +505,12 @@ def _wrong_values(case: ServoCase, function: str, good: dict[str, Any]) -> Itera
             yield WrongValue((name,), NULL, "BAD_ARGUMENT")
         if name in (*OPTIONAL, *TRUSTED) or f"{function} {name}" in RESULTS:
             continue
-        members = value if isinstance(value, dict) else {"": value}
-        for member, numbers in members.items():
-            path, symbol = (name, member) if member else (name,), member or name
-            for place in range(len(numbers)) if isinstance(numbers, list) else [()]:
-                index = () if place == () else (place,)
-                for bad, status in _wrong_numbers(case, symbol):
-                    yield WrongValue((*path, *index), bad, status)
+        for path, numbers in (
+            [((name, k), v) for k, v in value.items()] if isinstance(value, dict) else [((name,), value)]
+        ):
+            places = [(i,) for i in range(len(numbers))] if isinstance(numbers, list) else [()]
+            for bad, status in _wrong_numbers(case, path[-1]):
+                yield from (WrongValue((*path, *place), bad, status) for place in places)
 
 
 def _wrong_numbers(case: ServoCase, symbol: str) -> tuple[tuple[float, str], ...]:
