@@ -105,8 +105,8 @@ def enclosed(stand: Stand, state: State) -> None:
     from mahovik.proof import rigorous
     from rigorous.balls import middles
 
-    found = rigorous.pieces_at(stand, state).F
-    np.testing.assert_allclose(middles(found.tolist()).ravel(), reference.pieces(stand, state).F, rtol=1e-9, atol=1e-12)
+    found = rigorous.evaluate(rigorous.exact_at(stand, state), "matrices")["F"]
+    np.testing.assert_allclose(middles(found), reference.pieces(stand, state).F, rtol=1e-9, atol=1e-12)
 
 
 def moved(document: dict[str, Any], speed: float, until: float, **more: Any) -> Any:

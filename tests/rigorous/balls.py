@@ -27,6 +27,6 @@ def middles(balls: Any) -> NDArray[np.float64]:
 
 def forward_is_enclosed(stand: Stand, state: State) -> None:
     """V_dot of (8) in balls is that of the literal reference."""
-    found = rigorous.evaluate(rigorous.pieces_at(stand, state), state, "forward")
+    found = rigorous.evaluate(rigorous.exact_at(stand, state), "forward")
     expected = reference.evaluate(stand, state, ["forward"])["V_dot"]
     np.testing.assert_allclose(middles(found["V_dot"]).ravel(), expected, rtol=1e-9)

@@ -178,9 +178,9 @@ def test_the_program_is_the_literal_equations_to_sixty_digits(held: bool) -> Non
         program = ExactProgram(made.layout, made.program, found["table"], mounting)
         wants = {"forward", "coupled", "torque"} if held else set(wants_of("rigorous")) & FREE_WANTS
         for state in states_of(stand):
-            at = rigorous.pieces_at(stand, state, 320)
+            at = rigorous.exact_at(stand, state, 320)
             for want in wants:
-                exact = rigorous.evaluate(at, state, want, 320)
+                exact = rigorous.evaluate(at, want)
                 answer = program.evaluate(state, (want,))
                 for key, balls in exact.items():
                     pairs = list(zip(flat(balls), flat(answer[key]), strict=True))

@@ -6,7 +6,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.buoyancy.data import Buoyancy
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.screw import force_at
 
 
@@ -15,4 +15,4 @@ def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
     buoyancy = body.law(Buoyancy)
     if buoyancy is None:
         return {"buoyancy": np.zeros(6)}
-    return {"buoyancy": force_at(-buoyancy.displaced_mass * gravity, np.array(buoyancy.center))}
+    return {"buoyancy": force_at(-buoyancy.displaced_mass * gravity, vector(buoyancy.center))}

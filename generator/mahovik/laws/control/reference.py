@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.control.data import ControlDerivatives, Factor, Velocity
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, sqrt
 
 
 def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
@@ -21,21 +22,21 @@ def control_derivatives(body: Body, law: ControlDerivatives, V_r: Array) -> Arra
     """Sum (6; N, N m): component `wrench` += value * product of its factors."""
     P = np.zeros(6)
     for term in law.terms:
-        P[term.wrench] += term.value * math.prod(factor(body, law, each, V_r) for each in term.of)
+        P = P + np.eye(6)[term.wrench] * (term.value * math.prod(factor(body, law, each, V_r) for each in term.of))
     return P
 
 
-def factor(body: Body, law: ControlDerivatives, each: Factor, V_r: Array) -> float:
+def factor(body: Body, law: ControlDerivatives, each: Factor, V_r: Array) -> Any:
     """A velocity (m/s, rad/s), deflection (rad), speed (rad/s) or race (m/s), or its magnitude."""
     if isinstance(each, Velocity):
-        found = float(V_r[each.component])
+        found = V_r[each.component]
     else:
         found = body.inputs[each.source]
         if each.what == "race":
-            found = race(law.race, found, float(V_r[0]))
+            found = race(law.race, found, V_r[0])
     return abs(found) if each.absolute else found
 
 
-def race(a: float, n: float, u: float) -> float:
+def race(a: float, n: float, u: float) -> Any:
     """sign(n) (sqrt(u^2 + a n^2) - |u|), m/s."""
-    return float(np.sign(n) * (np.sqrt(u**2 + a * n**2) - abs(u)))
+    return np.sign(n) * (sqrt(u**2 + a * n**2) - abs(u))

@@ -8,7 +8,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.cross_flow.data import CrossFlow
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, vector
 
 
 def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
@@ -26,16 +26,16 @@ def cross_flow_drag(law: CrossFlow, V_r: Array) -> Array:
     nodes, weights = np.polynomial.legendre.leggauss(law.points)
     _, v, w, _, q, r = V_r
     P = np.zeros(6)
-    for a, b in pairwise(law.x):
-        x = (a + b) / 2 + (b - a) / 2 * nodes
-        h, B, C_y, C_z = (np.interp(x, law.x, table) for table in (law.height, law.breadth, law.drag_y, law.drag_z))
+    tables = zip(law.x, law.height, law.breadth, law.drag_y, law.drag_z, strict=True)
+    for start, end in pairwise(map(vector, tables)):
+        x, h, B, C_y, C_z = (a + (b - a) * (1 + nodes) / 2 for a, b in zip(start, end, strict=True))
         across, down = v + x * r, w - x * q
         if law.together:
-            speed = np.hypot(across, down)
             drag = C_y * h * across**2 + C_z * B * down**2
-            Y, Z = (np.divide(drag * along, speed, out=np.zeros_like(x), where=speed > 0) for along in (across, down))
+            speed = np.sqrt(across**2 + down**2)
+            Y, Z = (drag * along / np.where(speed > 0, speed, 1.0) for along in (across, down))
         else:
             Y, Z = C_y * h * np.abs(across) * across, C_z * B * np.abs(down) * down
-        dx = (b - a) / 2 * weights
-        P -= law.density / 2 * np.array([0.0, dx @ Y, dx @ Z, 0.0, -dx @ (x * Z), dx @ (x * Y)])
+        dx = (end[0] - start[0]) / 2 * weights
+        P = P - law.density / 2 * np.array([0.0, dx @ Y, dx @ Z, 0.0, -dx @ (x * Z), dx @ (x * Y)])
     return P

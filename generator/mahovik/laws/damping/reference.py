@@ -6,7 +6,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.damping.data import Damping
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.screw import Phi
 
 
@@ -27,12 +27,12 @@ def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
 
 def linear_damping(damping: Damping, V_r: Array) -> Array:
     """-(linear V_r) (6; N, N m)."""
-    return np.zeros(6) if damping.linear is None else -np.array(damping.linear) @ V_r
+    return np.zeros(6) if damping.linear is None else -vector(damping.linear) @ V_r
 
 
 def quadratic_damping(damping: Damping, V_r: Array) -> Array:
     """-(quadratic (V_r |V_r|)) (6; N, N m), product element by element."""
-    return np.zeros(6) if damping.quadratic is None else -np.array(damping.quadratic) @ (V_r * np.abs(V_r))
+    return np.zeros(6) if damping.quadratic is None else -vector(damping.quadratic) @ (V_r * np.abs(V_r))
 
 
 def damping_terms(damping: Damping, V_r: Array) -> Array:
@@ -40,11 +40,11 @@ def damping_terms(damping: Damping, V_r: Array) -> Array:
     P = np.zeros(6)
     for term in damping.terms:
         first, second = (abs(V_r[a.component]) if a.absolute else V_r[a.component] for a in term.of)
-        P[term.wrench] += term.value * first * second
+        P = P + np.eye(6)[term.wrench] * (term.value * first * second)
     return P
 
 
 def products_in_derivatives(body: Body, V_r: Array) -> Array:
     """Phi(V_r) Lambda V_r (6; N, N m): takes out of (8) the products of added mass that the derivatives contain."""
-    Lambda = np.array(getattr(body, "added_mass", None) or np.zeros((6, 6)))
+    Lambda = vector(getattr(body, "added_mass", None) or np.zeros((6, 6)))
     return np.asarray(Phi(V_r) @ Lambda @ V_r)

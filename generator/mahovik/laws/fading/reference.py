@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.fading.data import FadingDamping
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, exp, vector
 
 
 def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
@@ -19,5 +17,5 @@ def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
 
 def fading_damping(law: FadingDamping, V_r: Array) -> Array:
     """-exp(-rate U) linear V_r (6; N, N m), U = |v|."""
-    U = float(np.linalg.norm(V_r[:3]))
-    return np.asarray(-math.exp(-law.rate * U) * (np.array(law.linear) @ V_r))
+    U = np.linalg.norm(V_r[:3])
+    return np.asarray(-exp(-law.rate * U) * (vector(law.linear) @ V_r))

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.fin.data import Fin, Fins
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, arctan2, larger, pi_like, smaller, sqrt, vector, with_sign
+from mahovik.proof.reference.screw import cross, force_at
 
 
 def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
@@ -21,26 +24,27 @@ def lift_and_drag(fin: Fin, V_r: Array) -> Array:
     Drag D against the velocity (a, c) in the plane of chord and normal, lift L across it:
     -D (a, c)/|(a, c)| + L (c, -a)/|(a, c)|; without incidence (-D, -L).
     """
-    chord = np.array(fin.chord) / np.linalg.norm(fin.chord)
-    normal = np.cross(chord, fin.span)
+    position = vector(fin.position)
+    chord = vector(fin.chord) / np.linalg.norm(vector(fin.chord))
+    normal = cross(chord) @ vector(fin.span)
     normal = normal / np.linalg.norm(normal)
-    velocity = V_r[:3] + np.cross(V_r[3:], fin.position)
-    a, b, c = velocity @ chord, velocity @ np.cross(normal, chord), velocity @ normal
+    velocity = V_r[:3] + cross(V_r[3:]) @ position
+    a, b, c = velocity @ chord, velocity @ cross(normal) @ chord, velocity @ normal
     square = {"along": a**2, "across": a**2 + c**2, "whole": a**2 + b**2 + c**2}[fin.speed]
     along, up, angle = 1.0, 0.0, fin.deflection
-    speed = np.sqrt(a**2 + c**2)
+    speed = sqrt(a**2 + c**2)
     if fin.incidence and speed > 0.0:
-        along, up, angle = a / speed, c / speed, np.arctan2(c, a) + fin.deflection
-    C_L = lift_coefficient(fin, float(angle))
+        along, up, angle = a / speed, c / speed, arctan2(c, a) + fin.deflection
+    C_L = lift_coefficient(fin, angle)
     C_D = fin.drag + fin.induced * C_L**2
     lift, drag = (fin.density / 2 * fin.area * square * C for C in (C_L, C_D))
     force = (-drag * along + lift * up) * chord + (-drag * up - lift * along) * normal
-    return np.concatenate([force, np.cross(fin.position, force)])
+    return force_at(force, position)
 
 
-def lift_coefficient(fin: Fin, angle: float) -> float:
+def lift_coefficient(fin: Fin, angle: Any) -> Any:
     """C_L of an angle (rad): linear to the stall, then falling linearly to zero at a right angle, and zero beyond."""
-    size = abs(angle)
-    if fin.stall is not None and size > fin.stall:
-        size = max(0.0, fin.stall * (np.pi / 2 - size) / (np.pi / 2 - fin.stall))
-    return float(fin.lift_slope * np.sign(angle) * size)
+    size, right = abs(angle), pi_like(angle) / 2
+    if fin.stall is not None:  # the falling line is below the other beyond the stall
+        size = smaller(size, larger(fin.stall * (right - size) / (right - fin.stall), 0.0))
+    return fin.lift_slope * with_sign(size, angle)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.friction.data import Friction, frictions_of
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, solve, sqrt, vector
+from mahovik.proof.reference.hold import twists
 from mahovik.proof.reference.pose import Pose
 from mahovik.proof.reference.screw import E, wrench_to_parent
 
@@ -22,12 +24,12 @@ def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:
 def wrench(friction: Friction, hold: Hold, at: Pose) -> Array:
     """Wrench (6; N, N m) of one, against the speed u_k of its freedom."""
     along = unit_wrenches(hold)[:, friction.freedom]
-    return -drag(friction, float(along @ at.V)) * along
+    return -drag(friction, along @ at.V) * along
 
 
-def drag(friction: Friction, u: float) -> float:
+def drag(friction: Friction, u: Any) -> Any:
     """Force or moment (N or N m) against a speed u (m/s or rad/s)."""
-    sign = u / math.sqrt(u**2 + friction.smoothing**2)
+    sign = u / sqrt(u**2 + friction.smoothing**2)
     level = friction.coulomb
     if friction.stribeck_speed is not None:
         level += (friction.breakaway - friction.coulomb) / (1.0 + (u / friction.stribeck_speed) ** 2)
@@ -35,17 +37,12 @@ def drag(friction: Friction, u: float) -> float:
 
 
 def unit_wrenches(hold: Hold) -> Array:
-    """W (6 x m): W^T S = E. In a frame at the pivot it is the pseudo-inverse of what the twists are there."""
-    to_frame = wrench_to_parent(np.array(hold.pivot), E)
-    columns = []
-    for freedom in hold.freedoms:
-        if freedom.kind == "twist":
-            columns.append(to_frame.T @ np.array(freedom.twist))
-            continue
-        d = np.array(freedom.direction) / np.max(np.abs(freedom.direction))
-        d, none = d / np.linalg.norm(d), np.zeros(3)
-        columns.append(np.concatenate([d, none] if freedom.kind == "slide" else [none, d]))
-    return np.asarray(to_frame @ np.linalg.pinv(np.column_stack(columns)).T)
+    """W (6 x m): W^T S = E. In a frame at the pivot they are the shortest for the twists S there, W + S Y = 0."""
+    to_O1 = wrench_to_parent(vector(hold.pivot), E)
+    S = to_O1.T @ twists(hold)
+    m = S.shape[1]
+    system = np.block([[np.eye(6), S], [S.T, np.zeros((m, m))]])
+    return to_O1 @ solve(system, np.vstack([np.zeros((6, m)), np.eye(m)]))[:6]
 
 
 def branches(stand: Stand, state: State, at: Pose) -> Array:

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import math
-
-import numpy as np
-
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.laws.leg.data import Leg, legs_of
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, hypot, vector
 from mahovik.proof.reference.pose import Pose
-from mahovik.proof.reference.screw import force_at
+from mahovik.proof.reference.screw import cross, force_at
 
 SHORTEST = 1e-9  # m; a shorter leg has no direction
 
@@ -24,12 +20,12 @@ def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:
 
 def wrench(leg: Leg, at: Pose) -> Array:
     """Wrench (6; N, N m) of a spring-damper leg. StateError where its ends meet: it has no direction there."""
-    point = np.array(leg.carrier)
-    d = at.O1 + at.C @ point - np.array(leg.ground)  # from the ground, in E0
-    length = math.hypot(*d)
+    point = vector(leg.carrier)
+    d = at.O1 + at.C @ point - vector(leg.ground)  # from the ground, in E0
+    length = hypot(*d)
     if length < SHORTEST:
         raise StateError(f"leg between ground {leg.ground} and carrier {leg.carrier}: length {length:.3g} m is zero")
     direction = at.C.T @ d / length  # in E1, from the ground
-    length_rate = direction @ (at.V[:3] + np.cross(at.V[3:], point))
+    length_rate = direction @ (at.V[:3] + cross(at.V[3:]) @ point)
     tension = leg.stiffness * (length - leg.length) + leg.damping * length_rate
     return force_at(-tension * direction, point)

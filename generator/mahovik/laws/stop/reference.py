@@ -9,7 +9,7 @@ import numpy as np
 from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.stop.data import Stop, stops_of
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, larger, vector
 from mahovik.proof.reference.coordinates import coordinate, sine_and_cosine, unit
 from mahovik.proof.reference.pose import Pose
 from mahovik.proof.reference.rotation import attitude, carrier_rotation
@@ -27,15 +27,15 @@ def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:
 def wrench(stop: Stop, hold: Hold, sequence: Sequence, at: Pose) -> Array:
     """Wrench (6; N, N m) of one stop: zero before it, and where it would have to pull."""
     along, side = unit_wrench(hold, hold.freedoms[stop.freedom]), 1.0 if stop.above else -1.0
-    depth = max(0.0, side * (coordinate(hold, hold.freedoms[stop.freedom], sequence, at) - stop.at))
-    into = side * float(along @ at.V)  # speed into the stop
-    return np.asarray(-side * depth * max(0.0, stop.stiffness + stop.damping * into) * along)
+    depth = larger(side * (coordinate(hold, hold.freedoms[stop.freedom], sequence, at) - stop.at), 0.0)
+    into = side * (along @ at.V)  # speed into the stop
+    return np.asarray(-side * depth * larger(stop.stiffness + stop.damping * into, 0.0) * along)
 
 
 def unit_wrench(hold: Hold, freedom: Freedom) -> Array:
     """(d; pivot x d) of what slides along d, (0; a) of what turns about a (6)."""
     d = unit(freedom)
-    return force_at(d, np.array(hold.pivot)) if freedom.kind == "slide" else np.concatenate([np.zeros(3), d])
+    return force_at(d, vector(hold.pivot)) if freedom.kind == "slide" else np.concatenate([np.zeros(3), d])
 
 
 def margin(stand: Stand, state: State) -> float:
@@ -58,6 +58,6 @@ def branches(stand: Stand, state: State, at: Pose) -> Array:
         assert stand.hold is not None
         freedom, side = stand.hold.freedoms[stop.freedom], 1.0 if stop.above else -1.0
         depth = side * (coordinate(stand.hold, freedom, stand.angles, at) - stop.at)
-        push = stop.stiffness + stop.damping * side * float(unit_wrench(stand.hold, freedom) @ at.V)
+        push = stop.stiffness + stop.damping * side * (unit_wrench(stand.hold, freedom) @ at.V)
         found += [np.sign(depth), np.sign(push)]
     return np.array(found)

@@ -9,7 +9,7 @@ import numpy as np
 from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.suspension.data import Suspension
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.pose import Pose
 from mahovik.proof.reference.rotation import attitude, carrier_rotation, rotation_vector
 
@@ -23,12 +23,12 @@ def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:
 def displacement(law: Suspension, sequence: Sequence, at: Pose) -> Array:
     """x = (C^T (O1 - position), rotation vector of C_eq^T C of length <= pi) (6; m, rad)."""
     C_eq = attitude(sequence, *law.angles)
-    return np.concatenate([at.C.T @ (at.O1 - np.array(law.position)), rotation_vector(C_eq.T @ at.C)])
+    return np.concatenate([at.C.T @ (at.O1 - vector(law.position)), rotation_vector(C_eq.T @ at.C)])
 
 
 def wrench(law: Suspension, x: Array, V: Array) -> Array:
     """-(stiffness x + damping V) (6; N, N m); V is relative to E0."""
-    return np.asarray(-(np.array(law.stiffness) @ x + np.array(law.damping) @ V))
+    return np.asarray(-(vector(law.stiffness) @ x + vector(law.damping) @ V))
 
 
 def margin(stand: Stand, state: State) -> float:

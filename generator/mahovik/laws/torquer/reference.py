@@ -7,9 +7,10 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.torquer.data import Torquers, mount_of
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.pose import Pose
 from mahovik.proof.reference.rotation import fixed_rotation
+from mahovik.proof.reference.screw import cross
 
 
 def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:
@@ -19,7 +20,7 @@ def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:
     for torquer in law.torquers if law else ():
         mount = mount_of(stand, torquer)
         C_mount = np.eye(3) if mount is None else fixed_rotation(*mount.angles)
-        dipole = C_mount @ np.array(torquer.dipole)  # in E1
-        moment = np.cross(dipole, at.C.T @ np.array(law.magnetic_field if law else ()))
+        dipole = C_mount @ vector(torquer.dipole)  # in E1
+        moment = cross(dipole) @ at.C.T @ vector(law.magnetic_field if law else ())
         found[f"torquer {torquer.name}"] = np.concatenate([np.zeros(3), moment])
     return found

@@ -2,6 +2,7 @@
 
 from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.evaluate import evaluate
+from mahovik.proof.reference.hold import held_state
 from mahovik.proof.reference.pieces import Pieces
 
-__all__ = ["Pieces", "evaluate", "pieces"]
+__all__ = ["Pieces", "evaluate", "held_state", "pieces"]

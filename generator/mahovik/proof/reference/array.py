@@ -1,8 +1,14 @@
-"""The array type of the reference (64-bit floats), its answers, its linear solves. Shapes are in each docstring."""
+"""Numbers and arrays of the reference, its answers, its linear solves. Shapes are in each docstring.
+
+The equations hold for whatever stands in for a number: a float, or an object that brings its own arithmetic and the
+functions below, such as the balls of `proof/rigorous.py`, which come in arrays of objects. So no equation calls `math`,
+writes numbers into zeros, or makes a float of a number.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,16 +20,50 @@ Values = dict[str, Any]
 """Results by the names of the contract: arrays, floats; a status is a string, a rank an int."""
 
 
-def vector(numbers: Sequence[float]) -> Array:
-    """An input of the state as an array of floats."""
-    return np.array(numbers, dtype=np.float64)
+def vector(numbers: Sequence[Any]) -> Array:
+    """Numbers of a stand or state, nested as they are, as an array."""
+    found = np.array(numbers)
+    return found if found.dtype == object else found.astype(np.float64, copy=False)
+
+
+def columns(vectors: Sequence[Array], rows: int) -> Array:
+    """A matrix of its columns (rows x n), which may be none."""
+    return np.column_stack(vectors) if vectors else np.zeros((rows, 0))
+
+
+def _function(of_floats: Callable[..., Any], name: str) -> Callable[..., Any]:
+    """A function of floats; of other numbers the one that their type has under the name."""
+
+    def function(*numbers: Any) -> Any:
+        for x in numbers:
+            if not isinstance(x, float | int):
+                return getattr(type(x), name)(*numbers)
+        return of_floats(*numbers)
+
+    return function
+
+
+sin = _function(math.sin, "sin")
+cos = _function(math.cos, "cos")
+exp = _function(math.exp, "exp")
+sqrt = _function(math.sqrt, "sqrt")
+hypot = _function(math.hypot, "hypot")
+arctan2 = _function(math.atan2, "arctan2")
+larger = _function(max, "larger")
+smaller = _function(min, "smaller")
+with_sign = _function(math.copysign, "with_sign")  # of a size and of the number that has the sign
+pi_like = _function(lambda _: math.pi, "pi_like")  # pi, as a number like another
+estimate = _function(float, "estimate")  # a float nearby, to choose among formulas that are all right
+angle_over_sine = _function(lambda s, c: math.atan2(s, c) / s if s else 1.0 / c, "angle_over_sine")  # atan2(s, c)/s
 
 
 def solve(S: Array, b: Array) -> Array:
-    """x of S x = b, S (nxn) regular, b (n). Rows and columns are scaled first: units mix metres and radians."""
+    """x of S x = b, S (nxn) regular, b (n or nxm). Rows and columns are scaled first: units mix metres and radians."""
+    if object in (S.dtype, b.dtype):
+        return _solve_exactly(S, b)
     rows = 1.0 / np.max(np.abs(S), axis=1)
     columns = 1.0 / np.max(np.abs(S * rows[:, None]), axis=0)
-    return np.asarray(columns * np.linalg.solve(rows[:, None] * S * columns, rows * b), dtype=np.float64)
+    return np.asarray((columns * np.linalg.solve(rows[:, None] * S * columns, (rows * b.T).T).T).T, dtype=np.float64)
 
 
 def solve_symmetric(S: Array, b: Array) -> Array:
@@ -32,5 +72,14 @@ def solve_symmetric(S: Array, b: Array) -> Array:
     A row of small numbers, such as that of a flywheel beside a carrier of 1e12 kg, then stays small: scaled up on its
     own it would become a pivot, and with it the error of its numbers the error of all.
     """
+    if object in (S.dtype, b.dtype):
+        return _solve_exactly(S, b)
     scale = 1.0 / np.sqrt(np.abs(np.diag(S)))
     return np.asarray(scale * np.linalg.solve(S * np.outer(scale, scale), scale * b), dtype=np.float64)
+
+
+def _solve_exactly(S: Array, b: Array) -> Array:
+    """By the numbers' own elimination."""
+    kind = next(type(x) for x in (*S.flat, *b.flat) if not isinstance(x, float | int))
+    found: Array = kind.solve(S, b)
+    return found

@@ -6,6 +6,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
+from mahovik.proof.reference.array import vector
 from mahovik.proof.reference.bodies import Bodies, bodies_of, spinning_bodies
 from mahovik.proof.reference.mass import (
     added_mass_matrix,
@@ -19,7 +20,7 @@ from mahovik.proof.reference.mass import (
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.reference.screw import wrench_to_parent
-from mahovik.proof.reference.stream import stream_at, stream_scale
+from mahovik.proof.reference.stream import stream_at
 from mahovik.proof.reference.wrench_kinds import body_wrench
 from mahovik.proof.reference.wrenches import external_wrenches, total_wrench
 
@@ -30,9 +31,8 @@ def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
     `bodies`: `bodies_of` the stand, where the caller has them already.
     """
     C = carrier_rotation(stand, state)
-    given = stream_at(stand, state.position)
-    u = C.T @ given
-    V = np.array(state.V)
+    u = C.T @ stream_at(stand, state.position)
+    V = vector(state.V)
     V_r = V - np.concatenate([u, np.zeros(3)])
     bodies = bodies or bodies_of(stand)
     fixed, flywheels = bodies.fixed, spinning_bodies(bodies.mounted, state)
@@ -42,7 +42,7 @@ def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
     P = {name: body_wrench(kinds) for name, kinds in terms.items()}
     return Pieces(
         C=C,
-        L1=wrench_to_parent(np.array(state.position), C),
+        L1=wrench_to_parent(vector(state.position), C),
         V=V,
         V_r=V_r,
         fixed=fixed,
@@ -58,8 +58,7 @@ def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
         terms=terms,
         P=P,
         F=total_wrench(P, fixed, flywheels),
-        phi_dot=np.array(state.phi_dot, dtype=np.float64),
-        gravity=C.T @ np.array(stand.gravity),
+        phi_dot=vector(state.phi_dot),
+        gravity=C.T @ vector(stand.gravity),
         u=u,
-        u_scale=stream_scale(stand, state.position, given),
     )

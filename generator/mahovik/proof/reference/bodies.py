@@ -9,29 +9,29 @@ import numpy as np
 
 from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Mat6, Stand
 from mahovik.core.stand.state import State
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.rotation import C1, fixed_rotation, flywheel_mounting
 from mahovik.proof.reference.screw import E, T, block_diagonal, blocks, cross, f, wrench_to_parent
 
 
 def inertia_about_origin(body: Body) -> Array:
     """J (3x3, kg m2) about the frame's origin; parallel axes from the centre of mass: J = Jc - m <rc> <rc>."""
-    J = np.array(body.inertia)
+    J = vector(body.inertia)
     if body.inertia_about == "origin":
         return J
-    rc = np.array(body.center_of_mass)
+    rc = vector(body.center_of_mass)
     return J - body.mass * cross(rc) @ cross(rc)
 
 
 def spatial_inertia(body: Body) -> Array:
     """Theta = [[m E, -m <rc>], [m <rc>, J]] (6x6; kg, kg m, kg m2), about the origin of the body's frame."""
-    mu = body.mass * np.array(body.center_of_mass)
+    mu = body.mass * vector(body.center_of_mass)
     return blocks(body.mass * E, -cross(mu), cross(mu), inertia_about_origin(body))
 
 
 def added_mass(given: Mat6 | None) -> Array:
     """Lambda (6x6; kg, kg m, kg m2) about O1 in E1, for an instrument as well; zero where none is given."""
-    return np.zeros((6, 6)) if given is None else np.array(given)
+    return np.zeros((6, 6)) if given is None else vector(given)
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +98,7 @@ def bodies_of(stand: Stand) -> Bodies:
     """The bodies of a stand."""
     mounted = (
         MountedFlywheel(
-            s, mount_transfer(stand, s.mount), T(np.array(s.position)), flywheel_mounting(s), spatial_inertia(s)
+            s, mount_transfer(stand, s.mount), T(vector(s.position)), flywheel_mounting(s), spatial_inertia(s)
         )
         for s in stand.flywheels
     )
@@ -107,7 +107,7 @@ def bodies_of(stand: Stand) -> Bodies:
 
 def instrument_transfer(instrument: Instrument) -> Array:
     """Lp (6x6) of an instrument: origin Op, axes C3 C2 C1, both in E1."""
-    return wrench_to_parent(np.array(instrument.position), fixed_rotation(*instrument.angles))
+    return wrench_to_parent(vector(instrument.position), fixed_rotation(*instrument.angles))
 
 
 def mount_transfer(stand: Stand, mount: str) -> Array:

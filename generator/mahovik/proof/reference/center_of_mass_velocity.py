@@ -9,9 +9,10 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values
+from mahovik.proof.reference.array import Array, Values, vector
 from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.screw import cross
 
 
 def moving_parts(at: Pieces) -> tuple[tuple[PlacedBody, Array], ...]:
@@ -20,7 +21,7 @@ def moving_parts(at: Pieces) -> tuple[tuple[PlacedBody, Array], ...]:
     parts = []
     for k in placed:
         v, omega = np.split(k.twist(at.V), 2)
-        parts.append((k, v + np.cross(omega, k.body.center_of_mass)))
+        parts.append((k, v + cross(omega) @ vector(k.body.center_of_mass)))
     return tuple(parts)
 
 

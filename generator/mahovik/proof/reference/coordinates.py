@@ -8,15 +8,15 @@ but R itself, as a quaternion, and as rates omega and omega*.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values
+from mahovik.proof.reference.array import Array, Values, arctan2, cos, sin, vector
 from mahovik.proof.reference.hold import held_forward
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.pose import Pose
@@ -45,12 +45,12 @@ def coordinates_at(stand: Stand, state: State) -> Coordinates:
     check_coordinates(hold)
     slides, turns = (_of_kind(hold, kind) for kind in ("slide", "turn"))
     C0, C = attitude(stand.angles, *hold.angles), carrier_rotation(stand, state)
-    R, P, angle = C0.T @ C if turns else np.eye(3), np.array(hold.pivot), 0.0
-    w = C0.T @ (np.array(state.position) + C @ P - np.array(hold.position)) - P
+    R, P, angle = C0.T @ C if turns else np.eye(3), vector(hold.pivot), 0.0
+    w = C0.T @ (vector(state.position) + C @ P - vector(hold.position)) - P
     if len(turns) == 1:
         axis = unit(hold.freedoms[turns[0]])
-        angle = math.atan2(*sine_and_cosine(R, axis))
-        R = np.eye(3) + math.sin(angle) * cross(axis) + (1 - math.cos(angle)) * cross(axis) @ cross(axis)
+        angle = arctan2(*sine_and_cosine(R, axis))
+        R = np.eye(3) + sin(angle) * cross(axis) + (1 - cos(angle)) * cross(axis) @ cross(axis)
     numbered = [k for k in range(len(hold.freedoms)) if k in slides or len(turns) == 1]
     q = np.array([unit(hold.freedoms[k]) @ w if k in slides else angle for k in numbered])
     return Coordinates(q, _quaternion(R) if len(turns) == 3 else None, R)
@@ -75,8 +75,8 @@ def answer(at: Pieces, stand: Stand, state: State) -> Values:
     hold = stand.hold
     assert hold is not None
     here = coordinates_at(stand, state)
-    u_dot = held_forward(at, hold, np.array(state.phi_ddot)).u_dot
-    q_dot, q_ddot = rates_at(hold, here.R, np.array(state.u), u_dot)
+    u_dot = held_forward(at, hold, vector(state.phi_ddot)).u_dot
+    q_dot, q_ddot = rates_at(hold, here.R, vector(state.u), u_dot)
     found: Values = {"q": here.q} if len(here.q) else {}
     if here.orientation is not None:
         found["orientation"] = here.orientation
@@ -102,13 +102,13 @@ def pose_of(
     """
     check_coordinates(hold)
     slides, turns = (_of_kind(hold, kind) for kind in ("slide", "turn"))
-    C0, P, w, R, numbers = attitude(sequence, *hold.angles), np.array(hold.pivot), np.zeros(3), np.eye(3), iter(q)
+    C0, P, w, R, numbers = attitude(sequence, *hold.angles), vector(hold.pivot), np.zeros(3), np.eye(3), iter(q)
     for k, freedom in enumerate(hold.freedoms):
         if k in slides:
             w = w + next(numbers) * unit(freedom)
         elif orientation is None:
             angle, axis = next(numbers), cross(unit(freedom))
-            R = np.eye(3) + math.sin(angle) * axis + (1 - math.cos(angle)) * axis @ axis
+            R = np.eye(3) + sin(angle) * axis + (1 - cos(angle)) * axis @ axis
     R = R if orientation is None else quaternion_rotation(*orientation)
     s, s_dot, omega, turning = (
         sum((rates[k] * unit(hold.freedoms[k]) for k in which), np.zeros(3))
@@ -118,7 +118,7 @@ def pose_of(
     s_dot = R.T @ s_dot - cross(omega) @ s
     to_pivot = wrench_to_parent(P, E).T  # twist of the frame at the pivot
     V, V_dot = (np.linalg.solve(to_pivot, np.concatenate(each)) for each in ((s, omega), (s_dot, turning)))
-    return HeldPose(np.array(hold.position) + C0 @ (P + w) - C0 @ R @ P, C0 @ R, V, V_dot)
+    return HeldPose(vector(hold.position) + C0 @ (P + w) - C0 @ R @ P, C0 @ R, V, V_dot)
 
 
 def check_coordinates(hold: Hold) -> None:
@@ -133,27 +133,27 @@ def check_coordinates(hold: Hold) -> None:
         raise StateError(f"generalized: {lacks}, expected a closed set by name")
 
 
-def coordinate(hold: Hold, freedom: Freedom, sequence: Sequence, at: Pose) -> float:
+def coordinate(hold: Hold, freedom: Freedom, sequence: Sequence, at: Pose) -> Any:
     """Way of the pivot from the home pose (m), or angle of turning about the axis from it (rad, within half a turn)."""
     C0, d = attitude(sequence, *hold.angles), unit(freedom)
     if freedom.kind == "slide":
-        pivot = np.array(hold.pivot)
-        gone = at.O1 + at.C @ pivot - (np.array(hold.position) + C0 @ pivot)
-        return float((C0 @ d) @ gone)
-    return math.atan2(*sine_and_cosine(C0.T @ at.C, d))
+        pivot = vector(hold.pivot)
+        gone = at.O1 + at.C @ pivot - (vector(hold.position) + C0 @ pivot)
+        return (C0 @ d) @ gone
+    return arctan2(*sine_and_cosine(C0.T @ at.C, d))
 
 
 def unit(freedom: Freedom) -> Array:
     """Direction of a freedom (3), of length 1."""
-    d = np.array(freedom.direction) / np.max(np.abs(freedom.direction))
+    d = vector(freedom.direction) / np.max(np.abs(freedom.direction))
     return np.asarray(d / np.linalg.norm(d))
 
 
-def sine_and_cosine(R: Array, a: Array) -> tuple[float, float]:
+def sine_and_cosine(R: Array, a: Array) -> tuple[Any, Any]:
     """Sine and cosine of the angle about a, times one factor: by the skew part of R, and by its part across a."""
     about = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
     across = np.eye(3) - np.outer(a, a)
-    return float(a @ about), float(np.trace(across @ R)) / 2
+    return a @ about, np.trace(across @ R) / 2
 
 
 def _quaternion(R: Array) -> Array:

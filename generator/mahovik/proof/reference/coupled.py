@@ -19,16 +19,13 @@ def full_mass_matrix(at: Pieces) -> Array:
 
 def torque_velocity_terms(at: Pieces) -> Array:
     """f^T (-phi_s' Theta_s [<e>] Ls^T V + Phi(V_s) Theta_s V_s) (N, N m): tau_s of velocities only."""
-    terms = np.zeros(len(at.flywheels))
-    for row, s in enumerate(at.flywheels):
-        V_s = s.twist(at.V_r)
-        terms[row] = f @ (-s.phi_dot * s.Theta @ spin @ s.L.T @ at.V_r + Phi(V_s) @ s.Theta @ V_s)
-    return terms
+    twists = [(s, s.twist(at.V_r)) for s in at.flywheels]
+    return vector([f @ (-s.phi_dot * s.Theta @ spin @ s.L.T @ at.V_r + Phi(V) @ s.Theta @ V) for s, V in twists])
 
 
 def spin_up_torque(at: Pieces, tau: Array) -> Array:
     """tau - velocity terms + f^T P_s (N, N m): what is left of the drive torques tau (N) for the accelerations."""
-    fP = np.array([f @ at.P[s.body.name] for s in at.flywheels], dtype=np.float64)
+    fP = vector([f @ at.P[s.body.name] for s in at.flywheels])
     return tau - torque_velocity_terms(at) + fP
 
 

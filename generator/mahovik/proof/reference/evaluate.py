@@ -51,10 +51,11 @@ def check_task_want(want: Sequence[str], task: str) -> None:
 
 
 def finite(value: Any) -> bool:
-    """Whether every number of a result, however nested, is finite."""
+    """Whether every number of a result, however nested, is finite; floats only."""
     if isinstance(value, dict):
         return all(finite(each) for each in value.values())
-    return isinstance(value, str) or bool(np.all(np.isfinite(value)))
+    numbers = np.asarray(value)
+    return isinstance(value, str) or numbers.dtype == object or bool(np.all(np.isfinite(numbers)))
 
 
 def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None = None, cuts: Cuts = CUTS) -> Values:

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values, solve
+from mahovik.proof.reference.array import Array, Values, solve, vector
 from mahovik.proof.reference.mass import velocity_matrix
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import check_attitude, kinematic_matrix, kinematic_matrix_rate
@@ -31,7 +29,7 @@ def state_angles(sequence: Sequence, state: State) -> Array:
     """psi, theta, phi (3, rad); zero where left out. StateError for a quaternion, or where A is singular."""
     if state.quaternion is not None:
         raise StateError("`generalized` needs `angles`, but the state has `quaternion`")
-    angles = np.array(state.angles or (0.0, 0.0, 0.0))
+    angles = vector(state.angles or (0.0, 0.0, 0.0))
     check_attitude(sequence, angles)
     return angles
 
@@ -49,7 +47,7 @@ def generalized(at: Pieces, sequence: Sequence, state: State) -> GeneralizedForm
 
     q_r_dot = solve(A, at.V_r)
     J0_r = at.K @ D + at.M @ A
-    phi_ddot = np.array(state.phi_ddot, dtype=np.float64)
+    phi_ddot = vector(state.phi_ddot)
     q_ddot = solve(I0, at.F - J0_r @ q_r_dot - at.I @ phi_ddot - at.J @ at.phi_dot)
     return GeneralizedForm(A, D, I0, J0, q_dot, q_ddot)
 

@@ -1,7 +1,7 @@
 """Held carrier: V = S u, S (6 x m) constant in E1; (8) with the wrench R of the hold, which does no work, S^T R = 0.
 
-K V_r* + M V_r + I phi'' + J phi' = F + R. The hold blocks what the rows of B (6 x (6 - m)) name: B^T V* = 0, R = B r.
-All unknowns, the multipliers r among them, are found together.
+K S u* + K d + M V_r + I phi'' + J phi' = F + R, d = (omega x C^T u, 0) of the stream. All unknowns, R among them, are
+found together.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from mahovik.contract.functions import inverse_fault
 from mahovik.core.stand.model import Freedom, Hold, Stand, Vec6
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError, count_numbers
-from mahovik.proof.reference.array import Array, Values, solve, vector
+from mahovik.proof.reference.array import Array, Values, columns, solve, vector
 from mahovik.proof.reference.coupled import coupled_with_locks, spin_up_torque
 from mahovik.proof.reference.excess import motor_shares, with_excess
 from mahovik.proof.reference.forward import bias, forward
@@ -36,21 +36,19 @@ class HeldMotion:
 def twists(hold: Hold) -> Array:
     """S (6 x m): a frame at the pivot r, with the axes of E1, has the twist L^T V of the carrier, L = T(r).
 
-    A turn is (0; axis) of that frame, so V = L^-T (0; axis); a slide is (direction; 0) of any frame.
+    A turn is (0; axis) of that frame, so V = T(-r)^T (0; axis); a slide is (direction; 0) of any frame.
     """
-    to_frame = wrench_to_parent(vector(hold.pivot), E).T
-    columns = [_twist(freedom, to_frame) for freedom in hold.freedoms]
-    return np.column_stack(columns) if columns else np.zeros((6, 0))
+    to_O1 = wrench_to_parent(-vector(hold.pivot), E).T
+    return columns([_twist(freedom, to_O1) for freedom in hold.freedoms], 6)
 
 
-def _twist(freedom: Freedom, to_frame: Array) -> Array:
+def _twist(freedom: Freedom, to_O1: Array) -> Array:
     if freedom.kind == "twist":
         return vector(freedom.twist)
     d = vector(freedom.direction)
     d = d / np.max(np.abs(d))
     d = d / np.sqrt(d @ d)
-    own = np.concatenate([d, zero[0]] if freedom.kind == "slide" else [zero[0], d])
-    return np.asarray(np.linalg.solve(to_frame, own))
+    return to_O1 @ np.concatenate([d, zero[0]] if freedom.kind == "slide" else [zero[0], d])
 
 
 def held_state(stand: Stand, state: State) -> State:
@@ -65,53 +63,38 @@ def held_state(stand: Stand, state: State) -> State:
     return replace(state, V=V, V_dot=V_dot)
 
 
-def blocked_directions(S: Array) -> Array:
-    """B (6 x (6 - m)): directions of wrenches that do no work in the columns of S, S^T B = 0."""
-    Q, _ = np.linalg.qr(S, mode="complete")
-    return np.asarray(Q[:, S.shape[1] :])
-
-
 def held_forward(at: Pieces, hold: Hold, phi_ddot: Array) -> HeldMotion:
-    """Motion and reaction for given phi_ddot (N): K V_r* - B r = F - M V_r - J phi' - I phi'', B^T V* = 0."""
+    """Motion and reaction for given phi_ddot (N): K S u* - R = F - K d - M V_r - J phi' - I phi'', S^T R = 0."""
     S = twists(hold)
-    B = blocked_directions(S)
-    none = np.zeros((B.shape[1], B.shape[1]))
-    system = np.block([[at.K, -B], [B.T, none]])
+    m = S.shape[1]
+    system = np.block([[at.K @ S, -np.eye(6)], [np.zeros((m, m)), S.T]])
     right = at.F - bias(at) - at.I @ phi_ddot - at.K @ at.stream_rate()
-    found = solve(system, np.concatenate([right, none[0] if len(none) else np.zeros(0)]))
-    return _motion(S, B, found[:6], found[6:])
+    u_dot, R = np.split(solve(system, np.concatenate([right, np.zeros(m)])), [m])
+    return HeldMotion(u_dot, S @ u_dot, R)
 
 
 def held_coupled(at: Pieces, hold: Hold, tau: Array, locked: Array | None = None) -> tuple[HeldMotion, Array]:
-    """Motion, reaction and phi'' (N) for given drive torques tau (N): 6 + N + (6 - m) unknowns.
+    """Motion, reaction and phi'' (N) for given drive torques tau (N): m + N + 6 unknowns u*, phi'', R.
 
-    `locked` (N, bool): flywheels kept at phi'' = 0, without their rows and columns.
+    Besides the above I^T S u* + Theta_ff phi'' = tau - velocity terms + f^T P_s - I^T d. `locked` (N, bool): flywheels
+    kept at phi'' = 0, without their rows and columns.
     """
     S = twists(hold)
-    B = blocked_directions(S)
-    N, count = len(at.flywheels), B.shape[1]
+    m, N, d = S.shape[1], len(at.flywheels), at.stream_rate()
     system = np.block(
         [
-            [at.K, at.I, -B],
-            [at.I.T, at.Theta_ff, np.zeros((N, count))],
-            [B.T, np.zeros((count, N)), np.zeros((count, count))],
+            [at.K @ S, at.I, -np.eye(6)],
+            [at.I.T @ S, at.Theta_ff, np.zeros((N, 6))],
+            [np.zeros((m, m)), np.zeros((m, N)), S.T],
         ]
     )
-    drift = at.stream_rate()
-    right = [at.F - bias(at) - at.K @ drift, spin_up_torque(at, tau) - at.I.T @ drift, np.zeros(count)]
-    free = np.full(6 + N + count, True)
-    free[6 : 6 + N] = True if locked is None else np.logical_not(locked)
-    found = np.zeros(len(free))
-    found[free] = solve(system[np.ix_(free, free)], np.concatenate(right)[free])
-    return _motion(S, B, found[:6], found[6 + N :]), found[6 : 6 + N]
-
-
-def _motion(S: Array, B: Array, V_dot: Array, multipliers: Array) -> HeldMotion:
-    """u* of V* = S u*."""
-    u_dot = np.zeros(0)
-    if S.shape[1]:
-        u_dot = np.asarray(np.linalg.lstsq(S, V_dot, rcond=None)[0], dtype=np.float64)
-    return HeldMotion(u_dot, S @ u_dot, B @ multipliers)
+    right = np.concatenate([at.F - bias(at) - at.K @ d, spin_up_torque(at, tau) - at.I.T @ d, np.zeros(m)])
+    free = np.full(N, True) if locked is None else np.logical_not(locked)
+    rows, unknowns = (np.concatenate([np.full(k, True), free, np.full(n, True)]) for k, n in ((6, m), (m, 6)))
+    found = np.zeros(m + N + 6, right.dtype)
+    found[unknowns] = solve(system[np.ix_(rows, unknowns)], right[rows])
+    u_dot, phi_ddot, R = np.split(found, [m, m + N])
+    return HeldMotion(u_dot, S @ u_dot, R), phi_ddot
 
 
 def held_inverse(at: Pieces, hold: Hold, V_dot: Array, cuts: Cuts = CUTS, rank: int | None = None) -> Inverse:

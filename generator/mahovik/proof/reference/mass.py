@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, columns
 from mahovik.proof.reference.bodies import FixedBody, PlacedBody, SpinningFlywheel
 from mahovik.proof.reference.screw import Phi, f, spin
 
@@ -44,18 +44,13 @@ def velocity_matrix(K: Array, K_dot: Array, V: Array) -> Array:
 
 def coupling(flywheels: Sequence[SpinningFlywheel]) -> Array:
     """I = |I_2 ... I_m| (6xN; kg m, kg m2), I_s = Ls Theta_s f, (9)."""
-    I = np.zeros((6, len(flywheels)))
-    for column, s in enumerate(flywheels):
-        I[:, column] = s.L @ s.Theta @ f
-    return I
+    return columns([s.L @ s.Theta @ f for s in flywheels], 6)
 
 
 def coupling_bias(flywheels: Sequence[SpinningFlywheel], V: Array) -> Array:
     """J = |J_2 ... J_m| (6xN), J_s = (Phi Ls + Ls [<e>] phi_s') Theta_s f, (9). With a stream, V is V_r."""
-    J, Phi_V = np.zeros((6, len(flywheels))), Phi(V)
-    for column, s in enumerate(flywheels):
-        J[:, column] = (Phi_V @ s.L + s.L @ spin * s.phi_dot) @ s.Theta @ f
-    return J
+    Phi_V = Phi(V)
+    return columns([(Phi_V @ s.L + s.L @ spin * s.phi_dot) @ s.Theta @ f for s in flywheels], 6)
 
 
 def spin_inertia(flywheels: Sequence[SpinningFlywheel]) -> Array:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from mahovik.core.stand.model import Stand
@@ -22,12 +24,12 @@ def momentum_in_E0(at: Pieces) -> Array:
     return at.L1 @ momentum(at)
 
 
-def kinetic_energy(at: Pieces) -> float:
+def kinetic_energy(at: Pieces) -> Any:
     """Half the sum of V_k^T Theta_k V_k over all bodies k, and of V_r^T Lambda V_r (J)."""
     placed: tuple[PlacedBody, ...] = (*at.fixed, *at.flywheels)
     bodies = sum(k.twist(at.V) @ k.Theta @ k.twist(at.V) for k in placed)
     fluid = at.V_r @ at.Lambda @ at.V_r
-    return float(0.5 * (bodies + fluid))
+    return 0.5 * (bodies + fluid)
 
 
 def center_of_mass(at: Pieces) -> Array:

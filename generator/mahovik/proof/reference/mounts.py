@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.proof.reference.array import Array, Values, vector
+from mahovik.proof.reference.array import Array, Values, columns, vector
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import C1
 from mahovik.proof.reference.screw import block_diagonal
@@ -18,11 +16,11 @@ def mounts(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
 
     About Os, in the flywheel's axes at phi_s = 0, which do not turn. Element 4 is the drive torque.
     """
-    wrenches = np.zeros((len(at.flywheels), 6))
-    for row, s in enumerate(at.flywheels):
-        in_Es = mount_on_flywheel(s, at.P[s.body.name], at.V, V_dot, phi_ddot[row])
-        wrenches[row] = block_diagonal(C1(s.phi)) @ in_Es
-    return wrenches
+    wrenches = [
+        block_diagonal(C1(s.phi)) @ mount_on_flywheel(s, at.P[s.body.name], at.V, V_dot, acceleration)
+        for s, acceleration in zip(at.flywheels, phi_ddot, strict=True)
+    ]
+    return columns(wrenches, 6).T
 
 
 def answer(at: Pieces, stand: Stand, state: State) -> Values:

@@ -53,7 +53,6 @@ class Pieces:
     phi_dot: Array
     gravity: Array
     u: Array
-    u_scale: float
 
     def V_r_dot(self, V_dot: Array) -> Array:
         """V_r* = V* + (omega x C^T u, 0) (6)."""

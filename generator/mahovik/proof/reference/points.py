@@ -12,7 +12,7 @@ from mahovik.proof.reference.array import Array, Values, vector
 from mahovik.proof.reference.bodies import instrument_transfer, mount_transfer
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import fixed_rotation
-from mahovik.proof.reference.screw import wrench_to_parent
+from mahovik.proof.reference.screw import cross, wrench_to_parent
 
 
 def point_transfers(stand: Stand) -> Iterator[tuple[str, Array]]:
@@ -20,7 +20,7 @@ def point_transfers(stand: Stand) -> Iterator[tuple[str, Array]]:
     for instrument in stand.instruments:
         yield instrument.name, instrument_transfer(instrument)
     for point in stand.points:
-        in_mount = wrench_to_parent(np.array(point.position), fixed_rotation(*point.angles))
+        in_mount = wrench_to_parent(vector(point.position), fixed_rotation(*point.angles))
         yield point.name, mount_transfer(stand, point.mount) @ in_mount
 
 
@@ -39,7 +39,7 @@ def point_values(at: Pieces, L: Array, V_dot: Array) -> dict[str, Array]:
         "position": np.array([O_cross[2, 1], O_cross[0, 2], O_cross[1, 0]]),
         "C": C,
         "twist": V_p,
-        "specific_force": V_p_dot[:3] + np.cross(omega, v) - L[:3, :3].T @ at.gravity,
+        "specific_force": V_p_dot[:3] + cross(omega) @ v - L[:3, :3].T @ at.gravity,
         "angular_acceleration": V_p_dot[3:],
     }
 

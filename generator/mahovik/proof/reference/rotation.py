@@ -5,15 +5,13 @@ A rotation C is active: [e1] = [e0] C, so x0 = C x1. Angles in rad.
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from mahovik.core.stand.model import Flywheel, MountingAngles, Sequence, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.screw import cross
+from mahovik.proof.reference.array import Array, angle_over_sine, cos, estimate, hypot, sin, vector
+from mahovik.proof.reference.screw import blocks, cross, zero
 
 # the axes that psi, theta, phi turn about, 0..2
 AXES: dict[Sequence, tuple[int, int, int]] = {"ship": (2, 1, 0), "aircraft": (1, 2, 0), "euler": (2, 0, 2)}
@@ -21,19 +19,19 @@ AXES: dict[Sequence, tuple[int, int, int]] = {"ship": (2, 1, 0), "aircraft": (1,
 
 def C1(angle: float) -> Array:
     """Elementary rotation (3x3) about the first axis."""
-    c, s = math.cos(angle), math.sin(angle)
+    c, s = cos(angle), sin(angle)
     return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
 
 
 def C2(angle: float) -> Array:
     """Elementary rotation (3x3) about the second axis."""
-    c, s = math.cos(angle), math.sin(angle)
+    c, s = cos(angle), sin(angle)
     return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
 
 
 def C3(angle: float) -> Array:
     """Elementary rotation (3x3) about the third axis."""
-    c, s = math.cos(angle), math.sin(angle)
+    c, s = cos(angle), sin(angle)
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
@@ -50,14 +48,15 @@ def attitude(sequence: Sequence, psi: float, theta: float, phi: float) -> Array:
 
 
 def quaternion_rotation(w: float, x: float, y: float, z: float) -> Array:
-    """C (3x3) of a unit quaternion, w first."""
-    return np.array(
+    """C (3x3) of a quaternion, w first. Its length is 1 to rounding only: what counts is its direction."""
+    C = np.array(
         [
             [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
             [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
             [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
         ]
     )
+    return C / (w * w + x * x + y * y + z * z)
 
 
 def carrier_rotation(stand: Stand, state: State) -> Array:
@@ -83,11 +82,11 @@ def flywheel_mounting(flywheel: Flywheel) -> Array:
     mounting = flywheel.mounting
     if isinstance(mounting, MountingAngles):
         return C3(mounting.psi) @ C2(mounting.theta) @ C1(mounting.zero)
-    axis, zero = np.array(mounting.axis), np.array(mounting.zero)
-    first = axis / math.hypot(*axis)
+    axis, zero = vector(mounting.axis), vector(mounting.zero)
+    first = axis / hypot(*axis)
     across = zero - first * (first @ zero)
-    second = across / math.hypot(*across)
-    return np.column_stack([first, second, np.cross(first, second)])
+    second = across / hypot(*across)
+    return np.column_stack([first, second, cross(first) @ second])
 
 
 def rotation_vector(C: Array) -> Array:
@@ -113,14 +112,11 @@ def rotation_vector(C: Array) -> Array:
             [wz, xz, yz, squares[3]],
         ]
     )
-    row = rows[int(np.argmax(squares))]
-    w, vector = row[0] / math.hypot(*row), row[1:] / math.hypot(*row)
+    row = rows[int(np.argmax([estimate(square) for square in squares]))]
+    w, e = row[0] / hypot(*row), row[1:] / hypot(*row)
     if w < 0:  # of the two quaternions, the one of the turn by no more than pi
-        w, vector = -w, -vector
-    sine = math.hypot(*vector)
-    if sine == 0.0:
-        return np.zeros(3)
-    return np.asarray(2.0 * math.atan2(sine, w) / sine * vector)
+        w, e = -w, -e
+    return np.asarray(2.0 * angle_over_sine(hypot(*e), w) * e)
 
 
 def angle_rates_to_omega(sequence: Sequence, psi: float, theta: float, phi: float) -> Array:
@@ -147,20 +143,14 @@ def angle_rates_to_omega_rate(sequence: Sequence, angles: Array, rates: Array) -
 
 def kinematic_matrix(sequence: Sequence, angles: Array) -> Array:
     """A = diag(C^T, B) (6x6) of (10): V = A q', q = (O1 in E0, psi, theta, phi)."""
-    A = np.zeros((6, 6))
-    A[:3, :3] = attitude(sequence, *angles).T
-    A[3:, 3:] = angle_rates_to_omega(sequence, *angles)
-    return A
+    return blocks(attitude(sequence, *angles).T, zero, zero, angle_rates_to_omega(sequence, *angles))
 
 
 def kinematic_matrix_rate(sequence: Sequence, angles: Array, rates: Array) -> Array:
     """D = A' (6x6, 1/s) of (10) along the motion; `rates` (3, rad/s): psi', theta', phi'. C' = C <omega>."""
     omega = angle_rates_to_omega(sequence, *angles) @ rates
     C_dot = attitude(sequence, *angles) @ cross(omega)
-    D = np.zeros((6, 6))
-    D[:3, :3] = C_dot.T
-    D[3:, 3:] = angle_rates_to_omega_rate(sequence, angles, rates)
-    return D
+    return blocks(C_dot.T, zero, zero, angle_rates_to_omega_rate(sequence, angles, rates))
 
 
 SINGULAR = 1e-6  # |cos theta| (Euler: |sin theta|) below this is an error of `generalized`
@@ -168,7 +158,7 @@ SINGULAR = 1e-6  # |cos theta| (Euler: |sin theta|) below this is an error of `g
 
 def check_attitude(sequence: Sequence, angles: Array) -> None:
     """Raise StateError where A of (10) is singular, or so near to it that q' means nothing."""
-    name, value = ("sin", math.sin(angles[1])) if sequence == "euler" else ("cos", math.cos(angles[1]))
+    name, value = ("sin", sin(angles[1])) if sequence == "euler" else ("cos", cos(angles[1]))
     if abs(value) < SINGULAR:
         raise StateError(
             f"angles: singular attitude of the {sequence} sequence, |{name} theta| = {abs(value):.3g}; "

@@ -18,7 +18,7 @@ def cross(a: Array) -> Array:
 
 def blocks(A: Array, B: Array, C: Array, D: Array) -> Array:
     """[[A, B], [C, D]] (6x6) of four 3x3. As np.block, which takes ten times as long and is most of a state's time."""
-    found = np.empty((6, 6))
+    found: Array = np.empty((6, 6), np.result_type(A, B, C, D))
     found[:3, :3], found[:3, 3:], found[3:, :3], found[3:, 3:] = A, B, C, D
     return found
 

@@ -2,28 +2,33 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from mahovik.core.stand.model import Stand, Vec3
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, larger, smaller, vector
 
 
 def stream_at(stand: Stand, position: Vec3) -> Array:
     """u (3; m/s) in E0 where O1 is. StateError where its depth is outside the profile."""
-    u = np.array(stand.stream or (0.0, 0.0, 0.0))
+    u = vector(stand.stream or (0.0, 0.0, 0.0))
     if stand.profile is None:
         return u
     stations = stand.profile.depth
-    down = np.array(stand.profile.down) / np.linalg.norm(stand.profile.down)
-    depth = float(down @ np.array(position))
+    down = vector(stand.profile.down) / np.linalg.norm(vector(stand.profile.down))
+    depth = down @ vector(position)
     if not stations[0] <= depth <= stations[-1]:
         raise StateError(
             f"position: depth {depth:.6g} m is outside of stream_profile, which is given from {stations[0]:g} m to "
             f"{stations[-1]:g} m"
         )
-    components = zip(*stand.profile.velocity, strict=True)
-    return np.asarray(u + [np.interp(depth, stations, component) for component in components])
+    velocity = vector(stand.profile.velocity)
+    u = u + velocity[0]
+    for (above, below), change in zip(pairwise(stations), np.diff(velocity, axis=0), strict=True):
+        u = u + change * smaller(larger((depth - above) / (below - above), 0.0), 1.0)
+    return u
 
 
 def stream_scale(stand: Stand, position: Vec3, u: Array) -> float:

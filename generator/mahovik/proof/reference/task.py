@@ -20,6 +20,7 @@ from mahovik.proof.reference.forward import bias, forward
 from mahovik.proof.reference.inverse import CUTS, Cuts, inverse_root, status_names
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.points import point_transfers
+from mahovik.proof.reference.screw import cross
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +76,7 @@ def task_rows(at: Pieces, stand: Stand, task: Task) -> TaskRows:
         S[i] = L[:, k]
         if k < 3:
             V_p = L.T @ at.V
-            s[i] = np.cross(V_p[3:], V_p[:3])[k]
+            s[i] = (cross(V_p[3:]) @ V_p[:3])[k]
     return TaskRows(S, s)
 
 

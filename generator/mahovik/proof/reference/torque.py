@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array, Values, vector
@@ -26,12 +24,11 @@ def mount_on_flywheel(s: SpinningFlywheel, P_s: Array, V: Array, V_dot: Array, p
 
 def torque(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
     """tau_s = f^T (Theta_s V_s* + Phi(V_s) Z_s) - f^T P_s (N, N m); V_dot (6), phi_ddot (N)."""
-    return np.array(
+    return vector(
         [
             f @ mount_on_flywheel(s, at.P[s.body.name], at.V, V_dot, acceleration)
             for s, acceleration in zip(at.flywheels, phi_ddot, strict=True)
-        ],
-        dtype=np.float64,
+        ]
     )
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from mahovik.contract import laws
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.state import State
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.bodies import FixedBody, PlacedBody, SpinningFlywheel
 from mahovik.proof.reference.pose import Pose
 from mahovik.proof.reference.wrench_kinds import Kinds
@@ -28,7 +28,7 @@ def body_wrenches(body: Body, gravity: Array, V_r: Array, given: Array) -> Kinds
 
 def run_time_wrench(state: State, body: Body) -> Array:
     """The caller's wrench (6; N, N m) on a body, in its own frame about its origin."""
-    return np.array(state.wrench.get(body.name, (0.0,) * 6))
+    return vector(state.wrench.get(body.name, (0.0,) * 6))
 
 
 def external_wrenches(
@@ -45,13 +45,13 @@ def external_wrenches(
 
     V, V_r (6): twists of E1 relative to E0 and to the fluid. The laws of `laws/` count among the carrier's.
     """
-    gravity = C.T @ np.array(stand.gravity)  # in E1
+    gravity = C.T @ vector(stand.gravity)  # in E1
     P: dict[str, Kinds] = {}
     bodies: tuple[PlacedBody, ...] = (*fixed, *flywheels)
     for k in bodies:
         C_k = k.L[:3, :3]
         P[k.body.name] = body_wrenches(k.body, C_k.T @ gravity, k.twist(V_r), run_time_wrench(state, k.body))
-    at = Pose(np.array(state.position), C, V)
+    at = Pose(vector(state.position), C, V)
     for law in laws.parts("reference"):
         P[stand.carrier.name] = {**P[stand.carrier.name], **law.wrenches(stand, state, at)}
     return P

@@ -24,7 +24,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError, UsageError
 from mahovik.proof import reference, rigorous
-from mahovik.proof.rigorous.evaluate import BITS, Balls, enclose
+from mahovik.proof.rigorous import BITS, Balls, enclose
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend, prepare_records
@@ -189,7 +189,7 @@ class Ruler:
                 at = reference.pieces(self._stand, state)
         except (StateError, ArithmeticError):
             return
-        pieces = cache(lambda bits: rigorous.pieces_at(self._stand, state, bits))
+        exact = cache(lambda bits: rigorous.exact_at(self._stand, state, bits))
         for want in self.wants:
             judges = self._judges(state, want, at)
             if not judges:
@@ -200,7 +200,7 @@ class Ruler:
                 natural.pop("reaction", None)
 
             def literal(bits: int, want: str = want) -> Balls:
-                return rigorous.evaluate(pieces(bits), state, want, bits)
+                return rigorous.evaluate(exact(bits), want)
 
             self._note(Request(name, state, (want,)), natural, literal, judges)
 

@@ -14,6 +14,7 @@ from mahovik.core.stand.state import State
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.hold import free_equations
 from mahovik.proof.reference.inverse import CUTS, Cuts
+from mahovik.proof.reference.stream import stream_scale
 from mahovik.proof.verify.scales.parts import length
 from mahovik.proof.verify.scales.wrenches import wrench_scale
 
@@ -81,7 +82,7 @@ class Magnitudes:
     @cached_property
     def stream(self) -> float:
         """|u|, and with a profile the magnitude of its terms."""
-        return self.at.u_scale
+        return stream_scale(self.stand, self.state.position, self.at.u)
 
     @cached_property
     def S_V(self) -> Array:

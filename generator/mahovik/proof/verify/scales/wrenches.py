@@ -13,6 +13,7 @@ from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pose import Pose
+from mahovik.proof.reference.stream import stream_scale
 from mahovik.proof.verify.scales.parts import length
 
 
@@ -34,15 +35,15 @@ def own_scale(stand: Stand, state: State, at: Pieces, name: str) -> Array:
     body = next(b for b in stand.bodies if b.name == name)
     gravity = length(stand.gravity)
     total = np.abs(np.array(state.wrench.get(name, (0.0,) * 6), dtype=np.float64))
-    twist = twist_scale(stand, at, body)
+    twist = twist_scale(stand, state, at, body)
     for scale in laws.of_bodies("scale", "scale"):
         total += scale(body, gravity, twist)
     return total
 
 
-def twist_scale(stand: Stand, at: Pieces, body: Body) -> Array:
+def twist_scale(stand: Stand, state: State, at: Pieces, body: Body) -> Array:
     """Scale of a body's twist (6), relative to E0 or to the fluid, in its own frame."""
-    stream = at.u_scale
+    stream = stream_scale(stand, state.position, at.u)
     if body is stand.carrier:
         return np.asarray(np.abs(at.V) + np.repeat([stream, 0.0], 3))
     v, omega = (length(part) for part in np.split(at.V, 2))

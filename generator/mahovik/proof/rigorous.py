@@ -1,0 +1,229 @@
+"""Rigorous enclosures: the literal reference in ball arithmetic (Arb, by python-flint).
+
+A ball is a midpoint and a radius, and every operation gives a ball that holds the exact result for all numbers of its
+operands. The reference runs over balls as it does over floats: so the balls that it answers hold the exact answer to
+the numbers of stand and state, which are taken as the binary numbers that they are. The precision is doubled until the
+balls are as narrow as was asked. Needs python-flint: the extra `rigorous`.
+
+Source: F. Johansson, "Arb: efficient arbitrary-precision midpoint-radius interval arithmetic", 2017.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, is_dataclass, replace
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from flint import arb, arb_mat, ctx
+
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof import reference
+from mahovik.proof.reference.array import Array
+
+Balls = dict[str, Any]
+"""Balls of Arb by the names of the contract: one, or nested lists of them."""
+
+BITS = 256
+"""The first precision."""
+
+MOST_BITS = 8192
+"""The last: balls that are still too wide hold no answer, such as the angle of half a turn."""
+
+
+def _operation(of_balls: Callable[[Any, Any], arb]) -> tuple[Any, Any]:
+    """An operation with another ball or a binary number, which is exact, on the right and on the left."""
+
+    def right(a: Ball, b: Any) -> Any:
+        if type(b) is Ball:
+            return Ball(of_balls(a.arb, b.arb))
+        return Ball(of_balls(a.arb, b)) if isinstance(b, float | int) else NotImplemented
+
+    def left(a: Ball, b: Any) -> Any:
+        return Ball(of_balls(b, a.arb)) if isinstance(b, float | int) else NotImplemented
+
+    return right, left
+
+
+def _comparison(certain: Callable[[Any, Any], bool], never: Callable[[Any, Any], bool]) -> Any:
+    """A comparison that is certain, or never true; StateError where the balls overlap."""
+
+    def compare(a: Ball, b: Any) -> bool:
+        if certain(a.arb, _arb(b)):
+            return True
+        if never(a.arb, _arb(b)):
+            return False
+        raise StateError("the balls do not tell which branch of a law applies")
+
+    return compare
+
+
+class Ball:
+    """A number of the reference. It becomes no float by itself, and a comparison that it cannot decide is an error."""
+
+    __slots__ = ("arb",)
+
+    def __init__(self, ball: arb) -> None:
+        self.arb = ball
+
+    __add__, __radd__ = _operation(operator.add)
+    __sub__, __rsub__ = _operation(operator.sub)
+    __mul__, __rmul__ = _operation(operator.mul)
+    __truediv__, __rtruediv__ = _operation(operator.truediv)
+    __lt__, __ge__ = _comparison(operator.lt, operator.ge), _comparison(operator.ge, operator.lt)
+    __gt__, __le__ = _comparison(operator.gt, operator.le), _comparison(operator.le, operator.gt)
+    __eq__, __ne__ = _comparison(operator.eq, operator.ne), _comparison(operator.ne, operator.eq)
+    __hash__ = None  # type: ignore[assignment]
+
+    def __bool__(self) -> bool:
+        return self != 0.0
+
+    def __neg__(self) -> Ball:
+        return Ball(-self.arb)
+
+    def __abs__(self) -> Ball:
+        return Ball(abs(self.arb))
+
+    def __pow__(self, n: int) -> Ball:
+        """Products: a power of a ball that holds zero is none in Arb."""
+        return self * self ** (n - 1) if n > 1 else self
+
+    def __format__(self, spec: str) -> str:
+        return format(float(self.arb.mid()), spec)
+
+    def __repr__(self) -> str:
+        return repr(self.arb)
+
+    def sin(self) -> Ball:
+        return Ball(self.arb.sin())
+
+    def cos(self) -> Ball:
+        return Ball(self.arb.cos())
+
+    def exp(self) -> Ball:
+        return Ball(self.arb.exp())
+
+    def sqrt(self) -> Ball:
+        """A ball may reach below zero though its number does not."""
+        return Ball(self.arb.nonnegative_part().sqrt())
+
+    def pi_like(self) -> Ball:
+        return Ball(arb.pi())
+
+    def estimate(self) -> float:
+        return float(self.arb.mid())
+
+    @staticmethod
+    def hypot(*numbers: Any) -> Ball:
+        return Ball(sum((_arb(x) * _arb(x) for x in numbers), arb(0))).sqrt()
+
+    @staticmethod
+    def arctan2(y: Any, x: Any) -> Ball:
+        return Ball(arb.atan2(_arb(y), _arb(x)))
+
+    @staticmethod
+    def larger(a: Any, b: Any) -> Ball:
+        return Ball(_arb(a).max(_arb(b)))
+
+    @staticmethod
+    def smaller(a: Any, b: Any) -> Ball:
+        return Ball(_arb(a).min(_arb(b)))
+
+    @staticmethod
+    def with_sign(size: Any, x: Any) -> Ball:
+        """Both signs where x may be zero."""
+        size, x = abs(_arb(size)), _arb(x)
+        return Ball(size if x > 0 else -size if x < 0 else size.union(-size))
+
+    @staticmethod
+    def angle_over_sine(sine: Any, cosine: Any) -> Ball:
+        """About sine 0, t = sine/cosine: 1 - t^2 <= atan(t)/t <= 1."""
+        s, c = _arb(sine), _arb(cosine)
+        if s > 0 or s < 0:
+            return Ball(arb.atan2(s, c) / s)
+        if not c > 0:
+            raise StateError("at half a turn there are two rotation vectors")
+        return Ball(arb(1).union(1 - (s / c) * (s / c)) / c)
+
+    @staticmethod
+    def solve(S: Array, b: Array) -> Array:
+        """StateError where S may be singular."""
+        try:
+            found = arb_mat(_arbs(S)).solve(arb_mat(_arbs(b.reshape(len(b), -1))))
+        except ZeroDivisionError:
+            raise StateError("the mass matrix is singular, as far as this precision can tell") from None
+        return np.array([Ball(x) for x in found.entries()], dtype=object).reshape(b.shape)
+
+
+def _arb(x: Any) -> Any:
+    return x.arb if isinstance(x, Ball) else arb(float(x))
+
+
+def _arbs(balls: Any) -> Any:
+    """Arb's balls of an answer: of one number, or of an array as nested lists."""
+    if isinstance(balls, np.ndarray | list | tuple):
+        return [_arbs(x) for x in balls]
+    return {name: _arbs(x) for name, x in balls.items()} if isinstance(balls, dict) else _arb(balls)
+
+
+def with_balls(given: Any) -> Any:
+    """A stand, a state or a part of one, with balls for its numbers."""
+    if isinstance(given, float):
+        return Ball(arb(given))
+    if isinstance(given, tuple):
+        return tuple(map(with_balls, given))
+    if isinstance(given, Mapping):
+        return MappingProxyType({key: with_balls(x) for key, x in given.items()})
+    if is_dataclass(given) and not isinstance(given, type):
+        return replace(given, **{part.name: with_balls(getattr(given, part.name)) for part in fields(given)})
+    return given
+
+
+@dataclass(frozen=True, eq=False)
+class Exact:
+    """A stand and a state with balls for their numbers, and their pieces, at a number of bits."""
+
+    stand: Stand
+    state: State
+    pieces: reference.Pieces
+    bits: int
+
+
+def exact_at(stand: Stand, state: State, bits: int = BITS) -> Exact:
+    """A stand at a state in balls. StateError where a law is undefined, or where this precision cannot tell."""
+    with ctx.workprec(bits):
+        stand = with_balls(stand)
+        state = reference.held_state(stand, with_balls(state))
+        return Exact(stand, state, reference.pieces(stand, state), bits)
+
+
+def evaluate(at: Exact, want: str) -> Balls:
+    """Balls that hold the exact answer to the numbers of stand and state, by names of the contract.
+
+    Raises StateError where there is no answer, or where this precision cannot tell (a singular matrix, half a turn).
+    """
+    with ctx.workprec(at.bits):
+        found: Balls = _arbs(reference.evaluate(at.stand, at.state, [want], at.pieces))
+        return found
+
+
+def enclose(found_at: Callable[[int], Balls], narrow: Callable[[Balls], bool]) -> Balls:
+    """What `found_at` gives for a number of bits, doubled from BITS until it is narrow.
+
+    Raises StateError where even MOST_BITS give none.
+    """
+    bits, refusal = BITS, "the balls stay too wide"
+    while bits <= MOST_BITS:
+        try:
+            found = found_at(bits)
+        except StateError as error:
+            refusal = str(error)
+        else:
+            if narrow(found):
+                return found
+        bits *= 2
+    raise StateError(f"no enclosure with {MOST_BITS} bits: {refusal}")
