@@ -83,7 +83,7 @@ def _numpy(case: Case, work: Work, repetition: int) -> float:
     state = case.states[repetition % len(case.states)]
     start = time.perf_counter_ns()
     if work.name == "forward":
-        from mahovik.proof.reference.forward import forward
+        from mahovik.proof.reference.motion import forward
 
         at = pieces(case.stand, state)
         forward(at, at.phi_dot)

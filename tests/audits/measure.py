@@ -16,8 +16,8 @@ from mahovik.proof import reference
 from mahovik.proof.diagnose.diagnosis import Diagnoser
 from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
 from mahovik.proof.reference.bodies import PlacedBody
-from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.hold import held_state, twists
+from mahovik.proof.reference.motion import bias
 from mahovik.proof.verify.check import difference
 from mahovik.proof.verify.scales import scales
 from mahovik.proof.verify.states import Request

@@ -21,8 +21,8 @@ from mahovik.core.stand.state import State, rest_state
 from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.coordinates import coordinates_at
-from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.hold import twists
+from mahovik.proof.reference.motion import bias
 from mahovik.proof.verify.held import onto_hold, quaternion_of
 
 EXAMPLES = Path(__file__).parents[2] / "docs" / "held"

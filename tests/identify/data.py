@@ -23,7 +23,7 @@ from mahovik.out.identify.free import Free
 from mahovik.out.identify.predict import Predictor
 from mahovik.out.identify.run import Run
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.points import points
+from mahovik.proof.reference.motion import points
 from mahovik.stands import path
 from mahovik.use.study.jitter.balance import balance as steady
 

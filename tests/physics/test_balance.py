@@ -12,7 +12,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.mass import added_mass_matrix
+from mahovik.proof.reference.pieces import added_mass_matrix
 from mahovik.proof.reference.screw import Phi, f, spin
 from physics.general import draw, placed
 from physics.motions import motion, rate, rotation, vec

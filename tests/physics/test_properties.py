@@ -17,7 +17,7 @@ from mahovik.laws.buoyancy.data import Buoyancy
 from mahovik.laws.damping.data import Damping
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.torque import flywheel_acceleration
+from mahovik.proof.reference.motion import flywheel_acceleration
 from physics.general import isolated, placed, without_wrench
 from physics.motions import vec
 from physics.properties import PROPERTY, assert_near, balance, cases, of_a_motion, scale, value, with_inertia

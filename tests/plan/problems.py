@@ -19,10 +19,9 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import Features, random_stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.generalized import generalized
+from mahovik.proof.reference.generalized import generalized, kinematic_matrix, kinematic_matrix_rate
 from mahovik.proof.reference.inverse import demand
-from mahovik.proof.reference.rotation import kinematic_matrix, kinematic_matrix_rate
-from mahovik.proof.reference.torque import torque
+from mahovik.proof.reference.motion import torque
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.residual import Mechanics
 

@@ -15,7 +15,7 @@ from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features, ran
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.motion import forward
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import (
     Chart,

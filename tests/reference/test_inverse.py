@@ -12,9 +12,8 @@ from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import StateError
 from mahovik.proof.reference import evaluate, pieces
-from mahovik.proof.reference.inverse import demand, inverse, inverse_root
-from mahovik.proof.reference.partition import dependent_acceleration, determinant
-from mahovik.proof.reference.task import task_demand, task_inverse, task_rows
+from mahovik.proof.reference.inverse import demand, dependent_acceleration, determinant, inverse, inverse_root
+from mahovik.proof.reference.tasks import scaled_task, task_inverse, task_rows
 from mahovik.proof.second import Second
 from physics.general import draw, isolated, rows
 
@@ -92,7 +91,7 @@ def test_equation_13_completes_independent_flywheels_to_the_demand(seed: int) ->
     wanted = demand(at, V_dot)
     scale = np.abs(at.I).max() * np.abs(phi_ddot).max()
     np.testing.assert_allclose(at.I @ phi_ddot, wanted, rtol=0, atol=1e-13 * scale)
-    assert np.linalg.norm(phi_ddot) > np.linalg.norm(inverse(at, V_dot).phi_ddot) * 0.1
+    assert np.linalg.norm(phi_ddot) > np.linalg.norm(inverse(at, stand, V_dot).phi_ddot) * 0.1
 
 
 SIX = Task("six", tuple(TaskRow("", name) for name in COMPONENTS))
@@ -137,9 +136,10 @@ def test_the_answer_is_the_least_in_both_norms(seed: int) -> None:
     """The residual is normal to all that can be reached, and phi'' to all that changes nothing."""
     stand, state = case(20 + seed, 1 + seed)
     at = pieces(stand, state)
-    asked = task_demand(at, task_rows(at, stand, stand.tasks[0]), np.array(state.demand))
-    found = task_inverse(at, asked.rows, np.array(state.demand))
-    root = inverse_root((asked.G + asked.G.T) / 2)
+    rows, demanded = task_rows(at, stand, stand.tasks[0]), np.array(state.demand)
+    asked, found = scaled_task(at, rows, demanded), task_inverse(at, rows, demanded)
+    G = rows.S @ np.linalg.solve(at.K, rows.S.T)
+    root = inverse_root((G + G.T) / 2)
     left, matrix = root @ found.residual, root @ asked.A / np.sqrt(np.diag(at.Theta_ff))
     size = np.linalg.norm(matrix, 2) * np.linalg.norm(root @ asked.c)
     assert np.linalg.norm(matrix.T @ left) < 1e-9 * size

@@ -24,7 +24,7 @@ from mahovik.core.stand.random import Features, random_stand, random_state
 from mahovik.errors import CheckError, StandError, StateError
 from mahovik.out.report.stand.surroundings import surroundings
 from mahovik.proof import reference
-from mahovik.proof.reference.stream import stream_at
+from mahovik.proof.reference.pieces import stream_at
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import draw
 from mahovik.use.plan.stream import uniform_stream

@@ -21,7 +21,7 @@ from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.state import State, rest_state
 from mahovik.core.stand.structure import structure
 from mahovik.proof.reference.assembly import pieces
-from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.motion import forward
 from mahovik.proof.verify.functions.identification import covariance
 from mahovik.proof.verify.functions.registry import rows_of
 from regressor.test_columns import case_of, failures

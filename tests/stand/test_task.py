@@ -12,7 +12,7 @@ from mahovik.core.stand.model import Task, TaskRow
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.summary import TaskSummary, summarize
 from mahovik.core.stand.task import places_of, row_vector
-from mahovik.proof.reference.points import point_transfers
+from mahovik.proof.reference.motion import point_transfers
 
 STAND = """
 schema = 1

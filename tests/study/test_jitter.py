@@ -13,7 +13,7 @@ from mahovik.core.stand import Stand, load
 from mahovik.errors import CheckError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.momentum import momentum_in_E0
-from mahovik.proof.reference.mounts import mounts
+from mahovik.proof.reference.motion import mounts
 from mahovik.stands import path
 from mahovik.use.study.band import in_band, rms
 from mahovik.use.study.jitter import Balance, Jitter, Makers, View, balance, jitter

@@ -26,10 +26,9 @@ from mahovik.proof.diagnose.diagnosis import Diagnosis
 from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
 from mahovik.proof.diagnose.words import as_object, sentences
 from mahovik.proof.reference import Pieces
-from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.hold import held_state, twists
-from mahovik.proof.reference.torque import torque
-from mahovik.proof.reference.wrench_kinds import body_wrench
+from mahovik.proof.reference.motion import bias, torque
+from mahovik.proof.reference.pieces import body_wrench
 from mahovik.proof.verify.actuators import stand_at, with_drawn_actuators
 from mahovik.proof.verify.backends import CasadiBackend, NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend

@@ -16,7 +16,7 @@ import mahovik
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
-from mahovik.proof.reference.task import TaskRows, task_rows
+from mahovik.proof.reference.tasks import TaskRows, task_rows
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import Backend, NumpyBackend
 from mahovik.proof.verify.bounds import BOUNDS

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 import mahovik
 from campaigns import Rows, Table
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.points import points
+from mahovik.proof.reference.motion import points
 from mahovik.use.study.jitter.balance import balance as steady
 
 Array = NDArray[np.float64]

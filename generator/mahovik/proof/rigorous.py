@@ -80,7 +80,7 @@ class Ball:
     __hash__ = None  # type: ignore[assignment]
 
     def __bool__(self) -> bool:
-        return self != 0.0
+        return bool(self != 0.0)
 
     def __neg__(self) -> Ball:
         return Ball(-self.arb)

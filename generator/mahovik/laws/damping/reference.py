@@ -7,6 +7,7 @@ import numpy as np
 from mahovik.core.stand.model import Body
 from mahovik.laws.damping.data import Damping
 from mahovik.proof.reference.array import Array, vector
+from mahovik.proof.reference.bodies import added_mass
 from mahovik.proof.reference.screw import Phi
 
 
@@ -46,5 +47,5 @@ def damping_terms(damping: Damping, V_r: Array) -> Array:
 
 def products_in_derivatives(body: Body, V_r: Array) -> Array:
     """Phi(V_r) Lambda V_r (6; N, N m): takes out of (8) the products of added mass that the derivatives contain."""
-    Lambda = vector(getattr(body, "added_mass", None) or np.zeros((6, 6)))
+    Lambda = added_mass(getattr(body, "added_mass", None))
     return np.asarray(Phi(V_r) @ Lambda @ V_r)

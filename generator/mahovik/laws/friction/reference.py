@@ -12,7 +12,7 @@ from mahovik.core.stand.state import State
 from mahovik.laws.friction.data import Friction, frictions_of
 from mahovik.proof.reference.array import Array, solve, sqrt, vector
 from mahovik.proof.reference.hold import twists
-from mahovik.proof.reference.pose import Pose
+from mahovik.proof.reference.rotation import Pose
 from mahovik.proof.reference.screw import E, wrench_to_parent
 
 
@@ -24,7 +24,7 @@ def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:
 def wrench(friction: Friction, hold: Hold, at: Pose) -> Array:
     """Wrench (6; N, N m) of one, against the speed u_k of its freedom."""
     along = unit_wrenches(hold)[:, friction.freedom]
-    return -drag(friction, along @ at.V) * along
+    return np.asarray(-drag(friction, along @ at.V) * along)
 
 
 def drag(friction: Friction, u: Any) -> Any:

@@ -11,7 +11,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.friction.data import Friction, frictions_of
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.pose import Pose
+from mahovik.proof.reference.rotation import Pose
 
 
 def scale(stand: Stand, state: State, at: Pose) -> Array:

@@ -7,7 +7,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.laws.leg.data import Leg, legs_of
 from mahovik.proof.reference.array import Array, hypot, vector
-from mahovik.proof.reference.pose import Pose
+from mahovik.proof.reference.rotation import Pose
 from mahovik.proof.reference.screw import cross, force_at
 
 SHORTEST = 1e-9  # m; a shorter leg has no direction

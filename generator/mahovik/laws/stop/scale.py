@@ -11,8 +11,7 @@ from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.stop.data import Stop, stops_of
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.pose import Pose
-from mahovik.proof.reference.rotation import attitude
+from mahovik.proof.reference.rotation import Pose, attitude
 from mahovik.proof.verify.scales.parts import length
 
 NEAR = 1e-6

@@ -10,8 +10,7 @@ from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.pose import Pose
-from mahovik.proof.reference.rotation import attitude, carrier_rotation, rotation_vector
+from mahovik.proof.reference.rotation import Pose, attitude, carrier_rotation, rotation_vector
 
 
 def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:

@@ -12,7 +12,7 @@ from mahovik.laws.suspension.reference import displacement
 from mahovik.proof.diagnose.terms.law_term import LawTerm
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.pose import Pose
+from mahovik.proof.reference.rotation import Pose
 
 KIND = "suspension"
 

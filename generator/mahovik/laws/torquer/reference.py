@@ -8,8 +8,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.torquer.data import Torquers, mount_of
 from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.pose import Pose
-from mahovik.proof.reference.rotation import fixed_rotation
+from mahovik.proof.reference.rotation import Pose, fixed_rotation
 from mahovik.proof.reference.screw import cross
 
 

@@ -8,7 +8,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.torquer.data import Torquers
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.pose import Pose
+from mahovik.proof.reference.rotation import Pose
 from mahovik.proof.verify.scales.parts import length
 
 

@@ -1,28 +1,32 @@
-"""The pieces of (1)-(11) put together at one state of a stand."""
+"""The pieces of (1)-(11) put together at one state of a stand, and the external wrenches (7) that act there."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
-from mahovik.core.stand.model import Stand
+from mahovik.contract import laws
+from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.state import State
-from mahovik.proof.reference.array import vector
-from mahovik.proof.reference.bodies import Bodies, bodies_of, spinning_bodies
-from mahovik.proof.reference.mass import (
+from mahovik.proof.reference.array import Array, vector
+from mahovik.proof.reference.bodies import Bodies, PlacedBody, bodies_of, spinning_bodies
+from mahovik.proof.reference.pieces import (
+    Kinds,
+    Pieces,
     added_mass_matrix,
     bodies_matrix,
+    body_wrench,
     coupling,
     coupling_bias,
     mass_matrix_rate,
     spin_inertia,
+    stream_at,
+    total_wrench,
     velocity_matrix,
 )
-from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.proof.reference.rotation import Pose, carrier_rotation
 from mahovik.proof.reference.screw import wrench_to_parent
-from mahovik.proof.reference.stream import stream_at
-from mahovik.proof.reference.wrench_kinds import body_wrench
-from mahovik.proof.reference.wrenches import external_wrenches, total_wrench
 
 
 def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
@@ -30,19 +34,19 @@ def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
 
     `bodies`: `bodies_of` the stand, where the caller has them already.
     """
-    C = carrier_rotation(stand, state)
+    C, V = carrier_rotation(stand, state), vector(state.V)
     u = C.T @ stream_at(stand, state.position)
-    V = vector(state.V)
     V_r = V - np.concatenate([u, np.zeros(3)])
     bodies = bodies or bodies_of(stand)
     fixed, flywheels = bodies.fixed, spinning_bodies(bodies.mounted, state)
     K_bodies, Lambda = bodies_matrix(fixed, flywheels), added_mass_matrix(fixed)
     K, K_dot = K_bodies + Lambda, mass_matrix_rate(flywheels)
-    terms = external_wrenches(stand, state, C=C, V=V, V_r=V_r, fixed=fixed, flywheels=flywheels)
+    gravity, pose = C.T @ vector(stand.gravity), Pose(vector(state.position), C, V)
+    terms = external_wrenches(stand, state, pose, gravity, V_r, (*fixed, *flywheels))
     P = {name: body_wrench(kinds) for name, kinds in terms.items()}
     return Pieces(
         C=C,
-        L1=wrench_to_parent(vector(state.position), C),
+        L1=wrench_to_parent(pose.O1, C),
         V=V,
         V_r=V_r,
         fixed=fixed,
@@ -57,8 +61,40 @@ def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
         Theta_ff=spin_inertia(flywheels),
         terms=terms,
         P=P,
-        F=total_wrench(P, fixed, flywheels),
+        F=total_wrench(P, (*fixed, *flywheels)),
         phi_dot=vector(state.phi_dot),
-        gravity=C.T @ vector(stand.gravity),
+        gravity=gravity,
         u=u,
     )
+
+
+def body_wrenches(body: Body, gravity: Array, V_r: Array, given: Array) -> Kinds:
+    """Wrenches on one body by kind. `gravity` (3, m/s2), `V_r` (6, relative to the fluid) in its frame.
+
+    `given` (6) is the run-time wrench.
+    """
+    kinds: dict[str, Array] = {}
+    for wrenches in laws.of_bodies("reference", "wrenches"):
+        kinds |= wrenches(body, gravity, V_r)
+    return kinds | {"run-time": given}
+
+
+def run_time_wrench(state: State, body: Body) -> Array:
+    """The caller's wrench (6; N, N m) on a body, in its own frame about its origin."""
+    return vector(state.wrench.get(body.name, (0.0,) * 6))
+
+
+def external_wrenches(
+    stand: Stand, state: State, at: Pose, gravity: Array, V_r: Array, bodies: Sequence[PlacedBody]
+) -> dict[str, Kinds]:
+    """Every wrench of (7) by body name and kind. The laws between E0 and the carrier count among the carrier's.
+
+    `gravity` (3) and `V_r` (6, twist of E1 relative to the fluid) in E1.
+    """
+    P: dict[str, Kinds] = {}
+    for k in bodies:
+        C_k = k.L[:3, :3]
+        P[k.body.name] = body_wrenches(k.body, C_k.T @ gravity, k.twist(V_r), run_time_wrench(state, k.body))
+    for law in laws.parts("reference"):
+        P[stand.carrier.name] = {**P[stand.carrier.name], **law.wrenches(stand, state, at)}
+    return P

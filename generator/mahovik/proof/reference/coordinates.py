@@ -19,8 +19,7 @@ from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, arctan2, cos, sin, vector
 from mahovik.proof.reference.hold import held_forward
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.pose import Pose
-from mahovik.proof.reference.rotation import attitude, carrier_rotation, quaternion_rotation
+from mahovik.proof.reference.rotation import Pose, attitude, carrier_rotation, quaternion_rotation
 from mahovik.proof.reference.screw import E, cross, wrench_to_parent
 
 
@@ -70,7 +69,7 @@ def rates_at(hold: Hold, R: Array, u: Array, u_dot: Array) -> tuple[Array, Array
     return q_dot, q_ddot
 
 
-def answer(at: Pieces, stand: Stand, state: State) -> Values:
+def answer_coordinates(at: Pieces, stand: Stand, state: State) -> Values:
     """q, orientation of what has them, q_dot, q_ddot (m; m, rad, s). StateError: no coordinates."""
     hold = stand.hold
     assert hold is not None

@@ -4,36 +4,51 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 
-from mahovik.contract.functions import TASK_CONFLICTS, TASK_TAKERS, TASK_WANTS, want_fault, wants_of
+from mahovik.contract.functions import TASK_CONFLICTS, TASK_TAKERS, want_fault
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference import coordinates, hold, task
+from mahovik.proof.reference import (
+    coordinates,
+    generalized,
+    hold,
+    inverse,
+    momentum,
+    motion,
+    regressor,
+    tasks,
+)
 from mahovik.proof.reference.array import Values
 from mahovik.proof.reference.assembly import pieces
-from mahovik.proof.reference.inverse import CUTS, Cuts
-from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.pieces import Pieces, answer_matrices
 
 ANSWERS: Mapping[str, Callable[..., Values]] = {
-    want: import_module(f"mahovik.proof.reference.{want}").answer for want in wants_of("reference")
+    "matrices": answer_matrices,
+    "momentum": momentum.answer_momentum,
+    "center_of_mass_velocity": momentum.answer_center_of_mass_velocity,
+    "forward": motion.answer_forward,
+    "torque": motion.answer_torque,
+    "mounts": motion.answer_mounts,
+    "coupled": motion.answer_coupled,
+    "reaction": motion.answer_reaction,
+    "points": motion.answer_points,
+    "inverse": inverse.answer_inverse,
+    "generalized": generalized.answer_generalized,
+    "regressor": regressor.answer_regressor,
 }
-"""Each want is answered by the module of its name: answer(at, stand, state)."""
+"""The answer to each want: answer(at, stand, state)."""
 
-OF_TASKS: Mapping[str, Callable[..., Values]] = {
-    want: import_module(f"mahovik.proof.reference.{want}").answer for want in TASK_WANTS
-}
+OF_TASKS: Mapping[str, Callable[..., Values]] = {"torque_for": tasks.answer_torque_for}
 """Likewise, of a state with a task."""
 
 OF_HELD: Mapping[str, Callable[..., Values]] = {
-    "forward": hold.answer_forward,
-    "coupled": hold.answer_coupled,
-    "inverse": hold.answer_inverse,
-    "generalized": coordinates.answer,
+    "forward": hold.answer_held_forward,
+    "coupled": hold.answer_held_coupled,
+    "generalized": coordinates.answer_coordinates,
 }
 """Wants that a held carrier answers in its freedoms; others are those of the free carrier at V = S u, V* = S u*."""
 
@@ -58,7 +73,9 @@ def finite(value: Any) -> bool:
     return isinstance(value, str) or numbers.dtype == object or bool(np.all(np.isfinite(numbers)))
 
 
-def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None = None, cuts: Cuts = CUTS) -> Values:
+def evaluate(
+    stand: Stand, state: State, want: Sequence[str], at: Pieces | None = None, cuts: inverse.Cuts = inverse.CUTS
+) -> Values:
     """What `want` names, under the names of the contract: arrays, floats; status a string, rank an int.
 
     Of a task, other wants take the motion that results of `torque_for` where this is asked, else of `inverse`.
@@ -82,7 +99,7 @@ def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None 
         check_task_want(want, state.task)
         asked = [name for name in want if name in OF_TASKS]
         if state.task:
-            found = OF_TASKS[asked[0]](at, stand, state, cuts) if asked else task.answer(at, stand, state, cuts)
+            found = OF_TASKS[asked[0]](at, stand, state, cuts) if asked else tasks.answer_task(at, stand, state, cuts)
             moved = replace(state, V_dot=tuple(found["V_dot"]), phi_ddot=tuple(found["phi_ddot"]))
         for name in want:
             if name in OF_TASKS or (name == "inverse" and state.task):

@@ -4,13 +4,67 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values, solve, vector
-from mahovik.proof.reference.mass import velocity_matrix
-from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.rotation import check_attitude, kinematic_matrix, kinematic_matrix_rate
+from mahovik.proof.reference.array import Array, Values, cos, sin, solve, vector
+from mahovik.proof.reference.pieces import Pieces, velocity_matrix
+from mahovik.proof.reference.rotation import C1, C2, C3, attitude
+from mahovik.proof.reference.screw import blocks, cross, zero
+
+AXES: dict[Sequence, tuple[int, int, int]] = {"ship": (2, 1, 0), "aircraft": (1, 2, 0), "euler": (2, 0, 2)}
+"""Axes that psi, theta, phi turn about, 0..2."""
+
+ELEMENTARY = (C1, C2, C3)
+
+SINGULAR = 1e-6
+"""|cos theta| (Euler: |sin theta|) below this is an error of `generalized`."""
+
+
+def angle_rates_to_omega(sequence: Sequence, psi: float, theta: float, phi: float) -> Array:
+    """B (3x3) of (10): omega = B (psi', theta', phi'), omega in E1. psi is not in it.
+
+    Each rate turns about its own axis, carried to E1 by the rotations that come after it in the sequence.
+    """
+    del psi
+    a, b, c = (np.eye(3)[axis] for axis in AXES[sequence])
+    _, R_theta, R_phi = (ELEMENTARY[axis] for axis in AXES[sequence])
+    return np.column_stack([R_phi(phi).T @ R_theta(theta).T @ a, R_phi(phi).T @ b, c])
+
+
+def angle_rates_to_omega_rate(sequence: Sequence, angles: Array, rates: Array) -> Array:
+    """B' (3x3, 1/s) along the motion; `rates` (3, rad/s): psi', theta', phi'. R' = R <axis> angle'."""
+    _, theta, phi = angles
+    _, theta_dot, phi_dot = rates
+    a, b, c = (np.eye(3)[axis] for axis in AXES[sequence])
+    _, R_theta, R_phi = (ELEMENTARY[axis] for axis in AXES[sequence])
+    Rb, Rc = R_theta(theta), R_phi(phi)
+    Rb_dot, Rc_dot = Rb @ cross(b) * theta_dot, Rc @ cross(c) * phi_dot
+    return np.column_stack([Rc_dot.T @ Rb.T @ a + Rc.T @ Rb_dot.T @ a, Rc_dot.T @ b, np.zeros(3)])
+
+
+def kinematic_matrix(sequence: Sequence, angles: Array) -> Array:
+    """A = diag(C^T, B) (6x6) of (10): V = A q', q = (O1 in E0, psi, theta, phi)."""
+    return blocks(attitude(sequence, *angles).T, zero, zero, angle_rates_to_omega(sequence, *angles))
+
+
+def kinematic_matrix_rate(sequence: Sequence, angles: Array, rates: Array) -> Array:
+    """D = A' (6x6, 1/s) of (10) along the motion; `rates` (3, rad/s): psi', theta', phi'. C' = C <omega>."""
+    omega = angle_rates_to_omega(sequence, *angles) @ rates
+    C_dot = attitude(sequence, *angles) @ cross(omega)
+    return blocks(C_dot.T, zero, zero, angle_rates_to_omega_rate(sequence, angles, rates))
+
+
+def check_attitude(sequence: Sequence, angles: Array) -> None:
+    """Raise StateError where A of (10) is singular, or so near to it that q' means nothing."""
+    name, value = ("sin", sin(angles[1])) if sequence == "euler" else ("cos", cos(angles[1]))
+    if abs(value) < SINGULAR:
+        raise StateError(
+            f"angles: singular attitude of the {sequence} sequence, |{name} theta| = {abs(value):.3g}; "
+            f"`generalized` needs at least {SINGULAR:g}"
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +106,6 @@ def generalized(at: Pieces, sequence: Sequence, state: State) -> GeneralizedForm
     return GeneralizedForm(A, D, I0, J0, q_dot, q_ddot)
 
 
-def answer(at: Pieces, stand: Stand, state: State) -> Values:
+def answer_generalized(at: Pieces, stand: Stand, state: State) -> Values:
     """A, D, I0, J0 (6x6), q_dot, q_ddot (6): (10), (11)."""
     return dict(vars(generalized(at, stand.angles, state)))

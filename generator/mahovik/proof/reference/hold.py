@@ -11,15 +11,11 @@ from typing import cast
 
 import numpy as np
 
-from mahovik.contract.functions import inverse_fault
 from mahovik.core.stand.model import Freedom, Hold, Stand, Vec6
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError, count_numbers
 from mahovik.proof.reference.array import Array, Values, columns, solve, vector
-from mahovik.proof.reference.coupled import coupled_with_locks, spin_up_torque
-from mahovik.proof.reference.excess import motor_shares, with_excess
-from mahovik.proof.reference.forward import bias, forward
-from mahovik.proof.reference.inverse import CUTS, Cuts, Inverse, demand, inverse, inverse_root, status_names
+from mahovik.proof.reference.motion import bias, coupled_with_locks, forward, spin_up_torque
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import E, wrench_to_parent, zero
 
@@ -48,7 +44,7 @@ def _twist(freedom: Freedom, to_O1: Array) -> Array:
     d = vector(freedom.direction)
     d = d / np.max(np.abs(d))
     d = d / np.sqrt(d @ d)
-    return to_O1 @ np.concatenate([d, zero[0]] if freedom.kind == "slide" else [zero[0], d])
+    return np.asarray(to_O1 @ np.concatenate([d, zero[0]] if freedom.kind == "slide" else [zero[0], d]))
 
 
 def held_state(stand: Stand, state: State) -> State:
@@ -97,26 +93,6 @@ def held_coupled(at: Pieces, hold: Hold, tau: Array, locked: Array | None = None
     return HeldMotion(u_dot, S @ u_dot, R), phi_ddot
 
 
-def held_inverse(at: Pieces, hold: Hold, V_dot: Array, cuts: Cuts = CUTS, rank: int | None = None) -> Inverse:
-    """phi_ddot (N), residual (m), sigma (min(m, N)), rank, status for a demanded V_dot = S u_dot (6).
-
-    S^T I phi'' = S^T (F - K V_r* - M V_r - J phi'): least residual in the norm of (S^T K S)^-1, then least phi'' in the
-    norm of Theta_ff, by the singular values of (S^T K S)^-1/2 S^T I Theta_ff^-1/2. `rank`: how many of them count,
-    where that is given.
-    """
-    S = twists(hold)
-    wanted = S.T @ (at.F - at.K @ at.V_r_dot(V_dot) - bias(at))
-    K_root, Theta_root = inverse_root(S.T @ at.K @ S), inverse_root(at.Theta_ff)
-    U, sigma, Vt = np.linalg.svd(K_root @ S.T @ at.I @ Theta_root.T, full_matrices=False)
-    if rank is None:
-        rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
-    phi_ddot = Theta_root.T @ (Vt[:rank].T @ ((U[:, :rank].T @ K_root @ wanted) / sigma[:rank]))
-    residual = wanted - S.T @ at.I @ phi_ddot
-    least = min(S.shape[1], len(at.flywheels))
-    status = status_names(K_root @ wanted, K_root @ residual, sigma, rank, least, cuts)
-    return Inverse(phi_ddot, status, residual, sigma, rank)
-
-
 @dataclass(frozen=True, eq=False)
 class FreeEquations:
     """(8) along what is free: S (6xm), S^T K S (mxm), S^T I (mxN); of a free carrier S is the unit matrix."""
@@ -124,10 +100,6 @@ class FreeEquations:
     S: Array
     K: Array
     I: Array
-
-    def demand(self, at: Pieces, V_dot: Array) -> Array:
-        """S^T (F - K V_r* - M V_r - J phi') (m)."""
-        return np.asarray(self.S.T @ demand(at, V_dot))
 
 
 def free_equations(at: Pieces, stand: Stand) -> FreeEquations:
@@ -149,32 +121,15 @@ def accelerations(at: Pieces, stand: Stand, tau: Array, locked: Array) -> tuple[
     return motion.V_dot, phi_ddot
 
 
-def allocation(at: Pieces, stand: Stand, V_dot: Array, cuts: Cuts = CUTS, rank: int | None = None) -> Inverse:
-    """(12) of a free or held carrier for a demanded V_dot (6)."""
-    if stand.hold is None:
-        return inverse(at, V_dot, cuts, rank)
-    return held_inverse(at, stand.hold, V_dot, cuts, rank)
-
-
-def answer_forward(at: Pieces, stand: Stand, state: State) -> Values:
+def answer_held_forward(at: Pieces, stand: Stand, state: State) -> Values:
     """u_dot (m), V_dot, reaction (6)."""
     return dict(vars(held_forward(at, _hold(stand), vector(state.phi_ddot))))
 
 
-def answer_coupled(at: Pieces, stand: Stand, state: State) -> Values:
+def answer_held_coupled(at: Pieces, stand: Stand, state: State) -> Values:
     """u_dot (m), V_dot, reaction (6), phi_ddot (N)."""
     motion, phi_ddot = held_coupled(at, _hold(stand), vector(state.tau))
     return dict(vars(motion)) | {"phi_ddot": phi_ddot}
-
-
-def answer_inverse(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
-    """phi_ddot (N), status, residual (m), sigma (min(m, N)), rank. StateError: no freedoms, or no flywheels."""
-    hold = _hold(stand)
-    if fault := inverse_fault(len(hold.freedoms), len(at.flywheels)):
-        raise StateError(f"want: {fault}")
-    found = held_inverse(at, hold, vector(state.V_dot), cuts)
-    needed = motor_shares(stand, at, held_forward(at, hold, found.phi_ddot).V_dot, found.phi_ddot)
-    return dict(vars(found)) | {"status": with_excess(found.status, needed)}
 
 
 def _hold(stand: Stand) -> Hold:

@@ -1,17 +1,26 @@
-"""Inverse problem, (12): flywheel accelerations for a prescribed acceleration of the carrier."""
+"""Inverse problem, (12): flywheel accelerations for a prescribed acceleration of the carrier, free or held.
+
+A held carrier has the rows S^T of (8), a free one all six: S = E. Without units the demand is W y = r, solved by
+singular values; weights and damping are the options of the emitted C; (13) has the flywheels in two parts.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.stand.model import Stand
+from mahovik.contract.functions import inverse_fault
+from mahovik.core.stand.model import Motor, Stand
 from mahovik.core.stand.state import State
-from mahovik.proof.reference.array import Array, Values, vector
-from mahovik.proof.reference.excess import motor_shares, with_excess
-from mahovik.proof.reference.forward import bias, forward
+from mahovik.errors import StateError
+from mahovik.proof.reference.array import Array, Values, solve, vector
+from mahovik.proof.reference.hold import acceleration, free_equations
+from mahovik.proof.reference.motion import bias, torque
 from mahovik.proof.reference.pieces import Pieces
+
+EXCESSIVE = "EXCESSIVE"
 
 
 @dataclass(frozen=True)
@@ -34,13 +43,41 @@ CUTS = Cuts()
 
 @dataclass(frozen=True, eq=False)
 class Inverse:
-    """phi_ddot (N, rad/s2), status (names joined by |), residual (6; N, N m), sigma (min(6, N)), rank."""
+    """phi_ddot (N, rad/s2), status (names joined by |), residual (m; N, N m), sigma (min(m, N)), rank."""
 
     phi_ddot: Array
     status: str
     residual: Array
     sigma: Array
     rank: int
+
+
+@dataclass(frozen=True, eq=False)
+class ScaledDemand:
+    """A phi'' = c, A (mxN), c (m), as W y = r without units: W = root A Theta_ff^-1/2, y = Theta_ff^1/2 phi''.
+
+    `root` (mxm) scales what is left over: (S^T K S)^-1/2 of a wrench, G^-1/2 of a task's error. So the singular values
+    of W are the same for any units, origin and axes.
+    """
+
+    A: Array
+    c: Array
+    root: Array
+    to_phi_ddot: Array
+
+    @property
+    def W(self) -> Array:
+        """The scaled matrix (mxN)."""
+        return self.root @ self.A @ self.to_phi_ddot
+
+    @property
+    def r(self) -> Array:
+        """The scaled demand (m)."""
+        return self.root @ self.c
+
+    def phi_ddot(self, y: Array) -> Array:
+        """phi'' (N, rad/s2) of a scaled answer."""
+        return self.to_phi_ddot @ y
 
 
 def inverse_root(S: Array) -> Array:
@@ -58,23 +95,27 @@ def demand(at: Pieces, V_dot: Array) -> Array:
     return at.F - at.K @ at.V_r_dot(V_dot) - bias(at)
 
 
-def inverse(at: Pieces, V_dot: Array, cuts: Cuts = CUTS, rank: int | None = None) -> Inverse:
-    """Least residual of (12) in the K^-1 norm, then least phi'' in the Theta_ff norm; no limits, no damping.
+def scaled_demand(at: Pieces, stand: Stand, V_dot: Array) -> ScaledDemand:
+    """S^T I phi'' = S^T (F - K V_r* - M V_r - J phi') for V_dot (6) relative to E0, in the norm of (S^T K S)^-1."""
+    free = free_equations(at, stand)
+    return ScaledDemand(free.I, free.S.T @ demand(at, V_dot), inverse_root(free.K), inverse_root(at.Theta_ff).T)
 
-    By the singular values of K^-1/2 I Theta_ff^-1/2: dimensionless, the same for any units, origin and axes.
-    `rank`: how many of them count, where that is given; otherwise those above the threshold of `cuts`.
-    """
-    K_root, Theta_root = inverse_root(at.K), inverse_root(at.Theta_ff)
-    wanted = demand(at, V_dot)
-    U, sigma, Vt = np.linalg.svd(K_root @ at.I @ Theta_root.T, full_matrices=False)
+
+def least_error(scaled: ScaledDemand, cuts: Cuts = CUTS, rank: int | None = None) -> Inverse:
+    """Least |r - W y|, then least |y|. `rank`: how many singular values count, where that is given; else by `cuts`."""
+    W, r = scaled.W, scaled.r
+    U, sigma, Vt = np.linalg.svd(W, full_matrices=False)
     if rank is None:
         rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
-    scaled = Vt[:rank].T @ ((U[:, :rank].T @ K_root @ wanted) / sigma[:rank])
-    phi_ddot = Theta_root.T @ scaled
-    residual = wanted - at.I @ phi_ddot
-    least = min(6, len(at.flywheels))
-    names = status_names(K_root @ wanted, K_root @ residual, sigma, rank, least, cuts)
-    return Inverse(phi_ddot, names, residual, sigma, rank)
+    phi_ddot = scaled.phi_ddot(Vt[:rank].T @ ((U[:, :rank].T @ r) / sigma[:rank]))
+    residual = scaled.c - scaled.A @ phi_ddot
+    status = status_names(r, scaled.root @ residual, sigma, rank, min(W.shape), cuts)
+    return Inverse(phi_ddot, status, residual, sigma, rank)
+
+
+def inverse(at: Pieces, stand: Stand, V_dot: Array, cuts: Cuts = CUTS, rank: int | None = None) -> Inverse:
+    """(12) of a free or held carrier for a demanded V_dot (6)."""
+    return least_error(scaled_demand(at, stand, V_dot), cuts, rank)
 
 
 def status_names(scaled_demand: Array, scaled_residual: Array, sigma: Array, rank: int, least: int, cuts: Cuts) -> str:
@@ -89,8 +130,140 @@ def status_names(scaled_demand: Array, scaled_residual: Array, sigma: Array, ran
     return "|".join(names) or "OK"
 
 
-def answer(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
-    """phi_ddot (N), status, residual (6), sigma (min(6, N)), rank: (12)."""
-    found = inverse(at, vector(state.V_dot), cuts)
-    needed = motor_shares(stand, at, forward(at, found.phi_ddot), found.phi_ddot)
-    return dict(vars(found)) | {"status": with_excess(found.status, needed)}
+def answer_inverse(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
+    """phi_ddot (N), status, residual (m), sigma (min(m, N)), rank: (12). StateError: no freedoms, or no flywheels."""
+    if stand.hold is not None and (fault := inverse_fault(len(stand.hold.freedoms), len(at.flywheels))):
+        raise StateError(f"want: {fault}")
+    answer = inverse(at, stand, vector(state.V_dot), cuts)
+    needed = motor_shares(stand, at, acceleration(at, stand, answer.phi_ddot), answer.phi_ddot)
+    return dict(vars(answer)) | {"status": with_excess(answer.status, needed)}
+
+
+# Weights and damping: what the options of the emitted C mean.
+
+
+def weighted_solution(
+    scaled: ScaledDemand, weight: Array, rank: int, near_singular: float = 0.0, damping: float = 0.0
+) -> Array:
+    """phi'' (N): least |r - W y| in the first `rank` singular directions, then least sum weight_s y_s^2.
+
+    Damping: where sigma_i < near_singular sigma_1, the demand in that direction is multiplied by
+    sigma_i^2/(sigma_i^2 + lambda_i^2), lambda_i = damping sigma_1 (1 - sigma_i/(near_singular sigma_1)).
+    """
+    U, sigma, Vt = np.linalg.svd(scaled.W, full_matrices=False)
+    wanted = (U.T @ scaled.r)[:rank]
+    for i in range(rank):
+        if sigma[i] < near_singular * sigma[0]:
+            share = damping * sigma[0] * (1 - sigma[i] / (near_singular * sigma[0]))
+            wanted[i] *= sigma[i] ** 2 / (sigma[i] ** 2 + share**2)
+    root = 1 / np.sqrt(weight)
+    rows = (sigma[:rank, None] * Vt[:rank]) * root
+    return scaled.phi_ddot(np.asarray(root * (np.linalg.pinv(rows, rcond=0.0) @ wanted), dtype=np.float64))
+
+
+def largest_damping(scaled: ScaledDemand, rank: int, near_singular: float, damping: float) -> float:
+    """The largest lambda_i that `weighted` applies; 0 where it applies none."""
+    if rank == 0:
+        return 0.0
+    sigma = np.linalg.svd(scaled.W, compute_uv=False)[:rank]
+    ratios = sigma / sigma[0]
+    return float(max((damping * sigma[0] * (1 - x / near_singular) for x in ratios if x < near_singular), default=0.0))
+
+
+def normal_matrix(scaled: ScaledDemand, weight: Array, damping: float) -> Array:
+    """W Omega^-1 W^T + lambda^2 E with six flywheels and more, W^T W + lambda^2 E with fewer.
+
+    lambda^2 is damping^2 times the trace of the matrix without it; Omega = diag(weight).
+    """
+    W = scaled.W
+    gram = (W / weight) @ W.T if W.shape[1] >= len(scaled.r) else W.T @ W
+    return np.asarray(gram + damping**2 * np.trace(gram) * np.eye(len(gram)))
+
+
+def condition_of_normal_equations(scaled: ScaledDemand, weight: Array, damping: float) -> float:
+    """Condition number of the matrix of `normal_equations`."""
+    return float(np.linalg.cond(normal_matrix(scaled, weight, damping)))
+
+
+def normal_equations(scaled: ScaledDemand, weight: Array, damping: float) -> Array:
+    """phi'' (N) by normal equations: y = Omega^-1 W^T z, gram z = r with six flywheels and more.
+
+    With fewer gram y = W^T r, where weights have no effect; gram is `normal_matrix`.
+    """
+    W, r, gram = scaled.W, scaled.r, normal_matrix(scaled, weight, damping)
+    if W.shape[1] >= len(r):
+        return scaled.phi_ddot(np.asarray((W / weight).T @ np.linalg.solve(gram, r), dtype=np.float64))
+    return scaled.phi_ddot(np.asarray(np.linalg.solve(gram, W.T @ r), dtype=np.float64))
+
+
+# EXCESSIVE: an answer that needs more than the motors have.
+
+
+def available(motor: Motor, tau: float, speed: float) -> float:
+    """Torque (N m) that the motor has in the sense of tau at a speed (rad/s).
+
+    Driving, it falls linearly from the limit at rest to 0 at the no-load speed and beyond; braking, it is the limit.
+    """
+    most = np.inf if motor.torque is None else motor.torque
+    if motor.speed is None or tau * speed <= 0:
+        return most
+    share = max(0.0, 1.0 - abs(speed) / motor.speed)
+    return most * share if share else 0.0
+
+
+def friction(motor: Motor, speed: float) -> float:
+    """Torque of friction on the flywheel at a speed (rad/s), N m: viscous, and dry as the servos compensate it.
+
+    Dry friction is y (27 + y^2) / (27 + 9 y^2) of its whole, y the speed over `coulomb_speed` inside -3..3: tanh y to
+    0.024.
+    """
+    y = min(max(speed / motor.coulomb_speed, -3.0), 3.0)
+    return -motor.viscous * speed - motor.coulomb * y * (27.0 + y * y) / (27.0 + 9.0 * y * y)
+
+
+def motor_shares(stand: Stand, at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
+    """Need of each flywheel for the motion V_dot (6), phi_ddot (N), over what it has (N); above 1 is too much.
+
+    Torque of the motor, which gives tau_s and bears the friction, over what it has; without a motor, or of one without
+    limits, |phi_s''| over `inverse_most`.
+    """
+    return shares_of(stand, at, torque(at, V_dot, phi_ddot), phi_ddot)
+
+
+def shares_of(stand: Stand, at: Pieces, tau: Array, phi_ddot: Array) -> Array:
+    """Need of each flywheel, as `motor_shares` (N), for drive torques tau (N, N m)."""
+    found = np.zeros(len(stand.flywheels))
+    for k, wheel in enumerate(stand.flywheels):
+        motor = wheel.motor
+        if motor is None or (motor.torque is None and motor.speed is None):
+            found[k] = abs(phi_ddot[k]) / stand.inverse_most
+            continue
+        own = tau[k] - friction(motor, at.phi_dot[k])
+        most = available(motor, own, at.phi_dot[k])
+        found[k] = abs(own) / most if most else (np.inf if own else 0.0)
+    return found
+
+
+def with_excess(status: str, needed: Array) -> str:
+    """The status (names joined by |) with EXCESSIVE where some share is above 1: the last of the bits."""
+    if not np.any(needed > 1.0):
+        return status
+    return EXCESSIVE if status == "OK" else f"{status}|{EXCESSIVE}"
+
+
+# Optimal control, (13): flywheels in two parts, N - 6 independent (minus), 6 dependent (plus).
+
+
+def dependent_acceleration(at: Pieces, V_dot: Array, plus: Sequence[int], u: Array) -> Array:
+    """phi_+'' = I+^-1 (P(t) - I- u - J phi') (6, rad/s2), (13), for the carrier's V_dot (6) relative to E0.
+
+    `plus` (6) are the indices of the dependent flywheels, in the order of the answer; u = phi_-'' (N - 6, rad/s2)
+    those of the others, in the file's order. det I+ = 0 raises numpy.linalg.LinAlgError.
+    """
+    minus = [s for s in range(len(at.flywheels)) if s not in plus]
+    return solve(at.I[:, list(plus)], demand(at, V_dot) - at.I[:, minus] @ u)
+
+
+def determinant(at: Pieces, plus: Sequence[int]) -> float:
+    """det I+ of (13): in units of kg^6 m^9, its sign is what matters."""
+    return float(np.linalg.det(at.I[:, list(plus)]))

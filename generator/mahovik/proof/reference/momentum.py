@@ -1,4 +1,4 @@
-"""Momentum screw (2), (1), kinetic energy and centre of mass. Bodies move at V; the fluid (Lambda) at V_r."""
+"""Momentum screw (2), (1), kinetic energy, centre of mass and its velocity. Bodies move at V; the fluid at V_r."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values
+from mahovik.proof.reference.array import Array, Values, vector
 from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.screw import cross
 
 
 def momentum(at: Pieces) -> Array:
@@ -40,7 +41,17 @@ def center_of_mass(at: Pieces) -> Array:
     return np.array([m_rc[2, 1] / m, m_rc[0, 2] / m, m_rc[1, 0] / m])
 
 
-def answer(at: Pieces, stand: Stand, state: State) -> Values:
+def moving_parts(at: Pieces) -> tuple[tuple[PlacedBody, Array], ...]:
+    """Every body with the velocity (3, m/s) of its own mass centre, in its own frame: v_k + omega_k x r_k."""
+    placed: tuple[PlacedBody, ...] = (*at.fixed, *at.flywheels)
+    parts = []
+    for k in placed:
+        v, omega = np.split(k.twist(at.V), 2)
+        parts.append((k, v + cross(omega) @ vector(k.body.center_of_mass)))
+    return tuple(parts)
+
+
+def answer_momentum(at: Pieces, stand: Stand, state: State) -> Values:
     """Z, Z0 (6), energy, center_of_mass (3): (1), (2)."""
     return {
         "Z": momentum(at),
@@ -48,3 +59,12 @@ def answer(at: Pieces, stand: Stand, state: State) -> Values:
         "energy": kinetic_energy(at),
         "center_of_mass": center_of_mass(at),
     }
+
+
+def answer_center_of_mass_velocity(at: Pieces, stand: Stand, state: State) -> Values:
+    """center_of_mass_velocity (3, m/s) in E0: sum_k m_k C C_k v_k over the mass; StateError without mass."""
+    mass = sum(body.mass for body in stand.bodies)
+    if mass == 0:
+        raise StateError("center_of_mass_velocity: no body of the stand has a mass")
+    in_E1 = sum((k.body.mass * k.L[:3, :3] @ velocity for k, velocity in moving_parts(at)), np.zeros(3))
+    return {"center_of_mass_velocity": at.L1[:3, :3] @ in_E1 / mass}

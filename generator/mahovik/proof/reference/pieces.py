@@ -1,21 +1,27 @@
-"""All the pieces of (1)-(11) at one state, each under its name in the paper."""
+"""The pieces of (1)-(11) at one state, each under its name in the paper. In E1 about O1 unless said otherwise."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import FixedBody, SpinningFlywheel
-from mahovik.proof.reference.screw import cross
-from mahovik.proof.reference.wrench_kinds import Kinds
+from mahovik.core.stand.model import Stand, Vec3
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof.reference.array import Array, Values, columns, larger, smaller, vector
+from mahovik.proof.reference.bodies import FixedBody, PlacedBody, SpinningFlywheel
+from mahovik.proof.reference.screw import Phi, cross, f, spin
+
+Kinds = Mapping[str, Array]
+"""Wrenches (6; N, N m) on one body by their kind, in its frame about its origin."""
 
 
 @dataclass(frozen=True, eq=False)
 class Pieces:
-    """Terms of the equations at one state. SI, in E1 about O1 unless said otherwise.
+    """Terms of the equations at one state, SI.
 
     C, L1        3x3, 6x6: attitude and transfer from E1 to E0
     V, V_r       6: twist of E1 relative to E0, and to the fluid, V_r = V - (C^T u, 0)
@@ -65,3 +71,81 @@ class Pieces:
     def stream_rate(self) -> Array:
         """(omega x C^T u, 0) (6, m/s2)."""
         return np.concatenate([cross(self.V[3:]) @ self.u, np.zeros(3)])
+
+
+def added_mass_matrix(fixed: Sequence[FixedBody]) -> Array:
+    """Lambda_1 + sum_p Lambda_p (6x6; kg, kg m, kg m2) of (2)."""
+    return np.asarray(sum((p.Lambda for p in fixed), np.zeros((6, 6))))
+
+
+def bodies_matrix(fixed: Sequence[FixedBody], flywheels: Sequence[SpinningFlywheel]) -> Array:
+    """Theta_1 + sum_p Lp Theta_p Lp^T + sum_s Ls Theta_s Ls^T (6x6; kg, kg m, kg m2): (2) without added mass."""
+    bodies: tuple[PlacedBody, ...] = (*fixed, *flywheels)
+    return np.asarray(sum((k.L @ k.Theta @ k.L.T for k in bodies), np.zeros((6, 6))))
+
+
+def mass_matrix(fixed: Sequence[FixedBody], flywheels: Sequence[SpinningFlywheel]) -> Array:
+    """K (6x6; kg, kg m, kg m2) of (2): all bodies, flywheels locked, with added mass."""
+    return bodies_matrix(fixed, flywheels) + added_mass_matrix(fixed)
+
+
+def mass_matrix_rate(flywheels: Sequence[SpinningFlywheel]) -> Array:
+    """K* = sum_s Ls ([<e>] Theta_s - Theta_s [<e>]) Ls^T phi_s' (6x6; kg/s, kg m/s, kg m2/s), (6)."""
+    terms = (s.L @ (spin @ s.Theta - s.Theta @ spin) @ s.L.T * s.phi_dot for s in flywheels)
+    return np.asarray(sum(terms, np.zeros((6, 6))))
+
+
+def velocity_matrix(K: Array, K_dot: Array, V: Array) -> Array:
+    """M = Phi K + K* (6x6), (9). With a stream, V is V_r."""
+    return Phi(V) @ K + K_dot
+
+
+def coupling(flywheels: Sequence[SpinningFlywheel]) -> Array:
+    """I = |I_2 ... I_m| (6xN; kg m, kg m2), I_s = Ls Theta_s f, (9)."""
+    return columns([s.L @ s.Theta @ f for s in flywheels], 6)
+
+
+def coupling_bias(flywheels: Sequence[SpinningFlywheel], V: Array) -> Array:
+    """J = |J_2 ... J_m| (6xN), J_s = (Phi Ls + Ls [<e>] phi_s') Theta_s f, (9). With a stream, V is V_r."""
+    Phi_V = Phi(V)
+    return columns([(Phi_V @ s.L + s.L @ spin * s.phi_dot) @ s.Theta @ f for s in flywheels], 6)
+
+
+def spin_inertia(flywheels: Sequence[SpinningFlywheel]) -> Array:
+    """Theta_ff = diag(f^T Theta_s f) (NxN, kg m2)."""
+    return np.diag([f @ s.Theta @ f for s in flywheels])
+
+
+def body_wrench(kinds: Kinds) -> Array:
+    """P_k (6; N, N m): the sum over the kinds of wrench on one body."""
+    return np.asarray(sum(kinds.values(), np.zeros(6)))
+
+
+def total_wrench(P: Mapping[str, Array], bodies: Sequence[PlacedBody]) -> Array:
+    """F = P_1 + sum_p Lp P_p + sum_s Ls P_s (6; N, N m), in E1 about O1, (7)."""
+    return np.asarray(sum((k.L @ P[k.body.name] for k in bodies), np.zeros(6)))
+
+
+def stream_at(stand: Stand, position: Vec3) -> Array:
+    """u (3; m/s) in E0: velocity of the fluid where O1 is. StateError where its depth is outside the profile."""
+    u = vector(stand.stream or (0.0, 0.0, 0.0))
+    if stand.profile is None:
+        return u
+    stations = stand.profile.depth
+    down = vector(stand.profile.down) / np.linalg.norm(vector(stand.profile.down))
+    depth = down @ vector(position)
+    if not stations[0] <= depth <= stations[-1]:
+        raise StateError(
+            f"position: depth {depth:.6g} m is outside of stream_profile, which is given from {stations[0]:g} m to "
+            f"{stations[-1]:g} m"
+        )
+    velocity = vector(stand.profile.velocity)
+    u = u + velocity[0]
+    for (above, below), change in zip(pairwise(stations), np.diff(velocity, axis=0), strict=True):
+        u = u + change * smaller(larger((depth - above) / (below - above), 0.0), 1.0)
+    return u
+
+
+def answer_matrices(at: Pieces, stand: Stand, state: State) -> Values:
+    """K, K_dot, M (6x6), I, J (6xN), F (6): (2), (6), (9), (7)."""
+    return {"K": at.K, "K_dot": at.K_dot, "M": at.M, "I": at.I, "J": at.J, "F": at.F}

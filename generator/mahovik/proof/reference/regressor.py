@@ -1,4 +1,4 @@
-"""Regressor: what (8) and the drive torques take of each mass, first moment and moment of inertia.
+"""Regressor: what (8) and the drive torques take of each mass, first moment and moment of inertia; `identify_step`.
 
 Both are linear in them, so a column is the literal answer for a stand on which one parameter is 1 and all others are 0.
 A first moment without a mass cannot be written as a centre of mass: its column is that of a body of 1 kg with its
@@ -18,9 +18,8 @@ from mahovik.core.stand.model import Body, Mat3, Mat6, Stand, Vec3
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array, Values, vector
 from mahovik.proof.reference.assembly import pieces
-from mahovik.proof.reference.forward import bias
+from mahovik.proof.reference.motion import bias, forward, torque
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.torque import torque
 
 _MOMENTS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 """Order of the moments of inertia: 11, 22, 33, 12, 13, 23."""
@@ -116,7 +115,7 @@ def added_mass_columns(stand: Stand, state: State) -> list[Column]:
     return found
 
 
-def answer(at: Pieces, stand: Stand, state: State) -> Values:
+def answer_regressor(at: Pieces, stand: Stand, state: State) -> Values:
     """Columns by the names of the C; those of the added mass only if the stand has it.
 
     Linear damping A of the carrier takes A V_r, quadratic damping A (V_r |V_r|): row i has A[i][j] times number j.
@@ -135,3 +134,39 @@ def answer(at: Pieces, stand: Stand, state: State) -> Values:
 def wrenches(columns: list[Column]) -> Array:
     """Wrenches of columns, side by side (6xn)."""
     return np.column_stack([column.wrench for column in columns])
+
+
+# Recursive least squares of static unbalances, in the covariance form, all channels at once.
+
+
+@dataclass(frozen=True, eq=False)
+class Estimate:
+    """Static unbalances (2N; kg m): m rc along axes 2 and 3 of each flywheel, to be added; their covariance (2Nx2N)."""
+
+    unbalance: Array
+    covariance: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """Measured less modelled V* (6), its slopes by the unbalances (6x2N), and the gain of the step (2Nx6)."""
+
+    excess: Array
+    slopes: Array
+    gain: Array
+
+
+def slopes(stand: Stand, state: State) -> Array:
+    """-K^-1 Y (6x2N): K V* = F - ... - Y u, so that an unbalance u changes V* by this."""
+    columns = [body_columns(stand, state, s.name)[k].wrench for s in stand.flywheels for k in (2, 3)]
+    return np.asarray(-np.linalg.solve(pieces(stand, state).K, np.column_stack(columns)))
+
+
+def identify_step(stand: Stand, state: State, noise: Array, forget: float, before: Estimate) -> tuple[Estimate, Sample]:
+    """The estimate after one sample: V_dot of the state is measured, with standard deviations `noise` (6)."""
+    H = slopes(stand, state)
+    excess = vector(state.V_dot) - forward(pieces(stand, state), vector(state.phi_ddot))
+    P = before.covariance * (1.0 + forget)
+    gain = P @ H.T @ np.linalg.inv(H @ P @ H.T + np.diag(noise**2))
+    unbalance = before.unbalance + gain @ (excess - H @ before.unbalance)
+    return Estimate(unbalance, P - gain @ H @ P), Sample(excess, H, gain)

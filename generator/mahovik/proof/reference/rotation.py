@@ -1,20 +1,30 @@
-"""Rotations: elementary ones, the carrier's three sequences with their kinematics (10), mountings.
+"""Rotations: elementary ones, the carrier's three sequences, mountings; the pose of the carrier.
 
 A rotation C is active: [e1] = [e0] C, so x0 = C x1. Angles in rad.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from mahovik.core.stand.model import Flywheel, MountingAngles, Sequence, Stand
 from mahovik.core.stand.state import State
-from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, angle_over_sine, cos, estimate, hypot, sin, vector
-from mahovik.proof.reference.screw import blocks, cross, zero
+from mahovik.proof.reference.screw import cross
 
-# the axes that psi, theta, phi turn about, 0..2
-AXES: dict[Sequence, tuple[int, int, int]] = {"ship": (2, 1, 0), "aircraft": (1, 2, 0), "euler": (2, 0, 2)}
+
+@dataclass(frozen=True, eq=False)
+class Pose:
+    """What a law of `laws/` between E0 and the carrier depends on.
+
+    O1 (3, m) in E0, C (3x3): x0 = C x1, and the twist V (6; m/s, rad/s) of E1 relative to E0.
+    """
+
+    O1: Array
+    C: Array
+    V: Array
 
 
 def C1(angle: float) -> Array:
@@ -33,9 +43,6 @@ def C3(angle: float) -> Array:
     """Elementary rotation (3x3) about the third axis."""
     c, s = cos(angle), sin(angle)
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-
-
-ELEMENTARY = (C1, C2, C3)
 
 
 def attitude(sequence: Sequence, psi: float, theta: float, phi: float) -> Array:
@@ -117,50 +124,3 @@ def rotation_vector(C: Array) -> Array:
     if w < 0:  # of the two quaternions, the one of the turn by no more than pi
         w, e = -w, -e
     return np.asarray(2.0 * angle_over_sine(hypot(*e), w) * e)
-
-
-def angle_rates_to_omega(sequence: Sequence, psi: float, theta: float, phi: float) -> Array:
-    """B (3x3) of (10): omega = B (psi', theta', phi'), omega in E1. psi is not in it.
-
-    Each rate turns about its own axis, carried to E1 by the rotations that come after it in the sequence.
-    """
-    del psi
-    a, b, c = (np.eye(3)[axis] for axis in AXES[sequence])
-    _, R_theta, R_phi = (ELEMENTARY[axis] for axis in AXES[sequence])
-    return np.column_stack([R_phi(phi).T @ R_theta(theta).T @ a, R_phi(phi).T @ b, c])
-
-
-def angle_rates_to_omega_rate(sequence: Sequence, angles: Array, rates: Array) -> Array:
-    """B' (3x3, 1/s) along the motion; `rates` (3, rad/s): psi', theta', phi'. R' = R <axis> angle'."""
-    _, theta, phi = angles
-    _, theta_dot, phi_dot = rates
-    a, b, c = (np.eye(3)[axis] for axis in AXES[sequence])
-    _, R_theta, R_phi = (ELEMENTARY[axis] for axis in AXES[sequence])
-    Rb, Rc = R_theta(theta), R_phi(phi)
-    Rb_dot, Rc_dot = Rb @ cross(b) * theta_dot, Rc @ cross(c) * phi_dot
-    return np.column_stack([Rc_dot.T @ Rb.T @ a + Rc.T @ Rb_dot.T @ a, Rc_dot.T @ b, np.zeros(3)])
-
-
-def kinematic_matrix(sequence: Sequence, angles: Array) -> Array:
-    """A = diag(C^T, B) (6x6) of (10): V = A q', q = (O1 in E0, psi, theta, phi)."""
-    return blocks(attitude(sequence, *angles).T, zero, zero, angle_rates_to_omega(sequence, *angles))
-
-
-def kinematic_matrix_rate(sequence: Sequence, angles: Array, rates: Array) -> Array:
-    """D = A' (6x6, 1/s) of (10) along the motion; `rates` (3, rad/s): psi', theta', phi'. C' = C <omega>."""
-    omega = angle_rates_to_omega(sequence, *angles) @ rates
-    C_dot = attitude(sequence, *angles) @ cross(omega)
-    return blocks(C_dot.T, zero, zero, angle_rates_to_omega_rate(sequence, angles, rates))
-
-
-SINGULAR = 1e-6  # |cos theta| (Euler: |sin theta|) below this is an error of `generalized`
-
-
-def check_attitude(sequence: Sequence, angles: Array) -> None:
-    """Raise StateError where A of (10) is singular, or so near to it that q' means nothing."""
-    name, value = ("sin", sin(angles[1])) if sequence == "euler" else ("cos", cos(angles[1]))
-    if abs(value) < SINGULAR:
-        raise StateError(
-            f"angles: singular attitude of the {sequence} sequence, |{name} theta| = {abs(value):.3g}; "
-            f"`generalized` needs at least {SINGULAR:g}"
-        )

@@ -13,9 +13,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
-from mahovik.proof.reference.excess import motor_shares
-from mahovik.proof.reference.hold import acceleration, allocation, free_equations
-from mahovik.proof.reference.inverse import inverse_root
+from mahovik.proof.reference.hold import acceleration, free_equations
+from mahovik.proof.reference.inverse import inverse, inverse_root, motor_shares
 from mahovik.proof.second import Second
 from mahovik.proof.verify.actuators import stand_at
 from mahovik.proof.verify.bounds import Bounds
@@ -143,7 +142,7 @@ class Judge:
         Where even the largest sigma is within the accepted difference of zero, it may be taken as zero.
         """
         state, at, cuts = request.state, self._at(request.state), self._bounds.cuts
-        sigma, rank = allocation(at, self._stand, np.array(state.V_dot), cuts).sigma, found.get("rank")
+        sigma, rank = inverse(at, self._stand, np.array(state.V_dot), cuts).sigma, found.get("rank")
         largest = sigma[0] if sigma.size else 0.0
         cut = cuts.rank * largest
         noise = np.max(self._bounds.of("inverse", "sigma") * self._scales(state, "inverse")["sigma"], initial=0.0)
@@ -152,7 +151,7 @@ class Judge:
             words = f"rank {rank}, expected {least} to {most}"
             self._row("inverse", "rank").note(math.inf, _name(request), words, request)
             return
-        expected = vars(allocation(at, self._stand, np.array(state.V_dot), cuts, rank))
+        expected = vars(inverse(at, self._stand, np.array(state.V_dot), cuts, rank))
         natural = inverse_scales(Magnitudes(stand_at(self._stand, state), state, at, cuts), rank)
         for quantity in ("phi_ddot", "residual", "sigma"):
             if quantity not in left_out:

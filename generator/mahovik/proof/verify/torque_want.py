@@ -16,8 +16,8 @@ from mahovik.core.stand.model import Stand, Task
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.coupled import coupled
-from mahovik.proof.reference.task import task_of, task_rows
+from mahovik.proof.reference.motion import coupled
+from mahovik.proof.reference.tasks import task_of, task_rows
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import Bounds
 from mahovik.proof.verify.check import Check

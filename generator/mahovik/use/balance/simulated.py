@@ -16,7 +16,7 @@ import numpy as np
 from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.proof.reference import evaluate, pieces
-from mahovik.proof.reference.points import points
+from mahovik.proof.reference.motion import points
 from mahovik.use.balance.by_model import WheelBalance, amplitudes
 from mahovik.use.balance.first_order import FirstOrder
 from mahovik.use.balance.polar import Array, Complex, read_polar, write_polar

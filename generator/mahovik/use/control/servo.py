@@ -34,7 +34,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import CheckError
 from mahovik.proof.reference.bodies import bodies_of, spinning_bodies
-from mahovik.proof.reference.mass import coupling, mass_matrix, spin_inertia
+from mahovik.proof.reference.pieces import coupling, mass_matrix, spin_inertia
 from mahovik.use.plan.array import Array, Complex
 
 NONE = BOUNDS["MAX_WRENCH"].value

@@ -15,7 +15,7 @@ from mahovik.contract.status import status_words
 from mahovik.core.emit.names import member as c_member
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError, UsageError
-from mahovik.proof.reference.stream import stream_at
+from mahovik.proof.reference.pieces import stream_at
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.use.simulate.case import Array, Case, Moment, wrap_phases
 

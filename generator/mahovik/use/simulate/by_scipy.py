@@ -10,9 +10,8 @@ from scipy.integrate import DOP853
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
-from mahovik.proof.reference.coupled import full_mass_matrix, torque_velocity_terms
-from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.hold import acceleration, twists
+from mahovik.proof.reference.motion import bias, full_mass_matrix, torque_velocity_terms
 from mahovik.proof.reference.rotation import attitude, quaternion_rotation
 from mahovik.proof.reference.screw import f
 from mahovik.use.simulate.case import Array, Case, Moment

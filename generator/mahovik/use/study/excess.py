@@ -12,11 +12,9 @@ from mahovik.core.stand.state import rest_state
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import bodies_of
-from mahovik.proof.reference.excess import shares_of
-from mahovik.proof.reference.forward import forward
-from mahovik.proof.reference.inverse import CUTS, inverse_root
+from mahovik.proof.reference.inverse import CUTS, inverse_root, shares_of
+from mahovik.proof.reference.motion import forward, torque
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.torque import torque
 
 SMALL = 1e-3
 """m/s2, rad/s2: what is demanded of one component, of the others zero."""

@@ -15,14 +15,20 @@ import numpy as np
 from mahovik.core.stand.model import Flywheel
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array, solve_symmetric
+from mahovik.proof.reference.assembly import body_wrenches, run_time_wrench
 from mahovik.proof.reference.bodies import SpinningFlywheel, spatial_inertia
-from mahovik.proof.reference.mass import bodies_matrix, coupling, coupling_bias, mass_matrix_rate, velocity_matrix
-from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.motion import mount_on_flywheel
+from mahovik.proof.reference.pieces import (
+    Pieces,
+    bodies_matrix,
+    body_wrench,
+    coupling,
+    coupling_bias,
+    mass_matrix_rate,
+    velocity_matrix,
+)
 from mahovik.proof.reference.rotation import C1
 from mahovik.proof.reference.screw import block_diagonal
-from mahovik.proof.reference.torque import mount_on_flywheel
-from mahovik.proof.reference.wrench_kinds import body_wrench
-from mahovik.proof.reference.wrenches import body_wrenches, run_time_wrench
 
 
 @dataclass(frozen=True, eq=False)

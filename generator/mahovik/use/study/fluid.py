@@ -13,7 +13,7 @@ from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
 from mahovik.core.stand.state import rest_state
 from mahovik.proof.reference.assembly import pieces
-from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.motion import forward
 from mahovik.use.plan.residual.body_laws import TwistLaws, twist_laws
 
 Array = NDArray[np.float64]

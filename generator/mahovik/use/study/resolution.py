@@ -24,7 +24,7 @@ from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Bodies, PlacedBody, bodies_of
-from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.motion import forward
 from mahovik.proof.reference.screw import Phi, f, spin
 from mahovik.proof.verify.scales.magnitudes import inverse_magnitude
 from mahovik.use.study.exchange import Exchange

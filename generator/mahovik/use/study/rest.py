@@ -17,10 +17,10 @@ from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import CheckError, StateError
 from mahovik.proof.reference import Pieces, pieces
 from mahovik.proof.reference.bodies import bodies_of
-from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.hold import free_equations
+from mahovik.proof.reference.motion import bias
+from mahovik.proof.reference.pieces import stream_at
 from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.proof.reference.stream import stream_at
 from mahovik.proof.verify.scales.wrenches import wrench_scale
 from mahovik.use.simulate.held import displacement, home, move
 

@@ -12,9 +12,9 @@ from mahovik.core.stand.task import row_name
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Bodies, bodies_of
-from mahovik.proof.reference.inverse import CUTS, inverse_root
+from mahovik.proof.reference.inverse import CUTS
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.task import TaskRows, task_demand, task_inverse, task_rows
+from mahovik.proof.reference.tasks import TaskRows, scaled_task, task_inverse, task_rows
 from mahovik.use.study.excess import POSITIONS, SMALL, shares_by
 
 _SEED = 20
@@ -86,11 +86,11 @@ def _shortfall(stand: Stand, task: Task, states: list[State], bodies: Bodies) ->
 def _missing(at: Pieces, rows: TaskRows) -> Array | None:
     """The demand (m, unit length, largest part positive) that is least reached, if it is not reached at all."""
     m = len(rows.S)
-    asked = task_demand(at, rows, np.zeros(m))
-    U, sigma, _ = np.linalg.svd(asked.G_root @ asked.A @ inverse_root(at.Theta_ff).T)
+    asked = scaled_task(at, rows, np.zeros(m))
+    U, sigma, _ = np.linalg.svd(asked.W)
     if len(sigma) == m and sigma[-1] > CUTS.rank:  # sigma is a ratio of energies: 1 would be all of a flywheel's
         return None
-    direction = np.linalg.solve(asked.G_root, U[:, -1])
+    direction = np.linalg.solve(asked.root, U[:, -1])
     largest = direction[np.argmax(np.abs(direction))]
     return np.asarray(np.sign(largest) * direction / np.linalg.norm(direction), dtype=np.float64)
 

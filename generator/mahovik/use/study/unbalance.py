@@ -9,7 +9,7 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.forward import bias
+from mahovik.proof.reference.motion import bias
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.linear import linear_model
 

@@ -12,7 +12,7 @@ from mahovik.out.report.plot.run import panels as run_panels
 from mahovik.out.report.stand.markup import paragraph
 from mahovik.out.report.stand.material import Material, Section
 from mahovik.out.report.stand.run import Run, some_rows
-from mahovik.proof.reference.stream import stream_at
+from mahovik.proof.reference.pieces import stream_at
 from mahovik.use.plan.certificate import mass_and_coupling
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.residual.evaluate import flywheel_wrenches

@@ -19,8 +19,8 @@ from mahovik.errors import StateError
 from mahovik.out.report.stand.markup import Cell, align, figure, markup_of, math_text, sentence, table
 from mahovik.out.report.stand.material import Material, Section
 from mahovik.proof import reference
-from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.hold import held_forward
+from mahovik.proof.reference.motion import forward
 from mahovik.proof.verify.judges import SEQUENCES
 from mahovik.proof.verify.scales import scales
 

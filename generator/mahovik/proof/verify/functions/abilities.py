@@ -12,13 +12,12 @@ from mahovik.contract.functions import task_of
 from mahovik.contract.status import status_bits, status_words
 from mahovik.core.stand.model import Motor, Stand
 from mahovik.errors import StateError
-from mahovik.proof.reference.allocation import normal_matrix, scaled_demand, scaled_task
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.excess import friction, shares_of
 from mahovik.proof.reference.hold import acceleration
+from mahovik.proof.reference.inverse import friction, normal_matrix, scaled_demand, shares_of
+from mahovik.proof.reference.motion import torque
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.task import TaskRows
-from mahovik.proof.reference.torque import torque
+from mahovik.proof.reference.tasks import TaskRows, scaled_task
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions.allocation import FAST_DAMPING, with_demand, wrong_refusal
 from mahovik.proof.verify.functions.case import Case

@@ -15,20 +15,20 @@ from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.allocation import (
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.inverse import (
     ScaledDemand,
     condition_of_normal_equations,
+    demand,
+    inverse_root,
     largest_damping,
     normal_equations,
     normal_matrix,
     scaled_demand,
-    scaled_task,
     weighted_solution,
 )
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.inverse import demand, inverse_root
-from mahovik.proof.reference.task import TaskRows, task_rows
-from mahovik.proof.reference.task import task_of as task_named
+from mahovik.proof.reference.tasks import TaskRows, scaled_task, task_rows
+from mahovik.proof.reference.tasks import task_of as task_named
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions.case import Case, Setting
 from mahovik.proof.verify.functions.diagnoses import Diagnoses

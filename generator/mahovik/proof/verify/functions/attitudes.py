@@ -12,13 +12,8 @@ from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.coordinates import pose_of
-from mahovik.proof.reference.rotation import (
-    attitude,
-    check_attitude,
-    kinematic_matrix,
-    kinematic_matrix_rate,
-    quaternion_rotation,
-)
+from mahovik.proof.reference.generalized import check_attitude, kinematic_matrix, kinematic_matrix_rate
+from mahovik.proof.reference.rotation import attitude, quaternion_rotation
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.scales.parts import length

@@ -10,7 +10,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.regressor import answer
+from mahovik.proof.reference.regressor import answer_regressor
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.scales.magnitudes import Magnitudes, origin, phi_magnitude, screw
@@ -22,7 +22,7 @@ def column_rows(case: Case) -> Iterator[Check]:
     rows: dict[str, Check] = {}
     for name, state in case.states:
         at = case.at(state)
-        expected = answer(at, case.stand, state)
+        expected = answer_regressor(at, case.stand, state)
         natural = column_scales(Magnitudes(case.stand, state, at), at, state)
         for group in expected:
             if group not in rows:

@@ -9,10 +9,8 @@ import numpy as np
 
 from mahovik.contract.status import BITS, status_bits
 from mahovik.core.stand.state import State
-from mahovik.proof.reference.allocation import ScaledDemand
-from mahovik.proof.reference.excess import motor_shares
 from mahovik.proof.reference.hold import acceleration, free_equations
-from mahovik.proof.reference.inverse import inverse_root
+from mahovik.proof.reference.inverse import ScaledDemand, demand, inverse_root, motor_shares
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import EXCESS_MARGIN
@@ -66,7 +64,7 @@ class Diagnoses:
         at, row = self._case.at(state), self.members
         phi_ddot = np.array(found.get("phi_ddot", []), dtype=np.float64)
         free_rows = free_equations(at, self._case.stand)
-        left = free_rows.demand(at, np.array(state.V_dot)) - free_rows.I @ phi_ddot
+        left = free_rows.S.T @ demand(at, np.array(state.V_dot)) - free_rows.I @ phi_ddot
         row.compare(found["residual"], left, natural["residual"], name)
         if not self._case.count:
             row.compare(found["rank"], 0, None, name)
@@ -100,7 +98,7 @@ class Diagnoses:
         free = free_equations(at, self._case.stand)
         root = inverse_root(free.K)
         phi_ddot = np.array(found.get("phi_ddot", []), dtype=np.float64)
-        left = float(np.linalg.norm(root @ (free.demand(at, np.array(state.V_dot)) - free.I @ phi_ddot)))
+        left = float(np.linalg.norm(root @ (free.S.T @ demand(at, np.array(state.V_dot)) - free.I @ phi_ddot)))
         off = float(np.linalg.norm(np.abs(root) @ (bounds.of("inverse", "residual") * natural["residual"])))
         most = bounds.cuts.reached * float(np.linalg.norm(asked.r))
         expected["UNREACHABLE"] = None if abs(left - most) <= off else left > most

@@ -10,7 +10,7 @@ import numpy as np
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.identify_step import Estimate, identify_step, slopes
+from mahovik.proof.reference.regressor import Estimate, identify_step, slopes
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.scales import scales

@@ -18,7 +18,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.forward import bias
+from mahovik.proof.reference.motion import bias
 from mahovik.proof.reference.rotation import C1
 from mahovik.proof.reference.screw import block_diagonal
 from mahovik.proof.second import Second

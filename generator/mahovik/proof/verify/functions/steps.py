@@ -19,8 +19,7 @@ from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.hold import acceleration, accelerations
-from mahovik.proof.reference.pose import Pose
-from mahovik.proof.reference.rotation import carrier_rotation, quaternion_rotation
+from mahovik.proof.reference.rotation import Pose, carrier_rotation, quaternion_rotation
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions.case import Case

@@ -14,11 +14,10 @@ from mahovik.contract.status import BITS, status_bits
 from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.allocation import ScaledDemand, weighted_solution
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.coupled import coupled_with_locks
-from mahovik.proof.reference.task import TaskRows
-from mahovik.proof.reference.task_torque import TorqueDemand, torque_demand
+from mahovik.proof.reference.inverse import weighted_solution
+from mahovik.proof.reference.motion import coupled_with_locks
+from mahovik.proof.reference.tasks import TaskRows, TorqueDemand, torque_demand
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions import allocation
 from mahovik.proof.verify.functions.case import Case, Setting
@@ -156,9 +155,8 @@ def note_plain(
 ) -> Array:
     """Count an answer that no bound touches; returns the expected one (N, N m)."""
     scaled, weight, at = asked.demand, np.array(options["weight"]), case.at(asked.state)
-    demand = ScaledDemand(scaled.W, scaled.r, np.diag(scaled.to_torque), scaled.root)
     rank = int(np.linalg.matrix_rank(scaled.W, rtol=1e-9))
-    given = weighted_solution(demand, weight, rank)
+    given = weighted_solution(scaled, weight, rank)
     expected = np.where(asked.locked, 0.0, scaled.preferred + given)
     low, high = asked.bounds
     y = asked.y(expected)

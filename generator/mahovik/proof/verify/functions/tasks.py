@@ -15,12 +15,10 @@ from mahovik.contract.status import BITS, status_bits
 from mahovik.core.stand.model import COMPONENTS
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.allocation import ScaledDemand, largest_damping, scaled_task, weighted_solution
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.excess import motor_shares
-from mahovik.proof.reference.forward import bias, forward
-from mahovik.proof.reference.inverse import inverse_root
-from mahovik.proof.reference.task import TaskRows, task_of
+from mahovik.proof.reference.inverse import ScaledDemand, inverse_root, largest_damping, motor_shares, weighted_solution
+from mahovik.proof.reference.motion import bias, forward
+from mahovik.proof.reference.tasks import TaskRows, scaled_task, task_of
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import EXCESS_MARGIN
 from mahovik.proof.verify.functions import allocation

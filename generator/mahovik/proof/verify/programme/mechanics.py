@@ -26,17 +26,12 @@ from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.bodies import Bodies, bodies_of
+from mahovik.proof.reference.generalized import check_attitude, kinematic_matrix, kinematic_matrix_rate
 from mahovik.proof.reference.hold import acceleration, twists
 from mahovik.proof.reference.inverse import demand
-from mahovik.proof.reference.rotation import (
-    attitude,
-    check_attitude,
-    kinematic_matrix,
-    kinematic_matrix_rate,
-    rotation_vector,
-)
+from mahovik.proof.reference.motion import torque
+from mahovik.proof.reference.rotation import attitude, rotation_vector
 from mahovik.proof.reference.screw import cross
-from mahovik.proof.reference.torque import torque
 
 
 def largest(values: Array) -> float:

@@ -22,7 +22,7 @@ from mahovik.errors import StateError, above_zero
 from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.rotation import rotation_vector
 from mahovik.proof.reference.screw import cross
-from mahovik.proof.reference.task import task_rows
+from mahovik.proof.reference.tasks import task_rows
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.compiled import compiled_checks
 from mahovik.proof.verify.programme.mechanics import (

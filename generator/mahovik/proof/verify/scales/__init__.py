@@ -9,7 +9,6 @@ and what a linear system is solved for goes through the magnitudes of the invers
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from importlib import import_module
 from typing import Any
 
 from mahovik.core.stand.model import Stand
@@ -18,6 +17,7 @@ from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.inverse import CUTS, Cuts
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.scales.wants import (
+    center_of_mass_velocity,
     coupled,
     forward,
     generalized,
@@ -43,12 +43,10 @@ WANT_SCALES: Mapping[str, Callable[[Magnitudes], Scales]] = {
     "reaction": reaction,
     "coupled": coupled,
     "inverse": inverse,
+    "center_of_mass_velocity": center_of_mass_velocity,
 }
 
 
 def scales(stand: Stand, state: State, at: Pieces, want: str, cuts: Cuts = CUTS) -> Scales:
     """Scales of what `want` gives, in the same shapes; None for what must be equal (a status, a rank)."""
-    if want not in WANT_SCALES:  # the reference of a want has its scale beside its answer
-        found: Scales = import_module(f"mahovik.proof.reference.{want}").scale(at, stand, state)
-        return found
     return WANT_SCALES[want](Magnitudes(stand, state, at, cuts))

@@ -14,8 +14,7 @@ from mahovik.core.stand.state import State
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.hold import free_equations
 from mahovik.proof.reference.inverse import CUTS, Cuts
-from mahovik.proof.reference.stream import stream_scale
-from mahovik.proof.verify.scales.parts import length
+from mahovik.proof.verify.scales.parts import length, stream_scale
 from mahovik.proof.verify.scales.wrenches import wrench_scale
 
 Array = NDArray[np.float64]

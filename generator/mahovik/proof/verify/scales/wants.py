@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 
-from mahovik.proof.reference.coupled import coupled_with_locks, full_mass_matrix
-from mahovik.proof.reference.forward import forward as reference_forward
 from mahovik.proof.reference.generalized import generalized as reference_generalized
-from mahovik.proof.reference.hold import allocation
+from mahovik.proof.reference.inverse import inverse as literal_inverse
 from mahovik.proof.reference.inverse import inverse_root
-from mahovik.proof.reference.mass import bodies_matrix
-from mahovik.proof.reference.points import point_transfers
+from mahovik.proof.reference.momentum import moving_parts
+from mahovik.proof.reference.motion import coupled_with_locks, full_mass_matrix, point_transfers
+from mahovik.proof.reference.motion import forward as reference_forward
+from mahovik.proof.reference.pieces import bodies_matrix
 from mahovik.proof.verify.scales.held import held_coupled, held_forward, held_generalized
 from mahovik.proof.verify.scales.magnitudes import Array, Magnitudes, geometric_mean, inverse_magnitude, origin, screw
 from mahovik.proof.verify.scales.parts import length
@@ -165,7 +166,7 @@ def inverse(m: Magnitudes, rank: int | None = None) -> dict[str, Any]:
     With G the weighted pseudoinverse of I: phi'' moves by G (errors of demand and I phi'' and K), by
     (I^T K^-1 I)^+ (errors of I^T) K^-1 residual, and inside the null space by (errors of I^T) G^T Theta_ff phi''.
     """
-    found, free = allocation(m.at, m.stand, np.array(m.state.V_dot), m.cuts, rank), m.free
+    found, free = literal_inverse(m.at, m.stand, np.array(m.state.V_dot), m.cuts, rank), m.free
     demand = free.S.T @ _demand(m)
     if not found.sigma.size:
         return {"phi_ddot": np.zeros(0), "status": None, "residual": demand, "sigma": np.zeros(0), "rank": None}
@@ -197,3 +198,19 @@ def _demand(m: Magnitudes) -> Any:
     """Scale of F - K V_r* - M V_r - J phi' (6)."""
     V_r_dot = np.abs(np.array(m.state.V_dot)) + m.stream_rate
     return m.S_bias + m.S_K @ V_r_dot
+
+
+def center_of_mass_velocity(m: Magnitudes) -> dict[str, Any]:
+    """The sum of the reference, of lengths: v, omega times the distances, and the flywheels' own turning.
+
+    `math.hypot` keeps lengths of 1e-200 that a root of squares would lose.
+    """
+    v, omega = np.split(m.at.V, 2)
+    total = mass = 0.0
+    for k, _ in moving_parts(m.at):
+        arm = math.hypot(*k.body.center_of_mass)
+        place = float(np.linalg.norm(k.L[3:, :3]))
+        speed = math.hypot(*v) + math.hypot(*omega) * (place + arm) + abs(getattr(k, "phi_dot", 0.0)) * arm
+        mass += k.body.mass
+        total += k.body.mass * speed
+    return {"center_of_mass_velocity": np.full(3, total / mass if mass else 0.0)}

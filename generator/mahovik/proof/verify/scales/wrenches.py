@@ -12,9 +12,8 @@ from mahovik.core.stand.state import State
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import PlacedBody
-from mahovik.proof.reference.pose import Pose
-from mahovik.proof.reference.stream import stream_scale
-from mahovik.proof.verify.scales.parts import length
+from mahovik.proof.reference.rotation import Pose
+from mahovik.proof.verify.scales.parts import length, stream_scale
 
 
 def wrench_scale(stand: Stand, state: State, at: Pieces) -> Array:

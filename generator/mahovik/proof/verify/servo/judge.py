@@ -24,7 +24,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.bodies import bodies_of, spinning_bodies
-from mahovik.proof.reference.mass import spin_inertia
+from mahovik.proof.reference.pieces import spin_inertia
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.compiled import Part, load_part

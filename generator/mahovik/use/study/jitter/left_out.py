@@ -8,8 +8,8 @@ import numpy as np
 
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.hold import acceleration
+from mahovik.proof.reference.motion import reaction
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.reaction import reaction
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.jitter.torus import Torus
 from mahovik.use.study.jitter.torus_motion import (

@@ -21,7 +21,7 @@ from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.nearest import suggestion
-from mahovik.proof.reference.points import point_transfers
+from mahovik.proof.reference.motion import point_transfers
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.verify.json_text import encode
 from mahovik.proof.verify.states import state_object

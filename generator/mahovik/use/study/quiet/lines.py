@@ -12,7 +12,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.proof.reference.points import point_transfers
+from mahovik.proof.reference.motion import point_transfers
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.band import in_band
 from mahovik.use.study.quiet.options import MEASURES, Interval, QuietOptions

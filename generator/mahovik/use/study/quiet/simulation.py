@@ -18,7 +18,7 @@ from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.points import point_transfers
+from mahovik.proof.reference.motion import point_transfers
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.simulate import Case, simulate
 from mahovik.use.study.band import EDGE, in_band

@@ -1,0 +1,182 @@
+"""The motion: forward (8), drive torques, all unknowns together, mount wrenches, reaction, and what points measure."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof.reference.array import Array, Values, columns, solve_symmetric, vector
+from mahovik.proof.reference.bodies import SpinningFlywheel, instrument_transfer, mount_transfer
+from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.rotation import C1, fixed_rotation
+from mahovik.proof.reference.screw import Phi, block_diagonal, cross, f, spin, wrench_to_parent
+
+
+def bias(at: Pieces) -> Array:
+    """M V + J phi' (6; N, N m) of (8): all velocity terms together. With a stream, at V_r."""
+    return at.M @ at.V_r + at.J @ at.phi_dot
+
+
+def forward(at: Pieces, phi_ddot: Array) -> Array:
+    """V* (6; m/s2, rad/s2) in E1 by (8), phi_ddot (N, rad/s2): K V* + M V + sum_s (I_s phi_s'' + J_s phi_s') = F."""
+    return at.V_dot(solve_symmetric(at.K, at.F - bias(at) - at.I @ phi_ddot))
+
+
+def reaction(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
+    """R = K V_r* + M V_r + I phi'' + J phi' - F (6; N, N m): of a hold that makes the carrier move so, about O1.
+
+    What a force table under the carrier reads.
+    """
+    return np.asarray(at.K @ at.V_r_dot(V_dot) + bias(at) + at.I @ phi_ddot - at.F)
+
+
+# Drive torque: what the mount's drive exerts on each flywheel about its spin axis e1.
+
+
+def flywheel_acceleration(s: SpinningFlywheel, V: Array, V_dot: Array, phi_ddot: float) -> Array:
+    """V_s* = Ls^T V* - phi_s' [<e>] Ls^T V + f phi_s'' (6; m/s2, rad/s2): of the components in Es."""
+    return s.L.T @ V_dot - s.phi_dot * spin @ s.L.T @ V + f * phi_ddot
+
+
+def mount_on_flywheel(s: SpinningFlywheel, P_s: Array, V: Array, V_dot: Array, phi_ddot: float) -> Array:
+    """Theta_s V_s* + Phi(V_s) Z_s - P_s (6; N, N m): (4) for one flywheel; of the mount on it, in Es about Os."""
+    V_s, V_s_dot = s.twist(V), flywheel_acceleration(s, V, V_dot, phi_ddot)
+    Z_s = s.Theta @ V_s
+    return s.Theta @ V_s_dot + Phi(V_s) @ Z_s - P_s
+
+
+def mounts_on_flywheels(at: Pieces, V_dot: Array, phi_ddot: Array) -> list[Array]:
+    """`mount_on_flywheel` of every flywheel (6 each)."""
+    return [
+        mount_on_flywheel(s, at.P[s.body.name], at.V, V_dot, acceleration)
+        for s, acceleration in zip(at.flywheels, phi_ddot, strict=True)
+    ]
+
+
+def torque(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
+    """tau_s = f^T (Theta_s V_s* + Phi(V_s) Z_s) - f^T P_s (N, N m); V_dot (6), phi_ddot (N)."""
+    return vector([f @ wrench for wrench in mounts_on_flywheels(at, V_dot, phi_ddot)])
+
+
+def mounts(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
+    """diag(C1, C1)(phi_s) (Theta_s V_s* + Phi(V_s) Z_s - P_s) (Nx6; N, N m): what bearings and drives carry.
+
+    Of the mount on each flywheel about Os, in the flywheel's axes at phi_s = 0, which do not turn. Element 4 is the
+    drive torque.
+    """
+    wrenches = zip(at.flywheels, mounts_on_flywheels(at, V_dot, phi_ddot), strict=True)
+    return columns([block_diagonal(C1(s.phi)) @ wrench for s, wrench in wrenches], 6).T
+
+
+# Coupled: motion of carrier and flywheels for given drive torques, 6 + N unknowns.
+
+
+def full_mass_matrix(at: Pieces) -> Array:
+    """[[K, I], [I^T, Theta_ff]] ((6+N)x(6+N)), symmetric positive definite."""
+    return np.block([[at.K, at.I], [at.I.T, at.Theta_ff]])
+
+
+def torque_velocity_terms(at: Pieces) -> Array:
+    """f^T (-phi_s' Theta_s [<e>] Ls^T V + Phi(V_s) Theta_s V_s) (N, N m): tau_s of velocities only."""
+    twists = [(s, s.twist(at.V_r)) for s in at.flywheels]
+    return vector([f @ (-s.phi_dot * s.Theta @ spin @ s.L.T @ at.V_r + Phi(V) @ s.Theta @ V) for s, V in twists])
+
+
+def spin_up_torque(at: Pieces, tau: Array) -> Array:
+    """tau - velocity terms + f^T P_s (N, N m): what is left of the drive torques tau (N) for the accelerations."""
+    return tau - torque_velocity_terms(at) + vector([f @ at.P[s.body.name] for s in at.flywheels])
+
+
+def coupled(at: Pieces, tau: Array) -> tuple[Array, Array]:
+    """V* (6; m/s2, rad/s2) in E1 and phi'' (N, rad/s2) for the whole drive torques tau (N, N m).
+
+    K V* + I phi'' = F - M V - J phi';  I^T V* + Theta_ff phi'' = tau - velocity terms + f^T P_s.
+    With a stream, for V_r.
+    """
+    return coupled_with_locks(at, tau, np.full(len(at.flywheels), False))
+
+
+def coupled_with_locks(at: Pieces, tau: Array, locked: Array) -> tuple[Array, Array]:
+    """V* (6) in E1 and phi'' (N) where `locked` (N, bool) flywheels are held at phi'' = 0, whatever their tau.
+
+    The equations of `coupled` without the rows and columns of the locked flywheels: their torques are reactions.
+    """
+    free = np.concatenate([np.full(6, True), np.logical_not(locked)])
+    right = np.concatenate([at.F - bias(at), spin_up_torque(at, tau)])
+    solution = np.zeros(len(free), right.dtype)
+    solution[free] = solve_symmetric(full_mass_matrix(at)[np.ix_(free, free)], right[free])
+    return at.V_dot(solution[:6]), solution[6:]
+
+
+# Points: pose, twist and what an accelerometer reads, at every instrument and named point.
+
+
+def point_transfers(stand: Stand) -> Iterator[tuple[str, Array]]:
+    """Name and L (6x6) to E1 about O1 of every instrument, then of every point, in the file's order."""
+    for instrument in stand.instruments:
+        yield instrument.name, instrument_transfer(instrument)
+    for point in stand.points:
+        in_mount = wrench_to_parent(vector(point.position), fixed_rotation(*point.angles))
+        yield point.name, mount_transfer(stand, point.mount) @ in_mount
+
+
+def point_values(at: Pieces, L: Array, V_dot: Array) -> dict[str, Array]:
+    """Values of one frame fixed on the carrier, L (6x6) its transfer to E1; V_dot (6) of the carrier.
+
+    position (3, m, E0); C (3x3, own axes to E0); in own axes: twist (6, relative to E0), specific_force (3, m/s2,
+    acceleration less gravity), angular_acceleration (3, rad/s2).
+    """
+    to_E0 = at.L1 @ L
+    C = to_E0[:3, :3]
+    O_cross = to_E0[3:, :3] @ C.T  # <O> of L = T [C]
+    V_p, V_p_dot = L.T @ at.V, L.T @ V_dot
+    v, omega = V_p[:3], V_p[3:]
+    return {
+        "position": np.array([O_cross[2, 1], O_cross[0, 2], O_cross[1, 0]]),
+        "C": C,
+        "twist": V_p,
+        "specific_force": V_p_dot[:3] + cross(omega) @ v - L[:3, :3].T @ at.gravity,
+        "angular_acceleration": V_p_dot[3:],
+    }
+
+
+def points(at: Pieces, stand: Stand, V_dot: Array) -> dict[str, dict[str, Array]]:
+    """Values of every instrument and point by name."""
+    return {name: point_values(at, L, V_dot) for name, L in point_transfers(stand)}
+
+
+def answer_forward(at: Pieces, stand: Stand, state: State) -> Values:
+    """V_dot (6): (8)."""
+    return {"V_dot": forward(at, vector(state.phi_ddot))}
+
+
+def answer_reaction(at: Pieces, stand: Stand, state: State) -> Values:
+    """reaction (6) for the V_dot and phi_ddot of the state. StateError: the carrier is free."""
+    if stand.hold is None:
+        raise StateError('want: "reaction" is of held carriers, and the stand has no [hold]: ask for forward')
+    return {"reaction": reaction(at, vector(state.V_dot), vector(state.phi_ddot))}
+
+
+def answer_torque(at: Pieces, stand: Stand, state: State) -> Values:
+    """tau (N)."""
+    return {"tau": torque(at, vector(state.V_dot), vector(state.phi_ddot))}
+
+
+def answer_mounts(at: Pieces, stand: Stand, state: State) -> Values:
+    """mount_wrench (Nx6)."""
+    return {"mount_wrench": mounts(at, vector(state.V_dot), vector(state.phi_ddot))}
+
+
+def answer_coupled(at: Pieces, stand: Stand, state: State) -> Values:
+    """V_dot (6), phi_ddot (N)."""
+    V_dot, phi_ddot = coupled(at, vector(state.tau))
+    return {"V_dot": V_dot, "phi_ddot": phi_ddot}
+
+
+def answer_points(at: Pieces, stand: Stand, state: State) -> Values:
+    """Values of every instrument and point by name."""
+    return {"points": points(at, stand, vector(state.V_dot))}
