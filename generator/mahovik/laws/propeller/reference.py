@@ -28,7 +28,7 @@ def thrust_and_torque(propeller: Propeller, V_r: Array) -> Array:
     T = (1 - propeller.deduction) * rho * D**4 * _times_square(propeller.thrust, n, V_a / D)
     Q = rho * D**5 * _times_square(propeller.torque, n, V_a / D)
     force, moment = T * axis, (Q if propeller.left else -Q) * axis
-    return force_at(force, position) + np.concatenate([np.zeros(3), np.asarray(moment)])
+    return np.asarray(force_at(force, position) + np.concatenate([np.zeros(3), moment]))
 
 
 def _times_square(k: Vec3, n: Any, advance: Any) -> Any:

@@ -143,7 +143,7 @@ def stream_at(stand: Stand, position: Vec3) -> Array:
     u = u + velocity[0]
     for (above, below), change in zip(pairwise(stations), np.diff(velocity, axis=0), strict=True):
         u = u + change * smaller(larger((depth - above) / (below - above), 0.0), 1.0)
-    return u
+    return np.asarray(u)
 
 
 def answer_matrices(at: Pieces, stand: Stand, state: State) -> Values:
