@@ -162,7 +162,7 @@ def note_plain(
     y = asked.y(expected)
     if np.all(np.logical_or((y > low) & (y < high), asked.locked)) and not _is_weak(case, scaled.W):
         magnitudes = Magnitudes(case.stand, asked.state, at, case.bounds.cuts)
-        scale = allocation.scale_of(demand, weight, rank, given)
+        scale = allocation.scale_of(scaled, weight, rank, given)
         scale = scale + flywheel_wrenches(magnitudes, *coupled_with_locks(at, expected, asked.locked))[:, 3]
         row.compare(found["tau"], expected, np.where(asked.locked, 1.0, scale), name)
     return expected
