@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import mahovik
-from cli.test_eval_held import TEXT
 from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import State
 from mahovik.out.api.stands import Stand
@@ -17,10 +16,11 @@ from mahovik.proof import reference
 from mahovik.proof.reference.coordinates import pose_of
 from mahovik.proof.reference.rotation import quaternion_rotation
 from toolchain.quick import quick
+from verify.holds import PENDULUM
 
 
 def test_what_is_of_the_freedoms_has_their_names() -> None:
-    model = mahovik.build(Stand.of(loads(TEXT)))
+    model = mahovik.build(Stand.of(loads(PENDULUM)))
     x = model.state(angles=[0, 0.3, 0], V=[0.2 * 0.4, 0, 0, 0, 0.4, 0])  # u = 0.4 rad/s about the pivot
     moved = model.forward(x, phi_ddot=3.0)
     assert moved["u_dot", "pitch"] == moved["V_dot", "q"] != 0
@@ -30,7 +30,7 @@ def test_what_is_of_the_freedoms_has_their_names() -> None:
 
 
 def test_the_reaction_of_arrays_of_motions_is_that_of_each() -> None:
-    stand = Stand.of(loads(TEXT))
+    stand = Stand.of(loads(PENDULUM))
     model = mahovik.build(stand)
     rates = np.linspace(-1.0, 1.0, 4)
     V = np.outer(rates, [0.2, 0, 0, 0, 1, 0])
@@ -47,7 +47,9 @@ def test_the_reaction_of_arrays_of_motions_is_that_of_each() -> None:
         assert found["reaction", "Z"][k] == found.reaction[k, 2]
 
 
-TURNED = TEXT.replace("pivot = [0, 0, -0.2]", "pivot = [0, 0.1, -0.2]\nposition = [1, 2, 3]\nangles = [0.3, -0.2, 0.5]")
+TURNED = PENDULUM.replace(
+    "pivot = [0, 0, -0.2]", "pivot = [0, 0.1, -0.2]\nposition = [1, 2, 3]\nangles = [0.3, -0.2, 0.5]"
+)
 
 
 def model_of(freedoms: str, text: str = TURNED) -> Any:
@@ -119,7 +121,7 @@ REFUSED: list[tuple[str, Callable[[Any], Any], str]] = [
 def test_what_a_hold_does_not_allow_is_refused_in_words(
     freedoms: str, call: Callable[[Any], Any], message: str
 ) -> None:
-    text = TEXT if freedoms != CLAMPED else TEXT.replace("pivot = [0, 0, -0.2]\n", "")
+    text = PENDULUM if freedoms != CLAMPED else PENDULUM.replace("pivot = [0, 0, -0.2]\n", "")
     model = model_of(freedoms, text) if freedoms else mahovik.build(mahovik.example("demo3"))
     with pytest.raises(mahovik.MahovikError) as refused:
         call(model)

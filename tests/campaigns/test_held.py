@@ -13,7 +13,6 @@ import pytest
 
 import mahovik
 from campaigns.sections import Keys, computation, tables_of
-from cli.test_eval_held import TEXT
 from export.held_servos import FRICTION, PERIOD, SWAY, hung, programme
 from identify.test_held import table
 from mahovik.core.motion.programme import programme_text
@@ -25,6 +24,7 @@ from mahovik.use.control.loop import close_loop
 from mahovik.use.control.record import following
 from mahovik.use.plan import PlanOptions, plan_motion
 from plan.held_stands import stand, wheel
+from verify.holds import PENDULUM as TEXT
 
 PENDULUM = stand('freedoms = ["pitch"]\npivot = [0, 0, "120 mm"]', wheel(1, [0, 1, 0]))
 SHAKER = stand(

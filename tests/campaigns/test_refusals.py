@@ -11,12 +11,12 @@ import mahovik
 from campaigns.sections import RUN, VARY, Keys, computation, refusal, write
 from campaigns.test_held import PENDULUM, SERVO_RUN, SHAKE, SHAKER, write_files
 from campaigns.test_held import RUN as FOLLOW
-from cli.test_eval_held import TEXT
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import CampaignError, MahovikError
 from mahovik.out.api.stands import Stand
 from mahovik.out.campaign.campaign import Campaign
 from plan.held_stands import stand, wheel
+from verify.holds import PENDULUM as TEXT
 
 REFUSALS = {
     '"rw5.mass" = { tolerance = "1 g" }': 'vary "rw5.mass": sat4 has no "rw5", did you mean "rw1"?',

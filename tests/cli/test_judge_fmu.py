@@ -14,7 +14,6 @@ import numpy as np
 import pytest
 
 from cli.run import BRICK, refused, run
-from cli.test_eval_held import TEXT
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.read import loads
 from mahovik.proof.reference.coordinates import coordinates_at
@@ -23,6 +22,7 @@ from mahovik.proof.verify.fmu import FmuProgram
 from mahovik.proof.verify.fmu_map import read_map
 from mahovik.proof.verify.held import onto_hold
 from toolchain.quick import quick
+from verify.holds import PENDULUM
 
 FREE = BRICK + "wrench_input = true\n"
 FREE_MAP = """
@@ -61,7 +61,7 @@ u_dot = ["joint.a"]
 
 def held_text(freedoms: str = 'freedoms = ["pitch"]') -> str:
     """The pendulum, held in another way off the origin of E0."""
-    return TEXT.replace('freedoms = ["pitch"]', f"{freedoms}\nposition = [0.1, 0.2, 0.3]\nangles = [0.1, 0.2, 0.3]")
+    return PENDULUM.replace('freedoms = ["pitch"]', f"{freedoms}\nposition = [0.1, 0.2, 0.3]\nangles = [0.1, 0.2, 0.3]")
 
 
 def exported(text: str, fmu: str, *options: str) -> None:

@@ -13,7 +13,6 @@ import pytest
 
 import mahovik
 from cli.run import BRICK, refused, run
-from cli.test_eval_held import TEXT
 from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random_state import random_state
@@ -24,6 +23,7 @@ from mahovik.proof.reference.coordinates import coordinates_at
 from mahovik.proof.reference.hold import twists
 from mahovik.proof.reference.motion import bias
 from mahovik.proof.verify.held import onto_hold, quaternion_of
+from verify.holds import PENDULUM
 
 EXAMPLES = Path(__file__).parents[2] / "docs" / "held"
 
@@ -46,7 +46,7 @@ def stand_of(name: str) -> Stand:
         text = BRICK
     elif name in HOLDS:
         hold = f"{HOLDS[name]}\nposition = [0.1, 0.2, 0.3]\nangles = [0.1, 0.2, 0.3]\n"
-        text = TEXT.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', hold)
+        text = PENDULUM.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', hold)
     else:
         text = (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8")
     Path("stand.toml").write_text(text, encoding="utf-8")

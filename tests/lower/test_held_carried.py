@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cli.test_eval_held import TEXT
 from mahovik.core.stand.hold import FREEDOMS, twist_of
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.read import loads
@@ -17,6 +16,7 @@ from mahovik.core.stand.state import State, rest_state
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.functions.carries import end_of_steps
 from toolchain.quick import quick
+from verify.holds import PENDULUM
 
 PIVOT = (0.25, 0.0, -0.5)
 FAR = (96.3, -70.1, 50.7)
@@ -31,7 +31,7 @@ ULP = float(np.spacing(np.float32(96.3)))
 @cache
 def stand_of(name: str) -> Stand:
     hold = Hold(tuple(FREEDOMS[way] for way in HOLDS[name]), PIVOT, (0.0,) * 3, (0.0,) * 3)
-    return replace(loads(TEXT), hold=hold)
+    return replace(loads(PENDULUM), hold=hold)
 
 
 @cache

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cli.test_eval_held import TEXT, answers, file
+from cli.test_eval_held import answers, file
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand.hold import FREEDOMS, has_coordinates
@@ -27,7 +27,7 @@ from mahovik.proof.verify.functions.attitudes import freedom_row
 from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.harness import judge
 from toolchain.quick import quick
-from verify.holds import state_of
+from verify.holds import PENDULUM, state_of
 
 __all__ = ["file"]
 
@@ -92,7 +92,7 @@ def test_a_state_of_coordinates_has_these_and_their_differences_are_its_twist(na
 def test_a_hold_without_a_closed_set_has_no_coordinates() -> None:
     for ways in (("roll", "pitch"), ("x", "yaw")):
         assert not has_coordinates(Hold(tuple(FREEDOMS[way] for way in ways), (0.0,) * 3, (0.0,) * 3, (0.0,) * 3))
-    stand = loads(TEXT.replace('freedoms = ["pitch"]', 'freedoms = ["roll", "pitch"]'))
+    stand = loads(PENDULUM.replace('freedoms = ["pitch"]', 'freedoms = ["roll", "pitch"]'))
     for backend in (NumpyBackend(stand), Second(stand)):
         with pytest.raises(StateError, match="have no coordinates"):
             backend.evaluate(replace(state_of(stand, 1), wrench={}), ["generalized"])

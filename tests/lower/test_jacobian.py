@@ -8,7 +8,6 @@ from typing import Any, cast
 import numpy as np
 import pytest
 
-from cli.test_eval_held import TEXT
 from laws.held_stands import FRICTION, STOPS, held_stand
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
@@ -28,7 +27,7 @@ from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.jacobians import jacobian_rows
 from mahovik.proof.verify.harness import free_only_rows
 from toolchain.quick import quick
-from verify.holds import DRY, WET, random_held_stand
+from verify.holds import DRY, PENDULUM, WET, random_held_stand
 
 SPIN = 0.001
 """Inertia of the pendulum's flywheel about its axis, kg m2; the hinge is parallel to it."""
@@ -118,7 +117,7 @@ def test_friction_and_stops_have_their_part(name: str) -> None:
 
 def test_the_pendulum_has_the_derivatives_of_its_closed_formulas() -> None:
     """P u* + J phi'' = w sin(angle), J (u* + phi'') = tau: both linear in what is given, and no speed enters."""
-    stand = loads(TEXT)
+    stand = loads(PENDULUM)
     own = CBackend(stand)
     x = own.arguments(replace(rest_state(stand), angles=(0.0, 0.7, 0.0), u=(0.4,), V=(-0.08, 0, 0, 0, 0.4, 0)))
     _, forward = own.call("forward_jacobian", x)

@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 
 import mahovik
 from cli.run import refused
-from cli.test_eval_held import TEXT, pendulum_file
+from cli.test_eval_held import pendulum_file
 from mahovik.core.motion import loads_regime
 from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Hold, Stand
@@ -29,6 +29,7 @@ from mahovik.use.simulate.held import allowed_start, home
 from simulate.test_agreement import LAWS, MIXED, TORQUES
 from toolchain.quick import quick
 from verify.holds import HOLDS
+from verify.holds import PENDULUM as TEXT
 
 PENDULUM: dict[str, Any] = {
     "schema": 1,

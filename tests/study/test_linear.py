@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 from scipy.io import loadmat
 
-from cli.test_eval_held import TEXT
 from mahovik.core.stand import load, loads
 from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Hold, MountingAxes, Stand
@@ -29,7 +28,7 @@ from mahovik.use.simulate.held import home, move, rates
 from mahovik.use.study.linear import LinearModel, linear_model, modes
 from mahovik.use.study.linear.model import model_file
 from mahovik.use.study.rest import rest
-from verify.holds import HOLDS
+from verify.holds import HOLDS, PENDULUM
 
 AGREEMENT = 1e-10
 """Relative to the largest number of a row; the largest of a hundred stands is 6e-12, where rows nearly cancel."""
@@ -185,7 +184,7 @@ WEIGHT, ARM, INERTIA, SPIN = 2.5 * 9.81, 0.2, 0.02 + 2.5 * 0.2**2, 1e-3
 @pytest.mark.parametrize(("locked", "inertia"), [(True, INERTIA + SPIN), (False, INERTIA)])
 def test_a_hanging_pendulum_has_the_frequency_of_the_formula(locked: bool, inertia: float) -> None:
     """sqrt(m g l / J) / 2 pi: a free flywheel about the same axis does not turn with the pendulum."""
-    stand = loads(TEXT)
+    stand = loads(PENDULUM)
     found = modes(linear_model(stand, rest(stand).state, [], locked=locked))
     (swing,) = [mode for mode in found.modes if mode.kind == "oscillation"]
     assert swing.frequency == pytest.approx(math.sqrt(WEIGHT * ARM / inertia) / (2 * math.pi), rel=1e-12)
@@ -198,7 +197,7 @@ def test_a_hanging_pendulum_has_the_frequency_of_the_formula(locked: bool, inert
 
 
 def test_a_mass_on_a_rail_with_a_spring() -> None:
-    text = TEXT.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]', "slide = [0, 3, 4]")
+    text = PENDULUM.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]', "slide = [0, 3, 4]")
     stand = loads(text + "[suspension]\nstiffness = [1e6, 500, 500, 1e6, 1e6, 1e6]\ndamping = [0, 3, 3, 0, 0, 0]\n")
     model = linear_model(stand, rest(stand).state, [], locked=True)
     assert [str(each) for each in model.states] == ["q_1 [m]", "u_1 [m/s]"]
@@ -251,7 +250,7 @@ def test_the_derivatives_are_those_of_the_reference() -> None:
 
 
 def test_flywheels_of_a_clamped_carrier_turn_alone() -> None:
-    stand = loads(TEXT.replace('["pitch"]\npivot = [0, 0, -0.2]', "[]"))
+    stand = loads(PENDULUM.replace('["pitch"]\npivot = [0, 0, -0.2]', "[]"))
     found = linear_model(stand, home(stand), [])
     assert pytest.approx(np.array([[0, 1], [0, 0]])) == found.A and found.B[1, 0] == pytest.approx(1 / SPIN)
     assert [str(each) for each in found.states] == ["phi w1 [rad]", "phi_dot w1 [rad/s]"]
@@ -259,7 +258,7 @@ def test_flywheels_of_a_clamped_carrier_turn_alone() -> None:
     assert [each.name for each in modes(found).coordinates] == ["phi w1"] and abs(mode.shape[0]) == 1
     with pytest.raises(CheckError, match="the flywheels are locked, as `modes` has them by default; give"):
         linear_model(stand, home(stand), [], locked=True)
-    knife_edge = loads(TEXT.replace('["pitch"]', '["x", "yaw"]'))
+    knife_edge = loads(PENDULUM.replace('["pitch"]', '["x", "yaw"]'))
     with pytest.raises(CheckError, match="not a closed set"):
         linear_model(knife_edge, home(knife_edge), [])
 
@@ -268,7 +267,7 @@ def test_friction_and_a_stop_are_in_the_linear_model() -> None:
     """At rest the smoothed sign has the slope breakaway / smoothing; a stop that carries the weight is a spring."""
     hold = "slide = [1, 0, 0]\n[[hold.friction]]\nviscous = 3\ncoulomb = 0.1\nbreakaway = 0.2\nstribeck_speed = 1\n"
     stop = "smoothing = 0.1\n[[hold.stop]]\nat = 0.01\nstiffness = 500\ndamping = 100\n"
-    text = TEXT.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]', hold + stop)
+    text = PENDULUM.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]', hold + stop)
     stand = replace(loads(text), gravity=(2.0, 0.0, 0.0))
     found = rest(stand).state
     depth = 2.5 * 2.0 / 500

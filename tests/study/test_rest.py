@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cli.test_eval_held import TEXT
 from mahovik import stands
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
@@ -21,6 +20,7 @@ from mahovik.proof import reference
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.use.study.rest import rest
 from physics.general import rows, suspension_of
+from verify.holds import PENDULUM
 
 LIMIT = 1e-12  # the contract of `mahovik rest`, absolute
 
@@ -76,15 +76,15 @@ def test_unstable_equilibria_are_left_or_named() -> None:
 
 def pendulum_with(text: str, more: str = "") -> Stand:
     """The pendulum with another hold."""
-    return loads(TEXT.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]', text) + more)
+    return loads(PENDULUM.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]', text) + more)
 
 
 def test_a_pendulum_that_stands_on_its_pivot_hangs() -> None:
-    found = rest(loads(TEXT))
+    found = rest(loads(PENDULUM))
     assert not found.unstable and found.free == ()
-    C = carrier_rotation(loads(TEXT), found.state)
+    C = carrier_rotation(loads(PENDULUM), found.state)
     assert C[2, 2] == pytest.approx(-1) and found.state.position == pytest.approx((0, 0, -0.4), abs=1e-12)
-    answer = reference.evaluate(loads(TEXT), found.state, ["forward"])
+    answer = reference.evaluate(loads(PENDULUM), found.state, ["forward"])
     weight = [0, 0, -2.5 * 9.81]  # the pivot bears it, upwards in E0
     assert C @ answer["reaction"][:3] == pytest.approx([-x for x in weight], abs=1e-9)
 

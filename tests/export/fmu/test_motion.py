@@ -14,7 +14,6 @@ import numpy as np
 import pytest
 from fmpy.fmi1 import FMICallException
 
-from cli.test_eval_held import TEXT
 from export.fmu import fmus
 from mahovik.core.lower.fmu.variables import Inputs, Kind
 from mahovik.core.motion import loads_regime
@@ -26,6 +25,7 @@ from mahovik.out.export.fmu import export_fmu
 from mahovik.use.simulate import Case, simulate
 from mahovik.use.simulate.held import complete_start, home, rates
 from toolchain.quick import quick
+from verify.holds import PENDULUM
 
 UNTIL, EVERY, DT = 0.1, 0.0125, 1e-3
 SPEEDS, TORQUE, ACCELERATION, WRENCH = 40.0, 0.02, 30.0, (3.0, -2.0, 1.0, 0.2, 0.1, -0.3)
@@ -184,7 +184,7 @@ HOLDS: dict[str, tuple[str, str, tuple[float, ...]]] = {
 def held_case(name: str) -> tuple[Stand, State]:
     """A pendulum with another hold, in motion in its home pose."""
     freedoms, resistance, u = HOLDS[name]
-    text = TEXT.replace('freedoms = ["pitch"]', freedoms) + resistance
+    text = PENDULUM.replace('freedoms = ["pitch"]', freedoms) + resistance
     stand = loads(text if name not in ("clamped", "shaker", "basis") else text.replace("pivot = [0, 0, -0.2]\n", ""))
     assert stand.hold is not None
     state = replace(rest_state(stand), u=u, V=twist_of(stand.hold, u), phi_dot=(40.0,))
