@@ -459,8 +459,15 @@ LACKS = "not in the C: export the servo again"
 OPTIONAL, RESULTS, TRUSTED = ("invalid",), ("servo_step tau", "trim_coordinates q"), ("gains", "design")
 """Arguments that may be null; that only receive results; tables that a program has in its text."""
 
-LIKE = {"phi_ref": "phi", "phi_dot_ref": "phi_dot", "tau_ff": "tau", "integral": "tau", "torque": "tau"}
-"""Quantities of the contract whose bounds others have; filtered speeds may be the difference of two."""
+LIKE = {
+    "phi_ref": "phi",
+    "phi_dot_ref": "phi_dot",
+    "tau_ff": "tau",
+    "speed": "phi_dot",
+    "integral": "tau",
+    "torque": "tau",
+}
+"""Quantities of the contract whose bounds others have; a filtered speed may be the difference of two."""
 
 NOT_FINITE = tuple((value, "NOT_FINITE") for value in (math.nan, math.inf, -math.inf))
 
@@ -505,9 +512,10 @@ def _wrong_values(case: ServoCase, function: str, good: dict[str, Any]) -> Itera
             yield WrongValue((name,), NULL, "BAD_ARGUMENT")
         if name in (*OPTIONAL, *TRUSTED) or f"{function} {name}" in RESULTS:
             continue
-        for path, numbers in (
-            [((name, k), v) for k, v in value.items()] if isinstance(value, dict) else [((name,), value)]
-        ):
+        inputs: dict[tuple[str, ...], Any] = {(name,): value}
+        if isinstance(value, dict):
+            inputs = {(name, member): numbers for member, numbers in value.items()}
+        for path, numbers in inputs.items():
             places = [(i,) for i in range(len(numbers))] if isinstance(numbers, list) else [()]
             for bad, status in _wrong_numbers(case, path[-1]):
                 yield from (WrongValue((*path, *place), bad, status) for place in places)
@@ -522,8 +530,6 @@ def _wrong_numbers(case: ServoCase, symbol: str) -> tuple[tuple[float, str], ...
     if symbol in ("phase", "attitude"):
         wrong: tuple[float, ...] = (1.0, -0.01, 7.0) if symbol == "phase" else (1.01, 3.0)
     else:
-        most = (
-            2 * limits_of("phi_dot")[0] if symbol == "speed" else limits_of(LIKE.get(symbol, symbol), case.made.real)[0]
-        )
-        wrong = BEYOND * most, -BEYOND * most
+        most = BEYOND * limits_of(LIKE.get(symbol, symbol), case.made.real)[0] * (2 if symbol == "speed" else 1)
+        wrong = most, -most
     return (*NOT_FINITE, *((value, "RANGE") for value in wrong))
