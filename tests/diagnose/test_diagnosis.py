@@ -86,7 +86,7 @@ def test_the_flywheel_that_has_it_is_named() -> None:
     assert [cause.name for cause in found.causes] == ["phase of the opposite sense (w2 alone)"]
 
 
-@pytest.mark.parametrize("factor", [0.5, 1.0 + 1e-7])
+@pytest.mark.parametrize("factor", [pytest.param(0.5, marks=pytest.mark.slow), 1.0 + 1e-7])
 def test_all_of_gravity_by_a_factor_is_no_single_number(factor: float) -> None:
     """In double a difference of 1e-7 is no rounding of float; what three numbers leave is said."""
     found = of(replace(stand(), gravity=vec(factor * x for x in stand().gravity)))

@@ -68,7 +68,7 @@ NUMBERS: dict[str, float] = {
 }
 """Numbers of the file that the program has otherwise."""
 
-QUICK = ("scalar last", "buoyancy", "coriolis", "carrier.mass", "suspension.damping[5][5]")
+QUICK = ("scalar last", "buoyancy", "carrier.mass", "suspension.damping[5][5]")
 
 
 @cache

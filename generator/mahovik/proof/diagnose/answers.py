@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from decimal import Decimal
 from typing import Any
@@ -16,6 +16,7 @@ from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, Values
+from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.hold import held_state
 from mahovik.proof.verify.actuators import stand_at
 from mahovik.proof.verify.states import Request
@@ -104,6 +105,12 @@ class Reference:
         except (StateError, np.linalg.LinAlgError, ArithmeticError, ValueError):
             return {}
 
+    def demand(self, state: State) -> float:
+        """Largest force or moment in the equations at a state: the scale of a residual, which may be zero by itself."""
+        own = stand_at(self._stand, state)
+        at = reference.pieces(own, held_state(own, state))
+        return float(np.max([np.abs(at.F), np.abs(bias(at)), np.abs(at.K) @ np.abs(state.V_dot)]))
+
 
 @dataclass(frozen=True, eq=False)
 class AnswerVector:
@@ -137,11 +144,22 @@ class AnswerVector:
         """The numbers that other equations answer; NaN where they have none."""
         return self.fill(lambda request: model(request.state, request.want[0]))
 
-    def head(self, count: int) -> AnswerVector:
-        """The vector of the first requests: its numbers are the first ones of this."""
-        end = next((start for parts in self.parts[count:] for _, _, start in parts), self.expected.size)
-        cut = (self.block[:end], self.expected[:end], self.scale[:end], self.parts[:count])
-        return AnswerVector(self.requests[:count], self.quantities, *cut)
+    def only(self, requests: Collection[str]) -> tuple[AnswerVector, NDArray[np.int64]]:
+        """The vector of some requests, by their ids, and the places of its numbers in this one."""
+        kept = [k for k, request in enumerate(self.requests) if request.id in requests]
+        parts, places = [], [np.zeros(0, dtype=np.int64)]
+        start = 0
+        for k in kept:
+            own = []
+            for path, shape, at in self.parts[k]:
+                size = int(np.prod(shape))
+                own.append((path, shape, start))
+                places.append(np.arange(at, at + size))
+                start += size
+            parts.append(tuple(own))
+        i = np.concatenate(places)
+        cut = (self.block[i], self.expected[i], self.scale[i], tuple(parts))
+        return AnswerVector(tuple(self.requests[k] for k in kept), self.quantities, *cut), i
 
     def words_of(self, places: NDArray[np.bool_]) -> tuple[str, ...]:
         """Quantities that some numbers belong to, as want: quantity."""
@@ -168,7 +186,8 @@ def answer_vector(stand: Stand, requests: Sequence[Request], seed: int = 1) -> A
         places = []
         for path, value in _leaves(values):
             moves = [np.abs(other[path] - value) for other in others if path in other]
-            size = _shared(np.maximum(np.max([0.0 * value, *moves], axis=0) / MOVE, np.abs(value)))
+            size = np.maximum(np.max([0.0 * value, *moves], axis=0) / MOVE, np.abs(value))
+            size = _shared(np.maximum(size, right.demand(request.state) if path == ("residual",) else 0.0))
             places.append((path, value.shape, start))
             name = path[0] if len(path) == 1 else f"{path[0]}.{path[-1]}"
             blocks.append(np.full(value.size, quantities.setdefault((want, name), len(quantities))))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.contract.functions import wants_of_carrier
 from mahovik.core.stand.model import Stand
@@ -29,6 +30,9 @@ Verdict = Literal["none", "named", "approximate", "unnamed"]
 
 NEAR = 0.2
 """Part of the error that a reading or a number may leave and be called approximately the cause."""
+
+TELLING, FEW_WANTS = ("coupled", "forward", "torque"), 3
+"""Wants by which causes are looked for, before they are compared with all: these where they differ, and how many."""
 
 SIMPLE = 6
 """Digits of a number that people write: of numbers that explain an error alike, one with so few comes first."""
@@ -131,8 +135,7 @@ class Diagnoser:
             if applicable(state, want) and (stand.flywheels or want != "inverse")
         ]
         self.whole = answer_vector(stand, [request for _, request in asked])
-        searched = {request.id for number, request in asked if number < FIRST}
-        self._first = self.whole.head(sum(request.id in searched for request in self.whole.requests))
+        self._first = {request.id for number, request in asked if number < FIRST}
         self._document = document if document is not None else parse(dumps(stand))
 
     @property
@@ -186,9 +189,9 @@ class Diagnoser:
 
     def _by_numbers(self, evidence: _Evidence) -> tuple[tuple[Cause, ...] | None, _Near]:
         """A number, or two, that explain all of the error; else those that leave least."""
-        few = evidence.first if evidence.seen_first else self.whole
+        few, places = evidence.few
         search = NumberSearch(self._stand, self._document, few)
-        error, noise = evidence.error[: few.expected.size], evidence.noise[: few.expected.size]
+        error, noise = evidence.error[places], evidence.noise[places]
         near: _Near = 1.0, ()
         for solved in (search.singles, search.pairs):
             exact = []
@@ -213,41 +216,43 @@ _Near = tuple[float, tuple[Cause, ...]]
 class _Evidence:
     """The error of a program, and what of it may be rounding."""
 
-    def __init__(self, whole: AnswerVector, first: AnswerVector, found: Array, precision: Precision) -> None:
-        self._whole, self.first, self._found = whole, first, found
+    def __init__(self, whole: AnswerVector, first: Collection[str], found: Array, precision: Precision) -> None:
+        """`first`: ids of requests at states with all features active."""
+        self._whole, self._found = whole, found
         self.error = found - whole.expected
         self.noise = precision.noise(np.nan_to_num(found), whole.scale)
         self.wrong = np.abs(np.nan_to_num(self.error, nan=0.0)) > self.noise
-        self.seen_first = bool(self.wrong[: first.expected.size].any())
         self._there = np.isfinite(found)
         self._wants = {want for want, _ in (whole.quantities[i] for i in set(whole.block[self.wrong].tolist()))}
         of_wants = np.array([want in self._wants for want, _ in whole.quantities])
         self._in_wrong_wants = of_wants[whole.block]
+        chosen = sorted(self._wants, key=lambda want: (want not in TELLING, want))[:FEW_WANTS]
+        self.few = whole.only({x.id for x in whole.requests if x.id in first and x.want[0] in chosen})
+        if not self.wrong[self.few[1]].any():
+            self.few = whole.only({x.id for x in whole.requests})
 
     def compare(self, model: Model) -> tuple[float, tuple[str, ...] | None]:
         """What a model leaves of the error, 0 to 1; and, where this is rounding, the wants that it is in alone.
 
         These are none where it explains the rightness of all others as well; None where it leaves more than rounding.
         """
-        if self.seen_first:
-            left, exact, _ = self._left(self.first, model)
-            if not exact:
-                return left, None
-        left, exact, everywhere = self._left(self._whole, model)
+        left, exact, _ = self._left(*self.few, model)
+        if not exact:
+            return left, None
+        left, exact, everywhere = self._left(self._whole, np.arange(self._found.size), model)
         if not exact:
             return left, None
         return left, () if everywhere else tuple(sorted(self._wants))
 
-    def _left(self, vector: AnswerVector, model: Model) -> tuple[float, bool, bool]:
+    def _left(self, vector: AnswerVector, places: NDArray[np.int64], model: Model) -> tuple[float, bool, bool]:
         """What is left of the error; whether it is rounding in the wants that are wrong, and in all."""
-        n = vector.expected.size
-        there, wrong = self._there[:n], self.wrong[:n]
+        there, wrong, error = self._there[places], self.wrong[places], np.abs(self.error[places])
         predicted = vector.of_model(model)
-        rest = np.abs(np.nan_to_num(self._found[:n] - predicted, nan=np.inf))
-        beyond = there & (rest > self.noise[:n] * self._growth(vector, predicted))
-        in_wrong = self._in_wrong_wants[:n]
+        rest = np.abs(np.nan_to_num(self._found[places] - predicted, nan=np.inf))
+        beyond = there & (rest > self.noise[places] * self._growth(vector, predicted))
+        in_wrong = self._in_wrong_wants[places]
         blocks = vector.block[wrong]
-        e, r = np.abs(self.error[:n][wrong]), np.minimum(rest[wrong], np.abs(self.error[:n][wrong]))
+        e, r = error[wrong], np.minimum(rest[wrong], error[wrong])
         with np.errstate(all="ignore"):
             shares = np.bincount(blocks, r**2) / np.bincount(blocks, e**2)
         left = float(np.sqrt(np.nanmean(shares))) if blocks.size else 0.0
