@@ -114,6 +114,8 @@ def _cause(cause: Cause, share: float) -> dict[str, Any]:
 def _no_difference(diagnosis: Diagnosis) -> list[str]:
     """A line where nothing differs: to what precision, though the table may say FAILED of what was not compared."""
     if diagnosis.precision is None:
+        if diagnosis.verdict == "none":
+            return ["no fault: nothing differs by more than is accepted"]
         return [] if diagnosis.gaps else ["no diagnosis: the program answered nothing that can be compared"]
     kind = f"rounding ({diagnosis.precision.name})"
     if diagnosis.gaps:

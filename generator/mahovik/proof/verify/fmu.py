@@ -25,7 +25,7 @@ from mahovik.core.stand.units import show
 from mahovik.errors import DataError, MahovikError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference.coordinates import coordinates_at
-from mahovik.proof.verify.fmu_map import FmuMap, Place, read_map
+from mahovik.proof.verify.fmu_map import SET, Map, Place, read_map
 from mahovik.proof.verify.foreign import Program
 from mahovik.proof.verify.held import freedom_rates, with_angles, with_quaternion
 from mahovik.proof.verify.states import Request, read_line
@@ -48,7 +48,8 @@ def fmu_program(fmu: Path, unpacked: Path, map_file: Path, stand: Stand, stand_f
     words = (sys.executable, "-m", __name__, str(unpacked), str(map_file), stand_file)
     held = stand.hold is not None
     left_out = (*MAY_BE_LEFT_OUT, "reaction") if held else MAY_BE_LEFT_OUT
-    return Program(str(fmu), words, tuple(found.answers), left_out, on_hold=held)
+    wants = tuple(want for want in found if want not in SET)
+    return Program(str(fmu), words, wants, left_out, on_hold=held)
 
 
 def _unpack(fmu: Path, folder: Path) -> Any:
@@ -87,20 +88,20 @@ def _require_harmless(archive: ZipFile) -> None:
             raise ValueError(f"a file named {show(name)}, expected names inside of it")
 
 
-def _check_variables(fmu: Path, description: Any, found: FmuMap) -> None:
+def _check_variables(fmu: Path, description: Any, found: Map) -> None:
     """Raises DataError: a variable is not there, no number, or cannot be set."""
     known = {variable.name: variable for variable in description.modelVariables}
-    problems = []
-    for name in dict.fromkeys(place.variable for place in (*found.places_to_set(), *found.places_to_read())):
-        if name not in known:
-            problems.append(f'{fmu}: no variable "{name}"{suggestion(name, known)}')
-        elif known[name].type not in ("Real", "Float64") or getattr(known[name], "dimensions", None):
-            problems.append(f'{fmu}: "{name}" is no real scalar')
-    for name in dict.fromkeys(place.variable for place in found.places_to_set()):
-        if name in known and not _settable(known[name]):
-            problems.append(f'{fmu}: "{name}" cannot be set: it is calculated')
+    problems: dict[str, None] = {}  # each once
+    for table, group in found.items():
+        for name in (place.variable for places in group.values() for place in places):
+            if name not in known:
+                problems[f'{fmu}: no variable "{name}"{suggestion(name, known)}'] = None
+            elif known[name].type not in ("Real", "Float64") or getattr(known[name], "dimensions", None):
+                problems[f'{fmu}: "{name}" is no real scalar'] = None
+            elif table in SET and not _settable(known[name]):
+                problems[f'{fmu}: "{name}" cannot be set: it is calculated'] = None
     if problems:
-        raise DataError(problems)
+        raise DataError(list(problems))
 
 
 def _settable(variable: Any) -> bool:
@@ -111,7 +112,7 @@ def _settable(variable: Any) -> bool:
 class FmuProgram:
     """An FMU that answers requests."""
 
-    def __init__(self, folder: Path, found: FmuMap, stand: Stand) -> None:
+    def __init__(self, folder: Path, found: Map, stand: Stand) -> None:
         """`folder`: of the unpacked FMU."""
         from fmpy import read_model_description
 
@@ -125,7 +126,7 @@ class FmuProgram:
     def answer(self, request: Request) -> dict[str, Any]:
         """Quantities of the one want of a request."""
         (want,) = request.want
-        if want not in self._map.answers:
+        if want not in self._map:
             return {"error": f"{want}: not in the map"}
         instance = self._fresh()
         values = self._values(request.state)
@@ -139,7 +140,7 @@ class FmuProgram:
         self._set(instance, inputs)
         instance.exitInitializationMode()
         found: dict[str, Any] = {}
-        for name, places in self._map.answers[want].items():
+        for name, places in self._map[want].items():
             shape = ANSWERS[name].shape_of(len(self._stand.flywheels), len(request.state.u))
             found[name] = np.reshape(self._get(instance, places), shape or ()).tolist()
         return self._whole(found)
@@ -168,15 +169,15 @@ class FmuProgram:
 
     def _values(self, state: State) -> dict[str, float]:
         """Values of the variables that are set, by name."""
-        values: dict[str, Sequence[float]] = {}
-        for key in self._map.inputs:
+        pairs: list[tuple[tuple[Place, ...], Sequence[float]]] = []
+        for key, places in self._map.get("state", {}).items():
             if key in ("q", "orientation"):
-                values[key] = getattr(coordinates_at(self._stand, state), key).tolist()
+                pairs.append((places, getattr(coordinates_at(self._stand, state), key).tolist()))
             else:
                 turn = {"quaternion": with_quaternion, "angles": with_angles}.get(key, lambda _, same: same)
-                values[key] = getattr(turn(self._stand, state), key)
-        pairs = [(places, values[key]) for key, places in self._map.inputs.items()]
-        pairs += [(places, state.wrench.get(name, (0.0,) * 6)) for name, places in self._map.wrenches.items()]
+                pairs.append((places, getattr(turn(self._stand, state), key)))
+        for name, places in self._map.get("state.wrench", {}).items():
+            pairs.append((places, state.wrench.get(name, (0.0,) * 6)))
         return {
             place.variable: float(x) / place.factor
             for places, numbers in pairs

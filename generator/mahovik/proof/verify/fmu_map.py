@@ -15,13 +15,14 @@ Of a held carrier u, u_dot, q may take the place of V, V_dot and the pose; {free
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
-from mahovik.contract.evaluation import ANSWERS, STATE, answers_of, needs_of
+from mahovik.contract.evaluation import ANSWERS, STATE, Key, answers_of, needs_of
 from mahovik.core.stand.content import readable
 from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms
 from mahovik.core.stand.model import Stand
@@ -50,66 +51,45 @@ class Place:
     factor: float = 1.0
 
 
-Group = Mapping[str, tuple[Place, ...]]
-"""Variables by key."""
+Map = Mapping[str, Mapping[str, tuple[Place, ...]]]
+"""Variables by table and key: `state` and `state.wrench`, which are set, and a table for each want, which is read."""
 
-
-@dataclass(frozen=True)
-class FmuMap:
-    """Variables of an FMU by keys of a state, by bodies with a run-time wrench, and by wants and quantities."""
-
-    inputs: Group
-    wrenches: Group
-    answers: Mapping[str, Group]
-
-    def places_to_set(self) -> tuple[Place, ...]:
-        """Variables that are set."""
-        return tuple(place for places in (*self.inputs.values(), *self.wrenches.values()) for place in places)
-
-    def places_to_read(self) -> tuple[Place, ...]:
-        """Variables that are read."""
-        return tuple(place for group in self.answers.values() for places in group.values() for place in places)
-
+SET = ("state", "state.wrench")
+"""Tables of variables that are set."""
 
 Names = Sequence[Mapping[str, str]]
 """What takes the place of {i}, {name} and {freedom} in a pattern, for each of the numbers of a key."""
 
 
-def inputs_of(stand: Stand) -> dict[str, Names]:
-    """Keys of a state that an FMU of a stand may be given."""
-    keys = ["position", "quaternion", "angles", "V", "V_dot", "phi", "phi_dot", "phi_ddot", "tau"]
-    found = {key: _names(stand, STATE[key].shape) for key in keys}
-    hold = stand.hold
-    if hold is not None and hold.freedoms:
-        freedoms = [{"i": str(k + 1), "freedom": name} for k, name in enumerate(freedom_names(hold))]
-        found |= dict.fromkeys(TWISTS.values(), freedoms)
-        if has_coordinates(hold):
-            numbered = numbered_freedoms(hold)
-            found |= {"q": [freedoms[k] for k in numbered]} if numbered else {}
-            found |= {"orientation": _names(stand, (4,))} if len(numbered) < len(freedoms) else {}
-    return found
-
-
-def wants_of(stand: Stand) -> dict[str, dict[str, Names]]:
-    """Quantities of the wants that an FMU of a stand may answer."""
+def known_keys(stand: Stand) -> dict[str, dict[str, Names]]:
+    """Tables that a map of a stand may have, and their keys."""
+    keys = ("position", "quaternion", "angles", "V", "V_dot", "phi", "phi_dot", "phi_ddot", "tau")
+    found = {"state": {key: _names(stand, STATE[key]) for key in keys}}
+    found["state.wrench"] = {b.name: _names(stand, STATE["wrench"]) for b in stand.bodies if b.wrench_input}
     held = stand.hold is not None
-    found = {}
     for want in (*WANTS, *(("reaction",) if held else ())):
-        shapes = {name: ANSWERS[name].shape for name in answers_of(want, held)}
-        found[want] = {name: _names(stand, shape) for name, shape in shapes.items() if shape != ("m",)}
-        if ("m",) in shapes.values() and "u_dot" in inputs_of(stand):
-            found[want] |= {"u_dot": inputs_of(stand)["u_dot"]}
-    return found
+        found[want] = {name: _names(stand, ANSWERS[name]) for name in answers_of(want, held)}
+    if stand.hold is not None:
+        freedoms = [{"i": str(k + 1), "freedom": name} for k, name in enumerate(freedom_names(stand.hold))]
+        for table, key in (("state", "u"), ("state", "u_dot"), ("forward", "u_dot"), ("coupled", "u_dot")):
+            found[table][key] = freedoms
+        if has_coordinates(stand.hold):
+            numbered = numbered_freedoms(stand.hold)
+            found["state"]["q"] = [freedoms[k] for k in numbered]
+            turns = len(numbered) < len(freedoms)
+            found["state"]["orientation"] = _names(stand, STATE["quaternion"]) if turns else []
+    return {table: {key: names for key, names in group.items() if names} for table, group in found.items()}
 
 
-def _names(stand: Stand, shape: Sequence[int | str] | None) -> Names:
-    """One of each number of a shape, by flywheels and by its place."""
-    wheels = [{"name": wheel.name} for wheel in stand.flywheels] if "N" in (shape or ()) else [{}]
-    places = [{"i": str(i + 1)} for count in (shape or ()) if isinstance(count, int) for i in range(count)]
+def _names(stand: Stand, key: Key) -> Names:
+    """One of each number of a key, by flywheels and by its place."""
+    shape = key.shape or ()
+    wheels = [{"name": wheel.name} for wheel in stand.flywheels] if "N" in shape else [{}]
+    places = [{"i": str(i + 1)} for count in shape if isinstance(count, int) for i in range(count)]
     return [{**wheel, **place} for wheel in wheels for place in places or [{"i": "1"}]]
 
 
-def read_map(path: Path, stand: Stand) -> FmuMap:
+def read_map(path: Path, stand: Stand) -> Map:
     """The map of a file. Raises DataError with a line for each fault."""
     try:
         raw = tomllib.loads(readable(path, "a map of variables").decode("utf-8"))
@@ -117,52 +97,36 @@ def read_map(path: Path, stand: Stand) -> FmuMap:
         raise DataError([f"{path}: no TOML: {error}"]) from None
     except ValueError as error:
         raise DataError([str(error)]) from None
-    problems: list[str] = []
-    wants, takes = wants_of(stand), [body.name for body in stand.bodies if body.wrench_input]
-    known = ("state", *wants)
-    problems += [f'unknown key "{key}"{suggestion(key, known)}' for key in raw if key not in known]
-    state = _table(raw, "state", problems)
-    wrenches = _table(state, "wrench", problems)
-    found = FmuMap(
-        _group({key: state[key] for key in state if key != "wrench"}, inputs_of(stand), "state", problems),
-        _group(wrenches, dict.fromkeys(takes, _names(stand, (6,))), "state.wrench", problems),
-        {
-            want: _group(_table(raw, want, problems), quantities, want, problems)
-            for want, quantities in wants.items()
-            if want in raw
-        },
-    )
-    if problems := problems or _missing(stand, found):
+    known, problems = known_keys(stand), list[str]()
+    state = raw.get("state", {})
+    if isinstance(state, dict):
+        wrenches = state.get("wrench", {})
+        raw |= {"state": {key: state[key] for key in state if key != "wrench"}, "state.wrench": wrenches}
+    found = {}
+    for table, group in raw.items():
+        if table not in known:
+            problems.append(f'unknown key "{table}"{suggestion(table, [name for name in known if name != SET[1]])}')
+        elif not isinstance(group, dict):
+            problems.append(f"{table}: expected a table")
+        else:
+            found[table] = _group(group, known[table], table, problems)
+    if problems := problems or _missing(stand, found, known):
         raise DataError([f"{path}: {problem}" for problem in problems])
     return found
 
 
-def _table(table: Mapping[str, Any], key: str, problems: list[str]) -> Mapping[str, Any]:
-    found = table.get(key, {})
-    if isinstance(found, dict):
-        return found
-    problems.append(f"{key}: expected a table")
-    return {}
-
-
-def _group(table: Mapping[str, Any], known: Mapping[str, Names], where: str, problems: list[str]) -> Group:
+def _group(
+    table: Mapping[str, Any], known: Mapping[str, Names], where: str, problems: list[str]
+) -> dict[str, tuple[Place, ...]]:
     """The variables of each key: by a pattern, or by a list."""
-    unknown = [key for key in table if key not in known]
-    problems += [f'{where}: unknown key "{key}"{suggestion(key, known) if known else ""}' for key in unknown]
     found = {}
-    for key, names in known.items():
-        if key not in table:
+    for key, value in table.items():
+        if key not in known:
+            problems.append(f'{where}: unknown key "{key}"{suggestion(key, known) if known else ""}')
             continue
-        value = table[key]
+        texts = value if isinstance(value, list) else [value]
         if isinstance(value, str):
-            texts: list[Any] = []
-            for each in names:
-                text = value
-                for name, word in each.items():
-                    text = text.replace(f"{{{name}}}", word)
-                texts.append(text)
-        else:
-            texts = value if isinstance(value, list) else [value]
+            texts = [_filled(value, names) for names in known[key]]
         places = [_place(text) for text in texts]
         problems += [
             f"{where}.{key}: found {text!r:.60}, expected the name of a variable or "
@@ -170,10 +134,14 @@ def _group(table: Mapping[str, Any], known: Mapping[str, Names], where: str, pro
             for text, place in zip(texts, places, strict=True)
             if place is None
         ]
-        if len(places) != len(names):
-            problems.append(f"{where}.{key}: {len(places)} variables, expected {len(names)}")
+        if len(places) != len(known[key]):
+            problems.append(f"{where}.{key}: {len(places)} variables, expected {len(known[key])}")
         found[key] = tuple(place for place in places if place is not None)
     return found
+
+
+def _filled(pattern: str, names: Mapping[str, str]) -> str:
+    return re.sub(r"{(\w+)}", lambda found: names.get(found[1], found[0]), pattern)
 
 
 def _place(value: Any) -> Place | None:
@@ -186,38 +154,35 @@ def _place(value: Any) -> Place | None:
     return None
 
 
-def _missing(stand: Stand, found: FmuMap) -> list[str]:
+def _missing(stand: Stand, found: Map, known: Mapping[str, Mapping[str, Names]]) -> list[str]:
     """What a map lacks, in words."""
-    wants, hold, given = wants_of(stand), stand.hold, found.inputs
-    problems = [] if found.answers else [f"no answers, expected a table for a want: {', '.join(wants)}"]
+    hold, given = stand.hold, found.get("state", {}).keys()
+    wants = [want for want in found if want not in SET]
+    offered = ", ".join(name for name in known if name not in SET)
+    problems = [] if wants else [f"no answers, expected a table for a want: {offered}"]
 
     def require(keys: Sequence[str], reason: str) -> None:
         for key in keys:
-            of_hold = hold is not None and key in TWISTS
-            lacks = key not in given and bool(key in TWISTS or stand.flywheels)
-            if of_hold:  # a clamped carrier has no motion
-                lacks = lacks and TWISTS[key] not in given and bool(hold and hold.freedoms)
-            if lacks:
-                problems.append(f"state.{key}{f' or state.{TWISTS[key]}' if of_hold else ''} is missing: {reason}")
+            other = TWISTS[key] if hold is not None and key in TWISTS else ""
+            needed = bool(hold is None or hold.freedoms) if key in TWISTS else bool(stand.flywheels)
+            if needed and not {key, other} & given:
+                problems.append(f"state.{key}{f' or state.{other}' if other else ''} is missing: {reason}")
 
     require(("V", "phi", "phi_dot"), "every state has it")
-    for want, group in found.answers.items():
+    for want in wants:
         # of a held carrier the reaction is a want of its own, and u_dot and V_dot are one motion
-        motion = {"u_dot", "V_dot"} if {"u_dot", "V_dot"} & group.keys() else set()
+        motion = {"u_dot", "V_dot"} if {"u_dot", "V_dot"} & found[want].keys() else set()
         spared = {"reaction", *motion} if hold is not None and want != "reaction" else set()
-        problems += [f"{want}.{name} is missing" for name in wants[want] if name not in {*group, *spared}]
+        problems += [f"{want}.{name} is missing" for name in known[want] if name not in {*found[want], *spared}]
         require(needs_of(want), f"{want} needs it as an input of the FMU")
-    if "quaternion" in given and "angles" in given:
+    if {"quaternion", "angles"} <= given:
         problems.append("state: quaternion and angles, expected one of them")
-    coordinates = {"q", "orientation"} & inputs_of(stand).keys()
-    if not problems and not (coordinates and coordinates <= given.keys()):
+    coordinates = {"q", "orientation"} & known["state"].keys()
+    if not problems and not (coordinates and coordinates <= given):
         problems += [
             f"state.{part} is missing: answers of this stand depend on it"
             for part, keys in POSES.items()
-            if not given.keys() & set(keys) and depends_on(stand, list(found.answers), part)
+            if not given & set(keys) and depends_on(stand, wants, part)
         ]
-    return problems + [
-        f"state.wrench.{body.name} is missing: the stand has `wrench_input` there"
-        for body in stand.bodies
-        if body.wrench_input and body.name not in found.wrenches
-    ]
+    wrenches = [body for body in known["state.wrench"] if body not in found.get("state.wrench", {})]
+    return problems + [f"state.wrench.{body} is missing: the stand has `wrench_input` there" for body in wrenches]
