@@ -123,7 +123,7 @@ def verify(
     from mahovik.proof.verify.harness import verify_c
 
     own: CoreStand = Stand.of(stand)
-    document = load_tables(Path(stand)) if isinstance(stand, str | Path) else own.__dict__.get("_document")
+    document = load_tables(Path(stand)) if isinstance(stand, str | Path) else Stand.of(stand).to_dict()
     folder, words = None if against is None else Path(against), f"verify {own.name}"
     if judges and folder is not None:
         raise UsageError("--judges judges a fresh copy: not with --with, --against")

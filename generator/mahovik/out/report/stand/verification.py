@@ -12,6 +12,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.board import version as program_version
 from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.errors import ToolchainError, UsageError
+from mahovik.out.api.stands import Stand as StandWithKeys
 from mahovik.out.report.stand.markup import Cell, markup_of, sentence, share, table, verdict
 from mahovik.out.report.stand.material import Material, Section, generate_once
 from mahovik.proof.second import Second
@@ -107,7 +108,8 @@ def _compare_three(stand: Stand) -> tuple[Report, str]:
         backend_c = CBackend(stand, generated=generate_once(stand))
     except ToolchainError as error:
         return report(stand, "generated C", 1, 0, DOUBLE.default, (), str(error)), ""
-    return verify_c(stand, seed=1, count=STATES, wrenches=False, backend=backend_c), ""
+    document = StandWithKeys.of(stand).to_dict()
+    return verify_c(stand, seed=1, count=STATES, wrenches=False, backend=backend_c, document=document), ""
 
 
 def _outside(stand: Stand, name: str) -> tuple[Report | None, str]:
