@@ -20,6 +20,14 @@ FLIGHT = 1 << 30
 _PIECE = 1 << 20
 
 
+def is_file(path: Path) -> bool:
+    """Whether there is such a file; a text too long for a name, or with a NUL, names none."""
+    try:
+        return path.is_file()
+    except OSError:
+        return False
+
+
 def content(path: Path, most: int = TEXT) -> bytes:
     """All bytes of a file. Raises OSError, also where it is larger than `most` or has no end, such as /dev/zero."""
     found = bytearray()

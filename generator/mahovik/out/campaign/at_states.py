@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from mahovik.core.stand.state import State
+from mahovik.core.stand.units import show
 from mahovik.errors import StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.stands import Stand
@@ -61,7 +62,7 @@ def _read(path: Path, stand: Stand) -> tuple[State, ...]:
             given = read_object(line)
             for key in given:
                 if key not in KEYS:
-                    raise StateError(f'unknown key "{key}"{suggestion(key, KEYS)}')
+                    raise StateError(f"unknown key {show(key)}{suggestion(key, KEYS)}")
             found.append(with_quaternion(stand, read_request(stand, {**given, "want": ["forward"]}).state))
         except StateError as error:
             raise UsageError(f"states: {path.name}, line {number}: {error}") from None

@@ -16,7 +16,7 @@ from pydantic import BeforeValidator, Field
 from mahovik import stands
 from mahovik.core.motion.document import document_of, text_of, validate_table
 from mahovik.core.motion.fields import NOT_NULL, any_list
-from mahovik.core.stand.content import TEXT
+from mahovik.core.stand.content import TEXT, is_file
 from mahovik.core.stand.fields import Table, Text, integer, refuse, text, validator
 from mahovik.core.stand.numbers import StandNumbers
 from mahovik.core.stand.problems import Problems
@@ -161,7 +161,7 @@ def load_campaign(path: str | Path) -> CampaignFile:
 def _stand(given: str, folder: Path, problems: Problems) -> Stand:
     """The stand of a file beside the campaign file, or an example. Raises CampaignError, StandError."""
     path = folder / given
-    if path.is_file():
+    if is_file(path):
         return Stand.of(path)
     if given in stands.names():
         return load(stands.path(given))
@@ -242,7 +242,7 @@ def files_in(value: Any, folder: Path) -> Iterator[Path]:
             yield from files_in(each, folder)
     elif isinstance(value, str):
         for name in (value, value.rpartition(":")[0]):  # file.py:function
-            if name and len(name) < 200 and "\0" not in name and (folder / name).is_file():
+            if name and is_file(folder / name):
                 yield folder / name
                 yield from _named_inside(folder / name)
 
@@ -251,5 +251,5 @@ def _named_inside(path: Path) -> Iterator[Path]:
     """Files that a regime or another text names, such as tables of speeds."""
     if path.suffix in (".toml", ".json") and path.stat().st_size < TEXT:
         for name in re.findall(r'"([^"\n\0]{1,199})"', path.read_text(encoding="utf-8", errors="replace")):
-            if (path.parent / name).is_file():
+            if is_file(path.parent / name):
                 yield path.parent / name

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.core.stand.content import is_file
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 
@@ -64,7 +65,7 @@ def _module(place: str, folder: Path) -> ModuleType:
         if not place.endswith(".py"):
             return importlib.import_module(place)
         path = (folder / place).resolve()
-        if not path.is_file():
+        if not is_file(path):
             raise UsageError(f"function: {place}: no such file in {folder}")
         spec = importlib.util.spec_from_file_location(f"mahovik_campaign_{path.stem}", path)
         assert spec is not None and spec.loader is not None

@@ -71,12 +71,13 @@ def combine_masses(parts: Sequence[RigidMass]) -> RigidMass:
     if len(parts) == 1:
         return parts[0]
     mass = sum(part.mass for part in parts)
-    center = sum((part.mass * part.center for part in parts), np.zeros(3))
-    center = center / mass if mass else center
-    inertia = np.zeros((3, 3))
-    for part in parts:
-        d = part.center - center
-        inertia = inertia + part.inertia + part.mass * ((d @ d) * np.eye(3) - np.outer(d, d))
+    with np.errstate(all="ignore"):  # overflow is refused with the body's other numbers
+        center = sum((part.mass * part.center for part in parts), np.zeros(3))
+        center = center / mass if mass else center
+        inertia = np.zeros((3, 3))
+        for part in parts:
+            d = part.center - center
+            inertia = inertia + part.inertia + part.mass * ((d @ d) * np.eye(3) - np.outer(d, d))
     return RigidMass(float(mass), center, inertia)
 
 

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.core.stand.content import TABLE, content
-from mahovik.core.stand.units import LENGTH, MASS, Dimension
+from mahovik.core.stand.units import LENGTH, MASS, Dimension, show
 from mahovik.errors import BalanceError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.stands import Stand
@@ -60,7 +60,7 @@ def _planes(name: str, given: object) -> Planes:
     table = given if isinstance(given, Mapping) else {"positions": given}
     for key in table:
         if key not in KEYS:
-            raise UsageError(f'{where}: unknown key "{key}"{suggestion(str(key), KEYS)}')
+            raise UsageError(f"{where}: unknown key {show(key)}{suggestion(str(key), KEYS)}")
     values = table.get("positions", [0.0])
     if not isinstance(values, list | tuple):
         raise UsageError(f"{where}: expected a list of positions, found {values!r}")

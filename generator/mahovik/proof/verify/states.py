@@ -17,6 +17,7 @@ from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH, Quantity
 from mahovik.core.stand.hold import has_coordinates, no_coordinates, twist_of
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State
+from mahovik.core.stand.units import show
 from mahovik.errors import StateError, count_numbers
 from mahovik.nearest import suggestion
 from mahovik.proof.verify.actuators import actuators_of
@@ -68,7 +69,7 @@ def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> R
     refuse_duplicates(found)
     for key, value in found.items():
         if key not in STATE:
-            raise StateError(f'unknown key "{key}"{suggestion(key, STATE)}')
+            raise StateError(f"unknown key {show(key)}{suggestion(key, STATE)}")
         if isinstance(value, _RepeatedKeys):
             raise StateError(f'{key}: key "{value.key}" appears twice')
     if "angles" in found and "quaternion" in found:

@@ -15,6 +15,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from mahovik.core.stand.units import show
 from mahovik.errors import DataError
 from mahovik.nearest import suggestion
 
@@ -35,7 +36,7 @@ def read_names(path: Path, content: bytes) -> Names:
         raw = tomllib.loads(content.decode("utf-8"))
     except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise DataError([f"{path}: no TOML: {error}"]) from None
-    problems = [f'{path}: unknown key "{key}"{suggestion(key, KEYS)}' for key in raw if key not in KEYS]
+    problems = [f"{path}: unknown key {show(key)}{suggestion(key, KEYS)}" for key in raw if key not in KEYS]
     tables = {key: raw.get(key, {}) for key in KEYS}
     problems += [f"{path}: {key}: expected a table" for key, table in tables.items() if not isinstance(table, dict)]
     if not problems:

@@ -17,6 +17,7 @@ from mahovik.core.motion.regime import Regime
 from mahovik.core.stand.content import content
 from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.state import State
+from mahovik.core.stand.units import show
 from mahovik.errors import StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.verify.states import read_object, read_request, refuse_duplicates
@@ -194,4 +195,4 @@ def _refuse_unknown(found: dict[str, Any], keys: tuple[str, ...], hint: str) -> 
         if key not in keys:
             if key in STATE:
                 raise StateError(f'"{key}" is not part of a start, expected some of {", ".join(keys)}{hint}')
-            raise StateError(f'unknown key "{key}"{suggestion(key, keys)}')
+            raise StateError(f"unknown key {show(key)}{suggestion(key, keys)}")

@@ -27,8 +27,8 @@ from mahovik.core.stand.units import ANGLE, PLAIN, TIME, TORQUE, Dimension, Quan
 from mahovik.errors import ServoError
 
 TORQUE_RATE = Dimension("a torque rate", "N m/s")
-MOST_PERIOD, MOST_LATENCY = 1.0, 16
-"""Longest sample period, s; longest latency in sample periods."""
+LEAST_PERIOD, MOST_PERIOD, MOST_LATENCY = 1e-6, 1.0, 16
+"""Shortest and longest sample period, s; longest latency in sample periods."""
 MOST_HARMONICS = 16
 """Most harmonics of a trim: its matrix has (2 harmonics + 1)^2 numbers for each coordinate and flywheel."""
 
@@ -66,7 +66,7 @@ class ServoTable(Table):
     """A servo file."""
 
     name: Text = ""
-    sample_period: Annotated[float, scalar(TIME, above=0.0, most=MOST_PERIOD)]
+    sample_period: Annotated[float, scalar(TIME, least=LEAST_PERIOD, most=MOST_PERIOD)]
     latency: Annotated[float, scalar(TIME, least=0.0)] = 0.0
     bandwidth: Annotated[float, validator(angular_speed)]
     damping_ratio: Annotated[float, scalar(PLAIN, above=0.0, most=5.0)] = 0.8

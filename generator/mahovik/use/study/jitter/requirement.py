@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from mahovik.core.stand.content import is_file
 from mahovik.core.stand.units import Dimension, QuantityError, number
 from mahovik.errors import UsageError
 from mahovik.use.plan.array import Array
@@ -82,7 +83,7 @@ def read_requirements(texts: Sequence[str], quantity: Quantity) -> tuple[Require
     found: list[Requirement] = []
     for text in texts:
         path = Path(text)
-        if path.suffix.lower() == ".csv" or path.is_file():
+        if path.suffix.lower() == ".csv" or is_file(path):
             found += _read_mask(path, quantity)
         else:
             found.append(_read_text(text, quantity))
