@@ -16,8 +16,8 @@ from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, Values
-from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.hold import held_state
+from mahovik.proof.reference.motion import bias
 from mahovik.proof.verify.actuators import stand_at
 from mahovik.proof.verify.states import Request
 

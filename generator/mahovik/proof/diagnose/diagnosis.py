@@ -14,13 +14,15 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.write import dumps
-from mahovik.proof.diagnose.answers import Answers, AnswerVector, Model, Precision, answer_vector
+from mahovik.proof.diagnose.answers import Answers, AnswerVector, Model, Precision, Reference, answer_vector, numbers_at
 from mahovik.proof.diagnose.gaps import Gap, gaps_of
 from mahovik.proof.diagnose.numbers import NumberSearch, SolvedNumbers
 from mahovik.proof.diagnose.readings import FACTORS, Reading, answered_by_factor, readings_of
 from mahovik.proof.diagnose.states import FIRST, separating_states
 from mahovik.proof.diagnose.terms.search import TermSearchResult
 from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.proof.reference.screw import wrench_to_parent
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.foreign import Program
 from mahovik.proof.verify.harness import applicable
@@ -63,7 +65,7 @@ class Diagnosis:
     causes       at most two at once
     unexplained  part of the error that has no name, 0 to 1
     precision    of the program, to which its error is explained; None: it answered no numbers
-    wrong        quantities with an error, as want: quantity
+    wrong        quantities with an error, as want: quantity; follows: those of them that follow from other answers
     terms        wrong terms that a sparse fit finds; None: not looked for
     gaps         wants with answers that are no numbers, which are left out of all else
     failed       what the table says FAILED and the diagnosis did not compare
@@ -75,6 +77,7 @@ class Diagnosis:
     unexplained: float = 0.0
     precision: Precision | None = None
     wrong: tuple[str, ...] = ()
+    follows: tuple[str, ...] = ()
     terms: TermSearchResult | None = None
     gaps: tuple[Gap, ...] = ()
     failed: tuple[str, ...] = ()
@@ -88,7 +91,8 @@ class Diagnosis:
     @property
     def not_looked_at(self) -> tuple[str, ...]:
         """Quantities with an error that the search for wrong terms did not look at."""
-        return tuple(x for x in self.wrong if self.terms is None or x not in self.terms.looked_at)
+        looked_at = (*self.follows, *(() if self.terms is None else self.terms.looked_at))
+        return tuple(x for x in self.wrong if x not in looked_at)
 
     def with_terms(self, found: TermSearchResult) -> Diagnosis:
         """The diagnosis after the search for wrong terms, of an error that has no other name.
@@ -155,7 +159,8 @@ class Diagnoser:
         wrong = self.whole.words_of(evidence.wrong)
         if not wrong:
             return Diagnosis("unnamed" if gaps else "none", precision=precision, gaps=gaps)
-        base = Diagnosis("unnamed", (), 1.0, precision, wrong, gaps=gaps)
+        follows = self._following(answers, evidence)
+        base = Diagnosis("unnamed", (), 1.0, precision, wrong, tuple(x for x in wrong if x in follows), gaps=gaps)
         named, nearest = self._by_reading(evidence, wrong)
         if named is not None:
             return replace(base, verdict="named", causes=named, unexplained=0.0)
@@ -164,6 +169,26 @@ class Diagnoser:
             return replace(base, verdict="named", causes=named, unexplained=0.0)
         left, causes = min((nearest, near_numbers), key=lambda each: each[0])
         return replace(base, verdict="approximate" if left < NEAR else "unnamed", causes=causes, unexplained=left)
+
+    def _following(self, answers: Answers, evidence: _Evidence) -> set[str]:
+        """Quantities that are right beside another answer of the program: q_ddot beside V_dot, Z0 beside Z."""
+        right = Reference(self._stand)
+        requests = {(id(each.state), each.want[0]): each for each in self.requests}
+
+        def beside(state: State, want: str) -> Mapping[str, Any]:
+            source = requests.get((id(state), "forward" if want == "generalized" else want))
+            given = {} if source is None else answers(source)
+            if want == "momentum" and (Z := numbers_at(given, ("Z",))) is not None and Z.shape == (6,):
+                return {"Z0": wrench_to_parent(np.array(state.position), carrier_rotation(self._stand, state)) @ Z}
+            own = right(state, want) if want == "generalized" else {}
+            V_dot = numbers_at(given, ("V_dot",))
+            if "A" not in own or V_dot is None or V_dot.shape != (6,):
+                return {}
+            return {"q_ddot": np.linalg.solve(own["A"], V_dot - own["D"] @ own["q_dot"])}
+
+        off = evidence.beyond(self.whole.of_model(beside))
+        names = ("generalized: q_ddot", "momentum: Z0")
+        return {name for name in names if name not in off}
 
     def _by_reading(self, evidence: _Evidence, wrong: Sequence[str]) -> tuple[tuple[Cause, ...] | None, _Near]:
         """A reading that explains all of the error, with those of the same effect; else the nearest one."""
@@ -230,6 +255,10 @@ class _Evidence:
         self.few = whole.only({x.id for x in whole.requests if x.id in first and x.want[0] in chosen})
         if not self.wrong[self.few[1]].any():
             self.few = whole.only({x.id for x in whole.requests})
+
+    def beyond(self, numbers: Array) -> tuple[str, ...]:
+        """Quantities whose answers differ from other numbers by more than rounding; those without numbers too."""
+        return self._whole.words_of(self._there & ~(np.abs(self._found - numbers) <= self.noise))
 
     def compare(self, model: Model) -> tuple[float, tuple[str, ...] | None]:
         """What a model leaves of the error, 0 to 1; and, where this is rounding, the wants that it is in alone.

@@ -30,9 +30,7 @@ from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.assembly import body_wrenches
 from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.momentum import momentum
-from mahovik.proof.reference.motion import bias, mount_on_flywheel, torque
-from mahovik.proof.reference.rotation import C1
-from mahovik.proof.reference.screw import block_diagonal
+from mahovik.proof.reference.motion import bias, mounts, torque
 from mahovik.proof.verify.actuators import stand_at
 
 ANSWERS: Mapping[str, tuple[str, ...]] = {
@@ -168,11 +166,10 @@ class Equations:
         error = (inertial - _right_hand_sides(states, at) - reaction) @ along.rows
         sizes, of_laws = np.array(size) @ np.abs(along.rows), LawColumns(self._stand, at, along.rows)
 
-        def columns() -> tuple[list[BodyTerm], list[Array]]:
-            terms = body_terms(states[:ROWS], at[:ROWS])
-            return terms, [-each.on_O1 @ along.rows for each in terms]
+        def on_carrier(terms: Sequence[BodyTerm], _: Sequence[Pieces]) -> list[Array]:
+            return [-each.on_O1 @ along.rows for each in terms]
 
-        of_bodies = columns if self._stand.flywheels else None
+        of_bodies = _body_columns(states, at, on_carrier) if self._stand.flywheels else None
         return EquationErrors(
             along.components,
             error,
@@ -186,12 +183,9 @@ class Equations:
 
     def _mounts(self, states: Sequence[State], at: Sequence[Pieces], found: Array) -> EquationErrors:
         """Errors of the wrenches of mounts (n, 6 N), which are looked for in terms body by body alone."""
-        right = np.array([mount_wrenches(p, s) for p, s in zip(at, states, strict=True)])
-
-        def columns() -> tuple[list[BodyTerm], list[Array]]:
-            terms = body_terms(states[:ROWS], at[:ROWS])
-            return terms, mount_rows(terms, at[:ROWS])
-
+        moved = zip(at, states, strict=True)
+        right = np.array([mounts(p, np.array(s.V_dot), np.array(s.phi_ddot)).ravel() for p, s in moved])
+        columns = _body_columns(states, at, mount_rows)
         names = tuple(f"{wheel.name} {letter}" for wheel in self._stand.flywheels for letter in WRENCH_LETTERS)
         plain = _PlainFactors(None)
         return EquationErrors(names, found - right, np.abs(right), [], plain.multiple, plain.occurs, None, columns)
@@ -201,11 +195,7 @@ class Equations:
         right, products = self._torques(states, at)
         names = tuple(each.name for each in self._stand.flywheels)
         plain = _PlainFactors(self._known_torques)
-
-        def columns() -> tuple[list[BodyTerm], list[Array]]:
-            terms = body_terms(states[:ROWS], at[:ROWS])
-            return terms, torque_rows(terms, at[:ROWS])
-
+        columns = _body_columns(states, at, torque_rows)
         return EquationErrors(names, tau - right, np.abs(right), products, plain.multiple, plain.occurs, None, columns)
 
     def _momentum(self, states: Sequence[State], at: Sequence[Pieces], Z: Array) -> EquationErrors:
@@ -309,6 +299,20 @@ class _PlainFactors:
         return self._right is not None and is_there(float(self._right[k, component]), self._right[:, component])
 
 
+def _body_columns(
+    states: Sequence[State],
+    at: Sequence[Pieces],
+    rows: Callable[[Sequence[BodyTerm], Sequence[Pieces]], list[Array]],
+) -> Callable[[], tuple[list[BodyTerm], list[Array]]]:
+    """Terms body by body at the leading states, and their columns in some equations; made where they are needed."""
+
+    def columns() -> tuple[list[BodyTerm], list[Array]]:
+        terms = body_terms(states[:ROWS], at[:ROWS])
+        return terms, rows(terms, at[:ROWS])
+
+    return columns
+
+
 def columns_of(products: Sequence[Monomial]) -> Columns:
     """Values of products as columns."""
     return Columns(
@@ -328,17 +332,6 @@ def _factors_beside_laws(columns: Columns, right: Array, of_laws: LawColumns) ->
             return None
         found.append(factors[: columns.count, 0])
     return np.column_stack(found)
-
-
-def mount_wrenches(at: Pieces, state: State) -> Array:
-    """Right wrenches of mounts (6 N)."""
-    accelerations = zip(at.flywheels, state.phi_ddot, strict=True)
-    V_dot = np.array(state.V_dot)
-    wrenches = [
-        block_diagonal(C1(s.phi)) @ mount_on_flywheel(s, at.P[s.body.name], at.V, V_dot, rate)
-        for s, rate in accelerations
-    ]
-    return np.concatenate(wrenches)
 
 
 def _right_hand_sides(states: Sequence[State], at: Sequence[Pieces]) -> Array:
