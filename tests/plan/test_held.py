@@ -16,7 +16,7 @@ from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
 from mahovik.proof.verify.programme import verify_programme
 from mahovik.proof.verify.programme.mechanics import carrier_at, twist
-from mahovik.proof.verify.programme.verification import ProgrammeCase, tolerance_for
+from mahovik.proof.verify.programme.verification import ProgrammeCase
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists
@@ -196,7 +196,7 @@ def test_a_neutral_carrier_swings_or_drifts(law: str, words: str) -> None:
     own = stand('freedoms = ["z"]', wheels, law, gravity=-9.81 if law else 0.0)
     required = motion(own, {"cos": [2e-3]}, period=0.05, winding="spin")
     found = planned(own, required, verify=False)
-    item = ProgrammeCase(own, required, found.programmes[0], tolerance_for(own, None)).stability()
+    item = ProgrammeCase.of(own, required, found.programmes[0]).stability()
     assert item.words.startswith(f"largest multiplier: {words}")
 
 

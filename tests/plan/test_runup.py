@@ -32,7 +32,7 @@ from mahovik.proof.verify.programme.mechanics import (
     scale_of,
     twist,
 )
-from mahovik.proof.verify.programme.verification import RUNUP, SMOOTH, ProgrammeCase, Tolerance, as_item
+from mahovik.proof.verify.programme.verification import ProgrammeCase, as_item
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
@@ -277,8 +277,7 @@ def test_a_shaker_goes_through_its_resonance_by_the_closed_formula(up: bool) -> 
 @pytest.mark.slow
 def test_the_verification_takes_the_tables_and_refuses_wrong_ones() -> None:
     own, required, _ = shaken(Bounds(torque=(1e3, 1e3), deviation=(0.2, math.inf)))
-    limits = Tolerance(SMOOTH, SMOOTH, RUNUP)
-    found = ProgrammeCase(own, required, made(), limits).runups()
+    found = ProgrammeCase.of(own, required, made()).runups()
     assert not any(item.failed for item in found)
     names = {item.quantity for item in found}
     assert {"run-up end", "run-down end", "run-up bound deviation", "run-up bound torque"} <= names
@@ -286,7 +285,7 @@ def test_the_verification_takes_the_tables_and_refuses_wrong_ones() -> None:
     assert table is not None
     turned = replace(table.samples, phi=table.samples.phi + np.array([2e-3, 0.0]))
     turned_table = replace(made(), runup=replace(table, samples=turned))
-    wrong = ProgrammeCase(own, required, turned_table, limits).runups()
+    wrong = ProgrammeCase.of(own, required, turned_table).runups()
     assert "run-up end" in {item.quantity for item in wrong if item.failed}
 
 

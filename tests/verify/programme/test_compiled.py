@@ -13,7 +13,7 @@ from export.programmes import exported, motion, written
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.compiled import compiled_checks
-from mahovik.proof.verify.programme.mechanics import scale_of
+from mahovik.proof.verify.programme.verification import ProgrammeCase
 from toolchain.quick import quick
 from verify.build import changed
 
@@ -21,8 +21,7 @@ from verify.build import changed
 def judged(folder: Path, programme: str = "started") -> dict[str, Check]:
     """Checks of the C in a folder by their names."""
     stand, given = programmes.stand(), getattr(programmes, programme)()
-    scale = scale_of(stand, motion(), given)
-    found = compiled_checks(stand, motion(), given, scale, 1e-6, folder, "programme")
+    found = compiled_checks(stand, ProgrammeCase.of(stand, motion(), given), folder, "programme")
     return {item.quantity: item for item in found}
 
 

@@ -18,7 +18,7 @@ from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.mechanics import displacement, free_acceleration, moment, rest_near
-from mahovik.proof.verify.programme.verification import ProgrammeCase, tolerance_for
+from mahovik.proof.verify.programme.verification import ProgrammeCase
 from verify.programme.programmes import twins, twins_run_up
 
 
@@ -26,7 +26,7 @@ def checks(bounds: Bounds | None = None, **tables: Any) -> dict[str, Check]:
     """Checks of run-up and run-down alone, by their names, with other tables in the programme."""
     stand, motion, programme = twins()
     required = replace(motion, bounds=bounds or Bounds())
-    found = ProgrammeCase(stand, required, replace(programme, **tables), tolerance_for(stand, None)).runups()
+    found = ProgrammeCase.of(stand, required, replace(programme, **tables)).runups()
     return {item.quantity: item for item in found}
 
 

@@ -13,14 +13,14 @@ from mahovik.core.motion.programme import Fourier, Programme
 from mahovik.core.motion.required import Bounds
 from mahovik.core.motion.required.model import Winding
 from mahovik.proof.verify.programme import verification
-from mahovik.proof.verify.programme.verification import ProgrammeCase, tolerance_for
+from mahovik.proof.verify.programme.verification import ProgrammeCase
 from verify.programme.programmes import failed, fourier, offended, shaker, tabled
 
 
 def case(programme: Programme, **changed: Any) -> ProgrammeCase:
     """The shaker with a programme, and a motion that is changed."""
     stand, motion, _ = shaker()
-    return ProgrammeCase(stand, replace(motion, **changed), programme, tolerance_for(stand, None))
+    return ProgrammeCase.of(stand, replace(motion, **changed), programme)
 
 
 def residual_passes(programme: Programme) -> bool:

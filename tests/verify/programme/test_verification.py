@@ -24,7 +24,7 @@ from mahovik.proof.reference.screw import cross
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme import verify_programme
 from mahovik.proof.verify.programme.mechanics import carrier_at, scale_of, twist
-from mahovik.proof.verify.programme.verification import ProgrammeCase, Stability, tolerance_for
+from mahovik.proof.verify.programme.verification import ProgrammeCase, Stability
 from mahovik.use.plan.slew import plan_slew
 from plan.slew_stands import PYRAMID, about, satellite, slew
 from verify.programme.programmes import Case, failed, item, shaker, tabled, twins, twins_run_up
@@ -97,7 +97,7 @@ def test_a_finite_programme() -> None:
     assert failed(found) == set()
     assert {"start phi", "start phi_dot", "table", "simulation"} <= {each.quantity for each in found}
     elsewhere = replace(motion, bounds=Bounds(start_phi=(phi[0] + 0.1, phi[1]), start_phi_dot=(0.0, 0.5)))
-    assert failed(ProgrammeCase(stand, elsewhere, programme, tolerance_for(stand, None)).beginning()) == {
+    assert failed(ProgrammeCase.of(stand, elsewhere, programme).beginning()) == {
         "start phi",
         "start phi_dot",
     }

@@ -3,60 +3,31 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
 from mahovik.core.lower.programme.play import Player
 from mahovik.core.lower.programme.program import Course
-from mahovik.core.motion.programme import Angles, Programme, RunUpTable
-from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.motion.programme import Angles, RunUpTable
 from mahovik.core.program.types import Precision
-from mahovik.core.stand.model import Stand
 from mahovik.out.export.programme.tables import Array, Table
 from mahovik.proof.verify.programme.compiled import spread_phases
-from mahovik.proof.verify.programme.mechanics import residual_and_torque, torques_along
-from mahovik.proof.verify.programme.verification import ProgrammeCase, tolerance_for
+from mahovik.proof.verify.programme.mechanics import torques_along
+from mahovik.proof.verify.programme.verification import ProgrammeCase
 
 STEP_ERROR = 1e-7
 """Error per step of the simulated run-up, in amplitudes: enough for feedforward torques."""
 
 
-@dataclass(frozen=True, eq=False)
-class RequiredCourse:
-    """A stand whose carrier makes the required motion of a programme, with the mean shifted by the programme's bias."""
+def free_torques(case: ProgrammeCase, table: RunUpTable, up: bool, t: Array) -> Array:
+    """Drive torques (M, N; N m) of a run-up, or run-down, at rising times t (M, s).
 
-    stand: Stand
-    motion: RequiredMotion
-    programme: Programme
-
-    def torques(self, t: Array) -> Array:
-        """Drive torques (M, N; N m) of the programme at the times t (M, s)."""
-        course = self.motion.at(t, self.programme.bias)
-        return residual_and_torque(self.stand, course, self.programme.at(t))[1]
-
-    def free_torques(self, table: RunUpTable, up: bool, t: Array) -> Array:
-        """Drive torques (M, N; N m) of a run-up, or run-down, at rising times t (M, s).
-
-        The carrier is free: (8) from rest at its equilibrium, or from the required state at t = 0. StateError: there is
-        no equilibrium, or the simulation stops.
-        """
-        times, name = np.unique(np.concatenate([[0.0], t])), "run-up" if up else "run-down"
-        y = self._case.run_up(name, times, 8, STEP_ERROR)
-        return torques_along(self.stand, y[np.searchsorted(times, t)], table.at(t))
-
-    def residual(self, t: Array, angles: Angles) -> Array:
-        """F - K V* - M V - J phi' - I phi'' (M, 6; N, N m) of (12) at the motion and these angles."""
-        course = self.motion.at(t, self.programme.bias)
-        return residual_and_torque(self.stand, course, angles)[0]
-
-    def relative(self, R: Array) -> float:
-        """The largest of residuals (M, 6), relative to the required wrench."""
-        return float(np.max(self._case.scale.wrench_share(R)))
-
-    @cached_property
-    def _case(self) -> ProgrammeCase:
-        return ProgrammeCase(self.stand, self.motion, self.programme, tolerance_for(self.stand, None))
+    The carrier is free: (8) from rest at its equilibrium, or from the required state at t = 0. StateError: there is
+    no equilibrium, or the simulation stops.
+    """
+    times = np.unique(np.concatenate([[0.0], t]))
+    y = case.run_up("run-up" if up else "run-down", times, 8, STEP_ERROR)
+    return torques_along(case.stand, y[np.searchsorted(times, t)], table.at(t))
 
 
 POINTS = 1024
@@ -94,7 +65,7 @@ class Errors:
 
 
 def errors(
-    player: Player, course: Course, table: Table, precision: Precision, prescribed: RequiredCourse | None
+    player: Player, course: Course, table: Table, precision: Precision, prescribed: ProgrammeCase | None
 ) -> Errors:
     """Errors of one table; the wrench is evaluated for the programme only, whose carrier moves as prescribed."""
     phases = np.array([float(precision.scalar(x)) for x in spread_phases(POINTS)])
@@ -116,8 +87,8 @@ def errors(
     if prescribed is None:
         return Errors(largest, fastest, hardest, relative, wrong_tau, peak)
     exact = Angles(*(each[some] for each in truth))
-    R = prescribed.residual(t[some], exact)
-    tabled = prescribed.residual(t[some], _angles(found, some))
+    R, _ = prescribed.equations(t[some], exact)
+    tabled, _ = prescribed.equations(t[some], _angles(found, some))
     return Errors(
         largest,
         fastest,
@@ -125,8 +96,8 @@ def errors(
         relative,
         wrong_tau,
         peak,
-        given=prescribed.relative(R),
-        added=prescribed.relative(tabled - R),
+        given=float(np.max(prescribed.scale.wrench_share(R))),
+        added=float(np.max(prescribed.scale.wrench_share(tabled - R))),
     )
 
 

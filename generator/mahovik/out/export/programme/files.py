@@ -28,10 +28,11 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.errors import CheckError, StateError, UsageError
-from mahovik.out.export.programme.accuracy import Errors, RequiredCourse, errors
+from mahovik.out.export.programme.accuracy import Errors, errors, free_torques
 from mahovik.out.export.programme.naming import check_name
 from mahovik.out.export.programme.tables import Array, Table, Torques, fourier_table, quintic_table
 from mahovik.proof.verify.programme.verification import (
+    ProgrammeCase,
     bound_checks,
     motion_check,
     rocking_of,
@@ -105,7 +106,7 @@ def export_programme(
     layout = Layout(structure(stand), PRECISIONS[real])
     if called != "programme":
         check_name(stand, layout, called)
-    prescribed = None if motion is None else RequiredCourse(programme.planned_for(stand), motion, programme)
+    prescribed = None if motion is None else ProgrammeCase.of(stand, motion, programme)
     first = _course(programme, layout, prescribed, kind, count)
     found = [_measure_errors(layout, first, prescribed)]
     while nodes is None and not programme.periodic and _is_coarse(found[0][1], most) and count < MOST_NODES:
@@ -165,22 +166,22 @@ def _exceeded_bounds(stand: Stand, programme: Programme, motion: RequiredMotion 
     angles = Angles(*programme.at(t))
     tau = np.zeros_like(angles.phi)
     if motion.bounds.torque is not None:
-        tau = RequiredCourse(programme.planned_for(stand), motion, programme).torques(t)
+        tau = ProgrammeCase.of(stand, motion, programme).equations(t)[1]
     names, rocking = programme.flywheels, rocking_of(programme, t, angles.phi)
     items = bound_checks(motion.bounds, names, angles, tau, rocking)
     return [f"{item.quantity} {item.words}" for item in items if item.failed]
 
 
-def _course(programme: Programme, layout: Layout, prescribed: RequiredCourse | None, kind: str, count: int) -> Table:
+def _course(programme: Programme, layout: Layout, prescribed: ProgrammeCase | None, kind: str, count: int) -> Table:
     """The table of the programme itself."""
-    torques: Torques | None = None if prescribed is None else prescribed.torques
+    torques: Torques | None = None if prescribed is None else lambda t: prescribed.equations(t)[1]
     if kind == "fourier":
         return fourier_table(programme, layout.count, torques, layout.precision.name)
     form = Form("", "quintic", count, programme.periodic, torques is not None, layout.count)
     return quintic_table(form, programme.at, programme.span, programme.winding, torques)
 
 
-def _measure_errors(layout: Layout, table: Table, prescribed: RequiredCourse | None) -> tuple[Table, Errors]:
+def _measure_errors(layout: Layout, table: Table, prescribed: ProgrammeCase | None) -> tuple[Table, Errors]:
     """The table as its C plays it, and how far that is from the course: angles, speeds and torques."""
     made = lower_programme(layout, [table.form])
     player = Player(made, {table.form.part: table.value})
@@ -206,7 +207,7 @@ def _finite(layout: Layout, part: str, finite: RunUpTable, least: float, most: f
         rows *= 2
 
 
-def _with_torques(table: Table, finite: RunUpTable, prescribed: RequiredCourse | None, source: str) -> Table:
+def _with_torques(table: Table, finite: RunUpTable, prescribed: ProgrammeCase | None, source: str) -> Table:
     """A run-up or run-down with drive torques, for a carrier that moves freely meanwhile."""
     if prescribed is None:
         return table
@@ -214,7 +215,7 @@ def _with_torques(table: Table, finite: RunUpTable, prescribed: RequiredCourse |
 
     def torques(t: Array) -> Array:
         try:
-            return carrier.free_torques(finite, up, t)
+            return free_torques(carrier, finite, up, t)
         except StateError as error:
             raise CheckError(f"{source}: {table.form.part}: {error}; nothing was written") from None
 

@@ -10,8 +10,8 @@ from mahovik.contract.quantities import RPM
 from mahovik.core.motion.programme import Angles, Programme
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.out.report.plot.panel import Array, Panel, family, limit
-from mahovik.proof.verify.programme.mechanics import residuals, simulate
-from mahovik.proof.verify.programme.verification import ProgrammeCase, tolerance_for
+from mahovik.proof.verify.programme.mechanics import simulate
+from mahovik.proof.verify.programme.verification import ProgrammeCase
 
 if TYPE_CHECKING:
     from mahovik.core.motion.required import RequiredMotion
@@ -42,9 +42,8 @@ def panels(
     found = programme.at(t)
     if stand is None or motion is None:
         return [*_wheels(programme, t, found, None), *_transients(programme)]
-    stand = programme.planned_for(stand)
-    case = ProgrammeCase(stand, motion, programme, tolerance_for(stand, None))
-    seen = residuals(stand, motion, programme, case.scale, times)
+    case = ProgrammeCase.of(stand, motion, programme)
+    seen = case.residuals(times)
     residual = family(("of (12), relative",), seen.t, np.maximum(seen.residual, 1e-17)[:, None])
     level = case.limit.residual
     return [

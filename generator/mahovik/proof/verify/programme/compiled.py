@@ -9,19 +9,21 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from mahovik.core.motion.programme import Angles, Programme
-from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.motion.programme import Angles
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import UsageError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.programme.mechanics import Scale, largest, residual_and_torque
+from mahovik.proof.verify.programme.mechanics import largest
+
+if TYPE_CHECKING:
+    from mahovik.proof.verify.programme.verification import ProgrammeCase
 
 
 @dataclass(frozen=True)
@@ -116,26 +118,24 @@ CLOCKS = ((400, 1), (7, 3), (1000, 7), (4001, 2000))
 """Ticks and periods that they take, of the clocks that are tried over two rounds each; one period if it is finite."""
 
 
-def compiled_checks(
-    stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, residual: float, folder: Path, name: str
-) -> list[Check]:
-    """Items of the C of a folder: every function of the programme's header. `residual`: accepted of the programme.
+def compiled_checks(stand: Stand, case: ProgrammeCase, folder: Path, name: str) -> list[Check]:
+    """Items of the C of a folder, which is that of a stand: every function of the programme's header.
 
     Raises UsageError, ToolchainError: see `load_part`.
     """
+    programme = case.programme
     with tempfile.TemporaryDirectory(prefix="mahovik-") as scratch:
         made = load_part(stand, folder, "programme", name, Path(scratch))
         item, angles, tau = _table_check(made, "at", programme.at, programme.span)
         items = [item]
         if angles is not None:
             t = made.round(spread_phases(POINTS)) * programme.span
-            course, planned_for = motion.at(t, programme.bias), programme.planned_for(stand)
-            shares = scale.wrench_share(residual_and_torque(planned_for, course, angles)[0])
+            shares = case.scale.wrench_share(case.equations(t, angles)[0])
             i = int(np.argmax(shares))
             words = f"of (12) with the C's angles, at {POINTS} times; largest at t = {t[i]:.6g} s"
-            items.append(Check.of("C residual", shares[i], residual + made.limit, words))
+            items.append(Check.of("C residual", shares[i], case.limit.residual + made.limit, words))
             if tau is not None:
-                exact = residual_and_torque(planned_for, course, programme.at(t))[1]
+                exact = case.equations(t)[1]
                 peak = largest(exact) or 1.0
                 words = f"drive torques, share of the largest, {peak:.3g} N m"
                 items.append(Check.of("C torque", largest(tau - exact) / peak, TORQUE * made.limit, words))

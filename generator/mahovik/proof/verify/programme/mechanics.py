@@ -16,7 +16,7 @@ import numpy as np
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.motion.programme import Angles, Fourier, Programme
+from mahovik.core.motion.programme import Angles, Programme
 from mahovik.core.motion.required import Course, RequiredMotion
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
@@ -250,36 +250,6 @@ def scale_of(stand: Stand, motion: RequiredMotion, programme: Programme) -> Scal
     return Scale(
         stand, K0, S, *(float(np.max(each)) for each in (wrench, norm(K0, np.array(away)), norm(K0, np.array(V))))
     )
-
-
-FINER = 20
-"""Points of the grid for each node of the programme."""
-
-OFFSET = 0.382
-"""The grid begins this share of a step after a node of the programme, so that no node is a point of the grid."""
-
-
-@dataclass(frozen=True, eq=False)
-class Residuals:
-    """Residual of (12) along a programme: t (M, s), residual (M) and its mean as shares; tau (M, N; N m)."""
-
-    t: Array
-    residual: Array
-    mean: float
-    tau: Array
-
-
-def residuals(
-    stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, times: int | None = None
-) -> Residuals:
-    """Residuals over the whole span, beside every node: at a number of `times`, by default 20 to a node."""
-    course = programme.course
-    nodes = 2 * len(course.cos) + 1 if isinstance(course, Fourier) else len(course.t)
-    fastest = max([*motion.harmonics, *(abs(n) for n in programme.winding), 1])
-    M = times or FINER * max(nodes, 2 * fastest + 1)
-    t = programme.span * (np.arange(M) + OFFSET) / M
-    R, tau = residual_and_torque(stand, motion.at(t, programme.bias), programme.at(t))
-    return Residuals(t, scale.wrench_share(R), float(scale.wrench_share(np.mean(R, axis=0))), tau)
 
 
 RTOL = 1e-12

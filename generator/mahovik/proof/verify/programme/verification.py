@@ -27,13 +27,12 @@ from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.compiled import compiled_checks
 from mahovik.proof.verify.programme.mechanics import (
     STEP_ERROR,
-    Residuals,
     Scale,
     displacement,
     largest,
     moment,
     multipliers,
-    residuals,
+    residual_and_torque,
     rest_near,
     scale_of,
     simulate,
@@ -67,6 +66,10 @@ DRIFT = 20
 
 EXCEEDED = 1 + 1e-9
 """Value over its bound that counts as exceeded: rounding of the program that kept it does not."""
+
+FINER, OFFSET = 20, 0.382
+"""Points of the grid of the residual for each node of the programme. The grid begins this share of a step after a node,
+so that no node is a point of it."""
 
 FINER_ANGLES = 8
 """Ratio of the grid for angles to that of the residual: angles are cheap."""
@@ -227,6 +230,16 @@ class Stability(Check):
 
 
 @dataclass(frozen=True, eq=False)
+class Residuals:
+    """Residual of (12) along a programme: t (M, s), residual (M) and its mean as shares; tau (M, N; N m)."""
+
+    t: Array
+    residual: Array
+    mean: float
+    tau: Array
+
+
+@dataclass(frozen=True, eq=False)
 class ProgrammeCase:
     """A programme, the motion that it shall give, and the stand whose equations it keeps. Items in groups."""
 
@@ -235,15 +248,35 @@ class ProgrammeCase:
     programme: Programme
     limit: Tolerance
 
+    @staticmethod
+    def of(stand: Stand, motion: RequiredMotion, programme: Programme, tolerance: float | None = None) -> ProgrammeCase:
+        """For the stand that the programme was planned for; `tolerance` of the residual, a share."""
+        return ProgrammeCase(programme.planned_for(stand), motion, programme, tolerance_for(stand, tolerance))
+
     @cached_property
     def scale(self) -> Scale:
         """Scales of the motion."""
         return scale_of(self.stand, self.motion, self.programme)
 
+    def equations(self, t: Array, angles: Angles | None = None) -> tuple[Array, Array]:
+        """Residual (M, 6; N, N m) of (12) and drive torques (M, N; N m) at times t (M, s), also of other angles."""
+        course = self.motion.at(t, self.programme.bias)
+        return residual_and_torque(self.stand, course, self.programme.at(t) if angles is None else angles)
+
+    def residuals(self, times: int | None = None) -> Residuals:
+        """Residuals over the whole span, beside every node: at a number of `times`, by default 20 to a node."""
+        course = self.programme.course
+        nodes = 2 * len(course.cos) + 1 if isinstance(course, Fourier) else len(course.t)
+        fastest = max([*self.motion.harmonics, *(abs(n) for n in self.programme.winding), 1])
+        M = times or FINER * max(nodes, 2 * fastest + 1)
+        t = self.programme.span * (np.arange(M) + OFFSET) / M
+        R, tau = self.equations(t)
+        return Residuals(t, self.scale.wrench_share(R), float(self.scale.wrench_share(np.mean(R, axis=0))), tau)
+
     @cached_property
     def course(self) -> Residuals:
         """Residual of (12) and drive torques between the nodes of the programme."""
-        return residuals(self.stand, self.motion, self.programme, self.scale)
+        return self.residuals()
 
     @cached_property
     def start(self) -> Array:
@@ -528,7 +561,7 @@ def verify_programme(
         items += [case.stability(), *case.runups()] if motion.periodic and follows else case.beginning()
         items += case.slew()
         if against is not None:
-            items += compiled_checks(stand, motion, programme, case.scale, limit.residual, against, name)
+            items += compiled_checks(stand, case, against, name)
     return tuple(items)
 
 
