@@ -24,11 +24,13 @@ def part(law: str, name: str) -> Any:
     return None if find_spec(module) is None else import_module(module)
 
 
+@cache
 def parts(name: str, laws: tuple[str, ...] = LAWS) -> tuple[Any, ...]:
     """The modules `name` of those laws that have one, in their order."""
     return tuple(found for law in laws if (found := part(law, name)) is not None)
 
 
+@cache
 def of_bodies(name: str, content: str) -> tuple[Any, ...]:
     """What those modules have under the name `content`, where they have it."""
     return tuple(getattr(module, content) for module in parts(name, BODY_LAWS) if hasattr(module, content))

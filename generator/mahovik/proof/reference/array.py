@@ -23,7 +23,7 @@ Values = dict[str, Any]
 def vector(numbers: Sequence[Any]) -> Array:
     """Numbers of a stand or state, nested as they are, as an array."""
     found = np.array(numbers)
-    return found if found.dtype == object else found.astype(np.float64, copy=False)
+    return found if found.dtype.kind in "fO" else found.astype(np.float64)
 
 
 def columns(vectors: Sequence[Array], rows: int) -> Array:

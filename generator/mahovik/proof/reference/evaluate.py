@@ -69,8 +69,10 @@ def finite(value: Any) -> bool:
     """Whether every number of a result, however nested, is finite; floats only."""
     if isinstance(value, dict):
         return all(finite(each) for each in value.values())
+    if isinstance(value, str):
+        return True
     numbers = np.asarray(value)
-    return isinstance(value, str) or numbers.dtype == object or bool(np.all(np.isfinite(numbers)))
+    return numbers.dtype == object or bool(np.isfinite(numbers).all())
 
 
 def evaluate(

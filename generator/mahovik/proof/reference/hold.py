@@ -66,7 +66,7 @@ def held_forward(at: Pieces, hold: Hold, phi_ddot: Array) -> HeldMotion:
     system = np.block([[at.K @ S, -np.eye(6)], [np.zeros((m, m)), S.T]])
     right = at.F - bias(at) - at.I @ phi_ddot - at.K @ at.stream_rate()
     u_dot, R = np.split(solve(system, np.concatenate([right, np.zeros(m)])), [m])
-    return HeldMotion(u_dot, S @ u_dot, R)
+    return HeldMotion(u_dot, S @ u_dot, R + 0.0)  # no -0.0
 
 
 def held_coupled(at: Pieces, hold: Hold, tau: Array, locked: Array | None = None) -> tuple[HeldMotion, Array]:
@@ -90,7 +90,7 @@ def held_coupled(at: Pieces, hold: Hold, tau: Array, locked: Array | None = None
     found = np.zeros(m + N + 6, right.dtype)
     found[unknowns] = solve(system[np.ix_(rows, unknowns)], right[rows])
     u_dot, phi_ddot, R = np.split(found, [m, m + N])
-    return HeldMotion(u_dot, S @ u_dot, R), phi_ddot
+    return HeldMotion(u_dot, S @ u_dot, R + 0.0), phi_ddot
 
 
 @dataclass(frozen=True, eq=False)

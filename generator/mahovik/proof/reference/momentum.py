@@ -46,8 +46,8 @@ def moving_parts(at: Pieces) -> tuple[tuple[PlacedBody, Array], ...]:
     placed: tuple[PlacedBody, ...] = (*at.fixed, *at.flywheels)
     parts = []
     for k in placed:
-        v, omega = np.split(k.twist(at.V), 2)
-        parts.append((k, v + cross(omega) @ vector(k.body.center_of_mass)))
+        V_k = k.twist(at.V)
+        parts.append((k, V_k[:3] + cross(V_k[3:]) @ vector(k.body.center_of_mass)))
     return tuple(parts)
 
 

@@ -5,14 +5,16 @@ A rotation C is active: [e1] = [e0] C, so x0 = C x1. Angles in rad.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from mahovik.core.stand.model import Flywheel, MountingAngles, Sequence, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array, angle_over_sine, cos, estimate, hypot, sin, vector
-from mahovik.proof.reference.screw import cross
+from mahovik.proof.reference.screw import E, cross
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,22 +29,14 @@ class Pose:
     V: Array
 
 
-def C1(angle: float) -> Array:
-    """Elementary rotation (3x3) about the first axis."""
-    c, s = cos(angle), sin(angle)
-    return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+def _elementary(axis: int) -> Callable[[Any], Array]:
+    """Elementary rotation (3x3) about an axis e by an angle: x becomes e (e.x) + cos (x - e (e.x)) + sin e x x."""
+    along, turned = np.outer(E[axis], E[axis]), cross(E[axis])
+    across = E - along
+    return lambda angle: np.asarray(along + cos(angle) * across + sin(angle) * turned)
 
 
-def C2(angle: float) -> Array:
-    """Elementary rotation (3x3) about the second axis."""
-    c, s = cos(angle), sin(angle)
-    return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
-
-
-def C3(angle: float) -> Array:
-    """Elementary rotation (3x3) about the third axis."""
-    c, s = cos(angle), sin(angle)
-    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+C1, C2, C3 = map(_elementary, range(3))
 
 
 def attitude(sequence: Sequence, psi: float, theta: float, phi: float) -> Array:

@@ -1,42 +1,59 @@
-"""Twists, wrenches and their transfer between frames. Linear part first, about the origin of the frame."""
+"""Twists, wrenches and their transfer between frames. Linear part first, about the origin of the frame.
+
+<a>, Phi(V) and T(O) - E are linear: each is written down once, for unit vectors, and combined from these.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 import numpy as np
 
 from mahovik.proof.reference.array import Array
 
-E = np.eye(3)
+E, E6 = np.eye(3), np.eye(6)
 zero = np.zeros((3, 3))
-f = np.array([0.0, 0.0, 0.0, 1.0, 0.0, 0.0])  # every flywheel spins about its own first axis
-
-
-def cross(a: Array) -> Array:
-    """<a> (3x3) of a (3): <a> b = a x b."""
-    return np.array([[0.0, -a[2], a[1]], [a[2], 0.0, -a[0]], [-a[1], a[0], 0.0]])
+e1 = E[0]
+f = np.concatenate([zero[0], e1])  # every flywheel spins about its own first axis
 
 
 def blocks(A: Array, B: Array, C: Array, D: Array) -> Array:
-    """[[A, B], [C, D]] (6x6) of four 3x3. As np.block, which takes ten times as long and is most of a state's time."""
+    """[[A, B], [C, D]] (6x6) of four 3x3. As np.block, which takes ten times as long."""
     found: Array = np.empty((6, 6), np.result_type(A, B, C, D))
     found[:3, :3], found[:3, 3:], found[3:, :3], found[3:, 3:] = A, B, C, D
     return found
 
 
-def Phi(V: Array) -> Array:
-    """Phi(V) (6x6) of a twist V = (v, omega): [[<omega>, 0], [<v>, <omega>]], in (4), (8), (9)."""
-    v, omega = V[:3], V[3:]
-    return blocks(cross(omega), zero, cross(v), cross(omega))
-
-
 def block_diagonal(C: Array) -> Array:
     """[C] = diag(C, C) (6x6) of C (3x3)."""
-    return blocks(C, zero, zero, C)
+    found: Array = np.zeros((6, 6), C.dtype)
+    found[:3, :3] = found[3:, 3:] = C
+    return found
+
+
+def _combination(matrix: Callable[[Array], Array], n: int) -> Array:
+    """What, times a vector (n), is the matrix of the vector."""
+    return np.stack([matrix(unit) for unit in np.eye(n)], axis=-1)
+
+
+_CROSS = _combination(lambda a: np.array([[0.0, -a[2], a[1]], [a[2], 0.0, -a[0]], [-a[1], a[0], 0.0]]), 3)
+_PHI = _combination(lambda V: blocks(_CROSS @ V[3:], zero, _CROSS @ V[:3], _CROSS @ V[3:]), 6)
+_T = _combination(lambda O: blocks(zero, zero, _CROSS @ O, zero), 3)
+
+
+def cross(a: Array) -> Array:
+    """<a> (3x3) of a (3): <a> b = a x b."""
+    return np.asarray(_CROSS @ a)
+
+
+def Phi(V: Array) -> Array:
+    """Phi(V) (6x6) of a twist V = (v, omega): [[<omega>, 0], [<v>, <omega>]], in (4), (8), (9)."""
+    return np.asarray(_PHI @ V)
 
 
 def T(O: Array) -> Array:
     """T = [[E, 0], [<O>, E]] (6x6): carries a wrench from O (3, m, in the parent) to the parent's origin."""
-    return blocks(E, zero, cross(O), E)
+    return np.asarray(E6 + _T @ O)
 
 
 def wrench_to_parent(O: Array, C: Array) -> Array:
@@ -52,5 +69,4 @@ def force_at(force: Array, point: Array) -> Array:
     return np.concatenate([force, cross(point) @ force])
 
 
-e1 = np.array([1.0, 0.0, 0.0])
 spin = block_diagonal(cross(e1))  # [<e>] of (5), (6), (9): Ls* = Ls [<e>] phi_s'
