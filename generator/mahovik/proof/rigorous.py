@@ -49,6 +49,11 @@ def _operation(of_balls: Callable[[Any, Any], arb]) -> tuple[Any, Any]:
     return right, left
 
 
+def _function(of_ball: Callable[[arb], arb]) -> Any:
+    """A function of one ball."""
+    return lambda x: Ball(of_ball(x.arb))
+
+
 def _comparison(certain: Callable[[Any, Any], bool], never: Callable[[Any, Any], bool]) -> Any:
     """A comparison that is certain, or never true; StateError where the balls overlap."""
 
@@ -78,15 +83,13 @@ class Ball:
     __gt__, __le__ = _comparison(operator.gt, operator.le), _comparison(operator.le, operator.gt)
     __eq__, __ne__ = _comparison(operator.eq, operator.ne), _comparison(operator.ne, operator.eq)
     __hash__ = None  # type: ignore[assignment]
+    __neg__, __abs__ = _function(operator.neg), _function(abs)
+    sin, cos, exp = _function(arb.sin), _function(arb.cos), _function(arb.exp)
+    sqrt = _function(lambda x: x.nonnegative_part().sqrt())  # a ball may reach below zero though its number does not
+    pi_like = _function(lambda _: arb.pi())
 
     def __bool__(self) -> bool:
         return bool(self != 0.0)
-
-    def __neg__(self) -> Ball:
-        return Ball(-self.arb)
-
-    def __abs__(self) -> Ball:
-        return Ball(abs(self.arb))
 
     def __pow__(self, n: int) -> Ball:
         """Products: a power of a ball that holds zero is none in Arb."""
@@ -97,22 +100,6 @@ class Ball:
 
     def __repr__(self) -> str:
         return repr(self.arb)
-
-    def sin(self) -> Ball:
-        return Ball(self.arb.sin())
-
-    def cos(self) -> Ball:
-        return Ball(self.arb.cos())
-
-    def exp(self) -> Ball:
-        return Ball(self.arb.exp())
-
-    def sqrt(self) -> Ball:
-        """A ball may reach below zero though its number does not."""
-        return Ball(self.arb.nonnegative_part().sqrt())
-
-    def pi_like(self) -> Ball:
-        return Ball(arb.pi())
 
     def estimate(self) -> float:
         return float(self.arb.mid())

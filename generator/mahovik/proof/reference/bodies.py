@@ -11,7 +11,7 @@ from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Mat6, 
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.rotation import C1, fixed_rotation, flywheel_mounting
-from mahovik.proof.reference.screw import E, T, block_diagonal, blocks, cross, f, wrench_to_parent
+from mahovik.proof.reference.screw import E6, E, T, block_diagonal, blocks, cross, f, wrench_to_parent
 
 
 def inertia_about_origin(body: Body) -> Array:
@@ -113,7 +113,7 @@ def instrument_transfer(instrument: Instrument) -> Array:
 def mount_transfer(stand: Stand, mount: str) -> Array:
     """L (6x6) of the mount named: E for the carrier, Lp for an instrument."""
     if mount == stand.carrier.name:
-        return np.eye(6)
+        return E6
     return next(instrument_transfer(p) for p in stand.instruments if p.name == mount)
 
 
@@ -122,14 +122,8 @@ PlacedBody = FixedBody | SpinningFlywheel
 
 def fixed_bodies(stand: Stand) -> tuple[FixedBody, ...]:
     """Carrier and instruments, in the file's order."""
-    carrier = FixedBody(stand.carrier, np.eye(6), spatial_inertia(stand.carrier), added_mass(stand.carrier.added_mass))
-    return (
-        carrier,
-        *(
-            FixedBody(p, instrument_transfer(p), spatial_inertia(p), added_mass(p.added_mass))
-            for p in stand.instruments
-        ),
-    )
+    places = [(stand.carrier, E6), *((p, instrument_transfer(p)) for p in stand.instruments)]
+    return tuple(FixedBody(body, L, spatial_inertia(body), added_mass(body.added_mass)) for body, L in places)
 
 
 def spinning_bodies(mounted: Sequence[MountedFlywheel], state: State) -> tuple[SpinningFlywheel, ...]:

@@ -49,7 +49,7 @@ def coordinates_at(stand: Stand, state: State) -> Coordinates:
     if len(turns) == 1:
         axis = unit(hold.freedoms[turns[0]])
         angle = arctan2(*sine_and_cosine(R, axis))
-        R = np.eye(3) + sin(angle) * cross(axis) + (1 - cos(angle)) * cross(axis) @ cross(axis)
+        R = _turn(axis, angle)
     numbered = [k for k in range(len(hold.freedoms)) if k in slides or len(turns) == 1]
     q = np.array([unit(hold.freedoms[k]) @ w if k in slides else angle for k in numbered])
     return Coordinates(q, _quaternion(R) if len(turns) == 3 else None, R)
@@ -57,11 +57,8 @@ def coordinates_at(stand: Stand, state: State) -> Coordinates:
 
 def rates_at(hold: Hold, R: Array, u: Array, u_dot: Array) -> tuple[Array, Array]:
     """q_dot and q_ddot (m each; m, rad, s) of u and u_dot, R being the turn from the home pose."""
-    slides, turns = (_of_kind(hold, kind) for kind in ("slide", "turn"))
-    s, s_dot, omega = (
-        sum((rates[k] * unit(hold.freedoms[k]) for k in which), np.zeros(3))
-        for rates, which in ((u, slides), (u_dot, slides), (u, turns))
-    )
+    slides = _of_kind(hold, "slide")
+    s, s_dot, omega = _sum(hold, "slide", u), _sum(hold, "slide", u_dot), _sum(hold, "turn", u)
     q_dot, q_ddot = u.copy(), u_dot.copy()
     for k in slides:
         q_dot[k] = unit(hold.freedoms[k]) @ R @ s
@@ -100,23 +97,18 @@ def pose_of(
     `orientation`: quaternion (4) of R of what turns about a point, else None. StateError: no coordinates.
     """
     check_coordinates(hold)
-    slides, turns = (_of_kind(hold, kind) for kind in ("slide", "turn"))
+    slides = _of_kind(hold, "slide")
     C0, P, w, R, numbers = attitude(sequence, *hold.angles), vector(hold.pivot), np.zeros(3), np.eye(3), iter(q)
     for k, freedom in enumerate(hold.freedoms):
         if k in slides:
             w = w + next(numbers) * unit(freedom)
         elif orientation is None:
-            angle, axis = next(numbers), cross(unit(freedom))
-            R = np.eye(3) + sin(angle) * axis + (1 - cos(angle)) * axis @ axis
+            R = _turn(unit(freedom), next(numbers))
     R = R if orientation is None else quaternion_rotation(*orientation)
-    s, s_dot, omega, turning = (
-        sum((rates[k] * unit(hold.freedoms[k]) for k in which), np.zeros(3))
-        for rates, which in ((q_dot, slides), (q_ddot, slides), (q_dot, turns), (q_ddot, turns))
-    )
-    s = R.T @ s
-    s_dot = R.T @ s_dot - cross(omega) @ s
-    to_pivot = wrench_to_parent(P, E).T  # twist of the frame at the pivot
-    V, V_dot = (np.linalg.solve(to_pivot, np.concatenate(each)) for each in ((s, omega), (s_dot, turning)))
+    omega, s = _sum(hold, "turn", q_dot), R.T @ _sum(hold, "slide", q_dot)
+    s_dot = R.T @ _sum(hold, "slide", q_ddot) - cross(omega) @ s
+    to_O1 = wrench_to_parent(-P, E).T  # of the twist of the frame at the pivot
+    V, V_dot = to_O1 @ np.concatenate([s, omega]), to_O1 @ np.concatenate([s_dot, _sum(hold, "turn", q_ddot)])
     return HeldPose(vector(hold.position) + C0 @ (P + w) - C0 @ R @ P, C0 @ R, V, V_dot)
 
 
@@ -162,6 +154,16 @@ def _quaternion(R: Array) -> Array:
     whole = np.block([[np.array([[trace]]), odd[None, :]], [odd[:, None], R + R.T - trace * np.eye(3)]])
     q = np.linalg.eigh(whole)[1][:, -1]
     return np.asarray(q if q[0] >= 0 else -q)
+
+
+def _turn(axis: Array, angle: Any) -> Array:
+    """Turn (3x3) by an angle about an axis (3, of length 1)."""
+    return np.asarray(E + sin(angle) * cross(axis) + (1 - cos(angle)) * cross(axis) @ cross(axis))
+
+
+def _sum(hold: Hold, kind: str, rates: Array) -> Array:
+    """Rates along the directions of what slides, or about those of what turns (3)."""
+    return np.asarray(sum((rates[k] * unit(hold.freedoms[k]) for k in _of_kind(hold, kind)), np.zeros(3)))
 
 
 def _of_kind(hold: Hold, kind: str) -> list[int]:

@@ -22,31 +22,40 @@ from mahovik.proof.reference import (
     regressor,
     tasks,
 )
-from mahovik.proof.reference.array import Values
+from mahovik.proof.reference.array import Values, vector
 from mahovik.proof.reference.assembly import pieces
-from mahovik.proof.reference.pieces import Pieces, answer_matrices
+from mahovik.proof.reference.pieces import Pieces
 
 ANSWERS: Mapping[str, Callable[..., Values]] = {
-    "matrices": answer_matrices,
-    "momentum": momentum.answer_momentum,
-    "center_of_mass_velocity": momentum.answer_center_of_mass_velocity,
-    "forward": motion.answer_forward,
-    "torque": motion.answer_torque,
-    "mounts": motion.answer_mounts,
-    "coupled": motion.answer_coupled,
+    "matrices": lambda at, stand, state: {name: getattr(at, name) for name in ("K", "K_dot", "M", "I", "J", "F")},
+    "momentum": lambda at, stand, state: {
+        "Z": momentum.momentum(at),
+        "Z0": momentum.momentum_in_E0(at),
+        "energy": momentum.kinetic_energy(at),
+        "center_of_mass": momentum.center_of_mass(at),
+    },
+    "center_of_mass_velocity": lambda at, stand, state: {
+        "center_of_mass_velocity": momentum.center_of_mass_velocity(at, stand)
+    },
+    "forward": lambda at, stand, state: {"V_dot": motion.forward(at, vector(state.phi_ddot))},
+    "torque": lambda at, stand, state: {"tau": motion.torque(at, vector(state.V_dot), vector(state.phi_ddot))},
+    "mounts": lambda at, stand, state: {"mount_wrench": motion.mounts(at, vector(state.V_dot), vector(state.phi_ddot))},
+    "coupled": lambda at, stand, state: dict(
+        zip(("V_dot", "phi_ddot"), motion.coupled(at, vector(state.tau)), strict=True)
+    ),
     "reaction": motion.answer_reaction,
-    "points": motion.answer_points,
+    "points": lambda at, stand, state: {"points": motion.points(at, stand, vector(state.V_dot))},
     "inverse": inverse.answer_inverse,
-    "generalized": generalized.answer_generalized,
+    "generalized": lambda at, stand, state: vars(generalized.generalized(at, stand.angles, state)),
     "regressor": regressor.answer_regressor,
 }
-"""The answer to each want: answer(at, stand, state)."""
+"""The answer to each want by the pieces, the stand and the state: values by the names of the contract."""
 
 OF_TASKS: Mapping[str, Callable[..., Values]] = {"torque_for": tasks.answer_torque_for}
 """Likewise, of a state with a task."""
 
 OF_HELD: Mapping[str, Callable[..., Values]] = {
-    "forward": hold.answer_held_forward,
+    "forward": lambda at, stand, state: vars(hold.held_forward(at, stand.hold, vector(state.phi_ddot))),
     "coupled": hold.answer_held_coupled,
     "generalized": coordinates.answer_coordinates,
 }

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.stand.model import Sequence, Stand
+from mahovik.core.stand.model import Sequence
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values, cos, sin, solve, vector
+from mahovik.proof.reference.array import Array, cos, sin, solve, vector
 from mahovik.proof.reference.pieces import Pieces, velocity_matrix
 from mahovik.proof.reference.rotation import C1, C2, C3, attitude
 from mahovik.proof.reference.screw import blocks, cross, zero
@@ -104,8 +104,3 @@ def generalized(at: Pieces, sequence: Sequence, state: State) -> GeneralizedForm
     phi_ddot = vector(state.phi_ddot)
     q_ddot = solve(I0, at.F - J0_r @ q_r_dot - at.I @ phi_ddot - at.J @ at.phi_dot)
     return GeneralizedForm(A, D, I0, J0, q_dot, q_ddot)
-
-
-def answer_generalized(at: Pieces, stand: Stand, state: State) -> Values:
-    """A, D, I0, J0 (6x6), q_dot, q_ddot (6): (10), (11)."""
-    return dict(vars(generalized(at, stand.angles, state)))

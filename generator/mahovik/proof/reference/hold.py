@@ -121,11 +121,6 @@ def accelerations(at: Pieces, stand: Stand, tau: Array, locked: Array) -> tuple[
     return motion.V_dot, phi_ddot
 
 
-def answer_held_forward(at: Pieces, stand: Stand, state: State) -> Values:
-    """u_dot (m), V_dot, reaction (6)."""
-    return dict(vars(held_forward(at, _hold(stand), vector(state.phi_ddot))))
-
-
 def answer_held_coupled(at: Pieces, stand: Stand, state: State) -> Values:
     """u_dot (m), V_dot, reaction (6), phi_ddot (N)."""
     motion, phi_ddot = held_coupled(at, _hold(stand), vector(state.tau))

@@ -7,9 +7,8 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values, vector
+from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import cross
@@ -51,20 +50,10 @@ def moving_parts(at: Pieces) -> tuple[tuple[PlacedBody, Array], ...]:
     return tuple(parts)
 
 
-def answer_momentum(at: Pieces, stand: Stand, state: State) -> Values:
-    """Z, Z0 (6), energy, center_of_mass (3): (1), (2)."""
-    return {
-        "Z": momentum(at),
-        "Z0": momentum_in_E0(at),
-        "energy": kinetic_energy(at),
-        "center_of_mass": center_of_mass(at),
-    }
-
-
-def answer_center_of_mass_velocity(at: Pieces, stand: Stand, state: State) -> Values:
-    """center_of_mass_velocity (3, m/s) in E0: sum_k m_k C C_k v_k over the mass; StateError without mass."""
+def center_of_mass_velocity(at: Pieces, stand: Stand) -> Array:
+    """Velocity (3, m/s) of the centre of mass in E0: sum_k m_k C C_k v_k over the mass; StateError without mass."""
     mass = sum(body.mass for body in stand.bodies)
     if mass == 0:
         raise StateError("center_of_mass_velocity: no body of the stand has a mass")
     in_E1 = sum((k.body.mass * k.L[:3, :3] @ velocity for k, velocity in moving_parts(at)), np.zeros(3))
-    return {"center_of_mass_velocity": at.L1[:3, :3] @ in_E1 / mass}
+    return np.asarray(at.L1[:3, :3] @ in_E1 / mass)

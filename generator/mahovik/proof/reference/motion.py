@@ -149,34 +149,8 @@ def points(at: Pieces, stand: Stand, V_dot: Array) -> dict[str, dict[str, Array]
     return {name: point_values(at, L, V_dot) for name, L in point_transfers(stand)}
 
 
-def answer_forward(at: Pieces, stand: Stand, state: State) -> Values:
-    """V_dot (6): (8)."""
-    return {"V_dot": forward(at, vector(state.phi_ddot))}
-
-
 def answer_reaction(at: Pieces, stand: Stand, state: State) -> Values:
     """reaction (6) for the V_dot and phi_ddot of the state. StateError: the carrier is free."""
     if stand.hold is None:
         raise StateError('want: "reaction" is of held carriers, and the stand has no [hold]: ask for forward')
     return {"reaction": reaction(at, vector(state.V_dot), vector(state.phi_ddot))}
-
-
-def answer_torque(at: Pieces, stand: Stand, state: State) -> Values:
-    """tau (N)."""
-    return {"tau": torque(at, vector(state.V_dot), vector(state.phi_ddot))}
-
-
-def answer_mounts(at: Pieces, stand: Stand, state: State) -> Values:
-    """mount_wrench (Nx6)."""
-    return {"mount_wrench": mounts(at, vector(state.V_dot), vector(state.phi_ddot))}
-
-
-def answer_coupled(at: Pieces, stand: Stand, state: State) -> Values:
-    """V_dot (6), phi_ddot (N)."""
-    V_dot, phi_ddot = coupled(at, vector(state.tau))
-    return {"V_dot": V_dot, "phi_ddot": phi_ddot}
-
-
-def answer_points(at: Pieces, stand: Stand, state: State) -> Values:
-    """Values of every instrument and point by name."""
-    return {"points": points(at, stand, vector(state.V_dot))}

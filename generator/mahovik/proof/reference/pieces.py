@@ -9,9 +9,8 @@ from itertools import pairwise
 import numpy as np
 
 from mahovik.core.stand.model import Stand, Vec3
-from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values, columns, larger, smaller, vector
+from mahovik.proof.reference.array import Array, columns, larger, smaller, vector
 from mahovik.proof.reference.bodies import FixedBody, PlacedBody, SpinningFlywheel
 from mahovik.proof.reference.screw import Phi, cross, f, spin
 
@@ -144,8 +143,3 @@ def stream_at(stand: Stand, position: Vec3) -> Array:
     for (above, below), change in zip(pairwise(stations), np.diff(velocity, axis=0), strict=True):
         u = u + change * smaller(larger((depth - above) / (below - above), 0.0), 1.0)
     return np.asarray(u)
-
-
-def answer_matrices(at: Pieces, stand: Stand, state: State) -> Values:
-    """K, K_dot, M (6x6), I, J (6xN), F (6): (2), (6), (9), (7)."""
-    return {"K": at.K, "K_dot": at.K_dot, "M": at.M, "I": at.I, "J": at.J, "F": at.F}
