@@ -106,7 +106,7 @@ class Ball:
 
     @staticmethod
     def hypot(*numbers: Any) -> Ball:
-        return Ball(sum((_arb(x) * _arb(x) for x in numbers), arb(0))).sqrt()
+        return Ball(sum((_arb(x) * _arb(x) for x in numbers), arb(0)).nonnegative_part().sqrt())
 
     @staticmethod
     def arctan2(y: Any, x: Any) -> Ball:

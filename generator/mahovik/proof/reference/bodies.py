@@ -122,6 +122,7 @@ PlacedBody = FixedBody | SpinningFlywheel
 
 def fixed_bodies(stand: Stand) -> tuple[FixedBody, ...]:
     """Carrier and instruments, in the file's order."""
+    places: list[tuple[Carrier | Instrument, Array]]
     places = [(stand.carrier, E6), *((p, instrument_transfer(p)) for p in stand.instruments)]
     return tuple(FixedBody(body, L, spatial_inertia(body), added_mass(body.added_mass)) for body, L in places)
 
