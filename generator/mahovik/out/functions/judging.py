@@ -99,7 +99,7 @@ def judge(
         found = verify_program(own, program, wants=wants, seed=seed, count=states, timeout=longest, tolerance=tolerance)
 
         def answers(requests: Sequence[Request]) -> Answers:
-            results = answers_of_program(own, program, requests, longest)
+            results = answers_of_program(program, requests, longest)
             by_id = {request.id: result for request, result in zip(requests, results, strict=True)}
             return lambda request: by_id[request.id]
 

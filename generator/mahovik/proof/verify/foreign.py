@@ -119,7 +119,7 @@ def verify_program(
     if TORQUE_FOR in asked:
         requests += torque_requests(setting, states)
     try:
-        results = answers_of_program(stand, program, requests, timeout)
+        results = answers_of_program(program, requests, timeout)
     except CheckError as error:
         return report(stand, program.name, seed, len(states), tolerance, (), str(error))
     rows = _rows(setting, list(zip(requests, results, strict=True)), program.left_out, bool(wants))
@@ -160,7 +160,7 @@ def takes_actuators(stand: Stand, program: Program, timeout: float) -> bool:
         if applicable(still, want)
         for name, state in (("file", still), ("set", moved))
     ]
-    results = answers_of_program(stand, program, requests, timeout)
+    results = answers_of_program(program, requests, timeout)
     pairs = zip(results[::2], results[1::2], strict=True)
     return any("error" not in b and {**a, "id": None} != {**b, "id": None} for a, b in pairs if "error" not in a)
 
@@ -203,15 +203,12 @@ def _rows(setting: TaskSetting, answered: Answered, left_out: Sequence[str], req
     return [*judge.rows(), *rows]
 
 
-def answers_of_program(
-    stand: Stand, program: Program, requests: Sequence[Request], timeout: float
-) -> list[Mapping[str, Any]]:
-    """Results of a program for requests, in order.
+def answers_of_program(program: Program, requests: Sequence[Request], timeout: float) -> list[Mapping[str, Any]]:
+    """Results of a program for requests, in order, whose states are in its form.
 
     Raises CheckError where it dies, hangs, drops lines or prints anything else; UsageError where it cannot be started.
     """
-    sent = [replace(request, state=program.state(stand, request.state)) for request in requests]
-    return read_results(run_program(program.words, [state_line(request) for request in sent], timeout), sent)
+    return read_results(run_program(program.words, [state_line(request) for request in requests], timeout), requests)
 
 
 def read_results(lines: Sequence[bytes], requests: Sequence[Request]) -> list[Mapping[str, Any]]:
@@ -322,8 +319,8 @@ def _lines(pipe: IO[bytes]) -> Iterator[bytes]:
 
 
 def _keep_last(pipe: IO[bytes], last: list[bytes]) -> None:
-    for last[0] in _lines(pipe):
-        pass
+    for line in _lines(pipe):
+        last[0] = line
 
 
 def _stop(process: subprocess.Popen[bytes], late: threading.Event | None = None) -> None:
