@@ -548,12 +548,12 @@ def verify_programme(
     same_size = len(programme.bias) == coordinates_of(stand).count
     if not same_span or not same_size or programme.flywheels != tuple(s.name for s in stand.flywheels):
         return tuple(item for item in items if item.failed)
-    case = ProgrammeCase(programme.planned_for(stand), motion, programme, limit)
+    case = ProgrammeCase.of(stand, motion, programme, tolerance)
     with np.errstate(all="ignore"):  # what overflows is not finite, and fails
         items += [*case.winding(), *case.table(), *case.bias()]
         try:
             items.append(case.residual())
-        except StateError as error:
+        except (StateError, np.linalg.LinAlgError) as error:
             return (*items, Check.of("residual", np.inf, limit.residual, str(error)))
         items.append(case.simulation())
         follows = not any(item.failed for item in items[-2:])
