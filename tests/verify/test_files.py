@@ -114,5 +114,7 @@ def test_text_that_differs_is_named_with_its_functions(tmp_path: Path) -> None:
     listed = json.loads(manifest(DEMO, "double", files | {"demo3.c": other})) | {"generator": "mahovik 0.0.1"}
     words = row(**{"demo3.c": other, "manifest.json": json.dumps(listed)})[1]
     assert words == "of mahovik 0.0.1: demo3.c outside of functions"
+    words = row(**{"demo3.h": files["demo3.h"].replace("DEMO3_LARGEST            1", "DEMO3_LARGEST            2")})[1]
+    assert "within (internal, of forward, " in words and words.endswith("demo3.h outside of functions")
     (tmp_path / "manifest.json").unlink()
     assert "manifest.json is missing" in check_text(DEMO, made, tmp_path).words

@@ -117,13 +117,19 @@ def _digests(path: Path) -> tuple[str, ...]:
 
 
 def _places(name: str, public: Iterable[str], expected: Mapping[str, str], there: Mapping[str, str]) -> str:
-    """Functions whose text differs, internal ones with the public functions that call them, and files beside them."""
+    """Functions whose text differs, internal ones with the public functions that call them, and files beside them.
+
+    A function that uses a changed macro is one whose text differs.
+    """
     functions, rest, calls = dict[str, None](), [], dict[str, set[str]]()
+    macros = {macro for file, text in there.items() for macro in _changed_macros(expected[file], text)}
     for file, text in there.items():
         ours, theirs = _functions(expected[file], name), _functions(text, name)
         for source in (ours, theirs):
             for function, body in source.items():
                 calls.setdefault(function, set()).update(re.findall(rf"\b{name}_(\w+)\(", body))
+                if function and macros & set(re.findall(r"\w+", body)):
+                    functions[function] = None
         changed = [f for f in {**ours, **theirs} if ours.get(f) != theirs.get(f)]
         functions |= dict.fromkeys(f for f in changed if f)
         rest += [file] if "" in changed else []
@@ -136,6 +142,12 @@ def _places(name: str, public: Iterable[str], expected: Mapping[str, str], there
         words.append(f"{function}{internal}")
     outside = [f"{_list(rest)} outside of functions"] if rest else []
     return "; ".join(filter(None, [_list(words), *outside]))
+
+
+def _changed_macros(ours: str, theirs: str) -> set[str]:
+    """Macros that are defined otherwise."""
+    changed = set(ours.splitlines()) ^ set(theirs.splitlines())
+    return {found[1] for line in changed if (found := re.match(r"#define (\w+)", line))}
 
 
 def _functions(text: str, name: str) -> dict[str, str]:
