@@ -19,7 +19,14 @@ from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, arctan2, cos, sin, vector
 from mahovik.proof.reference.hold import held_forward
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.rotation import Pose, attitude, carrier_rotation, quaternion_rotation
+from mahovik.proof.reference.rotation import (
+    Pose,
+    attitude,
+    carrier_rotation,
+    quaternion_of,
+    quaternion_rotation,
+    skew_part,
+)
 from mahovik.proof.reference.screw import E, cross, wrench_to_parent
 
 
@@ -52,7 +59,7 @@ def coordinates_at(stand: Stand, state: State) -> Coordinates:
         R = _turn(axis, angle)
     numbered = [k for k in range(len(hold.freedoms)) if k in slides or len(turns) == 1]
     q = np.array([unit(hold.freedoms[k]) @ w if k in slides else angle for k in numbered])
-    return Coordinates(q, _quaternion(R) if len(turns) == 3 else None, R)
+    return Coordinates(q, quaternion_of(R) if len(turns) == 3 else None, R)
 
 
 def rates_at(hold: Hold, R: Array, u: Array, u_dot: Array) -> tuple[Array, Array]:
@@ -142,18 +149,7 @@ def unit(freedom: Freedom) -> Array:
 
 def sine_and_cosine(R: Array, a: Array) -> tuple[Any, Any]:
     """Sine and cosine of the angle about a, times one factor: by the skew part of R, and by its part across a."""
-    about = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
-    across = np.eye(3) - np.outer(a, a)
-    return a @ about, np.trace(across @ R) / 2
-
-
-def _quaternion(R: Array) -> Array:
-    """q (4), w first and not negative, of a rotation: the vector that (4 q q^T - 1) keeps, which is linear in R."""
-    odd = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
-    trace = float(np.trace(R))
-    whole = np.block([[np.array([[trace]]), odd[None, :]], [odd[:, None], R + R.T - trace * np.eye(3)]])
-    q = np.linalg.eigh(whole)[1][:, -1]
-    return np.asarray(q if q[0] >= 0 else -q)
+    return a @ skew_part(R) / 2, np.trace((E - np.outer(a, a)) @ R) / 2
 
 
 def _turn(axis: Array, angle: Any) -> Array:

@@ -90,31 +90,24 @@ def flywheel_mounting(flywheel: Flywheel) -> Array:
     return np.column_stack([first, second, cross(first) @ second])
 
 
-def rotation_vector(C: Array) -> Array:
-    """Rotation vector (3, rad, length <= pi) of C (3x3): axis times angle, the same in both frames.
+def skew_part(C: Array) -> Array:
+    """a (3) of C - C^T = <a>: twice the sine of the angle times the axis."""
+    return np.array([C[2, 1] - C[1, 2], C[0, 2] - C[2, 0], C[1, 0] - C[0, 1]])
 
-    Through the unit quaternion of the largest component, which loses no digits at 0 nor at pi.
+
+def quaternion_of(C: Array) -> Array:
+    """q (4), w first and not negative, of a rotation C (3x3): the row of 4 q q^T of the largest component.
+
+    4 q q^T = E + [[trace, a^T], [a, C + C^T - trace E]], C - C^T = <a>. That row loses no digits at 0 nor at pi.
     """
-    squares = np.array(  # 4 w^2, 4 x^2, 4 y^2, 4 z^2
-        [
-            1 + C[0, 0] + C[1, 1] + C[2, 2],
-            1 + C[0, 0] - C[1, 1] - C[2, 2],
-            1 - C[0, 0] + C[1, 1] - C[2, 2],
-            1 - C[0, 0] - C[1, 1] + C[2, 2],
-        ]
-    )
-    wx, wy, wz = C[2, 1] - C[1, 2], C[0, 2] - C[2, 0], C[1, 0] - C[0, 1]
-    xy, xz, yz = C[0, 1] + C[1, 0], C[0, 2] + C[2, 0], C[1, 2] + C[2, 1]
-    rows = np.array(  # row i is the quaternion times 4 of its component i
-        [
-            [squares[0], wx, wy, wz],
-            [wx, squares[1], xy, xz],
-            [wy, xy, squares[2], yz],
-            [wz, xz, yz, squares[3]],
-        ]
-    )
-    row = rows[int(np.argmax([estimate(square) for square in squares]))]
-    w, e = row[0] / hypot(*row), row[1:] / hypot(*row)
-    if w < 0:  # of the two quaternions, the one of the turn by no more than pi
-        w, e = -w, -e
-    return np.asarray(2.0 * angle_over_sine(hypot(*e), w) * e)
+    a, trace = skew_part(C), np.trace(C)
+    rows = np.vstack([np.concatenate([[1 + trace], a]), np.column_stack([a, C + C.T + (1 - trace) * E])])
+    row = rows[int(np.argmax([estimate(square) for square in np.diag(rows)]))]
+    q = row / hypot(*row)
+    return np.asarray(-q if q[0] < 0 else q)
+
+
+def rotation_vector(C: Array) -> Array:
+    """Rotation vector (3, rad, length <= pi) of C (3x3): axis times angle, the same in both frames."""
+    w, e = np.split(quaternion_of(C), [1])
+    return np.asarray(2.0 * angle_over_sine(hypot(*e), w[0]) * e)
