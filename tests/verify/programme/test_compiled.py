@@ -12,8 +12,7 @@ from export import programmes
 from export.programmes import exported, motion, written
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.programme.compiled import compiled_checks
-from mahovik.proof.verify.programme.verification import ProgrammeCase
+from mahovik.proof.verify.programme.verification import ProgrammeCase, compiled_checks
 from toolchain.quick import quick
 from verify.build import changed
 
