@@ -112,7 +112,7 @@ def test_a_folder_has_the_whole_law_and_every_folder_is_listed() -> None:
     assert set(folders) == {*LAWS, *BODY_LAWS}
     for folder in folders.values():
         parts = {path.stem for path in folder.glob("*.py")}
-        assert parts >= {"lower", "reference", "second", "scale", "plan"}, folder.name
+        assert parts >= {"lower", "reference", "second", "plan"}, folder.name
 
 
 @pytest.mark.parametrize(

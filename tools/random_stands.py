@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from mahovik.contract.limits import LIMITS
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features, random_stand
 from mahovik.proof.second import Second
-from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge, report
@@ -51,5 +51,5 @@ def verify_random(
     backend = backend or CBackend(stand, real)
     everywhere = all(body.wrench_input for body in stand.bodies)
     drawn = draw(stand, seed, states, real, wrenches=everywhere)
-    rows = judge(stand, backend, drawn, backend.wants, BOUNDS[real], second=Second(stand))
-    return report(stand, "generated C", seed, states, BOUNDS[real].default, rows)
+    rows = judge(stand, backend, drawn, backend.wants, LIMITS[real], second=Second(stand))
+    return report(stand, "generated C", seed, states, LIMITS[real].value, rows)

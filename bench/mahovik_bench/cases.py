@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, random_stand, random_state
 from mahovik.core.stand.state import State
-from mahovik.proof.reference import pieces
 from mahovik.proof.reference.evaluate import evaluate
-from mahovik.proof.verify.scales import scales
+from mahovik.proof.verify.scales import scales_of
 from mahovik_bench.works import Work
 
 Array = NDArray[np.float64]
@@ -45,7 +44,7 @@ class Case:
         rows, sizes = [], []
         for state in self.states:
             found = evaluate(self.stand, state, [work.name])
-            scale = scales(self.stand, state, pieces(self.stand, state), work.name)
+            scale = scales_of(self.stand, state, work.name)
             rows.append(np.concatenate([np.ravel(found[part]) for part in work.parts]))
             sizes.append(np.concatenate([np.ravel(scale[part]) for part in work.parts]))
         return np.array(rows), np.array(sizes)

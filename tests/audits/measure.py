@@ -19,7 +19,7 @@ from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.hold import held_state, twists
 from mahovik.proof.reference.motion import bias
 from mahovik.proof.verify.check import difference
-from mahovik.proof.verify.scales import scales
+from mahovik.proof.verify.scales import scales_of
 from mahovik.proof.verify.states import Request
 
 AUDITS: dict[str, Audit] = {audit.name: audit for models in (npsauv, gazebo, held) for audit in models.AUDITS}
@@ -99,7 +99,7 @@ def _differences(audit: Audit, request: Request) -> dict[str, float]:
     (want,) = request.want
     at = reference.pieces(audit.stand, request.state)
     expected, found = reference.evaluate(audit.stand, request.state, request.want, at), ask(audit, request)
-    natural = scales(audit.stand, request.state, at, want)
+    natural = scales_of(audit.stand, request.state, want)
     return {name: difference(found[name], expected[name], natural[name])[0] for name in found}
 
 

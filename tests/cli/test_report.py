@@ -11,10 +11,10 @@ import pytest
 
 from cli.run import DEMO3, refused, run
 from mahovik import __version__
+from mahovik.contract import limits
+from mahovik.contract.limits import DOUBLE
 from mahovik.core.stand import identities, load
 from mahovik.out.report.stand import page, verification
-from mahovik.proof.verify import bounds
-from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.stands import path
 from report.stand.reports import read, words
 
@@ -86,7 +86,7 @@ def test_the_page_needs_nobody_else(whole: str) -> None:
 def test_a_comparison_that_fails_is_shown_as_failing(monkeypatch: pytest.MonkeyPatch) -> None:
     """Nothing is as near as 1e-30: the page is written, red at its top, and the status is 1."""
     only(monkeypatch, "verification")
-    monkeypatch.setitem(bounds.BOUNDS, "double", replace(DOUBLE, default=1e-30))
+    monkeypatch.setitem(limits.LIMITS, "double", replace(DOUBLE, value=1e-30))
     result = run("report", DEMO3, "-o", "r.html")
     assert result.exit_code == 1
     assert "error: three derivations: " in result.stderr

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from cli.test_eval_held import answers, file
+from mahovik.contract.limits import DOUBLE
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand.hold import FREEDOMS, has_coordinates
@@ -20,12 +21,12 @@ from mahovik.errors import StateError
 from mahovik.proof.reference.rotation import quaternion_rotation
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
-from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.c_backend import InterpreterBackend
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.functions.attitudes import freedom_row
 from mahovik.proof.verify.functions.case import Case
+from mahovik.proof.verify.functions.table import checks_of
 from mahovik.proof.verify.harness import judge
+from mahovik.proof.verify.scales import Scales
 from toolchain.quick import quick
 from verify.holds import PENDULUM, state_of
 
@@ -56,7 +57,8 @@ def test_three_derivations_agree(name: str) -> None:
     stand, own = made(name)
     second, states = Second(stand), draw(stand, 1, 8, wrenches=False)
     found = judge(stand, own, states, ["generalized"], DOUBLE, None, second)
-    found.append(freedom_row(Case(stand, own, states, DOUBLE, second, 1), stand.hold))  # type: ignore[arg-type]
+    case = Case(stand, own, states, DOUBLE, second, Scales(stand), 1)  # type: ignore[arg-type]
+    found += checks_of(case, "state_from_coordinates")
     assert {row.verdict for row in found} == {"ok"}, [(row.quantity, row.value, row.second) for row in found]
     assert len(found) >= 4
 

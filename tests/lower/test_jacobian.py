@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from laws.held_stands import FRICTION, STOPS, held_stand
+from mahovik.contract.limits import DOUBLE
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import Stand
@@ -19,13 +20,13 @@ from mahovik.laws.friction.data import Frictions
 from mahovik.laws.stop.data import Stops
 from mahovik.proof.reference import evaluate
 from mahovik.proof.second import Second
-from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
-from mahovik.proof.verify.functions.jacobians import jacobian_rows
+from mahovik.proof.verify.functions.value import jacobian_checks
 from mahovik.proof.verify.harness import free_only_rows
+from mahovik.proof.verify.scales import Scales
 from toolchain.quick import quick
 from verify.holds import DRY, PENDULUM, WET, random_held_stand
 
@@ -65,8 +66,8 @@ def rows_of(stand: Stand, without: type | None = None, functions: tuple[str, ...
     """Rows of both Jacobians at ordinary states, by the interpreter, which may lack a law."""
     own = InterpreterBackend(generate_all(stand.without_laws(without) if without else stand))
     some = ordinary(draw(stand, 1, 12, wrenches=False), own.inputs, 12)
-    case = Case(stand, cast(Any, own), some, DOUBLE, Second(stand), 1)
-    return [row for name in functions if stand.flywheels or name[0] == "f" for row in jacobian_rows(case, name)]
+    case = Case(stand, cast(Any, own), some, DOUBLE, Second(stand), Scales(stand), 1)
+    return [row for name in functions if stand.flywheels or name[0] == "f" for row in jacobian_checks(case, name)]
 
 
 @pytest.mark.parametrize("name", quick(1, STANDS))

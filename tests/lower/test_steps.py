@@ -17,7 +17,7 @@ from mahovik.core.stand.state import rest_state
 from mahovik.core.toolchain import library
 from mahovik.core.toolchain.compiler import build_shared
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.functions.carries import end_of_steps
+from mahovik.proof.verify.functions.integration import end_of_steps
 
 STANDS = Path(__file__).parents[2] / "generator" / "mahovik" / "stands"
 COARSE, RANGE = STATUS_VALUES["COARSE"], STATUS_VALUES["RANGE"]

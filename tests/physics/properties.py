@@ -15,9 +15,9 @@ from hypothesis import strategies as st
 from mahovik.core.stand import dumps
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.proof.reference import evaluate, pieces
+from mahovik.proof.reference import evaluate
 from mahovik.proof.reference.array import Array
-from mahovik.proof.verify.scales import scales
+from mahovik.proof.verify.scales import scales_of
 from mahovik.proof.verify.states import Request, state_line
 from physics.general import AnyBody, rows
 from physics.motions import vec
@@ -49,7 +49,7 @@ def assert_near(found: Any, expected: Any, scale: Any, times: float = 1.0) -> No
 
 def scale(stand: Stand, state: State, want: str) -> Any:
     """Natural scales of the quantities of a want, by name."""
-    return scales(stand, state, pieces(stand, state), want)
+    return scales_of(stand, state, want)
 
 
 def value(stand: Stand, state: State, want: str, name: str) -> Any:

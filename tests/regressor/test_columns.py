@@ -12,6 +12,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from mahovik.contract.limits import LIMITS
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
@@ -21,12 +22,12 @@ from mahovik.proof.reference import regressor as literal
 from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.bodies import fixed_bodies, spatial_inertia
 from mahovik.proof.second import Second
-from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
-from mahovik.proof.verify.functions.registry import rows_of
+from mahovik.proof.verify.functions.table import checks_of
+from mahovik.proof.verify.scales import Scales
 from strategies import stands as some_stands
 from strategies import states
 from toolchain.quick import quick
@@ -40,7 +41,7 @@ def case_of(stand: Stand, folder: Path, real: str = "double", named: str = "regr
         (folder / file).write_text(content, encoding="ascii", newline="\n")
     backend = CBackend(stand, real, folder)
     given_states = ordinary(draw(stand, 3, 20, real), backend.inputs, 4)
-    return Case(stand, backend, given_states, BOUNDS[real], Second(stand), 3)
+    return Case(stand, backend, given_states, LIMITS[real], Second(stand), Scales(stand, real), 3)
 
 
 def failures(rows: list[Check]) -> dict[str, float]:
@@ -55,7 +56,7 @@ def everything() -> Stand:
 
 @pytest.mark.parametrize("real", quick(1, ["double", "float"]))
 def test_columns_are_those_of_the_reference(everything: Stand, tmp_path: Path, real: str) -> None:
-    rows = rows_of(case_of(everything, tmp_path, real), "regressor")
+    rows = checks_of(case_of(everything, tmp_path, real), "regressor")
     assert {row.quantity for row in rows} == {
         "Y_carrier", "Y_flywheel", "Y_drive", "Y_added_mass", "Y_linear", "Y_quadratic"
     }  # fmt: skip

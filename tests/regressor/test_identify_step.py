@@ -22,8 +22,8 @@ from mahovik.core.stand.state import State, rest_state
 from mahovik.core.stand.structure import structure
 from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.motion import forward
-from mahovik.proof.verify.functions.identification import covariance
-from mahovik.proof.verify.functions.registry import rows_of
+from mahovik.proof.verify.functions.table import checks_of
+from mahovik.proof.verify.functions.value import covariance
 from regressor.test_columns import case_of, failures
 
 
@@ -31,7 +31,7 @@ from regressor.test_columns import case_of, failures
 @pytest.mark.parametrize("real", ["double", "float"])
 def test_a_step_is_that_of_the_covariance_form(tmp_path: Path, real: str) -> None:
     stand = random_stand(np.random.default_rng(6), 3, EVERYTHING)
-    assert failures(rows_of(case_of(stand, tmp_path, real, named="identify_step"), "identify_step")) == {}
+    assert failures(checks_of(case_of(stand, tmp_path, real, named="identify_step"), "identify_step")) == {}
 
 
 class Firmware:

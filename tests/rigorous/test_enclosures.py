@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mahovik.contract.functions import wants_of
+from mahovik.contract.limits import DOUBLE
 from mahovik.core.stand import Stand, State, load
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.read import loads
@@ -22,10 +23,9 @@ from mahovik.proof import reference, rigorous
 from mahovik.proof.reference.array import angle_over_sine, hypot, larger, smaller, with_sign
 from mahovik.proof.reference.rotation import C1, C3, quaternion_rotation, rotation_vector
 from mahovik.proof.rigorous import BITS, MOST_BITS, Ball, enclose, with_balls
-from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.check import difference
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.scales import scales
+from mahovik.proof.verify.scales import scales_of
 from mahovik.stands import names, path
 from rigorous.balls import flat, middles
 from strategies import held_stands, stands
@@ -48,7 +48,7 @@ def check_agreement(stand: Stand, state: State) -> None:
             expected = reference.evaluate(stand, state, [want], at)
         except StateError:
             continue
-        found, natural = rigorous.evaluate(exact, want), scales(stand, state, at, want)
+        found, natural = rigorous.evaluate(exact, want), scales_of(stand, state, want)
         assert found.keys() == expected.keys() == natural.keys()
         for key, balls in found.items():
             value = middles(balls).reshape(np.shape(expected[key]))

@@ -10,10 +10,9 @@ from mahovik.contract.functions import wants_of, wants_of_carrier
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof import reference
 from mahovik.proof.second import Second
 from mahovik.proof.verify.check import difference
-from mahovik.proof.verify.scales import scales
+from mahovik.proof.verify.scales import Scales
 
 WANTS = tuple(want for want in wants_of("second") if want in wants_of_carrier(held=False))
 
@@ -38,11 +37,10 @@ def evaluate(stand: Stand, state: State, want: Sequence[str]) -> dict[str, Any]:
 def expectations(stand: Stand, state: State, wants: Sequence[str] = WANTS) -> Expected:
     """want -> what the reference gives and its natural scales; None where it refuses."""
     found: Expected = {}
-    with np.errstate(all="ignore"):
-        at = reference.pieces(stand, state)
-        for want in wants:
-            expected = attempt(lambda s, w: reference.evaluate(stand, s, w), state, want)
-            found[want] = None if expected is None else (expected, scales(stand, state, at, want))
+    scales = Scales(stand)
+    for want in wants:
+        measured = scales.want(state, want)
+        found[want] = None if measured is None else (measured.values, dict(measured.scales))
     return found
 
 

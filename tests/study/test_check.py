@@ -21,7 +21,7 @@ from mahovik.core.stand.write import dumps
 from mahovik.proof import reference
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import round_to_float
-from mahovik.proof.verify.functions.carries import end_of_steps
+from mahovik.proof.verify.functions.integration import end_of_steps
 from mahovik.stands import names, path
 from mahovik.use.study.excess import excess
 from mahovik.use.study.exchange import Exchange

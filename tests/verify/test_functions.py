@@ -9,17 +9,18 @@ from pathlib import Path
 import pytest
 
 from mahovik import stands
+from mahovik.contract.limits import LIMITS
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.proof.second import Second
-from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
-from mahovik.proof.verify.functions.registry import JUDGES, function_rows, rows_of
+from mahovik.proof.verify.functions.table import JUDGES, FunctionJudge, checks_of, function_checks
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call, wrong_values
+from mahovik.proof.verify.scales import Scales
 from toolchain.quick import quick
 
 STATES = 6
@@ -35,7 +36,7 @@ def case_of(name: str, folder: Path | None = None, real: str = "double", stand: 
     stand = stand or example(name)
     backend = CBackend(stand, real, folder)
     states = ordinary(draw(stand, 3, 40, real), backend.inputs, STATES)
-    return Case(stand, backend, states, BOUNDS[real], Second(stand), 3)
+    return Case(stand, backend, states, LIMITS[real], Second(stand), Scales(stand, real), 3)
 
 
 def planted(name: str, folder: Path, function: str, pattern: str, wrong: str, stand: Stand | None = None) -> Path:
@@ -55,8 +56,8 @@ def planted(name: str, folder: Path, function: str, pattern: str, wrong: str, st
 
 def test_a_function_without_a_judge_fails(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delitem(JUDGES, "wrap")
-    monkeypatch.setattr("mahovik.proof.verify.functions.registry.JUDGES", {})
-    rows = [row for row in function_rows(case_of("demo3")) if row.judged == "wrap"]
+    monkeypatch.setattr("mahovik.proof.verify.functions.table.JUDGES", {})
+    rows = [row for row in function_checks(case_of("demo3")) if row.judged == "wrap"]
     assert [row.verdict for row in rows] == ["FAILED"]
 
 
@@ -87,15 +88,15 @@ ILL_CONDITIONED = [
 )
 def test_a_wrong_answer_of_bad_condition_is_noticed(function: str, pattern: str, wrong: str, tmp_path: Path) -> None:
     stand = nearly_balanced(tmp_path)
-    right = rows_of(case_of("sat4", stand=stand), function)
+    right = checks_of(case_of("sat4", stand=stand), function)
     assert [row.quantity for row in right if row.failed] == []
     case = case_of("sat4", planted("sat4", tmp_path, function, pattern, wrong, stand), stand=stand)
-    assert any(row.verdict == "FAILED" for row in rows_of(case, function))
+    assert any(row.verdict == "FAILED" for row in checks_of(case, function))
 
 
 def test_a_function_of_which_no_state_is_compared_fails(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(JUDGES, "wrap", lambda case: [Check("wrap", "nothing", 1.0)])
-    assert [row.verdict for row in rows_of(case_of("demo3"), "wrap")] == ["not compared", "FAILED"]
+    monkeypatch.setitem(JUDGES, "wrap", FunctionJudge("exact", lambda *_: [Check("wrap", "nothing", 1.0)], ""))
+    assert [row.verdict for row in checks_of(case_of("demo3"), "wrap")] == ["not compared", "FAILED"]
 
 
 CHECKS = [

@@ -11,6 +11,7 @@ import pytest
 
 from mahovik import stands
 from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.limits import LIMITS
 from mahovik.contract.status import BITS, STATUS_VALUES
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Struct
@@ -18,12 +19,12 @@ from mahovik.core.stand import load
 from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Flywheel, Hold
 from mahovik.proof.second import Second
-from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
-from mahovik.proof.verify.functions.registry import JUDGES, rows_of
+from mahovik.proof.verify.functions.table import JUDGES, checks_of
 from mahovik.proof.verify.harness import judge
+from mahovik.proof.verify.scales import Scales
 
 
 @cache
@@ -41,7 +42,7 @@ def example(name: str) -> Case:
     stand = replace(stand, phase_input="sincos", carrier=replace(stand.carrier, wrench_input=True))
     backend = CBackend(stand)
     states = ordinary(draw(stand, 3, 12), backend.inputs, 2)
-    return Case(stand, backend, states, BOUNDS["double"], Second(stand), 3)
+    return Case(stand, backend, states, LIMITS["double"], Second(stand), Scales(stand), 3)
 
 
 def balanced(s: Flywheel) -> Flywheel:
@@ -96,7 +97,7 @@ def failed(
         return fault(status, outputs) if name == function and status >= 0 else (status, outputs)
 
     monkeypatch.setattr(backend, "_run", faulty)
-    rows = rows_of(case, function) if function in JUDGES else []
+    rows = checks_of(case, function) if function in JUDGES else []
     if FUNCTIONS[function].want and not any(row.failed for row in rows):
         rows += judge(case.stand, backend, case.states, (function,), second=case.second)
     return any(row.failed for row in rows)

@@ -13,19 +13,20 @@ import numpy as np
 import pytest
 
 import mahovik
+from mahovik.contract.limits import LIMITS
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.proof.reference.tasks import TaskRows, task_rows
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import Backend, NumpyBackend
-from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
-from mahovik.proof.verify.functions.registry import rows_of
+from mahovik.proof.verify.functions.table import checks_of
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
+from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import evaluate_lines, read_line, split_lines, state_line
 from toolchain.quick import quick
 from verify.test_functions import case_of, planted
@@ -83,7 +84,7 @@ FAULTS = {
 
 def rows_about(case: Case) -> list[Check]:
     """Rows of all functions of tasks."""
-    return [row for name in (*INVERSE, *TORQUE) for row in rows_of(case, name)]
+    return [row for name in (*INVERSE, *TORQUE) for row in checks_of(case, name)]
 
 
 def failed(rows: list[Check]) -> list[tuple[str, str, float, str, str]]:
@@ -115,7 +116,7 @@ def test_a_thousand_demands_within_bounds_are_those_of_scipy() -> None:
     case = case_of("sat4", stand=stand())
     case = replace(case, states=ordinary(draw(case.stand, 11, 1600, wrenches=False), case.backend.inputs, 1000))
     assert len(case.states) == 1000
-    assert failed(rows_of(case, "torque_for_pointing")) == []
+    assert failed(checks_of(case, "torque_for_pointing")) == []
 
 
 @pytest.mark.parametrize("function", ["inverse_sight", "torque_for_sight"])
@@ -135,8 +136,8 @@ def test_a_sign_of_s_that_C_and_reference_have_alike_is_noticed(
         rows = task_rows(*arguments)
         return TaskRows(rows.S, -rows.s)
 
-    monkeypatch.setattr("mahovik.proof.verify.functions.allocation.task_rows", wrong)
-    rows = rows_of(case_of("sat4", folder, stand=stand()), function)
+    monkeypatch.setattr("mahovik.proof.verify.functions.optimality.task_rows", wrong)
+    rows = checks_of(case_of("sat4", folder, stand=stand()), function)
     assert {row.quantity for row in rows if row.verdict == "FAILED"} == {"residual, by points of the second"}
 
 
@@ -148,11 +149,13 @@ def test_tasks_of_random_stands(seed: int, real: str) -> None:
     drawn = random_stand(rng, int(rng.integers(1, 9)), EVERYTHING)
     backend = CBackend(drawn, real)
     states = draw(drawn, seed, 40, real, wrenches=False)
-    case = Case(drawn, backend, ordinary(states, backend.inputs, 6), BOUNDS[real], Second(drawn), seed)
+    case = Case(
+        drawn, backend, ordinary(states, backend.inputs, 6), LIMITS[real], Second(drawn), Scales(drawn, real), seed
+    )
     names = [f.name for f in backend.program.functions if f.public and f.name.startswith("inverse")]
     assert len(names) == 6
     names += [f"torque_for_{task.name}" for task in drawn.tasks]
-    assert failed([row for name in names for row in rows_of(case, name)]) == []
+    assert failed([row for name in names for row in checks_of(case, name)]) == []
     if real == "double":
         assert check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)).verdict == "ok"
 

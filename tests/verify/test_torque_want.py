@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import mahovik
+from mahovik.contract.limits import uniform
 from mahovik.errors import UsageError
 from mahovik.proof.reference import evaluate
 from mahovik.proof.second import Second
-from mahovik.proof.verify.bounds import uniform
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.foreign import Program, verify_program
 from mahovik.proof.verify.torque_want import TaskSetting, torque_requests, torque_rows
@@ -33,28 +33,23 @@ def failed(results: list[dict[str, Any]]) -> set[str]:
 def test_the_reference_passes_and_every_row_has_states() -> None:
     results = answers()
     rows = torque_rows(SETTING, REQUESTS, results)
-    assert [row.verdict for row in rows] == ["ok"] * 5
-    assert rows[0].states >= 6
+    assert {row.verdict for row in rows} == {"ok"}
+    assert next(row.states for row in rows if row.quantity == "tau") >= 6
     assert {result["status"] for result in results} >= {"OK", "LIMITED|UNREACHABLE"}
 
 
-TAU, WITHIN, MOTION, STATUS = (
-    "tau, without bounds",
-    "residual, within bounds",
-    "V_dot, phi_ddot, residual",
-    "status, limited",
-)
+TAU, BOUNDS, WITHIN, RESIDUAL = "tau", "bounds kept", "least error, within bounds", "residual"
 NULL = np.array([1.0, -1.0, 1.0, -1.0])
 """Torques that hardly turn the satellite."""
 
 FAULTS: dict[str, tuple[Callable[[dict[str, Any]], dict[str, Any]], set[str]]] = {
-    "torques not quite the least": (lambda r: {"tau": r["tau"] + 1e-6 * NULL}, {TAU, MOTION}),
-    "torques beyond the motors": (lambda r: {"tau": 1.01 * r["tau"]}, {TAU, WITHIN, MOTION, STATUS}),
-    "half of the torques": (lambda r: {"tau": 0.5 * r["tau"]}, {TAU, WITHIN, MOTION, STATUS}),
-    "the residual with the other sign": (lambda r: {"residual": -r["residual"]}, {MOTION}),
-    "accelerations of the demand": (lambda r: {"V_dot": np.zeros(6)}, {MOTION}),
-    "never limited": (lambda r: {"limited": 0 * r["limited"]}, {STATUS}),
-    "always OK": (lambda r: {"status": "OK"}, {STATUS}),
+    "torques not quite the least": (lambda r: {"tau": r["tau"] + 1e-6 * NULL}, {TAU, RESIDUAL}),
+    "torques beyond the motors": (lambda r: {"tau": 1.01 * r["tau"]}, {TAU, BOUNDS, RESIDUAL}),
+    "half of the torques": (lambda r: {"tau": 0.5 * r["tau"]}, {TAU, WITHIN, "V_dot", "phi_ddot", "limited"}),
+    "the residual with the other sign": (lambda r: {"residual": -r["residual"]}, {RESIDUAL}),
+    "accelerations of the demand": (lambda r: {"V_dot": np.zeros(6)}, {"V_dot"}),
+    "never limited": (lambda r: {"limited": 0 * r["limited"]}, {"LIMITED"}),
+    "always OK": (lambda r: {"status": "OK"}, {"LIMITED", "UNREACHABLE"}),
     "no such status": (lambda r: {"status": "FINE"}, {TAU}),
     "no torques": (lambda r: {"tau": None}, {TAU}),
     "not finite": (lambda r: {"phi_ddot": np.full(4, np.nan)}, {TAU}),

@@ -9,11 +9,11 @@ from typing import Any
 from random_stands import random_stands, verify_random
 
 from campaigns import REALS, Rows, Table, at_most, cores, side_by_side
+from mahovik.contract.limits import LIMITS
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
-from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.report import conclusion, worst_lines
-from mahovik.proof.verify.rounding.measure import measure_rounding, ulp_text
+from mahovik.proof.verify.rounding import measure_rounding
 from mahovik.stands import names, path
 
 OPTIONS = {"stands": 50, "states": 60, "rounded": 12, "jobs": cores()}
@@ -71,7 +71,7 @@ def in_float(options: Namespace) -> Iterator[tuple[Any, ...]]:
     for differences in side_by_side(worst_in_float, options.jobs, stands, [options.states] * len(stands)):
         worst |= {key: max(off, worst.get(key, 0.0)) for key, off in differences.items()}
     for key, off in worst.items():
-        yield *key, BOUNDS["float"].of(*key), off
+        yield *key, LIMITS["float"].value, off
 
 
 def claim_of_float(rows: Rows) -> str:
@@ -83,35 +83,27 @@ def claim_of_float(rows: Rows) -> str:
     )
 
 
-def rounding_of(number: int, states: int, real: str) -> dict[tuple[str, str, str], tuple[float, float, float]]:
-    """Errors of each quantity of a stand by enclosures: ulp, and of its scale the C's and that of the judges."""
+def rounding_of(number: int, states: int, real: str) -> dict[tuple[str, str, str], float]:
+    """True error of each quantity of a stand's C by enclosures, over its scale."""
     report = measure_rounding(stand_of(number), count=states, real=real)
-    return {
-        (real, line.row.judged, line.row.quantity): (line.ulps, line.row.value, line.apart) for line in report.lines
-    }
+    return {(real, row.judged, row.quantity): row.value for row in report.rows}
 
 
 def rounding(options: Namespace) -> Iterator[tuple[Any, ...]]:
     """A row for each quantity, over example stands and `rounded` random ones."""
     work = [(number, options.states, real) for real in REALS for number in range(len(names()) + options.rounded)]
-    worst: dict[tuple[str, str, str], tuple[float, ...]] = {}
+    worst: dict[tuple[str, str, str], float] = {}
     for errors in side_by_side(rounding_of, options.jobs, *zip(*work, strict=True)):
         for key, error in errors.items():
-            worst[key] = tuple(map(max, error, worst.get(key, error)))
-    for (real, want, quantity), (ulps, of_c, of_judges) in worst.items():
-        yield real, want, quantity, ulps, of_c, of_judges, BOUNDS[real].of(want, quantity)
+            worst[key] = max(error, worst.get(key, 0.0))
+    for (real, want, quantity), error in worst.items():
+        yield real, want, quantity, error, LIMITS[real].rigorous
 
 
 def claim_of_rounding(rows: Rows) -> str:
-    """The largest errors, and how far the tolerances of `verify` stand above them."""
-    words = []
-    for real in REALS:
-        errors = [row for row in rows if row["real"] == real]
-        times = min(row["accepted"] / max(row["of scale"] + row["judges"], 1e-300) for row in errors)
-        words.append(
-            f"in `{real}` at most {ulp_text(max(row['ulp'] for row in errors))} ulp, tolerances {times:.3g} times"
-        )
-    return f"Rounding of the C, bounded by enclosures: {'; '.join(words)} the errors of C and judges together"
+    """The largest errors."""
+    words = [f"in `{real}` at most {max(row['of scale'] for row in rows if row['real'] == real):.1e}" for real in REALS]
+    return f"Rounding of the C, bounded by enclosures, as a part of the scale: {'; '.join(words)}"
 
 
 def forward_and_torque(rows: Rows) -> Rows:
@@ -138,14 +130,12 @@ TABLES = {
     "rounding": Table(
         rounding,
         {
-            "real": "{}", "want": "`{}`", "quantity": "`{}`", "ulp": ulp_text, "of scale": "{:.1e}",
-            "judges": "{:.1e}", "accepted": "{:.0e}",
+            "real": "{}", "want": "`{}`", "quantity": "`{}`", "of scale": "{:.1e}", "accepted": "{:.0e}",
         },
         claim_of_rounding,
         at_most("of scale", "accepted"),
         "The error of the C from stand file and state to the answer, bounded by [ball "
-        "arithmetic](proofs.md#rounding): in units in the last place of the natural scale, and as a part of it; "
-        "*judges*: that of the worse of the two derivations.",
+        "arithmetic](proofs.md#rounding), as a part of the measured scale.",
         forward_and_torque,
     ),
 }  # fmt: skip

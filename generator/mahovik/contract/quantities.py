@@ -255,6 +255,33 @@ QUANTITIES = {
 }
 """Quantities by symbol. Others than these are results, or of ordinary magnitude 1 and drawn as reals."""
 
+BESIDE = {
+    **dict.fromkeys(("phi_ddot", "tau", "mount_wrench", "sigma", "u_dot", "q", "residual", "Y_flywheel", "Y_drive"), 0),
+    **dict.fromkeys(("I", "J", "I0", "J0"), 1),
+}
+"""Axes of results along which flywheels, freedoms or rows of a task stand: a rotation does not mix them."""
+
+FLOORS = {
+    "residual": "terms",
+    "reaction": "terms",
+    "V_dot": "motion",
+    "u_dot": "motion",
+    "q_ddot": "motion",
+    "phi_ddot": "spin",
+    "tau": "spin",
+    "sigma": "largest",
+    "J0": "largest",
+    "center_of_mass": "own",
+}
+"""Results that symmetry or cancelling terms may make zero, or nearly, and what is added to their measured scales.
+
+terms    scale of the terms of (8); of a task, of its demand and the motion
+motion   a small part of the acceleration that these terms have together, by the mass matrix
+spin     a small part of phi'^2: a flywheel's own spin makes nothing of it, but sums of it cancel only to rounding
+largest  the largest scale in the quantity
+own      nothing: the scale is that of terms that cancel
+"""
+
 TABLES = {row.struct: row for row in QUANTITIES.values() if row.struct}
 """Arguments that hold numbers of the stand, by the name of their struct type."""
 

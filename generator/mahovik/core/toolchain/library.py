@@ -181,6 +181,8 @@ class Library:
         return {Kind.REAL: f"{self._prefix}_real", Kind.INT: "int"}[type_]
 
     def _plain(self, stored: Any, type_: Kind | Struct, shape: tuple[Any, ...]) -> Any:
+        if len(shape) == 1 and isinstance(type_, Kind):
+            return self._ffi.unpack(stored, int(shape[0]))
         if shape:
             return [self._plain(stored[i], type_, shape[1:]) for i in range(int(shape[0]))]
         if isinstance(type_, Struct):

@@ -26,7 +26,7 @@ from mahovik.out.cli.options import (
 )
 from mahovik.out.cli.output import print_json_text
 from mahovik.out.cli.progress import progress
-from mahovik.out.cli.verdicts import print_report, print_rounding, print_targets
+from mahovik.out.cli.verdicts import print_report, print_targets
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
@@ -60,12 +60,13 @@ def verify(
         metavar="NAME,...",
     ),
     real: str = REAL,
+    everything: bool = flag("--all", "Print every check, not a line for each function."),
 ) -> None:
     """Judge the C of a stand by the reference.
 
     Generates the C of a stand, compiles it with warnings as errors, evaluates random and extreme states, and compares
     every quantity with the literal reference (worst), and that with the second derivation (second), relative to its
-    natural scale. Exit status 0 only if all agree.
+    measured scale. Exit status 0 only if all agree.
     --against takes folders of `generate --prefix` and `--real` as they are, and judges the functions that `generate
     --only` wrote.
 
@@ -101,14 +102,14 @@ def verify(
         if folder is not None:
             stand, delivered = stand_in(folder, stand), delivered_options(folder) or Options(real)
             real = real if is_given("real") else delivered.real
-        _conclude(_verify_rigorously(stand, seed, states, folder, real, as_json), as_json, junit, worst)
+        finish(_verify_rigorously(stand, seed, states, folder, real), as_json, junit, worst)
         return
     with progress(f"verify {Path(stand_file).stem}") as stage:
         found = evidence.verify(
             stand_file, states=states, seed=seed, against=folder, real=real if is_given("real") else None,
             judges=judges, progress=stage.show,
         )  # fmt: skip
-    finish(found.result, as_json, junit, worst)
+    finish(found.result, as_json, junit, worst, everything=everything or judges)
 
 
 WITHOUT_SERVO = (
@@ -117,6 +118,7 @@ WITHOUT_SERVO = (
     "rigorous",
     "targets",
     "real",
+    "everything",
 )
 """Options of `verify` that say nothing about servos."""
 
@@ -190,19 +192,16 @@ def _verify_on_targets(
         raise SystemExit(1 if any(row.failed for row in found.rows) else 2)
 
 
-def _verify_rigorously(stand: Stand, seed: int, states: int, against: Path | None, real: str, as_json: bool) -> Report:
-    """Measure the rounding of the C, and print the table. Raises UsageError without python-flint."""
+def _verify_rigorously(stand: Stand, seed: int, states: int, against: Path | None, real: str) -> Report:
+    """Measure the rounding of the C. Raises UsageError without python-flint."""
     try:
-        from mahovik.proof.verify.rounding.measure import as_json as json_text
-        from mahovik.proof.verify.rounding.measure import measure_rounding
+        from mahovik.proof.verify.rounding import measure_rounding
     except ImportError as error:
         if (error.name or "").partition(".")[0] != "flint":
             raise
         raise UsageError("--rigorous: python-flint is not installed: pip install 'mahovik[rigorous]'") from None
     with progress(f"enclose {stand.name}", states) as stage:
-        found = measure_rounding(stand, seed=seed, count=states, real=real, against=against, progress=stage.at)
-    print_json_text(json_text(found)) if as_json else print_rounding(found)
-    return found.report
+        return measure_rounding(stand, seed=seed, count=states, real=real, against=against, progress=stage.at)
 
 
 def finish(
@@ -213,6 +212,7 @@ def finish(
     more: Mapping[str, Any] | None = None,
     words: Sequence[str] = (),
     by: str = "",
+    everything: bool = True,
 ) -> None:
     """Print the report, and exit with its verdict.
 
@@ -223,7 +223,7 @@ def finish(
     if as_json:
         print_json_text(json_text(found, more))
     else:
-        print_report(found, by)
+        print_report(found, by, everything)
         for line in words:
             click.echo(line)
     _conclude(found, as_json, junit, worst)

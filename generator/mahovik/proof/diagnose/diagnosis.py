@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract.functions import wants_of_carrier
+from mahovik.contract.limits import DOUBLE
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.toml import parse
@@ -23,7 +24,6 @@ from mahovik.proof.diagnose.terms.search import TermSearchResult
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.reference.screw import wrench_to_parent
-from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.foreign import Program
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.states import Request
@@ -119,7 +119,7 @@ class Diagnoser:
         seed: int = 1,
         wants: Sequence[str] = (),
         states: Sequence[tuple[str, State]] | None = None,
-        tolerance: float = DOUBLE.default,
+        tolerance: float = DOUBLE.value,
         program: Program | None = None,
     ) -> None:
         """`document`: the keys of the stand's file, whose numbers are named; None: those of the stand in SI.
@@ -129,7 +129,7 @@ class Diagnoser:
         it takes; None: all.
         """
         self._stand = stand
-        self._tolerance = tolerance if tolerance > DOUBLE.default else 0.0
+        self._tolerance = tolerance if tolerance > DOUBLE.value else 0.0
         if states is None:
             states = separating_states(stand, seed, program)
         asked = [

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Mapping, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -44,8 +43,7 @@ def prepare_records(interpreter: Interpreter, layout: Layout, table: Any, mounti
 class CBackend(ProgramBackend):
     """Compiled C of a stand: freshly generated, or <name>.h and <name>.c of `folder`.
 
-    `generated`: the result of `generate_all` with these options, if the caller has it. `pool`: threads in which `full`
-    is generated and compiled at once, for a caller who will want it.
+    `generated`: the result of `generate_all` with these options, if the caller has it.
     A state with a run-time wrench that the C does not take is evaluated by the C of the same stand with an input
     on every body; with `folder` it is an error of that state.
     C of `generate --only` in `folder` answers the wants of its functions. Functions that it lacks and that a judge
@@ -59,7 +57,6 @@ class CBackend(ProgramBackend):
         precision_name: str = "double",
         folder: Path | None = None,
         generated: Generated | None = None,
-        pool: ThreadPoolExecutor | None = None,
     ) -> None:
         self._stand, self._precision_name, self._folder = stand, precision_name, folder
         chosen: tuple[str, ...] = ()
@@ -69,7 +66,6 @@ class CBackend(ProgramBackend):
         self.complete = self.generated = generated or generate_all(stand, precision_name, chosen=chosen)
         if folder is not None and (only := _part(folder, stand, self.complete.program)):
             self.generated = generate_all(stand, precision_name, only)
-        self._full: Future[CBackend] | None = None if pool is None else pool.submit(self._made_full)
         # once loaded, the library needs its file no more
         with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
             place = folder if folder is not None else _write_files(self.generated.files, Path(scratch))
@@ -120,9 +116,6 @@ class CBackend(ProgramBackend):
     @cached_property
     def full(self) -> CBackend:
         """The C of the same stand with a run-time wrench on every body."""
-        return self._made_full() if self._full is None else self._full.result()
-
-    def _made_full(self) -> CBackend:
         stand = with_all_inputs(self._stand)
         if stand == self._stand:
             return self

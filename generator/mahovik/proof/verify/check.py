@@ -128,7 +128,8 @@ def difference(found: Any, expected: Any, scale: Any, floor: float = FLOOR) -> t
     if isinstance(expected, dict):
         return _of_parts(found, expected, scale, floor)
     if scale is None:
-        return (0.0, "") if found == expected else (math.inf, f"{found} where the reference has {expected}")
+        same = np.asarray(found).tolist() == np.asarray(expected).tolist()
+        return (0.0, "") if same else (math.inf, f"{found} where the reference has {expected}")
     try:
         numbers = np.array(found, dtype=np.float64)
     except (ValueError, TypeError, OverflowError):

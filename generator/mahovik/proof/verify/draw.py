@@ -16,12 +16,16 @@ from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state, random_wrenches
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError, whole_number
+from mahovik.proof.verify.scales import Scales
 
 HALF_TURN_DISTANCE = {"double": 1e-6, "float": 1e-5}
 """Least distance from a half turn, rad: nearer, rounding decides in which sense a law turns back."""
 
 LEAST_EXPONENT = {"double": -310, "float": -43}
 """Least decimal exponent of a number in a state; below 1e-308, in float 1e-38, numbers are subnormal."""
+
+REDRAWN = 3
+"""How often a state is drawn anew where rounding decides a word of its answer."""
 
 
 def draw(stand: Stand, seed: int, count: int, real: str = "double", wrenches: bool = True) -> list[tuple[str, State]]:
@@ -30,10 +34,7 @@ def draw(stand: Stand, seed: int, count: int, real: str = "double", wrenches: bo
     Every fourth ordinary one has a run-time wrench on every body; without `wrenches` on those that take one only. For
     float every number is one of float, but for the quaternion: it has unit length in double.
     """
-    whole_number("states", count)
-    whole_number("seed", seed, 0)
-    if real not in HALF_TURN_DISTANCE:
-        raise UsageError(f"real: unknown {real!r}, expected one of {', '.join(HALF_TURN_DISTANCE)}")
+    check_drawing(seed, count, real)
     found = []
     rng = np.random.default_rng(seed)
     for number, kind in zip(range(count), _state_kinds(), strict=False):
@@ -44,6 +45,39 @@ def draw(stand: Stand, seed: int, count: int, real: str = "double", wrenches: bo
             state = without_others(stand, state)
         found.append((f"{kind} {number}", _held_to_float(stand, round_to_float(state)) if real == "float" else state))
     return found
+
+
+def check_drawing(seed: int, count: int, real: str) -> None:
+    """Raises UsageError: no states can be drawn so."""
+    whole_number("states", count)
+    whole_number("seed", seed, 0)
+    if real not in HALF_TURN_DISTANCE:
+        raise UsageError(f"real: unknown {real!r}, expected one of {', '.join(HALF_TURN_DISTANCE)}")
+
+
+def draw_decided(stand: Stand, scales: Scales, seed: int, count: int, real: str = "double") -> list[tuple[str, State]]:
+    """The states of `draw`, without run-time wrenches that the C does not take.
+
+    One where rounding decides a word of `inverse` is drawn anew, up to REDRAWN times.
+    """
+    rng, found = np.random.default_rng((seed, 1)), []
+    for name, state in draw(stand, seed, count, real, wrenches=False):
+        chosen = state
+        for _ in range(REDRAWN):
+            measured = scales.want(chosen, "inverse")
+            if measured is None or not measured.undecided:
+                break
+            chosen = _ordinary(stand, rng, real)
+        found.append((name, chosen))
+    return found
+
+
+def _ordinary(stand: Stand, rng: np.random.Generator, real: str) -> State:
+    """An ordinary state, as the element type has it."""
+    state = _draw_state(stand, rng, "random", real)
+    while _near_a_branch(stand, state, HALF_TURN_DISTANCE[real]):
+        state = _draw_state(stand, rng, "random", real)
+    return _held_to_float(stand, round_to_float(state)) if real == "float" else state
 
 
 def _state_kinds() -> Iterator[str]:

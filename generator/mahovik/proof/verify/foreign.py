@@ -18,6 +18,7 @@ import numpy as np
 
 from mahovik.contract.evaluation import ANSWERS, MAY_BE_LEFT_OUT, STATE, answers_of
 from mahovik.contract.functions import wants_of_carrier
+from mahovik.contract.limits import DOUBLE, uniform
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.state import State
@@ -25,7 +26,6 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.second import Second
 from mahovik.proof.verify.actuators import with_drawn_actuators
-from mahovik.proof.verify.bounds import DOUBLE, uniform
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.draw import draw
@@ -94,7 +94,7 @@ def verify_program(
     seed: int = 1,
     count: int = 200,
     timeout: float = 300.0,
-    tolerance: float = DOUBLE.default,
+    tolerance: float = DOUBLE.value,
 ) -> Report:
     """Judge a program. `wants`: those it must offer; else what it does offer.
 
@@ -133,7 +133,7 @@ def verify_log(
     count: int,
     *,
     wants: Sequence[str] = (),
-    tolerance: float = DOUBLE.default,
+    tolerance: float = DOUBLE.value,
 ) -> Report:
     """Judge the answers of a log of `count` states. `wants`: those it must have."""
     known = {want for request, _ in answers for want in request.want}
@@ -143,7 +143,7 @@ def verify_log(
             # the reaction of a held carrier has a want of its own
             judge.compare(request, request.want[0], result, ("reaction",) if "reaction" not in result else ())
     lacking = [Check(w, w, verdict="MISSING", words="no row of the log has it") for w in wants if w not in known]
-    return report(stand, source, 0, count, tolerance, [*judge.rows(), *lacking])
+    return report(stand, source, 0, count, tolerance, [*judge.checks(), *lacking])
 
 
 def takes_actuators(stand: Stand, program: Program, timeout: float) -> bool:
@@ -180,7 +180,7 @@ def _rows(setting: TaskSetting, answered: Answered, left_out: Sequence[str], req
     by_want: dict[str, list[tuple[Request, Mapping[str, Any]]]] = {}
     for request, result in answered:
         by_want.setdefault(request.want[0], []).append((request, result))
-    judge = Judge(setting.stand, setting.bounds, setting.second, "program")
+    judge = Judge(setting.stand, setting.limits, setting.second, "program")
     rows: list[Check] = []
     for want, pairs in by_want.items():
         refusals = [str(result["error"])[:200] for _, result in pairs if "error" in result]
@@ -200,7 +200,7 @@ def _rows(setting: TaskSetting, answered: Answered, left_out: Sequence[str], req
                 judge.compare(request, want, None, absent, f"refused: {result['error']}"[:200])
             else:
                 judge.compare(request, want, result, absent)
-    return [*judge.rows(), *rows]
+    return [*judge.checks(), *rows]
 
 
 def answers_of_program(program: Program, requests: Sequence[Request], timeout: float) -> list[Mapping[str, Any]]:

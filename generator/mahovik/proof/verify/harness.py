@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.contract.functions import TASK_WANTS
+from mahovik.contract.limits import DOUBLE, LIMITS, Limits
 from mahovik.core.lower.hold import OF_COORDINATES
 from mahovik.core.stand.hold import has_coordinates
 from mahovik.core.stand.identity import identities
@@ -18,20 +19,20 @@ from mahovik.errors import StateError
 from mahovik.proof.second import Second
 from mahovik.proof.second.reading import Table
 from mahovik.proof.verify.backends import Backend
-from mahovik.proof.verify.bounds import BOUNDS, DOUBLE, Bounds
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import Judge, same_bits
-from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.draw import check_drawing, draw_decided
 from mahovik.proof.verify.files import check_batch, check_file, check_text, is_as_generated
 from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.program_backend import public_names
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
 from mahovik.proof.verify.report import OTHER_TEXT, Report
+from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import Request
 
-INVERSE_EVERY = 8
-"""The interpreter runs `inverse`, tens of thousands of operations, at every eighth state."""
+INTERPRETED_EVERY = 8
+"""The interpreter, a thousand times slower than C, runs at every eighth state."""
 
 FUNCTION_STATES = 12
 """Ordinary states at which functions that answer no want are judged."""
@@ -52,18 +53,19 @@ def judge(
     backend: Backend,
     states: Sequence[tuple[str, State]],
     wants: Sequence[str],
-    bounds: Bounds = DOUBLE,
+    limits: Limits = DOUBLE,
     progress: Progress | None = None,
     second: Second | None = None,
     judged: str = "C",
+    scales: Scales | None = None,
 ) -> list[Check]:
     """Checks of every quantity that `wants` give: the backend against the reference, and with `second` three ways."""
-    found = Judge(stand, bounds, second, judged)
+    found = Judge(stand, limits, second, judged, scales)
     for done, (name, state) in enumerate(states):
         for want in wants:
             if not applicable(state, want):
                 continue
-            if found.expected_answer(state, want) is None:
+            if found.scales.want(state, want) is None:
                 continue
             try:
                 values, words = backend.evaluate(state, (want,)), ""
@@ -72,7 +74,7 @@ def judge(
             found.compare(Request(name, state, (want,)), want, values, words=words)
         if progress is not None:
             progress(done + 1, len(states))
-    rows = found.rows()
+    rows = found.checks()
     compared = {row.judged for row in rows}
     return rows + [
         Check(want, "no state compared", verdict="FAILED", words="no reference has an answer at any of the states")
@@ -89,30 +91,28 @@ def verify_c(
     against: Path | None = None,
     real: str = "double",
     progress: Progress | None = None,
-    wrenches: bool = True,
     backend: CBackend | None = None,
     document: Table | None = None,
 ) -> Report:
     """Compile the generated C, fresh or of the folder `against`, without a warning, and compare it three ways.
 
-    `wrenches`: run-time wrenches on every body, for which fresh C is compiled once more, with all its inputs.
     `backend`: of these options, where the caller has it. `document`: tables of the stand's file, None without one.
     Batch C in `against` must be what this version generates.
 
     Raises ToolchainError where it does not compile, CheckError where it is of another stand.
     """
-    with_inputs = wrenches and against is None
-    states = draw(stand, seed, count, real, wrenches=with_inputs)
+    check_drawing(seed, count, real)
     with side_by_side() as pool:
         if backend is None:
-            built = pool.submit(CBackend, stand, real, against, pool=pool if with_inputs else None)
-        from mahovik.proof.verify.functions.registry import function_rows  # SciPy: loaded while the compiler runs
+            built = pool.submit(CBackend, stand, real, against)
+        from mahovik.proof.verify.functions.table import function_checks  # SciPy: loaded while the compiler runs
 
-        second = Second(stand)
+        second, scales, limits = Second(stand), Scales(stand, real, seed), LIMITS[real]
+        states = draw_decided(stand, scales, seed, count, real)
         backend = backend or built.result()
-        rows = judge(stand, backend, states, backend.wants, BOUNDS[real], progress, second)
+        rows = judge(stand, backend, states, backend.wants, limits, progress, second, scales=scales)
         some = ordinary(states, backend.inputs, FUNCTION_STATES)
-        rows += function_rows(Case(stand, backend, some, BOUNDS[real], second, seed))
+        rows += function_checks(Case(stand, backend, some, limits, second, scales, seed))
         rows.append(check_bits(backend, states, against))
         rows.append(check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)))
         rows += absent_rows(backend.left_out)
@@ -123,7 +123,7 @@ def verify_c(
         rows += filter(None, [check_batch(stand, backend.generated, against)])
     judged = "generated C" if against is None else f"C in {against}"
     judged += f", only {', '.join(public_names(backend.program))}" if backend.left_out else ""
-    return report(stand, judged, seed, len(states), BOUNDS[real].default, rows)
+    return report(stand, judged, seed, len(states), limits.value, rows)
 
 
 def absent_rows(left_out: Sequence[str]) -> list[Check]:
@@ -166,10 +166,8 @@ def check_bits(backend: CBackend, states: Sequence[tuple[str, State]], against: 
     if not backend.wants:
         row.words = "none of the functions answers a want; the self-test compares bits"
         return row
-    for number, (name, state) in enumerate(states):
+    for name, state in states[::INTERPRETED_EVERY]:
         wants = [want for want in backend.wants if applicable(state, want)]
-        if number % INVERSE_EVERY and "inverse" in wants:
-            wants.remove("inverse")
         pairs = (
             (want, _outcome(backend.evaluate, state, want), _outcome(backend.interpreter_evaluate, state, want))
             for want in wants

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from mahovik.contract import laws
+from mahovik.contract.limits import DOUBLE
 from mahovik.core.stand.definite import least_eigenvalue
 from mahovik.core.stand.frames import pose
 from mahovik.core.stand.hold import is_closed, twists
@@ -34,15 +35,14 @@ from mahovik.proof.verify.check import Check, difference
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import Progress, report
 from mahovik.proof.verify.report import Report
-from mahovik.proof.verify.scales import scales
-from mahovik.proof.verify.scales.magnitudes import Magnitudes
+from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import Request
 
 Array = NDArray[np.float64]
 Values = dict[str, Any]
 States = Sequence[tuple[str, State]]
 
-LIMIT, NEAR = 1e-12, 10.0
+LIMIT, NEAR = DOUBLE.value, 10.0
 """Accepted difference, a share of its scale; coordinate of the carrier in E0, m, beyond which it is put there, since
 the programs add its position to that of every body."""
 
@@ -370,9 +370,10 @@ def judge(
 ) -> list[Check]:
     """A check for each program and quantity."""
     checks: dict[tuple[str, str], Check] = {}
+    scales = Scales(stand)
     for done, (name, drawn) in enumerate(states):
         state = replace(drawn, position=tuple(np.clip(drawn.position, -NEAR, NEAR).tolist()))
-        natural = _scales(stand, state)
+        natural = _scales(scales, state)
         for program in programs:
             for want, values in program.answers(state).items():
                 ours = backend.evaluate(state, (want,))
@@ -391,10 +392,14 @@ def judge(
     return [check for program in programs for check in checks.values() if check.judged == program.name]
 
 
-def _scales(stand: Stand, state: State) -> dict[str, Values]:
-    """The natural scale of every quantity."""
-    with np.errstate(all="ignore"):
-        at = reference.pieces(stand, state)
-        m = Magnitudes(stand, state, at)
-        found = {want: scales(stand, state, at, want) for want in ("forward", "coupled", "torque", "mounts", "points")}
-        return found | {"matrices": {"K": m.S_K, "I": m.S_I, "bias": m.S_bias}}
+def _scales(scales: Scales, state: State) -> dict[str, Any]:
+    """The measured scale of every quantity."""
+    found: dict[str, Any] = {}
+    for want in ("forward", "coupled", "torque", "mounts", "points"):
+        measured = scales.want(state, want)
+        found[want] = {} if measured is None else measured.scales
+
+    def matrices(_: Stand, __: State, at: reference.Pieces) -> Values:
+        return {"K": at.K, "I": at.I, "bias": at.M @ at.V_r + at.J @ at.phi_dot - at.F}
+
+    return found | {"matrices": scales.measure(state, matrices).scales}

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, Protocol
 
 from mahovik.contract.functions import row_of
@@ -194,11 +195,17 @@ def _coordinates(program: Program) -> dict[str, Any]:
 def raw_call(backend: LoadedC) -> Call:
     """Calls a function of the C with inputs that may be wrong: its status, and whether its results are untouched."""
 
+    library, program = backend.library, backend.program
+
+    @cache
+    def table() -> Any:
+        """The default table as plain data, of which each call has a copy to write to."""
+        return library.value(program.function("prepare"), "table")
+
     def call(name: str, inputs: Mapping[str, Any]) -> tuple[int, bool]:
-        library, program = backend.library, backend.program
         given = {key: library.ffi.NULL if value is NULL else value for key, value in inputs.items()}
         if name == "prepare" and inputs["table"] is not NULL:
-            given["table"] = library.value(program.function(name), "table")  # it is written to
+            given["table"] = table()
         return library.probe(program.function(name), given)
 
     return call

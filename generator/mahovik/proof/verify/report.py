@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -61,25 +61,15 @@ def _verdict(report: Report) -> str:
     if not report.passed:
         return _nothing(report)
     ok = [row for row in report.rows if row.verdict == "ok"]
-    quantities = [row for row in ok if row.request is not None] or ok  # of wants: functions have scales of their own
-    row = max(quantities, key=lambda row: row.share)
-    by_second = (row.second or 0.0) * row.limit > row.value * row.accepted_of_second
-    difference, accepted = (row.second or 0.0, row.accepted_of_second) if by_second else (row.value, row.limit)
-    off = f"{difference:.1e} of the natural scale, {accepted:.0e} accepted"
-    if has_one_limit(quantities):
-        return f"passed: worst {off}"
-    return f"passed: nearest to its limit {row.quantity}, {'second' if by_second else 'judged'} and reference: {off}"
+    alike = [row for row in ok if row.limit == report.tolerance] or ok
+    row = max(alike, key=lambda row: row.value)
+    return f"passed: worst {row.value:.1e} of the natural scale, {row.limit:.0e} accepted"
 
 
 def _nothing(report: Report) -> str:
     """That nothing was compared, with the first reason why; not passed, but nothing failed either."""
     reason = next((row.words for row in report.rows if row.words), "")
     return f"nothing was compared: {reason}" if reason else "nothing was compared"
-
-
-def has_one_limit(rows: Sequence[Check]) -> bool:
-    """Whether all differences of these checks have the same limit, but those of which only equality is right."""
-    return len({limit for row in rows if row.limit for limit in (row.limit, row.accepted_of_second)}) <= 1
 
 
 def as_json(report: Report, more: Mapping[str, Any] | None = None) -> str:

@@ -1,4 +1,4 @@
-"""Judge of the want `torque_for` of a program: its requests, and the rows by the literal reference and SciPy.
+"""Judge of the want `torque_for` of a program: its requests, and the checks by the literal reference.
 
 Torques within bounds are no smooth function of the state: they are judged as those of the C are, by what they reach.
 """
@@ -7,22 +7,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from mahovik.contract.limits import Limits
 from mahovik.contract.status import BITS, STATUS_VALUES
 from mahovik.core.stand.model import Stand, Task
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.motion import coupled
-from mahovik.proof.reference.tasks import task_of, task_rows
+from mahovik.proof.reference.tasks import task_rows
 from mahovik.proof.second import Second
-from mahovik.proof.verify.bounds import Bounds
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.functions import allocation, task_torques
-from mahovik.proof.verify.functions.case import Setting, ordinary
+from mahovik.proof.verify.functions.case import Rows, ordinary
+from mahovik.proof.verify.functions.optimality import judge_torques, motor_bounds
+from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import Request
 
 WANT = "torque_for"
@@ -34,13 +36,18 @@ STATES = 24
 
 
 @dataclass(frozen=True)
-class TaskSetting(Setting):
+class TaskSetting:
     """Where a program's torques are judged."""
 
     stand: Stand
-    bounds: Bounds
+    limits: Limits
     second: Second
     seed: int
+
+    @cached_property
+    def scales(self) -> Scales:
+        """The reference with its scales."""
+        return Scales(self.stand)
 
 
 def torque_requests(setting: TaskSetting, states: Sequence[tuple[str, State]]) -> list[Request]:
@@ -57,34 +64,27 @@ def torque_requests(setting: TaskSetting, states: Sequence[tuple[str, State]]) -
 
 def _demand(setting: TaskSetting, number: int, state: State, task: Task) -> Array:
     """What random torques reach (m): a part of those of the motors, or of 1000 rad/s2 where these have no limit."""
-    at = setting.at(state)
-    _, most = task_torques.torque_bounds(state, _options(setting.stand))
-    drawn = setting.random(900 + number).uniform(-1.0, 1.0, setting.count) * SHARES[number % len(SHARES)]
-    tau = drawn * np.minimum(most, 1000.0 * np.diag(at.Theta_ff))
+    at = setting.scales.at(state)
+    _, most = motor_bounds(state, _options(setting.stand))
+    drawn = np.random.default_rng((setting.seed, 900 + number)).uniform(-1.0, 1.0, len(most))
+    tau = drawn * SHARES[number % len(SHARES)] * np.minimum(most, 1000.0 * np.diag(at.Theta_ff))
     return task_rows(at, setting.stand, task).acceleration(coupled(at, tau)[0])
 
 
 def torque_rows(setting: TaskSetting, requests: Sequence[Request], results: Sequence[Mapping[str, Any]]) -> list[Check]:
     """tau where no bound is touched, the error within bounds, the motion that results, status and limited."""
-    plain = Check(WANT, "tau, without bounds", setting.bounds.default)
-    bounded = Check(WANT, "residual, within bounds", max(allocation.EXCESS_LIMIT, setting.bounds.default))
-    beside = task_torques.Results(setting, WANT)
-    options = _options(setting.stand)
-    locked = np.zeros(setting.count, dtype=bool)
+    rows, options = Rows(setting.limits, setting.scales, WANT), _options(setting.stand)
+    locked = np.zeros(len(setting.stand.flywheels), dtype=bool)
     for request, result in zip(requests, results, strict=True):
         state, where = request.state, str(request.id).partition(",")[0]
         try:
             status = _status(result)
-            found = _numbers(result, setting.count, len(state.demand))
+            found = _numbers(result, len(locked), len(state.demand))
         except StateError as error:
-            plain.refuse(error, where)
+            rows.check("tau").refuse(error, where)
             continue
-        rows = task_rows(setting.at(state), setting.stand, task_of(setting.stand, state.task))
-        asked = task_torques.asked_of(setting, state, rows, options, locked)
-        task_torques.note_plain(setting, plain, asked, options, found, where)
-        task_torques.note_excess(setting, bounded, asked, found, where)
-        beside.note(asked, status, found, where)
-    return [plain, bounded, *beside.rows()]
+        judge_torques(setting, rows, where, state, options, locked, status, found)
+    return list(rows.checks.values())
 
 
 def _options(stand: Stand) -> dict[str, Any]:

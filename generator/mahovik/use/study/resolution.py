@@ -26,7 +26,6 @@ from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Bodies, PlacedBody, bodies_of
 from mahovik.proof.reference.motion import forward
 from mahovik.proof.reference.screw import Phi, f, spin
-from mahovik.proof.verify.scales.magnitudes import inverse_magnitude
 from mahovik.use.study.exchange import Exchange
 
 UNIT = 2.0**-24
@@ -94,7 +93,13 @@ def acceleration_terms(at: reference.Pieces, state: State) -> Array:
     turning = _coupling_terms(at.J - Phi(at.V_r) @ at.I, at)
     right = _wrench_terms(at) + np.abs(Phi(at.V_r)) @ momentum + np.abs(at.K_dot) @ V + turning
     stream = np.abs(at.stream_rate())
-    return np.asarray(inverse_magnitude(at.K) @ (right + K @ np.abs(at.V_r_dot(V_dot))) + stream)
+    return np.asarray(_inverse_magnitude(at.K) @ (right + K @ np.abs(at.V_r_dot(V_dot))) + stream)
+
+
+def _inverse_magnitude(S: Array) -> Array:
+    """|S^-1|, element by element, of a symmetric positive definite S; scaled first, for units mix."""
+    scale = 1.0 / np.sqrt(np.diag(S))
+    return np.asarray(np.abs(np.linalg.inv(S * np.outer(scale, scale))) * np.outer(scale, scale))
 
 
 def momentum_terms(at: reference.Pieces, state: State) -> Array:

@@ -21,7 +21,7 @@ from mahovik.proof.reference.hold import free_equations
 from mahovik.proof.reference.motion import bias
 from mahovik.proof.reference.pieces import stream_at
 from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.proof.verify.scales.wrenches import wrench_scale
+from mahovik.proof.verify.scales import Scales
 from mahovik.use.simulate.held import displacement, home, move
 
 Array = NDArray[np.float64]
@@ -254,7 +254,8 @@ class _Search:
             for wrench in at.terms[k.body.name].values():
                 sizes += np.abs(k.L) @ np.abs(wrench)
         if self.stops:  # a stiff one makes much of the last digit of its depth
-            sizes = np.maximum(sizes, wrench_scale(self.stand, self.state, at))
+            measured = Scales(self.stand).measure(self.state, lambda _, __, at: {"F": at.F})
+            sizes = np.maximum(sizes, measured.scales["F"])
         rounding = 32 * np.finfo(float).eps * (np.abs(self.scale.T @ self.scale) @ sizes)
         return np.asarray(np.maximum(AT_REST, rounding))
 

@@ -26,7 +26,7 @@ from mahovik.out.report.stand.material import Material, Section
 from mahovik.out.report.stand.matrices import Side, matrix, named_freedoms
 from mahovik.proof import reference
 from mahovik.proof.reference.coordinates import coordinates_at
-from mahovik.proof.verify.scales import scales
+from mahovik.proof.verify.scales import scales_of
 from mahovik.use.plan.array import Array
 from mahovik.use.study.linear import linear_model, modes
 from mahovik.use.study.linear.words import shape_words
@@ -162,7 +162,7 @@ def _motion(material: Material, hold: Hold) -> list[Markup]:
     with np.errstate(all="ignore"):
         found = reference.evaluate(stand, state, ["forward"])
         at = reference.pieces(stand, state)
-        natural = scales(stand, state, at, "forward")
+        natural = scales_of(stand, state, "forward")
     words_ = (
         f"{sentence(material.state_words)}: what ``forward`` answers there, flywheels keeping their accelerations. "
     )
@@ -182,7 +182,7 @@ def _motion(material: Material, hold: Hold) -> list[Markup]:
             )
         ]
         shown.append(table(("freedom", "u>", Markup("u∗>"), "unit of u∗"), [rows]))
-        S, K = twists(hold), scales(stand, state, at, "matrices")["K"]
+        S, K = twists(hold), scales_of(stand, state, "matrices")["K"]
         side = Side((("freedoms", tuple(freedom_names(hold))),))
         caption = Markup("<b>{}</b>, mass matrix of the freedoms, SI").format(math_text("S^T K S"))
         shown.append(matrix(caption, S.T @ at.K @ S, np.abs(S).T @ K @ np.abs(S), side, side))

@@ -22,7 +22,7 @@ from mahovik.proof import reference
 from mahovik.proof.reference.hold import held_forward
 from mahovik.proof.reference.motion import forward
 from mahovik.proof.verify.judges import SEQUENCES
-from mahovik.proof.verify.scales import scales
+from mahovik.proof.verify.scales import scales_of
 
 Array = NDArray[np.float64]
 
@@ -135,7 +135,7 @@ def section(material: Material) -> Section | None:
     """The equations, the state, K, K*, M, I, J, then A, D, I0, J0, and the terms of (8)."""
     stand, state = material.stand, with_angles(material.stand, material.state)
     at = reference.pieces(stand, state)
-    natural = scales(stand, state, at, "matrices")
+    natural = scales_of(stand, state, "matrices")
     carrier = [
         _square("K", "2", at.K, natural["K"], _twist("v∗, m/s²", "ω∗, rad/s²")),
         _square("K*", "6", at.K_dot, natural["K_dot"], _twist("v, m/s", "ω, rad/s")),
@@ -209,7 +209,7 @@ def _generalized_form(stand: Stand, state: State, at: reference.Pieces) -> dict[
     """A, D of (10), I0, J0 of (11); or why there are none: the attitude is singular."""
     try:
         found = reference.evaluate(stand, state, ["generalized"], at)
-        natural = scales(stand, state, at, "generalized")
+        natural = scales_of(stand, state, "generalized")
     except StateError as error:
         return {"generalized": [], "refused": str(error)}
     rates, accelerations = (("O₁′, m/s", "angles′, rad/s"), ("O₁″, m/s²", "angles″, rad/s²"))

@@ -17,7 +17,7 @@ from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import StateError, UsageError
 from mahovik.proof import reference
 from mahovik.proof.verify.check import difference
-from mahovik.proof.verify.scales import scales
+from mahovik.proof.verify.scales import scales_of
 from mahovik.use.simulate.held import rates
 from mahovik.use.simulate.run import column_names
 
@@ -211,7 +211,7 @@ def _disagreement(stand: Stand, run: Run) -> str | None:
             try:
                 at = reference.pieces(stand, state)
                 expected = reference.evaluate(stand, state, [want], at)[quantity]
-                natural = scales(stand, state, at, want)[quantity]
+                natural = scales_of(stand, state, want)[quantity]
             except (StateError, np.linalg.LinAlgError):
                 return None
             keep = [i for i, s in enumerate(stand.flywheels) if not s.wrench_input] if want == "torque" else slice(None)

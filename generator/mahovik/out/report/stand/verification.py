@@ -8,6 +8,7 @@ from itertools import groupby
 
 from markupsafe import Markup
 
+from mahovik.contract.limits import DOUBLE
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.board import version as program_version
 from mahovik.core.toolchain.compiler import find_compiler
@@ -17,7 +18,6 @@ from mahovik.out.report.stand.markup import Cell, markup_of, sentence, share, ta
 from mahovik.out.report.stand.material import Material, Section, generate_once
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
-from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
@@ -103,13 +103,13 @@ def _compare_three(stand: Stand) -> tuple[Report, str]:
         backend = InterpreterBackend(generate_once(stand))
         wants = [want for want in backend.wants if want != "inverse"]  # tens of thousands of operations a state
         rows = judge(stand, backend, states, wants, DOUBLE, None, Second(stand), "program")
-        return report(stand, "program, interpreted", 1, len(states), DOUBLE.default, rows), str(error)
+        return report(stand, "program, interpreted", 1, len(states), DOUBLE.value, rows), str(error)
     try:
         backend_c = CBackend(stand, generated=generate_once(stand))
     except ToolchainError as error:
-        return report(stand, "generated C", 1, 0, DOUBLE.default, (), str(error)), ""
+        return report(stand, "generated C", 1, 0, DOUBLE.value, (), str(error)), ""
     document = StandWithKeys.of(stand).to_dict()
-    return verify_c(stand, seed=1, count=STATES, wrenches=False, backend=backend_c, document=document), ""
+    return verify_c(stand, seed=1, count=STATES, backend=backend_c, document=document), ""
 
 
 def _outside(stand: Stand, name: str) -> tuple[Report | None, str]:

@@ -9,70 +9,42 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.limits import Limits
 from mahovik.contract.status import status_words
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
 from mahovik.proof.second import Second
-from mahovik.proof.verify.bounds import Bounds
 from mahovik.proof.verify.c_backend import CBackend
-
-
-class Setting:
-    """The stand, accepted differences, second derivation, element type and seed of a judge of a task."""
-
-    stand: Stand
-    bounds: Bounds
-    second: Second
-    seed: int
-
-    @property
-    def real(self) -> str:
-        """Element type of the program, "double" or "float"."""
-        return "double"
-
-    @property
-    def count(self) -> int:
-        """Number of flywheels."""
-        return len(self.stand.flywheels)
-
-    @property
-    def unit(self) -> float:
-        """Unit in the last place of 1 in the element type."""
-        return float(np.finfo(np.float32 if self.real == "float" else np.float64).eps)
-
-    def nearest_numbers(self, numbers: Array) -> Array:
-        """The nearest numbers that the element type has."""
-        return np.asarray(numbers, dtype=np.float32 if self.real == "float" else np.float64).astype(np.float64)
-
-    def random(self, number: int = 0) -> np.random.Generator:
-        """A generator of its own for each use, the same for the same seed."""
-        return np.random.default_rng((self.seed, number))
-
-    def at(self, state: State) -> reference.Pieces:
-        """Pieces of the literal reference at a state."""
-        return reference.pieces(self.stand, state)
+from mahovik.proof.verify.check import Check, difference
+from mahovik.proof.verify.scales import Equation, Scales
 
 
 @dataclass(frozen=True)
-class Case(Setting):
+class Case:
     """The C under judgement, and the states at which it is judged.
 
     backend  the compiled C: its functions are called by name
     states   ordinary states by name, with run-time wrenches on the bodies that take one
-    bounds   accepted differences of the element type
+    limits   accepted differences of the element type
     second   the second derivation of the same stand
+    scales   the reference with its scales, of the same stand
     seed     of the random numbers that a judge needs besides the states
     """
 
     stand: Stand
     backend: CBackend
     states: Sequence[tuple[str, State]]
-    bounds: Bounds
+    limits: Limits
     second: Second
+    scales: Scales
     seed: int
+
+    @property
+    def count(self) -> int:
+        """Number of flywheels."""
+        return len(self.stand.flywheels)
 
     @property
     def numbers(self) -> int:
@@ -82,15 +54,81 @@ class Case(Setting):
     @property
     def real(self) -> str:
         """Element type of the program, "double" or "float"."""
-        return self.backend.layout.precision.name
+        return self.limits.real
+
+    @property
+    def unit(self) -> float:
+        """Unit in the last place of 1 in the element type."""
+        return float(np.finfo(np.float32 if self.real == "float" else np.float64).eps)
+
+    @property
+    def none(self) -> list[float]:
+        """No limit, for each flywheel."""
+        return [self.backend.layout.precision.largest] * self.count
+
+    def nearest_numbers(self, numbers: Any) -> Array:
+        """The nearest numbers that the element type has."""
+        return np.asarray(numbers, dtype=np.float32 if self.real == "float" else np.float64).astype(np.float64)
+
+    def random(self, number: int = 0) -> np.random.Generator:
+        """A generator of its own for each use, the same for the same seed."""
+        return np.random.default_rng((self.seed, number))
 
     def call(self, function: str, inputs: Mapping[str, Any]) -> dict[str, Any]:
         """Results of a function, members of a struct of results by their names. Raises StateError if it refuses."""
+        return self.call_with_status(function, inputs)[1]
+
+    def call_with_status(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
+        """Status and results, likewise."""
         status, outputs = self.backend.call(function, inputs)
         if status < 0:
             raise StateError(f"{function} refused with status {status_words(status)}")
         found: dict[str, Any] = outputs.get("out", outputs)
-        return found
+        return status, found
+
+    def lock_pattern(self, number: int) -> Array:
+        """Locked flywheels (N, bool): every second, the others, all but one, all, in turn."""
+        order = np.arange(self.count)
+        return np.asarray(
+            (order % 2 == 0, order % 2 == 1, order != number % max(self.count, 1), order >= 0)[number % 4]
+        )
+
+
+class Rows:
+    """Checks of one function, a check for each quantity of its results."""
+
+    def __init__(self, limits: Limits, scales: Scales, function: str) -> None:
+        self._limits, self._scales, self._function = limits, scales, function
+        self.checks: dict[str, Check] = {}
+
+    def check(self, quantity: str, limit: float | None = None) -> Check:
+        """The check of a quantity; by default of the kind `value`."""
+        limits = self._limits
+        new = Check(self._function, quantity, limits.value if limit is None else limit, floor=limits.floor)
+        return self.checks.setdefault(quantity, new)
+
+    def compare(
+        self, name: str, state: State, equation: Equation, found: Mapping[str, Any], suffix: str = "",
+        least_squares: bool = False, more: Mapping[str, Array] = MappingProxyType({}),
+    ) -> None:  # fmt: skip
+        """Compare results with the answer of an equation, each of its quantities, with measured scales.
+
+        A state where the reference has no answer tests nothing; one where rounding decides a word is left out. `more`:
+        what is added to scales.
+        """
+        try:
+            measured = self._scales.measure(state, equation, least_squares)
+        except (StateError, np.linalg.LinAlgError):
+            return
+        for quantity in measured.values:
+            check = self.check(f"{quantity}{suffix}")
+            if measured.undecided:
+                check.skip("rounding decides a word of the answer", name)
+                continue
+            value, scale = measured.values[quantity], measured.scales[quantity]
+            scale = scale if quantity not in more else scale + more[quantity]
+            off, words = difference(found.get(quantity), value, scale, check.floor)
+            check.note(off, name, words)
 
 
 def ordinary(states: Sequence[tuple[str, State]], inputs: Sequence[str], most: int) -> list[tuple[str, State]]:

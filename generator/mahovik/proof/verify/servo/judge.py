@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.contract.quantities import BOUNDS as LIMITS
-from mahovik.contract.quantities import limits_of
+from mahovik.contract.limits import LIMITS
+from mahovik.contract.quantities import BOUNDS, limits_of
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
@@ -25,7 +25,6 @@ from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.bodies import bodies_of, spinning_bodies
 from mahovik.proof.reference.pieces import spin_inertia
-from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.compiled import Part, load_part
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
@@ -96,7 +95,7 @@ class ServoCase:
     @property
     def tolerance(self) -> float:
         """Accepted difference over the scale."""
-        return BOUNDS[self.made.real].default
+        return LIMITS[self.made.real].law
 
     def default(self, name: str) -> dict[str, Any]:
         """Members of a table of the C, `servo_default` or `trim_default`."""
@@ -201,7 +200,7 @@ def gains_of(stand: Stand, servo: Servo, J: Array, span: float) -> dict[str, Any
     """
     T, w, d, i = servo.period, servo.bandwidth, servo.damping_ratio, servo.integral or 0.0
     _, speed, angle, integral = np.polymul([1.0, 2 * d * w, w * w], [1.0, i])
-    most = LIMITS["MAX_WRENCH"].value
+    most = BOUNDS["MAX_WRENCH"].value
     motors = [s.motor if servo.friction else None for s in stand.flywheels]
     return {
         "angle": J * angle,
@@ -284,7 +283,7 @@ def drawn_samples(
     The folder's gains in every other sample, else drawn ones that use every term. Torques are such that limits cut now
     and then; errors small, of many turns, and just below and above half turns.
     """
-    n, most, unlimited = case.wheels, LIMITS["MAX_PHASE"].at(case.made.real), LIMITS["MAX_WRENCH"].value
+    n, most, unlimited = case.wheels, BOUNDS["MAX_PHASE"].at(case.made.real), BOUNDS["MAX_WRENCH"].value
     table = {name: np.asarray(value) for name, value in case.default("servo_default").items()}
 
     def rounded(drawn: dict[str, Any]) -> dict[str, Array]:

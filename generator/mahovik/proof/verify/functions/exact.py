@@ -17,10 +17,10 @@ _DIGITS = mpmath.MPContext()
 _DIGITS.dps = 50
 
 WRAP_ERROR = 2.5
-"""Accepted error of `wrap`, in units in the last place of 1: its header promises 5e-16 rad in double."""
+"""Promised error of `wrap`, in units in the last place of 1: 5e-16 rad in double."""
 
-PHASE_ERROR = 2.0
-"""Accepted error of `phase_of_counts`, in units in the last place of its result, which its header promises."""
+PHASE_ERROR, SPEED_ERROR = 2.0, 4.0
+"""Promised errors of `phase_of_counts` and `speed_of_counts`, in units in the last place of their results."""
 
 
 def _distance(found: float, angle: mpmath.mpf) -> float:
@@ -35,9 +35,9 @@ def _beyond_half_a_turn(found: float, unit: float) -> float:
     return max(0.0, abs(found) - math.pi * (1 + unit))
 
 
-def wrap_rows(case: Case) -> Iterator[Check]:
+def wrap_checks(case: Case, _: str) -> Iterator[Check]:
     """The equal angle within half a turn."""
-    row = Check("wrap", "wrapped", WRAP_ERROR * case.unit)
+    row = Check("wrap", "wrapped, of the promised error", case.limits.promise)
     rng, (most,) = case.random(3), limits_of("phi", case.real)
     edges = (2 * rng.integers(-100, 100, 100) + 1) * math.pi  # there the nearest number of turns hangs on rounding
     angles = [0.0, math.pi, -math.pi, most, -most, *edges, *rng.uniform(-most, most, 200), *rng.normal(size=50)]
@@ -46,13 +46,13 @@ def wrap_rows(case: Case) -> Iterator[Check]:
         phi = max(-most, min(most, phi))
         found = case.call("wrap", {"phi": phi})["wrapped"]
         off = _distance(found, _DIGITS.mpf(phi)) + _beyond_half_a_turn(found, case.unit)
-        row.note(off, f"phi = {phi:g}")
+        row.note(off / (WRAP_ERROR * case.unit), f"phi = {phi:g}")
     yield row
 
 
-def phase_rows(case: Case) -> Iterator[Check]:
+def phase_checks(case: Case, _: str) -> Iterator[Check]:
     """2 pi (count - zero) / per_turn, but for whole turns."""
-    row = Check("phase_of_counts", "phi", PHASE_ERROR * case.unit)
+    row = Check("phase_of_counts", "phi, of the promised error", case.limits.promise)
     rng = case.random(4)
     for number in range(200):
         per_turn = int(rng.integers(1, 1 << 12 if number % 2 else 1 << 22)) * (-1 if number % 5 == 0 else 1)
@@ -63,24 +63,26 @@ def phase_rows(case: Case) -> Iterator[Check]:
         angle = 2 * _DIGITS.pi * _DIGITS.mpf(exact.numerator) / exact.denominator
         off = _distance(found, angle) / max(abs(found), float(np.finfo(np.float32).tiny))
         off = 0.0 if abs(found) < case.unit and _distance(found, angle) < case.unit else off
-        row.note(off + _beyond_half_a_turn(found, case.unit), f"count {count} of {per_turn}")
+        row.note(
+            (off + _beyond_half_a_turn(found, case.unit)) / (PHASE_ERROR * case.unit), f"count {count} of {per_turn}"
+        )
     yield row
 
 
-def speed_rows(case: Case) -> Iterator[Check]:
+def speed_checks(case: Case, _: str) -> Iterator[Check]:
     """2 pi moved / (per_turn dt)."""
-    row = Check("speed_of_counts", "phi_dot", 4 * case.unit)
+    row = Check("speed_of_counts", "phi_dot, of the promised error", case.limits.promise)
     rng = case.random(5)
     for number in range(100):
         per_turn = int(rng.integers(100, 10000)) * (-1 if number % 3 == 0 else 1)
         moved, dt = int(rng.integers(-abs(per_turn), abs(per_turn) + 1)), 2.0 ** -int(rng.integers(4, 12))
         found = case.call("speed_of_counts", {"moved": moved, "per_turn": per_turn, "dt": dt})["phi_dot"]
         exact = 2 * math.pi * moved / (per_turn * dt)
-        row.compare(found, exact, abs(exact), f"{moved} of {per_turn} in {dt:g} s")
+        row.compare(found, exact, SPEED_ERROR * case.unit * abs(exact), f"{moved} of {per_turn} in {dt:g} s")
     yield row
 
 
-def accumulate_rows(case: Case) -> Iterator[Check]:
+def accumulate_checks(case: Case, _: str) -> Iterator[Check]:
     """Place and counts moved of an encoder that turns at random, its counter wrapping; exact."""
     row = Check("accumulate", "place, moved, counter", 0.0)
     rng = case.random(6)

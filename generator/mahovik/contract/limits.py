@@ -1,0 +1,82 @@
+"""Accepted differences of a verification, by kind of judge and element type; no check has one of its own.
+
+A difference is a share of the scale of its quantity: how much the answer of the literal reference changes when every
+number of stand and state changes by `PERTURBATION`, over this number. A relative error of the inputs moves an answer by
+at most so many times its scale, whatever the condition of the equations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Accepted differences of what is judged, each a share of a scale.
+
+    value        of a quantity from that of the literal reference
+    second       of the second derivation from the reference, which both are double in any case
+    derivative   of a Jacobian: it goes through K^-1 twice
+    integration  of the state at the end of a motion, relative to state and change
+    short_steps  of that after thousands of short steps, with a carry
+    rigorous     of a quantity from the exact answer, enclosed by balls: some hundred units in the last place
+    optimality   of what the conditions of a least error leave, relative to its terms: solvers regularise
+    law          of a servo's law, relative to its terms
+    order        between the order with which errors of steps fall and that of the method
+    promise      of an error over what the header promises
+    real         element type
+    floor        least scale: below it products of inputs are subnormal and have lost their digits
+    """
+
+    value: float
+    second: float
+    derivative: float
+    integration: float
+    short_steps: float
+    rigorous: float
+    optimality: float
+    law: float
+    order: float = 0.6
+    promise: float = 1.0
+    real: str = "double"
+    floor: float = 1e-290
+
+
+DOUBLE = Limits(
+    value=1e-12, second=1e-11, derivative=1e-11, integration=1e-10, short_steps=1e-10, rigorous=5e-14, optimality=1e-6,
+    law=1e-12,
+)  # fmt: skip
+"""A sum of a hundred products is right to 1e-14 of its scale: two digits are left for stands of bad condition."""
+
+FLOAT = Limits(
+    value=1e-5, second=1e-11, derivative=1e-4, integration=2e-5, short_steps=4e-6, rigorous=1e-5, optimality=1e-3,
+    law=1e-6, real="float", floor=1e-30,
+)  # fmt: skip
+"""A number of float is right to 6e-8: 160 such errors, the rounding of the parameters among them."""
+
+LIMITS = {"double": DOUBLE, "float": FLOAT}
+
+PERTURBATION: Mapping[str, float] = {"double": 2.0**-36, "float": 2.0**-18}
+"""Relative change of every number of stand and state by which scales are measured.
+
+Far above the rounding of the element type, so that a word (status, rank) which rounding may decide changes as well; far
+below `rank` of the singular values, so that axes that are parallel in the file stay so.
+"""
+
+PERTURBATIONS = 6
+"""How often: the largest change counts."""
+
+RESTING = 2.0**-8
+"""Least scale of a component, a part of the largest in its quantity: what symmetry makes zero is left with rounding."""
+
+MOST_SKIPPED = 0.02
+"""Part of the states of a check that may be left out, since rounding decides a word of the answer there."""
+
+MOST_SCALE = 1e3
+"""Largest scale, over the size of the quantity, both by their medians: beyond, a check would see no error."""
+
+
+def uniform(tolerance: float) -> Limits:
+    """Limits of a caller: the same for all quantities."""
+    return replace(DOUBLE, value=tolerance, second=tolerance)

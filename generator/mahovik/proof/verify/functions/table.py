@@ -1,0 +1,121 @@
+"""The table of judges: each public function of the C, what judges it, and of which kind the judge is.
+
+value        an equation of the literal reference, or of the second derivation, with its measured scale
+integration  motions by the literal reference, integrated
+derivative   automatic differentiation of the second derivation
+exact        integers and angles with fifty digits
+optimality   the conditions of a least error
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from functools import partial
+
+from mahovik.contract.functions import FUNCTIONS, task_of
+from mahovik.errors import StateError
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.functions import exact, integration, optimality, value
+from mahovik.proof.verify.functions.case import Case
+
+
+@dataclass(frozen=True)
+class FunctionJudge:
+    """kind: see above; checks: of a case and the name of the function; against: what the answers are compared with."""
+
+    kind: str
+    checks: Callable[[Case, str], Iterable[Check]]
+    against: str
+
+
+def _value(trials: Callable[[Case], Iterator[value.Trial]], suffix: str = "") -> FunctionJudge:
+    return FunctionJudge("value", partial(_trials, trials=trials, suffix=suffix), "reference")
+
+
+def _trials(case: Case, name: str, trials: Callable[[Case], Iterator[value.Trial]], suffix: str) -> list[Check]:
+    return value.trial_checks(case, name, trials, suffix)
+
+
+def _given_sines(case: Case, name: str) -> list[Check]:
+    return value.trial_checks(case, name, partial(value.trials_of_given_sines, function=name))
+
+
+_GIVEN_SINES = FunctionJudge("value", _given_sines, "reference")
+_STEPS = FunctionJudge("integration", integration.step_checks, "reference, extrapolated")
+_CARRIED = FunctionJudge("integration", integration.carried_checks, "reference, extrapolated")
+_INVERSE = FunctionJudge("optimality", optimality.inverse_checks, "reference")
+_FAST = FunctionJudge("optimality", optimality.fast_checks, "reference")
+_TORQUES = FunctionJudge("optimality", optimality.torque_checks, "reference, second derivation")
+_JACOBIAN = FunctionJudge("derivative", value.jacobian_checks, "second derivation")
+_PARAMETERS = FunctionJudge("value", value.other_parameters, "reference")
+
+JUDGES: dict[str, FunctionJudge] = {
+    "wrench": _value(value.wrench_trials),
+    "mounts": FunctionJudge("value", value.mount_checks, "second derivation"),
+    "coupled": _value(value.locked_trials, ", with locks"),
+    "step": _STEPS,
+    "step_driven": _STEPS,
+    "step_carried": _CARRIED,
+    "step_driven_carried": _CARRIED,
+    "inverse": _INVERSE,
+    "inverse_fast": _FAST,
+    "inverse_fast_at": _FAST,
+    "forward_jacobian": _JACOBIAN,
+    "coupled_jacobian": _JACOBIAN,
+    "quaternion": _value(value.quaternion_trials),
+    "state_from_coordinates": _value(value.coordinate_trials),
+    "wrap": FunctionJudge("exact", exact.wrap_checks, "fifty digits"),
+    "phase_of_counts": FunctionJudge("exact", exact.phase_checks, "fifty digits"),
+    "speed_of_counts": FunctionJudge("exact", exact.speed_checks, "fractions"),
+    "accumulate": FunctionJudge("exact", exact.accumulate_checks, "integers"),
+    "prepare": _PARAMETERS,
+    "prepare_mounts": _PARAMETERS,
+    "regressor": _value(value.regressor_trials),
+    "identify_step": _value(value.estimate_trials),
+}
+"""Functions that answer no want, and those of a want with arguments that `eval` does not set.
+
+Functions that answer a want are judged at every state besides: reference and second derivation, of the kind `value`.
+"""
+
+JUDGES |= {name: _GIVEN_SINES for name in FUNCTIONS if name.endswith("_at") and name not in JUDGES}
+
+
+def judge_of(name: str) -> FunctionJudge | None:
+    """The judge of a function here, by its name; a task's functions have those of their forms."""
+    task = task_of(name)
+    if not task:
+        return JUDGES.get(name)
+    return {f"inverse_{task}": _INVERSE, f"torque_for_{task}": _TORQUES}.get(name, _FAST)
+
+
+def unjudged_functions(functions: Iterable[str]) -> list[str]:
+    """Names of public functions that neither answer a want nor have a judge here."""
+    return [name for name in functions if judge_of(name) is None and not (name in FUNCTIONS and FUNCTIONS[name].want)]
+
+
+def function_checks(case: Case) -> Iterator[Check]:
+    """Checks of every public function of the program that has a judge here, in the order of the program.
+
+    A function without any judge has a check that fails, and one of which no check compared a state.
+    """
+    names = [function.name for function in case.backend.program.functions if function.public]
+    for name in unjudged_functions(names):
+        yield Check(name, "no judge", verdict="FAILED", words="nothing compares this function")
+    for name in names:
+        if judge_of(name) is not None:
+            yield from checks_of(case, name)
+
+
+def checks_of(case: Case, name: str) -> list[Check]:
+    """Checks of one function by its judge, and one that fails where none compared a state."""
+    judge = judge_of(name)
+    assert judge is not None
+    try:
+        checks = list(judge.checks(case, name))
+    except StateError as error:  # of a call that every program must answer
+        return [Check(name, "refused", verdict="FAILED", words=str(error))]
+    if case.states and all(check.verdict == "not compared" for check in checks):
+        checks.append(Check(name, "no state compared", verdict="FAILED", words="no check of it compares a state"))
+    return checks

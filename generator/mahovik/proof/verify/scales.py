@@ -1,0 +1,283 @@
+"""Scales of differences, measured: every number of stand and state changes a little, and the answer with them.
+
+There is no formula of a scale anywhere. The literal reference is evaluated at a state and at neighbours of it, whose
+stands and states have every number times 1 + D u, |u| <= 1; the largest change over D is the scale.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, fields, is_dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from mahovik.contract.limits import PERTURBATION, PERTURBATIONS, RESTING
+from mahovik.contract.quantities import BESIDE, FLOORS
+from mahovik.core.lower.thresholds import THRESHOLDS
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof import reference
+from mahovik.proof.reference.array import Array, Values, vector
+from mahovik.proof.reference.bodies import Bodies, bodies_of
+from mahovik.proof.reference.hold import held_state, twists
+from mahovik.proof.reference.inverse import Cuts, inverse_root
+from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.verify.actuators import stand_at
+
+ORDINARY = 2
+"""Seed of the ordinary state whose scales are floors at all others."""
+
+Equation = Callable[[Stand, State, Pieces], Values]
+"""An answer of the reference: numbers and words by name."""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """An answer of the reference and the scale of each number in it.
+
+    undecided  a word of the answer (status, rank, an active set), or whether there is one, changes among the neighbours
+    """
+
+    values: Values
+    scales: Mapping[str, Any]
+    undecided: bool = False
+
+
+class Scales:
+    """Answers of the literal reference on one stand, with their scales."""
+
+    def __init__(self, stand: Stand, real: str = "double", seed: int = 0) -> None:
+        self.stand, self.real = stand, real
+        threshold = THRESHOLDS[real]
+        self.cuts = Cuts(threshold.rank, reached=threshold.unreachable)
+        self._size, self._rng = PERTURBATION[real], np.random.default_rng(seed)
+        others = (self._change(stand, self._size) for _ in range(PERTURBATIONS))
+        self._stands = [(each, bodies_of(each)) for each in (stand, *others)]
+        self._last: tuple[State | None, list[tuple[Stand, State, Pieces]]] = (None, [])
+        self._ordinary: dict[str, Mapping[str, Any]] = {}
+        self._wants: dict[tuple[int, str], tuple[State, Measured | None]] = {}
+
+    def want(self, state: State, want: str) -> Measured | None:
+        """Answer to a want of `eval`; None where the reference refuses it."""
+        known = self._wants.get((id(state), want))
+        if known is None:
+            known = state, self._try_want(state, want)
+            self._wants[id(state), want] = known
+        return known[1]
+
+    def equation(self, want: str) -> Equation:
+        """The reference's answer to a want of `eval`."""
+        return lambda stand, state, at: reference.evaluate(stand, state, (want,), at, self.cuts)
+
+    def _try_want(self, state: State, want: str) -> Measured | None:
+        try:
+            found = self.measure(state, self.equation(want), want == "inverse")
+        except (StateError, np.linalg.LinAlgError, ArithmeticError):
+            return None
+        if state.task:
+            return found
+        if want not in self._ordinary:
+            self._ordinary[want] = self._ordinary_scales(want)
+        return replace(found, scales=_raised(found.scales, self._ordinary[want]))
+
+    def _ordinary_scales(self, want: str) -> Mapping[str, Any]:
+        """Scales at an ordinary state; none where the reference refuses it."""
+        state, kept = random_state(self.stand, np.random.default_rng(ORDINARY)), self._last
+        if self.stand.hold is None:
+            state = replace(state, quaternion=None, angles=(0.3, 0.6, -0.4))
+        try:
+            return self.measure(state, self.equation(want), want == "inverse").scales
+        except (StateError, np.linalg.LinAlgError, ArithmeticError):
+            return {}
+        finally:
+            self._last = kept
+
+    def measure(self, state: State, equation: Equation, least_squares: bool = False) -> Measured:
+        """The answer of an equation at a state and its scales. Raises what the equation raises there.
+
+        `least_squares`: what K, I and F change by in their norms counts as well.
+        """
+        with np.errstate(all="ignore"):
+            neighbours = self.neighbours(state)
+            values, others, undecided = equation(*neighbours[0]), [], False
+            words = words_of(values)
+            for neighbour in neighbours[1:]:
+                try:
+                    other = equation(*neighbour)
+                except (StateError, np.linalg.LinAlgError, ArithmeticError):
+                    undecided = True
+                    continue
+                undecided = undecided or words_of(other) != words
+                others.append(other)
+            if least_squares:
+                others += self._shaken_answers(equation, *neighbours[0])
+            scales = {name: self._scale(name, value, [each[name] for each in others]) for name, value in values.items()}
+            for name in FLOORS.keys() & scales.keys():
+                scales[name] = scales[name] + self._floor(name, state, values, scales)
+        return Measured(values, scales, undecided)
+
+    def _shaken_answers(self, equation: Equation, stand: Stand, state: State, at: Pieces) -> list[Values]:
+        found = []
+        for _ in range(PERTURBATIONS if len(at.flywheels) else 0):
+            with suppress(StateError, np.linalg.LinAlgError, ArithmeticError):
+                found.append(equation(stand, state, self._shaken(at)))
+        return found
+
+    def at(self, state: State) -> Pieces:
+        """Pieces of the reference at a state."""
+        return self.neighbours(state)[0][2]
+
+    def neighbours(self, state: State) -> list[tuple[Stand, State, Pieces]]:
+        """The stand, the state and its pieces, and those of the neighbours; kept for other equations at the state."""
+        if self._last[0] is not state:
+            with np.errstate(all="ignore"):
+                self._last = (state, list(self._neighbours(state)))
+        return self._last[1]
+
+    def _neighbours(self, state: State) -> Iterator[tuple[Stand, State, Pieces]]:
+        for number, (own, own_bodies) in enumerate(self._stands):
+            moved = self.near(state, self._size) if number else state
+            stand = stand_at(own, moved) if moved.actuators else own
+            bodies: Bodies | None = None if moved.actuators else own_bodies
+            moved = held_state(stand, moved)
+            yield stand, moved, reference.pieces(stand, moved, bodies)
+
+    def near(self, state: State, size: float) -> State:
+        """The state with every number times 1 + size u, |u| <= 1, and a quaternion of unit length."""
+        return self._unit(self._change(state, size))
+
+    def _change(self, data: Any, size: float) -> Any:
+        """Nested data with every number times 1 + size u, |u| <= 1."""
+        if isinstance(data, float):
+            return data * (1.0 + size * self._rng.uniform(-1.0, 1.0))
+        if isinstance(data, tuple):
+            return tuple(self._change(each, size) for each in data)
+        if is_dataclass(data) and not isinstance(data, type):
+            return replace(data, **{f.name: self._change(getattr(data, f.name), size) for f in fields(data) if f.init})
+        if isinstance(data, Mapping):
+            return type(data)({name: self._change(value, size) for name, value in data.items()})  # type: ignore
+        return data
+
+    @staticmethod
+    def _unit(state: State) -> State:
+        """The state with a quaternion of unit length."""
+        if state.quaternion is None:
+            return state
+        q = np.array(state.quaternion)
+        w, x, y, z = (q / np.sqrt(q @ q)).tolist()
+        return replace(state, quaternion=(w, x, y, z))
+
+    def _scale(self, name: str, value: Any, others: list[Any]) -> Any:
+        """Scale of a value; None of a word."""
+        if isinstance(value, Mapping):
+            return {key: self._scale(key, each, [other[key] for other in others]) for key, each in value.items()}
+        if is_word(value):
+            return None
+        number = np.asarray(value, dtype=np.float64)
+        largest = np.abs(number)
+        for other in others:
+            largest = np.maximum(largest, np.abs(other - number) / self._size)
+        largest = share(largest, BESIDE.get(name))
+        return np.maximum(largest, RESTING * np.max(largest, initial=0.0))
+
+    def _floor(self, name: str, state: State, values: Values, scales: Mapping[str, Any]) -> Any:
+        """What the contract declares to be added to a scale."""
+        kind, (_, own, at) = FLOORS[name], self.neighbours(state)[0]
+        if kind == "own":
+            return 0.0
+        if kind == "largest":
+            return np.max(scales[name], initial=0.0)
+        if kind == "spin":
+            squares = RESTING * at.phi_dot**2
+            return np.diag(at.Theta_ff) * squares if name == "tau" else squares
+        if state.task and name == "residual":
+            return np.abs(vector(state.demand)) + np.max(scales["V_dot"], initial=0.0)
+        if kind == "motion":
+            return self._motion_floor(name, own, at)
+        moved = values.get("V_dot", vector(own.V_dot)), values.get("phi_ddot", vector(own.phi_ddot))
+        others = [_terms(other, *moved) for _, _, other in self.neighbours(state)[1:]]
+        terms = self._scale("", _terms(at, *moved), others).sum(axis=0)
+        if name == "reaction" or self.stand.hold is None:
+            return terms
+        return np.abs(twists(self.stand.hold)).T @ terms
+
+    def _motion_floor(self, name: str, state: State, at: Pieces) -> Any:
+        """RESTING of what the terms of (8) accelerate together: |x_i| <= sqrt((K^-1)_ii) |terms|, in the norm of K^-1.
+
+        Where nothing acts along a freedom, or all that acts cancels, solving leaves rounding of what the hold bears.
+        """
+        S = np.eye(6) if self.stand.hold is None else twists(self.stand.hold)
+        if not S.size:
+            return 0.0
+        root = inverse_root(at.K)
+        size = sum(np.linalg.norm(root @ term) for term in _terms(at, vector(state.V_dot), vector(state.phi_ddot)))
+        along = RESTING * size * np.sqrt(np.diag(np.linalg.inv(S.T @ at.K @ S)))
+        if name == "V_dot":
+            return np.abs(S) @ along
+        if name == "u_dot" or self.stand.hold is not None:
+            return along
+        return np.repeat([np.max(along[:3]), np.max(along[3:])], 3)
+
+    def _shaken(self, at: Pieces) -> Pieces:
+        """Pieces whose K, I and F have all elements changed by D of their norms, with masses and inertias as units.
+
+        A solver of least squares rounds relative to these norms, not to each element.
+        """
+        L, Theta = np.linalg.cholesky(at.K), np.sqrt(np.diag(at.Theta_ff))
+        root = np.linalg.inv(L)
+        size = sum(float(np.linalg.norm(root @ term)) for term in _terms(at, np.zeros(6), np.zeros(len(Theta))))
+        X = root @ at.I / Theta
+        R = self._size * self._rng.uniform(-1.0, 1.0, (6, 6))
+        I = at.I + L @ (self._size * float(np.linalg.norm(X)) * self._rng.uniform(-0.4, 0.4, X.shape)) * Theta
+        F = at.F + L @ (self._size * size * self._rng.uniform(-0.4, 0.4, 6))
+        return replace(at, K=L @ (np.eye(6) + (R + R.T) / 2.0) @ L.T, I=I, F=F)
+
+
+def scales_of(stand: Stand, state: State, want: str) -> Mapping[str, Any]:
+    """Scales of what a want of `eval` gives. Raises what the reference raises at this state."""
+    found = Scales(stand)
+    return found.measure(state, found.equation(want)).scales
+
+
+def _raised(scales: Mapping[str, Any], ordinary: Mapping[str, Any]) -> dict[str, Any]:
+    """Scales that are at least RESTING of those at an ordinary state: at rest nothing has a size of its own."""
+    found: dict[str, Any] = {}
+    for name, scale in scales.items():
+        other = ordinary.get(name)
+        if isinstance(scale, Mapping):
+            found[name] = _raised(scale, other or {})
+        else:
+            found[name] = scale if scale is None or other is None else np.maximum(scale, RESTING * other)
+    return found
+
+
+def _terms(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
+    """F, K V_r*, M V_r, J phi', I phi'' of (8), one below the other (5x6)."""
+    return np.stack([at.F, at.K @ at.V_r_dot(V_dot), at.M @ at.V_r, at.J @ at.phi_dot, at.I @ phi_ddot])
+
+
+def is_word(value: Any) -> bool:
+    """Whether a value is a word or counts something: only equality is right."""
+    return isinstance(value, str | int) or (isinstance(value, np.ndarray) and value.dtype.kind in "ib")
+
+
+def words_of(values: Values) -> dict[str, Any]:
+    """Words of an answer by name."""
+    return {name: np.asarray(value).tolist() for name, value in values.items() if is_word(value)}
+
+
+def share(scale: Array, beside: int | None) -> Array:
+    """The largest in each block of three along every axis of three or six: components that a rotation mixes.
+
+    `beside`: the axis along which flywheels or freedoms stand, each with its own scale.
+    """
+    for axis, count in enumerate(scale.shape):
+        if count in (3, 6) and axis != beside:
+            blocks = (*scale.shape[:axis], count // 3, 3, *scale.shape[axis + 1 :])
+            largest = scale.reshape(blocks).max(axis=axis + 1, keepdims=True)
+            scale = np.broadcast_to(largest, blocks).reshape(scale.shape)
+    return scale
