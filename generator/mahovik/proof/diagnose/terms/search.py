@@ -60,8 +60,14 @@ FEW = 4
 SPREAD = {"V": 1.0, "phi_dot": 3.0, "phi_ddot": 3.0, "V_dot": 1.0}
 """Standard deviations of the states, SI: no kind of term is much larger than another."""
 
+ALIKE = 1e-3
+"""Relative difference of factors of one term in two wants, which float leaves."""
+
 ORDER = 1e-9
 """Relative difference within which an answer is that of another state."""
+
+PART = 0.03
+"""Part of what is accepted of answers that the errors of equations may be, which are before all solving."""
 
 ROUNDING = 1e-11
 """Error over the size of the terms that a right program in double may have."""
@@ -149,9 +155,9 @@ class TermSearch:
         known to differ.
         """
         rng = np.random.default_rng(seed)
-        self._stand, self._rounding = stand, ROUNDING
+        self._stand, self._rounding, self._wrong = stand, ROUNDING, tuple(wrong)
         if precision is not None:
-            self._rounding = max(ROUNDING, precision.accepted, 2.0 * 10.0 ** (1 - precision.digits))
+            self._rounding = max(ROUNDING, PART * precision.accepted, 2.0 * 10.0 ** (1 - precision.digits))
         self._own = [_state(stand, rng) for _ in range(math.ceil(MORE * count(stand)) + SPARE)]
         if program is not None and program.actuators:
             self._own = [with_drawn_actuators(stand, state, rng) for state in self._own]
@@ -191,12 +197,14 @@ class TermSearch:
         found: list[WrongTerm] = []
         fits: list[Fit] = []
         besides: list[str] = []
+        unexplained = set(self._wrong)
         for want in self.wants:
             parts = [self._terms(want, errors, found) for errors in self._errors(want, answers)]
             if want in BESIDES and fits and not all(fit.exact for _, of_part in parts for fit in of_part):
                 besides.append(want)
                 continue
             for terms, of_part in parts:
+                unexplained -= {each.want for each in terms}
                 found += [x for x in terms if not (want in IMPLIED and any(_is_same(x, other) for other in found))]
                 fits += of_part
         in_forces = [(x.component, x.term, x.error) for x in found if x.want in ("forward", "coupled", "momentum")]
@@ -206,7 +214,7 @@ class TermSearch:
         words = point_in_words(self._stand), freedoms_in_words(self._stand)
         looked_at = tuple(
             f"{want}: {name}"
-            for want in sorted(set(self.wants) - set(besides))
+            for want in sorted(set(self.wants) - set(besides) - unexplained)
             for name in sorted({*self._names(want, answers), *ANSWERS[want]})  # V_dot of a hold is S u_dot
         )
         return TermSearchResult(tuple(found), left, self.wants, exact, tuple(besides), *words, looked_at)
@@ -373,7 +381,7 @@ def _is_same(term: WrongTerm, other: WrongTerm) -> bool:
         b.coefficient,
         b.expected,
     )
-    return same and abs(a.factor - b.factor) <= 1e-6 * max(abs(a.factor), 1.0)
+    return same and abs(a.factor - b.factor) <= ALIKE * max(abs(a.factor), 1.0)
 
 
 def _is_implied(want: str, wants: Sequence[str], wrong: Sequence[str]) -> bool:
