@@ -131,7 +131,8 @@ def explain(
     with np.errstate(all="ignore"):
         explained = (b[:, None] ** 2 + b**2 - 2.0 * G * np.outer(b, b)) / (1.0 - G**2)
     explained = np.where(np.triu(1.0 - G**2 > SAME, 1), np.nan_to_num(explained), 0.0)
-    pairs = np.argsort(-explained, axis=None, kind="stable")[:4]
+    # of pairs that explain alike, single bodies come before sums of bodies
+    pairs = np.argsort(-np.round(explained / max(float(e @ e), 1e-300), 9), axis=None, kind="stable")[:4]
     chosen += [tuple(int(x) for x in np.unravel_index(k, explained.shape)) for k in pairs]
     for own in chosen:
         c = np.linalg.lstsq(A[:, own], e, rcond=None)[0]
