@@ -39,8 +39,8 @@ C_SYNTAX = re.compile(
     r"|\bstatic\s+(const|inline|\w+\s*\()|(?<![,\w])[a-z_]{2,}->[a-z_]|\bstruct\s+\w+\s*\{|\bu?int(8|16|32|64)_t\b"
     r"|\bfor\s*\(|\w\s*;\s*\}|\bvoid\b\s*[*)(]"
 )
-KNOWS_C = ("core/emit", "core/toolchain", "proof/verify/c_backend.py")
-"""The printer of C, what calls compilers, and what finds the identities in a header that somebody holds."""
+KNOWS_C = ("core/emit", "core/toolchain", "proof/verify/c_backend.py", "proof/verify/files.py")
+"""The printer of C, what calls compilers, and what reads the C of a folder that somebody holds."""
 
 
 def test_only_emit_spells_C() -> None:

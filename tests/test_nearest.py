@@ -57,7 +57,7 @@ def test_a_misspelt_unit(unit: str, words: str) -> None:
         (("response", SAT4, "--speed", "rw1=10 rpmm", "--at", "acc1"), "rpm"),
         (("quiet", SAT4, "--point", "acc11", "--band", "1..2Hz", "--momentum", "0 0 1"), "acc1"),
         (("verify", BENCH8, "--targets", "m77"), "m7"),
-        (("verify", BENCH8, "--with", "cat", "--want", "forwrad"), "forward"),
+        (("judge", BENCH8, "--with", "cat", "--want", "forwrad"), "forward"),
         (("evidence", BENCH8, "--only", "slftest"), "selftest"),
         (("export", "target", BENCH8, "--target", "m77"), "m7"),
         (("export", "tagret", "m7", BENCH8), "target"),

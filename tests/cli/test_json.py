@@ -49,6 +49,7 @@ CASES: dict[str, tuple[int, tuple[str, ...]]] = {
     "plan, far": (1, (DEMO3, "--motion", "far.json", "-o", "p.json")),
     "design, reach": (1, (SHAKER2, "--motion", TILT, "--free", "phase", "-o", "d.toml", "--time", "0.1")),
     "judge, cat": (1, (DEMO3, "--with", "cat", "--states", "2")),
+    "verify": (0, (DEMO3, "--states", "2")),
     "verify-programme, other": (1, (SHAKER2, "--motion", SPIN, "--programme", "still.json")),
     "evidence": (0, (DEMO3, "--only", "good")),
     "evidence, bad": (1, (DEMO3,)),

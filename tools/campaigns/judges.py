@@ -38,7 +38,7 @@ def claim(rows: Rows) -> str:
     return f"The C agrees with Pinocchio and MuJoCo: largest difference {worst:.1e}"
 
 
-def shown(rows: Rows) -> Rows:
+def table_of(rows: Rows) -> Rows:
     """The columns of this campaign; earlier ones had more programs."""
     return [{title: row[title] for title in COLUMNS} for row in rows]
 
@@ -46,4 +46,4 @@ def shown(rows: Rows) -> Rows:
 NOTE = """The largest difference over the example stands and their random and extreme states. The programs know no
 fluid, suspension or legs, which were taken out."""
 
-TABLES = {"judges": Table(measure, COLUMNS, claim, agrees, NOTE, shown)}
+TABLES = {"judges": Table(measure, COLUMNS, claim, agrees, NOTE, table_of)}

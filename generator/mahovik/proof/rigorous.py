@@ -43,10 +43,10 @@ def _operation(of_balls: Callable[[Any, Any], arb]) -> tuple[Any, Any]:
             return Ball(of_balls(a.arb, b.arb))
         return Ball(of_balls(a.arb, b)) if isinstance(b, float | int) else NotImplemented
 
-    def left(a: Ball, b: Any) -> Any:
+    def reflected(a: Ball, b: Any) -> Any:
         return Ball(of_balls(b, a.arb)) if isinstance(b, float | int) else NotImplemented
 
-    return right, left
+    return right, reflected
 
 
 def _function(of_ball: Callable[[arb], arb]) -> Any:

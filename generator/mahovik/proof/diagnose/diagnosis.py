@@ -175,7 +175,7 @@ class Diagnoser:
         right = Reference(self._stand)
         requests = {(id(each.state), each.want[0]): each for each in self.requests}
 
-        def beside(state: State, want: str) -> Mapping[str, Any]:
+        def implied(state: State, want: str) -> Mapping[str, Any]:
             source = requests.get((id(state), "forward" if want == "generalized" else want))
             given = {} if source is None else answers(source)
             if want == "momentum" and (Z := numbers_at(given, ("Z",))) is not None and Z.shape == (6,):
@@ -186,7 +186,7 @@ class Diagnoser:
                 return {}
             return {"q_ddot": np.linalg.solve(own["A"], V_dot - own["D"] @ own["q_dot"])}
 
-        off = evidence.beyond(self.whole.of_model(beside))
+        off = evidence.differing(self.whole.of_model(implied))
         names = ("generalized: q_ddot", "momentum: Z0")
         return {name for name in names if name not in off}
 
@@ -256,7 +256,7 @@ class _Evidence:
         if not self.wrong[self.few[1]].any():
             self.few = whole.only({x.id for x in whole.requests})
 
-    def beyond(self, numbers: Array) -> tuple[str, ...]:
+    def differing(self, numbers: Array) -> tuple[str, ...]:
         """Quantities whose answers differ from other numbers by more than rounding; those without numbers too."""
         return self._whole.words_of(self._there & ~(np.abs(self._found - numbers) <= self.noise))
 
@@ -265,15 +265,15 @@ class _Evidence:
 
         These are none where it explains the rightness of all others as well; None where it leaves more than rounding.
         """
-        left, exact, _ = self._left(*self.few, model)
+        left, exact, _ = self._remainder(*self.few, model)
         if not exact:
             return left, None
-        left, exact, everywhere = self._left(self._whole, np.arange(self._found.size), model)
+        left, exact, everywhere = self._remainder(self._whole, np.arange(self._found.size), model)
         if not exact:
             return left, None
         return left, () if everywhere else tuple(sorted(self._wants))
 
-    def _left(self, vector: AnswerVector, places: NDArray[np.int64], model: Model) -> tuple[float, bool, bool]:
+    def _remainder(self, vector: AnswerVector, places: NDArray[np.int64], model: Model) -> tuple[float, bool, bool]:
         """What is left of the error; whether it is rounding in the wants that are wrong, and in all."""
         there, wrong, error = self._there[places], self.wrong[places], np.abs(self.error[places])
         predicted = vector.of_model(model)

@@ -96,7 +96,7 @@ class NumberSearch:
         for number, value in solved.values.items():
             for digits in range(1, 16):
                 short = {**values, number: float(f"{value:.{digits}g}")}
-                left = self._left(short, error)
+                left = self._remainder(short, error)
                 if left is not None and (np.abs(left) <= noise).all():
                     values = short
                     break
@@ -122,7 +122,7 @@ class NumberSearch:
         there = np.isfinite(error)
         return error[there] / noise[there], self._slopes[there] / noise[there, None]
 
-    def _left(self, values: Mapping[StandNumber, float], error: Array) -> Array | None:
+    def _remainder(self, values: Mapping[StandNumber, float], error: Array) -> Array | None:
         """What numbers leave of an error, where it was answered; None: a stand cannot have them."""
         try:
             found = self._vector.of_model(self.model(values))
@@ -144,7 +144,7 @@ class NumberSearch:
             step = np.linalg.lstsq(jacobian, rest, rcond=None)[0]
             left = None
             for _ in range(4):
-                left = self._left(dict(zip(numbers, (at + step).tolist(), strict=True)), error)
+                left = self._remainder(dict(zip(numbers, (at + step).tolist(), strict=True)), error)
                 if left is not None:
                     break
                 step = step / 4.0

@@ -230,7 +230,7 @@ def _with_matrix(bearer: Any, key: str, change: Callable[[Array], Array]) -> Any
     return bearer if given is None else replace(bearer, **{key: tuple(map(tuple, change(np.array(given)).tolist()))})
 
 
-def both(V: Array, C: Array) -> Array:
+def rotate(V: Array, C: Array) -> Array:
     """diag(C, C) V (6)."""
     return np.concatenate([C @ V[:3], C @ V[3:]])
 
@@ -382,7 +382,7 @@ def acceleration(V_dot: Array, _: dict[str, Any], stand: Stand, s: State) -> Arr
 
 def turning_wrenches(P: Array, _: dict[str, Any], stand: Stand, s: State) -> Array:
     """Wrenches of mounts (N, 6) in the axes of Es, which turn."""
-    return np.array([both(each, C1(phi).T) for each, phi in zip(np.asarray(P), s.phi, strict=True)]).reshape(-1, 6)
+    return np.array([rotate(each, C1(phi).T) for each, phi in zip(np.asarray(P), s.phi, strict=True)]).reshape(-1, 6)
 
 
 READINGS: tuple[Reading, ...] = (
@@ -403,8 +403,8 @@ READINGS: tuple[Reading, ...] = (
     # twist of the carrier
     of_twist("V read with the angular part first", lambda V, *_: np.roll(V, 3)),
     of_twist("V and V_dot read with the angular part first", lambda V, *_: np.roll(V, 3), ("V", "V_dot")),
-    of_twist("V taken in the axes of E0", lambda V, C, *_: both(V, C.T)),
-    of_twist("V turned into E1 though it is given there", lambda V, C, *_: both(V, C)),
+    of_twist("V taken in the axes of E0", lambda V, C, *_: rotate(V, C.T)),
+    of_twist("V turned into E1 though it is given there", lambda V, C, *_: rotate(V, C)),
     of_twist("v taken in the axes of E0, omega in E1", lambda V, C, *_: linear(V, C.T)),
     of_twist("omega taken in the axes of E0, v in E1", lambda V, C, *_: angular(V, C.T)),
     of_twist("omega in degrees a second", lambda V, *_: angular(V, DEGREE)),
@@ -415,7 +415,7 @@ READINGS: tuple[Reading, ...] = (
              lambda V, C, st, s: V + np.concatenate([C.T @ np.array(st.stream or (0.0,) * 3), np.zeros(3)])),
     of_twist("V_dot read as the acceleration of O1",
              lambda A, C, st, s: A - np.concatenate([np.cross(s.V[3:], s.V[:3]), np.zeros(3)]), ("V_dot",)),
-    of_twist("V_dot taken in the axes of E0", lambda A, C, *_: both(A, C.T), ("V_dot",)),
+    of_twist("V_dot taken in the axes of E0", lambda A, C, *_: rotate(A, C.T), ("V_dot",)),
     # flywheels in the state
     of_phase("phase of the opposite sense", phi=lambda x: -x),
     of_phase("phase, speed, acceleration and torque of the opposite sense", phi=lambda x: -x, phi_dot=lambda x: -x,
@@ -442,11 +442,11 @@ READINGS: tuple[Reading, ...] = (
     of_wrench("run-time wrenches ignored", lambda P, *_: 0.0 * P),
     of_wrench("run-time wrenches of the opposite sign", lambda P, *_: -P),
     of_wrench("run-time wrenches read with the moment first", lambda P, *_: np.roll(P, 3)),
-    of_wrench("run-time wrenches taken in the axes of E0", lambda P, k, st, s: both(P, carrier_rotation(st, s).T)),
+    of_wrench("run-time wrenches taken in the axes of E0", lambda P, k, st, s: rotate(P, carrier_rotation(st, s).T)),
     of_wrench("force of a run-time wrench acting at the centre of mass",
               lambda P, k, st, s: moment_of(P, body_at(st, k).center_of_mass)),
     of_wrench("run-time wrench of a flywheel not turning with it", lambda P, k, st, s: next(
-        (both(P, C1(phi).T) for wheel, phi in zip(st.flywheels, s.phi, strict=True) if wheel.name == k), P)),
+        (rotate(P, C1(phi).T) for wheel, phi in zip(st.flywheels, s.phi, strict=True) if wheel.name == k), P)),
     # gravity, stream, buoyancy
     of_vector("gravity of the opposite sign", "gravity", lambda g, C: -g),
     of_vector("gravity ignored", "gravity", lambda g, C: 0.0 * g),
@@ -514,16 +514,16 @@ READINGS: tuple[Reading, ...] = (
                             ("with the angular part first", exchanged))),
     # answers
     of_answer("V_dot answered as the acceleration of O1, with omega x v", "V_dot", acceleration),
-    of_answer("V_dot answered in the axes of E0", "V_dot", lambda A, _, st, s: both(A, carrier_rotation(st, s))),
+    of_answer("V_dot answered in the axes of E0", "V_dot", lambda A, _, st, s: rotate(A, carrier_rotation(st, s))),
     of_answer("V_dot answered with the angular part first", "V_dot", lambda A, *_: np.roll(A, 3)),
     of_answer("Z answered with the moment first", "Z", lambda Z, *_: np.roll(Z, 3)),
-    of_answer("Z0 answered about O1", "Z0", lambda _, v, st, s: both(v["Z"], carrier_rotation(st, s))),
+    of_answer("Z0 answered about O1", "Z0", lambda _, v, st, s: rotate(v["Z"], carrier_rotation(st, s))),
     of_answer("Z0 answered in the axes of E1", "Z0", lambda _, v, st, s: moment_of(v["Z"], s.position)),
     of_answer("energy answered without its factor of one half", "energy", lambda x, *_: 2.0 * x),
     of_answer("centre of mass answered in the axes of E0", "center_of_mass",
               lambda c, _, st, s: carrier_rotation(st, s) @ c),
     of_answer("reaction answered about the pivot", "reaction", reaction_at),
-    of_answer("reaction answered in the axes of E0", "reaction", lambda R, _, st, s: both(R, carrier_rotation(st, s))),
+    of_answer("reaction in the axes of E0", "reaction", lambda R, _, st, s: rotate(R, carrier_rotation(st, s))),
     of_answer("wrench of mounts answered in axes that turn", "mount_wrench", turning_wrenches),
     of_points("specific force answered with the opposite sign of gravity", lambda p, st, s: {
         "specific_force": p["specific_force"] + 2.0 * p["C"].T @ np.array(st.gravity)}),

@@ -63,7 +63,7 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
         "verdict": diagnosis.verdict,
         "unexplained": diagnosis.unexplained,
         "precision": None if precision is None else {"name": precision.name, "accepted": precision.accepted},
-        "found": _found(diagnosis),
+        "found": _named_causes(diagnosis),
         "gaps": [
             {
                 "want": gap.want,
@@ -79,7 +79,7 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
     }
 
 
-def _found(diagnosis: Diagnosis) -> list[dict[str, Any]]:
+def _named_causes(diagnosis: Diagnosis) -> list[dict[str, Any]]:
     """Causes of the error by name; none where it has no name."""
     if diagnosis.verdict not in ("named", "approximate"):
         return []

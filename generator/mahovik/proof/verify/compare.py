@@ -30,6 +30,14 @@ LAST_PLACES, NEIGHBOURS, ROUNDINGS = 2.0**-51, 3, 16.0
 """Relative distance of states by which rounding is measured, how many there are, and how much larger it may be."""
 
 
+def _half_turns_as(expected: Any, q: Any) -> Any:
+    """Coordinates with the sign of the expected where both are half a turn: rounding decides between pi and -pi."""
+    if np.shape(q) != np.shape(expected):
+        return q
+    half = (np.abs(np.abs(expected) - np.pi) < HALF_TURN) & (np.abs(np.abs(q) - np.pi) < HALF_TURN)
+    return np.where(half, np.copysign(q, expected), q)
+
+
 def odd_one(judged: float, second: float, between: float, words: str) -> str:
     """Which of three derivations differs, by their differences over what is accepted; "" where all agree.
 
@@ -102,6 +110,8 @@ class Judge:
             off, reason, between = math.inf, words, math.inf
             scale, floor = measured.scales[quantity], self._limits.floor
             if found is not None:
+                if quantity == "q" and self._stand.hold is not None:
+                    found = {**found, "q": _half_turns_as(value, found.get("q"))}
                 off, reason = difference(found.get(quantity), value, scale, floor)
             check = self._check(want, quantity)
             if refusal and found is None:
@@ -154,7 +164,7 @@ class Judge:
         center = second.evaluate(state, (want,))[quantity]
         for _ in range(NEIGHBOURS):
             with suppress(StateError):
-                moved = second.evaluate(self.scales.near(state, LAST_PLACES), (want,))[quantity]
+                moved = second.evaluate(self.scales.moved(state, LAST_PLACES), (want,))[quantity]
                 noise = max(noise, difference(moved, center, scale, self._limits.floor)[0])
         return ROUNDINGS * noise
 

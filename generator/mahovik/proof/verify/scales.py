@@ -140,13 +140,13 @@ class Scales:
 
     def _neighbours(self, state: State) -> Iterator[tuple[Stand, State, Pieces]]:
         for number, (own, own_bodies) in enumerate(self._stands):
-            moved = self.near(state, self._size) if number else state
+            moved = self.moved(state, self._size) if number else state
             stand = stand_at(own, moved) if moved.actuators else own
             bodies: Bodies | None = None if moved.actuators else own_bodies
             moved = held_state(stand, moved)
             yield stand, moved, reference.pieces(stand, moved, bodies)
 
-    def near(self, state: State, size: float) -> State:
+    def moved(self, state: State, size: float) -> State:
         """The state with every number times 1 + size u, |u| <= 1, and a quaternion of unit length."""
         return self._unit(self._change(state, size))
 

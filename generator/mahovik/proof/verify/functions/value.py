@@ -263,7 +263,7 @@ def _with_other_parameters(stand: Stand, rng: np.random.Generator) -> Stand:
     As physical as the stand: mass and inertia grow together, and centres of mass come nearer to the origin.
     """
 
-    def near(x: tuple[float, ...], size: float) -> Any:
+    def moved_by(x: tuple[float, ...], size: float) -> Any:
         return tuple((np.array(x) + size * rng.uniform(-0.05, 0.05, len(x))).tolist())
 
     def body(b: Any) -> Any:
@@ -274,11 +274,11 @@ def _with_other_parameters(stand: Stand, rng: np.random.Generator) -> Stand:
 
     def placed(b: Any) -> Any:
         size = max(map(abs, b.position)) + 0.2
-        moved = replace(body(b) if isinstance(b, Body) else b, position=near(b.position, size))
+        moved = replace(body(b) if isinstance(b, Body) else b, position=moved_by(b.position, size))
         if not isinstance(b, Flywheel):
-            return replace(moved, angles=near(b.angles, 1.0))
+            return replace(moved, angles=moved_by(b.angles, 1.0))
         if isinstance(b.mounting, MountingAngles):
-            angles = near((b.mounting.psi, b.mounting.theta, b.mounting.zero), 1.0)
+            angles = moved_by((b.mounting.psi, b.mounting.theta, b.mounting.zero), 1.0)
             return replace(moved, mounting=MountingAngles(*angles))
         turn, axes = rng.uniform(-0.05, 0.05, 3), (np.array(b.mounting.axis), np.array(b.mounting.zero))
         return replace(moved, mounting=MountingAxes(*(_vector(a + np.cross(turn, a)) for a in axes)))

@@ -36,9 +36,9 @@ class Part:
     def hold(self, function: str, *values: Any) -> list[Any]:
         """Values as arguments of a function of this C: arrays, structs as dicts, numbers, None for a null pointer."""
         kinds = self.library.ffi.typeof(self.library.function(function)).args
-        return [self._held(kind, value) for kind, value in zip(kinds, values, strict=True)]
+        return [self._converted(kind, value) for kind, value in zip(kinds, values, strict=True)]
 
-    def _held(self, kind: Any, value: Any) -> Any:
+    def _converted(self, kind: Any, value: Any) -> Any:
         ffi = self.library.ffi
         if isinstance(value, ffi.CData) or kind.kind == "primitive":
             return value

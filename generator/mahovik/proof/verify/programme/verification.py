@@ -308,12 +308,12 @@ class ProgrammeCase:
         if not self.programme.periodic:
             return [rows_check("table", rows.t[1:-1], neighbour_errors(rows), limit)]
 
-        def around(column: Array, further: Array | float = 0.0) -> Array:  # so that all rows are inner rows
+        def padded(column: Array, further: Array | float = 0.0) -> Array:  # so that all rows are inner rows
             return np.concatenate([column[-1:] - further, column, column[:1] + further])
 
         turn = 2 * np.pi * np.array(self.programme.winding, dtype=np.float64)
-        angles = around(rows.phi, turn), around(rows.phi_dot), around(rows.phi_ddot)
-        errors = neighbour_errors(Samples(around(rows.t, span), *angles))
+        angles = padded(rows.phi, turn), padded(rows.phi_dot), padded(rows.phi_ddot)
+        errors = neighbour_errors(Samples(padded(rows.t, span), *angles))
         joint = "last and first row, winding turns apart"
         return [
             rows_check("table", rows.t[1:-1], errors[1:-1], limit, words),
