@@ -23,6 +23,9 @@ from mahovik.proof.verify.program_backend import is_beyond
 from mahovik.proof.verify.scales import Measured, Scales
 from mahovik.proof.verify.states import Request
 
+HALF_TURN = 1e-9
+"""Distance from half a turn, rad, at which its angle may be of either sign."""
+
 ENOUGH = 20
 """States from which on a median is taken: among few, extreme ones may be the most."""
 
