@@ -117,10 +117,12 @@ def verification_page() -> str:
 
 
 def between_marks(page: Path, marks: tuple[str, str], lines: Iterable[str]) -> str:
-    """The text of a page with these lines between two marks."""
-    before, _, rest = page.read_text(encoding="utf-8").partition(marks[0])
+    """The text of a page with these lines between two marks. Raises ValueError where the page lacks one."""
+    before, start, rest = page.read_text(encoding="utf-8").partition(marks[0])
     _, end, after = rest.partition(marks[1])
-    return before + marks[0] + "".join(f"{line}\n" for line in lines) + end + after
+    if not start or not end:
+        raise ValueError(f"{page}: expected {marks[0].strip()} and {marks[1].strip()}")
+    return before + start + "".join(f"{line}\n" for line in lines) + end + after
 
 
 def draw(page: Path) -> None:
