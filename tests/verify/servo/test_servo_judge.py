@@ -18,8 +18,7 @@ from export.servos import HEAD, TRIM, exported, servo, written
 from mahovik.core.motion.servo import Servo, read_servo
 from mahovik.errors import StateError, ToolchainError, UsageError
 from mahovik.proof.verify.report import Report
-from mahovik.proof.verify.servo import verify_servo
-from mahovik.proof.verify.servo.judge import MATRIX
+from mahovik.proof.verify.servo.judge import MATRIX, verify_servo
 from mahovik.proof.verify.servo.trim_matrix import least_cost_matrix, responses, trim_matrix
 from mahovik.stands import path
 from mahovik.use.control.trim import design_trim
@@ -65,7 +64,7 @@ def test_every_function_of_the_header_is_judged(name: str, real: str, tmp_path: 
 
 FAULTS = [
     ("sign of the trim", r"found - design->matrix", "found + design->matrix", ("trim_step", "wanted")),
-    ("mask not heeded", r"invalid\[s\] == 0;", "1;", ("servo_step", "encoders without a good reading")),
+    ("mask not heeded", r"invalid\[s\] == 0;", "1;", ("servo_step", "status")),
     ("no wrap", r"6755399441055744\.0 - 6755399441055744\.0", "0.0", ("servo_step", "tau")),
     ("integral without limit", r"shaker2_clamped\(z, -gains->limit\[s\], gains->limit\[s\]\)", "z",
      ("servo_step", "integral")),
@@ -75,8 +74,8 @@ FAULTS = [
     ("neighbour", r"state->torque\[s\] = given;", "state->torque[0] = given;", ("servo_step", "torque")),
     ("no check of speeds", r"status = shaker2_within\(speed.*\n.*\n", "",
      ("servo_step", "bad inputs refused, results untouched")),
-    ("harmonics by half", r"2\.0 \* mean", "mean", ("trim_step", "error")),
-    ("rounds not counted", r"\? 1 : 0\);", "? 0 : 0);", ("trim_step", "sample, rounds")),
+    ("harmonics by half", r"2\.0 \* mean", "mean", ("trim_step", "sum")),
+    ("rounds not counted", r"\? 1 : 0\);", "? 0 : 0);", ("trim_step", "rounds")),
     ("target of the table", r"(\.target = \{\s*\{ [^,]+,\s*)", r"\g<1>1.0001 * ", ("trim_default", "target")),
 ]  # fmt: skip
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -26,7 +26,7 @@ from mahovik.proof.reference.rotation import rotation_vector
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.reference.tasks import task_rows
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.programme.compiled import Part, load_part, spread_phases
+from mahovik.proof.verify.programme.compiled import Part, load_part, part_checks, refusal_check, spread_phases
 from mahovik.proof.verify.programme.mechanics import (
     STEP_ERROR,
     Scale,
@@ -532,6 +532,9 @@ PHASES = 400
 TORQUE = 10.0
 """Factor on the limit of the file for drive torques: their parts are larger than their sum."""
 
+WRONG: dict[str, tuple[float, ...]] = {"phase": (-0.01, 1.01, 7.0), "ticks": (-1, 0, 1), "periods": (-1, 0)}
+"""Numbers that the functions refuse, by argument."""
+
 CLOCKS = ((400, 1), (7, 3), (1000, 7), (4001, 2000))
 """Ticks and periods that they take, of the clocks that are tried over two rounds each; one period if it is finite."""
 
@@ -542,54 +545,76 @@ def compiled_checks(stand: Stand, case: ProgrammeCase, folder: Path, name: str) 
     Raises UsageError, ToolchainError: see `load_part`.
     """
     programme = case.programme
+    tables: dict[str, tuple[Callable[[Array], Angles], float]] = {"at": (programme.at, programme.span)}
+    for function, table in (("runup_at", programme.runup), ("rundown_at", programme.rundown)):
+        if table is not None:
+            tables[function] = table.at, table.duration
+    clock = {"phase": 0, "increment": 0, "surplus": 0, "rest": 0, "ticks": 2, "laps": 0}
+    good: dict[str, dict[str, Any]] = {
+        "start": {"ticks": 400, "periods": 1, "clock": {}},
+        "advance": {"clock": clock},
+        "phase": {"clock": clock, "phase": np.full(1, np.nan)},
+    }
+
+    def table_judge(function: str) -> list[Check]:
+        return [
+            *_table_checks(case, made, function, *tables[function]),
+            refused(function, _table_inputs(case, made, function, 0.25)),
+        ]
+
+    def refused(function: str, inputs: dict[str, Any]) -> Check:
+        row = refusal_check(made, function, inputs, WRONG)
+        row.quantity = f"C {function} refusals"
+        return row
+
     with tempfile.TemporaryDirectory(prefix="mahovik-") as scratch:
         made = load_part(stand, folder, "programme", name, Path(scratch))
-        item, angles, tau = _table_check(made, "at", programme.at, programme.span)
-        items = [item]
-        if angles is not None:
-            t = made.round(spread_phases(PHASES)) * programme.span
-            shares = case.scale.wrench_share(case.equations(t, angles)[0])
-            i = int(np.argmax(shares))
-            words = f"of (12) with the C's angles, at {PHASES} times; largest at t = {t[i]:.6g} s"
-            items.append(Check.of("C residual", shares[i], case.limit.residual + made.limit, words))
-            if tau is not None:
-                exact = case.equations(t)[1]
-                peak = largest(exact) or 1.0
-                words = f"drive torques, share of the largest, {peak:.3g} N m"
-                items.append(Check.of("C torque", largest(tau - exact) / peak, TORQUE * made.limit, words))
-        for part, table in (("runup", programme.runup), ("rundown", programme.rundown)):
-            if table is not None:
-                items.append(_table_check(made, f"{part}_at", table.at, table.duration)[0])
-        clocks = CLOCKS if programme.periodic else [(ticks, 1) for ticks, _ in CLOCKS]
-        wrong = sum(_clock_errors(made, ticks, periods) for ticks, periods in clocks)
-    words = "ticks whose phase or laps are not the exact fraction, rounded down: start, phase, advance"
-    return [*items, Check.of("C clock", wrong, 0, words)]
+        judges = dict.fromkeys(tables, table_judge) | {
+            each: lambda function: [refused(function, good[function])] for each in good
+        }
+        found = [*part_checks(made, judges)]
+        if all(made.library.has(each) for each in good):
+            clocks = CLOCKS if programme.periodic else [(ticks, 1) for ticks, _ in CLOCKS]
+            wrong = sum(_clock_errors(made, ticks, periods) for ticks, periods in clocks)
+            words = "ticks whose phase or laps are not the exact fraction, rounded down: start, phase, advance"
+            found.append(Check.of("C clock", wrong, 0, words))
+    return found
 
 
-def _table_check(
-    made: Part, function: str, at: Callable[[Array], Angles], span: float
-) -> tuple[Check, Angles | None, Array | None]:
-    """Angles and speeds of a table against those of the programme's file; angles and drive torques of the C.
+def _table_inputs(case: ProgrammeCase, made: Part, function: str, phase: float) -> dict[str, Any]:
+    """Arguments of a table's function; of four outputs the last are drive torques."""
+    count = len(made.library.ffi.typeof(made.library.function(function)).args) - 1
+    names = ("phi", "phi_dot", "phi_ddot", "tau")[:count]
+    return {"phase": phase} | {name: np.full(len(case.stand.flywheels), np.nan) for name in names}
 
-    No angles where the C gives none, no torques (M, N) where the table has none.
-    """
+
+def _table_checks(
+    case: ProgrammeCase, made: Part, function: str, at: Callable[[Array], Angles], span: float
+) -> Iterator[Check]:
+    """Angles and speeds of a table against the programme's file; of the programme the residual and drive torques."""
     phases = made.round(spread_phases(PHASES))
-    exact, name = at(phases * span), f"C {function}"
-    if not made.library.has(function):
-        return Check.of(name, np.inf, made.limit, "the C has no such function: export the programme again"), None, None
-    N = exact.phi.shape[1]
-    outputs = [np.zeros(max(N, 1))] * (len(made.library.ffi.typeof(made.library.function(function)).args) - 1)
-    answers = [made.call(function, float(phase), *outputs) for phase in phases]
+    t, exact = phases * span, at(phases * span)
+    answers = [made.call(function, _table_inputs(case, made, function, phase)) for phase in phases]
     if (status := min(status for status, _ in answers)) < 0:
-        return Check.of(name, np.inf, made.limit, f"the C answers with status {status}"), None, None
-    columns = np.array([found[1:] for _, found in answers])[:, :, :N]
-    angles = Angles(columns[:, 0], columns[:, 1], columns[:, 2])
-    turned = angles.phi - exact.phi
+        yield Check.of(f"C {function}", np.inf, made.limit, f"the C answers with status {status}")
+        return
+    found = {name: np.array([answer[name] for _, answer in answers]) for name in answers[0][1]}
+    angles = Angles(found["phi"], found["phi_dot"], found["phi_ddot"])
+    turned, speed = angles.phi - exact.phi, largest(exact.phi_dot) or 1.0
     turned -= 2 * np.pi * np.round(turned / (2 * np.pi))
-    speed = largest(exact.phi_dot) or 1.0
     value = max(largest(turned), largest(angles.phi_dot - exact.phi_dot) / speed)
     words = f"angles, rad, and speeds, share of the largest, at {PHASES} times, against the programme's file"
-    return Check.of(name, value, made.limit, words), angles, columns[:, 3] if columns.shape[1] > 3 else None
+    yield Check.of(f"C {function}", value, made.limit, words)
+    if function == "at":
+        shares = case.scale.wrench_share(case.equations(t, angles)[0])
+        i = int(np.argmax(shares))
+        words = f"of (12) with the C's angles, at {PHASES} times; largest at t = {t[i]:.6g} s"
+        yield Check.of("C residual", shares[i], case.limit.residual + made.limit, words)
+        if "tau" in found:
+            tau = case.equations(t)[1]
+            peak = largest(tau) or 1.0
+            words = f"drive torques, share of the largest, {peak:.3g} N m"
+            yield Check.of("C torque", largest(found["tau"] - tau) / peak, TORQUE * made.limit, words)
 
 
 def _clock_errors(made: Part, ticks: int, periods: int) -> int:
