@@ -6,13 +6,13 @@ from argparse import Namespace
 from collections.abc import Iterator
 
 from campaigns import Row, Rows, Table
+from mahovik.contract.limits import DOUBLE
 from mahovik.core.stand import load
 from mahovik.proof.verify.judges import PROGRAMS, verify_judges
 from mahovik.stands import names, path
 
 OPTIONS = {"states": 200}
 
-ACCEPTED = 1e-11
 COLUMNS = {"generated C against": "{}", **dict.fromkeys(PROGRAMS, "{:.0e}")}
 
 
@@ -29,7 +29,7 @@ def measure(options: Namespace) -> Iterator[tuple[str | float | None, ...]]:
 
 def agrees(row: Row) -> bool:
     """Whether both programs agree."""
-    return all(row[program] is None or row[program] <= ACCEPTED for program in PROGRAMS)
+    return all(row[program] is None or row[program] <= DOUBLE.value for program in PROGRAMS)
 
 
 def claim(rows: Rows) -> str:

@@ -12,7 +12,7 @@ from __future__ import annotations
 import importlib
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,10 +28,10 @@ from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.physical import LEAST_EIGENVALUE
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
-from mahovik.proof import reference
 from mahovik.proof.verify.backends import Backend
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check, difference
+from mahovik.proof.verify.compare import LAST_PLACES, NEIGHBOURS, ROUNDINGS
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import Progress, report
 from mahovik.proof.verify.report import Report
@@ -42,9 +42,8 @@ Array = NDArray[np.float64]
 Values = dict[str, Any]
 States = Sequence[tuple[str, State]]
 
-LIMIT, NEAR = DOUBLE.value, 10.0
-"""Accepted difference, a share of its scale; coordinate of the carrier in E0, m, beyond which it is put there, since
-the programs add its position to that of every body."""
+NEAR = 10.0
+"""m: a coordinate of the carrier in E0 is at most this, since the programs add its position to that of every body."""
 
 SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 """Attitude sequences as SciPy names them; capitals: about moving axes."""
@@ -82,12 +81,12 @@ def attitude(stand: Stand, state: State) -> Rotation:
 
 def places(stand: Stand) -> dict[str, tuple[Array, Array]]:
     """Where instruments and points are on the carrier: position (3) and axes (3x3) in E1."""
-    found = {body.name: pose(stand, body) for body in stand.instruments}
+    poses = {body.name: pose(stand, body) for body in stand.instruments}
     for point in stand.points:
-        origin, axes = found.get(point.mount, (np.zeros(3), np.eye(3)))
-        own = Rotation.from_euler("ZYX", point.angles).as_matrix()
-        found[point.name] = origin + axes @ np.array(point.position), axes @ own
-    return found
+        origin, axes = poses.get(point.mount, (np.zeros(3), np.eye(3)))
+        turn = Rotation.from_euler("ZYX", point.angles).as_matrix()
+        poses[point.name] = origin + axes @ np.array(point.position), axes @ turn
+    return poses
 
 
 def chain(hold: Hold) -> list[tuple[Array, Array, float | None, float]]:
@@ -121,10 +120,16 @@ class Program:
 
     def __init__(self, stand: Stand) -> None:
         self.stand, self.free, self.N = stand, stand.hold is None, len(stand.flywheels)
-        self.chain = [] if stand.hold is None else chain(stand.hold)
+        self.chain, self.S = ([], np.eye(6)) if stand.hold is None else (chain(stand.hold), twists(stand.hold))
         self.rates = np.ones(6) if self.free else np.array([rate for *_, rate in self.chain])
-        self.S = np.eye(6) if stand.hold is None else twists(stand.hold)
         self.along = np.linalg.pinv(self.S)  # u_dot of V_dot = S u_dot
+        self._neighbours: list[Self] = []
+
+    def neighbours(self, scales: Scales) -> list[Self]:
+        """The program with stands some last places away: what their answers differ by is its rounding."""
+        stands = [scales.change(self.stand, LAST_PLACES) for _ in range(NEIGHBOURS - len(self._neighbours))]
+        self._neighbours += [type(self)(replace(stand, hold=self.stand.hold)) for stand in stands]
+        return self._neighbours
 
     def solve(self, state: State, velocities: Array) -> tuple[Array, Array]:
         """Set the state and velocities of the joints (m + N, the carrier's first); returns their mass matrix, and their
@@ -139,31 +144,31 @@ class Program:
         raise NotImplementedError
 
     def answers(self, state: State) -> dict[str, Values]:
-        """Values by want of `eval`; of `matrices` also the `bias` M V + J phi' - F."""
-        u, u_dot = (state.V, state.V_dot) if self.free else (state.u, state.u_dot)
+        """Values by want of `eval`; of `matrices` also the `bias` M V + J phi' - F. Not every stand has all of them."""
         m, phi_ddot = len(self.rates), np.array(state.phi_ddot)
+        u, u_dot = (state.V, state.V_dot) if self.free else (state.u, state.u_dot)
         full, coupled = self.solve(state, np.array([*(self.rates * u), *state.phi_dot]))
         idle = self.motion(np.zeros(m + self.N))
-        K, I, twists_of_joints = full[:m, :m], full[:m, m:], self.S / self.rates
-        forward = np.linalg.solve(K, -twists_of_joints.T @ idle["wrench"] - I @ phi_ddot)
+        K, I = full[:m, :m], full[:m, m:]
+        forward = np.linalg.solve(K, -(self.S / self.rates).T @ idle["wrench"] - I @ phi_ddot)
 
         def motion(u_dot: Any, phi_ddot: Array) -> Values:
             joints = self.rates * (u_dot - self.along @ idle["V_dot"])  # twists of a chain change while it moves
             return self.motion(np.concatenate([joints, phi_ddot]))
 
         def response(accelerations: Array) -> Values:
-            found, key = self.motion(accelerations), "V_dot" if self.free else "u_dot"
-            return {key: self.along @ found["V_dot"], "phi_ddot": accelerations[m:], "reaction": found["wrench"]}
+            moved, key = self.motion(accelerations), "V_dot" if self.free else "u_dot"
+            return {key: self.along @ moved["V_dot"], "phi_ddot": accelerations[m:], "reaction": moved["wrench"]}
 
-        given = motion(np.array(u_dot), phi_ddot)
+        demanded = motion(np.array(u_dot), phi_ddot)
         matrices = {"bias": motion(np.zeros(m), np.zeros(self.N))["wrench"]} | ({"K": K, "I": I} if self.free else {})
         return {
             "matrices": matrices,
             "forward": response(np.concatenate([forward, phi_ddot])),
             "coupled": response(coupled),
-            "torque": {"tau": given["mount_wrench"][:, 3]},
-            "mounts": {"mount_wrench": given["mount_wrench"]},
-            "points": {"points": {name: dict(zip(POINT, own, strict=True)) for name, own in given["points"].items()}},
+            "torque": {"tau": demanded["mount_wrench"][:, 3]},
+            "mounts": {"mount_wrench": demanded["mount_wrench"]},
+            "points": {"points": {name: dict(zip(POINT, at, strict=True)) for name, at in demanded["points"].items()}},
         }
 
 
@@ -175,57 +180,54 @@ class Pinocchio(Program):
     def __init__(self, stand: Stand) -> None:
         super().__init__(stand)
         self.pin = pin = importlib.import_module("pinocchio")
-        if not (self.free or self.chain):
+        if not len(self.rates):
             raise UsageError("Pinocchio has no joint without freedoms")
         self.version, self.model = pin.__version__, pin.Model()
         self.model.gravity.linear = np.array(stand.gravity)
-        joint = pin.JointModelFreeFlyer() if self.free else pin.JointModelComposite()
-        self.E1 = pin.SE3.Identity()  # in the frame of the joint
+        joints = pin.JointModelFreeFlyer() if self.free else pin.JointModelComposite()
+        self.E1 = pin.SE3.Identity()  # in the frame of the last joint
         for axis, point, advance, _ in self.chain:
             slide, helix = pin.JointModelPrismaticUnaligned, pin.JointModelHelicalUnaligned
-            own = slide(axis) if advance is None else helix(axis, advance)
-            joint.addJoint(own, self.E1 * pin.SE3(np.eye(3), point))
+            joint = slide(axis) if advance is None else helix(axis, advance)
+            joints.addJoint(joint, self.E1 * pin.SE3(np.eye(3), point))
             self.E1 = pin.SE3(np.eye(3), -point)
-        self.model.addJoint(0, joint, pin.SE3.Identity(), "joint of the carrier")
-        self.fixed = {}
+        self.model.addJoint(0, joints, pin.SE3.Identity(), "joint of the carrier")
+        self.bodies = {}  # number of the joint, and place in its frame
         for body in stand.bodies:
-            place = self.E1 * pin.SE3(*pose(stand, body)[::-1])
+            number, place = 1, self.E1 * pin.SE3(*pose(stand, body)[::-1])
             inertia = pin.Inertia(body.mass, np.array(body.center_of_mass), inertia_about_center(body))
             if body in stand.flywheels:
-                number = self.model.addJoint(1, pin.JointModelRX(), place, body.name)
-                self.model.appendBodyToJoint(number, inertia, pin.SE3.Identity())
-            else:
-                self.fixed[body.name] = place
-                self.model.appendBodyToJoint(1, inertia, place)
+                number, place = self.model.addJoint(1, pin.JointModelRX(), place, body.name), pin.SE3.Identity()
+            self.model.appendBodyToJoint(number, inertia, place)
+            self.bodies[body.name] = number, place
         self.data = self.model.createData()
 
     def solve(self, state: State, velocities: Array) -> tuple[Array, Array]:
         pin, model, data, turn = self.pin, self.model, self.data, attitude(self.stand, state)
         model.jointPlacements[1] = pin.SE3(turn.as_matrix(), np.array(state.position))
-        self.q, self.v, self.outside = pin.neutral(model), velocities, pin.StdVec_Force()
+        self.q, self.v = pin.neutral(model), velocities
         self.q[model.nq - self.N :] = state.phi
-        forces = [pin.Force.Zero() for _ in range(model.njoints)]
+        self.outside = [pin.Force.Zero() for _ in range(model.njoints)]
         for name, wrench in state.wrench.items():
-            number = 1 if name in self.fixed else model.getJointId(name)
-            forces[number] += self.fixed.get(name, pin.SE3.Identity()).act(pin.Force(np.array(wrench)))
-        self.outside.extend(forces)
+            number, place = self.bodies[name]
+            self.outside[number] += place.act(pin.Force(np.array(wrench)))
         full = np.triu(pin.crba(model, data, self.q))  # the part that it fills
         tau = np.array([*np.zeros(len(self.rates)), *state.tau])
         return full + np.triu(full, 1).T, pin.aba(model, data, self.q, self.v, tau, self.outside).copy()
 
     def motion(self, accelerations: Array) -> Values:
-        pin, model, data, own = self.pin, self.model, self.data, self.pin.ReferenceFrame.LOCAL
+        pin, model, data, local = self.pin, self.model, self.data, self.pin.ReferenceFrame.LOCAL
         pin.rnea(model, data, self.q, self.v, accelerations, self.outside)
-        turns = [pin.SE3(pin.rpy.rpyToMatrix(phi, 0.0, 0.0), np.zeros(3)) for phi in self.q[model.nq - self.N :]]
-        mounts = [turn.act(data.f[2 + k]).vector.copy() for k, turn in enumerate(turns)]  # in axes that do not turn
+        turns = {k: model.jointPlacements[k].actInv(data.liMi[k]) for k in range(2, model.njoints)}
+        mounts = [turn.act(data.f[k]).vector for k, turn in turns.items()]  # in axes that do not turn
         points, wrench = {}, self.E1.actInv(data.f[1]).vector.copy()
         pin.forwardKinematics(model, data, self.q, self.v, accelerations)
         for name, (position, axes) in places(self.stand).items():
             place = self.E1 * pin.SE3(axes, position)
-            twist = pin.getFrameVelocity(model, data, 1, place, own).vector
-            moved, pose_in_E0 = pin.getFrameClassicalAcceleration(model, data, 1, place, own), data.oMi[1] * place
-            felt = moved.linear - pose_in_E0.rotation.T @ np.array(self.stand.gravity)
-            points[name] = pose_in_E0.translation, pose_in_E0.rotation, twist.copy(), felt, moved.angular.copy()
+            twist = pin.getFrameVelocity(model, data, 1, place, local).vector
+            moved, at = pin.getFrameClassicalAcceleration(model, data, 1, place, local), data.oMi[1] * place
+            felt = moved.linear - at.rotation.T @ np.array(self.stand.gravity)
+            points[name] = at.translation, at.rotation, twist.copy(), felt, moved.angular.copy()
         V_dot = self.E1.actInv(data.a[1]).vector.copy()
         return {"V_dot": V_dot, "wrench": wrench, "mount_wrench": np.reshape(mounts, (-1, 6)), "points": points}
 
@@ -241,21 +243,23 @@ def mujoco_spec(stand: Stand) -> Any:
     spec.option.disableflags = mujoco.mjtDisableBit.mjDSBL_CONTACT | mujoco.mjtDisableBit.mjDSBL_CONSTRAINT
     carrier = spec.worldbody.add_body(name=stand.carrier.name)
     for body in stand.bodies:
-        (position, axes), own = pose(stand, body), carrier
+        (position, axes), part = pose(stand, body), carrier
         if body is not stand.carrier:
-            own = carrier.add_body(
-                name=body.name, pos=position, quat=Rotation.from_matrix(axes).as_quat(scalar_first=True)
-            )
+            part = carrier.add_body(name=body.name, pos=position, quat=_quaternion(axes))
         if body in stand.flywheels:
-            own.add_joint(type=mujoco.mjtJoint.mjJNT_HINGE, axis=(1.0, 0.0, 0.0))
+            part.add_joint(type=mujoco.mjtJoint.mjJNT_HINGE, axis=(1.0, 0.0, 0.0))
         moments, axes = np.linalg.eigh(inertia_about_center(body))
         if body.mass > 0.0 or np.any(moments):
-            own.mass, own.ipos, own.inertia = body.mass, body.center_of_mass, moments
-            own.iquat = Rotation.from_matrix(axes * np.linalg.det(axes)).as_quat(scalar_first=True)
-            own.explicitinertial = True
+            part.mass, part.ipos, part.inertia = body.mass, body.center_of_mass, moments
+            part.iquat, part.explicitinertial = _quaternion(axes * np.linalg.det(axes)), True
     for name, (position, axes) in places(stand).items():
-        carrier.add_site(name=name, pos=position, quat=Rotation.from_matrix(axes).as_quat(scalar_first=True))
+        carrier.add_site(name=name, pos=position, quat=_quaternion(axes))
     return spec
+
+
+def _quaternion(axes: Array) -> Any:
+    """Unit quaternion, w first, of a rotation (3x3)."""
+    return Rotation.from_matrix(axes).as_quat(scalar_first=True)
 
 
 class Mujoco(Program):
@@ -287,9 +291,8 @@ class Mujoco(Program):
     def solve(self, state: State, velocities: Array) -> tuple[Array, Array]:
         mujoco, model, data, turn = self.mujoco, self.model, self.data, attitude(self.stand, state)
         model.body_pos[1], model.body_quat[1] = state.position, turn.as_quat(scalar_first=True)
-        data.qpos[model.nq - self.N :] = state.phi
-        data.qvel[:], data.qfrc_applied[len(self.rates) :] = velocities, state.tau
-        data.xfrc_applied[:] = 0.0
+        data.qpos[model.nq - self.N :], data.qvel[:], data.xfrc_applied[:] = state.phi, velocities, 0.0
+        data.qfrc_applied[len(self.rates) :] = state.tau
         mujoco.mj_kinematics(model, data)
         for name, wrench in state.wrench.items():
             number, force = model.body(name).id, np.array(wrench[:3])
@@ -306,9 +309,9 @@ class Mujoco(Program):
         mujoco.mj_rnePostConstraint(model, data)
 
         def read(function: Callable[..., None], kind: Any, number: int) -> Array:
-            found = np.zeros(6)
-            function(model, data, kind, number, found, 1)  # in the object's axes, angular part first
-            return np.roll(found, 3)
+            twist = np.zeros(6)
+            function(model, data, kind, number, twist, 1)  # in the object's axes, angular part first
+            return np.roll(twist, 3)
 
         def wrench(number: int, axes: Array) -> Array:
             moment, force = np.split(data.cfrc_int[number], 2)  # about the centre of mass of all bodies
@@ -324,10 +327,8 @@ class Mujoco(Program):
             site = model.site(name).id
             twist = read(mujoco.mj_objectVelocity, kinds.mjOBJ_SITE, site)
             felt, turning = np.split(read(mujoco.mj_objectAcceleration, kinds.mjOBJ_SITE, site), 2)
-            position, axes = data.site_xpos[site].copy(), data.site_xmat[site].reshape(3, 3).copy()
-            points[name] = position, axes, twist, felt, turning
-        reshaped = np.reshape(mounts, (-1, 6))
-        return {"V_dot": V_dot, "wrench": wrench(1, C), "mount_wrench": reshaped, "points": points}
+            points[name] = data.site_xpos[site].copy(), data.site_xmat[site].reshape(3, 3).copy(), twist, felt, turning
+        return {"V_dot": V_dot, "wrench": wrench(1, C), "mount_wrench": np.reshape(mounts, (-1, 6)), "points": points}
 
 
 PROGRAMS: dict[str, type[Program]] = {"pinocchio": Pinocchio, "mujoco": Mujoco}
@@ -359,10 +360,10 @@ def verify_judges(
             raise UsageError(f"--judges: {name} is not installed ({error.name}): pip install pin mujoco") from None
         except (UsageError, ValueError) as error:  # MuJoCo's of a stand that it does not compile
             checks.append(Check(name, "all quantities", words=str(error)))
-    found = judge(bare, make(bare), programs, draw(bare, seed, count), progress) if programs else []
-    who = ", ".join([f"{program.name} {program.version}" for program in programs] or names)
-    whole = report(bare, f"{judged} against {who}", seed, count, LIMIT, [*found, *checks])
-    return replace(whole, left_out=tuple(left_out))
+    if programs:
+        checks += judge(bare, make(bare), programs, draw(bare, seed, count), progress)
+    judged += f" against {', '.join([f'{program.name} {program.version}' for program in programs] or names)}"
+    return replace(report(bare, judged, seed, count, DOUBLE.value, checks), left_out=tuple(left_out))
 
 
 def judge(
@@ -373,33 +374,27 @@ def judge(
     scales = Scales(stand)
     for done, (name, drawn) in enumerate(states):
         state = replace(drawn, position=tuple(np.clip(drawn.position, -NEAR, NEAR).tolist()))
-        natural = _scales(scales, state)
-        for program in programs:
-            for want, values in program.answers(state).items():
-                ours = backend.evaluate(state, (want,))
-                if want == "matrices":
-                    M, J = (np.reshape(ours[key], (6, -1)) for key in "MJ")
-                    ours["bias"] = M @ np.array(state.V) + J @ np.array(state.phi_dot) - np.array(ours["F"])
-                for quantity, value in values.items():
-                    # flywheels, points, freedoms: not of every stand
-                    if quantity in ours and len(value) and np.size(value):
-                        check = Check(program.name, f"{want} {quantity}", LIMIT)
-                        check = checks.setdefault((program.name, check.quantity), check)
-                        off, words = difference(ours[quantity], value, natural[want][quantity])
-                        check.note(off, name, words, Request(name, state, (want,)))
+        answers = [(program, program.answers(state)) for program in programs]
+        for want in answers[0][1]:
+            ours, measured = backend.evaluate(state, (want,)), scales.want(state, want)
+            scale = dict(measured.scales) if measured is not None else {}
+            if want == "matrices":
+                M, J = (np.reshape(ours[key], (6, -1)) for key in "MJ")
+                ours["bias"] = M @ np.array(state.V) + J @ np.array(state.phi_dot) - np.array(ours["F"])
+                terms = scales.measure(state, lambda _, __, at: {"bias": at.M @ at.V_r + at.J @ at.phi_dot - at.F})
+                scale["bias"] = terms.scales["bias"]
+            for program, answer in answers:
+                for quantity, value in answer[want].items():
+                    if quantity not in ours or not len(value) or not np.size(value):  # no points, freedoms, flywheels
+                        continue
+                    check = Check(program.name, f"{want} {quantity}", DOUBLE.value)
+                    check = checks.setdefault((program.name, check.quantity), check)
+                    off, words = difference(ours[quantity], value, scale[quantity])
+                    if off > check.limit:  # MuJoCo adds up about points that are far from one another
+                        again = (p.answers(scales.moved(state, LAST_PLACES))[want] for p in program.neighbours(scales))
+                        noise = max(difference(near[quantity], value, scale[quantity])[0] for near in again)
+                        off /= max(1.0, ROUNDINGS * noise / check.limit)
+                    check.note(off, name, words, Request(name, state, (want,)))
         if progress is not None:
             progress(done + 1, len(states))
     return [check for program in programs for check in checks.values() if check.judged == program.name]
-
-
-def _scales(scales: Scales, state: State) -> dict[str, Any]:
-    """The measured scale of every quantity."""
-    found: dict[str, Any] = {}
-    for want in ("forward", "coupled", "torque", "mounts", "points"):
-        measured = scales.want(state, want)
-        found[want] = {} if measured is None else measured.scales
-
-    def matrices(_: Stand, __: State, at: reference.Pieces) -> Values:
-        return {"K": at.K, "I": at.I, "bias": at.M @ at.V_r + at.J @ at.phi_dot - at.F}
-
-    return found | {"matrices": scales.measure(state, matrices).scales}

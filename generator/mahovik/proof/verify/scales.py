@@ -55,7 +55,7 @@ class Scales:
         threshold = THRESHOLDS[real]
         self.cuts = Cuts(threshold.rank, reached=threshold.unreachable)
         self._size, self._rng = PERTURBATION[real], np.random.default_rng(seed)
-        others = (self._change(stand, self._size) for _ in range(PERTURBATIONS))
+        others = (self.change(stand, self._size) for _ in range(PERTURBATIONS))
         self._stands = [(each, bodies_of(each)) for each in (stand, *others)]
         self._last: tuple[State | None, list[tuple[Stand, State, Pieces]]] = (None, [])
         self._ordinary: dict[str, Mapping[str, Any]] = {}
@@ -148,18 +148,18 @@ class Scales:
 
     def moved(self, state: State, size: float) -> State:
         """The state with every number times 1 + size u, |u| <= 1, and a quaternion of unit length."""
-        return self._unit(self._change(state, size))
+        return self._unit(self.change(state, size))
 
-    def _change(self, data: Any, size: float) -> Any:
+    def change(self, data: Any, size: float) -> Any:
         """Nested data with every number times 1 + size u, |u| <= 1."""
         if isinstance(data, float):
             return data * (1.0 + size * self._rng.uniform(-1.0, 1.0))
         if isinstance(data, tuple):
-            return tuple(self._change(each, size) for each in data)
+            return tuple(self.change(each, size) for each in data)
         if is_dataclass(data) and not isinstance(data, type):
-            return replace(data, **{f.name: self._change(getattr(data, f.name), size) for f in fields(data) if f.init})
+            return replace(data, **{f.name: self.change(getattr(data, f.name), size) for f in fields(data) if f.init})
         if isinstance(data, Mapping):
-            return type(data)({name: self._change(value, size) for name, value in data.items()})  # type: ignore
+            return type(data)({name: self.change(value, size) for name, value in data.items()})  # type: ignore
         return data
 
     @staticmethod
