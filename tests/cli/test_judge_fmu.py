@@ -8,7 +8,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
-from zipfile import ZIP_DEFLATED, ZipFile
+from zipfile import ZipFile
 
 import numpy as np
 import pytest
@@ -18,8 +18,7 @@ from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.read import loads
 from mahovik.proof.reference.coordinates import coordinates_at
 from mahovik.proof.reference.hold import twists
-from mahovik.proof.verify.fmu import FmuProgram
-from mahovik.proof.verify.fmu_map import read_map
+from mahovik.proof.verify.fmu import FmuProgram, read_map
 from mahovik.proof.verify.held import onto_hold
 from toolchain.quick import quick
 from verify.holds import PENDULUM
@@ -141,7 +140,7 @@ def test_a_joint_has_its_angle_and_its_speed() -> None:
 
 
 BAD = [
-    (FREE, FREE_MAP, "carrier.V[", "carrier.W[", 'no variable "carrier.W[1]"'),
+    (FREE, FREE_MAP, "carrier.V[", "carrier.W[", '"carrier.W[1]" is no variable, did you mean'),
     (FREE, FREE_MAP, 'V = "carrier.V[', 'V = "carrier.V_dot[', '"carrier.V_dot[1]" cannot be set'),
     (FREE, FREE_MAP, 'V = "carrier.V[{i}]"', 'V = ["a", "b"]', "state.V: 2 variables, expected 6"),
     (FREE, FREE_MAP, "[forward]", "[foward]", 'did you mean "forward"?'),
@@ -151,8 +150,14 @@ BAD = [
     (FREE, FREE_MAP, 'V = "carrier.V[{i}]"', "V = [1, 2, 3, 4, 5, 6]", "expected the name of a variable"),
     (FREE, FREE_MAP, '"carrier.V[{i}]"', '[{ variable = "a", factor = 0 }]', "the factor not zero"),
     (FREE, FREE_MAP, "[state]", "[state", "no TOML"),
-    (held_text(), JOINT_MAP, 'q = "joint.{freedom}.s"\n', "", "state.quaternion is missing: answers of this stand"),
-    (held_text(), JOINT_MAP, 'u = "joint.{freedom}.v"\n', "", "state.V or state.u is missing: every state has it"),
+    (
+        held_text(),
+        JOINT_MAP,
+        'q = "joint.{freedom}.s"\n',
+        "",
+        "state.quaternion or state.angles is missing: answers of this stand",
+    ),
+    (held_text(), JOINT_MAP, 'u = "joint.{freedom}.v"\n', "", "state.V or state.u is missing: answers of this stand"),
     (held_text(), JOINT_MAP, '["joint.a"]', '["a", "b"]', "forward.u_dot: 2 variables, expected 1"),
     (held_text(), JOINT_MAP, 'u_dot = ["joint.a"]', 'reaction = "R[{i}]"', "forward.u_dot is missing"),
     (held_text(), JOINT_MAP, "q =", "orientation =", 'state: unknown key "orientation"'),
@@ -172,41 +177,18 @@ def test_files_that_are_refused(fmu: Path) -> None:
     assert "expected one of them" in refused(*judged(FREE, fmu, FREE_MAP), "--with", "cat")
 
 
-def damaged(fmu: Path, made: Path, **more: str) -> Path:
-    """The FMU with other files in it: texts by name."""
-    with ZipFile(fmu) as whole, ZipFile(made, "w", ZIP_DEFLATED) as archive:
+@pytest.mark.parametrize("name", ["../outside", "/outside", "C:outside"])
+def test_an_fmu_that_would_write_outside_its_folder_does_not(
+    fmu: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    room = tmp_path / "room" / "inner"
+    room.mkdir(parents=True)
+    monkeypatch.setattr(tempfile, "tempdir", str(room))
+    with ZipFile(fmu) as whole, ZipFile(tmp_path / "bad.fmu", "w") as archive:
         for each in whole.infolist():
             archive.writestr(each.filename, whole.read(each))
-        for name, text in more.items():
-            archive.writestr(name, text)
-    return made
-
-
-HUGE = {"modelDescription.xml": "<!--" + " " * (1 << 26)}
-
-
-@pytest.mark.parametrize(
-    ("files", "words"),
-    [
-        ({f"resources/{k}": "" for k in range(10_001)}, "files, expected at most 10000"),
-        ({f"resources/{k}": "0" * (1 << 20) for k in range(9)}, "bytes, expected at most 8388608"),
-        (HUGE, "bytes of modelDescription.xml, expected at most 67108864"),
-        ({"../outside": "x"}, 'a file named "../outside", expected names inside of it'),
-        ({"resources/../../outside": "x"}, 'a file named "resources/../../outside"'),
-        ({"/outside": "x"}, 'a file named "/outside"'),
-        ({"C:outside": "x"}, 'a file named "C:outside"'),
-    ],
-    ids=["files", "bytes", "description", "above", "inside and above", "absolute", "drive"],
-)
-@pytest.mark.filterwarnings("ignore:Duplicate name")
-def test_an_fmu_that_would_fill_the_disk_is_not_unpacked(
-    fmu: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, files: dict[str, str], words: str
-) -> None:
-    (tmp_path / "room" / "inner").mkdir(parents=True)
-    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "room" / "inner"))
-    monkeypatch.setattr("mahovik.proof.verify.fmu.MOST_BYTES", 1 << 23)
-    said = refused(*judged(FREE, damaged(fmu, tmp_path / "bad.fmu", **files), FREE_MAP))
-    assert "bad.fmu: no FMU: " in said and words in said
+        archive.writestr(name, "x")
+    run(*judged(FREE, tmp_path / "bad.fmu", FREE_MAP, "--states", "1"))
     assert [each.name for each in (tmp_path / "room").rglob("*")] == ["inner"]
 
 

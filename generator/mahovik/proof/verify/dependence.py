@@ -1,10 +1,10 @@
-"""Whether the answers of a stand depend on its pose: a program or a log without it may still be judged."""
+"""Whether the answers of a stand depend on a key of a state: a program or a log without it may still be judged."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -29,11 +29,11 @@ SAME = 1e-12
 """Relative difference that is rounding."""
 
 
-def depends_on(stand: Stand, wants: Sequence[str], key: Literal["position", "quaternion"]) -> bool:
-    """Whether an answer differs between two attitudes, or positions, beyond rounding.
+def depends_on(stand: Stand, wants: Sequence[str], key: str) -> bool:
+    """Whether an answer differs between two values of a key of a state, beyond rounding; of V also those of u.
 
-    Of a held carrier whose freedoms have coordinates, between poses that the hold allows: what turns changes the
-    attitude, what slides the position.
+    `position`, `quaternion` of a held carrier whose freedoms have coordinates: between poses that the hold allows. What
+    turns changes the attitude, what slides the position.
     """
     state = replace(random_state(stand, np.random.default_rng(1)), angles=None)
     for want in wants:
@@ -46,8 +46,13 @@ def depends_on(stand: Stand, wants: Sequence[str], key: Literal["position", "qua
 
 
 def _poses(stand: Stand, state: State, key: str) -> Iterator[State]:
-    """The state in two poses that differ in this key."""
+    """The state, and another that differs in this key."""
     hold = stand.hold
+    if key not in POSES:
+        other = random_state(stand, np.random.default_rng(2))
+        keys = {"V": ("V", "u"), "V_dot": ("V_dot", "u_dot")}.get(key, (key,))
+        yield from (state, replace(state, **{name: getattr(other, name) for name in keys}))
+        return
     if hold is None or (hold.freedoms and not has_coordinates(hold)):
         yield from (replace(state, **{key: pose}) for pose in POSES[key])
         return

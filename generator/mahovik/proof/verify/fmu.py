@@ -1,40 +1,179 @@
 """An FMU as a program: lines of states in, lines of results out, each state set before initialization and read after.
 
-Started in a process of its own, which an FMU may end: `python -m mahovik.proof.verify.fmu FOLDER MAP STAND`.
+A map, a file of TOML, says which of its variables is which number of the contract of `eval`:
+
+    [state]                                # what the FMU is given
+    V = "carrier.V[{i}]"                   # {i}: 1, 2, ...; {name}: each flywheel
+    phi = "{name}.phi"
+    phi_dot = ["wheel.w", { variable = "wheel2.w", factor = -1 }]
+    [state.wrench]
+    carrier = ["X", "Y", "Z", "K", "M", "N"]
+    [forward]                              # what it answers: a table for each want
+    V_dot = "carrier.V_dot[{i}]"
+
+Of a held carrier u, u_dot, q may take the place of V, V_dot and the pose; {freedom}: the name of each freedom.
+`factor`: SI units of one unit of the variable, with a sign. The FMU has a process of its own, which it may end:
+`python -m mahovik.proof.verify.fmu FOLDER MAP STAND`.
 """
 
 from __future__ import annotations
 
 import json
-import math
 import os
+import re
 import sys
-from collections.abc import Mapping, Sequence
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 from typing import Any
-from zipfile import ZipFile
 
 import numpy as np
 
-from mahovik.contract.evaluation import ANSWERS, MAY_BE_LEFT_OUT
+from mahovik.contract.evaluation import ANSWERS, MAY_BE_LEFT_OUT, STATE, Key, answers_of
 from mahovik.core.stand import read
-from mahovik.core.stand.hold import twists
+from mahovik.core.stand.content import readable
+from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms, twists
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.core.stand.units import show
 from mahovik.errors import DataError, MahovikError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference.coordinates import coordinates_at
-from mahovik.proof.verify.fmu_map import SET, Map, Place, read_map
+from mahovik.proof.verify.dependence import depends_on
 from mahovik.proof.verify.foreign import Program
 from mahovik.proof.verify.held import freedom_rates, with_angles, with_quaternion
 from mahovik.proof.verify.states import Request, read_line
 
-KINDS = (("ModelExchange", "modelExchange"), ("CoSimulation", "coSimulation"))
-"""Kinds of FMU, the preferred one first, with their names in a description."""
+WANTS = ("forward", "torque", "coupled", "mounts", "momentum")
+"""Wants that an FMU may answer; of a held carrier also `reaction`."""
 
-MOST_FILES, MOST_BYTES, MOST_DESCRIPTION = 10_000, 1 << 30, 1 << 26
-"""Files of an FMU, their bytes and those of its modelDescription.xml: more is not unpacked."""
+POSE = ("position", "quaternion")
+SAID_BY: Mapping[str, tuple[str, ...]] = {
+    "position": ("position",), "quaternion": ("quaternion", "angles"), "V": ("V", "u"), "V_dot": ("V_dot", "u_dot"),
+    "phi": ("phi",), "phi_dot": ("phi_dot",), "phi_ddot": ("phi_ddot",), "tau": ("tau",),
+}  # fmt: skip
+"""What answers may depend on, and the keys of which one says it; those of coordinates say a pose as well."""
+
+COORDINATES = ("q", "orientation")
+
+SET = ("state", "state.wrench")
+"""Tables of variables that are set; the others, one a want, are read."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """A variable of an FMU; `factor`: SI units of one of its units."""
+
+    variable: str
+    factor: float = 1.0
+
+
+Map = Mapping[str, Mapping[str, tuple[Place, ...]]]
+"""Variables by table and key."""
+
+Names = Sequence[Mapping[str, str]]
+"""What takes the place of {i}, {name} and {freedom} in a pattern, for each of the numbers of a key."""
+
+
+def known_keys(stand: Stand) -> dict[str, dict[str, Names]]:
+    """Tables that a map of a stand may have, and their keys."""
+    hold, held = stand.hold, stand.hold is not None
+    freedoms = [{"i": str(k), "freedom": name} for k, name in enumerate(freedom_names(hold) if hold else (), start=1)]
+    numbered = [freedoms[k] for k in numbered_freedoms(hold)] if hold and has_coordinates(hold) else freedoms[:0]
+    axes: dict[int | str, Names] = {count: [{"i": str(i + 1)} for i in range(count)] for count in (3, 4, 6)}
+    axes |= {"N": [{"name": wheel.name} for wheel in stand.flywheels], "m": freedoms, "m or less": numbered}
+
+    def numbers(key: Key) -> Names:
+        places = product(*(axes[count] for count in key.shape or ()))
+        return [{"i": "1"} | {word: text for part in place for word, text in part.items()} for place in places]
+
+    keys = {key: STATE[key] for said in SAID_BY.values() for key in said} | {"q": ANSWERS["q"]}
+    if hold and has_coordinates(hold) and len(numbered) < len(freedoms):
+        keys["orientation"] = ANSWERS["orientation"]
+    tables = {"state": keys, "state.wrench": {b.name: STATE["wrench"] for b in stand.bodies if b.wrench_input}}
+    for want in (*WANTS, *(("reaction",) if held else ())):
+        tables[want] = {name: ANSWERS[name] for name in answers_of(want, held)}
+    named = {table: {name: numbers(key) for name, key in group.items()} for table, group in tables.items()}
+    return {table: {name: names for name, names in group.items() if names} for table, group in named.items()}
+
+
+def read_map(path: Path, stand: Stand) -> Map:
+    """The map of a file. Raises DataError."""
+    try:
+        raw = tomllib.loads(readable(path, "a map of variables").decode("utf-8"))
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise DataError([f"{path}: no TOML: {error}"]) from None
+    except ValueError as error:
+        raise DataError([str(error)]) from None
+    if isinstance(raw.get("state"), dict) and "wrench" in raw["state"]:
+        raw["state.wrench"] = raw["state"].pop("wrench")
+    known = known_keys(stand)
+    try:
+        made = {table: _variables(table, group, known) for table, group in raw.items()}
+    except ValueError as error:
+        raise DataError([f"{path}: {error}"]) from None
+    if problems := list(_missing(stand, made, known)):
+        raise DataError([f"{path}: {problem}" for problem in problems])
+    return made
+
+
+def _variables(table: str, group: Any, known: Mapping[str, Mapping[str, Names]]) -> dict[str, tuple[Place, ...]]:
+    """The variables of each key of a table: by a pattern, or by a list. Raises ValueError."""
+    if table not in known:
+        raise ValueError(f'unknown key "{table}"{suggestion(table, [name for name in known if name != SET[1]])}')
+    if not isinstance(group, dict):
+        raise ValueError(f"{table}: expected a table")
+    places = {}
+    for key, value in group.items():
+        if key not in known[table]:
+            raise ValueError(f'{table}: unknown key "{key}"{suggestion(key, known[table]) if known[table] else ""}')
+        numbers = known[table][key]
+        items = value if isinstance(value, list) else [value]
+        if isinstance(value, str):
+            items = [_filled(value, names) for names in numbers]
+        places[key] = tuple(_place(f"{table}.{key}", item) for item in items)
+        if len(items) != len(numbers):
+            raise ValueError(f"{table}.{key}: {len(items)} variables, expected {len(numbers)}")
+    return places
+
+
+def _filled(pattern: str, names: Mapping[str, str]) -> str:
+    return re.sub(r"{(\w+)}", lambda at: names.get(at[1], at[0]), pattern)
+
+
+def _place(where: str, item: Any) -> Place:
+    match item:
+        case str():
+            return Place(item)
+        case {"variable": str(name), "factor": int() | float() as factor} if len(item) == 2 and float(factor):
+            return Place(name, float(factor))
+        case {"variable": str(name)} if len(item) == 1:
+            return Place(name)
+    expected = 'the name of a variable or { variable = "NAME", factor = NUMBER }, the factor not zero'
+    raise ValueError(f"{where}: found {item!r:.60}, expected {expected}")
+
+
+def _missing(stand: Stand, made: Map, known: Mapping[str, Mapping[str, Names]]) -> Iterator[str]:
+    """What a map lacks, in words."""
+    there, wants = made.get("state", {}).keys(), [want for want in made if want not in SET]
+    if not wants:
+        yield f"no answers, expected a table for a want: {', '.join(name for name in known if name not in SET)}"
+    for want in wants:
+        # of a held carrier the reaction is a want of its own, and u_dot and V_dot are one motion
+        motion = {"u_dot", "V_dot"} if {"u_dot", "V_dot"} & made[want].keys() else set()
+        spared = {*made[want], *motion, *(() if want == "reaction" else ("reaction",))}
+        yield from (f"{want}.{name} is missing" for name in known[want] if name not in spared)
+    if {"quaternion", "angles"} <= there:
+        yield "state: quaternion and angles, expected one of them"
+    coordinates = set(COORDINATES) & known["state"].keys()
+    posed = POSE if coordinates and coordinates <= there else ()
+    for part, keys in SAID_BY.items():
+        if part not in posed and not there & set(keys) and depends_on(stand, wants, part):
+            names = " or ".join(f"state.{key}" for key in keys if key in known["state"])
+            yield f"{names} is missing: answers of this stand depend on it"
+    for body in known["state.wrench"].keys() - made.get("state.wrench", {}).keys():
+        yield f"state.wrench.{body} is missing: the stand has `wrench_input` there"
 
 
 def fmu_program(fmu: Path, unpacked: Path, map_file: Path, stand: Stand, stand_file: str) -> Program:
@@ -43,107 +182,72 @@ def fmu_program(fmu: Path, unpacked: Path, map_file: Path, stand: Stand, stand_f
     It is unpacked into the folder `unpacked`, which must stay as long as the program runs. Raises DataError where a
     file cannot be used, UsageError where fmpy is missing.
     """
-    found = read_map(map_file, stand)
-    _check_variables(fmu, _unpack(fmu, unpacked), found)
-    words = (sys.executable, "-m", __name__, str(unpacked), str(map_file), stand_file)
-    held = stand.hold is not None
-    left_out = (*MAY_BE_LEFT_OUT, "reaction") if held else MAY_BE_LEFT_OUT
-    wants = tuple(want for want in found if want not in SET)
-    return Program(str(fmu), words, wants, left_out, on_hold=held)
-
-
-def _unpack(fmu: Path, folder: Path) -> Any:
-    """Unpack an FMU; return its description. Raises DataError, also where it is too large; UsageError without fmpy."""
+    variables = read_map(map_file, stand)
     try:
-        from fmpy import read_model_description
+        from fmpy import extract, read_model_description
     except ImportError:
         raise UsageError(f'--fmu {fmu}: needs fmpy; `pip install "mahovik[fmi]"`') from None
     if not fmu.is_file():
         raise DataError([f"{fmu}: no such file"])
     try:
-        with ZipFile(fmu) as archive:
-            _require_harmless(archive)
-            archive.extractall(folder)
-        found = read_model_description(str(folder), validate=False)
+        description = read_model_description(extract(fmu, unpacked), validate=False)
     except Exception as error:  # fmpy raises what zip, XML and schema raise
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
         raise DataError([f"{fmu}: no FMU: {reason}"]) from None
-    if found.fmiVersion not in ("2.0", "3.0"):
-        raise DataError([f"{fmu}: FMI {found.fmiVersion}, expected 2.0 or 3.0"])
-    return found
-
-
-def _require_harmless(archive: ZipFile) -> None:
-    """Raise ValueError for an archive that would fill the disk, or write outside its folder."""
-    sizes = {each.filename: each.file_size for each in archive.infolist()}
-    for what, count, most in (
-        ("files", len(archive.infolist()), MOST_FILES),
-        ("bytes of modelDescription.xml", sizes.get("modelDescription.xml", 0), MOST_DESCRIPTION),
-        ("bytes", sum(each.file_size for each in archive.infolist()), MOST_BYTES),
-    ):
-        if count > most:
-            raise ValueError(f"{count} {what}, expected at most {most}")
-    for name in sizes:
-        if name.startswith("/") or set("\\:") & set(name) or ".." in name.split("/"):
-            raise ValueError(f"a file named {show(name)}, expected names inside of it")
-
-
-def _check_variables(fmu: Path, description: Any, found: Map) -> None:
-    """Raises DataError: a variable is not there, no number, or cannot be set."""
+    if description.fmiVersion not in ("2.0", "3.0"):
+        raise DataError([f"{fmu}: FMI {description.fmiVersion}, expected 2.0 or 3.0"])
     known = {variable.name: variable for variable in description.modelVariables}
-    problems: dict[str, None] = {}  # each once
-    for table, group in found.items():
-        for name in (place.variable for places in group.values() for place in places):
-            if name not in known:
-                problems[f'{fmu}: no variable "{name}"{suggestion(name, known)}'] = None
-            elif known[name].type not in ("Real", "Float64") or getattr(known[name], "dimensions", None):
-                problems[f'{fmu}: "{name}" is no real scalar'] = None
-            elif table in SET and not _settable(known[name]):
-                problems[f'{fmu}: "{name}" cannot be set: it is calculated'] = None
-    if problems:
-        raise DataError(list(problems))
+    places = [(table, place.variable) for table, group in variables.items() for ps in group.values() for place in ps]
+    faults = [f'{fmu}: "{name}" {fault}' for table, name in places if (fault := _fault(name, known, table in SET))]
+    if faults:
+        raise DataError(list(dict.fromkeys(faults)))
+    words = (sys.executable, "-m", __name__, str(unpacked), str(map_file), stand_file)
+    held = stand.hold is not None
+    left_out = (*MAY_BE_LEFT_OUT, "reaction") if held else MAY_BE_LEFT_OUT
+    return Program(str(fmu), words, tuple(want for want in variables if want not in SET), left_out, on_hold=held)
 
 
-def _settable(variable: Any) -> bool:
-    free = variable.causality in ("input", "parameter") or variable.start is not None
-    return variable.variability != "constant" and free
+def _fault(name: str, known: Mapping[str, Any], is_set: bool) -> str:
+    """Why a variable of an FMU cannot be read, or set, in words; "" where it can."""
+    from fmpy.simulation import settable_in_initialization_mode, settable_in_instantiated
+
+    if name not in known:
+        return f"is no variable{suggestion(name, known)}"
+    variable = known[name]
+    if variable.type not in ("Real", "Float64") or getattr(variable, "dimensions", None):
+        return "is no real scalar"
+    settable = settable_in_instantiated(variable) or settable_in_initialization_mode(variable)
+    return "cannot be set: it is calculated" if is_set and not settable else ""
 
 
 class FmuProgram:
-    """An FMU that answers requests."""
+    """An FMU, unpacked in a folder, that answers requests."""
 
-    def __init__(self, folder: Path, found: Map, stand: Stand) -> None:
-        """`folder`: of the unpacked FMU."""
+    def __init__(self, folder: Path, variables: Map, stand: Stand) -> None:
         from fmpy import read_model_description
 
-        self._stand, self._map, self._folder = stand, found, str(folder)
+        self._stand, self._map, self._folder = stand, variables, str(folder)
         self._description = read_model_description(self._folder, validate=False)
-        self._variables = {v.name: v for v in self._description.modelVariables}
-        self._kind = next(kind for kind, name in KINDS if getattr(self._description, name) is not None)
-        self._second = self._description.fmiVersion == "2.0"
-        self._instance: Any = None
 
     def answer(self, request: Request) -> dict[str, Any]:
-        """Quantities of the one want of a request."""
+        """Quantities of the one want of a request. Raises what fmpy raises of calls that the FMU refuses."""
+        from fmpy import simulate_fmu
+
         (want,) = request.want
         if want not in self._map:
             return {"error": f"{want}: not in the map"}
-        instance = self._fresh()
-        values = self._values(request.state)
-        inputs = {k: x for k, x in values.items() if self._variables[k].causality == "input"}
-        self._set(instance, {k: x for k, x in values.items() if k not in inputs})
-        if self._second:
-            instance.setupExperiment(startTime=0.0)
-            instance.enterInitializationMode()
-        else:
-            instance.enterInitializationMode(startTime=0.0)
-        self._set(instance, inputs)
-        instance.exitInitializationMode()
-        found: dict[str, Any] = {}
+        names = [place.variable for places in self._map[want].values() for place in places]
+        row = simulate_fmu(
+            self._folder, validate=False, model_description=self._description, start_values=self._values(request.state),
+            fmi_type="CoSimulation" if self._description.modelExchange is None else "ModelExchange", solver="Euler",
+            start_time=0.0, stop_time=0.0, set_stop_time=False, step_size=1.0, output_interval=1.0,
+            output=list(dict.fromkeys(names)),
+        )[0]  # fmt: skip
+        answer = {}
         for name, places in self._map[want].items():
             shape = ANSWERS[name].shape_of(len(self._stand.flywheels), len(request.state.u))
-            found[name] = np.reshape(self._get(instance, places), shape or ()).tolist()
-        return self._whole(found)
+            answer[name] = np.reshape([row[place.variable] * place.factor for place in places], shape or ()).tolist()
+        return self._whole(answer)
 
     def _whole(self, answer: dict[str, Any]) -> dict[str, Any]:
         """The answer of a held carrier with u_dot and V_dot, where it has one of them."""
@@ -154,45 +258,15 @@ class FmuProgram:
             answer["u_dot"] = freedom_rates(hold, np.array([answer["V_dot"]]))[0].tolist()
         return answer
 
-    def _fresh(self) -> Any:
-        """An instance that nothing was set in yet."""
-        from fmpy.simulation import instantiate_fmu
-
-        if self._instance is not None:
-            try:
-                self._instance.reset()
-                return self._instance
-            except Exception:  # it cannot be reset: take a new one
-                self._instance.freeInstance()
-        self._instance = instantiate_fmu(self._folder, self._description, self._kind)
-        return self._instance
-
     def _values(self, state: State) -> dict[str, float]:
         """Values of the variables that are set, by name."""
-        pairs: list[tuple[tuple[Place, ...], Sequence[float]]] = []
+        turned = {"quaternion": with_quaternion, "angles": with_angles}
+        pairs = [(places, state.wrench.get(body, (0.0,) * 6)) for body, places in self._map.get(SET[1], {}).items()]
         for key, places in self._map.get("state", {}).items():
-            if key in ("q", "orientation"):
-                pairs.append((places, getattr(coordinates_at(self._stand, state), key).tolist()))
-            else:
-                turn = {"quaternion": with_quaternion, "angles": with_angles}.get(key, lambda _, same: same)
-                pairs.append((places, getattr(turn(self._stand, state), key)))
-        for name, places in self._map.get("state.wrench", {}).items():
-            pairs.append((places, state.wrench.get(name, (0.0,) * 6)))
-        return {
-            place.variable: float(x) / place.factor
-            for places, numbers in pairs
-            for place, x in zip(places, numbers, strict=True)
-        }
-
-    def _set(self, instance: Any, values: Mapping[str, float]) -> None:
-        if values:
-            put = instance.setReal if self._second else instance.setFloat64
-            put([self._variables[name].valueReference for name in values], list(values.values()))
-
-    def _get(self, instance: Any, places: Sequence[Place]) -> list[float]:
-        get = instance.getReal if self._second else instance.getFloat64
-        values = get([self._variables[place.variable].valueReference for place in places])
-        return [float(x) * place.factor for x, place in zip(values, places, strict=True)]
+            source = coordinates_at(self._stand, state) if key in COORDINATES else state
+            pairs.append((places, getattr(turned[key](self._stand, state) if key in turned else source, key)))
+        zipped = [pair for places, numbers in pairs for pair in zip(places, numbers, strict=True)]
+        return {place.variable: float(x) / place.factor for place, x in zipped}
 
 
 def main(folder: str, map_file: str, stand_file: str) -> None:
@@ -201,18 +275,12 @@ def main(folder: str, map_file: str, stand_file: str) -> None:
     os.dup2(2, 1)  # what the FMU prints is no answer
     stand = read.load(stand_file)
     program = FmuProgram(Path(folder), read_map(Path(map_file), stand), stand)
-    for line in sys.stdin:
-        if not line.strip():
-            continue
+    for line in filter(str.strip, sys.stdin):
         request = read_line(stand, line)
         try:
             result = program.answer(request)
         except Exception as error:  # fmpy raises its own errors of calls, and those of ctypes
             result = {"error": f"the FMU refused the state: {error}"}
-        if not all(
-            math.isfinite(x) for value in result.values() if not isinstance(value, str) for x in np.ravel(value)
-        ):
-            result = {"error": "the FMU answers numbers that are not finite"}
         print(json.dumps({"id": request.id, **result}), file=output, flush=True)
 
 
