@@ -9,7 +9,7 @@ from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.state import State
 from mahovik.laws.suspension.data import Suspension
-from mahovik.proof.reference.bodies import FixedBody, SpinningFlywheel
+from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pieces import Pieces
 
 AnyBody = TypeVar("AnyBody", bound=Body)
@@ -22,7 +22,7 @@ def suspension_of(stand: Stand) -> Suspension:
     return found
 
 
-def placed(at: Pieces) -> tuple[FixedBody | SpinningFlywheel, ...]:
+def placed(at: Pieces) -> tuple[PlacedBody, ...]:
     """Every body with its transfer to E1: carrier, instruments, flywheels."""
     return (*at.fixed, *at.flywheels)
 

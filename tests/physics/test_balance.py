@@ -12,7 +12,6 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.pieces import added_mass_matrix
 from mahovik.proof.reference.screw import Phi, f, spin
 from physics.general import draw, placed
 from physics.motions import motion, rate, rotation, vec
@@ -26,7 +25,7 @@ FROM_DIFFERENCES = 1e-10  # of the largest term: 1e-16 over the step, some hundr
 def fluid_momentum(stand: Stand, state: State) -> Array:
     """Linear momentum of the fluid (3), C Lambda V_r, in E0."""
     at = pieces(stand, state)
-    return np.asarray(at.C @ (added_mass_matrix(at.fixed) @ at.V_r)[:3])
+    return np.asarray(at.C @ (at.Lambda @ at.V_r)[:3])
 
 
 @pytest.mark.parametrize("stream", [False, True])

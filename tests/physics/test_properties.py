@@ -17,7 +17,7 @@ from mahovik.laws.buoyancy.data import Buoyancy
 from mahovik.laws.damping.data import Damping
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.motion import flywheel_acceleration
+from mahovik.proof.reference.motion import flywheel_accelerations
 from physics.general import isolated, placed, without_wrench
 from physics.motions import vec
 from physics.properties import PROPERTY, assert_near, balance, cases, of_a_motion, scale, value, with_inertia
@@ -40,8 +40,9 @@ def test_power_is_the_rate_of_energy(case: tuple[Stand, State]) -> None:
     work.append(float(laws @ at.V))  # suspension and legs
     rates = [float(at.V @ sum(p.Lambda for p in at.fixed) @ V_dot)]
     rates += [float(p.twist(at.V) @ p.Theta @ p.twist(V_dot)) for p in at.fixed]
-    for s, phi_ddot in zip(at.flywheels, state.phi_ddot, strict=True):
-        rates.append(float(s.twist(at.V) @ s.Theta @ flywheel_acceleration(s, at.V, V_dot, phi_ddot)))
+    s = at.bodies.flywheels
+    accelerations = flywheel_accelerations(s, at.V, V_dot, np.array(state.phi_ddot))
+    rates += [float(V_s @ Theta @ a) for V_s, Theta, a in zip(s.twists(at.V), s.Theta, accelerations, strict=True)]
     size = max(map(abs, [*work, *rates])) + float(np.abs(at.F) @ np.abs(at.V))
     size += float(np.abs(scale(stand, state, "forward")["V_dot"]) @ np.abs(at.K) @ np.abs(at.V))
     assert_near(sum(rates), sum(work), size)

@@ -19,8 +19,8 @@ from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.state import State
 from mahovik.laws.damping.data import Damping
 from mahovik.proof.reference import regressor as literal
-from mahovik.proof.reference.assembly import pieces
-from mahovik.proof.reference.bodies import fixed_bodies, spatial_inertia
+from mahovik.proof.reference.bodies import bodies_of, spatial_inertia
+from mahovik.proof.reference.pieces import mass_matrix, pieces
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check
@@ -71,11 +71,10 @@ def parameters(stand: Stand) -> Iterator[tuple[str, np.ndarray]]:
         moments = [J[0, 0], J[1, 1], J[2, 2], J[0, 1], J[0, 2], J[1, 2]]
         return [Theta[0, 0], Theta[5, 1], Theta[3, 2], Theta[4, 0], *moments]
 
-    fixed = fixed_bodies(stand)
-    yield "Y_carrier", np.array(ten(sum((k.L @ k.Theta @ k.L.T for k in fixed), np.zeros((6, 6)))))
+    fixed = bodies_of(replace(stand, flywheels=()))
+    yield "Y_carrier", np.array(ten(mass_matrix(fixed)))
     yield "Y_flywheel", np.array([ten(spatial_inertia(s)) for s in stand.flywheels])
-    Lambda = sum((k.Lambda for k in fixed), np.zeros((6, 6)))
-    yield "Y_added_mass", Lambda[np.triu_indices(6)]
+    yield "Y_added_mass", fixed.Lambda.sum(axis=0)[np.triu_indices(6)]
     damping = stand.carrier.law(Damping)
     for name in ("linear", "quadratic"):
         given_matrix = getattr(damping, name, None)

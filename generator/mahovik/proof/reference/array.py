@@ -26,16 +26,28 @@ def vector(numbers: Sequence[Any]) -> Array:
     return found if found.dtype.kind in "fO" else found.astype(np.float64)
 
 
-def columns(vectors: Sequence[Array], rows: int) -> Array:
-    """A matrix of its columns (rows x n), which may be none."""
-    return np.column_stack(vectors) if vectors else np.zeros((rows, 0))
+def stack(vectors: Sequence[Array], *shape: int) -> Array:
+    """Arrays of a shape one after the other (n x shape); there may be none."""
+    return vector(vectors).reshape(len(vectors), *shape)
+
+
+def times(A: Array, x: Array) -> Array:
+    """A x of every matrix (n x m x k) and every vector (n x k): n x m."""
+    return np.asarray((A @ x[..., None])[..., 0])
+
+
+def transpose(A: Array) -> Array:
+    """A^T of every matrix (n x m x k)."""
+    return np.swapaxes(A, -1, -2)
 
 
 def _function(of_floats: Callable[..., Any], name: str) -> Callable[..., Any]:
-    """A function of floats; of other numbers the one that their type has under the name."""
+    """A function of floats, or of an array of one; of other numbers the one that their type has under the name."""
 
     def function(*numbers: Any) -> Any:
         for x in numbers:
+            if isinstance(x, np.ndarray):
+                return vector([function(number) for number in x])
             if not isinstance(x, float | int):
                 return getattr(type(x), name)(*numbers)
         return of_floats(*numbers)

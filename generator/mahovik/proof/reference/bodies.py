@@ -1,17 +1,17 @@
-"""Each body of the carrier: its Mises (spatial) inertia Theta, its transfer L to E1 about O1, and its twist."""
+"""The bodies of the carrier: Mises (spatial) inertia Theta, transfer L to E1 about O1, and twist; each and stacked."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
-from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Mat6, Stand
-from mahovik.core.stand.state import State
-from mahovik.proof.reference.array import Array, vector
+from mahovik.core.stand.model import Body, Flywheel, Instrument, Mat6, Stand
+from mahovik.proof.reference.array import Array, stack, transpose, vector
 from mahovik.proof.reference.rotation import C1, fixed_rotation, flywheel_mounting
-from mahovik.proof.reference.screw import E6, E, T, block_diagonal, blocks, cross, f, wrench_to_parent
+from mahovik.proof.reference.screw import E6, E, block_diagonal, blocks, cross, f, wrench_to_parent
 
 
 def inertia_about_origin(body: Body) -> Array:
@@ -29,80 +29,82 @@ def spatial_inertia(body: Body) -> Array:
     return blocks(body.mass * E, -cross(mu), cross(mu), inertia_about_origin(body))
 
 
-def added_mass(given: Mat6 | None) -> Array:
+def added_mass(Lambda: Mat6 | None) -> Array:
     """Lambda (6x6; kg, kg m, kg m2) about O1 in E1, for an instrument as well; zero where none is given."""
-    return np.zeros((6, 6)) if given is None else vector(given)
+    return np.zeros((6, 6)) if Lambda is None else vector(Lambda)
 
 
 @dataclass(frozen=True, eq=False)
-class FixedBody:
-    """A body at rest in E1: the carrier or an instrument.
+class PlacedBody:
+    """A body on the carrier: `L`, `Theta`, `Lambda` (6x6), `phi` (rad), `phi_dot` (rad/s), see Bodies."""
 
-    L (6x6) carries its wrenches to E1 about O1; Theta (6x6) is about its own origin; Lambda (6x6) is about O1
-    in E1.
-    """
-
-    body: Carrier | Instrument
+    body: Body
     L: Array
     Theta: Array
     Lambda: Array
-
-    def twist(self, V: Array) -> Array:
-        """Twist (6; m/s, rad/s) in its own frame, of the carrier's V (6)."""
-        return self.L.T @ V
-
-
-@dataclass(frozen=True, eq=False)
-class SpinningFlywheel:
-    """A flywheel at its phase phi (rad), with its speed phi_dot (rad/s) relative to its mount. L, Theta: see Fixed."""
-
-    body: Flywheel
-    L: Array
-    Theta: Array
     phi: float
     phi_dot: float
 
     def twist(self, V: Array) -> Array:
-        """V_s = Ls^T V + f phi_s' (6; m/s, rad/s) in Es, of the carrier's V (6)."""
+        """V_s = Ls^T V + f phi_s' (6; m/s, rad/s) in its own frame, of the carrier's V (6)."""
         return self.L.T @ V + f * self.phi_dot
 
 
 @dataclass(frozen=True, eq=False)
-class MountedFlywheel:
-    """A flywheel at whatever phase. Theta: see Fixed.
+class Bodies:
+    """Bodies on the carrier in the file's order: carrier, instruments, flywheels.
 
-    L_mount (6x6) of its mount; T (6x6) and C (3x3) of its place and its axes at phase zero, in the mount.
+    bodies   as the stand has them (n)
+    L        nx6x6: carries its wrenches to E1 about O1; of a flywheel at its phase, Ls = Lp T [Cs C1(phi)]
+    Theta    nx6x6: about its own origin
+    Lambda   nx6x6: added mass about O1 in E1; a flywheel has none
+    phi      n, rad: phase of a flywheel, 0 of the others
+    phi_dot  n, rad/s: speed of a flywheel relative to its mount, 0 of the others
     """
 
-    body: Flywheel
-    L_mount: Array
-    T: Array
-    C: Array
+    bodies: tuple[Body, ...]
+    L: Array
     Theta: Array
+    Lambda: Array
+    phi: Array
+    phi_dot: Array
 
-    def at(self, phi: float, phi_dot: float) -> SpinningFlywheel:
-        """The flywheel at the phase phi (rad) with the speed phi_dot (rad/s): Ls = Lp T [C C1(phi)]."""
-        L = self.L_mount @ (self.T @ block_diagonal(self.C @ C1(phi)))
-        return SpinningFlywheel(self.body, L, self.Theta, phi, phi_dot)
+    @cached_property
+    def flywheels(self) -> Bodies:
+        """The flywheels alone."""
+        n = sum(not isinstance(body, Flywheel) for body in self.bodies)
+        L, Theta, Lambda = self.L[n:], self.Theta[n:], self.Lambda[n:]
+        return Bodies(self.bodies[n:], L, Theta, Lambda, self.phi[n:], self.phi_dot[n:])
 
+    def twists(self, V: Array) -> Array:
+        """V_s = Ls^T V + f phi_s' (nx6; m/s, rad/s), each in its own frame, of the carrier's V (6)."""
+        return transpose(self.L) @ V + np.outer(self.phi_dot, f)
 
-@dataclass(frozen=True, eq=False)
-class Bodies:
-    """What of a stand's bodies no state changes, in the file's order."""
+    def placed(self) -> tuple[PlacedBody, ...]:
+        """One by one."""
+        return tuple(map(PlacedBody, self.bodies, self.L, self.Theta, self.Lambda, self.phi, self.phi_dot))
 
-    fixed: tuple[FixedBody, ...]
-    mounted: tuple[MountedFlywheel, ...]
+    def at_phases(self, phi: Sequence[float], phi_dot: Sequence[float]) -> Bodies:
+        """At phases and speeds of the flywheels (N each; rad, rad/s), from phases zero."""
+        n = len(self.bodies) - len(phi)
+        L = np.concatenate([self.L[:n], self.L[n:] @ block_diagonal(C1(vector(phi)))])
+        phases, speeds = (np.concatenate([np.zeros(n), vector(x)]) for x in (phi, phi_dot))
+        return Bodies(self.bodies, L, self.Theta, self.Lambda, phases, speeds)
 
 
 def bodies_of(stand: Stand) -> Bodies:
-    """The bodies of a stand."""
-    mounted = (
-        MountedFlywheel(
-            s, mount_transfer(stand, s.mount), T(vector(s.position)), flywheel_mounting(s), spatial_inertia(s)
-        )
-        for s in stand.flywheels
+    """The bodies of a stand at rest, its flywheels at phase zero: what no state changes."""
+    mounts = {stand.carrier.name: E6} | {p.name: instrument_transfer(p) for p in stand.instruments}
+    wheels = [mounts[s.mount] @ wrench_to_parent(vector(s.position), flywheel_mounting(s)) for s in stand.flywheels]
+    still = np.zeros(len(stand.bodies))
+    return Bodies(
+        stand.bodies,
+        stack([*mounts.values(), *wheels], 6, 6),
+        stack([spatial_inertia(body) for body in stand.bodies], 6, 6),
+        stack([added_mass(getattr(body, "added_mass", None)) for body in stand.bodies], 6, 6),
+        still,
+        still,
     )
-    return Bodies(fixed_bodies(stand), tuple(mounted))
 
 
 def instrument_transfer(instrument: Instrument) -> Array:
@@ -112,21 +114,4 @@ def instrument_transfer(instrument: Instrument) -> Array:
 
 def mount_transfer(stand: Stand, mount: str) -> Array:
     """L (6x6) of the mount named: E for the carrier, Lp for an instrument."""
-    if mount == stand.carrier.name:
-        return E6
-    return next(instrument_transfer(p) for p in stand.instruments if p.name == mount)
-
-
-PlacedBody = FixedBody | SpinningFlywheel
-
-
-def fixed_bodies(stand: Stand) -> tuple[FixedBody, ...]:
-    """Carrier and instruments, in the file's order."""
-    places: list[tuple[Carrier | Instrument, Array]]
-    places = [(stand.carrier, E6), *((p, instrument_transfer(p)) for p in stand.instruments)]
-    return tuple(FixedBody(body, L, spatial_inertia(body), added_mass(body.added_mass)) for body, L in places)
-
-
-def spinning_bodies(mounted: Sequence[MountedFlywheel], state: State) -> tuple[SpinningFlywheel, ...]:
-    """Flywheels at the phases and speeds of the state, in the file's order."""
-    return tuple(s.at(phi, phi_dot) for s, phi, phi_dot in zip(mounted, state.phi, state.phi_dot, strict=True))
+    return next((instrument_transfer(p) for p in stand.instruments if p.name == mount), E6)

@@ -23,8 +23,7 @@ from mahovik.proof.reference import (
     tasks,
 )
 from mahovik.proof.reference.array import Values, vector
-from mahovik.proof.reference.assembly import pieces
-from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.pieces import Pieces, pieces
 
 ANSWERS: Mapping[str, Callable[..., Values]] = {
     "matrices": lambda at, stand, state: {name: getattr(at, name) for name in ("K", "K_dot", "M", "I", "J", "F")},

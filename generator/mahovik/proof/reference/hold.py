@@ -14,7 +14,7 @@ import numpy as np
 from mahovik.core.stand.model import Freedom, Hold, Stand, Vec6
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError, count_numbers
-from mahovik.proof.reference.array import Array, Values, columns, solve, vector
+from mahovik.proof.reference.array import Array, Values, solve, stack, vector
 from mahovik.proof.reference.motion import bias, coupled_with_locks, forward, spin_up_torque
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import E, wrench_to_parent, zero
@@ -35,7 +35,7 @@ def twists(hold: Hold) -> Array:
     A turn is (0; axis) of that frame, so V = T(-r)^T (0; axis); a slide is (direction; 0) of any frame.
     """
     to_O1 = wrench_to_parent(-vector(hold.pivot), E).T
-    return columns([_twist(freedom, to_O1) for freedom in hold.freedoms], 6)
+    return stack([_twist(freedom, to_O1) for freedom in hold.freedoms], 6).T
 
 
 def _twist(freedom: Freedom, to_O1: Array) -> Array:
@@ -76,7 +76,7 @@ def held_coupled(at: Pieces, hold: Hold, tau: Array, locked: Array | None = None
     kept at phi'' = 0, without their rows and columns.
     """
     S = twists(hold)
-    m, N, d = S.shape[1], len(at.flywheels), at.stream_rate()
+    m, N, d = S.shape[1], len(at.phi_dot), at.stream_rate()
     system = np.block(
         [
             [at.K @ S, at.I, -np.eye(6)],

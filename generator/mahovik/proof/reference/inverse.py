@@ -132,7 +132,7 @@ def status_names(scaled_demand: Array, scaled_residual: Array, sigma: Array, ran
 
 def answer_inverse(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
     """phi_ddot (N), status, residual (m), sigma (min(m, N)), rank: (12). StateError: no freedoms, or no flywheels."""
-    if stand.hold is not None and (fault := inverse_fault(len(stand.hold.freedoms), len(at.flywheels))):
+    if stand.hold is not None and (fault := inverse_fault(len(stand.hold.freedoms), len(at.phi_dot))):
         raise StateError(f"want: {fault}")
     answer = inverse(at, stand, vector(state.V_dot), cuts)
     needed = motor_shares(stand, at, acceleration(at, stand, answer.phi_ddot), answer.phi_ddot)
@@ -260,7 +260,7 @@ def dependent_acceleration(at: Pieces, V_dot: Array, plus: Sequence[int], u: Arr
     `plus` (6) are the indices of the dependent flywheels, in the order of the answer; u = phi_-'' (N - 6, rad/s2)
     those of the others, in the file's order. det I+ = 0 raises numpy.linalg.LinAlgError.
     """
-    minus = [s for s in range(len(at.flywheels)) if s not in plus]
+    minus = [s for s in range(len(at.phi_dot)) if s not in plus]
     return solve(at.I[:, list(plus)], demand(at, V_dot) - at.I[:, minus] @ u)
 
 

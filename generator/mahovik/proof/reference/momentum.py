@@ -8,8 +8,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.bodies import PlacedBody
+from mahovik.proof.reference.array import Array, times, vector
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import cross
 
@@ -26,10 +25,8 @@ def momentum_in_E0(at: Pieces) -> Array:
 
 def kinetic_energy(at: Pieces) -> Any:
     """Half the sum of V_k^T Theta_k V_k over all bodies k, and of V_r^T Lambda V_r (J)."""
-    placed: tuple[PlacedBody, ...] = (*at.fixed, *at.flywheels)
-    bodies = sum(k.twist(at.V) @ k.Theta @ k.twist(at.V) for k in placed)
-    fluid = at.V_r @ at.Lambda @ at.V_r
-    return 0.5 * (bodies + fluid)
+    V_k = at.bodies.twists(at.V)
+    return 0.5 * ((V_k * times(at.bodies.Theta, V_k)).sum() + at.V_r @ at.Lambda @ at.V_r)
 
 
 def center_of_mass(at: Pieces) -> Array:
@@ -40,20 +37,16 @@ def center_of_mass(at: Pieces) -> Array:
     return np.array([m_rc[2, 1] / m, m_rc[0, 2] / m, m_rc[1, 0] / m])
 
 
-def moving_parts(at: Pieces) -> tuple[tuple[PlacedBody, Array], ...]:
-    """Every body with the velocity (3, m/s) of its own mass centre, in its own frame: v_k + omega_k x r_k."""
-    placed: tuple[PlacedBody, ...] = (*at.fixed, *at.flywheels)
-    parts = []
-    for k in placed:
-        V_k = k.twist(at.V)
-        parts.append((k, V_k[:3] + cross(V_k[3:]) @ vector(k.body.center_of_mass)))
-    return tuple(parts)
-
-
 def center_of_mass_velocity(at: Pieces, stand: Stand) -> Array:
-    """Velocity (3, m/s) of the centre of mass in E0: sum_k m_k C C_k v_k over the mass; StateError without mass."""
+    """Velocity (3, m/s) of the centre of mass in E0: sum_k m_k C C_k v_k over the mass; StateError without mass.
+
+    v_k + omega_k x r_k is the velocity of the mass centre of a body in its own frame.
+    """
     mass = sum(body.mass for body in stand.bodies)
     if mass == 0:
         raise StateError("center_of_mass_velocity: no body of the stand has a mass")
-    in_E1 = sum((k.body.mass * k.L[:3, :3] @ velocity for k, velocity in moving_parts(at)), np.zeros(3))
-    return np.asarray(at.L1[:3, :3] @ in_E1 / mass)
+    in_E1 = np.zeros(3)
+    for body, L, V_k in zip(stand.bodies, at.bodies.L, at.bodies.twists(at.V), strict=True):
+        velocity = V_k[:3] + cross(V_k[3:]) @ vector(body.center_of_mass)
+        in_E1 = in_E1 + body.mass * L[:3, :3] @ velocity
+    return np.asarray(at.C @ in_E1 / mass)

@@ -9,8 +9,8 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values, columns, solve_symmetric, vector
-from mahovik.proof.reference.bodies import SpinningFlywheel, instrument_transfer, mount_transfer
+from mahovik.proof.reference.array import Array, Values, solve_symmetric, times, transpose, vector
+from mahovik.proof.reference.bodies import Bodies, instrument_transfer, mount_transfer
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import C1, fixed_rotation
 from mahovik.proof.reference.screw import Phi, block_diagonal, cross, f, spin, wrench_to_parent
@@ -37,29 +37,22 @@ def reaction(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
 # Drive torque: what the mount's drive exerts on each flywheel about its spin axis e1.
 
 
-def flywheel_acceleration(s: SpinningFlywheel, V: Array, V_dot: Array, phi_ddot: float) -> Array:
-    """V_s* = Ls^T V* - phi_s' [<e>] Ls^T V + f phi_s'' (6; m/s2, rad/s2): of the components in Es."""
-    return s.L.T @ V_dot - s.phi_dot * spin @ s.L.T @ V + f * phi_ddot
+def flywheel_accelerations(s: Bodies, V: Array, V_dot: Array, phi_ddot: Array) -> Array:
+    """V_s* = Ls^T V* - phi_s' [<e>] Ls^T V + f phi_s'' (Nx6; m/s2, rad/s2): of the components in Es."""
+    Lt = transpose(s.L)
+    return np.asarray(Lt @ V_dot - s.phi_dot[:, None] * (spin @ Lt @ V) + np.outer(phi_ddot, f))
 
 
-def mount_on_flywheel(s: SpinningFlywheel, P_s: Array, V: Array, V_dot: Array, phi_ddot: float) -> Array:
-    """Theta_s V_s* + Phi(V_s) Z_s - P_s (6; N, N m): (4) for one flywheel; of the mount on it, in Es about Os."""
-    V_s, V_s_dot = s.twist(V), flywheel_acceleration(s, V, V_dot, phi_ddot)
-    Z_s = s.Theta @ V_s
-    return s.Theta @ V_s_dot + Phi(V_s) @ Z_s - P_s
-
-
-def mounts_on_flywheels(at: Pieces, V_dot: Array, phi_ddot: Array) -> list[Array]:
-    """`mount_on_flywheel` of every flywheel (6 each)."""
-    return [
-        mount_on_flywheel(s, at.P[s.body.name], at.V, V_dot, acceleration)
-        for s, acceleration in zip(at.flywheels, phi_ddot, strict=True)
-    ]
+def mounts_on_flywheels(s: Bodies, P_s: Array, V: Array, V_dot: Array, phi_ddot: Array) -> Array:
+    """Theta_s V_s* + Phi(V_s) Z_s - P_s (Nx6; N, N m): (4) for each flywheel; of the mount on it, in Es about Os."""
+    V_s, V_s_dot = s.twists(V), flywheel_accelerations(s, V, V_dot, phi_ddot)
+    Z_s = times(s.Theta, V_s)
+    return times(s.Theta, V_s_dot) + times(Phi(V_s), Z_s) - P_s
 
 
 def torque(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
     """tau_s = f^T (Theta_s V_s* + Phi(V_s) Z_s) - f^T P_s (N, N m); V_dot (6), phi_ddot (N)."""
-    return vector([f @ wrench for wrench in mounts_on_flywheels(at, V_dot, phi_ddot)])
+    return np.asarray(mounts_on_flywheels(at.bodies.flywheels, at.P_s, at.V, V_dot, phi_ddot) @ f)
 
 
 def mounts(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
@@ -68,8 +61,8 @@ def mounts(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
     Of the mount on each flywheel about Os, in the flywheel's axes at phi_s = 0, which do not turn. Element 4 is the
     drive torque.
     """
-    wrenches = zip(at.flywheels, mounts_on_flywheels(at, V_dot, phi_ddot), strict=True)
-    return columns([block_diagonal(C1(s.phi)) @ wrench for s, wrench in wrenches], 6).T
+    s = at.bodies.flywheels
+    return times(block_diagonal(C1(s.phi)), mounts_on_flywheels(s, at.P_s, at.V, V_dot, phi_ddot))
 
 
 # Coupled: motion of carrier and flywheels for given drive torques, 6 + N unknowns.
@@ -80,15 +73,13 @@ def full_mass_matrix(at: Pieces) -> Array:
     return np.block([[at.K, at.I], [at.I.T, at.Theta_ff]])
 
 
-def torque_velocity_terms(at: Pieces) -> Array:
-    """f^T (-phi_s' Theta_s [<e>] Ls^T V + Phi(V_s) Theta_s V_s) (N, N m): tau_s of velocities only."""
-    twists = [(s, s.twist(at.V_r)) for s in at.flywheels]
-    return vector([f @ (-s.phi_dot * s.Theta @ spin @ s.L.T @ at.V_r + Phi(V) @ s.Theta @ V) for s, V in twists])
-
-
 def spin_up_torque(at: Pieces, tau: Array) -> Array:
-    """tau - velocity terms + f^T P_s (N, N m): what is left of the drive torques tau (N) for the accelerations."""
-    return tau - torque_velocity_terms(at) + vector([f @ at.P[s.body.name] for s in at.flywheels])
+    """tau - velocity terms + f^T P_s (N, N m): what is left of the drive torques tau (N) for the accelerations.
+
+    The velocity terms are f^T (-phi_s' Theta_s [<e>] Ls^T V + Phi(V_s) Theta_s V_s); with a stream, at V_r.
+    """
+    s = at.bodies.flywheels
+    return np.asarray(tau - mounts_on_flywheels(s, at.P_s, at.V_r, np.zeros(6), np.zeros(len(tau))) @ f)
 
 
 def coupled(at: Pieces, tau: Array) -> tuple[Array, Array]:
@@ -97,7 +88,7 @@ def coupled(at: Pieces, tau: Array) -> tuple[Array, Array]:
     K V* + I phi'' = F - M V - J phi';  I^T V* + Theta_ff phi'' = tau - velocity terms + f^T P_s.
     With a stream, for V_r.
     """
-    return coupled_with_locks(at, tau, np.full(len(at.flywheels), False))
+    return coupled_with_locks(at, tau, np.full(len(tau), False))
 
 
 def coupled_with_locks(at: Pieces, tau: Array, locked: Array) -> tuple[Array, Array]:

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
 
-from mahovik.core.stand.model import Stand, Vec3
+from mahovik.contract import laws
+from mahovik.core.stand.model import Body, Stand, Vec3
+from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, columns, larger, smaller, vector
-from mahovik.proof.reference.bodies import FixedBody, PlacedBody, SpinningFlywheel
-from mahovik.proof.reference.screw import Phi, cross, f, spin
+from mahovik.proof.reference.array import Array, larger, smaller, stack, transpose, vector
+from mahovik.proof.reference.bodies import Bodies, PlacedBody, bodies_of
+from mahovik.proof.reference.rotation import Pose, carrier_rotation
+from mahovik.proof.reference.screw import Phi, cross, f, spin, wrench_to_parent
 
 Kinds = Mapping[str, Array]
 """Wrenches (6; N, N m) on one body by their kind, in its frame about its origin."""
@@ -24,8 +28,7 @@ class Pieces:
 
     C, L1        3x3, 6x6: attitude and transfer from E1 to E0
     V, V_r       6: twist of E1 relative to E0, and to the fluid, V_r = V - (C^T u, 0)
-    fixed        carrier and instruments, with L, Theta, Lambda
-    flywheels    flywheels, with L = Ls, Theta = Theta_s, phi, phi_dot
+    bodies       carrier, instruments, flywheels, with L, Theta, Lambda, phi, phi_dot
     K_bodies     6x6, (2) without added mass
     Lambda       6x6, added mass of all bodies
     K, K_dot, M  6x6, (2), (6), (9); K = K_bodies + Lambda; M at V_r
@@ -34,7 +37,6 @@ class Pieces:
     terms        every wrench of (7) by body and kind, 6 each, in the body's frame about its origin
     P            their sum by body
     F            6, (7)
-    phi_dot      N
     gravity, u   3, both in E1
     """
 
@@ -42,8 +44,7 @@ class Pieces:
     L1: Array
     V: Array
     V_r: Array
-    fixed: tuple[FixedBody, ...]
-    flywheels: tuple[SpinningFlywheel, ...]
+    bodies: Bodies
     K_bodies: Array
     Lambda: Array
     K: Array
@@ -55,9 +56,28 @@ class Pieces:
     terms: Mapping[str, Kinds]
     P: Mapping[str, Array]
     F: Array
-    phi_dot: Array
     gravity: Array
     u: Array
+
+    @property
+    def phi_dot(self) -> Array:
+        """Speeds of the flywheels (N, rad/s)."""
+        return self.bodies.flywheels.phi_dot
+
+    @cached_property
+    def P_s(self) -> Array:
+        """P of the flywheels (Nx6)."""
+        return stack([self.P[body.name] for body in self.bodies.flywheels.bodies], 6)
+
+    @cached_property
+    def flywheels(self) -> tuple[PlacedBody, ...]:
+        """The flywheels one by one."""
+        return self.bodies.flywheels.placed()
+
+    @cached_property
+    def fixed(self) -> tuple[PlacedBody, ...]:
+        """Carrier and instruments one by one."""
+        return self.bodies.placed()[: -len(self.flywheels) or None]
 
     def V_r_dot(self, V_dot: Array) -> Array:
         """V_r* = V* + (omega x C^T u, 0) (6)."""
@@ -72,26 +92,51 @@ class Pieces:
         return np.concatenate([cross(self.V[3:]) @ self.u, np.zeros(3)])
 
 
-def added_mass_matrix(fixed: Sequence[FixedBody]) -> Array:
-    """Lambda_1 + sum_p Lambda_p (6x6; kg, kg m, kg m2) of (2)."""
-    return np.asarray(sum((p.Lambda for p in fixed), np.zeros((6, 6))))
+def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
+    """The pieces of `stand` at `state`. StateError where a law is undefined.
+
+    `bodies`: `bodies_of` the stand, where the caller has them already.
+    """
+    C, V = carrier_rotation(stand, state), vector(state.V)
+    u = C.T @ stream_at(stand, state.position)
+    V_r = V - np.concatenate([u, np.zeros(3)])
+    k = (bodies or bodies_of(stand)).at_phases(state.phi, state.phi_dot)
+    s = k.flywheels
+    K_bodies, Lambda, K_dot = mass_matrix(k), k.Lambda.sum(axis=0), mass_matrix_rate(s)
+    K, gravity, pose = K_bodies + Lambda, C.T @ vector(stand.gravity), Pose(vector(state.position), C, V)
+    terms = external_wrenches(stand, state, pose, gravity, V_r, k)
+    P = {name: body_wrench(kinds) for name, kinds in terms.items()}
+    return Pieces(
+        C=C,
+        L1=wrench_to_parent(pose.O1, C),
+        V=V,
+        V_r=V_r,
+        bodies=k,
+        K_bodies=K_bodies,
+        Lambda=Lambda,
+        K=K,
+        K_dot=K_dot,
+        M=velocity_matrix(K, K_dot, V_r),
+        I=coupling(s),
+        J=coupling_bias(s, V_r),
+        Theta_ff=spin_inertia(s),
+        terms=terms,
+        P=P,
+        F=np.asarray(sum((L @ P_k for L, P_k in zip(k.L, P.values(), strict=True)), np.zeros(6))),  # (7)
+        gravity=gravity,
+        u=u,
+    )
 
 
-def bodies_matrix(fixed: Sequence[FixedBody], flywheels: Sequence[SpinningFlywheel]) -> Array:
-    """Theta_1 + sum_p Lp Theta_p Lp^T + sum_s Ls Theta_s Ls^T (6x6; kg, kg m, kg m2): (2) without added mass."""
-    bodies: tuple[PlacedBody, ...] = (*fixed, *flywheels)
-    return np.asarray(sum((k.L @ k.Theta @ k.L.T for k in bodies), np.zeros((6, 6))))
+def mass_matrix(k: Bodies) -> Array:
+    """Theta_1 + sum_p Lp Theta_p Lp^T + sum_s Ls Theta_s Ls^T (6x6; kg, kg m, kg m2): K of (2) without added mass."""
+    return np.asarray((k.L @ k.Theta @ transpose(k.L)).sum(axis=0))
 
 
-def mass_matrix(fixed: Sequence[FixedBody], flywheels: Sequence[SpinningFlywheel]) -> Array:
-    """K (6x6; kg, kg m, kg m2) of (2): all bodies, flywheels locked, with added mass."""
-    return bodies_matrix(fixed, flywheels) + added_mass_matrix(fixed)
-
-
-def mass_matrix_rate(flywheels: Sequence[SpinningFlywheel]) -> Array:
-    """K* = sum_s Ls ([<e>] Theta_s - Theta_s [<e>]) Ls^T phi_s' (6x6; kg/s, kg m/s, kg m2/s), (6)."""
-    terms = (s.L @ (spin @ s.Theta - s.Theta @ spin) @ s.L.T * s.phi_dot for s in flywheels)
-    return np.asarray(sum(terms, np.zeros((6, 6))))
+def mass_matrix_rate(s: Bodies) -> Array:
+    """K* = sum_s Ls ([<e>] Theta_s - Theta_s [<e>]) Ls^T phi_s' (6x6; kg/s, kg m/s, kg m2/s), (6), of the flywheels."""
+    turning = s.L @ (spin @ s.Theta - s.Theta @ spin) @ transpose(s.L)
+    return np.asarray((turning * s.phi_dot[:, None, None]).sum(axis=0))
 
 
 def velocity_matrix(K: Array, K_dot: Array, V: Array) -> Array:
@@ -99,30 +144,59 @@ def velocity_matrix(K: Array, K_dot: Array, V: Array) -> Array:
     return Phi(V) @ K + K_dot
 
 
-def coupling(flywheels: Sequence[SpinningFlywheel]) -> Array:
-    """I = |I_2 ... I_m| (6xN; kg m, kg m2), I_s = Ls Theta_s f, (9)."""
-    return columns([s.L @ s.Theta @ f for s in flywheels], 6)
+def coupling(s: Bodies) -> Array:
+    """I = |I_2 ... I_m| (6xN; kg m, kg m2), I_s = Ls Theta_s f, (9), of the flywheels."""
+    return np.asarray((s.L @ s.Theta @ f).T)
 
 
-def coupling_bias(flywheels: Sequence[SpinningFlywheel], V: Array) -> Array:
+def coupling_bias(s: Bodies, V: Array) -> Array:
     """J = |J_2 ... J_m| (6xN), J_s = (Phi Ls + Ls [<e>] phi_s') Theta_s f, (9). With a stream, V is V_r."""
-    Phi_V = Phi(V)
-    return columns([(Phi_V @ s.L + s.L @ spin * s.phi_dot) @ s.Theta @ f for s in flywheels], 6)
+    return np.asarray(((Phi(V) @ s.L + s.L @ spin * s.phi_dot[:, None, None]) @ s.Theta @ f).T)
 
 
-def spin_inertia(flywheels: Sequence[SpinningFlywheel]) -> Array:
+def spin_inertia(s: Bodies) -> Array:
     """Theta_ff = diag(f^T Theta_s f) (NxN, kg m2)."""
-    return np.diag([f @ s.Theta @ f for s in flywheels])
+    return np.diag(f @ s.Theta @ f)
+
+
+# External wrenches, (7).
+
+
+def external_wrenches(
+    stand: Stand, state: State, at: Pose, gravity: Array, V_r: Array, bodies: Bodies
+) -> dict[str, Kinds]:
+    """Every wrench of (7) by body name and kind. The laws between E0 and the carrier count among the carrier's.
+
+    `gravity` (3) and `V_r` (6, twist of E1 relative to the fluid) in E1.
+    """
+    P: dict[str, Kinds] = {}
+    gravities, twists = transpose(bodies.L[:, :3, :3]) @ gravity, bodies.twists(V_r)
+    for body, own_gravity, own_V_r in zip(bodies.bodies, gravities, twists, strict=True):
+        P[body.name] = body_wrenches(body, own_gravity, own_V_r, run_time_wrench(state, body))
+    for law in laws.parts("reference"):
+        P[stand.carrier.name] = {**P[stand.carrier.name], **law.wrenches(stand, state, at)}
+    return P
+
+
+def body_wrenches(body: Body, gravity: Array, V_r: Array, given: Array) -> Kinds:
+    """Wrenches on one body by kind. `gravity` (3, m/s2), `V_r` (6, relative to the fluid) in its frame.
+
+    `given` (6) is the run-time wrench.
+    """
+    kinds: dict[str, Array] = {}
+    for wrenches in laws.of_bodies("reference", "wrenches"):
+        kinds |= wrenches(body, gravity, V_r)
+    return kinds | {"run-time": given}
+
+
+def run_time_wrench(state: State, body: Body) -> Array:
+    """The caller's wrench (6; N, N m) on a body, in its own frame about its origin."""
+    return vector(state.wrench.get(body.name, (0.0,) * 6))
 
 
 def body_wrench(kinds: Kinds) -> Array:
     """P_k (6; N, N m): the sum over the kinds of wrench on one body."""
     return np.asarray(sum(kinds.values(), np.zeros(6)))
-
-
-def total_wrench(P: Mapping[str, Array], bodies: Sequence[PlacedBody]) -> Array:
-    """F = P_1 + sum_p Lp P_p + sum_s Ls P_s (6; N, N m), in E1 about O1, (7)."""
-    return np.asarray(sum((k.L @ P[k.body.name] for k in bodies), np.zeros(6)))
 
 
 def stream_at(stand: Stand, position: Vec3) -> Array:

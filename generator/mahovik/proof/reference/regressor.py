@@ -17,9 +17,8 @@ import numpy as np
 from mahovik.core.stand.model import Body, Mat3, Mat6, Stand, Vec3
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array, Values, vector
-from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.motion import bias, forward, torque
-from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.pieces import Pieces, pieces
 
 _MOMENTS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 """Order of the moments of inertia: 11, 22, 33, 12, 13, 23."""

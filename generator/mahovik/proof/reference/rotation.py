@@ -30,10 +30,13 @@ class Pose:
 
 
 def _elementary(axis: int) -> Callable[[Any], Array]:
-    """Elementary rotation (3x3) about an axis e by an angle: x becomes e (e.x) + cos (x - e (e.x)) + sin e x x."""
-    along, turned = np.outer(E[axis], E[axis]), cross(E[axis])
+    """Elementary rotation (3x3) about an axis e by an angle: x becomes e (e.x) + cos (x - e (e.x)) + sin e x x.
+
+    Of an array of angles one rotation each.
+    """
+    along, turned, each = np.outer(E[axis], E[axis]), cross(E[axis]), np.multiply.outer
     across = E - along
-    return lambda angle: np.asarray(along + cos(angle) * across + sin(angle) * turned)
+    return lambda angle: np.asarray(along + each(cos(angle), across) + each(sin(angle), turned))
 
 
 C1, C2, C3 = map(_elementary, range(3))
@@ -100,9 +103,10 @@ def quaternion_of(C: Array) -> Array:
 
     4 q q^T = E + [[trace, a^T], [a, C + C^T - trace E]], C - C^T = <a>. That row loses no digits at 0 nor at pi.
     """
-    a, trace = skew_part(C), np.trace(C)
-    rows = np.vstack([np.concatenate([[1 + trace], a]), np.column_stack([a, C + C.T + (1 - trace) * E])])
-    row = rows[int(np.argmax([estimate(square) for square in np.diag(rows)]))]
+    a, trace = skew_part(C), C[0, 0] + C[1, 1] + C[2, 2]
+    rows = np.empty((4, 4), C.dtype)
+    rows[0, 0], rows[0, 1:], rows[1:, 0], rows[1:, 1:] = 1 + trace, a, a, C + C.T + (1 - trace) * E
+    row = rows[int(np.argmax([estimate(rows[i, i]) for i in range(4)]))]
     q = row / hypot(*row)
     return np.asarray(-q if q[0] < 0 else q)
 

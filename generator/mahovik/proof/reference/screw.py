@@ -25,35 +25,37 @@ def blocks(A: Array, B: Array, C: Array, D: Array) -> Array:
 
 
 def block_diagonal(C: Array) -> Array:
-    """[C] = diag(C, C) (6x6) of C (3x3)."""
-    found: Array = np.zeros((6, 6), C.dtype)
-    found[:3, :3] = found[3:, 3:] = C
+    """[C] = diag(C, C) (6x6) of C (3x3), or of each of many."""
+    found: Array = np.zeros((*C.shape[:-2], 6, 6), C.dtype)
+    found[..., :3, :3] = found[..., 3:, 3:] = C
     return found
 
 
-def _combination(matrix: Callable[[Array], Array], n: int) -> Array:
-    """What, times a vector (n), is the matrix of the vector."""
-    return np.stack([matrix(unit) for unit in np.eye(n)], axis=-1)
+def _linear(matrix: Callable[[Array], Array], n: int) -> Array:
+    """Rows by which the numbers of a vector (n) count in its matrix, which is read row by row."""
+    return np.array([matrix(unit).ravel() for unit in np.eye(n)])
 
 
-_CROSS = _combination(lambda a: np.array([[0.0, -a[2], a[1]], [a[2], 0.0, -a[0]], [-a[1], a[0], 0.0]]), 3)
-_PHI = _combination(lambda V: blocks(_CROSS @ V[3:], zero, _CROSS @ V[:3], _CROSS @ V[3:]), 6)
-_T = _combination(lambda O: blocks(zero, zero, _CROSS @ O, zero), 3)
+_CROSS = _linear(lambda a: np.array([[0.0, -a[2], a[1]], [a[2], 0.0, -a[0]], [-a[1], a[0], 0.0]]), 3)
 
 
 def cross(a: Array) -> Array:
     """<a> (3x3) of a (3): <a> b = a x b."""
-    return np.asarray(_CROSS @ a)
+    return (a @ _CROSS).reshape(3, 3)
+
+
+_PHI = _linear(lambda V: blocks(cross(V[3:]), zero, cross(V[:3]), cross(V[3:])), 6)
+_T = _linear(lambda O: blocks(zero, zero, cross(O), zero), 3)
 
 
 def Phi(V: Array) -> Array:
-    """Phi(V) (6x6) of a twist V = (v, omega): [[<omega>, 0], [<v>, <omega>]], in (4), (8), (9)."""
-    return np.asarray(_PHI @ V)
+    """Phi(V) (6x6) of a twist V = (v, omega), or of each of many: [[<omega>, 0], [<v>, <omega>]], in (4), (8), (9)."""
+    return (V @ _PHI).reshape(*V.shape, 6)
 
 
 def T(O: Array) -> Array:
     """T = [[E, 0], [<O>, E]] (6x6): carries a wrench from O (3, m, in the parent) to the parent's origin."""
-    return np.asarray(E6 + _T @ O)
+    return E6 + (O @ _T).reshape(6, 6)
 
 
 def wrench_to_parent(O: Array, C: Array) -> Array:

@@ -151,7 +151,7 @@ class TorqueDemand(ScaledDemand):
 
 def torque_demand(at: Pieces, rows: TaskRows, demand: Array, preferred: Array, locked: Array) -> TorqueDemand:
     """The equation for the demand a (m), preferred accelerations (N, rad/s2) and `locked` (N, bool) flywheels."""
-    N = len(at.flywheels)
+    N = len(at.phi_dot)
     free = np.concatenate([np.full(6, True), np.logical_not(locked)])
     X = np.zeros((6 + N, 6 + N))
     X[np.ix_(free, free)] = np.linalg.inv(full_mass_matrix(at)[np.ix_(free, free)])

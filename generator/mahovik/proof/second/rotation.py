@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 from typing import Any
 
 import casadi as ca
@@ -34,8 +35,15 @@ def elementary(axis: int, angle: Expr) -> Expr:
 
 def by_angles(sequence: Sequence, angles: Expr) -> Expr:
     """C (3x3) of the angles psi, theta, phi (rad) of a sequence."""
-    first, second, third = AXES[sequence]
-    return elementary(first, angles[0]) @ elementary(second, angles[1]) @ elementary(third, angles[2])
+    return _of_angles(sequence)(angles)
+
+
+@cache
+def _of_angles(sequence: Sequence) -> Expr:
+    """(angles) -> C: made once, as sines and matrices of single numbers take long."""
+    angles, (first, second, third) = ca.SX.sym("angles", 3), AXES[sequence]
+    C = elementary(first, angles[0]) @ elementary(second, angles[1]) @ elementary(third, angles[2])
+    return ca.Function("of_angles", [angles], [C])
 
 
 def by_axis(axis: Expr, angle: Expr) -> Expr:
@@ -88,10 +96,10 @@ def attitude(sequence: Sequence, state: State) -> Array:
 
 
 def by_quaternion(quaternion: Quaternion) -> Array:
-    """C (3x3) of a unit quaternion, w first: the vector part of q (0, x) q^-1, column by column."""
+    """C (3x3) of a unit quaternion, w first: the vector part of q (0, x) q^-1 for x along each axis."""
     w, *vector = quaternion
     a = np.array(vector)
-    return np.column_stack([(w * w - a @ a) * e + 2 * a * (a @ e) + 2 * w * np.cross(a, e) for e in np.eye(3)])
+    return np.asarray((w * w - a @ a) * np.eye(3) + 2 * np.outer(a, a) + 2 * w * np.cross(a, np.eye(3)).T)
 
 
 def rotation_vector(C: Array) -> Array:

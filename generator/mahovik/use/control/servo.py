@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
@@ -31,9 +31,8 @@ from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import CheckError
-from mahovik.proof.reference.bodies import bodies_of, spinning_bodies
+from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.pieces import coupling, mass_matrix, spin_inertia
 from mahovik.use.plan.array import Array, Complex
 
@@ -70,7 +69,7 @@ def loop_gains(servo: Servo, bandwidth: float | None = None) -> LoopGains:
 
 def rotor_inertia(stand: Stand) -> Array:
     """J_s = f^T Theta_s f (N, kg m2) of each flywheel about its axis."""
-    return np.diag(spin_inertia(spinning_bodies(bodies_of(stand).mounted, rest_state(stand)))).copy()
+    return np.diag(spin_inertia(bodies_of(stand).flywheels)).copy()
 
 
 def lightness(stand: Stand) -> float:
@@ -84,10 +83,10 @@ def lightness(stand: Stand) -> float:
     bodies, largest = bodies_of(stand), 1.0
     S = np.eye(6) if stand.hold is None else twists(stand.hold)
     for phi in drawn:
-        rotors = spinning_bodies(bodies.mounted, _state_at(stand, phi))
-        I, J = S.T @ coupling(rotors), spin_inertia(rotors)
+        placed = bodies.at_phases(phi.tolist(), [0.0] * len(phi))
+        I, J = S.T @ coupling(placed.flywheels), spin_inertia(placed.flywheels)
         root = np.sqrt(np.diag(J))
-        carried = I.T @ np.linalg.solve(S.T @ mass_matrix(bodies.fixed, rotors) @ S, I)
+        carried = I.T @ np.linalg.solve(S.T @ (mass_matrix(placed) + placed.Lambda.sum(axis=0)) @ S, I)
         mobility = np.linalg.inv(J - carried)
         largest = max(largest, float(np.linalg.eigvalsh(root[:, None] * mobility * root)[-1]))
     return largest
@@ -128,11 +127,6 @@ def gains(stand: Stand, servo: Servo, span: float | None = None) -> dict[str, An
         "coulomb_rate": [0.0 if m is None else 1.0 / m.coulomb_speed for m in motors],
         "lead": lead,
     }
-
-
-def _state_at(stand: Stand, phi: Array) -> State:
-    """The stand at rest with these angles (N, rad)."""
-    return replace(rest_state(stand), phi=tuple(phi.tolist()))
 
 
 LEAST_GAIN, LEAST_PHASE = 1.5, 25.0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,8 @@ from mahovik.contract.laws import of_bodies
 from mahovik.core.lower.units import added_mass as added_mass_unit
 from mahovik.core.lower.units import law as damping_unit
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
-from mahovik.proof.reference.bodies import fixed_bodies, spatial_inertia
+from mahovik.proof.reference.bodies import bodies_of, spatial_inertia
+from mahovik.proof.reference.pieces import mass_matrix
 
 Array = NDArray[np.float64]
 
@@ -51,13 +52,12 @@ def row_names(stand: Stand) -> tuple[str, ...]:
 
 
 def _parameters(stand: Stand) -> Iterator[Parameter]:
-    fixed = fixed_bodies(stand)
-    inertia = sum((k.L @ k.Theta @ k.L.T for k in fixed), np.zeros((6, 6)))
-    yield from _ten(stand.carrier.name, inertia)
+    fixed = bodies_of(replace(stand, flywheels=()))
+    yield from _ten(stand.carrier.name, mass_matrix(fixed))
     for s in stand.flywheels:
         yield from _ten(s.name, spatial_inertia(s))
     if _has_added_mass(stand):
-        Lambda = sum((k.Lambda for k in fixed), np.zeros((6, 6)))
+        Lambda = fixed.Lambda.sum(axis=0)
         for i, j in UPPER:
             yield Parameter(f"added_mass[{i + 1},{j + 1}]", _plain(added_mass_unit(i, j).name), float(Lambda[i, j]))
     for name, matrix in _damping(stand).items():

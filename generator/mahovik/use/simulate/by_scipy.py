@@ -11,9 +11,8 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.hold import acceleration, twists
-from mahovik.proof.reference.motion import bias, full_mass_matrix, torque_velocity_terms
+from mahovik.proof.reference.motion import bias, full_mass_matrix, spin_up_torque
 from mahovik.proof.reference.rotation import attitude, quaternion_rotation
-from mahovik.proof.reference.screw import f
 from mahovik.use.simulate.case import Array, Case, Moment
 
 RTOL, ATOL = 1e-10, 1e-12
@@ -64,9 +63,8 @@ class SciPyMotion:
         phi_ddot = self.case.motion(np.array([t]))[2][0]
         if not self.case.regime.by_torque:
             return acceleration(at, self.case.stand, phi_ddot), phi_ddot, tau
-        fP = np.array([f @ at.P[s.body.name] for s in at.flywheels])
         known = np.where(self._given, phi_ddot, 0.0)
-        right = np.concatenate([at.F - bias(at) - at.I @ known, tau - torque_velocity_terms(at) + fP])
+        right = np.concatenate([at.F - bias(at) - at.I @ known, spin_up_torque(at, tau)])
         rows = np.concatenate([np.arange(6), 6 + self._free])  # a flywheel with given speed has no unknown and no row
         full, right = full_mass_matrix(at)[np.ix_(rows, rows)], right[rows]
         if self.case.stand.hold is None:

@@ -8,23 +8,24 @@ cancels.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from mahovik.core.stand.model import Flywheel
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array, solve_symmetric
-from mahovik.proof.reference.assembly import body_wrenches, run_time_wrench
-from mahovik.proof.reference.bodies import SpinningFlywheel, spatial_inertia
-from mahovik.proof.reference.motion import mount_on_flywheel
+from mahovik.proof.reference.bodies import Bodies, PlacedBody, spatial_inertia
+from mahovik.proof.reference.motion import mounts_on_flywheels
 from mahovik.proof.reference.pieces import (
     Pieces,
-    bodies_matrix,
     body_wrench,
+    body_wrenches,
     coupling,
     coupling_bias,
+    mass_matrix,
     mass_matrix_rate,
+    run_time_wrench,
     velocity_matrix,
 )
 from mahovik.proof.reference.rotation import C1
@@ -55,20 +56,21 @@ class Exchange:
         `V_dot`: (6) of `forward` before.
         """
         s, phi_ddot = at.flywheels[self.number], state.phi_ddot[self.number]
-        d = replace(s, body=self.body, Theta=self.Theta)
+        speed = np.array([s.phi_dot])
+        d = Bodies((self.body,), s.L[None], self.Theta[None], s.Lambda[None], np.array([s.phi]), speed)
         P = self._wrench(at, state, s)
-        K, I = bodies_matrix((), [d]), coupling([d])[:, 0]
-        M, J = velocity_matrix(K, mass_matrix_rate([d]), at.V_r), coupling_bias([d], at.V_r)[:, 0]
+        K, I = mass_matrix(d), coupling(d)[:, 0]
+        M, J = velocity_matrix(K, mass_matrix_rate(d), at.V_r), coupling_bias(d, at.V_r)[:, 0]
         # (K + dK) (V* + dV*) = right + d right, where K V* = right
         right = s.L @ P - M @ at.V_r - J * s.phi_dot - I * phi_ddot - K @ at.V_r_dot(V_dot)
-        mount = mount_on_flywheel(d, P, at.V, np.array(state.V_dot), phi_ddot)
+        mount = mounts_on_flywheels(d, P, at.V, np.array(state.V_dot), np.array([phi_ddot]))[0]
         return {
             "forward": solve_symmetric(at.K + K, right),
             "momentum": K @ at.V + I * s.phi_dot,
             "mounts": block_diagonal(C1(s.phi)) @ mount,
         }
 
-    def _wrench(self, at: Pieces, state: State, s: SpinningFlywheel) -> Array:
+    def _wrench(self, at: Pieces, state: State, s: PlacedBody) -> Array:
         """The other's P of (7), in its frame about its origin, less the flywheel's."""
         kinds = body_wrenches(self.body, s.L[:3, :3].T @ at.gravity, s.twist(at.V_r), run_time_wrench(state, self.body))
         return body_wrench(kinds) - at.P[s.body.name]

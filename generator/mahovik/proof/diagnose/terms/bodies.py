@@ -10,10 +10,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mahovik.core.stand.model import Flywheel
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import FixedBody, PlacedBody, SpinningFlywheel
+from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.rotation import C1
 from mahovik.proof.reference.screw import Phi, f, spin
 
@@ -159,7 +160,7 @@ def _terms(k: PlacedBody, at: Pieces, V_dot: Array, phi_ddot: float) -> Iterator
     }
     moments = {("J omega_dot", 1.0): J @ alpha, ("omega x J omega", 1.0): np.cross(w, J @ w)}
     to_E1 = _block(C)
-    if isinstance(k, SpinningFlywheel):
+    if isinstance(k.body, Flywheel):
         e, speed = C[:, 0], k.phi_dot
         forces |= {
             ("m phi_ddot e x r", 1.0): phi_ddot * np.cross(e, r),
@@ -189,7 +190,7 @@ def _terms(k: PlacedBody, at: Pieces, V_dot: Array, phi_ddot: float) -> Iterator
         yield name, expected, np.concatenate([np.zeros(3), moment])
     own = k.L.T @ at.V
     yield "Phi Theta V", 1.0, to_E1 @ Phi(own) @ k.Theta @ own
-    if isinstance(k, FixedBody) and k.Lambda.any():
+    if k.Lambda.any():
         back, V_r_dot = _moved_matrix(-O), at.V_r_dot(V_dot)
         yield "Lambda V_r_dot", 1.0, back @ k.Lambda @ V_r_dot
         p, h = np.split(k.Lambda @ at.V_r, 2)

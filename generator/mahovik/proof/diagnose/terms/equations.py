@@ -27,10 +27,10 @@ from mahovik.proof.diagnose.terms.law_columns import KINDS, LawColumns, widen
 from mahovik.proof.diagnose.terms.monomials import Monomial, Motion, momentum_monomials, monomials
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.assembly import body_wrenches
 from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.momentum import momentum
 from mahovik.proof.reference.motion import bias, mounts, torque
+from mahovik.proof.reference.pieces import body_wrenches
 from mahovik.proof.verify.actuators import stand_at
 
 ANSWERS: Mapping[str, tuple[str, ...]] = {

@@ -177,7 +177,7 @@ class Motion:
     def _twists(self, y: Array) -> Array:
         """Twists of all bodies relative to the fluid, one after the other, each in its own frame."""
         at = reference.pieces(self._case.stand, self._at(y, y[3:12].reshape(3, 3)), self._bodies)
-        return np.concatenate([*(k.L.T @ at.V_r for k in at.fixed), *(s.twist(at.V_r) for s in at.flywheels)])
+        return at.bodies.twists(at.V_r).ravel()
 
     def error(self, order: int, steps: int, time: float) -> float:
         """Difference of the two ends, relative to the state and its change, of the worst component."""

@@ -21,10 +21,9 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import bodies_of, spinning_bodies
+from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.pieces import spin_inertia
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.compiled import Part, law_checks, load_part, part_checks, refusal_check
@@ -78,7 +77,7 @@ class ServoCase:
     @cached_property
     def inertia(self) -> Array:
         """J = f^T Theta f (N, kg m2) of each flywheel about its axis, by the literal reference."""
-        return np.diag(spin_inertia(spinning_bodies(bodies_of(self.stand).mounted, rest_state(self.stand))))
+        return np.diag(spin_inertia(bodies_of(self.stand).flywheels))
 
     def default(self, name: str) -> dict[str, Any]:
         """Members of a table of the C, `servo_default` or `trim_default`."""
