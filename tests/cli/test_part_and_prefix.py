@@ -96,24 +96,24 @@ def test_verify_judges_the_functions_that_are_there_under_their_name(part: Path)
 @pytest.mark.parametrize(
     ("only", "status", "words"),
     [
-        ("", 1, "holds a part of the functions: of C of `generate --only`, give --only forward,torque; else lines"),
-        ("forward", 1, "functions that --only does not name: torque: give --only as `generate` had it"),
-        ("forward,torque,wrap", 1, "nothing of: wrap: give --only as `generate` had it"),
+        ("", 1, "C of `generate --only`? give --only forward,torque\n"),
+        ("forward", 1, "unknown functions: torque"),
+        ("forward,torque,wrap", 1, "no line PASS or FAIL of: wrap"),
         ("forwart", 2, '--only forwart: the C of shakerp has no such function, did you mean "forward"?'),
     ],
 )
 def test_the_log_of_a_part_gives_no_false_alarm(only: str, status: int, words: str, log: Path) -> None:
     options = ("--only", only) if only else ()
     message = refused("judge-log", SHAKER2, "--log", str(log), *options, status=status)
-    assert words in message and "other bits" not in message and message.count("\n") == 1
+    assert words in message and "other bits" not in message
 
 
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        (r"\ntorque \w{8}\n", "\ntorque 00000000\n", "other bits in the sweep of 100 states: torque (torque: 00000000"),
+        (r"\ntorque \w{8}\n", "\ntorque 00000000\n", "other bits in the sweep of 100 states: torque 00000000"),
         (r"\ntorque PASS.*\n", "\n", "no line PASS or FAIL of: torque"),
-        (r"failures 0\n", "", 'no line "failures"'),
+        (r"failures 0\n", "", "no line, the log is not whole: failures"),
         (r"physics \w+", "physics 00000000", "physics 00000000, the stand file has "),
     ],
 )

@@ -7,13 +7,12 @@ with CR, LF or both, lose some, and begin or end in the middle: other lines are 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from mahovik import __version__
-from mahovik.contract.functions import is_public
 from mahovik.core.emit.generate import Generated, generate_all
-from mahovik.core.lower.golden import CASES, FAR, sweep_hashes, tested_functions
+from mahovik.core.lower.golden import CASES, sweep_hashes, tested_functions
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.targets import TARGETS
@@ -24,16 +23,20 @@ from mahovik.proof.verify.targets import run_selftest, selftest_sources
 LONGEST_SWEEP = 1_000_000
 """Most states of a sweep that is judged, which take minutes. More come from a damaged line or another test."""
 
+RIGHT = f"PASS cases {len(CASES) + 2} worst 0 ulp"
+"""What the line of a function says behind its name, where all bits are those of the interpreter."""
+
 _HEAD = re.compile(r"mahovik selftest (\w+) structure ([0-9a-f]{8}) physics ([0-9a-f]{8}) real (double|float)\s*$")
-_GENERATOR = re.compile(r"generator mahovik (\S+)\s*$")
 _FAST_MATH = re.compile(r"\bwrong results: (compiled with [\w, =-]{1,100})\s*$")
-_FUNCTION = re.compile(
-    r"\b(\w+) (PASS|FAIL) cases ([0-9]{1,9})(?: wrong ([0-9]{1,9}))?(?: \(([a-z, ]{1,80})\))?"
-    r"(?: worst (more than )?([0-9]{1,20}) ulp|(?<=\)))\s*$"
-)
-_SWEEP = re.compile(r"\bsweep ([0-9]{1,20})\s*$")
-_HASH = re.compile(r"\b(\w+) ([0-9a-f]{8})\s*$")
-_FAILURES = re.compile(r"\bfailures ([0-9]{1,9})\s*$")
+_LINES = {
+    "functions": re.compile(r"\b(\w+) ((?:PASS|FAIL) cases [0-9]{1,9}(?: wrong [0-9]{1,9})?(?: \([a-z, ]{1,80}\))?"
+                            r"(?: worst (?:more than )?[0-9]{1,20} ulp|(?<=\))))\s*$"),
+    "generator": re.compile(r"generator mahovik (\S+)\s*$"),
+    "sweep": re.compile(r"\bsweep ([0-9]{1,20})\s*$"),
+    "failures": re.compile(r"\bfailures ([0-9]{1,9})\s*$"),
+    "hashes": re.compile(r"\b(\w+) ([0-9a-f]{8})\s*$"),
+}  # fmt: skip
+"""Lines of a run by the member of SelfTestLog that they fill; hashes come after the line of the sweep."""
 
 HOSTS = ("host", "host-clang")
 """Targets that are this machine, in the order in which they are tried."""
@@ -45,32 +48,13 @@ TIMEOUT = 600.0
 """Longest sweep on this machine, s."""
 
 
-@dataclass(frozen=True)
-class FunctionLine:
-    """Line of the test on one function: golden cases, wrong cases, worst distance in ulp.
-
-    `worst` is FAR + 1 if the test prints that it is more than FAR. `faults`: what is wrong, as the test prints it.
-    """
-
-    passed: bool
-    cases: int
-    wrong: int
-    worst: int
-    faults: str = ""
-
-    @property
-    def words(self) -> str:
-        """Faults and the worst distance, as the test prints them."""
-        distance = f"worst more than {FAR} ulp" if self.worst > FAR else f"worst {self.worst} ulp"
-        return ", ".join(filter(None, (self.faults, distance if self.worst or not self.faults else "")))
-
-
 @dataclass
 class SelfTestLog:
-    """One run of a self-test. `sweep`, `failures` are None where their line is missing.
+    """One run of a self-test. `generator`, `sweep`, `failures` are None where their line is missing.
 
-    repeated   functions with two lines that differ
     fast_math  how it was compiled, where the test itself found that its results are wrong
+    functions  what the line of a function says behind its name; `hashes` of the sweep, by function as well
+    repeated   functions with two lines that differ
     """
 
     stand: str
@@ -79,7 +63,7 @@ class SelfTestLog:
     real: str
     fast_math: str = ""
     generator: str | None = None
-    functions: dict[str, FunctionLine] = field(default_factory=dict)
+    functions: dict[str, str] = field(default_factory=dict)
     sweep: int | None = None
     hashes: dict[str, str] = field(default_factory=dict)
     failures: int | None = None
@@ -87,24 +71,14 @@ class SelfTestLog:
 
     def read(self, line: str) -> None:
         """Take what one line of the output says."""
-        if found := _FUNCTION.search(line):
-            name, verdict, cases, wrong, faults, far, worst = found.groups()
-            distance = FAR + 1 if far else int(worst or 0)
-            seen = FunctionLine(verdict == "PASS", int(cases), int(wrong or 0), distance, faults or "")
-            if self.functions.setdefault(name, seen) != seen:
-                self.repeated.append(name)
-        elif found := _GENERATOR.search(line):
-            self.generator = found[1]
-        elif found := _SWEEP.search(line):
-            self.sweep = int(found[1])
-        elif found := _FAILURES.search(line):
-            self.failures = int(found[1])
-        elif (
-            self.sweep is not None
-            and (found := _HASH.search(line))
-            and self.hashes.setdefault(found[1], found[2]) != found[2]
-        ):
-            self.repeated.append(found[1])
+        for member, pattern in _LINES.items():
+            if (at := pattern.search(line)) and (member != "hashes" or self.sweep is not None):
+                *name, value = at.groups()
+                if not name:
+                    setattr(self, member, value if member == "generator" else int(value))
+                elif getattr(self, member).setdefault(name[0], value) != value:
+                    self.repeated.append(name[0])
+                return
 
 
 def read_log(text: str, where: str) -> tuple[SelfTestLog, ...]:
@@ -115,8 +89,8 @@ def read_log(text: str, where: str) -> tuple[SelfTestLog, ...]:
         if head := _HEAD.search(line):
             runs.append(SelfTestLog(head[1], head[2], head[3], head[4], fast_math))
             fast_math = ""
-        elif found := _FAST_MATH.search(line):
-            fast_math = found[1]
+        elif at := _FAST_MATH.search(line):
+            fast_math = at[1]
         elif runs and runs[-1].failures is None:
             runs[-1].read(line)
     if not runs:
@@ -127,33 +101,27 @@ def read_log(text: str, where: str) -> tuple[SelfTestLog, ...]:
     return tuple(runs)
 
 
-def problems(run: SelfTestLog, functions: Iterable[str] | None = None) -> list[str]:
-    """Problems within a run, a line for each kind; `functions`: those of the stand, if it is known."""
-    lines, cases = run.functions, len(CASES) + 2
-    wanted = list(functions) if functions is not None else list(dict.fromkeys((*lines, *run.hashes)))
-    failed = [f"{name} ({line.words})" for name, line in lines.items() if not line.passed]
-    odd = [name for name, line in lines.items() if line.passed and (line.wrong or line.worst)]
+def problems(run: SelfTestLog, functions: Sequence[str] = (), hashes: Mapping[str, str] = {}) -> list[str]:
+    """What is wrong with a run, a line for each kind. `functions` of the stand, `hashes` of the sweep, where known."""
+    wanted = functions or list(dict.fromkeys((*run.functions, *run.hashes)))
+    failed = [name for name, line in run.functions.items() if line.startswith("FAIL")]
+    off = [(name, value) for name, value in hashes.items() if run.hashes.get(name, value) != value]
     named = {
         "wrong results": [run.fast_math] if run.fast_math else [],
-        "FAIL": failed,
-        "PASS with wrong bits, which the self-test does not print": odd,
+        f"expected {RIGHT}": [f"{name} {line}" for name, line in run.functions.items() if line != RIGHT],
         "two lines that differ": list(dict.fromkeys(run.repeated)),
-        "no line PASS or FAIL of": [name for name in wanted if name not in lines],
-        "unknown functions": [name for name in lines if name not in wanted],
-        f"not {cases} cases, as this version has": [name for name, line in lines.items() if line.cases != cases],
+        "no line PASS or FAIL of": [name for name in wanted if name not in run.functions],
+        "unknown functions": [name for name in run.functions if name not in wanted],
+        "no hash of the sweep of": [name for name in wanted if run.sweep is not None and name not in run.hashes],
+        f"other bits in the sweep of {run.sweep} states": [f"{n} {run.hashes[n]}, here {value}" for n, value in off],
+        "no line, the log is not whole": [name for name in ("sweep", "failures") if getattr(run, name) is None],
     }
-    if run.sweep is not None and run.sweep <= LONGEST_SWEEP:
-        named["no hash of the sweep of"] = [name for name in wanted if name not in run.hashes]
-    found = [f"{what}: {', '.join(names)}" for what, names in named.items() if names]
-    if run.sweep is None:
-        found.append('no line "sweep": the log ends before it')
-    elif run.sweep > LONGEST_SWEEP:
-        found.append(f"sweep of {run.sweep} states: at most {LONGEST_SWEEP} are judged: run fewer on the board")
-    if run.failures is None:
-        found.append('no line "failures": the log is not whole')
-    elif run.failures and not failed:
-        found.append(f"failures {run.failures}, but no line says FAIL")
-    return found
+    lines = [f"{what}: {', '.join(names)}" for what, names in named.items() if names]
+    if run.sweep is not None and run.sweep > LONGEST_SWEEP:
+        lines.append(f"sweep of {run.sweep} states: at most {LONGEST_SWEEP} are judged: run fewer on the board")
+    if run.failures is not None and run.failures != len(failed):
+        lines.append(f"failures {run.failures}, but {len(failed)} lines say FAIL")
+    return lines
 
 
 @dataclass(frozen=True)
@@ -174,34 +142,30 @@ def judge_log(text: str, where: str, stand: Stand | None = None, only: tuple[str
     """
     runs = read_log(text, where)
     found: list[str] = []
-    checked = [] if stand is None else ["identities", "every function there"]
-    if stand is not None and only:
-        checked[1] = f"every function of --only {','.join(only)} there"
-    checked.append("golden vectors, as the board has judged them")
+    checked = ["golden vectors, as the board has judged them"]
     unchecked: list[str] = []
     if stand is None:
         unchecked.append("identities, the list of functions, and the sweep: give the stand file")
+    else:
+        part = f" of --only {','.join(only)}" if only else ""
+        checked = ["identities", f"every function{part} there", *checked]
     sweeps: dict[tuple[str, str, int], Mapping[str, str]] = {}  # hashes here, none where nothing can compute them
     for number, run in enumerate(runs, start=1):
-        lines = problems(run)
-        if stand is not None:
-            named = under_name(stand, run.stand, run.physics) or stand
-            made = None if (lines := identity_problems(run, named)) else generate_all(named, run.real, only=only)
-            if made is not None:
-                wanted = [f.name for f in tested_functions(made.program)]
-                if parts := part_problems(run, wanted, only):
-                    lines = [*problems(run), *parts]
-                else:
-                    lines = problems(run, wanted)
-                    key = (run.stand, run.real, run.sweep or 0)
-                    if run.sweep is not None and run.sweep <= LONGEST_SWEEP and key not in sweeps:
-                        sweeps[key], maker = _hashes(named, made, run.sweep)
-                        what = f"sweep of {run.sweep} states, {run.real}"
-                        if maker:
-                            checked.append(f"{what}, by {maker}")
-                        else:
-                            unchecked.append(f"{what}: no C compiler here, and too long for the interpreter")
-                    lines += hash_problems(run, sweeps.get(key, {}))
+        named = stand and (under_name(stand, run.stand, run.physics) or stand)
+        lines = identity_problems(run, named) if named else []
+        if named is None or lines:
+            lines += problems(run)
+        else:
+            made = generate_all(named, run.real, only=only)
+            wanted, key = [f.name for f in tested_functions(made.program)], (run.stand, run.real, run.sweep or 0)
+            if set(wanted) != {*run.functions}:  # inputs of a sweep are drawn for all functions that were generated
+                lines = [*problems(run, wanted), f"C of `generate --only`? give --only {','.join(run.functions)}"]
+            else:
+                if run.sweep is not None and run.sweep <= LONGEST_SWEEP and key not in sweeps:
+                    sweeps[key], maker = _hashes(named, made, key[2])
+                    by = f", by {maker}" if maker else ": no C compiler here, and too long for the interpreter"
+                    (checked if maker else unchecked).append(f"sweep of {run.sweep} states, {run.real}{by}")
+                lines = problems(run, wanted, sweeps.get(key, {}))
         found += [f"run {number} of {len(runs)}: {line}" if len(runs) > 1 else line for line in lines]
     return LogVerdict(runs, tuple(found), tuple(checked), tuple(unchecked))
 
@@ -209,43 +173,12 @@ def judge_log(text: str, where: str, stand: Stand | None = None, only: tuple[str
 def identity_problems(run: SelfTestLog, stand: Stand) -> list[str]:
     """Differences of the C on the board from that of a stand file by this version of the generator."""
     file = identities(stand)
-    pairs = (
-        ("stand", run.stand, stand.name),
-        ("structure", run.structure, file.structure),
-        ("physics", run.physics, file.physics),
-    )
-    found = [f"{kind} {has}, the stand file has {wants}" for kind, has, wants in pairs if has != wants]
-    if run.generator is not None and run.generator != __version__:
+    pairs = {"stand": stand.name, "structure": file.structure, "physics": file.physics}
+    off = [(kind, has) for kind, has in pairs.items() if getattr(run, kind) != has]
+    found = [f"{kind} {getattr(run, kind)}, the stand file has {has}" for kind, has in off]
+    if run.generator not in (None, __version__):
         found.append(f"made by mahovik {run.generator}, this is {__version__}: generate and run it again")
     return found
-
-
-def part_problems(run: SelfTestLog, wanted: Collection[str], only: Sequence[str]) -> list[str]:
-    """A line if a log lacks some `wanted` functions or has more, but could be of another `only`; none if it is damaged.
-
-    Such a log cannot be compared: inputs of a sweep are drawn for all functions that were generated.
-    """
-    there = dict.fromkeys((*run.functions, *run.hashes))
-    absent = [name for name in wanted if name not in there]
-    extra = [name for name in there if name not in wanted]
-    whole = run.sweep is not None and run.failures is not None and set(run.functions) == set(run.hashes)
-    if not whole or not (absent or extra) or not all(map(is_public, there)):
-        return []
-    if not only:
-        names, lost = ",".join(there), f"else lines were lost of {', '.join(absent)}"
-        return [f"holds a part of the functions: of C of `generate --only`, give --only {names}; {lost}"]
-    off = [f"nothing of: {', '.join(absent)}"] if absent else []
-    off += [f"functions that --only does not name: {', '.join(extra)}"] if extra else []
-    return [f"{'; '.join(off)}: give --only as `generate` had it"]
-
-
-def hash_problems(run: SelfTestLog, expected: Mapping[str, str]) -> list[str]:
-    """Functions whose sweep on the board has other bits than here, in one line."""
-    off = [name for name, value in expected.items() if run.hashes.get(name, value) != value]
-    if not off:
-        return []
-    first = f"{off[0]}: {run.hashes[off[0]]} on the board, {expected[off[0]]} here"
-    return [f"other bits in the sweep of {run.sweep} states: {', '.join(off)} ({first})"]
 
 
 def _hashes(stand: Stand, made: Generated, sweep: int) -> tuple[Mapping[str, str], str]:
@@ -253,8 +186,7 @@ def _hashes(stand: Stand, made: Generated, sweep: int) -> tuple[Mapping[str, str
     real = made.program.precision.name
     target = next((TARGETS[name] for name in HOSTS if not TARGETS[name].missing_commands()), None)
     if target is not None:
-        sources = selftest_sources(stand, real, sweep, made.only)
-        printed = run_selftest(target, stand.name, sources, TIMEOUT)
+        printed = run_selftest(target, stand.name, selftest_sources(stand, real, sweep, made.only), TIMEOUT)
         return read_log(printed, target.name)[-1].hashes, f"{target.compiler[0]} on this machine"
     if sweep <= INTERPRETED_STATES:
         found = sweep_hashes(made.program, made.values, sweep)
