@@ -24,7 +24,7 @@ from mahovik.out.campaign.over import KINDS as RUNS
 from mahovik.out.campaign.signals import SIGNALS
 from mahovik.out.campaign.vary import KINDS
 from mahovik.out.campaign.wanted import STATISTICS
-from mahovik.proof.verify.programme.verification import tolerance_for
+from mahovik.proof.verify.programme.verification import JOINT, TABLE, tolerance_for
 from mahovik.stands import path
 from mahovik.use.design.freedom import PARTS
 from mahovik.use.design.read import FreedomTable, read_freedom
@@ -137,8 +137,8 @@ def test_limits_of_the_verification_of_programmes() -> None:
     smooth, kinked = (tolerance_for(load(path(name)), None) for name in ("bench8", "auv6"))
     assert accepted["residual"] == [smooth.residual]
     assert accepted["simulation"] == [smooth.error]
-    assert accepted["table"] == accepted["periodicity"] == [smooth.table]
-    assert accepted["run-up table"] == [smooth.table, smooth.joint]
+    assert accepted["table"] == accepted["periodicity"] == [TABLE]
+    assert accepted["run-up table"] == [TABLE, JOINT]
     assert accepted["run-up end"] == [smooth.runup]
     text = (DOCS / "programmes.md").read_text(encoding="utf-8")
     for size in (kinked.residual, kinked.error):

@@ -14,8 +14,8 @@ from mahovik.core.motion.required import Bounds, RequiredMotion, read_motion
 from mahovik.core.motion.required.course import SampledCourse
 from mahovik.core.stand import Stand, loads
 from mahovik.proof.reference.hold import acceleration
-from mahovik.proof.verify.programme import verify_programme
 from mahovik.proof.verify.programme.mechanics import moment
+from mahovik.proof.verify.programme.verification import verify_programme
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, search_finite, table_of

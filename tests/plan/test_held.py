@@ -14,9 +14,8 @@ from mahovik.core.motion.programme import programme_text, read_programme
 from mahovik.core.motion.required import RequiredMotion, read_motion
 from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
-from mahovik.proof.verify.programme import verify_programme
 from mahovik.proof.verify.programme.mechanics import carrier_at, twist
-from mahovik.proof.verify.programme.verification import ProgrammeCase
+from mahovik.proof.verify.programme.verification import ProgrammeCase, verify_programme
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists

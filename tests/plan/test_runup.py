@@ -23,7 +23,6 @@ from mahovik.core.stand import Stand
 from mahovik.errors import MahovikError
 from mahovik.proof.reference.hold import held_forward
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.programme import verify_programme
 from mahovik.proof.verify.programme.mechanics import (
     displacement,
     free_acceleration,
@@ -32,7 +31,7 @@ from mahovik.proof.verify.programme.mechanics import (
     scale_of,
     twist,
 )
-from mahovik.proof.verify.programme.verification import ProgrammeCase, as_item
+from mahovik.proof.verify.programme.verification import ProgrammeCase, as_item, verify_programme
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget

@@ -16,8 +16,8 @@ from mahovik.core.motion.required import RequiredMotion, load_motion, read_motio
 from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.identity import identities
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.programme import verify_programme
 from mahovik.proof.verify.programme.mechanics import residual_and_torque, scale_of
+from mahovik.proof.verify.programme.verification import verify_programme
 
 Case = tuple[Stand, RequiredMotion, Programme]
 

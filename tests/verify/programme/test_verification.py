@@ -22,9 +22,8 @@ from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference.rotation import attitude
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.programme import verify_programme
 from mahovik.proof.verify.programme.mechanics import carrier_at, scale_of, twist
-from mahovik.proof.verify.programme.verification import ProgrammeCase, Stability
+from mahovik.proof.verify.programme.verification import ProgrammeCase, Stability, verify_programme
 from mahovik.use.plan.slew import plan_slew
 from plan.slew_stands import PYRAMID, about, satellite, slew
 from verify.programme.programmes import Case, failed, item, shaker, tabled, twins, twins_run_up

@@ -278,7 +278,7 @@ def verify_programme(
 
     Raises StandError, MotionError, ProgrammeError, ToolchainError.
     """
-    from mahovik.proof.verify import programme as verification
+    from mahovik.proof.verify.programme import verification
 
     own = Stand.of(stand)
     found = given_programme(programme)

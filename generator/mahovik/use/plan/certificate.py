@@ -53,8 +53,7 @@ def make_programme(
 
 def certify(stand: Stand, motion: RequiredMotion, programme: Programme) -> Programme:
     """The programme with the findings of the independent verification in its report."""
-    from mahovik.proof.verify.programme import verify_programme
-    from mahovik.proof.verify.programme.verification import as_item, floquet_multipliers, warns
+    from mahovik.proof.verify.programme.verification import as_item, floquet_multipliers, verify_programme, warns
 
     checks = verify_programme(stand, motion, programme)
     items = [as_item(item) for item in checks]

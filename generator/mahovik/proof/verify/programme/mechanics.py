@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.linalg import expm
@@ -25,7 +25,7 @@ from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.bodies import Bodies, bodies_of
+from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.generalized import check_attitude, kinematic_matrix, kinematic_matrix_rate
 from mahovik.proof.reference.hold import acceleration, twists
 from mahovik.proof.reference.inverse import demand
@@ -39,8 +39,7 @@ def largest(values: Array) -> float:
     return float(np.abs(values).max(initial=0.0))
 
 
-@dataclass(frozen=True, eq=False)
-class Carrier:
+class Carrier(NamedTuple):
     """O1 (3) in E0, C (3x3), and of V = A q', V* = A q'' + drift: A (6xm), drift (6)."""
 
     O1: Array
@@ -98,8 +97,7 @@ def displacement(stand: Stand, q: Array, mean: Array) -> tuple[float, float]:
     return float(np.linalg.norm(now.O1 - start.O1)), float(np.linalg.norm(turned))
 
 
-@dataclass(frozen=True, eq=False)
-class Moment:
+class Moment(NamedTuple):
     """The carrier and the pieces of (1)-(11) at one time."""
 
     stand: Stand
@@ -115,10 +113,6 @@ class Moment:
         moved = acceleration(self.at, self.stand, phi_ddot) - self.carrier.drift
         return np.asarray(np.linalg.lstsq(self.carrier.A, moved, rcond=None)[0])
 
-    def residual(self, q_ddot: Array, phi_ddot: Array) -> Array:
-        """F - K V_r* - M V_r - J phi' - I phi'' (6; N, N m) of (12)."""
-        return demand(self.at, self.V_dot(q_ddot)) - self.at.I @ phi_ddot
-
     def torque(self, q_ddot: Array, phi_ddot: Array) -> Array:
         """Drive torques tau (N, N m)."""
         return torque(self.at, self.V_dot(q_ddot), phi_ddot)
@@ -132,17 +126,12 @@ def moment(stand: Stand, q: Array, q_dot: Array, phi: Array, phi_dot: Array) -> 
     pose: dict[str, Any] = {"angles": tuple(q[3:])}
     if stand.hold is not None:
         pose = {"quaternion": tuple(np.roll(Rotation.from_matrix(carrier.C).as_quat(), 1))}
-    state = replace(
-        rest_state(stand), position=tuple(carrier.O1), V=tuple(carrier.A @ q_dot), phi=tuple(phi),
-        phi_dot=tuple(phi_dot), **pose,
-    )  # fmt: skip
-    return Moment(stand, carrier, reference.pieces(stand, state, _bodies(stand)))
+    pose |= {"position": tuple(carrier.O1), "V": tuple(carrier.A @ q_dot), "phi": tuple(phi), "phi_dot": tuple(phi_dot)}
+    return Moment(stand, carrier, reference.pieces(stand, replace(rest_state(stand), **pose), _bodies(stand)))
 
 
-@lru_cache(maxsize=4)
-def _bodies(stand: Stand) -> Bodies:
-    """Bodies of a stand, made once for the thousands of its states."""
-    return bodies_of(stand)
+_bodies = lru_cache(maxsize=4)(bodies_of)
+"""Bodies of a stand, made once for the thousands of its states."""
 
 
 def free_acceleration(stand: Stand, q: Array, q_dot: Array, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
@@ -153,11 +142,13 @@ def free_acceleration(stand: Stand, q: Array, q_dot: Array, phi: Array, phi_dot:
 
 
 def residual_and_torque(stand: Stand, course: Course, angles: Angles) -> tuple[Array, Array]:
-    """Residual (M, 6; N, N m) of (12) and drive torques (M, N; N m) along a course of the carrier and of flywheels."""
+    """F - K V_r* - M V_r - J phi' - I phi'' (M, 6; N, N m) of (12) and drive torques (M, N; N m) along a course of the
+    carrier and of flywheels.
+    """
     R, tau = [], []
     for q, q_dot, q_ddot, phi, phi_dot, phi_ddot in zip(*course, *angles, strict=True):
         now = moment(stand, q, q_dot, phi, phi_dot)
-        R.append(now.residual(q_ddot, phi_ddot))
+        R.append(demand(now.at, now.V_dot(q_ddot)) - now.at.I @ phi_ddot)
         tau.append(now.torque(q_ddot, phi_ddot))
     return np.array(R), np.array(tau)
 
@@ -173,8 +164,7 @@ _PHASES = 2 * np.pi * np.arange(4) / 4
 """K and F are sums over the flywheels of harmonics up to the second: these four phases give their means exactly."""
 
 
-@dataclass(frozen=True, eq=False)
-class Scale:
+class Scale(NamedTuple):
     """Scales of a motion, in the norms of K0 (6x6), the mean of K over the phases.
 
     S                  (6xm): freedoms, along which alone wrenches count; of a free carrier the unit matrix
@@ -229,7 +219,7 @@ def scale_of(stand: Stand, motion: RequiredMotion, programme: Programme) -> Scal
     def locked(q: Array, q_dot: Array) -> list[Moment]:
         return [moment(stand, q, q_dot, np.full(N, phase), np.zeros(N)) for phase in _PHASES]
 
-    still = [each.at for each in locked(mean, np.zeros_like(mean))]
+    still = [now.at for now in locked(mean, np.zeros_like(mean))]
     K0 = np.mean([at.K for at in still], axis=0)
     S = np.eye(6) if stand.hold is None else twists(stand.hold)
     if not np.any(course.q_dot):
@@ -240,16 +230,14 @@ def scale_of(stand: Stand, motion: RequiredMotion, programme: Programme) -> Scal
         if stand.hold is not None:
             unbalance = float(forces.sum())
         return Scale(stand, K0, S, unbalance * omega**2, unbalance, unbalance * omega)
-    P, away, V = [], [], []
+    rows = []
     for q, q_dot, q_ddot in zip(*course, strict=True):
         needed = locked(q, q_dot)
-        P.append(np.mean([demand(each.at, each.V_dot(q_ddot)) for each in needed], axis=0))
-        away.append(needed[0].carrier.A @ (q - mean))
-        V.append(needed[0].at.V)
-    wrench = wrench_norm(K0, S, np.array(P) - np.mean(P, axis=0))
-    return Scale(
-        stand, K0, S, *(float(np.max(each)) for each in (wrench, norm(K0, np.array(away)), norm(K0, np.array(V))))
-    )
+        P = np.mean([demand(now.at, now.V_dot(q_ddot)) for now in needed], axis=0)
+        rows.append((P, needed[0].carrier.A @ (q - mean), needed[0].at.V))
+    P, away, V = (np.array(column) for column in zip(*rows, strict=True))
+    wrench = wrench_norm(K0, S, P - np.mean(P, axis=0))
+    return Scale(stand, K0, S, *(float(np.max(x)) for x in (wrench, norm(K0, away), norm(K0, V))))
 
 
 RTOL = 1e-12
@@ -311,6 +299,25 @@ def slope(function: Callable[..., Array], given: Sequence[Array], number: int, s
     return np.array(columns).T
 
 
+def slopes(
+    stand: Stand, motion: RequiredMotion, programme: Programme, t: Array, numbers: Sequence[int],
+    step: Callable[[Array], Array | float], unit: float = 1.0,
+) -> list[Array]:  # fmt: skip
+    """Derivatives (M, m, n) of q'' by those of q, q', phi, phi', phi'' with these numbers, at times t (M, s) along the
+    required motion. `unit` (s): of time in them; `step`: of a difference, by what is changed.
+    """
+    powers = (0, 1, 0, 1, 2)
+
+    def acceleration(*scaled: Array) -> Array:
+        return unit**2 * free_acceleration(stand, *(x / unit**n for x, n in zip(scaled, powers, strict=True)))
+
+    course, rows = motion.at(t, programme.bias), []
+    for values in zip(course.q, course.q_dot, *programme.at(t), strict=True):
+        scaled = [x * unit**n for x, n in zip(values, powers, strict=True)]
+        rows.append([slope(acceleration, scaled, k, step(scaled[k])) for k in numbers])
+    return [np.array(column) for column in zip(*rows, strict=True)]
+
+
 STEPS_OF_PERIOD = 12
 """Least number of steps in a period, and two for every turn and harmonic: the carrier is slower than its excitation.
 
@@ -330,15 +337,9 @@ def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> t
     steps = max(STEPS_OF_PERIOD, 2 * max([*motion.harmonics, *map(abs, programme.winding)], default=0))
     h = programme.span / steps
     times = ((np.arange(steps)[:, None] + 0.5 + np.array([-1, 1]) * np.sqrt(3) / 6) * h).ravel()
-    course = motion.at(times, programme.bias)
-    m = course.q.shape[1]
-    matrices = []
-    for given in zip(course.q, course.q_dot, *programme.at(times), strict=True):
-        along = [
-            slope(lambda *at: free_acceleration(stand, *at), given, k, DIFFERENCE * (1.0 + np.abs(given[k])))
-            for k in (0, 1)
-        ]
-        matrices.append(np.block([[np.zeros((m, m)), np.eye(m)], along]))
+    along = slopes(stand, motion, programme, times, (0, 1), lambda x: DIFFERENCE * (1.0 + np.abs(x)))
+    m = along[0].shape[1]
+    matrices = [np.block([[np.zeros((m, m)), np.eye(m)], [*row]]) for row in zip(*along, strict=True)]
     monodromy = np.eye(2 * m)
     for A1, A2 in zip(matrices[::2], matrices[1::2], strict=True):
         monodromy = expm(h / 2 * (A1 + A2) + np.sqrt(3) / 12 * h**2 * (A2 @ A1 - A1 @ A2)) @ monodromy

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.linalg import expm
@@ -43,21 +43,14 @@ from mahovik.proof.verify.programme.mechanics import (
 )
 
 
-@dataclass(frozen=True)
-class Tolerance:
+class Tolerance(NamedTuple):
     """residual, error   of the equations and of the carrier's motion by simulation, shares
-    runup           of the carrier's state at the end of a run-up or run-down, share of the amplitude
-    table           of phi', phi'' in a table, share of their peaks: each row against its prediction by its neighbours
-    joint           of two courses that meet, share of peaks; rad for phi
-    multiplier      largest Floquet multiplier without a warning
+    runup   of the carrier's state at the end of a run-up or run-down, share of the amplitude
     """
 
     residual: float
     error: float
     runup: float
-    table: float = 0.03
-    joint: float = 1e-6
-    multiplier: float = 1.001
 
 
 SMOOTH, KINKED, RUNUP = 1e-6, 1e-5, 1e-5
@@ -65,6 +58,10 @@ SMOOTH, KINKED, RUNUP = 1e-6, 1e-5, 1e-5
 
 DRIFT = 20
 """(2 pi)^2 / 2: amplitudes that a constant residual, of one amplitude's share, moves a floating carrier in a period."""
+
+TABLE, JOINT, MULTIPLIER = 0.03, 1e-6, 1.001
+"""Accepted of phi', phi'' in a table, share of their peaks: each row against its prediction by its neighbours; where
+two courses meet, share of peaks, rad for phi; the largest Floquet multiplier without a warning."""
 
 EXCEEDED = 1 + 1e-9
 """Value over its bound that counts as exceeded: rounding of the program that kept it does not."""
@@ -97,14 +94,13 @@ BEGIN, END, ALONG = 1e-9, 1.0, 1e-6
 the shortest turn, share of it, and of what rests at the end from rest, share of its peak."""
 
 
-def tolerance_for(stand: Stand, given: float | None) -> Tolerance:
-    """Limits for a stand; `given` replaces that of the residual, and the others follow from it."""
-    if given is not None:
-        above_zero("tolerance", given)
-    nonlinear = any(law.nonlinear for body in stand.bodies for law in body.laws)
-    if given is None and not nonlinear:
+def tolerance_for(stand: Stand, share: float | None) -> Tolerance:
+    """Limits for a stand; `share` replaces that of the residual, and the others follow from it."""
+    if share is not None:
+        above_zero("tolerance", share)
+    elif not any(law.nonlinear for body in stand.bodies for law in body.laws):
         return Tolerance(SMOOTH, SMOOTH, RUNUP)
-    share = KINKED if given is None else given
+    share = KINKED if share is None else share
     return Tolerance(share, DRIFT * share, max(DRIFT * share, RUNUP))
 
 
@@ -157,15 +153,13 @@ def bound_checks(
     """An item for each given bound. `rocking` (M, N): phi less winding and mean; without it this is part of a run-up,
     where `angle` and `speed_min` are not bounded.
     """
-    columns = {
-        "speed": (angles.phi_dot, "rad/s"),
-        "acceleration": (angles.phi_ddot, "rad/s2"),
-        "torque": (tau, "N m"),
-        "angle": (rocking, "rad"),
-    }
+    rows: list[tuple[str, Array | None, str]] = [
+        ("speed", angles.phi_dot, "rad/s"), ("acceleration", angles.phi_ddot, "rad/s2"), ("torque", tau, "N m"),
+        ("angle", rocking, "rad"),
+    ]  # fmt: skip
     items = [
         bound_check(f"{prefix}bound {key}", values, np.array(getattr(bounds, key)), names, unit)
-        for key, (values, unit) in columns.items()
+        for key, values, unit in rows
         if values is not None and getattr(bounds, key) is not None and names
     ]
     if rocking is not None and bounds.speed_min is not None and names:
@@ -189,25 +183,23 @@ def neighbour_errors(samples: Samples) -> Array:
     """
     speed = largest(samples.phi_dot) or 1.0
     acceleration = max(largest(samples.phi_ddot), 1e-6 * speed / float(np.ptp(samples.t)))
-    errors = np.zeros(max(len(samples.t) - 2, 0))
+    rows, errors = (samples.phi, samples.phi_dot, samples.phi_ddot), np.zeros(max(len(samples.t) - 2, 0))
     for first in (1, 2):
         skipped = np.arange(first, len(samples.t) - 1, 2)
         if len(skipped):
-            rows = [samples.t, samples.phi, samples.phi_dot, samples.phi_ddot]
-            coarse = Samples(*(np.delete(row, skipped, axis=0) for row in rows)).at(samples.t[skipped])
-            step = np.diff(samples.t)[skipped - 1][:, None]
-            scales = speed * step, speed, acceleration
-            off = [np.abs(x - y[skipped]) / scale for x, y, scale in zip(coarse, rows[1:], scales, strict=True)]
+            coarse = Samples(*(np.delete(row, skipped, axis=0) for row in (samples.t, *rows))).at(samples.t[skipped])
+            scales = speed * np.diff(samples.t)[skipped - 1][:, None], speed, acceleration
+            off = [np.abs(x - y[skipped]) / scale for x, y, scale in zip(coarse, rows, scales, strict=True)]
             errors[skipped - 1] = np.max(off, axis=(0, 2))
     return errors
 
 
-def rows_check(name: str, t: Array, errors: Array, limit: float, words: str = "") -> Check:
+def rows_check(name: str, t: Array, errors: Array, words: str = "") -> Check:
     """The worst of rows at times t (M, s); with `words` in place of its number and time."""
     if not len(errors):
-        return Check.of(name, 0.0, limit, "no row has neighbours")
+        return Check.of(name, 0.0, TABLE, "no row has neighbours")
     i = int(np.argmax(errors))
-    return Check.of(name, errors[i], limit, words or f"row {i + 1}, t = {t[i]:.6g} s, against its neighbours")
+    return Check.of(name, errors[i], TABLE, words or f"row {i + 1}, t = {t[i]:.6g} s, against its neighbours")
 
 
 def motor_torques(stand: Stand, phi_dot: Array, tau: Array) -> tuple[Array, Array]:
@@ -231,8 +223,7 @@ class Stability(Check):
     multipliers: tuple[complex, ...] = ()
 
 
-@dataclass(frozen=True, eq=False)
-class Residuals:
+class Residuals(NamedTuple):
     """Residual of (12) along a programme: t (M, s), residual (M) and its mean as shares; tau (M, N; N m)."""
 
     t: Array
@@ -291,34 +282,25 @@ class ProgrammeCase:
         wanted, turns = self.motion.winding, self.programme.winding
         if not self.motion.periodic or wanted == "any":
             return []
-        if isinstance(wanted, str):
-            other = sum((n != 0) == (wanted == "rock") for n in turns)
-        else:
-            other = sum(a != b for a, b in zip(wanted, turns, strict=True))
+        right = [(n != 0) == (wanted == "spin") for n in turns] if isinstance(wanted, str) else np.equal(turns, wanted)
         named = wanted if isinstance(wanted, str) else list(wanted)
-        return [Check.of("winding", other, 0, f"{list(turns)}, wanted {named}")]
+        return [Check.of("winding", len(turns) - sum(right), 0, f"{list(turns)}, wanted {named}")]
 
     def table(self) -> list[Check]:
         """Whether phi', phi'' are derivatives of phi, and a period ends where it began, a winding further on."""
-        rows, span, limit, words = self.programme.course, self.programme.span, self.limit.table, ""
+        rows, span, words = self.programme.course, self.programme.span, ""
         if isinstance(rows, Fourier):
-            M = OF_WAVE * max(len(rows.cos), 1)
-            rows = Samples(span * np.arange(M) / M, *self.programme.at(span * np.arange(M) / M))
-            words = "rows of the Fourier series against their neighbours"
+            t = span * np.arange(OF_WAVE * max(len(rows.cos), 1)) / (OF_WAVE * max(len(rows.cos), 1))
+            rows, words = Samples(t, *self.programme.at(t)), "rows of the Fourier series against their neighbours"
         if not self.programme.periodic:
-            return [rows_check("table", rows.t[1:-1], neighbour_errors(rows), limit)]
-
-        def padded(column: Array, further: Array | float = 0.0) -> Array:  # so that all rows are inner rows
-            return np.concatenate([column[-1:] - further, column, column[:1] + further])
-
+            return [rows_check("table", rows.t[1:-1], neighbour_errors(rows))]
         turn = 2 * np.pi * np.array(self.programme.winding, dtype=np.float64)
-        angles = padded(rows.phi, turn), padded(rows.phi_dot), padded(rows.phi_ddot)
-        errors = neighbour_errors(Samples(padded(rows.t, span), *angles))
-        joint = "last and first row, winding turns apart"
-        return [
-            rows_check("table", rows.t[1:-1], errors[1:-1], limit, words),
-            Check.of("periodicity", np.max(errors[[0, -1]]), limit, joint),
-        ]
+        columns = (rows.t, span), (rows.phi, turn), (rows.phi_dot, 0.0), (rows.phi_ddot, 0.0)
+        # a row more at both ends, so that all are inner rows
+        padded = (np.concatenate([column[-1:] - more, column, column[:1] + more]) for column, more in columns)
+        errors = neighbour_errors(Samples(*padded))
+        ends = Check.of("periodicity", np.max(errors[[0, -1]]), TABLE, "last and first row, winding turns apart")
+        return [rows_check("table", rows.t[1:-1], errors[1:-1], words), ends]
 
     def bias(self) -> list[Check]:
         """The bias: zero where the mean is not free; within its bound."""
@@ -361,8 +343,9 @@ class ProgrammeCase:
             return Check.of("simulation", np.inf, self.limit.error, str(error))
         required, coordinates = self.motion.at(t, programme.bias).q, coordinates_of(stand)
         apart = np.hsplit(y, 2)[0] - required
-        moved = np.array([twist(stand, q, x) for q, x in zip(required, apart, strict=True)])
-        shares = self.scale.displacement_share(moved)
+        shares = self.scale.displacement_share(
+            np.array([twist(stand, *row) for row in zip(required, apart, strict=True)])
+        )
         i = int(np.argmax(shares))
         x = 1e3 * apart[i]
         away = f"O1 {np.linalg.norm(x[:3]):.2g} mm, angles {np.linalg.norm(x[3:]):.2g} mrad"
@@ -374,23 +357,24 @@ class ProgrammeCase:
 
     def stability(self) -> Check:
         """The largest multiplier. Above 1 the motion is right, but something must hold it: a warning, no failure."""
-        limit = self.limit.multiplier
         try:
             found = multipliers(self.stand, self.motion, self.programme)
         except StateError as error:
-            return Check.of("Floquet", np.inf, limit, str(error))
+            return Check.of("Floquet", np.inf, MULTIPLIER, str(error))
         value = abs(found[0])
-        if value > limit:
+        if value > MULTIPLIER:
             words = "the motion is right, but not stable without feedback"
-        elif value > 2 - limit:
+        elif value > 2 - MULTIPLIER:
             # of modulus 1, one that is 1 itself keeps a displacement, any other one turns it on
-            kept = [abs(z - 1) <= limit - 1 for z in found if abs(z) > 2 - limit]
+            kept = [abs(z - 1) <= MULTIPLIER - 1 for z in found if abs(z) > 2 - MULTIPLIER]
             fates = [*(["is free to drift"] if any(kept) else []), *([] if all(kept) else ["swings undamped"])]
             words = f"neutral, the carrier {' and '.join(fates)}"
         else:
             words = f"stable, disturbances decay by {value:.3g} a period"
         verdict = "ok" if np.isfinite(value) else "FAILED"
-        return Stability("", "Floquet", limit, value, verdict, f"largest multiplier: {words}", 1, multipliers=found)
+        return Stability(
+            "", "Floquet", MULTIPLIER, value, verdict, f"largest multiplier: {words}", 1, multipliers=found
+        )
 
     def run_up(self, name: str, t: Array, steps: int, error: float = STEP_ERROR, *, rows: bool = False) -> Array:
         """y = (q, q') (M, 2 m) at the times t (M, s) of "run-up" or "run-down", on which the carrier is free, by (8).
@@ -409,24 +393,24 @@ class ProgrammeCase:
 
     def runups(self) -> list[Check]:
         """Of run-up and run-down: rows, joint with the programme, rest at the other end, end of the carrier, bounds."""
-        items = []
+        items, begin = [], self.programme.at(np.zeros(1))
         for name, table in (("run-up", self.programme.runup), ("run-down", self.programme.rundown)):
-            if table is not None:
-                rows, (joint, rest) = table.samples, (-1, 0) if name == "run-up" else (0, -1)
-                columns, begin = Angles(rows.phi, rows.phi_dot, rows.phi_ddot), self.programme.at(np.zeros(1))
-                turned = columns.phi[joint] - begin.phi[0]
-                apart = [largest(turned - 2 * np.pi * np.round(turned / (2 * np.pi)))]
-                for ours, theirs in zip(columns[1:], begin[1:], strict=True):
-                    apart.append(largest(ours[joint] - theirs[0]) / max(largest(ours), largest(theirs), 1e-300))
-                moving = [largest(each[rest]) / (largest(each) or 1.0) for each in columns[1:]]
-                where = f"{('phi', 'phi_dot', 'phi_ddot')[int(np.argmax(apart))]} at the programme's t = 0"
-                still = "phi', phi'' of the flywheels at rest, share of their peaks"
-                items += [
-                    rows_check(f"{name} table", rows.t[1:-1], neighbour_errors(rows), self.limit.table),
-                    Check.of(f"{name} joint", np.max(apart), self.limit.joint, where),
-                    Check.of(f"{name} rest", np.max(moving), self.limit.joint, still),
-                    *self._way(name, table),
-                ]
+            if table is None:
+                continue
+            rows, (joint, rest) = table.samples, (-1, 0) if name == "run-up" else (0, -1)
+            turned, rates = rows.phi[joint] - begin.phi[0], (rows.phi_dot, rows.phi_ddot)
+            apart = [largest(turned - 2 * np.pi * np.round(turned / (2 * np.pi)))]
+            for ours, theirs in zip(rates, begin[1:], strict=True):
+                apart.append(largest(ours[joint] - theirs[0]) / max(largest(ours), largest(theirs), 1e-300))
+            moving = [largest(rate[rest]) / (largest(rate) or 1.0) for rate in rates]
+            where = f"{('phi', 'phi_dot', 'phi_ddot')[int(np.argmax(apart))]} at the programme's t = 0"
+            still = "phi', phi'' of the flywheels at rest, share of their peaks"
+            items += [
+                rows_check(f"{name} table", rows.t[1:-1], neighbour_errors(rows)),
+                Check.of(f"{name} joint", np.max(apart), JOINT, where),
+                Check.of(f"{name} rest", np.max(moving), JOINT, still),
+                *self._way(name, table),
+            ]
         return items
 
     def _way(self, name: str, table: RunUpTable) -> list[Check]:
@@ -460,14 +444,13 @@ class ProgrammeCase:
 
     def beginning(self) -> list[Check]:
         """Distance from `start` of a finite motion: rad, and share of the peak speed."""
-        angles, bounds, limit, items = self.programme.at(np.zeros(1)), self.motion.bounds, self.limit.joint, []
+        angles, bounds, items = self.programme.at(np.linspace(0.0, self.programme.span, 999)), self.motion.bounds, []
         if bounds.start_phi is not None:
-            items.append(Check.of("start phi", largest(angles.phi[0] - np.array(bounds.start_phi)), limit, "rad"))
+            items.append(Check.of("start phi", largest(angles.phi[0] - np.array(bounds.start_phi)), JOINT, "rad"))
         if bounds.start_phi_dot is not None:
-            speeds, t = np.array(bounds.start_phi_dot), np.linspace(0.0, self.programme.span, 999)
-            peak = max(largest(self.programme.at(t).phi_dot), largest(speeds), 1e-12)
-            share = largest(angles.phi_dot[0] - speeds) / peak
-            items.append(Check.of("start phi_dot", share, limit, "share of the peak speed"))
+            speeds = np.array(bounds.start_phi_dot)
+            share = largest(angles.phi_dot[0] - speeds) / max(largest(angles.phi_dot), largest(speeds), 1e-12)
+            items.append(Check.of("start phi_dot", share, JOINT, "share of the peak speed"))
         return items
 
     def slew(self) -> list[Check]:
@@ -491,16 +474,17 @@ class ProgrammeCase:
             wanted = expm(slew.angle * cross(slew.normal)) @ slew.start
             if slew.kind == "attitude":
                 what, end = "attitude", float(np.linalg.norm(rotation_vector(C[-1].T @ wanted)))
-                way = np.array([rotation_vector(each @ slew.start.T) for each in C])
+                way = np.array([rotation_vector(now @ slew.start.T) for now in C])
                 aside = largest(way - np.outer(way @ slew.normal, slew.normal))
             else:
                 sight, goal = np.array(C) @ slew.axis, wanted @ slew.axis
                 what, end = "line of sight", math.atan2(np.linalg.norm(np.cross(sight[-1], goal)), sight[-1] @ goal)
                 aside = largest(sight @ slew.normal)
-            words = f"arcsec between the {what} at the end and the demanded one"
-            items.append(Check.of("slew end", end / ARCSEC, END, words))
             words = f"of the {what} aside from the shortest turn, share of it"
-            items.append(Check.of("slew path", aside / slew.angle, ALONG, words))
+            items += [
+                Check.of("slew end", end / ARCSEC, END, f"arcsec between the {what} at the end and the demanded one"),
+                Check.of("slew path", aside / slew.angle, ALONG, words),
+            ]
         angular = np.array([row.component.startswith("w") for row in slew.task.rows])
         turning, moving = np.array(rates)[:, angular], np.array(accelerations)
         if angular.any():
@@ -535,6 +519,14 @@ TORQUE = 10.0
 WRONG: dict[str, tuple[float, ...]] = {"phase": (-0.01, 1.01, 7.0), "ticks": (-1, 0, 1), "periods": (-1, 0)}
 """Numbers that the functions refuse, by argument."""
 
+CLOCK = {"phase": 0, "increment": 0, "surplus": 0, "rest": 0, "ticks": 2, "laps": 0}
+CLOCK_FUNCTIONS: dict[str, dict[str, Any]] = {
+    "start": {"ticks": 400, "periods": 1, "clock": {}},
+    "advance": {"clock": CLOCK},
+    "phase": {"clock": CLOCK, "phase": np.full(1, np.nan)},
+}
+"""Good arguments of the functions of the clock."""
+
 CLOCKS = ((400, 1), (7, 3), (1000, 7), (4001, 2000))
 """Ticks and periods that they take, of the clocks that are tried over two rounds each; one period if it is finite."""
 
@@ -545,40 +537,27 @@ def compiled_checks(stand: Stand, case: ProgrammeCase, folder: Path, name: str) 
     Raises UsageError, ToolchainError: see `load_part`.
     """
     programme = case.programme
-    tables: dict[str, tuple[Callable[[Array], Angles], float]] = {"at": (programme.at, programme.span)}
+    tables = {"at": (programme.at, programme.span)}
     for function, table in (("runup_at", programme.runup), ("rundown_at", programme.rundown)):
         if table is not None:
             tables[function] = table.at, table.duration
-    clock = {"phase": 0, "increment": 0, "surplus": 0, "rest": 0, "ticks": 2, "laps": 0}
-    good: dict[str, dict[str, Any]] = {
-        "start": {"ticks": 400, "periods": 1, "clock": {}},
-        "advance": {"clock": clock},
-        "phase": {"clock": clock, "phase": np.full(1, np.nan)},
-    }
 
-    def table_judge(function: str) -> list[Check]:
-        return [
-            *_table_checks(case, made, function, *tables[function]),
-            refused(function, _table_inputs(case, made, function, 0.25)),
-        ]
-
-    def refused(function: str, inputs: dict[str, Any]) -> Check:
-        row = refusal_check(made, function, inputs, WRONG)
-        row.quantity = f"C {function} refusals"
-        return row
-
-    with tempfile.TemporaryDirectory(prefix="mahovik-") as scratch:
-        made = load_part(stand, folder, "programme", name, Path(scratch))
-        judges = dict.fromkeys(tables, table_judge) | {
-            each: lambda function: [refused(function, good[function])] for each in good
-        }
-        found = [*part_checks(made, judges)]
-        if all(made.library.has(each) for each in good):
+    def judge(function: str) -> Iterator[Check]:
+        inputs = CLOCK_FUNCTIONS.get(function) or _table_inputs(case, made, function, 0.25)
+        if function in tables:
+            yield from _table_checks(case, made, function, *tables[function])
+        elif function == "start" and all(map(made.library.has, CLOCK_FUNCTIONS)):
             clocks = CLOCKS if programme.periodic else [(ticks, 1) for ticks, _ in CLOCKS]
             wrong = sum(_clock_errors(made, ticks, periods) for ticks, periods in clocks)
             words = "ticks whose phase or laps are not the exact fraction, rounded down: start, phase, advance"
-            found.append(Check.of("C clock", wrong, 0, words))
-    return found
+            yield Check.of("C clock", wrong, 0, words)
+        row = refusal_check(made, function, inputs, WRONG)
+        row.quantity = f"C {function} refusals"
+        yield row
+
+    with tempfile.TemporaryDirectory(prefix="mahovik-") as scratch:
+        made = load_part(stand, folder, "programme", name, Path(scratch))
+        return [*part_checks(made, dict.fromkeys((*tables, *CLOCK_FUNCTIONS), judge))]
 
 
 def _table_inputs(case: ProgrammeCase, made: Part, function: str, phase: float) -> dict[str, Any]:
@@ -649,19 +628,18 @@ def verify_programme(
 
     Raises UsageError, ToolchainError: the folder has no such C, or it does not compile.
     """
-    limit = tolerance_for(stand, tolerance)
     items = [stand_check(stand, programme), motion_check(motion, programme)]
+    case = ProgrammeCase.of(stand, motion, programme, tolerance)
     same_span = programme.periodic == motion.periodic and abs(programme.span / motion.span - 1) < 1e-9
     same_size = len(programme.bias) == coordinates_of(stand).count
     if not same_span or not same_size or programme.flywheels != tuple(s.name for s in stand.flywheels):
         return tuple(item for item in items if item.failed)
-    case = ProgrammeCase.of(stand, motion, programme, tolerance)
     with np.errstate(all="ignore"):  # what overflows is not finite, and fails
         items += [*case.winding(), *case.table(), *case.bias()]
         try:
             items.append(case.residual())
         except (StateError, np.linalg.LinAlgError) as error:
-            return (*items, Check.of("residual", np.inf, limit.residual, str(error)))
+            return (*items, Check.of("residual", np.inf, case.limit.residual, str(error)))
         items.append(case.simulation())
         follows = not any(item.failed for item in items[-2:])
         items += case.bounds()

@@ -12,6 +12,7 @@ the matrix takes back a part, the gain, at least cost: see `least_cost_matrix`.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -22,7 +23,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.hold import twists
-from mahovik.proof.verify.programme.mechanics import free_acceleration, moment, slope
+from mahovik.proof.verify.programme.mechanics import moment, slopes
 from mahovik.proof.verify.servo.law import coefficients, waves
 
 PROTECTED, WEIGHT = 2, 30.0
@@ -48,7 +49,9 @@ def trim_matrix(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     Raises StateError: the reference has no answer on the way, or harmonics of the carrier are not determined.
     """
     highest = max([trim.harmonics + PROTECTED, *motion.harmonics, *(2 * abs(n) for n in programme.winding)])
-    effect = responses(balance(stand, motion, programme, 4 * highest + 25), trim.harmonics)
+    M, radian = 4 * highest + 25, motion.span / (2.0 * math.pi)
+    t = motion.span * np.arange(M) / M
+    effect = responses(slopes(stand, motion, programme, t, range(5), lambda _: STEP, radian), trim.harmonics)
     units = _units(stand)[list(trim.coordinates)]
     measured = np.moveaxis(effect[:, list(trim.coordinates)], 1, 0) / units[:, None, None]
     T, columns = 2 * trim.harmonics + 1, effect.shape[-1]
@@ -79,26 +82,11 @@ def least_cost_matrix(G: Array, above: Array, harmonics: int) -> Array:
     return np.asarray(back @ (directions[:, kept] / size[kept]) @ directions[:, kept].T)
 
 
-def balance(stand: Stand, motion: RequiredMotion, programme: Programme, M: int) -> tuple[Array, ...]:
-    """Derivatives (M, m, n) of q'' by q, q', phi, phi', phi'' at M times of a period, whose radian is the time unit."""
-    unit = motion.span / (2.0 * math.pi)
-    t, powers = motion.span * np.arange(M) / M, (0, 1, 0, 1, 2)
-
-    def acceleration(*scaled: Array) -> Array:
-        return unit**2 * free_acceleration(stand, *(x / unit**n for x, n in zip(scaled, powers, strict=True)))
-
-    course, rows = motion.at(t, programme.bias), []
-    for given in zip(course.q, course.q_dot, *programme.at(t), strict=True):
-        scaled = [x * unit**n for x, n in zip(given, powers, strict=True)]
-        rows.append([slope(acceleration, scaled, number, STEP) for number in range(5)])
-    return tuple(np.array(column) for column in zip(*rows, strict=True))
-
-
-def responses(of: tuple[Array, ...], harmonics: int) -> Array:
+def responses(of: Sequence[Array], harmonics: int) -> Array:
     """Harmonics (1 + 2 H.., m, N T) of the carrier's coordinates by the corrections, mean, cos, sin, ... in turn.
 
-    `of`: derivatives of `balance`. Raises StateError: a free motion of the carrier has such harmonics, so that they
-    are not determined.
+    `of`: `slopes` by all five at uniform times, a radian of the period as the unit. Raises StateError: a free motion
+    of the carrier has such harmonics, so that they are not determined.
     """
     pose, speed, angle, rate, change = of
     M, n, _ = angle.shape
