@@ -31,6 +31,14 @@ NEAR_SINGULAR_BELOW = 1e-6
 Runner = Callable[[str, Mapping[str, Any]], tuple[int, dict[str, Any]]]
 """Calls a function of the program by name with plain inputs; returns its status and outputs."""
 
+WITHOUT_FLYWHEELS = {"coupled": "forward", "torque": "", "mounts": ""}
+"""Functions that answer these wants on a stand without flywheels, whose C lacks theirs."""
+
+EMPTY: Mapping[str, Any] = {
+    "I": [[]] * 6, "J": [[]] * 6, "phi_ddot": [], "tau": [], "mount_wrench": [], "sigma": [], "points": [],
+}  # fmt: skip
+"""Members of answers that the C of a stand without flywheels, freedoms or points lacks."""
+
 
 class FunctionBackend(ABC):
     """Answers by the functions of a stand's C, whoever runs them.
@@ -59,17 +67,18 @@ class FunctionBackend(ABC):
         """Results by the names of the contract. Raises StateError."""
         if fault := want_fault(want) or hold_fault(want, bool(self.layout.held)) or self._fault(state, want):
             raise StateError(fault)
-        inputs = self.arguments(state)
+        inputs = moved = self.arguments(state)
         results: dict[str, Any] = {}
-        moved = inputs
+        of_task: dict[str, Any] = {}
         if state.task:
-            found = self._of_task(state, inputs, "torque_for" if "torque_for" in want else "inverse")
-            moved = {**inputs, "V_dot": found["V_dot"], "phi_ddot": found["phi_ddot"]}
+            name = "torque_for" if "torque_for" in want else "inverse"
+            of_task = _members(self._call(f"{name}_{state.task}", inputs), answers_of(name, task=True))
+            moved = {**inputs, "V_dot": of_task["V_dot"], "phi_ddot": of_task["phi_ddot"]}
         if any(law.invalid for law in self.layout.law_tables) or self.layout.structure.stream_stations:
             self._call("wrench", inputs)  # a state where a law is undefined has no answer to any want
         for name in want:
-            if state.task and name in ("inverse", *TASK_WANTS):
-                results |= found
+            if of_task and name in ("inverse", *TASK_WANTS):
+                results |= of_task
             else:
                 results |= self.answer(name, state, moved if name in TASK_TAKERS else inputs)
         return results
@@ -88,35 +97,24 @@ class FunctionBackend(ABC):
         for body in state.wrench:
             if body not in self.inputs:
                 return f'wrench: the C takes none on "{body}": set `wrench_input = true` in the stand file'
+        if "generalized" in want and not layout.held and state.quaternion is not None:
+            return "generalized: needs angles, not a quaternion"
+        rows = {task.name: len(task.rows) for task in layout.structure.tasks}.get(state.task, 0)
+        if state.task and rows != len(state.demand):
+            return f"demand: expected {rows} numbers, found {len(state.demand)}"
         return ""
 
     def answer(self, want: str, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         """Results of one want, for arguments by name. Raises StateError."""
         layout = self.layout
-        found: dict[str, Any]
-        if want == "points":
-            readings = self._call("points", inputs)["out"] if layout.sensors else []
-            return {"points": dict(zip(layout.sensors, readings, strict=True))}
-        if want == "inverse":
-            return self._members("inverse", inputs, answers_of("inverse"))
-        if want == "generalized" and not layout.held:
-            if state.quaternion is not None:
-                raise StateError("generalized: needs angles, not a quaternion")
-            inputs = {**inputs, "angles": state.angles or (0.0, 0.0, 0.0)}
-        if not layout.flywheels and want in ("torque", "mounts"):  # the C has no such functions
-            return {"tau": []} if want == "torque" else {"mount_wrench": np.zeros((0, 6))}
-        if not layout.flywheels and want == "coupled":
-            return {**self.answer("forward", state, inputs), "phi_ddot": []}
-        outputs = self._call(want, inputs)
-        found = outputs.get("out", outputs)  # members of a struct of results
+        function = want if layout.flywheels else WITHOUT_FLYWHEELS.get(want, want)
+        values = self._call(function, inputs) if function and (want != "points" or layout.sensors) else {}
         if want in ("forward", "coupled"):
-            return self.with_reaction(inputs, found)
-        if want == "mounts":
-            flat = found["mount_wrench"]
-            return {"mount_wrench": [flat[i : i + 6] for i in range(0, len(flat), 6)]}
-        if want == "matrices" and not layout.flywheels:
-            found |= {"I": [[] for _ in range(6)], "J": [[] for _ in range(6)]}
-        return found
+            values = self.with_reaction(inputs, values)
+        values = {**EMPTY, **values}
+        values["points"] = dict(zip(layout.sensors, values["points"], strict=False))
+        values["mount_wrench"] = np.reshape(values["mount_wrench"], (-1, 6)).tolist()
+        return _members(values, answers_of(want, bool(layout.held)))
 
     def with_reaction(self, inputs: Mapping[str, Any], motion: dict[str, Any]) -> dict[str, Any]:
         """A motion, with its reaction where the carrier is held, and no rates of no freedoms where it is clamped.
@@ -125,10 +123,7 @@ class FunctionBackend(ABC):
         """
         if not self.layout.held:
             return motion
-        if is_beyond(motion):
-            return {"u_dot": []} | motion
-        found = self._call("reaction", {**inputs, **motion})
-        return {"u_dot": []} | motion | found
+        return {"u_dot": []} | motion | ({} if is_beyond(motion) else self._call("reaction", {**inputs, **motion}))
 
     def table_of(self, actuators: Mapping[str, float]) -> Any:
         """The table with other deflections and speeds. Raises StateError: a backend without them."""
@@ -145,12 +140,12 @@ class FunctionBackend(ABC):
         x = {"position": state.position, "attitude": attitude, "V": state.V}
         if self.layout.flywheels:
             x |= {"phi": state.phi, "phi_dot": state.phi_dot}
-        zero = (0.0,) * 6
-        wrench = [number for body in self.inputs for number in state.wrench.get(body, zero)]
+        wrench = [number for body in self.inputs for number in state.wrench.get(body, (0.0,) * 6)]
         return {
             "table": self.table_of(state.actuators) if state.actuators else self._table,
             "mounting": self.mounting,
             "x": x,
+            "angles": state.angles or (0.0, 0.0, 0.0),
             "sine": [math.sin(phi) for phi in state.phi],
             "cosine": [math.cos(phi) for phi in state.phi],
             "V_dot": state.V_dot,
@@ -169,29 +164,18 @@ class FunctionBackend(ABC):
         }
 
     def _call(self, function: str, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        """Outputs of a function. Raises StateError where it refuses the state."""
-        return self._call_with_status(function, inputs)[1]
-
-    def _call_with_status(self, function: str, inputs: Mapping[str, Any]) -> tuple[str, dict[str, Any]]:
-        """Status in words, and outputs of a function. Raises StateError where it refuses the state."""
+        """Outputs of a function by name, and its status in words. Raises StateError where it refuses the state."""
         status, outputs = self.call(function, inputs)
+        name = status_words(status)
         if status < 0:
-            name = status_words(status)
             raise StateError(f"{name}: {refusal_reason(name, 'refused')}")
-        return status_words(status), outputs
+        found = outputs.get("out", outputs)  # members of a struct of results
+        return {**found, "status": name} if isinstance(found, Mapping) else {"points": found}
 
-    def _members(self, function: str, inputs: Mapping[str, Any], names: Sequence[str]) -> dict[str, Any]:
-        """These members of a struct of results, the status among them; lists of flywheels are empty without any."""
-        status, outputs = self._call_with_status(function, inputs)
-        found = {"phi_ddot": [], "sigma": []} | outputs["out"] | {"status": status}
-        return {name: found[name] for name in names}
 
-    def _of_task(self, state: State, inputs: Mapping[str, Any], want: str) -> dict[str, Any]:
-        """The answer of the task of a state: accelerations (`inverse`) or torques (`torque_for`). Raises StateError."""
-        rows = {task.name: len(task.rows) for task in self.layout.structure.tasks}
-        if rows.get(state.task) != len(state.demand):
-            raise StateError(f"demand: expected {rows.get(state.task, 0)} numbers, found {len(state.demand)}")
-        return self._members(f"{want}_{state.task}", inputs, answers_of(want, task=True))
+def _members(values: Mapping[str, Any], names: Sequence[str]) -> dict[str, Any]:
+    """Those of the values that have these names, in their order."""
+    return {name: values[name] for name in names if name in values}
 
 
 def is_beyond(motion: Mapping[str, Any]) -> bool:
@@ -222,12 +206,8 @@ class ProgramBackend(FunctionBackend):
         """Wants that the public functions of a program of this stand answer."""
         public = public_names(program)
         by = {want: want for want in WANTS} | ({} if self.layout.flywheels else {"coupled": "forward"})
-        return tuple(want for want, function in by.items() if function in public and self._has_parts(function))
-
-    def _has_parts(self, function: str) -> bool:
-        """Whether the stand has what a function needs."""
-        needs = FUNCTIONS[function].needs
-        return not needs or bool(getattr(self.layout, needs))
+        needs = {want: FUNCTIONS[function].needs for want, function in by.items() if function in public}
+        return tuple(want for want, part in needs.items() if not part or getattr(self.layout, part))
 
     def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Calls one function with those of the inputs that it takes; returns status and outputs."""
@@ -245,6 +225,6 @@ def with_all_inputs(stand: Stand) -> Stand:
     return replace(
         stand,
         carrier=replace(stand.carrier, wrench_input=True),
-        instruments=tuple(replace(p, wrench_input=True) for p in stand.instruments),
-        flywheels=tuple(replace(s, wrench_input=True) for s in stand.flywheels),
+        instruments=tuple(replace(body, wrench_input=True) for body in stand.instruments),
+        flywheels=tuple(replace(body, wrench_input=True) for body in stand.flywheels),
     )
