@@ -21,7 +21,7 @@ from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Freedom, Hold, Stand
 from mahovik.errors import ServoError, UsageError
 from mahovik.out.export.servo import trim_message
-from mahovik.proof.verify.servo.judge import MATRIX
+from mahovik.proof.verify.servo.tables import MATRIX
 from mahovik.proof.verify.servo.trim_matrix import trim_matrix
 from mahovik.use.control.reference_motion import Orbit, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign, design_trim

@@ -12,7 +12,8 @@ from export import programmes
 from export.programmes import exported, motion, written
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.programme.verification import ProgrammeCase, compiled_checks
+from mahovik.proof.verify.exported import verify_compiled
+from mahovik.proof.verify.programme.verification import ProgrammeCase
 from toolchain.quick import quick
 from verify.build import changed
 
@@ -20,7 +21,7 @@ from verify.build import changed
 def judged(folder: Path, programme: str = "started") -> dict[str, Check]:
     """Checks of the C in a folder by their names."""
     stand, given = programmes.stand(), getattr(programmes, programme)()
-    found = compiled_checks(stand, ProgrammeCase.of(stand, motion(), given), folder, "programme")
+    found = verify_compiled(stand, ProgrammeCase.of(stand, motion(), given), folder)
     return {item.quantity: item for item in found}
 
 

@@ -17,8 +17,9 @@ from export.programmes import motion, spin, stand
 from export.servos import HEAD, TRIM, exported, servo, written
 from mahovik.core.motion.servo import Servo, read_servo
 from mahovik.errors import StateError, ToolchainError, UsageError
+from mahovik.proof.verify.exported import verify_servo
 from mahovik.proof.verify.report import Report
-from mahovik.proof.verify.servo.judge import MATRIX, verify_servo
+from mahovik.proof.verify.servo.tables import MATRIX
 from mahovik.proof.verify.servo.trim_matrix import least_cost_matrix, responses, trim_matrix
 from mahovik.stands import path
 from mahovik.use.control.trim import design_trim
@@ -101,7 +102,7 @@ def test_a_function_without_a_judge_or_missing_fails(tmp_path: Path) -> None:
     source.write_text(changed(r"\nshaker2_status shaker2_servo_reset\(", "\nshaker2_status shaker2_servo_begin(")(text))
     header.write_text(header.read_text() + "\nshaker2_status shaker2_servo_begin(shaker2_servo_state *state);\n")
     found = failures(judged(tmp_path, ""))
-    assert {("servo_more", "function"), ("servo_begin", "function"), ("servo_reset", "function")} == found
+    assert {("servo_more", "no judge"), ("servo_begin", "no judge"), ("servo_reset", "refused")} == found
 
 
 def test_a_servo_file_that_is_not_that_of_the_c_fails(tmp_path: Path) -> None:

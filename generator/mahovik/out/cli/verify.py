@@ -139,8 +139,8 @@ def _verify_servo(
     from mahovik.core.motion.programme import load_programme
     from mahovik.core.motion.required import load_motion
     from mahovik.core.motion.servo import load_servo
+    from mahovik.proof.verify.exported import verify_servo
     from mahovik.proof.verify.programme.verification import motion_check
-    from mahovik.proof.verify.servo.judge import verify_servo
 
     if against is None:
         raise UsageError("--servo: no C is given; give its folder, as --against DIR")

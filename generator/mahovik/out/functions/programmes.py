@@ -278,14 +278,18 @@ def verify_programme(
 
     Raises StandError, MotionError, ProgrammeError, ToolchainError.
     """
-    from mahovik.proof.verify.programme import verification
+    from mahovik.proof.verify.programme.verification import ProgrammeCase
+    from mahovik.proof.verify.programme.verification import verify_programme as judged
 
     own = Stand.of(stand)
     found = given_programme(programme)
     required = _of_course(motion, found) if isinstance(motion, Slew) else motion_of(motion, own, found)
     tell(progress, Progress("by the reference"))
-    folder = None if against is None else Path(against)
-    findings = verification.verify_programme(own, required, found, tolerance=tolerance, against=folder, name=name)
+    findings = judged(own, required, found, tolerance=tolerance)
+    if against is not None and not all(item.failed for item in findings):
+        from mahovik.proof.verify.exported import verify_compiled
+
+        findings += verify_compiled(own, ProgrammeCase.of(own, required, found, tolerance), Path(against), name)
     return Verdict(own, required, findings)
 
 

@@ -47,6 +47,11 @@ class Case:
         return len(self.stand.flywheels)
 
     @property
+    def public(self) -> list[str]:
+        """Names of the public functions."""
+        return [function.name for function in self.backend.program.functions if function.public]
+
+    @property
     def numbers(self) -> int:
         """Numbers of a state of the program."""
         return 13 + 2 * self.count

@@ -3,6 +3,7 @@
 value        an equation of the literal reference, or of the second derivation, with its measured scale
 integration  motions by the literal reference, integrated
 derivative   automatic differentiation of the second derivation
+law          of servo and trim: literal, at drawn inputs with measured scales; of a programme its file, and (12)
 exact        integers and angles with fifty digits
 optimality   the conditions of a least error
 """
@@ -12,12 +13,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 from mahovik.contract.functions import FUNCTIONS, task_of
 from mahovik.errors import StateError
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions import exact, integration, optimality, value
 from mahovik.proof.verify.functions.case import Case
+from mahovik.proof.verify.programme import functions as programme
+from mahovik.proof.verify.servo import functions as servo
+
+AnyCase = Case | servo.ServoCase | programme.CompiledProgramme
+"""C of a stand, of servos, of a programme, with what it is judged by; `states`: at how many, or which."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +32,7 @@ class FunctionJudge:
     """kind: see above; checks: of a case and the name of the function; against: what the answers are compared with."""
 
     kind: str
-    checks: Callable[[Case, str], Iterable[Check]]
+    checks: Callable[[Any, str], Iterable[Check]]
     against: str
 
 
@@ -79,6 +86,11 @@ JUDGES: dict[str, FunctionJudge] = {
 Functions that answer a want are judged at every state besides: reference and second derivation, of the kind `value`.
 """
 
+JUDGES |= dict.fromkeys(servo.LAWS, FunctionJudge("law", servo.checks, "law in NumPy"))
+JUDGES |= dict.fromkeys(
+    ("at", "runup_at", "rundown_at"), FunctionJudge("law", programme.table_checks, "programme file")
+)
+JUDGES |= dict.fromkeys(programme.CLOCK_FUNCTIONS, FunctionJudge("exact", programme.clock_checks, "fractions"))
 JUDGES |= {name: _GIVEN_SINES for name in FUNCTIONS if name.endswith("_at") and name not in JUDGES}
 
 
@@ -95,20 +107,19 @@ def unjudged_functions(functions: Iterable[str]) -> list[str]:
     return [name for name in functions if judge_of(name) is None and not (name in FUNCTIONS and FUNCTIONS[name].want)]
 
 
-def function_checks(case: Case) -> Iterator[Check]:
-    """Checks of every public function of the program that has a judge here, in the order of the program.
+def function_checks(case: AnyCase) -> Iterator[Check]:
+    """Checks of every public function of the C that has a judge here, in the order of the C.
 
     A function without any judge has a check that fails, and one of which no check compared a state.
     """
-    names = [function.name for function in case.backend.program.functions if function.public]
-    for name in unjudged_functions(names):
+    for name in unjudged_functions(case.public):
         yield Check(name, "no judge", verdict="FAILED", words="nothing compares this function")
-    for name in names:
+    for name in case.public:
         if judge_of(name) is not None:
             yield from checks_of(case, name)
 
 
-def checks_of(case: Case, name: str) -> list[Check]:
+def checks_of(case: AnyCase, name: str) -> list[Check]:
     """Checks of one function by its judge, and one that fails where none compared a state."""
     judge = judge_of(name)
     assert judge is not None

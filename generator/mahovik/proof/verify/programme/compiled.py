@@ -16,7 +16,7 @@ from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.library import Library
-from mahovik.errors import UsageError
+from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.refusals import NULL, WrongValue, with_value
@@ -47,6 +47,10 @@ class Part:
         with np.errstate(over="ignore"):
             return np.asarray(values, np.float32 if self.real == "float" else np.float64).astype(np.float64)
 
+    def functions(self, needed: Iterable[str]) -> list[str]:
+        """Public functions of the header, after those that are needed."""
+        return [*dict.fromkeys((*needed, *self.library.functions()))]
+
     def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Status of a function, and all its arguments after the call, members of a state by their own names.
 
@@ -58,7 +62,9 @@ class Part:
         return status, found | found.pop("state", {})
 
     def hold(self, function: str, inputs: Mapping[str, Any]) -> list[Any]:
-        """Inputs as data of C."""
+        """Inputs as data of C. Raises StateError where the C lacks the function."""
+        if not self.library.has(function):
+            raise StateError(f"{function} is not in the C: export it again")
         ffi = self.library.ffi
         kinds = ffi.typeof(self.library.function(function)).args
 
@@ -112,19 +118,6 @@ def load_part(stand: Stand, folder: Path, kind: Literal["programme", "servo"], n
         expected = f"expected {identities(stand).physics} of the stand {stand.name}"
         raise UsageError(f"{manifest}: its physics is {physics}, {expected}: export the {kind} again")
     return Part(Library(header, source, scratch, stand.name, programme), real, limit)
-
-
-def part_checks(part: Part, judges: Mapping[str, Callable[[str], Iterable[Check]]]) -> Iterator[Check]:
-    """Every public function of the header by its judge; one without a judge fails, and one that the C lacks."""
-    public = part.library.functions()
-    for function in dict.fromkeys((*judges, *public)):
-        if function in public and function in judges:
-            yield from judges[function](function)
-        else:
-            row = Check(function, "function")
-            words = "a public function without a judge" if function in public else "not in the C: export it again"
-            row.demand(False, words=f"{function}: {words}")
-            yield row
 
 
 def law_checks(

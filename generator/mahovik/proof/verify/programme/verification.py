@@ -1,14 +1,11 @@
-"""Verification of a programme: all items that it must pass (docs/programmes.md), in order, and those of its C."""
+"""Verification of a programme: all items that it must pass (docs/programmes.md), in order."""
 
 from __future__ import annotations
 
 import math
-import tempfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -26,7 +23,6 @@ from mahovik.proof.reference.rotation import rotation_vector
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.reference.tasks import task_rows
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.programme.compiled import Part, load_part, part_checks, refusal_check, spread_phases
 from mahovik.proof.verify.programme.mechanics import (
     STEP_ERROR,
     Scale,
@@ -510,123 +506,18 @@ class ProgrammeCase:
         return items
 
 
-PHASES = 400
-"""Phases at which a table is compared."""
-
-TORQUE = 10.0
-"""Factor on the limit of the file for drive torques: their parts are larger than their sum."""
-
-WRONG: dict[str, tuple[float, ...]] = {"phase": (-0.01, 1.01, 7.0), "ticks": (-1, 0, 1), "periods": (-1, 0)}
-"""Numbers that the functions refuse, by argument."""
-
-CLOCK = {"phase": 0, "increment": 0, "surplus": 0, "rest": 0, "ticks": 2, "laps": 0}
-CLOCK_FUNCTIONS: dict[str, dict[str, Any]] = {
-    "start": {"ticks": 400, "periods": 1, "clock": {}},
-    "advance": {"clock": CLOCK},
-    "phase": {"clock": CLOCK, "phase": np.full(1, np.nan)},
-}
-"""Good arguments of the functions of the clock."""
-
-CLOCKS = ((400, 1), (7, 3), (1000, 7), (4001, 2000))
-"""Ticks and periods that they take, of the clocks that are tried over two rounds each; one period if it is finite."""
-
-
-def compiled_checks(stand: Stand, case: ProgrammeCase, folder: Path, name: str) -> list[Check]:
-    """Items of the C of a folder, which is that of a stand: every function of the programme's header.
-
-    Raises UsageError, ToolchainError: see `load_part`.
-    """
-    programme = case.programme
-    tables = {"at": (programme.at, programme.span)}
-    for function, table in (("runup_at", programme.runup), ("rundown_at", programme.rundown)):
-        if table is not None:
-            tables[function] = table.at, table.duration
-
-    def judge(function: str) -> Iterator[Check]:
-        inputs = CLOCK_FUNCTIONS.get(function) or _table_inputs(case, made, function, 0.25)
-        if function in tables:
-            yield from _table_checks(case, made, function, *tables[function])
-        elif function == "start" and all(map(made.library.has, CLOCK_FUNCTIONS)):
-            clocks = CLOCKS if programme.periodic else [(ticks, 1) for ticks, _ in CLOCKS]
-            wrong = sum(_clock_errors(made, ticks, periods) for ticks, periods in clocks)
-            words = "ticks whose phase or laps are not the exact fraction, rounded down: start, phase, advance"
-            yield Check.of("C clock", wrong, 0, words)
-        row = refusal_check(made, function, inputs, WRONG)
-        row.quantity = f"C {function} refusals"
-        yield row
-
-    with tempfile.TemporaryDirectory(prefix="mahovik-") as scratch:
-        made = load_part(stand, folder, "programme", name, Path(scratch))
-        return [*part_checks(made, dict.fromkeys((*tables, *CLOCK_FUNCTIONS), judge))]
-
-
-def _table_inputs(case: ProgrammeCase, made: Part, function: str, phase: float) -> dict[str, Any]:
-    """Arguments of a table's function; of four outputs the last are drive torques."""
-    count = len(made.library.ffi.typeof(made.library.function(function)).args) - 1
-    names = ("phi", "phi_dot", "phi_ddot", "tau")[:count]
-    return {"phase": phase} | {name: np.full(len(case.stand.flywheels), np.nan) for name in names}
-
-
-def _table_checks(
-    case: ProgrammeCase, made: Part, function: str, at: Callable[[Array], Angles], span: float
-) -> Iterator[Check]:
-    """Angles and speeds of a table against the programme's file; of the programme the residual and drive torques."""
-    phases = made.round(spread_phases(PHASES))
-    t, exact = phases * span, at(phases * span)
-    answers = [made.call(function, _table_inputs(case, made, function, phase)) for phase in phases]
-    if (status := min(status for status, _ in answers)) < 0:
-        yield Check.of(f"C {function}", np.inf, made.limit, f"the C answers with status {status}")
-        return
-    found = {name: np.array([answer[name] for _, answer in answers]) for name in answers[0][1]}
-    angles = Angles(found["phi"], found["phi_dot"], found["phi_ddot"])
-    turned, speed = angles.phi - exact.phi, largest(exact.phi_dot) or 1.0
-    turned -= 2 * np.pi * np.round(turned / (2 * np.pi))
-    value = max(largest(turned), largest(angles.phi_dot - exact.phi_dot) / speed)
-    words = f"angles, rad, and speeds, share of the largest, at {PHASES} times, against the programme's file"
-    yield Check.of(f"C {function}", value, made.limit, words)
-    if function == "at":
-        shares = case.scale.wrench_share(case.equations(t, angles)[0])
-        i = int(np.argmax(shares))
-        words = f"of (12) with the C's angles, at {PHASES} times; largest at t = {t[i]:.6g} s"
-        yield Check.of("C residual", shares[i], case.limit.residual + made.limit, words)
-        if "tau" in found:
-            tau = case.equations(t)[1]
-            peak = largest(tau) or 1.0
-            words = f"drive torques, share of the largest, {peak:.3g} N m"
-            yield Check.of("C torque", largest(found["tau"] - tau) / peak, TORQUE * made.limit, words)
-
-
-def _clock_errors(made: Part, ticks: int, periods: int) -> int:
-    """Ticks, of two rounds, at which phase or laps are not those of exact fractions."""
-    start, clock_phase, advance = (made.library.function(name) for name in ("start", "phase", "advance"))
-    ffi, unit = made.library.ffi, Fraction(1, 2**24 if made.real == "float" else 2**52)
-    clock, phase = ffi.new(ffi.typeof(start).args[2]), ffi.new(ffi.typeof(clock_phase).args[1])
-    wrong = int(start(ticks, periods, clock) != 0)
-    for tick in range(2 * ticks):
-        wrong += int(clock_phase(clock, phase) != 0)
-        laps, part = divmod(Fraction(tick * periods, ticks), 1)
-        wrong += int(not 0 <= part - Fraction(float(phase[0])) < unit or clock.laps != laps)
-        wrong += int(advance(clock) != 0)
-    return wrong
-
-
 def verify_programme(
     stand: Stand,
     motion: RequiredMotion,
     programme: Programme,
     *,
     tolerance: float | None = None,
-    against: Path | None = None,
-    name: str = "programme",
 ) -> tuple[Check, ...]:
     """Checks, one an item; the programme is right where none has failed. If the carrier does not follow the
     motion, stability and run-ups are not examined.
 
     `tolerance`: of the residual, a share; default 1e-6, with damping of V|V| 1e-5. What is of another
     stand's flywheels or another motion's kind or period is not verified further: only that is reported.
-    `against`: a folder whose C of this programme, of the `name` in C, is compiled and judged too.
-
-    Raises UsageError, ToolchainError: the folder has no such C, or it does not compile.
     """
     items = [stand_check(stand, programme), motion_check(motion, programme)]
     case = ProgrammeCase.of(stand, motion, programme, tolerance)
@@ -645,8 +536,6 @@ def verify_programme(
         items += case.bounds()
         items += [case.stability(), *case.runups()] if motion.periodic and follows else case.beginning()
         items += case.slew()
-        if against is not None:
-            items += compiled_checks(stand, case, against, name)
     return tuple(items)
 
 
