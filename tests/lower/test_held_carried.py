@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from lower.in_place import end_of_steps
 from mahovik.core.stand.hold import FREEDOMS, twist_of
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import State, rest_state
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.functions.integration import end_of_steps
 from toolchain.quick import quick
 from verify.holds import PENDULUM
 

@@ -11,13 +11,13 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 
+from lower.in_place import end_of_steps
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.stand import load
 from mahovik.core.stand.state import rest_state
 from mahovik.core.toolchain import library
 from mahovik.core.toolchain.compiler import build_shared
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.functions.integration import end_of_steps
 
 STANDS = Path(__file__).parents[2] / "generator" / "mahovik" / "stands"
 COARSE, RANGE = STATUS_VALUES["COARSE"], STATUS_VALUES["RANGE"]

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from cli.run import refused, run
+from lower.in_place import end_of_steps
 from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.random_state import random_state
@@ -21,7 +22,6 @@ from mahovik.core.stand.write import dumps
 from mahovik.proof import reference
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import round_to_float
-from mahovik.proof.verify.functions.integration import end_of_steps
 from mahovik.stands import names, path
 from mahovik.use.study.excess import excess
 from mahovik.use.study.exchange import Exchange

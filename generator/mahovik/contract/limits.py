@@ -18,8 +18,7 @@ class Limits:
     value        of a quantity from that of the literal reference
     second       of the second derivation from the reference, which both are double in any case
     derivative   of a Jacobian: it goes through K^-1 twice
-    integration  of the state at the end of a motion, relative to state and change
-    short_steps  of that after thousands of short steps, with a carry
+    integration  of the change of a state in a motion, relative to the change
     rigorous     of a quantity from the exact answer, enclosed by balls: some hundred units in the last place
     optimality   of what the conditions of a least error leave, relative to its terms: solvers regularise
     law          of a servo's law, relative to its terms
@@ -33,7 +32,6 @@ class Limits:
     second: float
     derivative: float
     integration: float
-    short_steps: float
     rigorous: float
     optimality: float
     law: float
@@ -44,13 +42,13 @@ class Limits:
 
 
 DOUBLE = Limits(
-    value=1e-12, second=1e-11, derivative=1e-11, integration=1e-10, short_steps=1e-10, rigorous=5e-14, optimality=1e-6,
+    value=1e-12, second=1e-11, derivative=1e-11, integration=1e-10, rigorous=5e-14, optimality=1e-6,
     law=1e-12,
 )  # fmt: skip
 """A sum of a hundred products is right to 1e-14 of its scale: two digits are left for stands of bad condition."""
 
 FLOAT = Limits(
-    value=1e-5, second=1e-11, derivative=1e-4, integration=2e-5, short_steps=4e-6, rigorous=1e-5, optimality=1e-3,
+    value=1e-5, second=1e-11, derivative=1e-4, integration=2e-5, rigorous=1e-5, optimality=1e-3,
     law=1e-6, real="float", floor=1e-30,
 )  # fmt: skip
 """A number of float is right to 6e-8: 160 such errors, the rounding of the parameters among them."""

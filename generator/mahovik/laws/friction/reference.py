@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
@@ -43,13 +42,3 @@ def unit_wrenches(hold: Hold) -> Array:
     m = S.shape[1]
     system = np.block([[np.eye(6), S], [S.T, np.zeros((m, m))]])
     return to_O1 @ solve(system, np.vstack([np.zeros((6, m)), np.eye(m)]))[:6]
-
-
-def branches(stand: Stand, state: State, at: Pose) -> Array:
-    """Sign and power of four of each speed, counted in its smoothing: between them friction changes its steepness."""
-    found = []
-    for friction in frictions_of(stand):
-        assert stand.hold is not None
-        u = float(unit_wrenches(stand.hold)[:, friction.freedom] @ at.V) / friction.smoothing
-        found += [math.copysign(1.0, u), math.floor(math.log2(1.0 + abs(u)) / 2.0)]
-    return np.array(found)

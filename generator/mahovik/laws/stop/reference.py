@@ -48,15 +48,3 @@ def margin(stand: Stand, state: State) -> float:
             sine, cosine = sine_and_cosine(R, unit(freedom))
             least = min(least, math.hypot(sine, cosine), math.pi - abs(math.atan2(sine, cosine)))
     return least
-
-
-def branches(stand: Stand, state: State, at: Pose) -> Array:
-    """Whether each stop is reached, and whether it would push: its force has a kink where one of these changes."""
-    found = []
-    for stop in stops_of(stand):
-        assert stand.hold is not None
-        freedom, side = stand.hold.freedoms[stop.freedom], 1.0 if stop.above else -1.0
-        depth = side * (coordinate(stand.hold, freedom, stand.angles, at) - stop.at)
-        push = stop.stiffness + stop.damping * side * (unit_wrench(stand.hold, freedom) @ at.V)
-        found += [np.sign(depth), np.sign(push)]
-    return np.array(found)

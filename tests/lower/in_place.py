@@ -1,0 +1,40 @@
+"""Very many steps of the C, called in place: a state is not read between them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from mahovik.contract.status import status_words
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof.verify.c_backend import CBackend
+
+
+def end_of_steps(
+    backend: CBackend, function: str, state: State, time: float, steps: int, order: int = 2
+) -> dict[str, Any]:
+    """The state after equal steps. Raises StateError."""
+    ffi, name = backend.library.ffi, backend.program.name
+    given = backend.arguments(state)
+    x = ffi.new(f"{name}_state *", given["x"])
+    known: dict[str, Any] = {
+        "table": given["table"],
+        "x": x,
+        "tau": ffi.new(f"{name}_real[]", [*given["tau"], 0.0]),
+        "phi_ddot": ffi.new(f"{name}_real[]", [*given["phi_ddot"], 0.0]),
+        "wrench": ffi.new(f"{name}_real[]", [*given["wrench"], 0.0]),
+        "locked": ffi.new("int[]", len(state.phi) + 1),
+        "dt": time / steps,
+        "order": order,
+        "carry": ffi.new(f"{name}_step_carry *"),
+        "next": x,
+    }
+    arguments = [known[a.name] for a in backend.program.function(function).arguments]
+    call = backend.library.function(function)
+    for _ in range(steps):
+        status = call(*arguments)
+        if status < 0:
+            raise StateError(f"{function} refused with status {status_words(status)}")
+    return {f.name: np.array(list(getattr(x, f.name)), dtype=np.float64) for f in backend.layout.state.fields}
