@@ -47,7 +47,7 @@ def test_links_in_sealed_evidence_are_no_files(tmp_path: Path) -> None:
     outside.mkdir()
     for name in ("a.txt", "c/b.txt"):
         (folder / name).write_text(name)
-    seal(folder)
+    seal(folder, {})
     assert check(folder) == []
     (folder / "a.txt").rename(outside / "a.txt")
     (folder / "a.txt").symlink_to(outside / "a.txt")

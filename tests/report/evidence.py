@@ -8,7 +8,7 @@ from pathlib import Path
 from mahovik.core.stand import load
 from mahovik.errors import MahovikError
 from mahovik.proof.evidence.collect import collect
-from mahovik.proof.evidence.piece import Need, Outcome, Piece, PieceResult, Subject, Table, Verdict
+from mahovik.proof.evidence.pieces import Need, Outcome, Piece, Subject, Verdict
 from mahovik.proof.verify.delivery import Options
 from mahovik.stands import path
 
@@ -30,11 +30,11 @@ def piece(name: str, said: Outcome | BaseException, *needs: Need) -> Piece:
 
 def passed_outcome(**more: object) -> Outcome:
     """A good outcome."""
-    return Outcome(Verdict.PASSED, "a figure", ("gcc 1.2.3",), **more)  # type: ignore[arg-type]  # what a test gives by name is not typed
+    return Outcome(Verdict.PASSED, "a figure", tools=("gcc 1.2.3",), **more)  # type: ignore[arg-type]  # what a test gives by name is not typed
 
 
-ABSENT = Need("no-such-tool", lambda: False, "apt-get install no-such-tool")
-GOOD = piece("good", passed_outcome(files={"output.txt": "fine\n"}, table=Table(("a", "b>"), (("x", "1"),))))
+ABSENT = Need("no-such-tool", "apt-get install no-such-tool", lambda: False)
+GOOD = piece("good", passed_outcome(files={"output.txt": "fine\n"}, head=("a", "b>"), rows=(("x", "1"),)))
 BAD = piece("bad", Outcome(Verdict.FAILED, "a difference"))
 ABLE = piece("able", AssertionError("must not run"), ABSENT)
 
@@ -44,6 +44,6 @@ def refusing(error: MahovikError) -> Piece:
     return piece("refusing", error)
 
 
-def collected(folder: Path, pieces: Sequence[Piece], **options: object) -> list[PieceResult]:
+def collected(folder: Path, pieces: Sequence[Piece], **options: object) -> list[tuple[Piece, Outcome]]:
     """The evidence of demo3."""
     return collect(load(DEMO3), Path(DEMO3).read_bytes(), folder, pieces, Options(), **options)  # type: ignore[arg-type]  # what a test gives by name is not typed

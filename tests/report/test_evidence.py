@@ -19,15 +19,16 @@ from mahovik.core.stand import load
 from mahovik.core.stand.identity import identities
 from mahovik.errors import CheckError, ToolchainError, UsageError
 from mahovik.out.cli import main
+from mahovik.proof.evidence.collect import conclusion, failures
 from mahovik.proof.evidence.folder import check
-from mahovik.proof.evidence.page import conclusion, failures
-from mahovik.proof.evidence.piece import Subject, Verdict
-from mahovik.proof.evidence.pieces import EQUATIONS, JUDGES
+from mahovik.proof.evidence.pieces import PIECES, Subject, Verdict
 from mahovik.stands import path
 from report.evidence import ABLE, BAD, DEMO3, GOOD, collected, passed_outcome, piece, refusing
 from report.stand.reports import read
 from toolchain.quick import quick
 from toolchain.tools import require
+
+NAMED = {each.name: each for each in PIECES}
 
 
 def command(monkeypatch: pytest.MonkeyPatch, pieces: tuple[object, ...], *arguments: str) -> Result:
@@ -64,7 +65,7 @@ def test_verdicts_are_summed_up(tmp_path: Path) -> None:
     """A failure fails; a missing tool fails only where that is asked; what is left out never runs."""
     unwanted = piece("unwanted", AssertionError("must not run"))
     found = collected(tmp_path / "out", [GOOD, BAD, ABLE, unwanted], wanted={"good", "bad", "able"})
-    assert [each.outcome.verdict for each in found] == [
+    assert [outcome.verdict for _, outcome in found] == [
         Verdict.PASSED,
         Verdict.FAILED,
         Verdict.MISSING,
@@ -76,7 +77,7 @@ def test_verdicts_are_summed_up(tmp_path: Path) -> None:
         "1 of 2 pieces passed; FAILED: bad; not run: tool missing: able; left out by option: unwanted"
     )
     summary = json.loads((tmp_path / "out" / "evidence.json").read_text())
-    assert [each["verdict"] for each in summary["pieces"]] == [each.outcome.verdict.value for each in found]
+    assert [each["verdict"] for each in summary["pieces"]] == [outcome.verdict.value for _, outcome in found]
     assert summary["structure"] == identities(load(DEMO3)).structure
 
 
@@ -84,8 +85,8 @@ def test_verdicts_are_summed_up(tmp_path: Path) -> None:
 def test_an_error_of_a_piece_is_its_failure(tmp_path: Path, error: CheckError) -> None:
     """The others run on; what was said is kept."""
     found = collected(tmp_path / "out", [refusing(error), GOOD])
-    assert [each.outcome.verdict for each in found] == [Verdict.FAILED, Verdict.PASSED]
-    assert (found[0].outcome.figure, found[0].outcome.notes) == ("it differs", ("by 1",))
+    assert [outcome.verdict for _, outcome in found] == [Verdict.FAILED, Verdict.PASSED]
+    assert (found[0][1].figure, found[0][1].notes) == ("it differs", ("by 1",))
     assert (tmp_path / "out" / "raw" / "refusing" / "error.txt").read_text() == "it differs\nby 1\n"
 
 
@@ -208,14 +209,13 @@ def test_demo3_passes(tmp_path: Path, real: str, more: list[str]) -> None:
 
 def test_a_public_function_without_an_equation_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each has numbers of the paper or a section; what does not is named."""
-    (found,) = collected(tmp_path / "out", [EQUATIONS])
-    assert found.outcome.verdict is Verdict.PASSED
-    assert found.outcome.table is not None
-    assert ("Drive torque", "demo3_torque") in [row[:2] for row in found.outcome.table.rows]
+    ((_, found),) = collected(tmp_path / "out", [NAMED["equations"]])
+    assert found.verdict is Verdict.PASSED
+    assert ("Drive torque", "demo3_torque") in [row[:2] for row in found.rows]
     monkeypatch.setattr(all_pieces, "row_of", lambda name: replace(row_of(name), equation=""))
-    (found,) = collected(tmp_path / "out", [EQUATIONS])
-    assert found.outcome.verdict is Verdict.FAILED
-    assert "demo3_torque, " in found.outcome.figure
+    ((_, found),) = collected(tmp_path / "out", [NAMED["equations"]])
+    assert found.verdict is Verdict.FAILED
+    assert "demo3_torque, " in found.figure
 
 
 def test_a_piece_is_its_command(tmp_path: Path) -> None:
@@ -224,8 +224,8 @@ def test_a_piece_is_its_command(tmp_path: Path) -> None:
     right = replace(GOOD, command=lambda _: f"{first} test -f demo3.toml", run=None, kept=("more/*",))
     wrong = replace(right, name="wrong", command=lambda _: f"{first} test -d demo3.toml")
     found = collected(tmp_path / "out", [right, wrong])
-    assert [each.outcome.verdict for each in found] == [Verdict.PASSED, Verdict.FAILED]
-    assert found[0].outcome.files == {"output.txt": "good\n", "a.txt": b"1\n"}
+    assert [outcome.verdict for _, outcome in found] == [Verdict.PASSED, Verdict.FAILED]
+    assert found[0][1].files == {"output.txt": b"good\n", "a.txt": b"1\n"}
     assert not (tmp_path / "out" / "more").exists()
 
 
@@ -233,8 +233,8 @@ def test_the_judges_have_nothing_to_judge(tmp_path: Path) -> None:
     stand = load(DEMO3)
     weightless = replace(stand, carrier=replace(stand.carrier, mass=0.0), instruments=(), flywheels=())
     subject = Subject(weightless, "double", tmp_path, tmp_path)
-    assert JUDGES.idle(subject) == "no body of the stand has a mass"
-    assert "double" in JUDGES.idle(replace(subject, real="float"))
+    assert NAMED["judges"].idle(subject) == "no body of the stand has a mass"
+    assert "double" in NAMED["judges"].idle(replace(subject, real="float"))
 
 
 def test_own_evidence_is_replaced(tmp_path: Path) -> None:

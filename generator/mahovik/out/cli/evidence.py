@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -25,7 +25,7 @@ from mahovik.out.cli.progress import can_show_line, progress
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
-    from mahovik.proof.evidence.piece import PieceResult
+    from mahovik.proof.evidence.pieces import Outcome, Piece
     from mahovik.proof.verify.delivery import Options
 
 FUZZ_SECONDS = (20, 600)
@@ -81,19 +81,24 @@ def evidence(
         if is_given("real") and real != delivered.real:
             raise UsageError(f"{against}: its C is {delivered.real}, expected {real}: leave --real out")
         stand, options = stand_in(Path(against), stand), delivered
-    from mahovik.proof.evidence.collect import nothing_ran, select_pieces
-    from mahovik.proof.evidence.page import failures
-    from mahovik.proof.evidence.pieces import PIECES
+    from mahovik.proof.evidence.collect import as_dicts, conclusion, failures, select_pieces
+    from mahovik.proof.evidence.pieces import PIECES, Verdict
 
     wanted = select_pieces(PIECES, only, without)
     folder = Path(output if output is not None else f"{stand.name}-evidence")
     found = _collect(stand, stand_file, folder, full, seconds or FUZZ_SECONDS[full], wanted, options)
     if as_json:
-        print_json(_plain(found, folder))
+        print_json({"folder": str(folder), "conclusion": conclusion(found), "pieces": as_dicts(found)})
     else:
-        _print(found)
+        styles = {Verdict.PASSED: "green", Verdict.FAILED: "red"}
+        rows = [
+            (piece.name, (outcome.verdict.value, styles.get(outcome.verdict, "yellow")), outcome.figure)
+            for piece, outcome in found
+        ]
+        print_table(("piece", "verdict", "figure"), rows)
+        print_line(conclusion(found), "bold")
         click.echo(click.format_filename(folder / "index.html"))
-    if nothing_ran(found):
+    if not any(outcome.verdict in (Verdict.PASSED, Verdict.FAILED) for _, outcome in found):
         raise CheckError(
             f"{stand.name}: no piece was run, so nothing is shown: install what the page names, or choose other pieces"
         )
@@ -122,7 +127,7 @@ def _collect(
     seconds: int,
     wanted: frozenset[str],
     options: Options,
-) -> list[PieceResult]:
+) -> list[tuple[Piece, Outcome]]:
     """Collected pieces; a line on a terminal says what runs, elsewhere there is one line per piece."""
     from mahovik.core.stand.content import content
     from mahovik.proof.evidence.collect import collect
@@ -148,20 +153,3 @@ def _collect(
             wanted=wanted,
             say=say,
         )
-
-
-def _plain(found: list[PieceResult], folder: Path) -> dict[str, Any]:
-    from mahovik.proof.evidence.page import conclusion
-
-    pieces = [each.as_dict() for each in found]
-    return {"folder": str(folder), "conclusion": conclusion(found), "pieces": pieces}
-
-
-def _print(found: list[PieceResult]) -> None:
-    from mahovik.proof.evidence.page import conclusion
-    from mahovik.proof.evidence.piece import Verdict
-
-    styles = {Verdict.PASSED: "green", Verdict.FAILED: "red"}
-    rows = ((e.piece.name, ((v := e.outcome.verdict).value, styles.get(v, "yellow")), e.outcome.figure) for e in found)
-    print_table(("piece", "verdict", "figure"), rows)
-    print_line(conclusion(found), "bold")

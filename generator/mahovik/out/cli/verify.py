@@ -85,23 +85,23 @@ def verify(
         raise UsageError("--judges judges a fresh copy: not with --against")
     if rigorous and (judges or targets is not None):
         raise UsageError("--rigorous measures the C: not with --judges, --targets")
-    if targets is not None:
-        if judges or against is not None or worst is not None:
-            raise UsageError("--targets runs the self-test of a fresh copy: not with --judges, --against, -o")
-        reals = (real,) if is_given("real") else None
-        sweep = states if is_given("states") else None
-        _verify_on_targets(load_stand(stand_file), targets, reals, sweep, as_json, junit)
-        return
     from mahovik.out.functions import evidence
 
     folder = None if against is None else Path(against)
-    if rigorous:
+    if rigorous or targets is not None:
         from mahovik.proof.verify.delivery import Options, delivered_options, stand_in
 
-        stand = load_stand(stand_file)
+        stand, delivered = load_stand(stand_file), Options(real)
         if folder is not None:
-            stand, delivered = stand_in(folder, stand), delivered_options(folder) or Options(real)
+            stand, delivered = stand_in(folder, stand), delivered_options(folder) or delivered
             real = real if is_given("real") else delivered.real
+        if targets is not None:
+            if judges or worst is not None:
+                raise UsageError("--targets runs the self-test of a fresh copy: not with --judges, -o")
+            reals = (real,) if is_given("real") or folder is not None else None
+            sweep = states if is_given("states") else None
+            _verify_on_targets(stand, targets, reals, sweep, delivered.only, as_json, junit)
+            return
         finish(_verify_rigorously(stand, seed, states, folder, real), as_json, junit, worst)
         return
     with progress(f"verify {Path(stand_file).stem}") as stage:
@@ -170,6 +170,7 @@ def _verify_on_targets(
     names: str,
     reals: tuple[str, ...] | None,
     states: int | None,
+    only: tuple[str, ...],
     as_json: bool,
     junit: str | None,
 ) -> None:
@@ -184,7 +185,7 @@ def _verify_on_targets(
 
     pairs = parse_targets(names, reals)
     with progress(f"verify {stand.name} on targets", len(pairs)) as stage:
-        found = verify_targets(stand, pairs, states or SWEEP, stage.at)
+        found = verify_targets(stand, pairs, states or SWEEP, stage.at, only)
     print_json_text(json_text(found)) if as_json else print_targets(found)
     if junit is not None:
         write(Path(junit), as_junit(found))

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from mahovik.core.emit.manifest import digest
 from mahovik.core.stand.content import content
@@ -14,7 +14,6 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.writing import write
 
-INDEX = "index.html"
 RECORD = "evidence.json"
 """The summary as JSON."""
 
@@ -28,8 +27,9 @@ LARGEST = 256 << 20
 """Largest file that is checked, bytes."""
 
 
-def seal(folder: Path) -> None:
-    """Writes the sums."""
+def seal(folder: Path, record: Mapping[str, Any]) -> None:
+    """Writes the summary, and the sums of all files."""
+    write(folder / RECORD, json.dumps(record, indent=1) + "\n")
     write(folder / SUMS, "".join(f"{sum_}  {name}\n" for name, sum_ in _sums(folder).items()))
 
 
@@ -38,23 +38,11 @@ def check(folder: Path) -> list[str]:
     path = folder / SUMS
     if not path.is_file():
         raise UsageError(f"{path}: no such file: is {folder} a folder of `mahovik evidence`?")
-    listed = _read_sums(path)
-    there = _sums(folder)
-    found = [f"{folder / name}: is missing" for name in listed if name not in there]
-    found += [f"{folder / name}: was changed" for name in listed if name in there and there[name] != listed[name]]
-    return found + [f"{folder / name}: is not listed" for name in there if name not in listed]
-
-
-def read_record(folder: Path) -> dict[str, object]:
-    """The summary of a folder. Raises UsageError where it is not ours."""
-    path = folder / RECORD
-    try:
-        found = json.loads(content(path).decode("utf-8"))
-        if str(found["generator"]).startswith("mahovik ") and found["format"] == FORMAT and found["stand"]:
-            return dict(found)
-    except (OSError, ValueError, KeyError, TypeError, RecursionError):
-        pass
-    raise UsageError(f"{folder}: is not a folder of `mahovik evidence`: choose another, nothing was written")
+    lines = content(path).decode("utf-8", "replace").splitlines()
+    listed, there = {name: sum_ for sum_, _, name in (line.partition("  ") for line in lines)}, _sums(folder)
+    missing = [f"{folder / name}: is missing" for name in listed if name not in there]
+    changed = [f"{folder / name}: was changed" for name in listed if there.get(name, listed[name]) != listed[name]]
+    return [*missing, *changed, *(f"{folder / name}: is not listed" for name in there if name not in listed)]
 
 
 def require_place(folder: Path, stand: Stand) -> None:
@@ -65,32 +53,23 @@ def require_place(folder: Path, stand: Stand) -> None:
         raise UsageError(f"{folder}: is no folder: choose another place, nothing was written")
     if not any(folder.iterdir()):
         return
-    found = read_record(folder)
-    if found["stand"] != stand.name:
-        raise UsageError(
-            f'{folder}: holds evidence of stand "{found["stand"]}": choose another folder, nothing was written'
-        )
-    problems = check(folder)
-    if problems:
+    try:
+        record = json.loads(content(folder / RECORD))
+        name = record["stand"] if record["format"] == FORMAT else None
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        name = None
+    if name is None:
+        raise UsageError(f"{folder}: is not a folder of `mahovik evidence`: choose another, nothing was written")
+    if name != stand.name:
+        raise UsageError(f'{folder}: holds evidence of stand "{name}": choose another folder, nothing was written')
+    if problems := check(folder):
         raise UsageError(f"{problems[0]}: move it away or choose another folder, nothing was written")
 
 
-def _sums(folder: Path) -> Mapping[str, str]:
+def _sums(folder: Path) -> dict[str, str]:
     """SHA-256 of every file but the sums, by its path in the folder."""
-    files = sorted(each for each in folder.rglob("*") if not each.is_dir() or each.is_symlink())
-    names = {each: each.relative_to(folder).as_posix() for each in files}
-    found = {}
-    for each, name in names.items():
-        if name != SUMS:
-            # a link is not what was written, wherever it leads
-            found[name] = "a link" if each.is_symlink() else digest(content(each, LARGEST))
-    return found
-
-
-def _read_sums(path: Path) -> Mapping[str, str]:
-    found = {}
-    with contextlib.suppress(UnicodeDecodeError):
-        for line in content(path).decode("utf-8").splitlines():
-            sum_, _, name = line.partition("  ")
-            found[name] = sum_
-    return found
+    files = sorted(path for path in folder.rglob("*") if not path.is_dir() or path.is_symlink())
+    # a link is not what was written, wherever it leads
+    sums = {path: "a link" if path.is_symlink() else digest(content(path, LARGEST)) for path in files}
+    names = {path.relative_to(folder).as_posix(): sum_ for path, sum_ in sums.items()}
+    return {name: sum_ for name, sum_ in names.items() if name != SUMS}
