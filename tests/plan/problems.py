@@ -19,7 +19,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import Features, random_stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.generalized import generalized, kinematic_matrix, kinematic_matrix_rate
+from mahovik.proof.reference.generalized import answer_generalized, kinematic_matrix, kinematic_matrix_rate
 from mahovik.proof.reference.inverse import demand
 from mahovik.proof.reference.motion import torque
 from mahovik.use.plan.problem import Periodic, Problem
@@ -67,7 +67,7 @@ def literal(stand: Stand, motion: RandomCourse, m: int) -> tuple[Array, Array, f
     at = pieces(stand, state)
     wanted = demand(at, V_dot)
     R = wanted - at.I @ motion.phi_ddot[m]
-    assert generalized(at, stand.angles, state).q_dot == pytest.approx(q_dot, rel=1e-9, abs=1e-9)
+    assert answer_generalized(at, stand, state)["q_dot"] == pytest.approx(q_dot, rel=1e-9, abs=1e-9)
     tau = torque(at, V_dot, motion.phi_ddot[m])
     size = max(abs(at.F).max(), abs(at.K @ V_dot).max(), abs(wanted).max(), abs(at.I * motion.phi_ddot[m]).max())
     return R, tau, float(size), float(abs(tau).max())

@@ -111,10 +111,10 @@ def test_columns_times_parameters_are_the_equations(data: st.DataObject) -> None
     if stand.flywheels:
         terms += list(Y["Y_flywheel"] * pi["Y_flywheel"][:, None, :])
         drive = Y["Y_drive"] * pi["Y_flywheel"]
-        assert np.all(np.abs(drive.sum(axis=1) - expected.tau) <= 1e-9 * (np.abs(drive).sum(axis=1) + 1e-12))
+        assert np.all(np.abs(drive.sum(axis=1) - expected[6:]) <= 1e-9 * (np.abs(drive).sum(axis=1) + 1e-12))
     if "Y_added_mass" in Y:
         terms.append(Y["Y_added_mass"] * pi["Y_added_mass"])
     terms += [pi["Y_linear"] * Y["Y_linear"], pi["Y_quadratic"] * Y["Y_quadratic"]]
     wrench = sum(term.sum(axis=1) for term in terms)
     size = sum(np.abs(term).sum(axis=1) for term in terms)
-    assert np.all(np.abs(wrench - expected.wrench) <= 1e-9 * (size.max() + 1e-12))
+    assert np.all(np.abs(wrench - expected[:6]) <= 1e-9 * (size.max() + 1e-12))

@@ -69,7 +69,7 @@ def test_rows_are_those_of_the_transfers_of_the_reference() -> None:
     """Two codes for one fact: a row of S is a column of L of the point, of E for O1."""
     stand = random_stand(np.random.default_rng(4), 3, EVERYTHING)
     places = places_of(stand.instruments, stand.points)
-    transfers = dict(point_transfers(stand)) | {"": np.eye(6)}
+    transfers = point_transfers(stand) | {"": np.eye(6)}
     assert set(transfers) == {"", *places}
     for of, L in transfers.items():
         rows = [row_vector(TaskRow(of, name), places) for name in ("vx", "vy", "vz", "wx", "wy", "wz")]

@@ -13,6 +13,7 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
+from functools import reduce
 from types import MappingProxyType
 from typing import Any
 
@@ -35,36 +36,46 @@ MOST_BITS = 8192
 """The last: balls that are still too wide hold no answer, such as the angle of half a turn."""
 
 
-def _operation(of_balls: Callable[[Any, Any], arb]) -> tuple[Any, Any]:
-    """An operation with another ball or a binary number, which is exact, on the right and on the left."""
+def _function(of_balls: Any) -> Any:
+    """A function of balls, or of binary numbers beside them, which are exact. NumPy does arrays by itself."""
 
-    def right(a: Ball, b: Any) -> Any:
-        if type(b) is Ball:
-            return Ball(of_balls(a.arb, b.arb))
-        return Ball(of_balls(a.arb, b)) if isinstance(b, float | int) else NotImplemented
+    def function(*numbers: Any) -> Any:
+        return (
+            NotImplemented if any(isinstance(x, np.ndarray) for x in numbers) else Ball(of_balls(*map(_arb, numbers)))
+        )
 
-    def reflected(a: Ball, b: Any) -> Any:
-        return Ball(of_balls(b, a.arb)) if isinstance(b, float | int) else NotImplemented
-
-    return right, reflected
-
-
-def _function(of_ball: Callable[[arb], arb]) -> Any:
-    """A function of one ball."""
-    return lambda x: Ball(of_ball(x.arb))
+    return function
 
 
 def _comparison(certain: Callable[[Any, Any], bool], never: Callable[[Any, Any], bool]) -> Any:
     """A comparison that is certain, or never true; StateError where the balls overlap."""
 
     def compare(a: Ball, b: Any) -> bool:
-        if certain(a.arb, _arb(b)):
-            return True
-        if never(a.arb, _arb(b)):
-            return False
+        is_certain = certain(a.arb, _arb(b))
+        if is_certain or never(a.arb, _arb(b)):
+            return is_certain
         raise StateError("the balls do not tell which branch of a law applies")
 
     return compare
+
+
+def _with_sign(size: arb, x: arb) -> arb:
+    """Both signs where x may be zero."""
+    return abs(size) if x > 0 else -abs(size) if x < 0 else abs(size).union(-abs(size))
+
+
+def _angle_over_sine(sine: arb, cosine: arb) -> arb:
+    """About sine 0, t = sine/cosine: 1 - t^2 <= atan(t)/t <= 1."""
+    if sine > 0 or sine < 0:
+        return arb.atan2(sine, cosine) / sine
+    if not cosine > 0:
+        raise StateError("at half a turn there are two rotation vectors")
+    return arb(1).union(1 - (sine / cosine) * (sine / cosine)) / cosine
+
+
+def _root(x: arb) -> arb:
+    """A ball may reach below zero though its number does not."""
+    return x.nonnegative_part().sqrt()
 
 
 class Ball:
@@ -75,66 +86,34 @@ class Ball:
     def __init__(self, ball: arb) -> None:
         self.arb = ball
 
-    __add__, __radd__ = _operation(operator.add)
-    __sub__, __rsub__ = _operation(operator.sub)
-    __mul__, __rmul__ = _operation(operator.mul)
-    __truediv__, __rtruediv__ = _operation(operator.truediv)
+    __add__, __sub__, __mul__, __truediv__, __neg__, __abs__ = map(
+        _function, (operator.add, operator.sub, operator.mul, operator.truediv, operator.neg, abs)
+    )
+    __radd__, __rsub__, __rmul__, __rtruediv__ = map(
+        _function, (operator.add, lambda a, b: b - a, operator.mul, lambda a, b: b / a)
+    )
     __lt__, __ge__ = _comparison(operator.lt, operator.ge), _comparison(operator.ge, operator.lt)
     __gt__, __le__ = _comparison(operator.gt, operator.le), _comparison(operator.le, operator.gt)
     __eq__, __ne__ = _comparison(operator.eq, operator.ne), _comparison(operator.ne, operator.eq)
     __hash__ = None  # type: ignore[assignment]
-    __neg__, __abs__ = _function(operator.neg), _function(abs)
-    sin, cos, exp = _function(arb.sin), _function(arb.cos), _function(arb.exp)
-    sqrt = _function(lambda x: x.nonnegative_part().sqrt())  # a ball may reach below zero though its number does not
+    sin, cos, exp, arctan2, sqrt = map(_function, (arb.sin, arb.cos, arb.exp, arb.atan2, _root))
+    hypot = staticmethod(_function(lambda *numbers: _root(sum((x * x for x in numbers), arb(0)))))
+    larger, smaller, with_sign, angle_over_sine = map(
+        staticmethod, map(_function, (arb.max, arb.min, _with_sign, _angle_over_sine))
+    )
     pi_like = _function(lambda _: arb.pi())
+
+    def __pow__(self, n: int) -> Ball:
+        return Ball(reduce(operator.mul, [self.arb] * n))  # a power of a ball about zero is none in Arb
 
     def __bool__(self) -> bool:
         return bool(self != 0.0)
 
-    def __pow__(self, n: int) -> Ball:
-        """Products: a power of a ball that holds zero is none in Arb."""
-        return self * self ** (n - 1) if n > 1 else self
-
     def __format__(self, spec: str) -> str:
-        return format(float(self.arb.mid()), spec)
-
-    def __repr__(self) -> str:
-        return repr(self.arb)
+        return format(self.estimate(), spec)
 
     def estimate(self) -> float:
         return float(self.arb.mid())
-
-    @staticmethod
-    def hypot(*numbers: Any) -> Ball:
-        return Ball(sum((_arb(x) * _arb(x) for x in numbers), arb(0)).nonnegative_part().sqrt())
-
-    @staticmethod
-    def arctan2(y: Any, x: Any) -> Ball:
-        return Ball(arb.atan2(_arb(y), _arb(x)))
-
-    @staticmethod
-    def larger(a: Any, b: Any) -> Ball:
-        return Ball(_arb(a).max(_arb(b)))
-
-    @staticmethod
-    def smaller(a: Any, b: Any) -> Ball:
-        return Ball(_arb(a).min(_arb(b)))
-
-    @staticmethod
-    def with_sign(size: Any, x: Any) -> Ball:
-        """Both signs where x may be zero."""
-        size, x = abs(_arb(size)), _arb(x)
-        return Ball(size if x > 0 else -size if x < 0 else size.union(-size))
-
-    @staticmethod
-    def angle_over_sine(sine: Any, cosine: Any) -> Ball:
-        """About sine 0, t = sine/cosine: 1 - t^2 <= atan(t)/t <= 1."""
-        s, c = _arb(sine), _arb(cosine)
-        if s > 0 or s < 0:
-            return Ball(arb.atan2(s, c) / s)
-        if not c > 0:
-            raise StateError("at half a turn there are two rotation vectors")
-        return Ball(arb(1).union(1 - (s / c) * (s / c)) / c)
 
     @staticmethod
     def solve(S: Array, b: Array) -> Array:
@@ -206,11 +185,9 @@ def enclose(found_at: Callable[[int], Balls], narrow: Callable[[Balls], bool]) -
     bits, refusal = BITS, "the balls stay too wide"
     while bits <= MOST_BITS:
         try:
-            found = found_at(bits)
+            if narrow(found := found_at(bits)):
+                return found
         except StateError as error:
             refusal = str(error)
-        else:
-            if narrow(found):
-                return found
         bits *= 2
     raise StateError(f"no enclosure with {MOST_BITS} bits: {refusal}")

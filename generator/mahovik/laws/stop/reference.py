@@ -10,7 +10,8 @@ from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.stop.data import Stop, stops_of
 from mahovik.proof.reference.array import Array, larger, vector
-from mahovik.proof.reference.coordinates import coordinate, sine_and_cosine, unit
+from mahovik.proof.reference.coordinates import coordinate, sine_and_cosine
+from mahovik.proof.reference.hold import unit
 from mahovik.proof.reference.rotation import Pose, attitude, carrier_rotation
 from mahovik.proof.reference.screw import force_at
 

@@ -16,11 +16,12 @@ import numpy as np
 from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values, arctan2, cos, sin, vector
-from mahovik.proof.reference.hold import held_forward
+from mahovik.proof.reference.array import Array, Values, arctan2, vector
+from mahovik.proof.reference.hold import held_forward, unit
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import (
     Pose,
+    about,
     attitude,
     carrier_rotation,
     quaternion_of,
@@ -49,16 +50,13 @@ def coordinates_at(stand: Stand, state: State) -> Coordinates:
     hold = stand.hold
     assert hold is not None
     check_coordinates(hold)
-    slides, turns = (_of_kind(hold, kind) for kind in ("slide", "turn"))
-    C0, C = attitude(stand.angles, *hold.angles), carrier_rotation(stand, state)
-    R, P, angle = C0.T @ C if turns else np.eye(3), vector(hold.pivot), 0.0
-    w = C0.T @ (vector(state.position) + C @ P - vector(hold.position)) - P
+    turns = _of_kind(hold, "turn")
+    at = Pose(vector(state.position), carrier_rotation(stand, state), vector(state.V))
+    numbered = [freedom for freedom in hold.freedoms if freedom.kind == "slide" or len(turns) == 1]
+    q = vector([coordinate(hold, freedom, stand.angles, at) for freedom in numbered])
+    R = attitude(stand.angles, *hold.angles).T @ at.C if turns else E
     if len(turns) == 1:
-        axis = unit(hold.freedoms[turns[0]])
-        angle = arctan2(*sine_and_cosine(R, axis))
-        R = _turn(axis, angle)
-    numbered = [k for k in range(len(hold.freedoms)) if k in slides or len(turns) == 1]
-    q = np.array([unit(hold.freedoms[k]) @ w if k in slides else angle for k in numbered])
+        R = about(unit(hold.freedoms[turns[0]]))(coordinate(hold, hold.freedoms[turns[0]], stand.angles, at))
     return Coordinates(q, quaternion_of(R) if len(turns) == 3 else None, R)
 
 
@@ -75,15 +73,12 @@ def rates_at(hold: Hold, R: Array, u: Array, u_dot: Array) -> tuple[Array, Array
 
 def answer_coordinates(at: Pieces, stand: Stand, state: State) -> Values:
     """q, orientation of what has them, q_dot, q_ddot (m; m, rad, s). StateError: no coordinates."""
-    hold = stand.hold
-    assert hold is not None
-    here = coordinates_at(stand, state)
-    u_dot = held_forward(at, hold, vector(state.phi_ddot)).u_dot
-    q_dot, q_ddot = rates_at(hold, here.R, vector(state.u), u_dot)
-    found: Values = {"q": here.q} if len(here.q) else {}
-    if here.orientation is not None:
-        found["orientation"] = here.orientation
-    return {**found, "q_dot": q_dot, "q_ddot": q_ddot}
+    assert stand.hold is not None
+    pose = coordinates_at(stand, state)
+    u_dot = held_forward(at, stand.hold, vector(state.phi_ddot)).u_dot
+    q_dot, q_ddot = rates_at(stand.hold, pose.R, vector(state.u), u_dot)
+    values = {"q": pose.q, "orientation": pose.orientation, "q_dot": q_dot, "q_ddot": q_ddot}
+    return {name: value for name, value in values.items() if value is not None and (name != "q" or len(value))}
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,7 +105,7 @@ def pose_of(
         if k in slides:
             w = w + next(numbers) * unit(freedom)
         elif orientation is None:
-            R = _turn(unit(freedom), next(numbers))
+            R = about(unit(freedom))(next(numbers))
     R = R if orientation is None else quaternion_rotation(*orientation)
     omega, s = _sum(hold, "turn", q_dot), R.T @ _sum(hold, "slide", q_dot)
     s_dot = R.T @ _sum(hold, "slide", q_ddot) - cross(omega) @ s
@@ -141,20 +136,9 @@ def coordinate(hold: Hold, freedom: Freedom, sequence: Sequence, at: Pose) -> An
     return arctan2(*sine_and_cosine(C0.T @ at.C, d))
 
 
-def unit(freedom: Freedom) -> Array:
-    """Direction of a freedom (3), of length 1."""
-    d = vector(freedom.direction) / np.max(np.abs(freedom.direction))
-    return np.asarray(d / np.linalg.norm(d))
-
-
 def sine_and_cosine(R: Array, a: Array) -> tuple[Any, Any]:
     """Sine and cosine of the angle about a, times one factor: by the skew part of R, and by its part across a."""
     return a @ skew_part(R) / 2, np.trace((E - np.outer(a, a)) @ R) / 2
-
-
-def _turn(axis: Array, angle: Any) -> Array:
-    """Turn (3x3) by an angle about an axis (3, of length 1)."""
-    return np.asarray(E + sin(angle) * cross(axis) + (1 - cos(angle)) * cross(axis) @ cross(axis))
 
 
 def _sum(hold: Hold, kind: str, rates: Array) -> Array:

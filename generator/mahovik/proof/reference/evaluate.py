@@ -12,20 +12,11 @@ from mahovik.contract.functions import TASK_CONFLICTS, TASK_TAKERS, want_fault
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference import (
-    coordinates,
-    generalized,
-    hold,
-    inverse,
-    momentum,
-    motion,
-    regressor,
-    tasks,
-)
+from mahovik.proof.reference import coordinates, generalized, hold, inverse, momentum, motion, regressor, tasks
 from mahovik.proof.reference.array import Values, vector
 from mahovik.proof.reference.pieces import Pieces, pieces
 
-ANSWERS: Mapping[str, Callable[..., Values]] = {
+ANSWERS: Mapping[str, Callable[[Pieces, Stand, State], Values]] = {
     "matrices": lambda at, stand, state: {name: getattr(at, name) for name in ("K", "K_dot", "M", "I", "J", "F")},
     "momentum": lambda at, stand, state: {
         "Z": momentum.momentum(at),
@@ -44,31 +35,27 @@ ANSWERS: Mapping[str, Callable[..., Values]] = {
     ),
     "reaction": motion.answer_reaction,
     "points": lambda at, stand, state: {"points": motion.points(at, stand, vector(state.V_dot))},
-    "inverse": inverse.answer_inverse,
-    "generalized": lambda at, stand, state: vars(generalized.generalized(at, stand.angles, state)),
+    "generalized": generalized.answer_generalized,
     "regressor": regressor.answer_regressor,
 }
 """The answer to each want by the pieces, the stand and the state: values by the names of the contract."""
 
-OF_TASKS: Mapping[str, Callable[..., Values]] = {"torque_for": tasks.answer_torque_for}
-"""Likewise, of a state with a task."""
-
 OF_HELD: Mapping[str, Callable[..., Values]] = {
     "forward": lambda at, stand, state: vars(hold.held_forward(at, stand.hold, vector(state.phi_ddot))),
-    "coupled": hold.answer_held_coupled,
+    "coupled": lambda at, stand, state: hold.answer_held_coupled(at, stand.hold, state),
     "generalized": coordinates.answer_coordinates,
 }
 """Wants that a held carrier answers in its freedoms; others are those of the free carrier at V = S u, V* = S u*."""
 
+CHOSEN = ("inverse", "torque_for")
+"""Wants that choose accelerations or torques, by thresholds; of a state with a task they answer this."""
+
 
 def check_task_want(want: Sequence[str], task: str) -> None:
     """StateError where `want` asks for another motion beside that of the task, or for one of a task without a task."""
-    if not task:
-        for name in OF_TASKS:
-            if name in want:
-                raise StateError(f"want: {name!r} needs a task and its demand")
-        return
-    for name in TASK_CONFLICTS:
+    if not task and "torque_for" in want:
+        raise StateError("want: 'torque_for' needs a task and its demand")
+    for name in TASK_CONFLICTS if task else ():
         if name in want:
             raise StateError(f"want: {name!r} and the task both give 'V_dot'; ask for them in two states")
 
@@ -104,20 +91,17 @@ def evaluate(
     with np.errstate(all="ignore"):  # what overflows is not finite, and is reported below
         state = hold.held_state(stand, state)
         at = at or pieces(stand, state)
-        moved = state
-        answers = ANSWERS if stand.hold is None else {**ANSWERS, **OF_HELD}
         check_task_want(want, state.task)
-        asked = [name for name in want if name in OF_TASKS]
+        moved, choose = state, inverse.answer_inverse
         if state.task:
-            found = OF_TASKS[asked[0]](at, stand, state, cuts) if asked else tasks.answer_task(at, stand, state, cuts)
-            moved = replace(state, V_dot=tuple(found["V_dot"]), phi_ddot=tuple(found["phi_ddot"]))
+            choose = tasks.answer_torque_for if "torque_for" in want else tasks.answer_task
+        chosen = choose(at, stand, state, cuts) if state.task or "inverse" in want else {}
+        if state.task:
+            moved = replace(state, V_dot=tuple(chosen["V_dot"]), phi_ddot=tuple(chosen["phi_ddot"]))
+        answers = ANSWERS if stand.hold is None else {**ANSWERS, **OF_HELD}
         for name in want:
-            if name in OF_TASKS or (name == "inverse" and state.task):
-                values |= found
-            elif name == "inverse":
-                values |= answers[name](at, stand, state, cuts)
-            else:
-                values |= answers[name](at, stand, moved if name in TASK_TAKERS else state)
+            asked = moved if name in TASK_TAKERS else state
+            values |= chosen if name in CHOSEN else answers[name](at, stand, asked)
     for name, value in values.items():
         if not finite(value):
             raise StateError(f"{name}: not finite at this state")

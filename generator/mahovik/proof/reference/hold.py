@@ -1,7 +1,7 @@
 """Held carrier: V = S u, S (6 x m) constant in E1; (8) with the wrench R of the hold, which does no work, S^T R = 0.
 
 K S u* + K d + M V_r + I phi'' + J phi' = F + R, d = (omega x C^T u, 0) of the stream. All unknowns, R among them, are
-found together.
+found together. A free carrier is the one with S = E, R = 0.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from mahovik.core.stand.model import Freedom, Hold, Stand, Vec6
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError, count_numbers
 from mahovik.proof.reference.array import Array, Values, solve, stack, vector
-from mahovik.proof.reference.motion import bias, coupled_with_locks, forward, spin_up_torque
+from mahovik.proof.reference.motion import bias, coupled, forward, spin_up_torque
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.screw import E, wrench_to_parent, zero
+from mahovik.proof.reference.screw import E6, E, wrench_to_parent, zero
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,22 +29,29 @@ class HeldMotion:
     reaction: Array
 
 
-def twists(hold: Hold) -> Array:
-    """S (6 x m): a frame at the pivot r, with the axes of E1, has the twist L^T V of the carrier, L = T(r).
-
-    A turn is (0; axis) of that frame, so V = T(-r)^T (0; axis); a slide is (direction; 0) of any frame.
-    """
-    to_O1 = wrench_to_parent(-vector(hold.pivot), E).T
-    return stack([_twist(freedom, to_O1) for freedom in hold.freedoms], 6).T
-
-
-def _twist(freedom: Freedom, to_O1: Array) -> Array:
-    if freedom.kind == "twist":
-        return vector(freedom.twist)
+def unit(freedom: Freedom) -> Array:
+    """Direction of a freedom (3), of length 1."""
     d = vector(freedom.direction)
     d = d / np.max(np.abs(d))
-    d = d / np.sqrt(d @ d)
-    return np.asarray(to_O1 @ np.concatenate([d, zero[0]] if freedom.kind == "slide" else [zero[0], d]))
+    return np.asarray(d / np.sqrt(d @ d))
+
+
+def twists(hold: Hold | None) -> Array:
+    """S (6 x m): a frame at the pivot r, with the axes of E1, has the twist L^T V of the carrier, L = T(r).
+
+    A turn is (0; axis) of that frame, so V = T(-r)^T (0; axis); a slide is (direction; 0) of any frame. E without hold.
+    """
+    if hold is None:
+        return E6
+    to_O1, still = wrench_to_parent(-vector(hold.pivot), E).T, zero[0]
+    columns = []
+    for freedom in hold.freedoms:
+        if freedom.kind == "twist":
+            columns.append(vector(freedom.twist))
+        else:
+            parts = (unit(freedom), still) if freedom.kind == "slide" else (still, unit(freedom))
+            columns.append(to_O1 @ np.concatenate(parts))
+    return stack(columns, 6).T
 
 
 def held_state(stand: Stand, state: State) -> State:
@@ -61,12 +68,7 @@ def held_state(stand: Stand, state: State) -> State:
 
 def held_forward(at: Pieces, hold: Hold, phi_ddot: Array) -> HeldMotion:
     """Motion and reaction for given phi_ddot (N): K S u* - R = F - K d - M V_r - J phi' - I phi'', S^T R = 0."""
-    S = twists(hold)
-    m = S.shape[1]
-    system = np.block([[at.K @ S, -np.eye(6)], [np.zeros((m, m)), S.T]])
-    right = at.F - bias(at) - at.I @ phi_ddot - at.K @ at.stream_rate()
-    u_dot, R = np.split(solve(system, np.concatenate([right, np.zeros(m)])), [m])
-    return HeldMotion(u_dot, S @ u_dot, R + 0.0)  # no -0.0
+    return _held_motion(at, hold, np.zeros(len(phi_ddot)), phi_ddot, np.zeros(len(phi_ddot), dtype=bool))[0]
 
 
 def held_coupled(at: Pieces, hold: Hold, tau: Array, locked: Array | None = None) -> tuple[HeldMotion, Array]:
@@ -75,37 +77,28 @@ def held_coupled(at: Pieces, hold: Hold, tau: Array, locked: Array | None = None
     Besides the above I^T S u* + Theta_ff phi'' = tau - velocity terms + f^T P_s - I^T d. `locked` (N, bool): flywheels
     kept at phi'' = 0, without their rows and columns.
     """
-    S = twists(hold)
-    m, N, d = S.shape[1], len(at.phi_dot), at.stream_rate()
+    free = np.full(len(tau), True) if locked is None else np.logical_not(locked)
+    return _held_motion(at, hold, tau, np.zeros(len(tau)), free)
+
+
+def _held_motion(at: Pieces, hold: Hold, tau: Array, phi_ddot: Array, free: Array) -> tuple[HeldMotion, Array]:
+    """Motion and phi'' (N) by the torques of the flywheels that are `free` (N, bool), and by phi'' of the others."""
+    S, d = twists(hold), at.stream_rate()
+    m, N = S.shape[1], len(phi_ddot)
     system = np.block(
         [
-            [at.K @ S, at.I, -np.eye(6)],
+            [at.K @ S, at.I, -E6],
             [at.I.T @ S, at.Theta_ff, np.zeros((N, 6))],
             [np.zeros((m, m)), np.zeros((m, N)), S.T],
         ]
     )
-    right = np.concatenate([at.F - bias(at) - at.K @ d, spin_up_torque(at, tau) - at.I.T @ d, np.zeros(m)])
-    free = np.full(N, True) if locked is None else np.logical_not(locked)
+    carrier = at.F - bias(at) - at.I @ phi_ddot - at.K @ d
+    right = np.concatenate([carrier, spin_up_torque(at, tau) - at.I.T @ d, np.zeros(m)])
     rows, unknowns = (np.concatenate([np.full(k, True), free, np.full(n, True)]) for k, n in ((6, m), (m, 6)))
-    found = np.zeros(m + N + 6, right.dtype)
+    found = np.concatenate([np.zeros(m), phi_ddot, np.zeros(6)]).astype(right.dtype)
     found[unknowns] = solve(system[np.ix_(rows, unknowns)], right[rows])
     u_dot, phi_ddot, R = np.split(found, [m, m + N])
-    return HeldMotion(u_dot, S @ u_dot, R + 0.0), phi_ddot
-
-
-@dataclass(frozen=True, eq=False)
-class FreeEquations:
-    """(8) along what is free: S (6xm), S^T K S (mxm), S^T I (mxN); of a free carrier S is the unit matrix."""
-
-    S: Array
-    K: Array
-    I: Array
-
-
-def free_equations(at: Pieces, stand: Stand) -> FreeEquations:
-    """(8) of a free or held carrier along what is free."""
-    S = np.eye(6) if stand.hold is None else twists(stand.hold)
-    return FreeEquations(S, S.T @ at.K @ S, S.T @ at.I)
+    return HeldMotion(u_dot, S @ u_dot, R + 0.0), phi_ddot  # no -0.0
 
 
 def acceleration(at: Pieces, stand: Stand, phi_ddot: Array) -> Array:
@@ -116,17 +109,12 @@ def acceleration(at: Pieces, stand: Stand, phi_ddot: Array) -> Array:
 def accelerations(at: Pieces, stand: Stand, tau: Array, locked: Array) -> tuple[Array, Array]:
     """V* (6) of a free or held carrier and phi'' (N) for given drive torques, with locks (N, bool)."""
     if stand.hold is None:
-        return coupled_with_locks(at, tau, locked)
+        return coupled(at, tau, locked)
     motion, phi_ddot = held_coupled(at, stand.hold, tau, locked)
     return motion.V_dot, phi_ddot
 
 
-def answer_held_coupled(at: Pieces, stand: Stand, state: State) -> Values:
+def answer_held_coupled(at: Pieces, hold: Hold, state: State) -> Values:
     """u_dot (m), V_dot, reaction (6), phi_ddot (N)."""
-    motion, phi_ddot = held_coupled(at, _hold(stand), vector(state.tau))
-    return dict(vars(motion)) | {"phi_ddot": phi_ddot}
-
-
-def _hold(stand: Stand) -> Hold:
-    assert stand.hold is not None
-    return stand.hold
+    motion, phi_ddot = held_coupled(at, hold, vector(state.tau))
+    return vars(motion) | {"phi_ddot": phi_ddot}

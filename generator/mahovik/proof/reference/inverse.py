@@ -6,8 +6,9 @@ singular values; weights and damping are the options of the emitted C; (13) has 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -16,11 +17,9 @@ from mahovik.core.stand.model import Motor, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, solve, vector
-from mahovik.proof.reference.hold import acceleration, free_equations
+from mahovik.proof.reference.hold import acceleration, twists
 from mahovik.proof.reference.motion import bias, torque
 from mahovik.proof.reference.pieces import Pieces
-
-EXCESSIVE = "EXCESSIVE"
 
 
 @dataclass(frozen=True)
@@ -97,8 +96,8 @@ def demand(at: Pieces, V_dot: Array) -> Array:
 
 def scaled_demand(at: Pieces, stand: Stand, V_dot: Array) -> ScaledDemand:
     """S^T I phi'' = S^T (F - K V_r* - M V_r - J phi') for V_dot (6) relative to E0, in the norm of (S^T K S)^-1."""
-    free = free_equations(at, stand)
-    return ScaledDemand(free.I, free.S.T @ demand(at, V_dot), inverse_root(free.K), inverse_root(at.Theta_ff).T)
+    S = twists(stand.hold)
+    return ScaledDemand(S.T @ at.I, S.T @ demand(at, V_dot), inverse_root(S.T @ at.K @ S), inverse_root(at.Theta_ff).T)
 
 
 def least_error(scaled: ScaledDemand, cuts: Cuts = CUTS, rank: int | None = None) -> Inverse:
@@ -109,25 +108,22 @@ def least_error(scaled: ScaledDemand, cuts: Cuts = CUTS, rank: int | None = None
         rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
     phi_ddot = scaled.phi_ddot(Vt[:rank].T @ ((U[:, :rank].T @ r) / sigma[:rank]))
     residual = scaled.c - scaled.A @ phi_ddot
-    status = status_names(r, scaled.root @ residual, sigma, rank, min(W.shape), cuts)
-    return Inverse(phi_ddot, status, residual, sigma, rank)
+    bits = {
+        "NEAR_SINGULAR": rank and sigma[rank - 1] < cuts.near_singular * sigma[0],
+        "UNREACHABLE": np.linalg.norm(scaled.root @ residual) > cuts.reached * np.linalg.norm(r),
+        "RANK_DEFICIENT": rank < min(W.shape),
+    }
+    return Inverse(phi_ddot, status_of(bits), residual, sigma, rank)
 
 
-def inverse(at: Pieces, stand: Stand, V_dot: Array, cuts: Cuts = CUTS, rank: int | None = None) -> Inverse:
+def status_of(bits: Mapping[str, Any]) -> str:
+    """Names of those of contract/status.py that are set, joined by |, in the order of their bits."""
+    return "|".join(name for name, is_set in bits.items() if is_set) or "OK"
+
+
+def inverse(at: Pieces, stand: Stand, V_dot: Array, cuts: Cuts = CUTS) -> Inverse:
     """(12) of a free or held carrier for a demanded V_dot (6)."""
-    return least_error(scaled_demand(at, stand, V_dot), cuts, rank)
-
-
-def status_names(scaled_demand: Array, scaled_residual: Array, sigma: Array, rank: int, least: int, cuts: Cuts) -> str:
-    """Names of contract/status.py joined by |, in the order of their bits; a rank below `least` is RANK_DEFICIENT."""
-    names = []
-    if rank and sigma[rank - 1] < cuts.near_singular * sigma[0]:
-        names.append("NEAR_SINGULAR")
-    if np.linalg.norm(scaled_residual) > cuts.reached * np.linalg.norm(scaled_demand):
-        names.append("UNREACHABLE")
-    if rank < least:
-        names.append("RANK_DEFICIENT")
-    return "|".join(names) or "OK"
+    return least_error(scaled_demand(at, stand, V_dot), cuts)
 
 
 def answer_inverse(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
@@ -135,8 +131,7 @@ def answer_inverse(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) ->
     if stand.hold is not None and (fault := inverse_fault(len(stand.hold.freedoms), len(at.phi_dot))):
         raise StateError(f"want: {fault}")
     answer = inverse(at, stand, vector(state.V_dot), cuts)
-    needed = motor_shares(stand, at, acceleration(at, stand, answer.phi_ddot), answer.phi_ddot)
-    return dict(vars(answer)) | {"status": with_excess(answer.status, needed)}
+    return vars(answer) | with_excess(answer, at, stand, acceleration(at, stand, answer.phi_ddot))
 
 
 # Weights and damping: what the options of the emitted C mean.
@@ -171,29 +166,13 @@ def largest_damping(scaled: ScaledDemand, rank: int, near_singular: float, dampi
 
 
 def normal_matrix(scaled: ScaledDemand, weight: Array, damping: float) -> Array:
-    """W Omega^-1 W^T + lambda^2 E with six flywheels and more, W^T W + lambda^2 E with fewer.
+    """Of `inverse_fast`: W Omega^-1 W^T + lambda^2 E with six flywheels and more, W^T W + lambda^2 E with fewer.
 
     lambda^2 is damping^2 times the trace of the matrix without it; Omega = diag(weight).
     """
     W = scaled.W
     gram = (W / weight) @ W.T if W.shape[1] >= len(scaled.r) else W.T @ W
     return np.asarray(gram + damping**2 * np.trace(gram) * np.eye(len(gram)))
-
-
-def condition_of_normal_equations(scaled: ScaledDemand, weight: Array, damping: float) -> float:
-    """Condition number of the matrix of `normal_equations`."""
-    return float(np.linalg.cond(normal_matrix(scaled, weight, damping)))
-
-
-def normal_equations(scaled: ScaledDemand, weight: Array, damping: float) -> Array:
-    """phi'' (N) by normal equations: y = Omega^-1 W^T z, gram z = r with six flywheels and more.
-
-    With fewer gram y = W^T r, where weights have no effect; gram is `normal_matrix`.
-    """
-    W, r, gram = scaled.W, scaled.r, normal_matrix(scaled, weight, damping)
-    if W.shape[1] >= len(r):
-        return scaled.phi_ddot(np.asarray((W / weight).T @ np.linalg.solve(gram, r), dtype=np.float64))
-    return scaled.phi_ddot(np.asarray(np.linalg.solve(gram, W.T @ r), dtype=np.float64))
 
 
 # EXCESSIVE: an answer that needs more than the motors have.
@@ -221,17 +200,12 @@ def friction(motor: Motor, speed: float) -> float:
     return -motor.viscous * speed - motor.coulomb * y * (27.0 + y * y) / (27.0 + 9.0 * y * y)
 
 
-def motor_shares(stand: Stand, at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
-    """Need of each flywheel for the motion V_dot (6), phi_ddot (N), over what it has (N); above 1 is too much.
+def shares_of(stand: Stand, at: Pieces, tau: Array, phi_ddot: Array) -> Array:
+    """Need of each flywheel over what it has (N), for drive torques tau (N, N m); above 1 is too much.
 
     Torque of the motor, which gives tau_s and bears the friction, over what it has; without a motor, or of one without
     limits, |phi_s''| over `inverse_most`.
     """
-    return shares_of(stand, at, torque(at, V_dot, phi_ddot), phi_ddot)
-
-
-def shares_of(stand: Stand, at: Pieces, tau: Array, phi_ddot: Array) -> Array:
-    """Need of each flywheel, as `motor_shares` (N), for drive torques tau (N, N m)."""
     found = np.zeros(len(stand.flywheels))
     for k, wheel in enumerate(stand.flywheels):
         motor = wheel.motor
@@ -244,11 +218,11 @@ def shares_of(stand: Stand, at: Pieces, tau: Array, phi_ddot: Array) -> Array:
     return found
 
 
-def with_excess(status: str, needed: Array) -> str:
-    """The status (names joined by |) with EXCESSIVE where some share is above 1: the last of the bits."""
-    if not np.any(needed > 1.0):
-        return status
-    return EXCESSIVE if status == "OK" else f"{status}|{EXCESSIVE}"
+def with_excess(answer: Inverse, at: Pieces, stand: Stand, V_dot: Array) -> dict[str, str]:
+    """The status of an answer that gives the motion V_dot (6), with EXCESSIVE, the last of the bits."""
+    needed = shares_of(stand, at, torque(at, V_dot, answer.phi_ddot), answer.phi_ddot)
+    known = {} if answer.status == "OK" else {answer.status: True}
+    return {"status": status_of(known | {"EXCESSIVE": np.any(needed > 1.0)})}
 
 
 # Optimal control, (13): flywheels in two parts, N - 6 independent (minus), 6 dependent (plus).

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 
 from mahovik.core.stand.model import Stand
@@ -82,21 +80,14 @@ def spin_up_torque(at: Pieces, tau: Array) -> Array:
     return np.asarray(tau - mounts_on_flywheels(s, at.P_s, at.V_r, np.zeros(6), np.zeros(len(tau))) @ f)
 
 
-def coupled(at: Pieces, tau: Array) -> tuple[Array, Array]:
+def coupled(at: Pieces, tau: Array, locked: Array | None = None) -> tuple[Array, Array]:
     """V* (6; m/s2, rad/s2) in E1 and phi'' (N, rad/s2) for the whole drive torques tau (N, N m).
 
     K V* + I phi'' = F - M V - J phi';  I^T V* + Theta_ff phi'' = tau - velocity terms + f^T P_s.
-    With a stream, for V_r.
+    With a stream, for V_r. `locked` (N, bool): flywheels held at phi'' = 0, whatever their tau, without their rows and
+    columns, since their torques are reactions.
     """
-    return coupled_with_locks(at, tau, np.full(len(tau), False))
-
-
-def coupled_with_locks(at: Pieces, tau: Array, locked: Array) -> tuple[Array, Array]:
-    """V* (6) in E1 and phi'' (N) where `locked` (N, bool) flywheels are held at phi'' = 0, whatever their tau.
-
-    The equations of `coupled` without the rows and columns of the locked flywheels: their torques are reactions.
-    """
-    free = np.concatenate([np.full(6, True), np.logical_not(locked)])
+    free = np.concatenate([np.full(6, True), np.full(len(tau), True) if locked is None else np.logical_not(locked)])
     right = np.concatenate([at.F - bias(at), spin_up_torque(at, tau)])
     solution = np.zeros(len(free), right.dtype)
     solution[free] = solve_symmetric(full_mass_matrix(at)[np.ix_(free, free)], right[free])
@@ -106,13 +97,13 @@ def coupled_with_locks(at: Pieces, tau: Array, locked: Array) -> tuple[Array, Ar
 # Points: pose, twist and what an accelerometer reads, at every instrument and named point.
 
 
-def point_transfers(stand: Stand) -> Iterator[tuple[str, Array]]:
-    """Name and L (6x6) to E1 about O1 of every instrument, then of every point, in the file's order."""
-    for instrument in stand.instruments:
-        yield instrument.name, instrument_transfer(instrument)
+def point_transfers(stand: Stand) -> dict[str, Array]:
+    """L (6x6) to E1 about O1 of every instrument, then of every point, by name in the file's order."""
+    transfers = {instrument.name: instrument_transfer(instrument) for instrument in stand.instruments}
     for point in stand.points:
         in_mount = wrench_to_parent(vector(point.position), fixed_rotation(*point.angles))
-        yield point.name, mount_transfer(stand, point.mount) @ in_mount
+        transfers[point.name] = mount_transfer(stand, point.mount) @ in_mount
+    return transfers
 
 
 def point_values(at: Pieces, L: Array, V_dot: Array) -> dict[str, Array]:
@@ -137,7 +128,7 @@ def point_values(at: Pieces, L: Array, V_dot: Array) -> dict[str, Array]:
 
 def points(at: Pieces, stand: Stand, V_dot: Array) -> dict[str, dict[str, Array]]:
     """Values of every instrument and point by name."""
-    return {name: point_values(at, L, V_dot) for name, L in point_transfers(stand)}
+    return {name: point_values(at, L, V_dot) for name, L in point_transfers(stand).items()}
 
 
 def answer_reaction(at: Pieces, stand: Stand, state: State) -> Values:

@@ -29,26 +29,26 @@ class Pose:
     V: Array
 
 
-def _elementary(axis: int) -> Callable[[Any], Array]:
-    """Elementary rotation (3x3) about an axis e by an angle: x becomes e (e.x) + cos (x - e (e.x)) + sin e x x.
+def about(e: Array) -> Callable[[Any], Array]:
+    """Rotation (3x3) about an axis e of length 1 by an angle: x becomes e (e.x) + cos (x - e (e.x)) + sin e x x.
 
     Of an array of angles one rotation each.
     """
-    along, turned, each = np.outer(E[axis], E[axis]), cross(E[axis]), np.multiply.outer
+    along, turned, times = np.outer(e, e), cross(e), np.multiply.outer
     across = E - along
-    return lambda angle: np.asarray(along + each(cos(angle), across) + each(sin(angle), turned))
+    return lambda angle: np.asarray(along + times(cos(angle), across) + times(sin(angle), turned))
 
 
-C1, C2, C3 = map(_elementary, range(3))
+ELEMENTARY = C1, C2, C3 = about(E[0]), about(E[1]), about(E[2])
+
+AXES: dict[Sequence, tuple[int, int, int]] = {"ship": (2, 1, 0), "aircraft": (1, 2, 0), "euler": (2, 0, 2)}
+"""Axes that psi, theta, phi turn about, 0..2."""
 
 
 def attitude(sequence: Sequence, psi: float, theta: float, phi: float) -> Array:
     """C (3x3), angles in rad: ship C3(psi) C2(theta) C1(phi), aircraft C2(psi) C3(theta) C1(phi), Euler C3 C1 C3."""
-    if sequence == "ship":
-        return C3(psi) @ C2(theta) @ C1(phi)
-    if sequence == "aircraft":
-        return C2(psi) @ C3(theta) @ C1(phi)
-    return C3(psi) @ C1(theta) @ C3(phi)
+    first, second, third = (ELEMENTARY[axis] for axis in AXES[sequence])
+    return first(psi) @ second(theta) @ third(phi)
 
 
 def quaternion_rotation(w: float, x: float, y: float, z: float) -> Array:

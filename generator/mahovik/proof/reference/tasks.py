@@ -7,7 +7,6 @@ torques, a = a_0 + B tau with the columns of B by unit torques, so least squares
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,24 +19,23 @@ from mahovik.proof.reference.array import Array, Values, solve_symmetric, vector
 from mahovik.proof.reference.inverse import (
     CUTS,
     Cuts,
-    Inverse,
     ScaledDemand,
     available,
     inverse_root,
     least_error,
-    motor_shares,
+    status_of,
     with_excess,
 )
 from mahovik.proof.reference.motion import (
     bias,
-    coupled_with_locks,
+    coupled,
     forward,
     full_mass_matrix,
     point_transfers,
     spin_up_torque,
 )
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.screw import cross
+from mahovik.proof.reference.screw import E6, cross
 
 Flags = NDArray[np.bool_]
 
@@ -73,19 +71,14 @@ def task_rows(at: Pieces, stand: Stand, task: Task) -> TaskRows:
     With L of the point, V_p* = L^T V* are the derivatives of the components of its twist V_p = L^T V = (v, omega), and
     its acceleration is (V_p* + omega x v): hence s.
     """
-    transfers: Mapping[str, Array] = dict(point_transfers(stand))
-    S, s = np.zeros((len(task.rows), 6)), np.zeros(len(task.rows))
-    for i, row in enumerate(task.rows):
-        k = COMPONENTS.index(row.component)
-        if not row.of:
-            S[i, k] = 1.0
-            continue
-        L = transfers[row.of]
-        S[i] = L[:, k]
-        if k < 3:
-            V_p = L.T @ at.V
-            s[i] = (cross(V_p[3:]) @ V_p[:3])[k]
-    return TaskRows(S, s)
+    transfers = point_transfers(stand)
+    S, s = [], []
+    for row in task.rows:
+        k, L = COMPONENTS.index(row.component), transfers.get(row.of, E6)
+        V_p = L.T @ at.V
+        S.append(L[:, k])
+        s.append((cross(V_p[3:]) @ V_p[:3])[k] if row.of and k < 3 else 0.0)
+    return TaskRows(np.array(S), np.array(s))
 
 
 def task_of_state(at: Pieces, stand: Stand, state: State) -> tuple[TaskRows, Array]:
@@ -94,13 +87,6 @@ def task_of_state(at: Pieces, stand: Stand, state: State) -> tuple[TaskRows, Arr
     if len(state.demand) != len(task.rows):
         raise StateError(f"demand: expected {len(task.rows)} numbers, found {len(state.demand)}")
     return task_rows(at, stand, task), vector(state.demand)
-
-
-@dataclass(frozen=True, eq=False)
-class TaskInverse(Inverse):
-    """The answer of a task: V_dot (6) that results; residual (m) is demand minus reached."""
-
-    V_dot: Array
 
 
 def scaled_task(at: Pieces, rows: TaskRows, demand: Array) -> ScaledDemand:
@@ -114,18 +100,16 @@ def scaled_task(at: Pieces, rows: TaskRows, demand: Array) -> ScaledDemand:
     return ScaledDemand(to_motion @ at.I, c, np.asarray(np.linalg.inv(R.T)), inverse_root(at.Theta_ff).T)
 
 
-def task_inverse(at: Pieces, rows: TaskRows, demand: Array, cuts: Cuts = CUTS, rank: int | None = None) -> TaskInverse:
-    """Least error of the demand a (m) in the norm of G^-1, then least phi'' in the norm of Theta_ff."""
-    least = least_error(scaled_task(at, rows, demand), cuts, rank)
-    V_dot = forward(at, least.phi_ddot)
-    return TaskInverse(**vars(least) | {"residual": demand - rows.acceleration(V_dot)}, V_dot=V_dot)
-
-
 def answer_task(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
-    """phi_ddot (N), V_dot (6), residual (m), sigma (min(m, N)), rank, status of the state's task. Raises StateError."""
-    answer = task_inverse(at, *task_of_state(at, stand, state), cuts)
-    needed = motor_shares(stand, at, answer.V_dot, answer.phi_ddot)
-    return dict(vars(answer)) | {"status": with_excess(answer.status, needed)}
+    """phi_ddot (N), V_dot (6), residual (m), sigma (min(m, N)), rank, status of the state's task. Raises StateError.
+
+    Least error of the demand in the norm of G^-1, then least phi'' in the norm of Theta_ff.
+    """
+    rows, demand = task_of_state(at, stand, state)
+    least = least_error(scaled_task(at, rows, demand), cuts)
+    V_dot = forward(at, least.phi_ddot)
+    motion = {"V_dot": V_dot, "residual": demand - rows.acceleration(V_dot)}
+    return vars(least) | motion | with_excess(least, at, stand, V_dot)
 
 
 # Drive torques of a task within what the motors have: least error, then least torque.
@@ -155,7 +139,7 @@ def torque_demand(at: Pieces, rows: TaskRows, demand: Array, preferred: Array, l
     free = np.concatenate([np.full(6, True), np.logical_not(locked)])
     X = np.zeros((6 + N, 6 + N))
     X[np.ix_(free, free)] = np.linalg.inv(full_mass_matrix(at)[np.ix_(free, free)])
-    a_0 = rows.acceleration(coupled_with_locks(at, np.zeros(N), locked)[0])
+    a_0 = rows.acceleration(coupled(at, np.zeros(N), locked)[0])
     B = rows.S @ X[:6, 6:]
     root = inverse_root(rows.S @ ((X + X.T) / 2)[:6, :6] @ rows.S.T)
     Theta = np.diag(at.Theta_ff)
@@ -229,15 +213,14 @@ def answer_torque_for(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS)
     low, high = asked.from_torque(least), asked.from_torque(most)
     y, free = least_within(asked.W, asked.r, low, high)
     tau = np.where(free, asked.torque(y), np.where(y <= low, least, most))
-    V_dot, phi_ddot = coupled_with_locks(at, tau, none.astype(bool))
-    names = ["LIMITED"] if not free.all() else []
-    if np.linalg.norm(asked.r - asked.W @ y) > cuts.reached * np.linalg.norm(asked.r):
-        names.append("UNREACHABLE")
+    V_dot, phi_ddot = coupled(at, tau)
+    reached = cuts.reached * np.linalg.norm(asked.r)
+    bits = {"LIMITED": not free.all(), "UNREACHABLE": np.linalg.norm(asked.r - asked.W @ y) > reached}
     return {
         "tau": tau,
         "phi_ddot": phi_ddot,
         "V_dot": V_dot,
         "residual": demand - rows.acceleration(V_dot),
         "limited": np.logical_not(free).astype(np.int64),
-        "status": "|".join(names) or "OK",
+        "status": status_of(bits),
     }

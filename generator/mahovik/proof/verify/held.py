@@ -13,8 +13,7 @@ from mahovik.core.stand.model import Hold, Stand, Vec3
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.coordinates import coordinates_at, pose_of
-from mahovik.proof.reference.generalized import AXES
-from mahovik.proof.reference.rotation import attitude, carrier_rotation
+from mahovik.proof.reference.rotation import AXES, attitude, carrier_rotation
 
 ALLOWED = 1e-6
 """m, rad; m/s, rad/s: what is given may be off what the hold allows by as much as figures of six digits are."""

@@ -84,7 +84,7 @@ def _inverse_matrix(at: Pieces) -> Array:
 
 
 def shares_by(stand: Stand, at: Pieces) -> Callable[[Array], Array]:
-    """Need of each flywheel over what it has (N), as `motor_shares`, by phi'' (N) with the motion that it makes.
+    """Need of each flywheel over what it has (N), as `shares_of`, by phi'' (N) with the motion that it makes.
 
     The drive torques are linear in both: tau = tau_0 + I^T V* + Theta_ff phi''.
     """

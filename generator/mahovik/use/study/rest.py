@@ -17,7 +17,6 @@ from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import CheckError, StateError
 from mahovik.proof.reference import Pieces, pieces
 from mahovik.proof.reference.bodies import bodies_of
-from mahovik.proof.reference.hold import free_equations
 from mahovik.proof.reference.motion import bias
 from mahovik.proof.reference.pieces import stream_at
 from mahovik.proof.reference.rotation import carrier_rotation
@@ -110,8 +109,9 @@ class _Search:
         self.state = state
         self.stops = any(law.has_kinks for law in stand.laws)
         self.home = state
-        free = free_equations(pieces(stand, state), stand)
-        self.scale = np.linalg.inv(np.linalg.cholesky(free.K)) @ free.S.T  # G^-1 S^T; K depends only on the phases
+        S = np.eye(6) if stand.hold is None else twists(stand.hold)
+        root = np.linalg.cholesky(S.T @ pieces(stand, state).K @ S)  # G; K depends only on the phases
+        self.scale = np.linalg.inv(root) @ S.T
         self.steps = [column * (_DIFFERENCE / np.abs(column).max()) for column in self.scale]
 
     def run(self) -> Rest:

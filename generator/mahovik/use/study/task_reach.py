@@ -12,9 +12,9 @@ from mahovik.core.stand.task import row_name
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Bodies, bodies_of
-from mahovik.proof.reference.inverse import CUTS
+from mahovik.proof.reference.inverse import CUTS, least_error
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.tasks import TaskRows, scaled_task, task_inverse, task_rows
+from mahovik.proof.reference.tasks import TaskRows, scaled_task, task_rows
 from mahovik.use.study.excess import POSITIONS, SMALL, shares_by
 
 _SEED = 20
@@ -98,7 +98,7 @@ def _missing(at: Pieces, rows: TaskRows) -> Array | None:
 def _needed_share(stand: Stand, at: Pieces, rows: TaskRows) -> Array:
     """Share (m x N) of what each flywheel has, for SMALL of each row, beyond what no demand needs."""
     m = len(rows.S)
-    held = task_inverse(at, rows, rows.s).phi_ddot
-    found = [task_inverse(at, rows, rows.s + SMALL * unit).phi_ddot - held for unit in np.eye(m)]
+    still = least_error(scaled_task(at, rows, rows.s)).phi_ddot
+    found = [least_error(scaled_task(at, rows, rows.s + SMALL * unit)).phi_ddot - still for unit in np.eye(m)]
     shares = shares_by(stand, at)
     return np.array([shares(phi_ddot) for phi_ddot in found])

@@ -32,7 +32,7 @@ from mahovik.proof.reference.inverse import (
     shares_of,
     weighted_solution,
 )
-from mahovik.proof.reference.motion import coupled_with_locks, torque
+from mahovik.proof.reference.motion import coupled, torque
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.tasks import TaskRows, TorqueDemand, scaled_task, task_of, task_rows, torque_demand
 from mahovik.proof.verify.check import Check
@@ -572,7 +572,7 @@ def judge_torques(
         rows.check("least error, within bounds", case.limits.optimality).note(off, name)
 
     def equation(stand: Stand, near: State, at: Pieces) -> Values:
-        V_dot, phi_ddot = coupled_with_locks(at, tau, cast(Array, locked))
+        V_dot, phi_ddot = coupled(at, tau, cast(Array, locked))
         own = torque_bounds(stand, near, at, options, locked)
         return {"V_dot": V_dot, "phi_ddot": phi_ddot, "residual": vector(state.demand) - own.rows.acceleration(V_dot)}
 

@@ -21,7 +21,7 @@ from mahovik.proof.reference.array import Array, Values, vector
 from mahovik.proof.reference.coordinates import pose_of
 from mahovik.proof.reference.generalized import check_attitude, kinematic_matrix, kinematic_matrix_rate
 from mahovik.proof.reference.hold import accelerations, twists
-from mahovik.proof.reference.regressor import Estimate, answer_regressor, identify_step
+from mahovik.proof.reference.regressor import answer_regressor, identify_step, slopes
 from mahovik.proof.reference.rotation import C1, attitude, quaternion_rotation
 from mahovik.proof.reference.screw import block_diagonal
 from mahovik.proof.second import Second
@@ -126,13 +126,11 @@ def estimate_trials(case: Case) -> Iterator[Trial]:
             "factor": case.nearest_numbers(0.3 * rng.normal(size=n * (n - 1) // 2)).tolist(),
             "largest": 1.0,
         }
-        before = Estimate(np.array(given["unbalance"]), covariance(given))
-        _, sample = identify_step(case.stand, state, np.ones(6), FORGET, before)
-        noise = case.nearest_numbers(NOISE * np.sqrt(np.diag(sample.slopes @ before.covariance @ sample.slopes.T)))
+        H, u, P = slopes(case.stand, state), np.array(given["unbalance"]), covariance(given)
+        noise = case.nearest_numbers(NOISE * np.sqrt(np.diag(H @ P @ H.T)))
 
-        def equation(stand: Stand, near: State, _: Any, noise: Array = noise, before: Estimate = before) -> Values:
-            after, _ = identify_step(stand, near, noise, FORGET, before)
-            return {"unbalance": after.unbalance, "covariance": after.covariance}
+        def equation(stand: Stand, near: State, _: Any, noise: Array = noise, u: Array = u, P: Array = P) -> Values:
+            return dict(zip(("unbalance", "covariance"), identify_step(stand, near, noise, FORGET, u, P), strict=True))
 
         inputs = {**case.backend.arguments(state), "noise": noise.tolist(), "forget": FORGET, "estimate": given}
         yield Trial(name, state, inputs, equation, lambda found: {

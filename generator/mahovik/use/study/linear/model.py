@@ -108,7 +108,7 @@ def places(stand: Stand, names: Sequence[str] | None = None) -> tuple[Place, ...
 
     The carrier's name stands for O1 on the axes of E1.
     """
-    known = {name: Place(name, place(L), L[:3, :3]) for name, L in point_transfers(stand)}
+    known = {name: Place(name, place(L), L[:3, :3]) for name, L in point_transfers(stand).items()}
     if names is None:
         return tuple(known.values())
     known[stand.carrier.name] = Place(stand.carrier.name, np.zeros(3), np.eye(3))

@@ -51,7 +51,7 @@ class Amplitudes:
         moving = [mean_model(stand, rest, options.point, row)[0] - still[0] for row in np.eye(N)]
         C, power = still[2], 1 - measure.integrals
         if measure.turning:
-            L = dict(point_transfers(stand))[options.point]
+            L = point_transfers(stand)[options.point]
             C, power = np.hstack([np.zeros((3, 9)), L[:3, :3].T]), -measure.integrals
         turning, hanging = unbalance_wrenches(stand, rest)
         return Amplitudes(still[0], np.array(moving), still[1], turning, hanging, across @ C, power)

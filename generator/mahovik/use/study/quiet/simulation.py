@@ -140,7 +140,7 @@ def simulate_point(
     if options.point == REACTION:
         columns = REACTION_COLUMNS[options.measure]
         return np.asarray(np.column_stack([run[name] for name in columns])[:count] @ np.array(options.axes).T)
-    L = dict(point_transfers(stand))[options.point]
+    L = point_transfers(stand)[options.point]
 
     def six(linear: str, angular: str, over: tuple[str, str]) -> Array:
         names = [f"{linear}_{a} [{over[0]}]" for a in "xyz"] + [f"{angular}_{a} [{over[1]}]" for a in "xyz"]
