@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 
 from emit.stands import generated
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import (
     BitCast,
@@ -52,8 +52,8 @@ pair, other = Variable("pair", PAIR).place, Variable("other", OTHER).place
         (lambda: pair.c, "struct pair has no member c"),
         (lambda: Body().set(x3, 1), "x3 is not a scalar"),
         (lambda: Body().copy_array(x3, x6), "x3 has 3 elements, x6 6"),
-        (lambda: call(callee(), a, b), "callee takes 1 arguments, not 2"),
-        (lambda: call(callee(returns=None), a), "callee returns nothing"),
+        (lambda: callee()(a, b), "callee takes 1 arguments, not 2"),
+        (lambda: callee(returns=None)(a) + a, "callee returns nothing"),
     ],
 )
 def test_expressions_that_do_not_fit(build: Callable[[], object], message: str) -> None:
@@ -80,7 +80,7 @@ def callee(
 )
 def test_arguments_that_do_not_fit(function: Function, value: Expr, message: str) -> None:
     with pytest.raises(TypeError, match=message):
-        call(function, value)
+        function(value)
     with pytest.raises(TypeError, match=message):
         Body().call(function, value)
 

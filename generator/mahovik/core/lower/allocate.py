@@ -16,7 +16,7 @@ nearly silenced may give.
 from __future__ import annotations
 
 from mahovik.core.lower.library import Library
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Not, Place, and_, equal, integer, magnitude, or_, real, select
 from mahovik.core.program.function import Function
@@ -45,7 +45,7 @@ def solve_gram(lib: Library, rows: int = 6) -> Function:
         with body.loop("k", j) as k:
             body.add(A[j][j], -(A[j][k] * A[j][k]))
         pivot = body.let("pivot", select(A[j][j] > least.place, A[j][j], least.place))
-        body.set(A[j][j], call(lib["sqrt"], pivot))
+        body.set(A[j][j], lib["sqrt"](pivot))
         with body.loop("i", rows, start=j + 1) as i:
             with body.loop("k", j) as k:
                 body.add(A[i][j], -(A[i][k] * A[j][k]))

@@ -25,7 +25,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.matrices import fill
 from mahovik.core.lower.solve import carrier_binding
 from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Operand, Place, and_, real
 from mahovik.core.program.function import Function
@@ -46,7 +46,7 @@ def factor(lib: Library) -> Function:
         with body.loop("k", j) as k:
             body.add(pivot, -(G[j][k] * G[j][k]))
         lib.guard(body, Not(pivot > 0), "NOT_POSITIVE_DEFINITE")
-        root = body.let("root", call(lib["sqrt"], pivot))
+        root = body.let("root", lib["sqrt"](pivot))
         body.set(G[j][j], root)
         with body.loop("i", 6, start=j + 1) as i:
             rest = body.local("rest")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.lower.library import Library
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import (
     Const,
@@ -49,7 +49,7 @@ def excessive(lib: Library) -> Function:
         named |= {a.name: a.place for a in (*turns, *phi_ddot, *wrench)}
         body.call(lib["balance"], *lib.arguments_of("balance", **named))
         with body.loop("s", layout.count) as s:
-            lacks = call(lib["motor_lacks"], p, s, tau[s], x.place.phi_dot[s])
+            lacks = lib["motor_lacks"](p, s, tau[s], x.place.phi_dot[s])
             with body.when(unequal(lacks, integer(0))):
                 body.set(found, bit)
     body.set(flags.place, found)
@@ -105,7 +105,7 @@ def spin_up_excess(lib: Library, body: Body, places: tuple[Place, Place, Place],
         needed = body.let("needed", spin * size + p.motor_viscous[s] * magnitude(v) + p.motor_coulomb[s], "at most")
         has = body.let("has", p.motor_torque[s] * (1 - magnitude(v) / p.motor_speed[s]), "at least: when driving")
         with body.when(Not(and_(size <= p.most[s], needed <= has))):
-            lacks = unequal(call(lib["motor_lacks"], p, s, spin * phi_ddot[s], v), integer(0))
+            lacks = unequal(lib["motor_lacks"](p, s, spin * phi_ddot[s], v), integer(0))
             with body.when(or_(size > p.most[s], lacks)):
                 body.set(flags, bit)
     return flags

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Protocol
 
 from mahovik.core.lower.thresholds import Thresholds, thresholds
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Operand, Place, Status, unequal
 from mahovik.core.program.function import Function
@@ -92,6 +92,6 @@ class FunctionSet:
 
     def check(self, body: Body, function: str, *arguments: Operand) -> None:
         """Calls a function that returns a status, and returns that status where it is not OK."""
-        body.set(self._status, call(self[function], *arguments))
+        body.set(self._status, self[function](*arguments))
         with body.when(unequal(self._status, Status("OK"))):
             body.ret(self._status)

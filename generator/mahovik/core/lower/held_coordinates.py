@@ -23,7 +23,7 @@ from mahovik.core.lower.freedom_coordinates import (
 from mahovik.core.lower.freedoms import TURNS, columns, speeds, twist
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, real
 from mahovik.core.program.function import Function
@@ -154,7 +154,7 @@ def read_turn(lib: Library, body: Body, found: Ways, table: Place, x: Place, out
     (k,) = found.turns
     axis = found.direction(k, table.S)
     half = body.let("half", _along(axis, list(turn)[1:]), "about the axis: sine of half the angle, times a factor")
-    body.set(out.q[found.number(k)], real(2) * call(lib["atan2"], half, turn[0]))
+    body.set(out.q[found.number(k)], real(2) * lib["atan2"](half, turn[0]))
     if turns_slides(found.ways):
         with body.when(Not(turn[0] * turn[0] + half * half > 0), comment="half a turn about another axis"):
             body.set(turn[0], real(1))

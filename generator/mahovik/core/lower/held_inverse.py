@@ -18,7 +18,7 @@ from mahovik.core.lower.inverse import POSITIVE, check_flywheels, choose_rank, f
 from mahovik.core.lower.inverse_fast import inverse_fast
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Convert, Expr, Not, Place, integer, real
 from mahovik.core.program.function import Function
@@ -91,7 +91,7 @@ def _factor(lib: Library, body: Body, P: Place, w: Place) -> None:
             pivot = pivot - G[j][k] * G[j][k]
         left = body.let(f"pivot{j + 1}", pivot)
         lib.guard(body, Not(left > 0), "NOT_POSITIVE_DEFINITE")
-        body.set(G[j][j], call(lib["sqrt"], left))
+        body.set(G[j][j], lib["sqrt"](left))
         for i in range(j + 1, m):
             rest: Expr = P[place_of(i, j)]
             for k in range(j):

@@ -12,7 +12,7 @@ from mahovik.core.lower.excess import check_abilities, check_friction
 from mahovik.core.lower.flywheels import named_turns, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs
 from mahovik.core.lower.library import Library
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import (
     Const,
@@ -138,7 +138,7 @@ def inverse_alone(lib: Library) -> Function:
         body.note("nothing is demanded: any direction is as hard as another")
         body.set(work.r[5], real(1))
         body.set(square, real(1))
-    length = body.let("length", call(lib["sqrt"], square))
+    length = body.let("length", lib["sqrt"](square))
     with body.loop("i", 6) as i:
         body.set(o.residual[i], work.b[i])
         body.set(o.hardest[i], real(0))
@@ -262,7 +262,7 @@ def hardest(
     with body.loop("i", rows) as i:
         body.set(part[i], part[i] / largest)
         body.add(square, part[i] * part[i])
-    length = body.let("length", call(lib["sqrt"], square))
+    length = body.let("length", lib["sqrt"](square))
     u = body.local("u", (rows,), comment="U part: a unit vector in the norm of K^-1; its wrench is G u")
     with body.loop("k", rows) as k:
         body.set(u[k], real(0))

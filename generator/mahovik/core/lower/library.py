@@ -7,7 +7,7 @@ from dataclasses import replace
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Operand, Status, and_, real, unequal
 from mahovik.core.program.types import Kind
@@ -83,7 +83,7 @@ class Library(FunctionSet):
 
     def check_as(self, body: Body, status: str, function: str, *arguments: Operand) -> None:
         """Calls a function that returns a status, and returns `status` in its place where it is not OK."""
-        body.set(self._status, call(self[function], *arguments))
+        body.set(self._status, self[function](*arguments))
         self.guard(body, unequal(self._status, Status("OK")), status)
 
 

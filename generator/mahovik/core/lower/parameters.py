@@ -17,7 +17,7 @@ from mahovik.core.formula.derived import carrier as derived_carrier
 from mahovik.core.lower.checks import check_vector
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import translate
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, and_, magnitude, or_, real, select
 from mahovik.core.program.function import Function
@@ -41,7 +41,7 @@ def check_body(lib: Library, struct: Struct) -> Function:
         lib.check(body, "within", array, len(array), bound)
     for mass in scalars:
         lib.guard(body, mass < 0, "RANGE")
-    body.ret(call(lib["check_inertia"], b.place.mass, b.place.center_of_mass, b.place.inertia))
+    body.ret(lib["check_inertia"](b.place.mass, b.place.center_of_mass, b.place.inertia))
     return Function(
         f"check_{struct.name}",
         "Are the mass properties finite and physically possible?",

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from mahovik.core import routines
 from mahovik.core.lower.library import Library
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import (
     Convert,
@@ -46,9 +46,9 @@ def wrap(lib: Library) -> Function:
     k = body.local("k", comment="nearest number of turns; may be off by one next to an odd multiple of pi")
     angle = body.local("angle")
     body.set(k, routines.turns_of_angle(precision, phi.place))
-    body.set(angle, call(lib["unwound"], phi.place, k))
+    body.set(angle, lib["unwound"](phi.place, k))
     with body.when(or_(angle > pi, angle < -pi)):
-        body.set(angle, call(lib["unwound"], phi.place, select(angle > pi, k + 1, k - 1)))
+        body.set(angle, lib["unwound"](phi.place, select(angle > pi, k + 1, k - 1)))
     body.set(out.place, select(angle > pi, pi, select(angle < -pi, -pi, angle)))
     error = {"double": "5e-16", "float": "3e-7"}[precision.name]
     return body.checked_function(

@@ -6,7 +6,7 @@ from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower.checks import check_vector
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, and_, integer, real
 from mahovik.core.program.function import Function
@@ -51,7 +51,7 @@ def _unit(lib: Library, body: Body, a: Place, out: Place, name: str, least: Expr
     """out = a / |a|; RANGE where a has no direction: its square is not above `least`."""
     square = body.let(name, a[0] * a[0] + a[1] * a[1] + a[2] * a[2])
     lib.guard(body, Not(square > least), "RANGE")
-    inverse = body.let(f"{name}_root", 1 / call(lib["sqrt"], square))
+    inverse = body.let(f"{name}_root", 1 / lib["sqrt"](square))
     for i in range(3):
         body.set(out[i], a[i] * inverse)
 

@@ -12,7 +12,7 @@ from mahovik.core.lower import along
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, Status, integer, real, unequal
 from mahovik.core.program.function import Function
@@ -263,7 +263,7 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
                 work.add(w.body.mass)
         body.set(row.spin, w.body.inertia[0])
         body.set(row.spin_inv, 1 / w.body.inertia[0])
-        body.set(row.spin_root_inv, 1 / call(lib["sqrt"], w.body.inertia[0]))
+        body.set(row.spin_root_inv, 1 / lib["sqrt"](w.body.inertia[0]))
         work.fill_displaced_mass(w.body, row)
         if lib.layout.along:
             along.prepare_row(lib, body, out, row)

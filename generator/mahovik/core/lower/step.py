@@ -12,7 +12,7 @@ from mahovik.core.lower.forward import STATE_STATUSES, check_inputs
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Operand, Place, and_, as_expr, equal, integer, or_, real, select
 from mahovik.core.program.function import Function
@@ -95,7 +95,7 @@ def _advance(lib: Library) -> Function:
         with body.loop("i", count) as i:
             start: Expr = x.place.member(name)[i]
             if name == "phi":  # so that the phases of a stage, and their sum at the end, keep their digits
-                start = call(lib["wrapped"], start)
+                start = lib["wrapped"](start)
             body.set(to.place.member(name)[i], start + h.place * rate.place.member(name)[i])
     return body.function(
         "advance", "Sets to = x + h rate, after wrapping the phases to within half a turn.", (x, rate, h, to)
@@ -110,13 +110,13 @@ def _finish(lib: Library) -> Function:
     q = x.place.attitude
     square = body.let("square", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
     lib.guard(body, Not(and_(square > real(0.5), square < real(2))), "RANGE")
-    inverse = body.let("inverse", 1 / call(lib["sqrt"], square))
+    inverse = body.let("inverse", 1 / lib["sqrt"](square))
     for i in range(4):
         body.set(q[i], q[i] * inverse)
     check_again(lib, body, x.place)
     if lib.layout.flywheels:
         with body.loop("s", lib.layout.count) as s:
-            body.set(x.place.phi[s], call(lib["wrapped"], x.place.phi[s]))
+            body.set(x.place.phi[s], lib["wrapped"](x.place.phi[s]))
     return body.checked_function(
         "finish",
         "Normalizes the quaternion and wraps the phases to [-pi, pi]; RANGE if the state is out of range.",

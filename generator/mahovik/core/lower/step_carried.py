@@ -22,7 +22,7 @@ from mahovik.core.lower.step import (
     next_argument,
     step_arguments,
 )
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, and_, as_expr, real
 from mahovik.core.program.function import Function
@@ -72,7 +72,7 @@ def _advance(lib: Library) -> Function:
         with body.loop("i", count) as i:
             start: Expr = x.place.member(name)[i]
             if name == "phi":
-                start = body.let("start", call(lib["wrapped"], start))
+                start = body.let("start", lib["wrapped"](start))
             kept = carry.place.rounding[i + first if first else i]
             step = body.let("step", h.place * rate.place.member(name)[i] + kept)
             total, lost = _sum(body, start, step, "sum")
@@ -104,7 +104,7 @@ def _finish(lib: Library) -> Function:
     square = body.let("square", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
     lib.guard(body, Not(and_(square > real(0.5), square < real(2))), "RANGE")
     body.note("1/|q| - 1, without the digits that the difference would lose")
-    excess = body.let("excess", (1 - square) / (call(lib["sqrt"], square) + square))
+    excess = body.let("excess", (1 - square) / (lib["sqrt"](square) + square))
     with body.loop("i", 4) as i:
         kept = carry.place.rounding[i + first]
         step = body.let("step", q[i] * excess + kept)

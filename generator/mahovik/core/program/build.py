@@ -86,7 +86,11 @@ class Body:
 
     def call(self, function: Function, *arguments: Operand, comment: str = "") -> None:
         """A call whose results are its output arguments."""
-        self._add(Do(_call(function, arguments), comment))
+        self.do(function(*arguments), comment)
+
+    def do(self, call: Call, comment: str = "") -> None:
+        """A call as a statement."""
+        self._add(Do(call, comment))
 
     def function(
         self,
@@ -161,40 +165,6 @@ class Body:
         yield
         body = tuple(self._blocks.pop())
         self._add(When(last.condition, last.body, body, last.comment))
-
-
-def call(function: Function, *arguments: Operand) -> Expr:
-    """A call as an expression, of a function that returns a real or a status."""
-    if function.returns is None:
-        raise TypeError(f"{function.name} returns nothing")
-    return _call(function, arguments)
-
-
-def _call(function: Function, arguments: Sequence[Operand]) -> Call:
-    if len(arguments) != len(function.arguments):
-        raise TypeError(f"{function.name} takes {len(function.arguments)} arguments, not {len(arguments)}")
-    return Call(
-        function.signature,
-        tuple(_checked_argument(a, p, function) for a, p in zip(arguments, function.arguments, strict=True)),
-    )
-
-
-def _checked_argument(value: Operand, parameter: Argument, function: Function) -> Expr:
-    """`value` as what `parameter` takes: kinds, structs and lengths are checked here, once, for every call."""
-    where = f"{function.name}, argument {parameter.name}"
-    if parameter.shape or isinstance(parameter.type, Struct) or parameter.direction != "in":
-        if not isinstance(value, Place) or value.type != parameter.type or len(value.shape) != len(parameter.shape):
-            raise TypeError(f"{where}: {value!r} does not fit")
-        for have, want in zip(value.shape, parameter.shape, strict=True):
-            # A length of 0 stands for "any": the callee gets the length as an argument of its own.
-            if int(want) and int(have) != int(want):
-                raise TypeError(f"{where}: {value!r} has {int(have)} elements, expected {int(want)}")
-        return value
-    assert isinstance(parameter.type, Kind)
-    expr = as_expr(value, parameter.type)
-    if expr.kind is not parameter.type:
-        raise TypeError(f"{where}: {expr.kind.value} given, {parameter.type.value} expected")
-    return expr
 
 
 def _scalar(place: Place) -> Place:

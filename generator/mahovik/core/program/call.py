@@ -56,6 +56,11 @@ class Call(Expr):
         if signature.returns is not None:
             self.kind = signature.returns
 
+    def __getattr__(self, name: str) -> Kind:
+        if name == "kind":
+            raise TypeError(f"{self.signature.name} returns nothing")
+        raise AttributeError(name)
+
     @property
     def operands(self) -> tuple[Expr, ...]:
         return self.arguments

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mahovik.core.program.call import Argument, Signature
+from mahovik.core.program.call import Argument, Call, Signature
+from mahovik.core.program.expression import Expr, Operand, Place, as_expr
 from mahovik.core.program.statement import Statement
 from mahovik.core.program.types import Kind, NamedCount, Precision, Struct
 
@@ -31,6 +32,29 @@ class Function:
     apart: bool = False
     short: bool = False
     copied: bool = False
+
+    def __call__(self, *arguments: Operand) -> Call:
+        """A call: an expression, if the function returns a real or a status."""
+        if len(arguments) != len(self.arguments):
+            raise TypeError(f"{self.name} takes {len(self.arguments)} arguments, not {len(arguments)}")
+        return Call(self.signature, tuple(map(self._checked_argument, arguments, self.arguments)))
+
+    def _checked_argument(self, value: Operand, parameter: Argument) -> Expr:
+        """`value` as what `parameter` takes: kinds, structs and lengths are checked here, once, for every call."""
+        where = f"{self.name}, argument {parameter.name}"
+        if parameter.shape or isinstance(parameter.type, Struct) or parameter.direction != "in":
+            if not isinstance(value, Place) or value.type != parameter.type or len(value.shape) != len(parameter.shape):
+                raise TypeError(f"{where}: {value!r} does not fit")
+            for have, want in zip(value.shape, parameter.shape, strict=True):
+                # A length of 0 stands for "any": the callee gets the length as an argument of its own.
+                if int(want) and int(have) != int(want):
+                    raise TypeError(f"{where}: {value!r} has {int(have)} elements, expected {int(want)}")
+            return value
+        assert isinstance(parameter.type, Kind)
+        expr = as_expr(value, parameter.type)
+        if expr.kind is not parameter.type:
+            raise TypeError(f"{where}: {expr.kind.value} given, {parameter.type.value} expected")
+        return expr
 
     @property
     def signature(self) -> Signature:

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Not, Place, and_, equal, integer, magnitude, or_, real, select
 from mahovik.core.program.function import Function
@@ -135,7 +135,7 @@ def _factor(body: Body, gram: Place, size: Place, ridge: Place, square_root: Fun
         )
         with body.loop("k", j) as k:
             body.add(gram[j][j], -(gram[j][k] * gram[j][k]))
-        body.set(gram[j][j], call(square_root, select(gram[j][j] > least, gram[j][j], least)))
+        body.set(gram[j][j], square_root(select(gram[j][j] > least, gram[j][j], least)))
         with body.loop("i", size, start=j + 1) as i:
             with body.loop("k", j) as k:
                 body.add(gram[i][j], -(gram[i][k] * gram[j][k]))

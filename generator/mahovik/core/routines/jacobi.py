@@ -8,7 +8,7 @@ sweeps converge quadratically; for six rows SWEEPS is more than any matrix of th
 
 from __future__ import annotations
 
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import magnitude, real, select
 from mahovik.core.program.function import Function
@@ -58,10 +58,10 @@ def orthogonalise(
         unit = body.let("unit", select(size > 0, size, real(1)), "scaled to size 1, so that no square underflows")
         d = body.let("d", (b - a) / unit)
         h = body.let("h", 2 * g / unit)
-        root = body.let("root", call(square_root, d * d + h * h))
+        root = body.let("root", square_root(d * d + h * h))
         below = body.let("below", select(d < 0, d - root, d + root))
         t = body.let("t", select(magnitude(below) > 0, h / select(magnitude(below) > 0, below, real(1)), real(0)))
-        c = body.let("c", 1 / call(square_root, 1 + t * t))
+        c = body.let("c", 1 / square_root(1 + t * t))
         s = body.let("s", c * t)
         with body.loop("j", count) as j:
             x = body.let("x", w.W[p][j])
@@ -82,7 +82,7 @@ def orthogonalise(
         body.set(total, real(0))
         with body.loop("j", count) as j:
             body.add(total, w.W[i][j] * w.W[i][j])
-        body.set(w.sigma[i], call(square_root, total))
+        body.set(w.sigma[i], square_root(total))
     return body.function(
         name_for_rows("orthogonalise", rows),
         "One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the condition.",

@@ -12,7 +12,7 @@ an angle as any, unless the interval is promised.
 
 from __future__ import annotations
 
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, real
 from mahovik.core.program.function import Function
@@ -55,7 +55,7 @@ def wrap(precision: Precision, unwound: Function) -> Function:
     body = Body()
     body.note("k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits of the sum.")
     k = body.let("k", turns_of_angle(precision, phi.place), "turns")
-    body.ret(call(unwound, phi.place, k))
+    body.ret(unwound(phi.place, k))
     return body.function(
         "wrapped",
         "The angle wrapped to within half a turn of zero.",

@@ -9,7 +9,6 @@ from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import TwistFunction
 from mahovik.core.lower.member import Member, member
-from mahovik.core.program.build import call
 from mahovik.core.program.expression import Expr, Place, magnitude, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
@@ -205,7 +204,7 @@ class _Factors:
     def _race(self, lib: FunctionSet, k: int, damper: Place, n: Expr) -> Expr:
         """The race a |n| n / (sqrt(u u + a n n) + |u|) of one propeller, which loses no digits."""
         u, body = self._V[0], self._body
-        root = body.let(f"behind{k + 1}", call(lib["sqrt"], u * u + damper.race * (n * n)), "speed in the race")
+        root = body.let(f"behind{k + 1}", lib["sqrt"](u * u + damper.race * (n * n)), "speed in the race")
         self._roots[k] = root
         both = body.let(f"both{k + 1}", root + magnitude(u))
         found = damper.race * (magnitude(n) * n) / select(both > 0, both, real(1))

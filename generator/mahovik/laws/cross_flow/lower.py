@@ -10,7 +10,6 @@ from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import TwistFunction
 from mahovik.core.lower.member import Member, member
 from mahovik.core.program.build import Body as Statements
-from mahovik.core.program.build import call
 from mahovik.core.program.expression import Expr, Place, magnitude, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
@@ -164,7 +163,7 @@ def _force(body: Statements, along_y: Expr, along_z: Expr) -> tuple[Place, Place
 
 def _drag(lib: FunctionSet, body: Statements, strip: Place, v: Expr, w: Expr) -> tuple[Place, Place]:
     """(y v^2 + z w^2)/speed, and the speed across; 1 in place of a speed of zero, where all forces are zero."""
-    across = body.let("across", call(lib["sqrt"], v * v + w * w))
+    across = body.let("across", lib["sqrt"](v * v + w * w))
     speed = body.let("speed", select(across > 0, across, real(1)), "of the strip across the axis")
     return body.let("drag", (strip.y * v * v + strip.z * w * w) / speed), speed
 

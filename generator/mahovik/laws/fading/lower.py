@@ -12,7 +12,6 @@ from mahovik.core.lower.law import TwistFunction
 from mahovik.core.lower.member import Member, matrix, member
 from mahovik.core.lower.symbolic import translate
 from mahovik.core.program.build import Body as Statements
-from mahovik.core.program.build import call
 from mahovik.core.program.expression import Expr, Place, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
@@ -107,8 +106,8 @@ def add_fading_slope(lib: FunctionSet) -> Function:
 
 def _fade(lib: FunctionSet, body: Statements, damper: Place, V: Place) -> tuple[Place, Place]:
     """Speed U of the body through the fluid, and exp(-rate U)."""
-    speed = body.let("speed", call(lib["sqrt"], _dot(V, V)), "of the body through the fluid")
-    return speed, body.let("fade", call(lib["exp"], -(damper.fading_rate * speed)))
+    speed = body.let("speed", lib["sqrt"](_dot(V, V)), "of the body through the fluid")
+    return speed, body.let("fade", lib["exp"](-(damper.fading_rate * speed)))
 
 
 def _row(damper: Place, i: Place, V: Place) -> Expr:

@@ -11,7 +11,6 @@ from mahovik.core.lower.law import TwistFunction
 from mahovik.core.lower.member import Member, members
 from mahovik.core.lower.run_time_input import RunTimeInput
 from mahovik.core.program.build import Body as Statements
-from mahovik.core.program.build import call
 from mahovik.core.program.expression import Expr, Place, and_, magnitude, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
@@ -203,10 +202,10 @@ class _Flow:
             body.set(along, real(1))
             body.set(up, real(0))
             with body.when(and_(fin.incidence > 0, self.plane > 0)):
-                speed = body.let("speed", call(lib["sqrt"], self.plane))
+                speed = body.let("speed", lib["sqrt"](self.plane))
                 body.set(along, self.a / speed)
                 body.set(up, self.c / speed)
-                body.add(angle, call(lib["atan2"], self.c, self.a))
+                body.add(angle, lib["atan2"](self.c, self.a))
             self.along, self.up = along, up
         size = body.local("size", comment="of the angle that lifts")
         body.set(size, magnitude(angle))

@@ -12,7 +12,7 @@ from mahovik.core.lower.law import LawLowering
 from mahovik.core.lower.member import Member, members
 from mahovik.core.lower.symbolic import translate
 from mahovik.core.lower.units import Unit
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place
 from mahovik.core.program.function import Function
@@ -160,7 +160,7 @@ def _quotients(lib: FunctionSet, body: Body, own: Place, V: Place) -> tuple[Expr
         "speed", translate(formulas.friction().speed, {"direction": own.direction, "V": V}), "of the freedom"
     )
     square = body.let("square", speed * speed)
-    length = body.let("length", call(lib["sqrt"], square + own.smoothing * own.smoothing))
+    length = body.let("length", lib["sqrt"](square + own.smoothing * own.smoothing))
     sign = body.let("sign", speed / length, "smoothed")
     limit = body.let("limit", own.stribeck_speed * own.stribeck_speed)
     slow = body.let("slow", limit / (limit + square), "1 at rest, 1/2 at the Stribeck speed")

@@ -12,7 +12,7 @@ from mahovik.core.lower.law import LawLowering
 from mahovik.core.lower.laws import add_force
 from mahovik.core.lower.member import Member, members
 from mahovik.core.lower.symbolic import assign, translate
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, Status
 from mahovik.core.program.function import Function
@@ -108,7 +108,7 @@ def add_leg(lib: FunctionSet) -> Function:
     for i in range(3):
         body.set(reach[i], span1[i] - point[i])
     square = reach[0] * reach[0] + reach[1] * reach[1] + reach[2] * reach[2]
-    distance = body.let("distance", call(lib["sqrt"], square))
+    distance = body.let("distance", lib["sqrt"](square))
     with body.when(distance < lib.thresholds.zero_length, comment="the leg has no direction"):
         body.ret(Status("RANGE"))
     inverse = body.let("inverse", 1 / distance)

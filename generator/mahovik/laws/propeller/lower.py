@@ -11,7 +11,6 @@ from mahovik.core.lower.law import TwistFunction
 from mahovik.core.lower.member import Member, member
 from mahovik.core.lower.run_time_input import RunTimeInput
 from mahovik.core.program.build import Body as Statements
-from mahovik.core.program.build import call
 from mahovik.core.program.expression import Expr, Place, magnitude, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
@@ -182,7 +181,7 @@ def _inflow(lib: FunctionSet, body: Statements, p: Place, velocity: Place) -> Pl
     body.set(u, _dot(p.axis, velocity))
     if _whole(lib.layout.structure):
         with body.when(p.whole > 0):
-            body.set(u, call(lib["sqrt"], _dot(velocity, velocity)))
+            body.set(u, lib["sqrt"](_dot(velocity, velocity)))
     return u
 
 

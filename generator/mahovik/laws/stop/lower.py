@@ -11,7 +11,7 @@ from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import LawLowering
 from mahovik.core.lower.member import Member, members
 from mahovik.core.lower.symbolic import assign, translate
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place
 from mahovik.core.program.function import Function
@@ -218,5 +218,5 @@ def stop_turn(lib: FunctionSet, slope: bool = False) -> Function:
     bound = {"axis": law.axis, "R": R}
     s = body.let("sine", translate(sine, bound), "times a factor that the cosine has too")
     c = body.let("cosine", translate(cosine, bound))
-    coordinate = body.let("coordinate", call(lib["atan2"], s, c), "angle from the home pose")
+    coordinate = body.let("coordinate", lib["atan2"](s, c), "angle from the home pose")
     return adding.finish("stop_turn", "a stop of what turns", coordinate)

@@ -11,7 +11,7 @@ from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import LawLowering
 from mahovik.core.lower.member import Member, matrix, member, vector
 from mahovik.core.lower.symbolic import assign, translate
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, integer, real, select
 from mahovik.core.program.function import Function
@@ -110,8 +110,8 @@ def rotation_vector(lib: FunctionSet) -> Function:
     ratio = body.local("ratio", comment="rotation angle, then divided by the length of the vector part")
     divisor = body.local("divisor")
     with body.when(square > lib.thresholds.small_square):
-        body.set(divisor, call(lib["sqrt"], square))
-        body.set(ratio, 2 * call(lib["atan2"], divisor, side * w))
+        body.set(divisor, lib["sqrt"](square))
+        body.set(ratio, 2 * lib["atan2"](divisor, side * w))
     with body.otherwise():
         body.note("|w| is near 1 here; the test only prevents a division by zero for other q")
         body.set(divisor, select(side * w > 0.5, side * w, real(1)))

@@ -7,7 +7,7 @@ from mahovik.core.lower.freedom_coordinates import own_coordinates, turns_about_
 from mahovik.core.lower.freedoms import columns, speeds
 from mahovik.core.lower.held_coordinates import Target, Ways, read_slides, read_turn
 from mahovik.core.lower.library import Library
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import real
 from mahovik.core.program.function import Function
@@ -47,7 +47,7 @@ def _coordinates(lib: Library) -> Function:
         read_turn(lib, body, found, table.place, x.place, target)
     if has_angle(ways):
         angle = q.place[found.number(found.turns[0])]
-        body.set(angle, call(lib["unwound"], angle, -turns.place))
+        body.set(angle, lib["unwound"](angle, -turns.place))
     if found.slides:
         read_slides(lib, body, found, table.place, x.place, target)
     for k, speed in enumerate(speeds(ways, columns(ways, table.place), x.place.V)):

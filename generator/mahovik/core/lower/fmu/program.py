@@ -12,7 +12,7 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, and_, integer, real, unequal
 from mahovik.core.program.function import Function, Program
@@ -69,7 +69,7 @@ def _unit_attitude(lib: Library) -> Function:
     body.set(length.place, real(0))
     lib.check(body, "within", q, 4, real(_SQUARED))
     square = body.let("square", _square(q))
-    body.set(length.place, call(lib["sqrt"], square))
+    body.set(length.place, lib["sqrt"](square))
     lib.guard(body, Not(and_(square > real(0.5), square < real(2))), "RANGE")
     with body.when(unequal(strict.place, integer(0))):
         lib.check_unit(body, square)
@@ -119,7 +119,7 @@ def _count_phases(lib: Library) -> Function:
     with body.loop("s", count) as s:
         expected = body.let("expected", real(0.5) * dt.place * (speed_before.place[s] + speed_after.place[s]))
         turned = body.let("turned", after.place[s] - before.place[s] - expected, "but for whole turns, small")
-        body.add(phi.place[s], expected + call(lib["wrapped"], turned))
+        body.add(phi.place[s], expected + lib["wrapped"](turned))
     return body.function(
         "count_phases",
         "Phases counted through: how far flywheels turned in a step, by their phases and, for whole turns, speeds.",

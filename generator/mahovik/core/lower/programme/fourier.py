@@ -6,7 +6,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.programme.form import SECTORS, Form
 from mahovik.core.lower.programme.place import check_phase, phase_argument, phase_of_winding, spot
 from mahovik.core.lower.programme.quintic import output_arguments
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import real, select
 from mahovik.core.program.function import Function
@@ -53,7 +53,7 @@ def fourier(lib: Library, form: Form) -> Function:
         body.set(cosine, turned_cosine)
     with body.loop("s", form.count) as s:
         angle = phase_of_winding(lib, body, t.winding[s], at, SECTORS) + phi[s]
-        body.set(phi[s], call(lib["wrapped"], angle))
+        body.set(phi[s], lib["wrapped"](angle))
         body.set(phi_dot[s], t.speed[s] + t.omega * phi_dot[s])
         body.set(phi_ddot[s], t.omega * t.omega * phi_ddot[s])
     return body.checked_function(

@@ -13,7 +13,7 @@ from math import prod
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.programme.form import Form
 from mahovik.core.lower.programme.place import Spot, check_phase, phase_argument, phase_of_winding, spot
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Convert, Expr, Place, integer, real, select
 from mahovik.core.program.function import Function
@@ -51,7 +51,7 @@ def quintic(lib: Library, form: Form) -> Function:
         if form.cyclic:
             angle = phase_of_winding(lib, body, t.winding[s], at, form.rows) + t.mean[s] + angle
             speed = t.speed[s] + speed
-        body.set(phi[s], call(lib["wrapped"], angle))
+        body.set(phi[s], lib["wrapped"](angle))
         body.set(phi_dot[s], speed)
         second = a0 + u * (real(6) * c3 + u * (real(12) * c4 + u * (real(20) * c5)))
         body.set(phi_ddot[s], second * (t.rate * t.rate))
@@ -84,7 +84,7 @@ def _beyond(lib: Library, body: Body, form: Form, phi: tuple[Expr, Expr], v: tup
     if form.cyclic:
         return rise - v[0]
     expected = body.let("expected", (v[0] + v[1]) * 0.5)
-    return call(lib["wrapped"], rise - expected) + (v[1] - v[0]) * 0.5
+    return lib["wrapped"](rise - expected) + (v[1] - v[0]) * 0.5
 
 
 def _torques(body: Body, form: Form, table: Place, at: Spot, tau: Place) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.servo.form import ServoForm
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, real
 from mahovik.core.program.function import Function
@@ -47,7 +47,7 @@ def _angle(lib: Library, sequence: str, C: Place, number: int) -> Expr:
     """psi, theta or phi (number 3, 4, 5) by the elements of C that are products of two of their sines and cosines."""
 
     def length(a: Expr, b: Expr) -> Expr:
-        return call(lib["sqrt"], a * a + b * b)
+        return lib["sqrt"](a * a + b * b)
 
     def pair() -> tuple[Expr, Expr]:
         match sequence, number:
@@ -70,4 +70,4 @@ def _angle(lib: Library, sequence: str, C: Place, number: int) -> Expr:
             case _:
                 return C[6], C[7]
 
-    return call(lib["atan2"], *pair())
+    return lib["atan2"](*pair())

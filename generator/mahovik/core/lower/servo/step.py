@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.servo.form import ServoForm
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Operand, Status, equal, integer, or_, real, select, unequal
 from mahovik.core.program.function import Function
@@ -49,7 +49,7 @@ def dry(lib: Library) -> Function:
     """`dry(x)`: tanh(x) by Pade's approximant, which is 1 at 3, and 1 beyond; at most 0.024 off."""
     x = Argument("x", Kind.REAL, purpose="speed / coulomb_speed")
     body = Body()
-    y = body.let("y", call(lib["clamped"], x.place, real(-REACHED), real(REACHED)))
+    y = body.let("y", lib["clamped"](x.place, real(-REACHED), real(REACHED)))
     body.ret(y * (real(27) + y * y) / (real(27) + real(9) * y * y))
     return lib.add(
         body.function(
@@ -98,16 +98,16 @@ def step(lib: Library, form: ServoForm) -> Function:
     cut = body.local("cut", (), Kind.INT, "was any torque limited?")
     body.set(cut, integer(0))
     with body.loop("s", form.count) as s:
-        e = body.let("e", call(lib["wrapped"], phi_ref.place[s] - angle[s]))
+        e = body.let("e", lib["wrapped"](phi_ref.place[s] - angle[s]))
         slip = body.let("slip", phi_dot_ref.place[s] - speed[s])
         body.add(x.speed[s], g.filter * (slip - x.speed[s]))
         body.note("Friction that the reference meets: no noise of the sensor comes into it.")
-        dry_part = g.coulomb[s] * call(lib["dry"], g.coulomb_rate[s] * phi_dot_ref.place[s])
+        dry_part = g.coulomb[s] * lib["dry"](g.coulomb_rate[s] * phi_dot_ref.place[s])
         friction = body.let("friction", g.viscous[s] * phi_dot_ref.place[s] + dry_part)
         u = body.let("u", tau_ff.place[s] + friction + g.angle[s] * e + g.speed[s] * x.speed[s] + x.integral[s])
         inside = body.let("inside", _clamp(lib, u, g.limit[s]))
         low, high = x.torque[s] - g.change[s], x.torque[s] + g.change[s]
-        given = body.let("given", call(lib["clamped"], inside, low, high))
+        given = body.let("given", lib["clamped"](inside, low, high))
         body.set(cut, select(or_(given < u, given > u), integer(1), cut))
         body.note("The integral loses what the limits cut off.")
         z = body.let("z", x.integral[s] + g.integral[s] * e + g.back[s] * (given - u))
@@ -133,4 +133,4 @@ def step(lib: Library, form: ServoForm) -> Function:
 
 
 def _clamp(lib: Library, value: Operand, limit: Expr) -> Expr:
-    return call(lib["clamped"], value, -limit, limit)
+    return lib["clamped"](value, -limit, limit)

@@ -12,7 +12,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.programme.clock import MOST
 from mahovik.core.lower.programme.place import check_phase
 from mahovik.core.lower.servo.form import ServoForm, TrimForm
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import (
     Convert,
@@ -119,7 +119,7 @@ def correct(lib: Library, form: ServoForm) -> Function:
         body.set(found, wanted[j])
         with body.loop("c", trim.measured) as c, body.loop("i", trim.terms) as i:
             body.set(found, found - d.matrix[row][c * terms + i] * error[c][i])
-        inside = body.let("inside", call(lib["clamped"], found, -d.limit, d.limit))
+        inside = body.let("inside", lib["clamped"](found, -d.limit, d.limit))
         body.set(cut, select(or_(inside < found, inside > found), integer(1), cut))
         body.set(wanted[j], inside)
     with body.when(unequal(cut, integer(0))):
@@ -163,7 +163,7 @@ def step(lib: Library, form: ServoForm) -> Function:
     body.set(outcome, Status("OK"))
     with body.when(x.sample >= end, "one flywheel a sample"):
         s = body.let("s", x.sample - end)
-        body.set(outcome, call(lib["trim_correct"], design.place, s, x))
+        body.set(outcome, lib["trim_correct"](design.place, s, x))
     body.set(x.sample, x.sample + integer(1))
     with body.when(Not(x.sample < end + integer(form.count)), "the next round"):
         body.set(x.sample, integer(0))

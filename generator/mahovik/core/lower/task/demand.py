@@ -18,7 +18,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import carrier_binding
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.lower.task.rows import Rows
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, integer, real, select
 from mahovik.core.program.function import Function
@@ -114,7 +114,7 @@ def scale_turning(lib: Library) -> Function:
     with body.loop("s", layout.count) as s:
         body.set(w.scale[s], table.place.flywheel[s].spin_root_inv)
     with body.loop("i", 3) as i:
-        root = body.let("root", call(lib["sqrt"], w.G[i][i]))
+        root = body.let("root", lib["sqrt"](w.G[i][i]))
         body.set(w.G[i][i], root)
         with body.loop("k", 3, start=i + 1) as k:
             body.set(w.G[k][i], w.G[k][i] * root)
@@ -189,7 +189,7 @@ def project(lib: Library, rows: Rows) -> Function:
         body.set(square, real(0))
         with body.loop("k", size) as k:
             body.add(square, Y[j][k] * Y[j][k])
-        length = body.let("length", call(lib["sqrt"], square))
+        length = body.let("length", lib["sqrt"](square))
         body.set(l[j][j], select(length > 0, length, real(1)), "a free row demands nothing")
         with body.loop("k", size) as k:
             body.set(Y[j][k], Y[j][k] / l[j][j])

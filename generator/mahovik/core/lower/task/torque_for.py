@@ -16,7 +16,7 @@ from mahovik.core.lower.inverse import flag
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.task.inverse import FREE_NOTE, task_arguments
 from mahovik.core.lower.task.rows import Rows
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import (
     Const,
@@ -220,7 +220,7 @@ def _keep_direction(
             body.add(towards[i], -(L[i][k] * towards[k]))
         body.set(towards[i], towards[i] / L[i][i])
         body.set(start[i], r[i] - towards[i])
-    body.set(share, call(lib[f"largest_share_{m}"], W, low, high, start, towards, y))
+    body.set(share, lib[f"largest_share_{m}"](W, low, high, start, towards, y))
     with body.when(share < 0):
         body.set(share, real(0))
         body.call(lib[f"bounded_least_squares_{m}"], W, start, low, high, weight, y, held)
