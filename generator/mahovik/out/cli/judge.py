@@ -76,9 +76,6 @@ def judge(
     """
     from mahovik.out.functions.judging import judge as judged
 
-    given = [name for name, each in (("--with", command), ("--log", log), ("--fmu", fmu)) if each is not None]
-    if len(given) != 1:
-        raise UsageError(f"--with, --log, --fmu: found {' and '.join(given) or 'none'}, expected one of them")
     for name in ("states", "timeout") if log is not None else ():
         if is_given(name):
             raise UsageError(f"--{name}: not with --log, of which all rows are judged")

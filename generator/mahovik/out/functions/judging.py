@@ -76,8 +76,9 @@ def judge(
         above_zero(name, value)
     if unknown := [each for each in want if each not in ALL_WANTS]:
         raise UsageError(f'want: unknown "{unknown[0]}"{suggestion(unknown[0], ALL_WANTS)}')
-    if sum(each is not None for each in (command, log, fmu)) != 1:
-        raise UsageError("--with, --log, --fmu: expected one of them")
+    judged = [name for name, each in (("--with", command), ("--log", log), ("--fmu", fmu)) if each is not None]
+    if len(judged) != 1:
+        raise UsageError(f"--with, --log, --fmu: found {' and '.join(judged) or 'none'}, expected one of them")
     if (fmu is None) != (variables is None):
         raise UsageError("--fmu, --map: one is missing, expected both")
     if attitude is not None and command is None:

@@ -10,8 +10,11 @@ import signal
 import subprocess
 import tempfile
 import threading
+from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
+from time import monotonic
 from typing import IO, Any, Literal
 
 import numpy as np
@@ -107,8 +110,11 @@ def verify_program(
     if program.attitude == "quaternion" and "generalized" in wants and stand.hold is None:
         raise UsageError("--want generalized: needs angles, not with --attitude quaternion")
     states = [(name, program.state(stand, state)) for name, state in draw(stand, seed, count, wrenches=False)]
-    if program.actuators:
-        states = _with_actuators(stand, states, seed)
+    if program.actuators:  # two sets, since the second derivation is made for each, and every third state as it is
+        rng = np.random.default_rng(seed)
+        first = states[0][1]
+        sets = [first.actuators, *(with_drawn_actuators(stand, first, rng).actuators for _ in range(2))]
+        states = [(name, replace(state, actuators=sets[k % 3])) for k, (name, state) in enumerate(states)]
     requests = [
         Request(f"{name}, {want}", state, (want,))  # so that a want that a program lacks does not affect others
         for name, state in states
@@ -122,7 +128,7 @@ def verify_program(
         results = answers_of_program(program, requests, timeout)
     except CheckError as error:
         return report(stand, program.name, seed, len(states), tolerance, (), str(error))
-    rows = _rows(setting, list(zip(requests, results, strict=True)), program.left_out, bool(wants))
+    rows = _rows(setting, "program", list(zip(requests, results, strict=True)), program.left_out, wants)
     return report(stand, program.name, seed, len(states), tolerance, rows)
 
 
@@ -136,14 +142,9 @@ def verify_log(
     tolerance: float = DOUBLE.value,
 ) -> Report:
     """Judge the answers of a log of `count` states. `wants`: those it must have."""
-    known = {want for request, _ in answers for want in request.want}
-    judge = Judge(stand, uniform(tolerance), Second(stand), "log")
-    for request, result in answers:
-        if not wants or request.want[0] in wants:
-            # the reaction of a held carrier has a want of its own
-            judge.compare(request, request.want[0], result, ("reaction",) if "reaction" not in result else ())
-    lacking = [Check(w, w, verdict="MISSING", words="no row of the log has it") for w in wants if w not in known]
-    return report(stand, source, 0, count, tolerance, [*judge.checks(), *lacking])
+    asked = [(request, result) for request, result in answers if not wants or request.want[0] in wants]
+    rows = _rows(TaskSetting(stand, uniform(tolerance), Second(stand), 0), "log", asked, ("reaction",), wants)
+    return report(stand, source, 0, count, tolerance, rows)
 
 
 def takes_actuators(stand: Stand, program: Program, timeout: float) -> bool:
@@ -165,41 +166,32 @@ def takes_actuators(stand: Stand, program: Program, timeout: float) -> bool:
     return any("error" not in b and {**a, "id": None} != {**b, "id": None} for a, b in pairs if "error" not in a)
 
 
-def _with_actuators(stand: Stand, states: Sequence[tuple[str, State]], seed: int) -> list[tuple[str, State]]:
-    """The states, every third as it is, others with one of two sets: the second derivation is made for each set."""
-    rng = np.random.default_rng(seed)
-    sets = [with_drawn_actuators(stand, states[0][1], rng).actuators for _ in range(2)]
-    return [
-        (name, state if k % 3 == 0 else replace(state, actuators=sets[k % 3 - 1]))
-        for k, (name, state) in enumerate(states)
-    ]
-
-
-def _rows(setting: TaskSetting, answered: Answered, left_out: Sequence[str], required: bool) -> list[Check]:
-    """Rows of the wants that a program offers; one row for each that it does not."""
-    by_want: dict[str, list[tuple[Request, Mapping[str, Any]]]] = {}
+def _rows(
+    setting: TaskSetting, judged: str, answered: Answered, left_out: Sequence[str], wants: Sequence[str]
+) -> list[Check]:
+    """Rows of the wants that a program offers; one row for each that it does not, MISSING where it is in `wants`."""
+    by_want: dict[str, list[tuple[Request, Mapping[str, Any]]]] = {want: [] for want in wants}
     for request, result in answered:
         by_want.setdefault(request.want[0], []).append((request, result))
-    judge = Judge(setting.stand, setting.limits, setting.second, "program")
+    judge = Judge(setting.stand, setting.limits, setting.second, judged)
     rows: list[Check] = []
     for want, pairs in by_want.items():
         refusals = [str(result["error"])[:200] for _, result in pairs if "error" in result]
         if len(refusals) == len(pairs):
-            rows.append(Check(want, want, verdict="MISSING" if required else "not offered", words=refusals[0]))
+            words = refusals[0] if refusals else f"no row of the {judged} has it"
+            rows.append(Check(want, want, verdict="MISSING" if wants else "not offered", words=words))
             continue
         if want == TORQUE_FOR:
             rows += torque_rows(setting, *map(list, zip(*pairs, strict=True)))
             continue
         # what is in some of its results must be in all
-        held = setting.stand.hold is not None
-        absent = [name for name in answers_of(want, held) if not any(name in result for _, result in pairs)]
-        absent = [name for name in absent if name in left_out]
-        rows += [Check(want, name, verdict="not offered", words="in none of its results") for name in absent]
+        absent = [name for name in left_out if not any(name in result for _, result in pairs)]
+        absent = [name for name in answers_of(want, setting.stand.hold is not None) if name in absent]
+        silent = [name for name in absent if name not in by_want]  # a reaction may have a want of its own
+        rows += [Check(want, name, verdict="not offered", words="in none of its results") for name in silent]
         for request, result in pairs:
-            if "error" in result:
-                judge.compare(request, want, None, absent, f"refused: {result['error']}"[:200])
-            else:
-                judge.compare(request, want, result, absent)
+            refusal = f"refused: {result['error']}"[:200] if "error" in result else ""
+            judge.compare(request, want, None if refusal else result, absent, refusal)
     return [*judge.checks(), *rows]
 
 
@@ -213,37 +205,35 @@ def answers_of_program(program: Program, requests: Sequence[Request], timeout: f
 
 def read_results(lines: Sequence[bytes], requests: Sequence[Request]) -> list[Mapping[str, Any]]:
     """A result for every request, in order. Raises CheckError."""
-    found: list[Mapping[str, Any]] = []
+    results: list[Mapping[str, Any]] = []
     for number, (line, request) in enumerate(zip(lines, requests, strict=False), start=1):
-        start = ascii(line[:60].decode("utf-8", "replace"))
+        kind = "object"
         try:
             result = json.loads(line)
         except (ValueError, RecursionError):
-            raise CheckError(f"line {number} of its output is no JSON: {start}") from None
-        if not isinstance(result, dict):
-            raise CheckError(f"line {number} of its output is no object: {start}")
-        if result.get("id") != request.id:
-            value = excerpt(result.get("id"))
-            raise CheckError(f'line {number} of its output has the id {value}, expected "{request.id}"')
-        if fault := _fault(request, result):
-            raise CheckError(f"line {number} of its output: {fault}")
-        found.append(result)
-    if all(result == json.loads(state_line(request)) for result, request in zip(found, requests, strict=False)):
+            result, kind = None, "JSON"
+        start = ascii(line[:60].decode("utf-8", "replace"))
+        if fault := _fault(request, result) if isinstance(result, dict) else f" is no {kind}: {start}":
+            raise CheckError(f"line {number} of its output{fault}")
+        results.append(result)
+    if all(result == json.loads(state_line(request)) for result, request in zip(results, requests, strict=False)):
         raise CheckError("it answered nothing: each line of its output is the state that it was given, without results")
     if len(lines) != len(requests):
         raise CheckError(f"{len(lines)} lines of output for {len(requests)} states")
-    return found
+    return results
 
 
 def _fault(request: Request, result: Mapping[str, Any]) -> str:
-    """What of a result is not by the contract, in words: a name in the place of one that is missing, another shape."""
+    """What of a result is not by the contract: its id, a name in the place of one that is missing, a shape."""
+    if result.get("id") != request.id:
+        return f' has the id {excerpt(result.get("id"))}, expected "{request.id}"'
     if "error" in result:
         return ""
     wanted = answers_of(request.want[0], bool(request.state.u), bool(request.state.task))
     missing = [name for name in wanted if name not in result and name not in MAY_BE_LEFT_OUT]
     unknown = [name for name in result if name not in ANSWERS and name not in STATE]
     if missing and unknown:
-        return f'unknown key "{unknown[0]}"{suggestion(unknown[0], missing)}'
+        return f': unknown key "{unknown[0]}"{suggestion(unknown[0], missing)}'
     for name in wanted:
         expected = ANSWERS[name].shape_of(len(request.state.phi), len(request.state.u))
         if expected is None or result.get(name) is None:
@@ -251,9 +241,9 @@ def _fault(request: Request, result: Mapping[str, Any]) -> str:
         try:
             shape = np.shape(result[name])
         except ValueError:
-            return f"{name}: found lists of different lengths, expected {_size(expected)}"
+            return f": {name}: found lists of different lengths, expected {_size(expected)}"
         if shape != expected and (np.prod(shape) or np.prod(expected)):
-            return f"{name}: found {_size(shape)}, expected {_size(expected)}"
+            return f": {name}: found {_size(shape)}, expected {_size(expected)}"
     return ""
 
 
@@ -267,66 +257,47 @@ def run_program(words: Sequence[str], lines: Sequence[str], timeout: float) -> l
     It finds all lines and the end of its input, whether it answers each at once or all at the end.
     Raises CheckError where it dies, hangs or does not stop printing; UsageError where it cannot be started.
     """
-    found: list[bytes] = []
-    last_words = [b""]
-    late = threading.Event()
+    last_words, pipe, start = deque[bytes](maxlen=1), subprocess.PIPE, monotonic()
     with tempfile.TemporaryFile() as states:
         states.write("".join(f"{line}\n" for line in lines).encode())
         states.seek(0)
-        process = _start(words, states)
-        assert process.stdout is not None and process.stderr is not None
-        timer = threading.Timer(timeout, _stop, (process, late))
-        listener = threading.Thread(target=_keep_last, args=(process.stderr, last_words), daemon=True)
+        try:  # in a group of its own, which ends with it
+            process = subprocess.Popen(words, stdin=states, stdout=pipe, stderr=pipe, start_new_session=True)
+        except (OSError, ValueError) as error:
+            reason = error.strerror if isinstance(error, OSError) else error
+            raise UsageError(f"--with {words[0]}: cannot be started: {reason}") from None
+    with process:
+        timer = threading.Timer(timeout, _kill, (process,))
+        listener = threading.Thread(target=lambda: last_words.extend(_lines(process.stderr)), daemon=True)
         try:
             timer.start()
             listener.start()
-            for line in _lines(process.stdout):
-                found.append(line)
-                if len(found) > len(lines):
-                    raise CheckError(f"{words[0]} gave more lines than the {len(lines)} states")
+            answers = list(islice(_lines(process.stdout), len(lines) + 1))
+            if len(answers) > len(lines):
+                raise CheckError(f"{words[0]} gave more lines than the {len(lines)} states")
             status = process.wait()
         finally:
             timer.cancel()
-            _stop(process)
+            _kill(process)
             listener.join()
-            process.stdout.close()
-            process.stderr.close()
-    answered = f"{words[0]} answered {len(found) or 'none'} of {len(lines)} states"
-    if late.is_set():
+    answered = f"{words[0]} answered {len(answers) or 'none'} of {len(lines)} states"
+    if status in (0, 1) and len(answers) == len(lines):  # 1: some states failed, which their lines say
+        return answers
+    if monotonic() - start >= timeout:
         raise CheckError(f"{answered} in {timeout:g} s and had not ended: --timeout gives it longer")
-    if status in (0, 1) and len(found) == len(lines):  # 1: some states failed, which their lines say
-        return found
     end = f"signal {-status}" if status < 0 else f"status {status}"
-    reason = last_words[0].decode("utf-8", "replace").strip()[:200] or "nothing on its standard error"
+    reason = b"".join(last_words).decode("utf-8", "replace").strip()[:200] or "nothing on its standard error"
     raise CheckError(f"{answered} and ended with {end}: {reason}")
 
 
-def _start(words: Sequence[str], states: IO[bytes]) -> subprocess.Popen[bytes]:
-    """Start a program in a group of its own. Raises UsageError."""
-    pipe = subprocess.PIPE
-    try:
-        return subprocess.Popen(words, stdin=states, stdout=pipe, stderr=pipe, start_new_session=True)
-    except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else error
-        raise UsageError(f"--with {words[0]}: cannot be started: {reason}") from None
-
-
-def _lines(pipe: IO[bytes]) -> Iterator[bytes]:
+def _lines(pipe: IO[bytes] | None) -> Iterator[bytes]:
     """Lines that are not blank."""
-    while line := pipe.readline(LONGEST):
+    while pipe is not None and (line := pipe.readline(LONGEST)):
         if line.strip():
             yield line
 
 
-def _keep_last(pipe: IO[bytes], last: list[bytes]) -> None:
-    for line in _lines(pipe):
-        last[0] = line
-
-
-def _stop(process: subprocess.Popen[bytes], late: threading.Event | None = None) -> None:
-    """Kill the program and all processes that it started; note that it was late."""
-    if late is not None:
-        late.set()
+def _kill(process: subprocess.Popen[bytes]) -> None:
+    """Kill the program and all processes that it started."""
     with contextlib.suppress(OSError):
         os.killpg(process.pid, signal.SIGKILL)
-    process.wait()

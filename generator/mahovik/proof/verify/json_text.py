@@ -6,8 +6,6 @@ import json
 import math
 from typing import Any
 
-import numpy as np
-
 from mahovik.errors import StateError
 
 
@@ -17,21 +15,18 @@ def encode(value: Any, name: str = "") -> str:
     StateError where a number is not finite, with the `name` of the member. Arrays are lists; a float is never written
     like an integer.
     """
+    value = value.tolist() if hasattr(value, "tolist") else value  # of NumPy
     match value:
         case dict():
             return "{" + members(value) + "}"
-        case np.ndarray():
-            return encode(value.tolist(), name)
         case list() | tuple():
             return "[" + ", ".join(encode(each, name) for each in value) + "]"
-        case float() | np.floating():
-            if not math.isfinite(value):
-                raise StateError(f"{name}: not finite at this state" if name else "not finite at this state")
-            text = f"{float(value):.17g}"
+        case float() if not math.isfinite(value):
+            raise StateError(f"{name}: not finite at this state" if name else "not finite at this state")
+        case float():
+            text = f"{value:.17g}"
             return text + ".0" if text.lstrip("-").isdigit() else text
-        case np.integer():
-            return str(int(value))
-    return json.dumps(value, allow_nan=False)
+    return json.dumps(value)
 
 
 def members(value: dict[str, Any]) -> str:
