@@ -19,6 +19,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.board import require
 from mahovik.core.toolchain.targets import Target
 from mahovik.proof.cost import measure as measuring
+from mahovik.proof.cost import page as cost_page
 from mahovik.proof.cost.measure import USUAL, Costs, FunctionCost, TargetCost
 from mahovik.proof.verify import delivery
 from mahovik.stands import path
@@ -40,11 +41,11 @@ def functions(monkeypatch: pytest.MonkeyPatch) -> list[FunctionCost]:
         targets = [
             TargetCost(
                 *(target.name, target.title, real, "0" * 64, "gcc 1.2.3", "-O2", "qemu 7.2.0"),
-                *(tuple(found), 5000, {}, {}, 8, {}),
+                *(tuple(found), 5000, {}, {}, 8),
             )
             for target, real in pairs
         ]
-        return Costs(stand.name, "0", "1", 3, tuple(targets))
+        return Costs(stand.name, "0", "1", tuple(targets))
 
     monkeypatch.setattr(measuring, "measure", measure)
     monkeypatch.setattr(measuring, "require", lambda target: None)
@@ -64,7 +65,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     def made(stand: Stand, real: str, only: tuple[str, ...] = ()) -> SimpleNamespace:
         return SimpleNamespace(files=generated_files(stand.name, real))
 
-    monkeypatch.setattr(delivery, "generate_all", made)
+    monkeypatch.setattr(cost_page, "generate_all", made)
     delivery.deliver(tmp_path / "out", load(DEMO3), "double", generated_files("demo3", "double"))
     return tmp_path / "out"
 
@@ -84,10 +85,11 @@ def edit(folder: Path, change: Callable[[dict[str, Any]], object]) -> None:
     (folder / "cost.json").write_text(json.dumps(data))
 
 
-def test_both_files_are_listed(folder: Path) -> None:
+def test_both_files_lie_beside_the_delivery(folder: Path) -> None:
     result = run("cost", DEMO3, "-o", str(folder))
     assert result.exit_code == 0
-    assert {"COST.md", "cost.json"} <= set(json.loads((folder / "manifest.json").read_text())["files"])
+    assert {"COST.md", "cost.json"} <= set(contents(folder))
+    assert not {"COST.md", "cost.json"} & set(json.loads((folder / "manifest.json").read_text())["files"])
     assert accepted(folder) == list(USUAL)
     before = contents(folder)
     assert run("cost", DEMO3, "-o", str(folder)).exit_code == 0

@@ -14,7 +14,8 @@ from emit.stands import generated, stand, write
 from mahovik.core.emit.cpp import cpp_header
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.generate import generate_all
-from mahovik.proof.verify.delivery import delivered_options, require_place_for_cost
+from mahovik.proof.cost.page import require_place
+from mahovik.proof.verify.delivery import delivered_options
 from mahovik.stands import path
 from toolchain.tools import compile_c, require, run
 
@@ -82,7 +83,7 @@ def test_the_manifest_names_the_functions_and_commands_know_them(tmp_path: Path)
     assert options is not None
     assert options.only == ("torque", "forward")
     assert cli("generate", *given, "-o", folder, "--check").exit_code == 0
-    require_place_for_cost(tmp_path / "part", stand("sat4"))  # knows the C as that of a part
+    require_place(tmp_path / "part", stand("sat4"))  # knows the C as that of a part
     assert "manifest.json: does not list these files" in refused(
         "generate", str(path("sat4")), "--only", "forward,torque", "-o", folder, "--check", status=1
     )

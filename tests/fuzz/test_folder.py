@@ -18,7 +18,7 @@ from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.emit.manifest import manifest
 from mahovik.core.stand import load
 from mahovik.proof.cost.page import read_accepted_costs
-from mahovik.proof.verify.delivery import FIGURES, accepted_figures, deliver, differences
+from mahovik.proof.verify.delivery import FIGURES, deliver, differences
 from mahovik.stands import path
 
 DEMO3 = load(path("demo3"))
@@ -52,7 +52,7 @@ def folder(tmp_path: Path) -> Path:
 def visit(folder: Path) -> None:
     """Everything that reads a folder before it writes there."""
     read_or_refuse(lambda: differences(folder, DEMO3, "double", files()))
-    read_or_refuse(lambda: accepted_figures(folder, DEMO3))
+    read_or_refuse(lambda: read_accepted_costs(folder, DEMO3))
     read_or_refuse(lambda: deliver(folder, DEMO3, "double", files()))
     for name, text in files().items():
         there = folder / name
@@ -68,16 +68,12 @@ def test_manifest(data: bytes, folder: Path) -> None:
 
 def test_the_example_is_accepted(folder: Path) -> None:
     (folder / FIGURES).write_text(json.dumps(COSTS), encoding="utf-8")
-    found = accepted_figures(folder, DEMO3)
-    assert found is not None
-    assert read_accepted_costs(found, FIGURES)
+    assert read_accepted_costs(folder, DEMO3)
 
 
 @fuzzed(60)
 @given(text=spoiled_json([COSTS]))
 def test_accepted_figures(text: str, folder: Path) -> None:
     (folder / FIGURES).write_bytes(text.encode("utf-8", "surrogatepass"))
-    found = read_or_refuse(lambda: accepted_figures(folder, DEMO3))
-    if found is not None:
-        read_or_refuse(lambda: read_accepted_costs(found, FIGURES))
+    read_or_refuse(lambda: read_accepted_costs(folder, DEMO3))
     read_or_refuse(lambda: deliver(folder, DEMO3, "double", files()))

@@ -45,17 +45,9 @@ def cost(
         raise UsageError("--check, --accept: give only one of them")
     from mahovik.proof.cost.measure import USUAL, available, parse_targets
     from mahovik.proof.cost.page import as_json as json_text
-    from mahovik.proof.cost.page import page, read_accepted_costs
-    from mahovik.proof.verify.delivery import (
-        COST_PAGE,
-        FIGURES,
-        Options,
-        accepted_figures,
-        add_to_delivery,
-        delivered_options,
-        require_place_for_cost,
-        stand_in,
-    )
+    from mahovik.proof.cost.page import page, read_accepted_costs, require_place
+    from mahovik.proof.verify.delivery import COST_PAGE, FIGURES, Options, delivered_options, stand_in
+    from mahovik.writing import write_all
 
     stand = load_stand(stand_file)
     folder = Path(output if output is not None else stand.name)
@@ -70,11 +62,11 @@ def cost(
     usual = targets is None and real is None and not absent
     stand = stand_in(folder, stand, UsageError)
     if not check:
-        require_place_for_cost(folder, stand)
-    text = accepted_figures(folder, stand)
-    if check and text is None:
+        require_place(folder, stand)
+    accepted = read_accepted_costs(folder, stand)
+    if check and accepted is None:
         raise UsageError(f"{folder / FIGURES}: no such file: accept figures first, `mahovik cost` without --check")
-    before = read_accepted_costs(text, str(folder / FIGURES)) if text is not None else None
+    before = None if accepted is None else accepted["targets"]
     found = _measure(stand, pairs, options.only)
     if as_json:
         print_json_text(json_text(found))
@@ -88,7 +80,7 @@ def cost(
     if accept or (before is None and usual):
         files[FIGURES] = json_text(found, before or ())
     if files:
-        for path in add_to_delivery(folder, files):
+        for path in write_all(folder, files):
             click.echo(click.format_filename(path), err=as_json)
 
 

@@ -1,16 +1,24 @@
-"""What a stand's C costs: COST.md, the same as JSON to compare with later, and what has risen since."""
+"""What a stand's C costs: COST.md, the same as JSON to compare with later, and what has risen since.
+
+Both files lie beside the C and are no part of its delivery: the manifest does not list them.
+"""
 
 from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
+from pathlib import Path
 from typing import Any
 
 from mahovik import __version__
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.stand.content import content
+from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.proof.cost.measure import STATES, Costs, TargetCost
+from mahovik.proof.verify.delivery import COST_PAGE, FIGURES, delivered_options, is_cost_page, require_own
 
 RISE = 0.02
 """Least relative rise that counts: figures of one compiler are the same in every run, without noise."""
@@ -31,18 +39,15 @@ def page(costs: Costs) -> str:
         "*Stack* is the deepest chain of calls by the compiler's own frames; *painted* is what a call was seen to use "
         "on the\nemulator. *Code* is a function with all it calls; functions share most of it.\n\n"
         "What `inverse` costs depends on the state, by limits and damping: its count is of these states, others cost "
-        "more.\nThe bytes of a flywheel are those of the table; parameters and options come on top, and "
-        "`--gc-sections` drops them\nwhere the program does not name them.\n\n"
+        "more.\n`--gc-sections` drops parameters and options that the program does not name.\n\n"
         "A step of the recorder (`recorder_step`) is one whose state nothing but steps has written to; taking the "
         "record is not\ncounted. Its painted stack has a frame of the measuring program in it.\n\n"
         f"SHA-256 of the measured `{costs.stand}.c`, by element type:\n\n```text{sources}\n```\n"
     )
-    return text + "".join(_target(costs, target) for target in costs.targets) + _code(costs)
+    return text + "".join(map(_target, costs.targets)) + _code(costs)
 
 
-def _target(costs: Costs, target: TargetCost) -> str:
-    counted = f"counted by {target.emulator or 'callgrind'}"
-    text = f"\n## {target.title}: {target.target}, {target.real}\n\n{target.compiler} `{target.flags}`; {counted}.\n\n"
+def _target(target: TargetCost) -> str:
     rows = [
         [
             f"`{f.function}`",
@@ -53,6 +58,8 @@ def _target(costs: Costs, target: TargetCost) -> str:
         ]
         for f in target.functions
     ]
+    counted = f"counted by {target.emulator or 'callgrind'}"
+    text = f"\n## {target.title}: {target.target}, {target.real}\n\n{target.compiler} `{target.flags}`; {counted}.\n\n"
     text += _table(["function", "instructions", "stack, bytes", "painted", "code, bytes"], rows)
     if not all(f.instructions for f in target.functions):
         text += "\nRefused: these states are none for it; `inverse_fast` wants six independent flywheels, or damping.\n"
@@ -60,13 +67,10 @@ def _target(costs: Costs, target: TargetCost) -> str:
         names = ", ".join(f"`{name}`" for name in routines)
         text += f"\n\\* and {names} of the compiler's library, counted in instructions and painted stack only.\n"
     sizes = ", ".join(f"`{name}` {size:,}" for name, size in target.constants.items())
-    text += (
-        f"\nWhole file: {target.text:,} bytes of code; constants: {sizes}, literals of the code {target.unnamed:,}.\n"
+    return (
+        f"{text}\nWhole file: {target.text:,} bytes of code; constants: {sizes}, "
+        f"literals of the code {target.unnamed:,}.\n"
     )
-    if target.flywheel:
-        shares = ", ".join(f"`{costs.stand}_{name}` {size}" for name, size in target.flywheel.items())
-        text += f"Of these, a flywheel takes: {shares}.\n"
-    return text
 
 
 def _code(costs: Costs) -> str:
@@ -96,23 +100,46 @@ def as_json(costs: Costs, before: Sequence[Mapping[str, Any]] = ()) -> str:
     return json.dumps({**asdict(costs), "targets": list((kept | new).values())}, indent=1) + "\n"
 
 
-def read_accepted_costs(text: str, where: str) -> list[dict[str, Any]]:
-    """The targets of a JSON of `as_json`. Raises UsageError."""
+def read_accepted_costs(folder: Path, stand: Stand) -> dict[str, Any] | None:
+    """What `as_json` wrote for a stand into a folder; None where there is none. Raises UsageError."""
+    path = folder / FIGURES
+    if not path.is_file():
+        return None
     try:
-        targets = json.loads(text)["targets"]
-        good = all(_is_target(target) for target in targets)
+        costs = json.loads(content(path))
+        names = [t[key] for t in costs["targets"] for key in ("target", "real", "compiler")]
+        names += [f["function"] for t in costs["targets"] for f in t["functions"]]
+        figures = [number for t in costs["targets"] for number in _figures(t).values()]
+        good = all(type(n) is int and n >= 0 for n in figures) and all(isinstance(name, str) for name in names)
+        if good and costs["stand"] == stand.name:
+            return dict(costs)
     except (ValueError, RecursionError, KeyError, TypeError, AttributeError):
-        good = False
-    if not good:
-        raise UsageError(f"{where}: no figures of `mahovik cost`: restore it, or move it away and accept again")
-    return list(targets)
+        pass
+    raise UsageError(f"{path}: no figures of `mahovik cost` for {stand.name}: restore it, or move it away")
 
 
-def _is_target(target: Mapping[str, Any]) -> bool:
-    figures = [target["text"], *target["constants"].values()]
-    figures += [f[what] for f in target["functions"] for what in COMPARED_FIGURES if what in f]
-    names = [target["target"], target["real"], target["compiler"], *(f["function"] for f in target["functions"])]
-    return all(type(n) is int and n >= 0 for n in figures) and all(isinstance(name, str) for name in names)
+def require_place(folder: Path, stand: Stand) -> None:
+    """Raises UsageError unless COST.md and cost.json of a stand may be written into a folder.
+
+    That is one that is new or empty, or that holds this stand's C as its file gives it; COST.md there must be ours.
+    """
+    options = delivered_options(folder)
+    if options is not None:
+        require_own(folder, stand)
+        made, source = generate_all(stand, options.real, options.only).files, folder / f"{stand.name}.c"
+        if not source.is_file() or source.read_bytes() != made[source.name].encode():
+            raise UsageError(
+                f"{folder}: holds other C than the stand file gives: `mahovik generate` first, nothing was written"
+            )
+    elif folder.is_dir() and any(path.name not in (COST_PAGE, FIGURES) for path in folder.iterdir()):
+        raise UsageError(
+            f"{folder}: is neither empty nor a folder of `mahovik generate`: choose another, nothing was written"
+        )
+    if (folder / COST_PAGE).exists() and not is_cost_page(folder, stand):
+        raise UsageError(
+            f"{folder / COST_PAGE}: was not written by mahovik for {stand.name}: move it away or choose another "
+            "folder, nothing was written"
+        )
 
 
 @dataclass(frozen=True)
@@ -138,38 +165,32 @@ def compare(
     compared, other = [], []
     before = {(old["target"], old["real"]): old for old in accepted}
     missing = [f"{target}, {real}" for target, real in dict.fromkeys(required) if (target, real) not in before]
-    for new in costs.targets:
-        name = f"{new.target}, {new.real}"
-        old = before.get((new.target, new.real))
+    for target in costs.targets:
+        name, new = f"{target.target}, {target.real}", asdict(target)
+        old = before.get((target.target, target.real))
         if old is None:
-            if name not in missing:
-                other.append(f"{name}: no accepted figures")
-        elif old["compiler"] != new.compiler:
-            other.append(f"{name}: accepted figures are of {old['compiler']}, this is {new.compiler}")
-        else:
-            compared.append(name)
-            rises += (f"{name}: {line}" for line in _rises(old, new))
-            missing += (f"{name}: {line}" for line in _missing(old, new))
+            other += [f"{name}: no accepted figures"] if name not in missing else []
+            continue
+        if old["compiler"] != new["compiler"]:
+            other.append(f"{name}: accepted figures are of {old['compiler']}, this is {new['compiler']}")
+            continue
+        compared.append(name)
+        was, functions = _figures(old), {f["function"] for f in new["functions"]}
+        for what, now in _figures(new).items():
+            if what not in was:
+                missing.append(f"{name}: {what}")
+            elif now > was[what] * (1 + RISE):
+                more = f"{100 * (now - was[what]) / was[what]:.1f} % more" if was[what] else "there was none"
+                rises.append(f"{name}: {what}: {was[what]} accepted, now {now}, {more}")
+        gone = [f["function"] for f in old["functions"] if f["function"] not in functions]
+        missing += [f"{name}: {function}, which is not there any more" for function in gone]
     return Comparison(tuple(rises), tuple(missing), tuple(compared), tuple(other))
 
 
-def _rises(old: Mapping[str, Any], new: TargetCost) -> Iterator[str]:
-    before = {f["function"]: f for f in old["functions"]}
-    pairs = [("code of the whole file", old["text"], new.text)]
-    pairs += [(f"constants {table}", old["constants"].get(table), size) for table, size in new.constants.items()]
-    for f in new.functions:
-        accepted = before.get(f.function, {})
-        pairs += [(f"{f.function}, {what}", accepted.get(what), getattr(f, what)) for what in COMPARED_FIGURES]
-    for what, was, now in pairs:
-        if was is not None and now > was * (1 + RISE):
-            more = f"{100 * (now - was) / was:.1f} % more" if was else "there was none"
-            yield f"{what}: {was} accepted, now {now}, {more}"
-
-
-def _missing(old: Mapping[str, Any], new: TargetCost) -> Iterator[str]:
-    """Functions, their figures and tables that only one side has."""
-    before = {f["function"]: f for f in old["functions"]}
-    now = [f.function for f in new.functions]
-    yield from (f"{name}, {what}" for name in now for what in COMPARED_FIGURES if what not in before.get(name, {}))
-    yield from (f"{name}, which is not there any more" for name in before if name not in now)
-    yield from (f"constants {table}" for table in new.constants if table not in old["constants"])
+def _figures(target: Mapping[str, Any]) -> dict[str, int]:
+    """All figures of a target that are compared, by what they are of."""
+    tables = {f"constants {table}": size for table, size in target["constants"].items()}
+    functions = {
+        f"{f['function']}, {what}": f[what] for f in target["functions"] for what in COMPARED_FIGURES if what in f
+    }
+    return {"code of the whole file": target["text"], **tables, **functions}

@@ -19,7 +19,7 @@ from typing import Any
 
 import mahovik
 from mahovik import __version__
-from mahovik.core.emit.generate import PRECISIONS, generate_all
+from mahovik.core.emit.generate import PRECISIONS
 from mahovik.core.emit.manifest import FORMAT, NAME, as_text, digest, manifest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.reading import Header, read_header
@@ -31,10 +31,10 @@ from mahovik.errors import CheckError, MahovikError, UsageError
 from mahovik.writing import write_all
 
 COST_PAGE = "COST.md"
-"""Measured cost of the C whose SHA-256 it names; kept as long as the folder holds that C."""
+"""Measured cost of the C whose SHA-256 it names; `mahovik cost` writes it, the manifest does not list it."""
 
 FIGURES = "cost.json"
-"""Accepted figures, with which later C is compared; kept when the C changes."""
+"""Accepted figures, with which later C is compared; as unlisted."""
 
 PROVENANCE = "provenance.json"
 """File beside the manifest, which does not list it: what made the folder, of this machine."""
@@ -80,12 +80,10 @@ def read_manifest(folder: Path) -> dict[str, Any] | None:
 
 def delivered_options(folder: Path) -> Options | None:
     """Options of the C in a folder, by its manifest; None where there is none. Raises UsageError."""
-    found = read_manifest(folder)
-    return None if found is None else _options(found)
-
-
-def _options(found: Mapping[str, Any]) -> Options:
-    return Options(found["real"], tuple(found.get("only", ())), bool(found.get("batch", False)))
+    manifest = read_manifest(folder)
+    if manifest is None:
+        return None
+    return Options(manifest["real"], tuple(manifest.get("only", ())), bool(manifest.get("batch", False)))
 
 
 def with_prefix(stand: Stand, prefix: str | None) -> Stand:
@@ -160,35 +158,66 @@ def deliver(
     `made_by`: text of `provenance`, which is written beside them and not listed.
 
     Raises UsageError where a file there is not the generator's own, and for a project in the place of a delivered
-    folder or the reverse. COST.md of the same C stays and is listed, and so do accepted figures; a COST.md of other
-    C, and what an older generator left, is removed.
+    folder or the reverse. What an older generator left, and a COST.md of other C, is removed.
     """
-    old = read_manifest(folder)
-    listed: Mapping[str, str] = {} if old is None else old["files"]
-    replaced = [name for name in replaceable if _is_listed(folder, name, listed) is False]
-    written = {name: text for name, text in files.items() if name not in replaced}
-    _refuse_foreign(folder, stand, written, old)
-    if old is not None and bool(old.get("project")) != bool(project):
+    old = require_own(folder, stand) or {}
+    listed: Mapping[str, str] = old.get("files", {})
+    unchanged = {name for name in listed if (folder / name).is_file() and _hash(folder / name) == listed[name]}
+    yours = [name for name in replaceable if name in listed and name not in unchanged and (folder / name).is_file()]
+    written = {name: text for name, text in files.items() if name not in yours}
+    for name, text in written.items():
+        path = folder / name  # what is no file at all is refused where it is written
+        if not path.is_file() or name in unchanged or _hash(path) == digest(text):
+            continue
+        there = path.read_bytes()
+        if old or _MARK.encode() not in there or f'of the stand "{stand.name}"'.encode() not in there:
+            why = "was changed by hand" if name in listed else "was not written by mahovik"
+            raise UsageError(f"{path}: {why}: move it away or choose another folder, {_NOTHING}")
+    if old and bool(old.get("project")) != bool(project):
         what = f"the project of target {old['project']}" if old.get("project") else "what `mahovik generate` delivers"
         raise UsageError(f"{folder}: holds {what}: choose another folder, {_NOTHING}")
-    _refuse_changed(folder, old)
     path = folder / PROVENANCE
-    if made_by and '"package": ' not in (_text(path) or made_by):
+    if made_by and path.is_file() and b'"package": ' not in path.read_bytes():
         raise UsageError(f"{path}: was not written by mahovik: move it away or choose another folder, {_NOTHING}")
-    cost, kept = _text(folder / COST_PAGE), _kept_files(folder, stand, files)
-    names = [n for n in listed if Path(n.removeprefix(VERIFICATION)).name == n.removeprefix(VERIFICATION)]
-    stale = [n for n in names if n not in files and n not in kept and _is_listed(folder, n, listed)]
-    if cost is not None and not kept and COST_PAGE not in stale and re.search(r"\b[0-9a-f]{64}\b", cost):
-        stale.append(COST_PAGE)
-    paths = write_all(folder, {**written, NAME: manifest(stand, real, {**files, **kept}, project, only)})
+    stale = {}
+    for name in sorted(unchanged - {*files, COST_PAGE, FIGURES}):
+        if "/" not in name.removeprefix(VERIFICATION):  # a manifest may name anything
+            stale[folder / name] = "is no longer delivered"
+    if is_cost_page(folder, stand) and not _is_measured_on(folder, files.get(f"{stand.name}.c", "")):
+        stale[folder / COST_PAGE] = "was measured on other C: measure again with `mahovik cost`"
+    paths = write_all(folder, {**written, NAME: manifest(stand, real, files, project, only)})
     if made_by:
         write_all(folder, {PROVENANCE: made_by})
-    notes = [f"{folder / name} is yours and stays as it is" for name in replaced]
-    for name in stale:
-        (folder / name).unlink(missing_ok=True)
-        measured = "was measured on other C: measure again with `mahovik cost`"
-        notes.append(f"{folder / name} was removed: it {measured if name == COST_PAGE else 'is no longer delivered'}")
+    notes = [f"{folder / name} is yours and stays as it is" for name in yours]
+    for path, why in stale.items():
+        path.unlink(missing_ok=True)
+        notes.append(f"{path} was removed: it {why}")
     return Delivery(paths, tuple(notes))
+
+
+def require_own(folder: Path, stand: Stand) -> dict[str, Any] | None:
+    """The manifest of a folder, None where there is none. Raises UsageError if it is of another stand, or not ours."""
+    found = read_manifest(folder)
+    if found is not None and found["stand"] != stand.name:
+        raise UsageError(f'{folder}: holds the C of stand "{found["stand"]}": choose another folder, {_NOTHING}')
+    return found
+
+
+def is_cost_page(folder: Path, stand: Stand) -> bool:
+    """Whether a folder has a COST.md of this stand."""
+    path = folder / COST_PAGE
+    return path.is_file() and path.read_bytes().startswith(
+        f"# Cost of {stand.name}\n\nWritten by `mahovik cost`".encode()
+    )
+
+
+def _is_measured_on(folder: Path, source: str) -> bool:
+    """Whether COST.md names this source."""
+    return digest(source).encode() in (folder / COST_PAGE).read_bytes()
+
+
+def _hash(path: Path) -> str:
+    return digest(path.read_bytes())
 
 
 def provenance(stand_file: bytes | None) -> str:
@@ -216,8 +245,8 @@ def provenance(stand_file: bytes | None) -> str:
 def made_by(folder: Path) -> dict[str, Any]:
     """What `provenance` says of a folder; empty where it has none that can be read."""
     try:
-        found = json.loads(_text(folder / PROVENANCE) or "{}")
-    except (ValueError, RecursionError):
+        found = json.loads(content(folder / PROVENANCE))
+    except (OSError, ValueError, RecursionError):
         return {}
     return found if isinstance(found, dict) else {}
 
@@ -250,133 +279,14 @@ def differences(
     if header is not None and header.real is not None and header.real != real:
         there = header.real
         return [f"{folder}: its C is {there}, expected {real}: give --real {there}, or generate it again"]
-    found = []
-    for name, text in files.items():
+    wanted, found = {**files, NAME: manifest(stand, real, files, only=only)}, []
+    for name, text in wanted.items():
         path = folder / name
         if not path.is_file():
             found.append(f"{path}: is missing")
         elif path.read_bytes() != text.encode("utf-8"):
-            found.append(f"{path}: is not what the generator makes of the stand file")
-    cost, path = _text(folder / COST_PAGE), folder / NAME
-    if cost is not None and not _names_source(cost, stand, files):
+            other = "does not list these files" if name == NAME else "is not what the generator makes of the stand file"
+            found.append(f"{path}: {other}")
+    if is_cost_page(folder, stand) and not _is_measured_on(folder, files[f"{stand.name}.c"]):
         found.append(f"{folder / COST_PAGE}: was measured on other C")
-    kept = _kept_files(folder, stand, files) | ({COST_PAGE: cost} if cost is not None else {})
-    if (listed := _text(path)) is None:
-        found.append(f"{path}: is missing")
-    elif listed != manifest(stand, real, {**files, **kept}, only=only):
-        unlisted = [name for name, text in kept.items() if f'"{name}": "{digest(text)}"' not in listed]
-        found += [f"{folder / name}: is not what {NAME} lists" for name in unlisted]
-        found.append(f"{path}: does not list these files")
     return found
-
-
-def add_to_delivery(folder: Path, files: Mapping[str, str]) -> tuple[Path, ...]:
-    """Writes more files, such as COST.md, and lists them in the folder's manifest where there is one."""
-    old = read_manifest(folder)
-    if old is None:
-        return write_all(folder, files)
-    listed = {**old["files"], **{name: digest(text) for name, text in files.items()}}
-    return write_all(folder, {**files, NAME: as_text({**old, "files": dict(sorted(listed.items()))})})
-
-
-def require_place_for_cost(folder: Path, stand: Stand) -> None:
-    """Raises UsageError unless COST.md and cost.json of a stand may be written into a folder.
-
-    That is one that is new or empty, or that holds this stand's C as its file gives it; COST.md and cost.json there
-    must be ours.
-    """
-    old = read_manifest(folder)
-    if old is not None:
-        _refuse_stand(folder, stand, old)
-        options = _options(old)
-        made = generate_all(stand, options.real, options.only).files
-        if _text(folder / f"{stand.name}.c") != made[f"{stand.name}.c"]:
-            raise UsageError(f"{folder}: holds other C than the stand file gives: `mahovik generate` first, {_NOTHING}")
-    elif folder.is_dir() and any(path.name not in (COST_PAGE, FIGURES) for path in folder.iterdir()):
-        raise UsageError(f"{folder}: is neither empty nor a folder of `mahovik generate`: choose another, {_NOTHING}")
-    _refuse_changed(folder, old)
-    page, figures = _text(folder / COST_PAGE), _text(folder / FIGURES)
-    foreign = [COST_PAGE] if page is not None and not _is_page(page, stand) else []
-    foreign += [FIGURES] if figures is not None and not _is_figures(figures, stand) else []
-    for name in foreign:
-        raise UsageError(
-            f"{folder / name}: was not written by mahovik for {stand.name}: move it away or choose another folder, "
-            f"{_NOTHING}"
-        )
-
-
-def accepted_figures(folder: Path, stand: Stand) -> str | None:
-    """Text of the cost.json of a stand in a folder, None where there is none.
-
-    Raises UsageError if the file is not ours, or was changed.
-    """
-    _refuse_changed(folder, read_manifest(folder), (FIGURES,))
-    text = _text(folder / FIGURES)
-    if text is not None and not _is_figures(text, stand):
-        raise UsageError(f"{folder / FIGURES}: no figures of `mahovik cost` for {stand.name}: choose another folder")
-    return text
-
-
-def _is_page(text: str, stand: Stand) -> bool:
-    """Whether it is a COST.md of this stand."""
-    return text.startswith(f"# Cost of {stand.name}\n\nWritten by `mahovik cost`")
-
-
-def _is_figures(text: str, stand: Stand) -> bool:
-    """Whether it is a cost.json of this stand."""
-    try:
-        found = json.loads(text)
-    except (ValueError, RecursionError):
-        return False
-    return isinstance(found, dict) and found.get("stand") == stand.name and isinstance(found.get("targets"), list)
-
-
-def _names_source(cost: str, stand: Stand, files: Mapping[str, str]) -> bool:
-    """Whether a COST.md names the source of these files."""
-    return digest(files[f"{stand.name}.c"]) in cost
-
-
-def _kept_files(folder: Path, stand: Stand, files: Mapping[str, str]) -> dict[str, str]:
-    """Files of `mahovik cost` that stay beside delivered ones, by name: COST.md of the same C, figures of the stand."""
-    cost, figures = _text(folder / COST_PAGE), _text(folder / FIGURES)
-    found = {COST_PAGE: cost} if cost is not None and _names_source(cost, stand, files) else {}
-    return found | ({FIGURES: figures} if figures is not None and _is_figures(figures, stand) else {})
-
-
-def _refuse_foreign(folder: Path, stand: Stand, files: Mapping[str, str], old: Mapping[str, Any] | None) -> None:
-    """Raises UsageError for the first file that would be overwritten and is not ours."""
-    if old is not None:
-        _refuse_stand(folder, stand, old)
-    for name, text in files.items():
-        path = folder / name
-        if not path.is_file():
-            continue  # what is no file at all is refused where it is written
-        there = path.read_bytes()
-        listed = old["files"].get(name) if old is not None else None
-        marked = _MARK.encode() in there and f'of the stand "{stand.name}"'.encode() in there
-        if there == text.encode("utf-8") or listed == digest(there) or (old is None and marked):
-            continue
-        why = "was changed by hand" if listed is not None else "was not written by mahovik"
-        raise UsageError(f"{path}: {why}: move it away or choose another folder, {_NOTHING}")
-
-
-def _refuse_stand(folder: Path, stand: Stand, old: Mapping[str, Any]) -> None:
-    if old["stand"] != stand.name:
-        raise UsageError(f'{folder}: holds the C of stand "{old["stand"]}": choose another folder, {_NOTHING}')
-
-
-def _refuse_changed(folder: Path, old: Mapping[str, Any] | None, names: Sequence[str] = (COST_PAGE, FIGURES)) -> None:
-    """Raises UsageError for a file of `mahovik cost` that differs from the manifest."""
-    for name in names:
-        if old is not None and _is_listed(folder, name, old["files"]) is False:
-            raise UsageError(f"{folder / name}: was changed by hand: restore it or move it away, {_NOTHING}")
-
-
-def _is_listed(folder: Path, name: str, listed: Mapping[str, str]) -> bool | None:
-    """Whether a file has the hash that a manifest lists; None where it lists none, or there is no such file."""
-    path = folder / name
-    return digest(path.read_bytes()) == listed[name] if name in listed and path.is_file() else None
-
-
-def _text(path: Path) -> str | None:
-    return path.read_text(encoding="utf-8", errors="replace") if path.is_file() else None

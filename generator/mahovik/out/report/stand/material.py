@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -25,7 +24,7 @@ from mahovik.out.report.plot.run import SUFFIXES, identity, read
 from mahovik.out.report.stand.run import Run, refuse_foreign_run
 from mahovik.proof.cost.page import read_accepted_costs
 from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.proof.verify.delivery import FIGURES, accepted_figures
+from mahovik.proof.verify.delivery import FIGURES
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.proof.verify.targets import parse_targets
 from mahovik.use.simulate.held import home, move
@@ -206,17 +205,16 @@ def _costs(folder: Path, stand: Stand) -> tuple[Mapping[str, Any], ...]:
     """The accepted figures in a folder of generated C."""
     if not folder.is_dir():
         raise UsageError(f"--cost {folder}: no such folder; expected one of `mahovik cost`, with {FIGURES}")
-    text = accepted_figures(folder, stand)
-    if text is None:
+    whole = read_accepted_costs(folder, stand)
+    if whole is None:
         raise UsageError(f"--cost {folder}: has no {FIGURES}: `mahovik cost` measures and writes it")
-    whole = json.loads(text)  # an object of this name, or it would have been refused
     own = identities(stand)
     for key, ours in (("structure", own.structure), ("physics", own.physics)):
         if whole.get(key) != ours:
             raise UsageError(
                 f"--cost {folder}: figures of another stand: {key} is {whole.get(key)}, of the stand {ours}"
             )
-    return tuple(read_accepted_costs(text, str(folder / FIGURES)))
+    return tuple(whole["targets"])
 
 
 def _refuse_foreign_programme(source: str, stand: Stand, programme: Programme, motion: RequiredMotion | None) -> None:
