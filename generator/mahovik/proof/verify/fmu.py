@@ -146,7 +146,9 @@ def _place(where: str, item: Any) -> Place:
     match item:
         case str():
             return Place(item)
-        case {"variable": str(name), "factor": int() | float() as factor} if len(item) == 2 and float(factor):
+        case {"variable": str(name), "factor": int() | float() as factor} if (
+            len(item) == 2 and factor and factor is not True
+        ):
             return Place(name, float(factor))
         case {"variable": str(name)} if len(item) == 1:
             return Place(name)
@@ -164,8 +166,6 @@ def _missing(stand: Stand, made: Map, known: Mapping[str, Mapping[str, Names]]) 
         motion = {"u_dot", "V_dot"} if {"u_dot", "V_dot"} & made[want].keys() else set()
         spared = {*made[want], *motion, *(() if want == "reaction" else ("reaction",))}
         yield from (f"{want}.{name} is missing" for name in known[want] if name not in spared)
-    if {"quaternion", "angles"} <= there:
-        yield "state: quaternion and angles, expected one of them"
     coordinates = set(COORDINATES) & known["state"].keys()
     posed = POSE if coordinates and coordinates <= there else ()
     for part, keys in SAID_BY.items():
@@ -231,18 +231,22 @@ class FmuProgram:
 
     def answer(self, request: Request) -> dict[str, Any]:
         """Quantities of the one want of a request. Raises what fmpy raises of calls that the FMU refuses."""
-        from fmpy import simulate_fmu
+        from fmpy.simulation import instantiate_fmu, simulate_fmu
 
         (want,) = request.want
         if want not in self._map:
             return {"error": f"{want}: not in the map"}
         names = [place.variable for places in self._map[want].values() for place in places]
-        row = simulate_fmu(
-            self._folder, validate=False, model_description=self._description, start_values=self._values(request.state),
-            fmi_type="CoSimulation" if self._description.modelExchange is None else "ModelExchange", solver="Euler",
-            start_time=0.0, stop_time=0.0, set_stop_time=False, step_size=1.0, output_interval=1.0,
-            output=list(dict.fromkeys(names)),
-        )[0]  # fmt: skip
+        kind = "CoSimulation" if self._description.modelExchange is None else "ModelExchange"
+        instance = instantiate_fmu(self._folder, self._description, kind)
+        try:
+            row = simulate_fmu(
+                self._folder, validate=False, model_description=self._description, fmi_type=kind, fmu_instance=instance,
+                start_values=self._values(request.state), output=list(dict.fromkeys(names)), solver="Euler",
+                start_time=0.0, stop_time=0.0, set_stop_time=False, step_size=1.0, output_interval=1.0,
+            )[0]  # fmt: skip
+        finally:
+            instance.freeInstance()
         answer = {}
         for name, places in self._map[want].items():
             shape = ANSWERS[name].shape_of(len(self._stand.flywheels), len(request.state.u))
