@@ -8,7 +8,7 @@ a folder is not what this version generates, with the functions concerned. Line 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from mahovik import __version__
@@ -100,20 +100,13 @@ def _author(folder: Path, edited: Iterable[str]) -> str:
         manifest = None
     if manifest is None:
         return f"of another version or edited by hand, {MANIFEST} is missing"
-    listed = manifest["files"]
-    by_hand = [name for name in sorted(edited) if listed.get(name) not in _digests(folder / name)]
-    if by_hand:
-        return f"edited by hand after {manifest['generator']} wrote it"
-    generator = str(manifest["generator"])
-    commit = made_by(folder).get("commit")
-    build = "" if generator != f"mahovik {__version__}" else "another build of "
-    return f"of {build}{generator}" + (f", commit {str(commit)[:8]}" if commit else "")
-
-
-def _digests(path: Path) -> tuple[str, ...]:
-    """Hashes of a file as it is and with the line endings that it was written with."""
-    content = path.read_bytes()
-    return digest(content), digest(content.replace(b"\r\n", b"\n"))
+    for name in edited:
+        content = (folder / name).read_bytes()
+        if manifest["files"].get(name) not in (digest(content), digest(content.replace(b"\r\n", b"\n"))):
+            return f"edited by hand after {manifest['generator']} wrote it"
+    commit = str(made_by(folder).get("commit") or "")[:8]
+    build = "another build of " if manifest["generator"] == f"mahovik {__version__}" else ""
+    return f"of {build}{manifest['generator']}{commit and f', commit {commit}'}"
 
 
 def _places(name: str, public: Iterable[str], expected: Mapping[str, str], there: Mapping[str, str]) -> str:
@@ -121,57 +114,40 @@ def _places(name: str, public: Iterable[str], expected: Mapping[str, str], there
 
     A function that uses a changed macro is one whose text differs.
     """
-    functions, rest, calls = dict[str, None](), [], dict[str, set[str]]()
-    macros = {macro for file, text in there.items() for macro in _changed_macros(expected[file], text)}
+    lines = {line for file, text in there.items() for line in {*expected[file].splitlines()} ^ {*text.splitlines()}}
+    macros = {found[1] for line in lines if (found := re.match(r"#define (\w+)", line))}
+    functions, outside, calls = dict[str, None](), [], dict[str, set[str]]()
     for file, text in there.items():
         ours, theirs = _functions(expected[file], name), _functions(text, name)
-        for source in (ours, theirs):
-            for function, body in source.items():
-                calls.setdefault(function, set()).update(re.findall(rf"\b{name}_(\w+)\(", body))
-                if function and macros & set(re.findall(r"\w+", body)):
-                    functions[function] = None
-        changed = [f for f in {**ours, **theirs} if ours.get(f) != theirs.get(f)]
-        functions |= dict.fromkeys(f for f in changed if f)
-        rest += [file] if "" in changed else []
+        outside += [file] if ours.pop("") != theirs.pop("") else []
+        for function in {**ours, **theirs}:
+            both = f"{ours.get(function)} {theirs.get(function)}"
+            calls[function] = {*re.findall(rf"\b{name}_(\w+)\(", both)}
+            if ours.get(function) != theirs.get(function) or macros & {*re.findall(r"\w+", both)}:
+                functions[function] = None
     public = [function for function in public if function in calls]
-    reach = {function: _reached(function, calls) for function in public}
+    reach = {function: {function} for function in public}
+    while more := {(p, new) for p, at in reach.items() for f in at for new in calls.get(f, set()) - at}:
+        for function, called in more:
+            reach[function].add(called)
     words = []
     for function in functions:
         callers = [caller for caller in public if function in reach[caller]]
         internal = f" (internal, of {_list(callers) or 'no public function'})" if function not in public else ""
         words.append(f"{function}{internal}")
-    outside = [f"{_list(rest)} outside of functions"] if rest else []
-    return "; ".join(filter(None, [_list(words), *outside]))
-
-
-def _changed_macros(ours: str, theirs: str) -> set[str]:
-    """Macros that are defined otherwise."""
-    changed = set(ours.splitlines()) ^ set(theirs.splitlines())
-    return {found[1] for line in changed if (found := re.match(r"#define (\w+)", line))}
+    return "; ".join(filter(None, [_list(words), f"{_list(outside)} outside of functions" if outside else ""]))
 
 
 def _functions(text: str, name: str) -> dict[str, str]:
     """Text of every function of a file, and under "" what is around them."""
-    lines, found, rest, place = text.splitlines(), dict[str, str](), list[str](), 0
+    lines, functions, rest, place = text.splitlines(), dict[str, str](), list[str](), 0
     for function, (first, last) in spans(text, name).items():
-        found[function] = "\n".join(lines[first - 1 : last])
+        functions[function] = "\n".join(lines[first - 1 : last])
         rest += lines[place : first - 1]
         place = last
-    return {**found, "": "\n".join([*rest, *lines[place:]])}
+    return {**functions, "": "\n".join([*rest, *lines[place:]])}
 
 
-def _reached(function: str, calls: Mapping[str, set[str]]) -> set[str]:
-    """What a function calls, and what that calls."""
-    reached, left = set[str](), [function]
-    while left:
-        for called in calls.get(left.pop(), ()):
-            if called not in reached and called in calls:
-                reached.add(called)
-                left.append(called)
-    return reached
-
-
-def _list(names: Iterable[str]) -> str:
-    every = list(names)
-    more = f" and {len(every) - SHOWN} more" if len(every) > SHOWN else ""
-    return ", ".join(every[:SHOWN]) + more
+def _list(names: Sequence[str]) -> str:
+    more = f" and {len(names) - SHOWN} more" if len(names) > SHOWN else ""
+    return ", ".join(names[:SHOWN]) + more
