@@ -319,7 +319,7 @@ PIECES: tuple[Piece, ...] = (
     Piece(
         name="equations",
         title="From equation to lines of C",
-        shows="Which function computes which equation of the paper or section of `docs/model.md`: what to read side by side.",
+        shows="Which function computes which equation of the paper or part of `docs/model.md`: what to read beside it.",
         limits="That the lines are right: other pieces judge that, and `make faults` of the project that tests notice.",
         command=_again("equations"),
         run=_list_equations,
