@@ -74,7 +74,7 @@ def test_verdicts() -> None:
 def test_json_and_junit() -> None:
     found = report(row("ok"), row("FAILED", "<bits>"), row("not here", "no avx"), row("not installed", "no qemu"))
     suite = ET.fromstring(as_junit(found))
-    assert [suite.get(key) for key in ("tests", "failures", "errors", "skipped")] == ["4", "1", "1", "1"]
+    assert [suite.get(key) for key in ("tests", "failures", "errors", "skipped")] == ["4", "2", "0", "1"]
     data = json.loads(as_json(found))
     assert data["passed"] is False
     assert [each["verdict"] for each in data["rows"]] == ["ok", "FAILED", "not here", "not installed"]

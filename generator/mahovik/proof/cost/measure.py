@@ -23,7 +23,7 @@ from mahovik.core.toolchain.process import side_by_side
 from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.core.toolchain.workload import read, workload
 from mahovik.errors import ToolchainError, UsageError
-from mahovik.nearest import suggestion
+from mahovik.proof.verify import targets
 
 STATES = 4
 """Number of states; the most expensive one is reported."""
@@ -86,16 +86,11 @@ def parse_targets(names: str | None, real: str | None) -> list[tuple[Target, str
     """Targets and element types of `--targets`, `--real`. Raises UsageError."""
     if names is None:
         return [(TARGETS[name], real or usual) for name, usual in USUAL]
-    pairs = []
-    for word in dict.fromkeys(word.strip() for word in names.split(",")):
-        target = TARGETS.get(word)
-        if target is None:
-            raise UsageError(f'--targets: unknown "{word}"{suggestion(word, TARGETS)}')
+    pairs = targets.parse_targets(names, (real,) if real else None)
+    for target, _ in pairs:
         if target.linker or target.compiler[0] == "clang":
-            raise UsageError(f"--targets: {word} compiles by clang; frames of the stack are known of gcc only")
-        wanted = real or target.real
-        pairs += [(target, type_) for type_ in ((wanted,) if wanted else ("double", "float"))]
-    return pairs
+            raise UsageError(f"--targets: {target.name} compiles by clang; frames of the stack are known of gcc only")
+    return [(target, type_) for target, type_ in pairs if type_ == (real or target.real or type_)]
 
 
 def available(pairs: Sequence[tuple[Target, str]]) -> tuple[list[tuple[Target, str]], list[str]]:
@@ -128,13 +123,13 @@ def measure(
     for target, _ in pairs:
         require(target)
     made = {real: generate_all(stand, real, only=only) for real in dict.fromkeys(real for _, real in pairs)}
-    names, targets = identities(stand), []
+    names, costs = identities(stand), []
     with side_by_side() as pool:
         tasks = [pool.submit(_measure_target, stand, made[real], target, real) for target, real in pairs]
         for done, task in enumerate(tasks, start=1):
-            targets.append(task.result())
+            costs.append(task.result())
             progress(done, len(pairs))
-    return Costs(stand.name, names.structure, names.physics, tuple(targets))
+    return Costs(stand.name, names.structure, names.physics, tuple(costs))
 
 
 def measuring_states(program: Program) -> list[dict[str, Any]]:

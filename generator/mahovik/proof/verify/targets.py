@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 import tempfile
-import xml.etree.ElementTree as ET
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from functools import cached_property
 from pathlib import Path
+
+import numpy as np
 
 from mahovik.core.emit.delivery import firmware
 from mahovik.core.emit.generate import generate_all
@@ -23,6 +23,9 @@ from mahovik.core.toolchain.process import side_by_side
 from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.nearest import suggestion
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.report import Report
+from mahovik.proof.verify.report import as_junit as checks_as_junit
 from mahovik.writing import write_all
 
 REALS = ("double", "float")
@@ -57,11 +60,6 @@ class TargetRow:
         """Whether bits differ, or the program could not be built or run."""
         return self.verdict == "FAILED"
 
-    @property
-    def missing(self) -> bool:
-        """Whether there is no verdict because a tool is not installed."""
-        return self.verdict == "not installed"
-
 
 @dataclass(frozen=True)
 class TargetsReport:
@@ -73,19 +71,20 @@ class TargetsReport:
     sweep: int
     rows: tuple[TargetRow, ...]
 
-    @cached_property
+    @property
     def passed(self) -> bool:
         """Whether every requested target has the bits of the host, apart from those that this processor cannot run."""
-        return any(r.verdict == "ok" for r in self.rows) and not any(r.failed or r.missing for r in self.rows)
+        verdicts = {row.verdict for row in self.rows}
+        return "ok" in verdicts and verdicts <= {"ok", "not here"}
 
-    @cached_property
+    @property
     def conclusion(self) -> str:
         """The verdict in one line."""
-        if failed := [f"{r.target} {r.real}" for r in self.rows if r.failed]:
+        if failed := [f"{row.target} {row.real}" for row in self.rows if row.failed]:
             return f"FAILED: {', '.join(failed)}"
-        if missing := dict.fromkeys(r.target for r in self.rows if r.missing):
+        if missing := dict.fromkeys(row.target for row in self.rows if row.verdict == "not installed"):
             return f"not everything was run: {', '.join(missing)}: not installed, `make targets` does it"
-        equal = sum(r.verdict == "ok" for r in self.rows)
+        equal = sum(row.verdict == "ok" for row in self.rows)
         return f"passed: the same bits on {equal} pairs of target and element type" if equal else "FAILED: nothing ran"
 
 
@@ -94,17 +93,13 @@ def parse_targets(names: str, reals: Sequence[str] | None = None) -> list[tuple[
 
     Without `reals`, both of them; `quick` has its own.
     """
-    words = [word.strip() for word in names.split(",")]
-    if words == ["quick"] and reals is None:
+    if names == "quick" and reals is None:
         return [(TARGETS[name], real) for name, real in QUICK]
-    if words == ["quick"]:
-        words = list(dict.fromkeys(name for name, _ in QUICK))
-    elif words == ["all"]:
-        words = list(TARGETS)
+    groups = {"quick": [name for name, _ in QUICK], "all": [*TARGETS]}
+    words = groups.get(names, [word.strip() for word in names.split(",")])
     for word in words:
         if word not in TARGETS:
-            known = [*TARGETS, "all", "quick"]
-            raise UsageError(f'--targets: unknown "{word}"{suggestion(word, known)}')
+            raise UsageError(f'--targets: unknown "{word}"{suggestion(word, [*TARGETS, *groups])}')
     return [(TARGETS[word], real) for word in dict.fromkeys(words) for real in reals or REALS]
 
 
@@ -112,7 +107,7 @@ def verify_targets(
     stand: Stand,
     pairs: Sequence[tuple[Target, str]],
     sweep: int = SWEEP,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Callable[[int, int], None] = lambda done, count: None,
     only: tuple[str, ...] = (),
 ) -> TargetsReport:
     """Builds and runs the self-test for each target and element type; compares the text with the host's.
@@ -129,10 +124,9 @@ def verify_targets(
     rows = []
     with side_by_side() as pool:
         tasks = [pool.submit(_row, t, real, programs[real], sources[real], expected[real], sweep) for t, real in pairs]
-        for done, task in enumerate(tasks):
+        for done, task in enumerate(tasks, start=1):
             rows.append(task.result())
-            if progress is not None:
-                progress(done + 1, len(pairs))
+            progress(done, len(pairs))
     return TargetsReport(stand.name, names.structure, names.physics, sweep, tuple(rows))
 
 
@@ -161,7 +155,7 @@ def _row(
         return row("FAILED", str(error))
     problem = next(_problems(expected, found), "")
     if " FAIL " in problem:
-        first = first_difference(target, program, files, TIMEOUT)
+        first = first_difference(target, program, files)
         problem += f"; first: {first}" if first else ""
     return row("FAILED" if problem else "ok", problem, sum(" PASS " in line for line in found))
 
@@ -197,25 +191,21 @@ def as_json(report: TargetsReport) -> str:
 
 
 def as_junit(report: TargetsReport) -> str:
-    """The table as JUnit XML: one test case for each target and element type."""
-    suite = ET.Element("testsuite", name=f"mahovik verify {report.stand} --targets")
-    for row in report.rows:
-        name = f"{row.target} {row.real}: {row.built_with}"
-        case = ET.SubElement(suite, "testcase", classname=f"mahovik.{report.stand}", name=name)
-        if row.failed:
-            ET.SubElement(case, "failure", message=row.reason)
-        elif row.missing:
-            ET.SubElement(case, "error", message=row.reason)
-        elif row.verdict != "ok":
-            ET.SubElement(case, "skipped", message=row.reason)
-    suite.set("tests", str(len(report.rows)))
-    for key, kind in (("failures", "failure"), ("errors", "error"), ("skipped", "skipped")):
-        suite.set(key, str(len(suite.findall(f"testcase/{kind}"))))
-    ET.indent(suite)
-    return '<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(suite, encoding="unicode") + "\n"
+    """The table as JUnit XML: one test case for each target and element type; without its tools it has failed."""
+    rows = tuple(
+        Check(
+            f"{row.target} {row.real}",
+            row.built_with,
+            verdict="not compared" if row.verdict == "not here" else row.verdict,
+            words=row.reason,
+        )
+        for row in report.rows
+    )
+    of = Report(report.stand, report.structure, report.physics, "self-test", 0, report.sweep, 0.0, rows)
+    return checks_as_junit(of)
 
 
-def first_difference(target: Target, program: Program, files: Mapping[str, str], timeout: float) -> str:
+def first_difference(target: Target, program: Program, files: Mapping[str, str]) -> str:
     """`forward, V_dot[2], case "ordinary", 3 ulp`; "" where no listed output differs or the target does not run.
 
     `files` are the delivered C and self-test.
@@ -226,7 +216,7 @@ def first_difference(target: Target, program: Program, files: Mapping[str, str],
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
         write_all(Path(scratch), {test: files[test]})  # main.c includes it
         try:
-            printed = run(target, build(target, sources, Path(scratch)), timeout)
+            printed = run(target, build(target, sources, Path(scratch)), TIMEOUT)
         except ToolchainError:
             return ""
     for line in printed.splitlines():
@@ -247,11 +237,10 @@ def output_names(function: Function) -> Iterator[str]:
 
 
 def _names(name: str, type_: Kind | Struct, shape: tuple[int | NamedCount, ...]) -> Iterator[str]:
-    if shape:
-        for i in range(int(shape[0])):
-            yield from _names(f"{name}[{i}]", type_, shape[1:])
-    elif isinstance(type_, Struct):
-        for f in type_.fields:
-            yield from _names(f"{name}.{f.name}", f.type, f.shape)
-    elif type_ is Kind.REAL:
-        yield name
+    for index in np.ndindex(*map(int, shape)):
+        place = name + "".join(f"[{i}]" for i in index)
+        if isinstance(type_, Struct):
+            for f in type_.fields:
+                yield from _names(f"{place}.{f.name}", f.type, f.shape)
+        elif type_ is Kind.REAL:
+            yield place
