@@ -112,7 +112,7 @@ def test_what_a_terminal_does_is_no_fault(spoil: Callable[[str], str], printed: 
         (r"selftest demo3", "selftest demo4", "stand demo4, the stand file has demo3"),
         (r"generator mahovik \S+", "generator mahovik 0.0.1", "made by mahovik 0.0.1, this is "),
         pytest.param(
-            r"real double", "real float", "other bits in the sweep of 20 states: forward: ", marks=pytest.mark.slow
+            r"real double", "real float", "other bits in the sweep of 20 states: forward ", marks=pytest.mark.slow
         ),
         (
             r"coupled PASS cases 5 worst 0",
