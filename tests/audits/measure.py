@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -159,9 +158,7 @@ def _term(term: Term) -> str:
 
 
 def _words(term: Any) -> str:
-    """A named term with what it is and should be, such as "Z: u q, -1 m for 1 m"."""
-    m = term.multiple
-    of = f" {m.coefficient}" if m.coefficient else ""
-    expected = "" if m.expected is None else f" for {m.expected:.3g}{of}"
-    factor = 0.0 if math.isclose(m.factor, 0.0, abs_tol=1e-9) else m.factor
-    return f"{_term((term.component, term.term))}, {factor:.3g}{of}{expected}"
+    """A named term with what it is and should be, such as "Z: u q, -2 for 2: carrier.mass"."""
+    expected = "" if term.expected is None else f" for {term.expected:.3g}"
+    path = f": {term.coefficient}" if term.coefficient else ""
+    return f"{_term((term.component, term.term))}, {term.factor:.3g}{expected}{path}"

@@ -30,7 +30,7 @@ FAULTS: dict[str, Any] = {
     "scalar last": "quaternion read with the scalar last",
     "conjugate": "quaternion conjugated",
     "degrees": "attitude angles in degrees",
-    "gravity": "gravity of the opposite sign",
+    "gravity": ("all bodies", "weight", -1.0, 1.0),
     "products": "products of inertia of the opposite sign (carrier alone)",
     "about": "inertia taken about the origin though it is about the centre of mass",
     "phase": "phase of the opposite sense",
@@ -128,7 +128,7 @@ def test_a_fault_in_the_code_is_named(fault: str) -> None:
         return
     for each in found.terms.terms:
         assert (each.component, each.term) == (body, term)
-        assert each.multiple.factor == pytest.approx(factor, abs=1e-6) and each.multiple.expected == right
+        assert each.factor == pytest.approx(factor, abs=1e-6) and each.expected == right
 
 
 @pytest.mark.parametrize("path", marked(NUMBERS))

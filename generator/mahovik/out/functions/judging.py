@@ -198,7 +198,7 @@ def _diagnosis(
     """
     from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
     from mahovik.proof.diagnose.states import spread_rows, telling_rows
-    from mahovik.proof.diagnose.terms.monomials import count
+    from mahovik.proof.diagnose.terms.products import count
     from mahovik.proof.diagnose.terms.search import WANTS, TermSearch
 
     if found.passed:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
@@ -17,8 +17,8 @@ from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.hold import held_state
-from mahovik.proof.reference.motion import bias
 from mahovik.proof.verify.actuators import stand_at
+from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import Request
 
 Answers = Callable[[Request], Mapping[str, Any]]
@@ -28,12 +28,6 @@ Model = Callable[[State, str], Mapping[str, Any]]
 """Values of a want at a state, by some equations: empty where they have none."""
 
 NOT_COMPARED = ("status", "rank")
-
-MOVE, MOVES = 2.0**-24, 6
-"""Relative change of every number of stand and state, by which scales are measured, and how often."""
-
-FLOOR = 2.0**-10
-"""Least scale of a number, in the largest of its quantity."""
 
 LEAST = 1e-290
 
@@ -105,16 +99,6 @@ class Reference:
         except (StateError, np.linalg.LinAlgError, ArithmeticError, ValueError):
             return {}
 
-    def demand(self, state: State, phi_ddot: Array) -> float:
-        """Largest force or moment in the equations at a state with some phi_ddot (N), in magnitudes."""
-        own = stand_at(self._stand, state)
-        at = reference.pieces(own, held_state(own, state))
-        return float(
-            np.max(
-                [np.abs(at.F), np.abs(bias(at)), np.abs(at.K) @ np.abs(state.V_dot), np.abs(at.I) @ np.abs(phi_ddot)]
-            )
-        )
-
 
 @dataclass(frozen=True, eq=False)
 class AnswerVector:
@@ -122,7 +106,7 @@ class AnswerVector:
 
     block     of each number, the index in `quantities` of its (want, quantity)
     expected  of the reference
-    scale     largest change under a relative change of all numbers of stand and state, divided by this
+    scale     measured, see proof.verify.scales
     parts     of each request, its slices: (quantity as a path, shape, start)
     ranks     of each request, the rank that the reference answers; None where it answers none
     """
@@ -181,82 +165,33 @@ class AnswerVector:
         return tuple(f"{want}: {quantity}" for want, quantity in (self.quantities[i] for i in wanted))
 
 
-def answer_vector(stand: Stand, requests: Sequence[Request], seed: int = 1) -> AnswerVector:
+def answer_vector(stand: Stand, requests: Sequence[Request]) -> AnswerVector:
     """The vector of one-want requests; those that the reference refuses are left out."""
-    rng = np.random.default_rng(seed)
-    right = Reference(stand)
-    near = [Reference(moved(stand, rng)) for _ in range(MOVES)]
-    moved_states: dict[int, list[State]] = {}
+    scales = Scales(stand)
     quantities: dict[tuple[str, str], int] = {}
     kept, parts, ranks, blocks, expected, scale = [], [], [], [], [], []
     start = 0
     for request in requests:
         (want,) = request.want
-        values = right(request.state, want)
-        if not values:
+        measured = scales.want(request.state, want)
+        if measured is None:
             continue
-        states = moved_states.setdefault(id(request.state), [_unit(moved(request.state, rng)) for _ in near])
-        others = [dict(_leaves(model(state, want))) for model, state in zip(near, states, strict=True)]
         places = []
-        for path, value in _leaves(values):
-            moves = [np.abs(other[path] - value) for other in others if path in other]
-            size = np.maximum(np.max([0.0 * value, *moves], axis=0) / MOVE, np.abs(value))
-            size = _shared(np.maximum(size, _least_scale(path, values, right, request.state)))
-            places.append((path, value.shape, start))
+        sizes = dict(_leaves(measured.scales))
+        for path, value in _leaves(measured.values):
             name = path[0] if len(path) == 1 else f"{path[0]}.{path[-1]}"
             blocks.append(np.full(value.size, quantities.setdefault((want, name), len(quantities))))
             expected.append(value.ravel())
-            scale.append(np.maximum(size, max(LEAST, FLOOR * float(np.max(size, initial=0.0)))).ravel())
+            size = sizes[path].ravel()
+            scale.append(np.maximum(size, LEAST))
+            places.append((path, value.shape, start))
             start += value.size
         kept.append(request)
         parts.append(tuple(places))
-        ranks.append(values.get("rank"))
-    return AnswerVector(
-        tuple(kept),
-        tuple(quantities),
-        np.concatenate([*blocks, np.zeros(0)]).astype(np.int64),
-        np.concatenate([*expected, np.zeros(0)]),
-        np.concatenate([*scale, np.zeros(0)]),
-        tuple(parts),
-        tuple(ranks),
-    )
-
-
-def _least_scale(path: tuple[str, ...], values: Values, right: Reference, state: State) -> float:
-    """Scale of quantities that may be zero for any numbers: of a residual the demand, of J0 its two summands."""
-    if path == ("residual",):
-        return right.demand(state, np.asarray(values["phi_ddot"]))
-    return float(np.abs(values["I0"]).max() * np.abs(state.V).max()) if path == ("J0",) else 0.0
-
-
-def moved(value: Any, rng: np.random.Generator) -> Any:
-    """Nested data with every number changed by its part MOVE at most."""
-    if isinstance(value, float):
-        return value * (1.0 + MOVE * rng.uniform(-1.0, 1.0))
-    if isinstance(value, tuple):
-        return tuple(moved(each, rng) for each in value)
-    if is_dataclass(value) and not isinstance(value, type):
-        return replace(value, **{f.name: moved(getattr(value, f.name), rng) for f in fields(value) if f.init})
-    if isinstance(value, Mapping):
-        return {key: moved(each, rng) for key, each in value.items()}
-    return value
-
-
-def _unit(state: State) -> State:
-    if state.quaternion is None:
-        return state
-    q = np.array(state.quaternion)
-    return replace(state, quaternion=tuple((q / np.linalg.norm(q)).tolist()))
-
-
-def _shared(size: Array) -> Array:
-    """The largest of each block of three along every axis of three or six: components that a rotation mixes."""
-    for axis, n in enumerate(size.shape):
-        if n in (3, 6):
-            blocks = size.reshape(*size.shape[:axis], n // 3, 3, *size.shape[axis + 1 :])
-            largest = blocks.max(axis=axis + 1, keepdims=True)
-            size = np.broadcast_to(largest, blocks.shape).reshape(size.shape)
-    return size
+        ranks.append(measured.values.get("rank"))
+    block, right, size = (np.concatenate([*x, np.zeros(0)]) for x in (blocks, expected, scale))
+    cut = tuple(kept), tuple(quantities), block.astype(np.int64), right, size
+    return AnswerVector(*cut, tuple(parts), tuple(ranks))
 
 
 def _leaves(values: Mapping[str, Any], path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Array]]:

@@ -8,7 +8,6 @@ from typing import Any
 
 from mahovik.core.stand.model import WRENCH_LETTERS
 from mahovik.proof.diagnose.diagnosis import Cause, Diagnosis
-from mahovik.proof.diagnose.terms.coefficients import Multiple
 from mahovik.proof.diagnose.terms.search import TermSearchResult, WrongTerm
 
 WRENCH_SIDE = "factors are those on the right-hand side of K V* = ..., of force and moment about {} in E1"
@@ -89,9 +88,9 @@ def _named_causes(diagnosis: Diagnosis) -> list[dict[str, Any]]:
                 "want": each.want,
                 "component": each.component,
                 "term": each.term,
-                "factor": each.multiple.factor,
-                "expected": each.multiple.expected,
-                "coefficient": each.multiple.coefficient,
+                "factor": each.factor,
+                "expected": each.expected,
+                "coefficient": each.coefficient,
                 "share": each.share,
                 **({"like": list(each.twins)} if each.twins else {}),
             }
@@ -162,7 +161,7 @@ def _term_lines(result: TermSearchResult, unknown: Sequence[str]) -> list[str]:
     lines = ["wrong term found:" if count == 1 else f"{count} wrong terms found:"]
     for each in found:
         place = f"{each.want}, {each.component}"
-        words = _constant_words(each) if each.term == CONSTANT else _term_words(each.multiple, each.term)
+        words = _constant_words(each) if each.term == CONSTANT else _term_words(each)
         lines.append(f"  {place}: {words}; {_part(each.share)} of the error")
         if each.twins:
             lines.append(f"    these states do not tell it from {_some(each.twins)}, which the equations do not have")
@@ -199,38 +198,34 @@ def _some(terms: Sequence[str]) -> str:
     return ", ".join(terms[:MOST_TWINS]) + (f" or {more} more" if more > 0 else "")
 
 
-def _term_words(multiple: Multiple, term: str) -> str:
-    unit = f" {multiple.coefficient}" if multiple.coefficient else ""
-    if multiple.value and multiple.expected is not None:
-        factor, expected = multiple.factor * multiple.value, multiple.expected * multiple.value
-        return f"{term} has the factor {factor:.6g}, expected {expected:.6g}: {multiple.coefficient}"
-    if multiple.expected is None:
-        return f"{term} has a factor that is wrong by {multiple.factor:.6g}"
-    if multiple.expected == 0.0:
-        return f"{term} has the factor {multiple.factor:.6g}{unit}, and should not be there"
-    if multiple.factor == 0.0:
-        return f"{term} is missing, expected with the factor {multiple.expected:.6g}{unit}"
-    if abs(multiple.factor + multiple.expected) <= 1e-6 * abs(multiple.expected):
-        return f"{term} has the wrong sign: factor {multiple.factor:.6g}{unit}, expected {multiple.expected:.6g}{unit}"
-    return f"{term} has the factor {multiple.factor:.6g}{unit}, expected {multiple.expected:.6g}{unit}"
+def _term_words(term: WrongTerm) -> str:
+    name, factor, expected = term.term, term.factor, term.expected
+    path = f": {term.coefficient}" if term.coefficient else ""
+    if expected is None:
+        return f"{name} has a factor that is wrong by {factor:.6g}"
+    if expected == 0.0:
+        return f"{name} has the factor {factor:.6g}, and should not be there"
+    if factor == 0.0:
+        return f"{name} is missing, expected with the factor {expected:.6g}{path}"
+    sign = "wrong sign: factor" if abs(factor + expected) <= 1e-6 * abs(expected) else "factor"
+    return f"{name} has the {sign} {factor:.6g}, expected {expected:.6g}{path}"
 
 
 def _constant_words(term: WrongTerm) -> str:
     """A wrong constant in words; that of a reaction has its own sign, which is not that on the right-hand side."""
-    multiple, of_reaction = term.multiple, term.want == "reaction"
+    of_reaction, letters = term.want == "reaction", [*WRENCH_LETTERS]
     units = ("kg m/s", "kg m2/s") if term.want == "momentum" else ("N", "N m")
-    forces = term.component in WRENCH_LETTERS[:3] and term.want in (*WRENCHES, "momentum")
-    moments = term.component in WRENCH_LETTERS[3:] or term.want == "torque"
-    unit = units[0] if forces else units[1] if moments else "in SI"
-    sign = -1.0 if of_reaction else 1.0
-    where = " of the reaction" if of_reaction else ""
-    if multiple.expected is None or multiple.expected == 0.0:
-        tail = f" ({term.error:.6g} on the right-hand side)" if of_reaction else ""
-        error = " is too much" if multiple.expected is None else ", which should not be there"
-        return f"a constant{where} of {sign * term.error:.6g} {unit}{tail}{error}"
-    right = term.error / (multiple.factor - multiple.expected) * multiple.expected
-    given = right + term.error
-    return f"the constant{where} is {sign * given:.6g} {unit}, expected {sign * right:.6g} {unit}"
+    unit = (
+        units[0 if term.component in letters[:3] else 1]
+        if term.component in letters or term.want == "torque"
+        else "in SI"
+    )
+    sign, of = (-1.0, " of the reaction") if of_reaction else (1.0, "")
+    if not term.expected:
+        side = f" ({term.factor:.6g} on the right-hand side)" if of_reaction else ""
+        error = " is too much" if term.expected is None else ", which should not be there"
+        return f"a constant{of} of {sign * term.factor:.6g} {unit}{side}{error}"
+    return f"the constant{of} is {sign * term.factor:.6g} {unit}, expected {sign * term.expected:.6g} {unit}"
 
 
 def _part(share: float) -> str:

@@ -5,54 +5,64 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any, cast
 
 import numpy as np
 
-from mahovik.core.stand.model import Stand, Vec6
+from mahovik.core.stand.model import WRENCH_LETTERS, Stand, Vec6
+from mahovik.core.stand.numbers import StandNumbers
 from mahovik.core.stand.random_state import along_freedoms
+from mahovik.core.stand.read import read
 from mahovik.core.stand.state import Quaternion, State
-from mahovik.errors import CheckError
+from mahovik.core.stand.toml import parse
+from mahovik.core.stand.write import dumps
+from mahovik.errors import CheckError, UsageError
 from mahovik.proof import reference
-from mahovik.proof.diagnose.answers import Precision
-from mahovik.proof.diagnose.terms.bodies import ROWS, explain
-from mahovik.proof.diagnose.terms.coefficients import Multiple
-from mahovik.proof.diagnose.terms.directions import freedoms_in_words, point_in_words
-from mahovik.proof.diagnose.terms.equations import (
-    ANSWERS,
-    OF_FLYWHEELS,
-    OF_HELD,
-    WHERE_WRONG,
-    EquationErrors,
-    Equations,
-    quantities_of,
-)
+from mahovik.proof.diagnose.answers import Precision, numbers_at
+from mahovik.proof.diagnose.terms.bodies import ROWS, body_terms, explain
 from mahovik.proof.diagnose.terms.fit import MOST, Columns, Fit
-from mahovik.proof.diagnose.terms.law_columns import LawColumn, widen
-from mahovik.proof.diagnose.terms.monomials import count
-from mahovik.proof.diagnose.terms.solvable import has_mass_matrix
+from mahovik.proof.diagnose.terms.law_columns import KINDS, LawColumn, law_columns, law_parts
+from mahovik.proof.diagnose.terms.products import Frame, count, frame_in_words, frame_of, products
 from mahovik.proof.reference import Pieces
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, vector
+from mahovik.proof.reference.momentum import momentum
+from mahovik.proof.reference.motion import bias, mounts, reaction, torque
 from mahovik.proof.verify.actuators import stand_at, with_drawn_actuators
 from mahovik.proof.verify.foreign import Program
 from mahovik.proof.verify.states import Request
 
+ANSWERS: Mapping[str, tuple[str, ...]] = {
+    "forward": ("V_dot",),
+    "torque": ("tau",),
+    "coupled": ("V_dot", "phi_ddot"),
+    "momentum": ("Z",),
+    "reaction": ("reaction",),
+    "inverse": ("phi_ddot", "residual"),
+    "mounts": ("mount_wrench",),
+}
+"""Wants whose error is a sum of terms of the model, and the quantities that it is taken from."""
+
 WANTS = tuple(ANSWERS)
 """Wants in which wrong terms are looked for."""
 
-IMPLIED = {"coupled": ("forward", "torque")}
-"""Wants that say nothing new where a program offers these, unless they differ."""
+WHERE_WRONG, OF_HELD, OF_FLYWHEELS = ("inverse", "mounts"), ("reaction",), ("torque", "coupled", "inverse", "mounts")
+"""Wants that are looked at only where they are known to differ; of held carriers; of stands with flywheels."""
 
 BESIDES = ("momentum",)
 """Wants whose error hinders no name of other errors where it is no few terms itself."""
 
-MORE, SPARE = 1.25, 40
-"""Number of states for each product, and of those besides."""
+RIGHT: Mapping[str, Callable[[Pieces, State], Array]] = {
+    "wrench": lambda at, s: -reaction(at, vector(s.V_dot), vector(s.phi_ddot)),
+    "torque": lambda at, s: torque(at, vector(s.V_dot), vector(s.phi_ddot)),
+    "mounts": lambda at, s: mounts(at, vector(s.V_dot), vector(s.phi_ddot)).ravel(),
+    "momentum": lambda at, s: momentum(at),
+}
+"""Sides of equations that are sums of terms, at a motion: of the wrench on the carrier F - M V_r - ... - K V_r*."""
 
-REPEATED = 5
-"""States that are asked for twice: a program that answers otherwise is not deterministic."""
+MORE, SPARE, REPEATED = 1.25, 40, 5
+"""Number of states for each product, of those besides, and of those asked for twice: answers must not change."""
 
 FEW = 4
 """Terms of a component up to which an exact fit needs no other explanation; that of a whole equation has dozens."""
@@ -60,42 +70,50 @@ FEW = 4
 SPREAD = {"V": 1.0, "phi_dot": 3.0, "phi_ddot": 3.0, "V_dot": 1.0}
 """Standard deviations of the states, SI: no kind of term is much larger than another."""
 
-ALIKE = 1e-3
-"""Relative difference of factors of one term in two wants, which float leaves."""
+ALIKE, SAME, THERE = 1e-3, 1e-6, 1e-9
+"""Relative difference of factors of one term in two wants; of equal numbers; part of the largest that is rounding."""
 
 ORDER = 1e-9
 """Relative difference within which an answer is that of another state."""
 
-PART = 0.03
-"""Part of what is accepted of answers that the errors of equations may be, which are before all solving."""
+ROUNDING, PART = 1e-11, 0.03
+"""Error over the size of the terms that a right program may have: in double; part of what is accepted of answers."""
 
-ROUNDING = 1e-11
-"""Error over the size of the terms that a right program in double may have."""
+PLAIN = "weight", "buoyancy", "run-time"
+PLAIN_ON_CARRIER = "linear damping", "quadratic damping", "damping terms", "products in derivatives"
+"""Kinds of wrench that are sums of products, of any body and in the axes of the carrier alone."""
+
+SOLVABLE = 1e-6
+"""Least singular value of the mass matrix of a program: one that answers has such a matrix."""
 
 
 @dataclass(frozen=True)
 class WrongTerm:
     """A wrong term of a program.
 
-    component  letter of SNAME of the wrench on the carrier, or of the momentum; or the flywheel's name
-    term       the product; on the right-hand side of K V* = ..., in the drive torque or in the momentum
-    multiple   its factor in the program, the right one, and what both are multiples of
-    error      their difference, SI
-    share      its mean square over the sum of those of all wrong terms of the want
-    twins      other products that explain the error as well in its place, at the states that there are
-    likely     whether it alone of its twins is a product of the right equations
-    of_body    whether it is a vector term of bodies, which `component` names, in all components
+    component    letter of SNAME of the wrench on the carrier, or of the momentum; the flywheel's name; or bodies
+    term         the product; on the right-hand side of K V* = ..., in the drive torque or in the momentum
+    factor       in the program, SI; where `expected`, the right one, is None it is only known what it is wrong by
+    coefficient  path of the number of the stand file that the right factor is; "": it is none of them
+    share        its mean square over the sum of those of all wrong terms of the want
+    twins        other products that explain the error as well in its place, at the states that there are
+    of_body      whether it is a vector term of bodies, which `component` names, in all components
     """
 
     want: str
     component: str
     term: str
-    multiple: Multiple
-    error: float
-    share: float
+    factor: float
+    expected: float | None
+    coefficient: str = ""
+    share: float = 1.0
     twins: tuple[str, ...] = ()
-    likely: bool = False
     of_body: bool = False
+
+    def is_same(self, other: WrongTerm) -> bool:
+        """Whether two wants have one wrong term."""
+        same = (self.component, self.term) == (other.component, other.term)
+        return same and abs(self.factor - other.factor) <= ALIKE * max(abs(self.factor), abs(other.factor))
 
 
 @dataclass(frozen=True)
@@ -107,9 +125,9 @@ class TermSearchResult:
     wants        those that were looked at
     exact        whether they leave nothing beyond rounding
     besides      wants whose error is no few terms, beside others whose error is
-    looked_at    quantities whose errors were looked at, as want: quantity
     about        the point that moments are about, in words
     freedoms     what the names of equations and speeds of a held carrier stand for
+    looked_at    quantities whose errors were looked at, as want: quantity
     """
 
     terms: tuple[WrongTerm, ...]
@@ -130,7 +148,22 @@ class TermSearchResult:
     @property
     def doubtful(self) -> tuple[WrongTerm, ...]:
         """Terms of an explained error in whose place others explain it as well."""
-        return tuple(each for each in self.terms if each.twins and not each.likely) if self.exact else ()
+        return tuple(term for term in self.terms if term.twins) if self.exact else ()
+
+
+@dataclass(frozen=True, eq=False)
+class _Equations:
+    """Some equations at n states of a program's motion.
+
+    side   of RIGHT; frame: names of equations and speeds; answered (n, ...): what the program has there
+    """
+
+    want: str
+    side: str
+    frame: Frame
+    states: Sequence[State]
+    at: Sequence[Pieces]
+    answered: Array
 
 
 Answers = Callable[[Request], Mapping[str, Any]]
@@ -158,13 +191,13 @@ class TermSearch:
         self._stand, self._rounding, self._wrong = stand, ROUNDING, tuple(wrong)
         if precision is not None:
             self._rounding = max(ROUNDING, PART * precision.accepted, 2.0 * 10.0 ** (1 - precision.digits))
-        self._own = [_state(stand, rng) for _ in range(math.ceil(MORE * count(stand)) + SPARE)]
+        self._drawn = [_state(stand, rng) for _ in range(math.ceil(MORE * count(stand)) + SPARE)]
         if program is not None and program.actuators:
-            self._own = [with_drawn_actuators(stand, state, rng) for state in self._own]
-        asked = self._own if program is None else [program.state(stand, state) for state in self._own]
+            self._drawn = [with_drawn_actuators(stand, state, rng) for state in self._drawn]
+        asked = self._drawn if program is None else [program.state(stand, state) for state in self._drawn]
         named = [(f"term {i}", state) for i, state in enumerate(asked)] if states is None else states
         self._states = [state for _, state in named]
-        self._equations = Equations(stand, self._own)
+        tell_all = {"forward", "torque"} <= set(wants) and "coupled" not in wrong  # "coupled" says nothing new then
         self.wants = tuple(
             want
             for want in WANTS
@@ -172,21 +205,22 @@ class TermSearch:
             and (stand.flywheels or want not in OF_FLYWHEELS)
             and (stand.hold is not None or want not in OF_HELD)
             and (want not in WHERE_WRONG or (want in wrong and stand.hold is None))
-            and not _is_implied(want, wants, wrong)
+            and not (want == "coupled" and tell_all)
         )
         self._requests = {
             want: [Request(f"{name}, {want}", state, (want,)) for name, state in named] for want in self.wants
         }
+        again = REPEATED if states is None else 0
         self._again = {
-            want: [replace(each, id=f"{each.id}, again") for each in asked[:REPEATED]] if states is None else []
-            for want, asked in self._requests.items()
+            want: [replace(request, id=f"{request.id}, again") for request in requests[:again]]
+            for want, requests in self._requests.items()
         }
+        self._right: dict[tuple[str, str], Array | None] = {}
 
     @property
     def requests(self) -> list[Request]:
         """Requests for a program; the last are some of the first once more."""
-        first = [each for asked in self._requests.values() for each in asked]
-        return first + [each for asked in self._again.values() for each in asked]
+        return [x for group in (self._requests, self._again) for requests in group.values() for x in requests]
 
     def find(self, answers: Answers) -> TermSearchResult:
         """The wrong terms of a program by its answers to `requests`.
@@ -194,267 +228,353 @@ class TermSearch:
         Raises CheckError where it answers one state in two ways, or too few states.
         """
         self._check_repeats(answers)
-        found: list[WrongTerm] = []
+        terms: list[WrongTerm] = []
         fits: list[Fit] = []
         besides: list[str] = []
         unexplained = set(self._wrong)
         for want in self.wants:
-            parts = [self._terms(want, errors, found) for errors in self._errors(want, answers)]
+            parts = [self._terms(equations, terms) for equations in self._equations(want, answers)]
             if want in BESIDES and fits and not all(fit.exact for _, of_part in parts for fit in of_part):
                 besides.append(want)
                 continue
-            for terms, of_part in parts:
-                unexplained -= {each.want for each in terms}
-                found += [x for x in terms if not (want in IMPLIED and any(_is_same(x, other) for other in found))]
-                fits += of_part
-        in_forces = [(x.component, x.term, x.error) for x in found if x.want in ("forward", "coupled", "momentum")]
-        if not has_mass_matrix(self._stand, in_forces):
+            for of_part, more in parts:
+                unexplained -= {term.want for term in of_part}
+                terms += [x for x in of_part if not (want == "coupled" and any(x.is_same(y) for y in terms))]
+                fits += more
+        if not self._has_mass_matrix(terms):
             return TermSearchResult((), 1.0, self.wants, False, tuple(besides))
-        left, exact = max((each.left for each in fits), default=0.0), all(each.exact for each in fits)
-        words = point_in_words(self._stand), freedoms_in_words(self._stand)
+        left, exact = max((fit.left for fit in fits), default=0.0), all(fit.exact for fit in fits)
         looked_at = tuple(
             f"{want}: {name}"
             for want in sorted(set(self.wants) - set(besides) - unexplained)
             for name in sorted({*self._names(want, answers), *ANSWERS[want]})  # V_dot of a hold is S u_dot
         )
-        return TermSearchResult(tuple(found), left, self.wants, exact, tuple(besides), *words, looked_at)
+        words = frame_in_words(self._stand)
+        return TermSearchResult(tuple(terms), left, self.wants, exact, tuple(besides), *words, looked_at)
+
+    # -- answers -------------------------------------------------------------------------------------------------------
 
     def _check_repeats(self, answers: Answers) -> None:
         for want, again in self._again.items():
             for first, second in zip(self._requests[want], again, strict=False):
-                names = quantities_of(self._stand, want)
-                if _values(answers(first), names) != _values(answers(second), names):
+                names = self._names(want, answers)
+                one, other = (repr([numbers_at(answers(x), (name,)) for name in names]) for x in (first, second))
+                if one != other:
                     raise CheckError(
                         f"it is not deterministic: {want} of state {first.id!r} has another answer when it is asked "
                         "for again; a diagnosis needs a program without memory and chance"
                     )
 
+    def _names(self, want: str, answers: Answers) -> tuple[str, ...]:
+        """Quantities that the error of a want is taken from.
+
+        Of a held carrier u_dot for V_dot; and the reaction where it is answered and no want of its own tells it.
+        """
+        names, hold = ANSWERS[want], self._stand.hold
+        if hold is None or "V_dot" not in names:
+            return names
+        names = (*(("u_dot",) if hold.freedoms else ("reaction",)), *(x for x in names if x != "V_dot"))
+        beside = hold.freedoms and "reaction" not in self.wants
+        answered = beside and any("reaction" in answers(request) for request in self._requests[want])
+        return (*names, "reaction") if answered else names
+
     @cached_property
     def _pieces(self) -> list[Pieces]:
-        return [reference.pieces(stand_at(self._stand, state), state) for state in self._states]
+        return self._pieces_of(self._states)
 
-    def _errors(self, want: str, answers: Answers) -> list[EquationErrors]:
-        """Errors of a want at the states with finite answers. Raises CheckError: too few."""
-        rows, values = self._collect_answers(want, answers)
-        right = self._right_quantities(want, rows, values)
-        at = [self._pieces[i] for i in rows]
-        found = self._equations.errors(want, [self._states[i] for i in rows], at, values, right)
-        least = max(len(each.products) for each in found)
+    def _pieces_of(self, states: Sequence[State], stand: Stand | None = None) -> list[Pieces]:
+        return [reference.pieces(stand_at(stand or self._stand, state), state) for state in states]
+
+    def _answered(self, want: str, answers: Answers) -> tuple[list[int], dict[str, Array], set[str]]:
+        """Rows of the states with finite answers, these (n, ...) by quantity, and the quantities that are right.
+
+        Raises CheckError: too few, or the answers are right ones of other states.
+        """
+        names = self._names(want, answers)
+        rows: list[int] = []
+        values, right = list[list[Array]](), list[list[Array]]()
+        for i, request in enumerate(self._requests[want]):
+            numbers = [numbers_at(answers(request), (name,)) for name in names]
+            there = [x for x in numbers if x is not None and np.isfinite(x).all()]
+            if len(there) < len(names):
+                continue
+            state = self._states[i]
+            expected = reference.evaluate(stand_at(self._stand, state), state, (want,), self._pieces[i])
+            if [x.shape for x in there] == [np.shape(expected[name]) for name in names]:
+                rows.append(i)
+                values.append([x.ravel() for x in there])
+                right.append([np.ravel(expected[name]) for name in names])
+        least = count(self._stand) if want not in ("mounts",) else 1
         if len(rows) < least:
             raise CheckError(
                 f"{want}: {len(rows)} of {len(self._states)} states have an answer; expected at least {least}, as many "
                 "as there are products whose factors are looked for"
             )
-        return found
-
-    def _names(self, want: str, answers: Answers) -> tuple[str, ...]:
-        """Quantities that the error of a want is taken from."""
-        names = quantities_of(self._stand, want)
-        of_hold = "u_dot" in names and not set(OF_HELD) & set(self.wants)
-        if of_hold and any("reaction" in answers(request) for request in self._requests[want]):
-            return (*names, "reaction")  # no want of its own tells it; a program may leave it out here too
-        return names
-
-    def _collect_answers(self, want: str, answers: Answers) -> tuple[list[int], dict[str, Array]]:
-        """Rows of the states that have finite answers, and these by quantity. Raises CheckError: none."""
-        rows: list[int] = []
-        N, hold = len(self._stand.flywheels), self._stand.hold
-        names = self._names(want, answers)
-        lengths = {"u_dot": (len(hold.freedoms) if hold else 0,), "tau": (N,), "phi_ddot": (N,), "mount_wrench": (N, 6)}
-        found: dict[str, list[Array]] = {name: [] for name in names}
-        sizes = [lengths.get(name, (6,)) for name in names]
-        for i, request in enumerate(self._requests[want]):
-            given = answers(request)
-            try:
-                values = [np.array(given.get(name), dtype=np.float64) for name in found]
-            except (TypeError, ValueError, OverflowError):
-                continue
-            if [x.shape for x in values] == sizes and all(np.isfinite(x).all() for x in values):
-                rows.append(i)
-                for name, x in zip(found, values, strict=True):
-                    found[name].append(x.ravel())
-        if not rows:
-            raise CheckError(
-                f"{want}: 0 of {len(self._states)} states have an answer; expected at least {len(self._own)}"
-            )
-        return rows, {name: np.array(x) for name, x in found.items()}
-
-    def _right_quantities(self, want: str, rows: Sequence[int], values: Mapping[str, Array]) -> frozenset[str]:
-        """Quantities that are answered rightly. Raises CheckError: wrong answers are the right ones of other states."""
-        right = [
-            reference.evaluate(stand_at(self._stand, self._states[i]), self._states[i], (want,), self._pieces[i])
-            for i in rows
-        ]
-        expected = np.array([np.concatenate([np.ravel(each[name]) for name in values]) for each in right])
-        given = np.hstack(list(values.values()))
-        size = np.abs(expected).max(axis=0) + 1e-300
-        off = np.abs((given - expected) / size)
+        given, expected_rows = (np.array([np.concatenate(x) for x in group]) for group in (values, right))
+        size = np.abs(expected_rows).max(axis=0) + 1e-300
+        off = np.abs((given - expected_rows) / size)
         wrong = np.flatnonzero(off.max(axis=1) > ORDER)
         swapped: dict[int, int] = {}
         for i in wrong.tolist():
-            same = np.flatnonzero(np.abs((given[i] - expected) / size).max(axis=1) <= ORDER)
+            same = np.flatnonzero(np.abs((given[i] - expected_rows) / size).max(axis=1) <= ORDER)
             if same.size:
                 swapped[i] = int(same[0])
         if len(set(swapped.values())) > len(wrong) / 2:
-            i, j = next(iter(swapped.items()))
-            names = [self._requests[want][rows[k]].id for k in (i, j)]
-            raise CheckError(f"it answers another state's result: that to {names[0]!r} is right for {names[1]!r}")
-        parts = np.split(off, np.cumsum([x.shape[1] for x in values.values()])[:-1], axis=1)
-        return frozenset(name for name, x in zip(values, parts, strict=True) if (x <= self._rounding).all())
+            first, second = (self._requests[want][rows[k]].id for k in next(iter(swapped.items())))
+            raise CheckError(f"it answers another state's result: that to {first!r} is right for {second!r}")
+        bounds = np.cumsum([x.size for x in values[0]])[:-1]
+        off_by_name = dict(zip(names, np.split(off, bounds, axis=1), strict=True))
+        by_name = dict(zip(names, np.split(given, bounds, axis=1), strict=True))
+        return rows, by_name, {name for name, x in off_by_name.items() if (x <= self._rounding).all()}
 
-    def _terms(self, want: str, of: EquationErrors, before: Sequence[WrongTerm]) -> tuple[list[WrongTerm], list[Fit]]:
+    def _equations(self, want: str, answers: Answers) -> list[_Equations]:
+        """Equations of a want at the motion that the program answers.
+
+        Beside a wrong acceleration the equation of a right one, or of a right reaction, has no error of its own.
+        """
+        rows, values, right = self._answered(want, answers)
+        states, at = [self._states[i] for i in rows], [self._pieces[i] for i in rows]
+        wheels = tuple(wheel.name for wheel in self._stand.flywheels)
+        drives = replace(frame_of(self._stand), components=wheels, rows=np.eye(len(wheels)))
+        if want == "torque":
+            return [_Equations(want, "torque", drives, states, at, values["tau"])]
+        if want == "mounts":
+            names = tuple(f"{wheel} {letter}" for wheel in wheels for letter in WRENCH_LETTERS)
+            frame = replace(drives, components=names, rows=np.eye(len(names)))
+            return [_Equations(want, "mounts", frame, states, at, values["mount_wrench"])]
+        every = frame_of(self._stand, "all")
+        if want == "momentum":
+            return [_Equations(want, "momentum", every, states, at, values["Z"])]
+        if want == "reaction":
+            return [_Equations(want, "wrench", every, states, at, -values["reaction"])]
+        V_dot = values["V_dot"] if "V_dot" in values else np.zeros((len(rows), 6))
+        if "u_dot" in values:
+            V_dot = values["u_dot"] @ frame_of(self._stand).rows.T
+        phi_ddot = values.get("phi_ddot", np.array([s.phi_ddot for s in states]))
+        moved = [replace(s, phi_ddot=tuple(a)) for s, a in zip(states, phi_ddot.tolist(), strict=True)]
+        if want == "inverse":
+            return [_Equations(want, "wrench", every, moved, at, values["residual"])]
+        moved = [replace(s, V_dot=tuple(a)) for s, a in zip(moved, V_dot.tolist(), strict=True)]
+        left_out = right if {"V_dot", "u_dot", "phi_ddot"} & values.keys() - right else set[str]()
+        none, tau = np.zeros((len(rows), 6)), np.array([s.tau for s in states])
+        equations = [
+            ({"V_dot", "u_dot"}, _Equations(want, "wrench", frame_of(self._stand), moved, at, none)),
+            ({"phi_ddot"}, _Equations(want, "torque", drives, moved, at, tau)),
+            ({"reaction"}, _Equations(want, "wrench", frame_of(self._stand, "blocked"), moved, at,
+                                      -values.get("reaction", none))),
+        ]  # fmt: skip
+        return [x for names, x in equations if names & values.keys() and not names & left_out and x.frame.components]
+
+    # -- terms ---------------------------------------------------------------------------------------------------------
+
+    def _terms(self, of: _Equations, before: Sequence[WrongTerm]) -> tuple[list[WrongTerm], list[Fit]]:
         """Wrong terms of all components, and the fit of each wrong one; of whole bodies where these are fewer."""
-        by_body = self._body_terms(want, of, before)
-        wrong_rows = np.sqrt(np.mean(of.error**2, axis=0)) > 10 * self._rounding * np.sqrt(np.mean(of.size**2))
-        if by_body and (len(by_body) < np.count_nonzero(wrong_rows) or not of.products):
+        rows = of.frame.rows
+        sides = np.array([RIGHT[of.side](p, s) for p, s in zip(of.at, of.states, strict=True)])
+        error = (of.answered - sides) @ rows
+        size = np.abs(sides) @ np.abs(rows)
+        if of.side == "wrench":
+            parts = [_magnitudes(p, s) for p, s in zip(of.at, of.states, strict=True)]
+            size = np.array(parts) @ np.abs(rows)
+        rounding = self._rounding * np.sqrt(np.mean(size**2, axis=0))
+        wrong = np.sqrt(np.mean(error**2, axis=0)) > 10 * np.sqrt(np.mean(rounding**2))
+        by_body = self._body_terms(of, error[:ROWS], rounding, before)
+        if by_body and (len(by_body) < np.count_nonzero(wrong) or of.side == "mounts"):
             return by_body, [Fit({}, 0.0, True)]
-        if not of.products:
-            return [], [Fit({}, 1.0)] if wrong_rows.any() else []
-        terms, fits = self._product_terms(want, of)
+        if of.side == "mounts":
+            return [], [Fit({}, 1.0)] if wrong.any() else []
+        terms, fits = self._product_terms(
+            of, error, np.flatnonzero(wrong).tolist(), float(np.sqrt(np.mean(rounding**2)))
+        )
         if by_body and (len(by_body) < len(terms) or not all(fit.exact for fit in fits)):
             return by_body, [Fit({}, 0.0, True)]
         return terms, fits
 
-    def _body_terms(self, want: str, of: EquationErrors, before: Sequence[WrongTerm]) -> list[WrongTerm]:
+    def _body_terms(
+        self, of: _Equations, error: Array, rounding: Array, before: Sequence[WrongTerm]
+    ) -> list[WrongTerm]:
         """One wrong term, or two, of whole bodies that explain all components; none where they do not.
 
         `before`: those of other wants, which come before terms of the same effect.
         """
-        error = of.error[:ROWS]
-        rounding = self._rounding * np.sqrt(np.mean(of.size**2, axis=0))
-        if of.bodies is None or (np.sqrt(np.mean(error**2, axis=0)) <= 10 * rounding).all():
+        within = (np.sqrt(np.mean(error**2, axis=0)) <= 10 * rounding).all()
+        if within or of.side == "momentum" or not self._stand.flywheels:
             return []
-        terms, columns = of.bodies()
-        known = {(each.component, each.term) for each in before}
-        first = [j for j, each in enumerate(terms) if (each.bodies, each.name) in known]
-        found = explain(error, columns, np.maximum(rounding, 1e-3 * rounding.max()), first)
-        sizes = [float(np.sum((c * columns[j]) ** 2)) for j, c in found]
+        columns = body_terms(of.states[:ROWS], of.at[:ROWS], of.side, of.frame.rows)
+        known = {(term.component, term.term) for term in before}
+        first = [term for term in columns if term[:2] in known]
+        factors = explain(error, columns, np.maximum(rounding, 1e-3 * rounding.max()), first)
+        sizes = {term: float(np.sum((c * columns[term]) ** 2)) for term, c in factors.items()}
         return [
-            WrongTerm(
-                want, terms[j].bodies, terms[j].name,
-                Multiple(round(terms[j].expected + c, 9) + 0.0, terms[j].expected, ""),
-                c, size / sum(sizes), of_body=True,
-            )
-            for (j, c), size in zip(found, sizes, strict=True)
+            WrongTerm(of.want, body, name, round(expected + c, 9) + 0.0, expected, of_body=True,
+                      share=sizes[body, name, expected] / sum(sizes.values()))
+            for (body, name, expected), c in factors.items()
         ]  # fmt: skip
 
-    def _product_terms(self, want: str, of: EquationErrors) -> tuple[list[WrongTerm], list[Fit]]:
-        """Wrong products of all components, and the fit of each wrong one."""
-        products = of.products
-        found: list[tuple[int, int, str, Multiple, float, float]] = []
+    def _product_terms(
+        self, of: _Equations, error: Array, wrong: Sequence[int], rounding: float
+    ) -> tuple[list[WrongTerm], list[Fit]]:
+        """Wrong products of the components that are wrong, and the fit of each."""
+        if not wrong:
+            return [], []
+        table = products(of.frame, of.states, of.at, of.side == "momentum")
+        parts = law_parts(self._stand, of.at) if of.side == "wrench" else []
+        columns, right = Columns(table.values, table.accelerate), self._coefficients(of)
+        m = len(table.names)
+        terms: list[tuple[float, WrongTerm]] = []
         fits: list[Fit] = []
-        doubts: dict[tuple[int, int], tuple[tuple[str, ...], bool]] = {}
-        rounding = self._rounding * float(np.sqrt(np.mean(of.size**2)))
-        for component in range(len(of.components)):
-            wrong = of.error[:, component]
-            if np.sqrt(np.mean(wrong**2)) <= 10 * rounding:
-                continue
-            fit, of_laws = _fit(of, component, wrong, rounding)
-            if fit.exact and not any(k >= len(products) for k in fit.coefficients):
-                fit, twins = _likeliest(of.columns, fit, wrong, rounding, partial(of.occurs, component))
-                for k, (others, likely) in twins.items():
-                    doubts[component, k] = tuple(products[i].term for i in others), likely
+        for i in wrong:
+            there = np.full(m, False) if right is None else _is_there(right[:, i])
+            fit, of_laws = columns.fit(error[:, i], rounding, there), list[LawColumn]()
+            for finer in law_columns(parts, of.frame.rows[:, i]):
+                if fit.exact and len(fit.coefficients) <= FEW:
+                    break
+                kept = columns.independent(np.column_stack([x.values for x in finer]))
+                wide = np.column_stack([table.values, *(finer[j].values for j in kept)])
+                more = np.full(len(kept), False)
+                widened = Columns(wide, np.append(table.accelerate, more))
+                other = widened.fit(error[:, i], rounding, np.append(there, ~more))
+                if other.exact and (not fit.exact or len(other.coefficients) < len(fit.coefficients)):
+                    fit, of_laws = other, [finer[j] for j in kept]
             fits.append(fit if fit.coefficients else replace(fit, left=1.0))
+            names = (*table.names, *(x.name for x in of_laws))
             for k, c in fit.coefficients.items():
-                column = of_laws[k - len(products)] if k >= len(products) else None
-                product = products[k] if column is None else column.product
-                multiple = of.multiple(component, k, c) if column is None else column.multiple(c)
-                size = float(np.sum((c * product.values) ** 2))
-                found.append((component, k, product.term, multiple, c, size))
-        whole = sum(each[5] for each in found) or 1.0
-        terms = [
-            WrongTerm(
-                want, of.components[component], term, multiple, c, part / whole,
-                *doubts.get((component, k), ((), False)),
-            )
-            for component, k, term, multiple, c, part in found
-        ]  # fmt: skip
-        return sorted(terms, key=lambda term: -term.share), fits
+                law = of_laws[k - m] if k >= m else None
+                values = table.values[:, k] if law is None else law.values
+                twins = tuple(names[j] for j in (fit.twins or {}).get(k, ()))
+                place = of.want, of.frame.components[i], names[k]
+                if law is not None:
+                    factor, expected, path = law.right + c, law.right, law.path
+                elif right is None or np.isnan(right[k, i]):
+                    factor, expected, path = c, None, ""
+                else:
+                    expected = float(right[k, i]) if there[k] else 0.0
+                    factor, path = expected + c, self._path(of, k, i, expected)
+                factor = 0.0 if abs(factor) <= SAME * abs(expected or 0.0) else factor
+                term = WrongTerm(*place, factor, expected, path, twins=twins)
+                terms.append((float(np.sum((c * values) ** 2)), term))
+        whole = sum(size for size, _ in terms) or 1.0
+        return [replace(x, share=size / whole) for size, x in sorted(terms, key=lambda x: -x[0])], fits
+
+    def _coefficients(self, of: _Equations) -> Array | None:
+        """Right factors (m, c) of the products; None, or NaN: not known, for the equations hold more than these."""
+        key = of.side, " ".join(of.frame.components)
+        if key not in self._right:
+            self._right[key] = self._solve(of, self._stand)
+        return self._right[key]
+
+    def _solve(self, of: _Equations, stand: Stand) -> Array | None:
+        at = self._drawn_pieces if stand is self._stand else self._pieces_of(self._drawn, stand)
+        table = products(of.frame, self._drawn, at, of.side == "momentum")
+        rows = of.frame.rows
+        right = np.array([RIGHT[of.side](p, s) for p, s in zip(at, self._drawn, strict=True)]) @ rows
+        parts = law_parts(stand, at) if of.side == "wrench" else []
+        if of.side != "wrench":
+            return Columns(table.values, np.full(len(table.names), False)).least_squares(right)
+        others = np.array([_other_wrenches(p) for p in at]) @ rows
+        factors = np.zeros((len(table.names), rows.shape[1]))
+        for i in range(rows.shape[1]):
+            laws = next(law_columns(parts, rows[:, i]), [])
+            narrow = Columns(table.values, np.full(len(table.names), False))
+            kept = narrow.independent(np.column_stack([x.values for x in laws])) if laws else []
+            wide = np.column_stack([table.values, *(laws[j].values for j in kept)])
+            columns = Columns(wide, np.full(wide.shape[1], False)) if kept else narrow
+            whole = columns.least_squares(right[:, [i]])
+            if whole is None:
+                whole = columns.least_squares((right - others)[:, [i]])
+                if whole is None:
+                    factors[:, i] = math.nan
+                    continue
+                # of a product that others may hold it is not known whether it should be there
+                whole = np.where(_is_there(whole), whole, math.nan)
+            factors[:, i] = whole[: len(table.names), 0]
+        return factors
+
+    @cached_property
+    def _drawn_pieces(self) -> list[Pieces]:
+        return self._pieces_of(self._drawn)
+
+    def _path(self, of: _Equations, k: int, component: int, expected: float) -> str:
+        """The number of the stand file that a right factor is: with it changed, the factor is so too."""
+        if not expected:
+            return ""
+        file = StandNumbers(self._stand, parse(dumps(self._stand)))
+        for number in file:
+            if abs(abs(number.value) - abs(expected)) <= SAME * abs(expected):
+                try:
+                    changed = read(file.with_values({number: 1.01 * number.value}), self._stand.name, physics=False)
+                except UsageError:
+                    continue
+                factors = self._solve(of, changed)
+                if factors is not None and abs(factors[k, component] / expected - 1.01) <= SAME:
+                    return number.path
+        return ""
+
+    def _has_mass_matrix(self, terms: Sequence[WrongTerm]) -> bool:
+        """Whether the equations with these terms wrong still have one acceleration, at some phases.
+
+        "All of X is missing" is true of every wrong program: its error is K V_r* less the right-hand side, and both
+        are sums of the products. But a program that answers has a mass matrix.
+        """
+        frame = frame_of(self._stand)
+        if not frame.components:
+            return True
+        at, state = self._drawn_pieces[:1], self._drawn[:1]
+        K = np.asarray(frame.rows.T @ at[0].K @ frame.rows)
+        table, wrong = products(frame, state, at), K.copy()
+        values = dict(zip(table.names, table.values[0], strict=True))
+        for term in terms:
+            rate = term.term.split(" ")[0]
+            if term.component in frame.components and rate.removesuffix("_dot") in frame.letters and rate in values:
+                error = (term.factor - (term.expected or 0.0)) * values[term.term] / values[rate]
+                row = frame.freedoms[frame.letters.index(rate.removesuffix("_dot"))]
+                wrong[frame.components.index(term.component)] -= error * row
+        size = np.sqrt(np.diag(K))
+        return bool(np.linalg.svd(wrong / np.outer(size, size), compute_uv=False)[-1] > SOLVABLE)
 
 
-def _is_same(term: WrongTerm, other: WrongTerm) -> bool:
-    """Whether two wants have one wrong term."""
-    a, b = term.multiple, other.multiple
-    same = (term.component, term.term, a.coefficient, a.expected) == (
-        other.component,
-        other.term,
-        b.coefficient,
-        b.expected,
-    )
-    return same and abs(a.factor - b.factor) <= ALIKE * max(abs(a.factor), 1.0)
+def _is_there(factors: Array) -> Any:
+    """Which factors are more than rounding, beside the others."""
+    return np.abs(np.nan_to_num(factors)) > THERE * np.abs(np.nan_to_num(factors)).max(initial=0.0)
 
 
-def _is_implied(want: str, wants: Sequence[str], wrong: Sequence[str]) -> bool:
-    """Whether other wants tell all that a want does: not where it is known to differ."""
-    others = IMPLIED.get(want, ())
-    return bool(others) and set(others) <= set(wants) and want not in wrong
+def _magnitudes(at: Pieces, state: State) -> Array:
+    """Magnitudes of the terms of the wrench on the carrier (6)."""
+    return np.abs(at.K) @ np.abs(at.V_r_dot(vector(state.V_dot))) + np.abs(at.F) + np.abs(bias(at))
 
 
-def _fit(of: EquationErrors, component: int, error: Array, rounding: float) -> tuple[Fit, list[LawColumn]]:
-    """The fit of a component by products; where these are not a few, with coefficients of laws behind them."""
-    best: tuple[Fit, list[LawColumn]] = of.columns.fit(error, rounding), []
-    for of_laws in of.of_laws.of(component) if of.of_laws is not None and not _is_short(best[0]) else ():
-        wide, kept = widen(of.columns, of_laws)
-        fit = wide.fit(error, rounding)
-        if fit.exact and (not best[0].exact or len(fit.coefficients) < len(best[0].coefficients)):
-            best = fit, kept
-        if _is_short(best[0]):
-            break
-    return best
-
-
-def _is_short(fit: Fit) -> bool:
-    """Whether a fit is exact with so few columns that no other is looked for."""
-    return fit.exact and len(fit.coefficients) <= FEW
-
-
-def _likeliest(
-    columns: Columns, fit: Fit, error: Array, rounding: float, occurs: Callable[[int], bool]
-) -> tuple[Fit, dict[int, tuple[list[int], bool]]]:
-    """The fit with each column of which only one twin occurs in the right equations replaced by this one.
-
-    Also the twins of each column, and whether it alone of them occurs.
-    """
-    twins = columns.twins(fit, error, rounding)
-    doubtful = {k: (others, False) for k, others in twins.items()}
-    if columns.too_few(fit):
-        return fit, doubtful
-    found: dict[int, tuple[list[int], bool]] = {}
-    kept = list(fit.coefficients)
-    for k, others in twins.items():
-        there = [i for i in (k, *others) if occurs(i)]
-        if len(there) == 1:
-            kept[kept.index(k)] = there[0]
-            found[there[0]] = [i for i in (k, *others) if i != there[0]], True
-        else:
-            found[k] = others, False
-    changed = columns.refit(kept, error, rounding)
-    return (changed, found) if changed.exact else (fit, doubtful)
-
-
-def _values(answer: Mapping[str, Any], names: Sequence[str]) -> Any:
-    return repr([np.array(answer.get(name), dtype=object).tolist() for name in names])  # NaN is equal
+def _other_wrenches(at: Pieces) -> Array:
+    """Wrenches (6, in E1 about O1) that are no sum of these products or of coefficients of laws: laws between E0 and
+    the carrier, damping of bodies with axes of their own, all laws of flywheels that are not of their weight."""
+    carrier, wheels = at.bodies.bodies[0].name, {body.name for body in at.bodies.flywheels.bodies}
+    others = np.zeros(6)
+    for k in at.bodies.placed():
+        name = k.body.name
+        for kind, wrench in at.terms[name].items():
+            of_law = kind in KINDS and name not in wheels
+            if not (of_law or kind in PLAIN or (kind in PLAIN_ON_CARRIER and name == carrier)):
+                others += k.L @ wrench
+    return others
 
 
 def _state(stand: Stand, rng: np.random.Generator) -> State:
     """A state in which no kind of term is much larger than another; without run-time wrenches."""
     N = len(stand.flywheels)
-
-    def normal(name: str, size: int) -> tuple[float, ...]:
-        return tuple(float(x) for x in SPREAD[name] * rng.normal(size=size))
-
+    numbers = {
+        key: tuple((SPREAD[key] * rng.normal(size=6 if key.startswith("V") else N)).tolist())
+        for key in ("V", "phi_dot", "phi_ddot", "V_dot")
+    }
     q = rng.normal(size=4)
-    q /= np.linalg.norm(q)
     state = State(
         position=(0.0, 0.0, 0.0),
         angles=None,
-        quaternion=cast(Quaternion, tuple(float(x) for x in q)),
-        V=cast(Vec6, normal("V", 6)),
-        phi=tuple(float(x) for x in rng.uniform(-math.pi, math.pi, N)),
-        phi_dot=normal("phi_dot", N),
-        phi_ddot=normal("phi_ddot", N),
-        V_dot=cast(Vec6, normal("V_dot", 6)),
-        tau=tuple(x * wheel.inertia[0][0] for x, wheel in zip(normal("phi_ddot", N), stand.flywheels, strict=True)),
+        quaternion=cast(Quaternion, tuple((q / np.linalg.norm(q)).tolist())),
+        V=cast(Vec6, numbers["V"]),
+        phi=tuple(rng.uniform(-math.pi, math.pi, N).tolist()),
+        phi_dot=numbers["phi_dot"],
+        phi_ddot=numbers["phi_ddot"],
+        V_dot=cast(Vec6, numbers["V_dot"]),
+        tau=tuple(3.0 * x * w.inertia[0][0] for x, w in zip(rng.normal(size=N).tolist(), stand.flywheels, strict=True)),
         wrench=MappingProxyType({}),
     )
     return state if stand.hold is None else along_freedoms(stand, state, rng)
