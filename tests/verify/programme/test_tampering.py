@@ -95,7 +95,7 @@ def test_bounds_are_kept_or_named(bounds: Bounds, offends: set[str]) -> None:
         ({"stand": "bench8"}, "programme of another stand: name is bench8, of the stand "),
         ({"flywheels": ("w1", "w2")}, "flywheels is w1, w2, of the stand left, right"),
         ({"motion": "shaker2_z"}, "shaker2_z"),
-        ({"periodic": False}, "it is finite, the motion periodic"),
+        ({"periodic": False}, "kind is finite, of the motion periodic"),
         ({"span": 0.051}, "period is 0.051 s, of the motion 0.05 s"),
     ],
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -49,35 +49,23 @@ class Tolerance(NamedTuple):
     runup: float
 
 
-SMOOTH, KINKED, RUNUP = 1e-6, 1e-5, 1e-5
-"""Tolerances. A stand with V|V| has forces of class C1 only, and over a period a mean that nothing may balance."""
+SMOOTH, KINKED, RUNUP, DRIFT = 1e-6, 1e-5, 1e-5, 20
+"""Tolerances. A stand with V|V| has forces of class C1 only, and over a period a mean that nothing may balance: a
+constant residual, of one amplitude's share, moves a floating carrier (2 pi)^2 / 2 amplitudes in a period."""
 
-DRIFT = 20
-"""(2 pi)^2 / 2: amplitudes that a constant residual, of one amplitude's share, moves a floating carrier in a period."""
-
-TABLE, JOINT, MULTIPLIER = 0.03, 1e-6, 1.001
+TABLE, JOINT, MULTIPLIER, EXCEEDED = 0.03, 1e-6, 1.001, 1 + 1e-9
 """Accepted of phi', phi'' in a table, share of their peaks: each row against its prediction by its neighbours; where
-two courses meet, share of peaks, rad for phi; the largest Floquet multiplier without a warning."""
+two courses meet, share of peaks, rad for phi; the largest Floquet multiplier without a warning; a value over its bound:
+rounding of the program that kept it is no excess."""
 
-EXCEEDED = 1 + 1e-9
-"""Value over its bound that counts as exceeded: rounding of the program that kept it does not."""
+FINER, OFFSET, FINER_ANGLES, OF_WAVE = 20, 0.382, 8, 32
+"""Points of the grid of the residual for each node of the programme, beginning this share of a step after a node, so
+that no node is a point of it; for angles, which are cheap, so many times as many; rows of the table that a Fourier
+series is judged as, in a period of its highest harmonic."""
 
-FINER, OFFSET = 20, 0.382
-"""Points of the grid of the residual for each node of the programme. The grid begins this share of a step after a node,
-so that no node is a point of it."""
-
-FINER_ANGLES = 8
-"""Ratio of the grid for angles to that of the residual: angles are cheap."""
-
-OF_WAVE = 32
-"""Rows of the table that a Fourier series is judged as, in a period of its highest harmonic."""
-
-STEPS_OF_SPAN, STEPS_OF_RUNUP = 32, 24
+STEPS_OF_SPAN, STEPS_OF_RUNUP, RUNUP_ERROR = 32, 24, 1e-8
 """Least number of steps in a span, and of a run-up in a period: the error estimate of a step misses jumps of phi's
-third derivative at rows."""
-
-RUNUP_ERROR = 1e-8
-"""Error of a step over the amplitude: the end of a run-up has a wider tolerance than a programme."""
+third derivative at rows. Error of a step of a run-up over the amplitude: its end has a wider tolerance."""
 
 FURTHEST = 100.0
 """Largest distance from the required motion, in amplitudes, at which the simulation goes on."""
@@ -110,27 +98,22 @@ def stand_check(stand: Stand, programme: Programme) -> Check:
         "flywheels": (", ".join(programme.flywheels), ", ".join(s.name for s in stand.flywheels)),
         "coordinates": (", ".join(programme.coordinates or FREE), ", ".join(coordinates_of(stand).names)),
     }
-    other = [f"{key} is {theirs}, of the stand {ours}" for key, (theirs, ours) in pairs.items() if theirs != ours]
-    return _owner_check("stand", other, f"{now.structure} {now.physics}")
+    return _owner_check("stand", pairs, f"{now.structure} {now.physics}")
 
 
 def motion_check(motion: RequiredMotion, programme: Programme) -> Check:
     """How many of name, kind, period (duration) and unbalance are of another motion."""
-    kind, other = {True: "periodic", False: "finite"}, []
-    if programme.motion != motion.name:
-        other.append(f"name is {programme.motion}, of the motion {motion.name}")
-    if programme.periodic != motion.periodic:
-        other.append(f"it is {kind[programme.periodic]}, the motion {kind[motion.periodic]}")
-    elif abs(programme.span - motion.span) > 1e-12 * motion.span:
-        word = "period" if motion.periodic else "duration"
-        other.append(f"{word} is {programme.span:.12g} s, of the motion {motion.span:.12g} s")
-    wanted = "resisted" if motion.slew is None else motion.slew.unbalance
-    if programme.unbalance != wanted:
-        other.append(f"unbalance is {programme.unbalance}, of the motion {wanted}")
-    return _owner_check("motion", other, motion.name)
+    kind, same = {True: "periodic", False: "finite"}, abs(programme.span - motion.span) <= 1e-12 * motion.span
+    span = motion.span if same else programme.span
+    pairs = {"name": (programme.motion, motion.name), "kind": (kind[programme.periodic], kind[motion.periodic])}
+    if programme.periodic == motion.periodic:
+        pairs["period" if motion.periodic else "duration"] = f"{span:.15g} s", f"{motion.span:.15g} s"
+    pairs["unbalance"] = programme.unbalance, "resisted" if motion.slew is None else motion.slew.unbalance
+    return _owner_check("motion", pairs, motion.name)
 
 
-def _owner_check(kind: str, other: list[str], words: str) -> Check:
+def _owner_check(kind: str, pairs: Mapping[str, tuple[str, str]], words: str) -> Check:
+    other = [f"{key} is {theirs}, of the {kind} {ours}" for key, (theirs, ours) in pairs.items() if theirs != ours]
     return Check.of(kind, len(other), 0, f"programme of another {kind}: {'; '.join(other)}" if other else words)
 
 
@@ -206,9 +189,8 @@ def motor_torques(stand: Stand, phi_dot: Array, tau: Array) -> tuple[Array, Arra
     needed, most = np.array(tau), np.full_like(tau, np.inf)
     for s, motor in enumerate(wheel.motor for wheel in stand.flywheels):
         if motor is not None:
-            for i, speed in enumerate(phi_dot[:, s].tolist()):
-                needed[i, s] = required_torque(motor, float(tau[i, s]), speed)
-                most[i, s] = available_torque(motor, float(needed[i, s]), speed)
+            needed[:, s] = [required_torque(motor, *row) for row in zip(tau[:, s], phi_dot[:, s], strict=True)]
+            most[:, s] = [available_torque(motor, *row) for row in zip(needed[:, s], phi_dot[:, s], strict=True)]
     return needed, most
 
 

@@ -15,6 +15,7 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from scipy.linalg import block_diag
 
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
@@ -85,32 +86,29 @@ def least_cost_matrix(G: Array, above: Array, harmonics: int) -> Array:
 def responses(of: Sequence[Array], harmonics: int) -> Array:
     """Harmonics (1 + 2 H.., m, N T) of the carrier's coordinates by the corrections, mean, cos, sin, ... in turn.
 
-    `of`: `slopes` by all five at uniform times, a radian of the period as the unit. Raises StateError: a free motion
-    of the carrier has such harmonics, so that they are not determined.
+    `of`: `slopes` by all five at M uniform times, M odd, a radian of the period as the unit. Raises StateError: a free
+    motion of the carrier has such harmonics, so that they are not determined.
     """
-    pose, speed, angle, rate, change = of
-    M, n, _ = angle.shape
-    first, second = (_differentiation(M, order) for order in (1, 2))
-    left = np.einsum("ij,kl->ikjl", second, np.eye(n)) - np.einsum("ij,ikl->ikjl", first, speed)
-    left -= np.einsum("ij,ikl->ikjl", np.eye(M), pose)
-    phase, highest = np.arange(M) / M, harmonics + PROTECTED
-    forced = sum(
-        np.einsum("ikl,ij->iklj", part, order @ waves(phase, harmonics).T)
-        for part, order in ((angle, np.eye(M)), (rate, first), (change, second))
+    M, m, _ = of[2].shape
+    k, phase, highest = np.fft.fftfreq(M, 1.0 / M), np.arange(M) / M, harmonics + PROTECTED
+    # of the trigonometric polynomial through M values: the values, its derivatives by the phase
+    values, first, second = (
+        np.fft.ifft((1j * k[:, None]) ** n * np.fft.fft(np.eye(M), axis=0), axis=0).real for n in range(3)
     )
-    U, size, Vt = np.linalg.svd(left.reshape(n * M, n * M))
+    pose, speed = (block_diag(*part) for part in of[:2])
+    left = np.kron(second, np.eye(m)) - speed @ np.kron(first, np.eye(m)) - pose
+    waved = waves(phase, harmonics).T
+    forced = sum(
+        np.einsum("ikl,ij->iklj", part, order @ waved)
+        for part, order in zip(of[2:], (values, first, second), strict=True)
+    )
+    U, size, Vt = np.linalg.svd(left)
     kept = size >= FREE * size[0]
-    free = coefficients(Vt[~kept].T.reshape(M, n, -1), phase, highest)
+    free = coefficients(Vt[~kept].T.reshape(M, m, -1), phase, highest)
     if np.any(np.abs(free[1:]) > STILL):
         raise StateError("a free motion of the carrier changes the harmonics")
-    d = Vt[kept].T @ ((U[:, kept].T @ np.reshape(forced, (n * M, -1))) / size[kept][:, None])
-    return coefficients(d.reshape(M, n, -1), phase, highest)
-
-
-def _differentiation(M: int, order: int) -> Array:
-    """(M, M): derivative by the phase of the trigonometric polynomial through M values, M odd."""
-    k = np.fft.fftfreq(M, 1.0 / M)
-    return np.asarray(np.fft.ifft((1j * k[:, None]) ** order * np.fft.fft(np.eye(M), axis=0), axis=0).real)
+    d = Vt[kept].T @ ((U[:, kept].T @ np.reshape(forced, (m * M, -1))) / size[kept][:, None])
+    return coefficients(d.reshape(M, m, -1), phase, highest)
 
 
 def _units(stand: Stand) -> Array:
