@@ -77,7 +77,10 @@ class WithLaws:
 
     def law(self, kind: type[Law]) -> Law | None:
         """The data of one law; None where it does not act."""
-        return next((found for found in self.laws if isinstance(found, kind)), None)
+        for found in self.laws:
+            if isinstance(found, kind):
+                return found
+        return None
 
     def with_laws(self, *given: LawData) -> Self:
         """A copy with the given laws instead of its own of the same kinds."""

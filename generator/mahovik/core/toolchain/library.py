@@ -169,8 +169,8 @@ class Library:
         if not a.shape and not a.variable.pointer:
             return 0 if value is None else value
         kind = self._c_type(a.type)
-        if value is None:
-            value = _by_member(uniform_data(a.type, a.shape, fill or 0.0))
+        if value is None and fill:  # else it is zero
+            value = _by_member(uniform_data(a.type, a.shape, fill))
         if a.shape:
             return self._ffi.new(f"{kind}[{int(a.shape[0])}]", value)
         return self._ffi.new(f"{kind} *", value)

@@ -6,7 +6,6 @@ from functools import cache
 
 import casadi as ca
 import numpy as np
-from scipy.special import roots_legendre
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.cross_flow.data import CrossFlow
@@ -24,6 +23,8 @@ def wrench(body: Body, V_r: Expr) -> Expr | None:
 
 def _rows(law: CrossFlow) -> list[tuple[float, float, float]]:
     """Place, and drag over squared velocity along y and z, of each strip."""
+    from scipy.special import roots_legendre  # SciPy takes half a second to start, and few stands have strips
+
     found = []
     roots, weights = roots_legendre(law.points)
     for k in range(1, len(law.x)):

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, fields, is_dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -30,6 +31,9 @@ from mahovik.proof.verify.actuators import stand_at
 
 ORDINARY = 2
 """Seed of the ordinary state whose scales are floors at all others."""
+
+KEPT = 256
+"""States whose neighbours are kept: they are drawn first, and judged then."""
 
 Equation = Callable[[Stand, State, Pieces], Values]
 """An answer of the reference: numbers and words by name."""
@@ -57,7 +61,7 @@ class Scales:
         self._size, self._rng = PERTURBATION[real], np.random.default_rng(seed)
         others = (self.change(stand, self._size) for _ in range(PERTURBATIONS))
         self._stands = [(each, bodies_of(each)) for each in (stand, *others)]
-        self._last: tuple[State | None, list[tuple[Stand, State, Pieces]]] = (None, [])
+        self._kept: dict[int, tuple[State, list[tuple[Stand, State, Pieces]]]] = {}
         self._ordinary: dict[str, Mapping[str, Any]] = {}
         self._wants: dict[tuple[int, str], tuple[State, Measured | None]] = {}
 
@@ -86,15 +90,15 @@ class Scales:
 
     def _ordinary_scales(self, want: str) -> Mapping[str, Any]:
         """Scales at an ordinary state; none where the reference refuses it."""
-        state, kept = random_state(self.stand, np.random.default_rng(ORDINARY)), self._last
-        if self.stand.hold is None:
-            state = replace(state, quaternion=None, angles=(0.3, 0.6, -0.4))
         try:
-            return self.measure(state, self.equation(want), want == "inverse").scales
+            return self.measure(self._ordinary_state, self.equation(want), want == "inverse").scales
         except (StateError, np.linalg.LinAlgError, ArithmeticError):
             return {}
-        finally:
-            self._last = kept
+
+    @cached_property
+    def _ordinary_state(self) -> State:
+        state = random_state(self.stand, np.random.default_rng(ORDINARY))
+        return replace(state, quaternion=None, angles=(0.3, 0.6, -0.4)) if self.stand.hold is None else state
 
     def measure(self, state: State, equation: Equation, least_squares: bool = False) -> Measured:
         """The answer of an equation at a state and its scales. Raises what the equation raises there.
@@ -133,12 +137,16 @@ class Scales:
 
     def neighbours(self, state: State) -> list[tuple[Stand, State, Pieces]]:
         """The stand, the state and its pieces, and those of the neighbours; kept for other equations at the state."""
-        if self._last[0] is not state:
+        known = self._kept.get(id(state))
+        if known is None:
             with np.errstate(all="ignore"):
-                self._last = (state, list(self._neighbours(state)))
-        return self._last[1]
+                known = state, list(self._draw_neighbours(state))
+            self._kept[id(state)] = known
+            if len(self._kept) > KEPT:
+                del self._kept[next(iter(self._kept))]
+        return known[1]
 
-    def _neighbours(self, state: State) -> Iterator[tuple[Stand, State, Pieces]]:
+    def _draw_neighbours(self, state: State) -> Iterator[tuple[Stand, State, Pieces]]:
         for number, (own, own_bodies) in enumerate(self._stands):
             moved = self.moved(state, self._size) if number else state
             stand = stand_at(own, moved) if moved.actuators else own
@@ -155,6 +163,8 @@ class Scales:
         if isinstance(data, float):
             return data * (1.0 + size * self._rng.uniform(-1.0, 1.0))
         if isinstance(data, tuple):
+            if all(isinstance(each, float) for each in data):
+                return tuple((np.array(data) * (1.0 + size * self._rng.uniform(-1.0, 1.0, len(data)))).tolist())
             return tuple(self.change(each, size) for each in data)
         if is_dataclass(data) and not isinstance(data, type):
             return replace(data, **{f.name: self.change(getattr(data, f.name), size) for f in fields(data) if f.init})
