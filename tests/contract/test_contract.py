@@ -47,6 +47,7 @@ def test_rows_have_arguments_and_equations_of_the_programs(programs: list[Functi
         row = FUNCTIONS[f.name]
         taken = [a.name for a in f.arguments if a.direction != "out"]
         assert [name for name in row.takes if name in taken] == taken, f.name
+        assert row.equation, f.name
         assert f.equation == (row.equation if row.equation.startswith("(") else ""), f.name
         seen.setdefault(row.name, set()).update(taken)
     assert {name: taken for name, taken in seen.items() if taken != set(FUNCTIONS[name].takes)} == {}

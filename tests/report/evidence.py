@@ -34,7 +34,7 @@ def passed_outcome(**more: object) -> Outcome:
 
 
 ABSENT = Need("no-such-tool", "apt-get install no-such-tool", lambda: False)
-GOOD = piece("good", passed_outcome(files={"output.txt": "fine\n"}, head=("a", "b>"), rows=(("x", "1"),)))
+GOOD = piece("good", passed_outcome(files={"output.txt": "fine\n"}))
 BAD = piece("bad", Outcome(Verdict.FAILED, "a difference"))
 ABLE = piece("able", AssertionError("must not run"), ABSENT)
 

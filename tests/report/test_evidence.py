@@ -14,7 +14,6 @@ from click.testing import CliRunner, Result
 
 import mahovik.proof.evidence.pieces as all_pieces
 from mahovik import __version__
-from mahovik.contract.functions import row_of
 from mahovik.core.stand import load
 from mahovik.core.stand.identity import identities
 from mahovik.errors import CheckError, ToolchainError, UsageError
@@ -205,17 +204,6 @@ def test_demo3_passes(tmp_path: Path, real: str, more: list[str]) -> None:
             text = each.read_text(encoding="utf-8", errors="replace")
             assert str(tmp_path) not in text, each
             assert "mahovik-" not in text or "mahovik-dev" in text, each
-
-
-def test_a_public_function_without_an_equation_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Each has numbers of the paper or a section; what does not is named."""
-    ((_, found),) = collected(tmp_path / "out", [NAMED["equations"]])
-    assert found.verdict is Verdict.PASSED
-    assert ("Drive torque", "demo3_torque") in [row[:2] for row in found.rows]
-    monkeypatch.setattr(all_pieces, "row_of", lambda name: replace(row_of(name), equation=""))
-    ((_, found),) = collected(tmp_path / "out", [NAMED["equations"]])
-    assert found.verdict is Verdict.FAILED
-    assert "demo3_torque, " in found.figure
 
 
 def test_a_piece_is_its_command(tmp_path: Path) -> None:

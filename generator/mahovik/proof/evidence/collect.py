@@ -36,14 +36,6 @@ Say = Callable[[str, str], None]
 
 Results = Sequence[tuple[Piece, Outcome]]
 
-GENERAL = (
-    ("Sine, cosine, square root, arc tangent: bounds of their errors, and how they are known", "docs/proofs.md"),
-    ("Faults planted in the emitted C and in the derivations, each caught by a test", "docs/verification.md"),
-    ("Millions of executions of the example stands' C; what Frama-C proves; MISRA C:2012", "docs/results.md"),
-    ("Largest differences to other multibody programs over the example stands", "docs/results.md"),
-)
-"""Evidence for the generator as a whole, and its page in the repository."""
-
 
 def select_pieces(pieces: Sequence[Piece], only: str | None, without: str | None) -> frozenset[str]:
     """Names of the pieces to run. Raises UsageError for an unknown name."""
@@ -221,7 +213,6 @@ def _html(subject: Subject, results: Results) -> str:
         conclusion=conclusion(results),
         style="bad" if counts["bad"] else "open" if counts["open"] else "good",
         styles=styles,
-        general=GENERAL,
         results=results,
         text=_text,
         command=_command,
