@@ -20,7 +20,7 @@ def encode(value: Any, name: str = "") -> str:
         case dict():
             return "{" + members(value) + "}"
         case list() | tuple():
-            return "[" + ", ".join(encode(each, name) for each in value) + "]"
+            return "[" + ", ".join(encode(item, name) for item in value) + "]"
         case float() if not math.isfinite(value):
             raise StateError(f"{name}: not finite at this state" if name else "not finite at this state")
         case float():
@@ -31,4 +31,4 @@ def encode(value: Any, name: str = "") -> str:
 
 def members(value: dict[str, Any]) -> str:
     """Names and values of an object, without its braces. StateError as encode."""
-    return ", ".join(f"{json.dumps(name)}: {encode(each, name)}" for name, each in value.items())
+    return ", ".join(f"{json.dumps(name)}: {encode(item, name)}" for name, item in value.items())

@@ -169,8 +169,8 @@ class FunctionBackend(ABC):
         name = status_words(status)
         if status < 0:
             raise StateError(f"{name}: {refusal_reason(name, 'refused')}")
-        found = outputs.get("out", outputs)  # members of a struct of results
-        return {**found, "status": name} if isinstance(found, Mapping) else {"points": found}
+        members = outputs.get("out", outputs)  # of a struct of results
+        return {**members, "status": name} if isinstance(members, Mapping) else {"points": members}
 
 
 def _members(values: Mapping[str, Any], names: Sequence[str]) -> dict[str, Any]:
@@ -180,11 +180,8 @@ def _members(values: Mapping[str, Any], names: Sequence[str]) -> dict[str, Any]:
 
 def is_beyond(motion: Mapping[str, Any]) -> bool:
     """Whether an acceleration that results is out of the range of those that functions take."""
-    for name in ("V_dot", "phi_ddot"):
-        limits = cycle(limits_of(name))
-        if any(not abs(x) <= limit for x, limit in zip(motion.get(name, ()), limits, strict=False)):
-            return True
-    return False
+    pairs = [(motion.get(name, ()), cycle(limits_of(name))) for name in ("V_dot", "phi_ddot")]
+    return any(not abs(x) <= limit for values, limits in pairs for x, limit in zip(values, limits, strict=False))
 
 
 class ProgramBackend(FunctionBackend):

@@ -140,15 +140,14 @@ def judge_log(text: str, where: str, stand: Stand | None = None, only: tuple[str
     `only`: public functions that the C was generated with; empty: all.
     Raises UsageError where the text is no log, ToolchainError where C does not run.
     """
-    runs = read_log(text, where)
-    found: list[str] = []
+    runs, unchecked = read_log(text, where), list[str]()
     checked = ["golden vectors, as the board has judged them"]
-    unchecked: list[str] = []
     if stand is None:
         unchecked.append("identities, the list of functions, and the sweep: give the stand file")
     else:
         part = f" of --only {','.join(only)}" if only else ""
         checked = ["identities", f"every function{part} there", *checked]
+    faults: list[str] = []
     sweeps: dict[tuple[str, str, int], Mapping[str, str]] = {}  # hashes here, none where nothing can compute them
     for number, run in enumerate(runs, start=1):
         named = stand and (under_name(stand, run.stand, run.physics) or stand)
@@ -158,16 +157,15 @@ def judge_log(text: str, where: str, stand: Stand | None = None, only: tuple[str
         else:
             made = generate_all(named, run.real, only=only)
             wanted, key = [f.name for f in tested_functions(made.program)], (run.stand, run.real, run.sweep or 0)
-            if set(wanted) != {*run.functions}:  # inputs of a sweep are drawn for all functions that were generated
-                lines = [*problems(run, wanted), f"C of `generate --only`? give --only {','.join(run.functions)}"]
-            else:
-                if run.sweep is not None and run.sweep <= LONGEST_SWEEP and key not in sweeps:
-                    sweeps[key], maker = _hashes(named, made, key[2])
-                    by = f", by {maker}" if maker else ": no C compiler here, and too long for the interpreter"
-                    (checked if maker else unchecked).append(f"sweep of {run.sweep} states, {run.real}{by}")
-                lines = problems(run, wanted, sweeps.get(key, {}))
-        found += [f"run {number} of {len(runs)}: {line}" if len(runs) > 1 else line for line in lines]
-    return LogVerdict(runs, tuple(found), tuple(checked), tuple(unchecked))
+            alike = set(wanted) == {*run.functions}  # inputs of a sweep are drawn for all functions that were generated
+            if alike and run.sweep is not None and run.sweep <= LONGEST_SWEEP and key not in sweeps:
+                sweeps[key], maker = _hashes(named, made, run.sweep)
+                by = f", by {maker}" if maker else ": no C compiler here, and too long for the interpreter"
+                (checked if maker else unchecked).append(f"sweep of {run.sweep} states, {run.real}{by}")
+            lines = problems(run, wanted, sweeps.get(key, {}) if alike else {})
+            lines += [] if alike else [f"C of `generate --only`? give --only {','.join(run.functions)}"]
+        faults += [f"run {number} of {len(runs)}: {line}" if len(runs) > 1 else line for line in lines]
+    return LogVerdict(runs, tuple(faults), tuple(checked), tuple(unchecked))
 
 
 def identity_problems(run: SelfTestLog, stand: Stand) -> list[str]:
@@ -175,10 +173,10 @@ def identity_problems(run: SelfTestLog, stand: Stand) -> list[str]:
     file = identities(stand)
     pairs = {"stand": stand.name, "structure": file.structure, "physics": file.physics}
     off = [(kind, has) for kind, has in pairs.items() if getattr(run, kind) != has]
-    found = [f"{kind} {getattr(run, kind)}, the stand file has {has}" for kind, has in off]
+    lines = [f"{kind} {getattr(run, kind)}, the stand file has {has}" for kind, has in off]
     if run.generator not in (None, __version__):
-        found.append(f"made by mahovik {run.generator}, this is {__version__}: generate and run it again")
-    return found
+        lines.append(f"made by mahovik {run.generator}, this is {__version__}: generate and run it again")
+    return lines
 
 
 def _hashes(stand: Stand, made: Generated, sweep: int) -> tuple[Mapping[str, str], str]:
@@ -189,6 +187,6 @@ def _hashes(stand: Stand, made: Generated, sweep: int) -> tuple[Mapping[str, str
         printed = run_selftest(target, stand.name, selftest_sources(stand, real, sweep, made.only), TIMEOUT)
         return read_log(printed, target.name)[-1].hashes, f"{target.compiler[0]} on this machine"
     if sweep <= INTERPRETED_STATES:
-        found = sweep_hashes(made.program, made.values, sweep)
-        return {name: f"{value:08x}" for name, value in found.items()}, "the interpreter"
+        hashes = sweep_hashes(made.program, made.values, sweep)
+        return {name: f"{value:08x}" for name, value in hashes.items()}, "the interpreter"
     return {}, ""
