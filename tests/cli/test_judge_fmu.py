@@ -18,7 +18,7 @@ from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.read import loads
 from mahovik.proof.reference.coordinates import coordinates_at
 from mahovik.proof.reference.hold import twists
-from mahovik.proof.verify.fmu import FmuProgram, read_map
+from mahovik.proof.verify.fmu import FmuBackend, read_map
 from mahovik.proof.verify.held import onto_hold
 from toolchain.quick import quick
 from verify.holds import PENDULUM
@@ -127,7 +127,7 @@ def test_a_joint_has_its_angle_and_its_speed() -> None:
     """A model that knows its joint alone is given these, and answers the acceleration of the joint."""
     stand = loads(held_text())
     Path("map.toml").write_text(JOINT_MAP, encoding="utf-8")
-    program = FmuProgram.__new__(FmuProgram)
+    program = FmuBackend.__new__(FmuBackend)
     program._stand, program._map = stand, read_map(Path("map.toml"), stand)
     state = onto_hold(stand, random_state(stand, np.random.default_rng(1)))
     values = program._values(state)

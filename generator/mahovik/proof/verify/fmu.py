@@ -18,7 +18,6 @@ Of a held carrier u, u_dot, q may take the place of V, V_dot and the pose; {free
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import sys
@@ -37,13 +36,13 @@ from mahovik.core.stand.content import readable
 from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms, twists
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.errors import DataError, MahovikError, UsageError
+from mahovik.errors import DataError, MahovikError, StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference.coordinates import coordinates_at
 from mahovik.proof.verify.dependence import depends_on
 from mahovik.proof.verify.foreign import Program
 from mahovik.proof.verify.held import freedom_rates, with_angles, with_quaternion
-from mahovik.proof.verify.states import Request, read_line
+from mahovik.proof.verify.states import evaluate_lines
 
 WANTS = ("forward", "torque", "coupled", "mounts", "momentum")
 """Wants that an FMU may answer; of a held carrier also `reaction`."""
@@ -220,8 +219,10 @@ def _fault(name: str, known: Mapping[str, Any], is_set: bool) -> str:
     return "cannot be set: it is calculated" if is_set and not settable else ""
 
 
-class FmuProgram:
-    """An FMU, unpacked in a folder, that answers requests."""
+class FmuBackend:
+    """An FMU, unpacked in a folder, as a backend of one want at a time."""
+
+    name = "fmu"
 
     def __init__(self, folder: Path, variables: Map, stand: Stand) -> None:
         from fmpy import read_model_description
@@ -229,27 +230,29 @@ class FmuProgram:
         self._stand, self._map, self._folder = stand, variables, str(folder)
         self._description = read_model_description(self._folder, validate=False)
 
-    def answer(self, request: Request) -> dict[str, Any]:
-        """Quantities of the one want of a request. Raises what fmpy raises of calls that the FMU refuses."""
+    def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
+        """See Backend."""
         from fmpy.simulation import instantiate_fmu, simulate_fmu
 
-        (want,) = request.want
-        if want not in self._map:
-            return {"error": f"{want}: not in the map"}
-        names = [place.variable for places in self._map[want].values() for place in places]
+        (answered,) = want
+        if answered not in self._map:
+            raise StateError(f"{answered}: not in the map")
+        names = [place.variable for places in self._map[answered].values() for place in places]
         kind = "CoSimulation" if self._description.modelExchange is None else "ModelExchange"
         instance = instantiate_fmu(self._folder, self._description, kind)
         try:
             row = simulate_fmu(
                 self._folder, validate=False, model_description=self._description, fmi_type=kind, fmu_instance=instance,
-                start_values=self._values(request.state), output=list(dict.fromkeys(names)), solver="Euler",
+                start_values=self._values(state), output=list(dict.fromkeys(names)), solver="Euler",
                 start_time=0.0, stop_time=0.0, set_stop_time=False, step_size=1.0, output_interval=1.0,
             )[0]  # fmt: skip
+        except Exception as error:  # fmpy raises its own errors of calls, and those of ctypes
+            raise StateError(f"the FMU refused the state: {error}") from None
         finally:
             instance.freeInstance()
         answer = {}
-        for name, places in self._map[want].items():
-            shape = ANSWERS[name].shape_of(len(self._stand.flywheels), len(request.state.u))
+        for name, places in self._map[answered].items():
+            shape = ANSWERS[name].shape_of(len(self._stand.flywheels), len(state.u))
             answer[name] = np.reshape([row[place.variable] * place.factor for place in places], shape or ()).tolist()
         return self._whole(answer)
 
@@ -278,14 +281,9 @@ def main(folder: str, map_file: str, stand_file: str) -> None:
     output = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)  # what the FMU prints is no answer
     stand = read.load(stand_file)
-    program = FmuProgram(Path(folder), read_map(Path(map_file), stand), stand)
-    for line in filter(str.strip, sys.stdin):
-        request = read_line(stand, line)
-        try:
-            result = program.answer(request)
-        except Exception as error:  # fmpy raises its own errors of calls, and those of ctypes
-            result = {"error": f"the FMU refused the state: {error}"}
-        print(json.dumps({"id": request.id, **result}), file=output, flush=True)
+    backend = FmuBackend(Path(folder), read_map(Path(map_file), stand), stand)
+    for line, _ in evaluate_lines(stand, backend, sys.stdin.buffer):
+        print(line, file=output, flush=True)
 
 
 if __name__ == "__main__":
