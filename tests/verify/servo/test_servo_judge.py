@@ -74,7 +74,7 @@ FAULTS = [
     ("friction", r"27\.0 \+ 9\.0", "27.0 + 8.9", ("servo_step", "tau")),
     ("neighbour", r"state->torque\[s\] = given;", "state->torque[0] = given;", ("servo_step", "torque")),
     ("no check of speeds", r"status = shaker2_within\(speed.*\n.*\n", "",
-     ("servo_step", "bad inputs refused, results untouched")),
+     ("servo_step", "bad inputs refused")),
     ("harmonics by half", r"2\.0 \* mean", "mean", ("trim_step", "sum")),
     ("rounds not counted", r"\? 1 : 0\);", "? 0 : 0);", ("trim_step", "rounds")),
     ("target of the table", r"(\.target = \{\s*\{ [^,]+,\s*)", r"\g<1>1.0001 * ", ("trim_default", "target")),

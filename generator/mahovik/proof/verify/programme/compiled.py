@@ -160,7 +160,7 @@ def refusal_check(part: Part, function: str, good: Mapping[str, Any], wrong: Map
 
     `good`: all arguments in their order, NaN what is only written; `wrong`: out of range, by argument or member.
     """
-    row, ffi = Check(function, "bad inputs refused, results untouched"), part.library.ffi
+    row, ffi = Check(function, "bad inputs refused"), part.library.ffi
     for bad in _wrong_values(good, wrong):
         held = part.hold(function, with_value(good, bad))
         written = [x for x in held if isinstance(x, ffi.CData) and x != ffi.NULL]
