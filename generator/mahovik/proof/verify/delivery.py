@@ -242,15 +242,6 @@ def provenance(stand_file: bytes | None) -> str:
     )
 
 
-def made_by(folder: Path) -> dict[str, Any]:
-    """What `provenance` says of a folder; empty where it has none that can be read."""
-    try:
-        found = json.loads(content(folder / PROVENANCE))
-    except (OSError, ValueError, RecursionError):
-        return {}
-    return found if isinstance(found, dict) else {}
-
-
 def _commit(package: Path) -> str | None:
     """The commit of the checkout that the package is a part of; None elsewhere, such as in an environment in one."""
     listed = ("ls-files", "--error-unmatch", "__init__.py")

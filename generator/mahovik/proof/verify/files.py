@@ -22,7 +22,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.proof.second.reading import Table, UnknownUnitError, differences
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.delivery import declared_functions, made_by, read_manifest
+from mahovik.proof.verify.delivery import declared_functions, read_manifest
 from mahovik.proof.verify.report import TEXT
 
 ACCEPTED = 1e-12
@@ -104,9 +104,8 @@ def _author(folder: Path, edited: Iterable[str]) -> str:
         content = (folder / name).read_bytes()
         if manifest["files"].get(name) not in (digest(content), digest(content.replace(b"\r\n", b"\n"))):
             return f"edited by hand after {manifest['generator']} wrote it"
-    commit = str(made_by(folder).get("commit") or "")[:8]
     build = "another build of " if manifest["generator"] == f"mahovik {__version__}" else ""
-    return f"of {build}{manifest['generator']}{commit and f', commit {commit}'}"
+    return f"of {build}{manifest['generator']}"
 
 
 def _places(name: str, public: Iterable[str], expected: Mapping[str, str], there: Mapping[str, str]) -> str:
