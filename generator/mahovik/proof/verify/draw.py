@@ -35,16 +35,20 @@ def draw(stand: Stand, seed: int, count: int, real: str = "double", wrenches: bo
     float every number is one of float, but for the quaternion: it has unit length in double.
     """
     check_drawing(seed, count, real)
-    found = []
     rng = np.random.default_rng(seed)
-    for number, kind in zip(range(count), _state_kinds(), strict=False):
-        state = _draw_state(stand, rng, kind, real)
-        while _near_a_branch(stand, state, HALF_TURN_DISTANCE[real]):
-            state = _draw_state(stand, rng, "random", real)
-        if not wrenches:
-            state = without_others(stand, state)
-        found.append((f"{kind} {number}", _held_to_float(stand, round_to_float(state)) if real == "float" else state))
-    return found
+    kinds = zip(range(count), _state_kinds(), strict=False)
+    return [(f"{kind} {number}", _draw_one(stand, rng, kind, real, wrenches)) for number, kind in kinds]
+
+
+def _draw_one(stand: Stand, rng: np.random.Generator, kind: str, real: str, wrenches: bool) -> State:
+    """A state that is near no branch, as the element type has it."""
+    state = _draw_state(stand, rng, kind, real)
+    while _near_a_branch(stand, state, HALF_TURN_DISTANCE[real]):
+        state = _draw_state(stand, rng, "random", real)
+    if not wrenches:
+        takes = {body.name for body in stand.bodies if body.wrench_input}
+        state = replace(state, wrench=MappingProxyType({name: w for name, w in state.wrench.items() if name in takes}))
+    return _held_to_float(stand, round_to_float(state)) if real == "float" else state
 
 
 def check_drawing(seed: int, count: int, real: str) -> None:
@@ -67,17 +71,9 @@ def draw_decided(stand: Stand, scales: Scales, seed: int, count: int, real: str 
             measured = scales.want(chosen, "inverse")
             if measured is None or not measured.undecided:
                 break
-            chosen = _ordinary(stand, rng, real)
+            chosen = _draw_one(stand, rng, "random", real, False)
         found.append((name, chosen))
     return found
-
-
-def _ordinary(stand: Stand, rng: np.random.Generator, real: str) -> State:
-    """An ordinary state, as the element type has it."""
-    state = _draw_state(stand, rng, "random", real)
-    while _near_a_branch(stand, state, HALF_TURN_DISTANCE[real]):
-        state = _draw_state(stand, rng, "random", real)
-    return _held_to_float(stand, round_to_float(state)) if real == "float" else state
 
 
 def _state_kinds() -> Iterator[str]:
@@ -98,12 +94,6 @@ def _draw_state(stand: Stand, rng: np.random.Generator, kind: str, real: str) ->
     if kind == "wrenched":
         return replace(state, wrench=random_wrenches(rng, [body.name for body in stand.bodies]))
     return state
-
-
-def without_others(stand: Stand, state: State) -> State:
-    """The state with run-time wrenches on the bodies that take one (`wrench_input`) only."""
-    takes = {body.name for body in stand.bodies if body.wrench_input}
-    return replace(state, wrench=MappingProxyType({name: w for name, w in state.wrench.items() if name in takes}))
 
 
 def round_to_float(state: State) -> State:

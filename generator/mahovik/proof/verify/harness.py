@@ -115,7 +115,7 @@ def verify_c(
         rows += function_checks(Case(stand, backend, some, limits, second, scales, seed))
         rows.append(check_bits(backend, states, against))
         rows.append(check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)))
-        rows += absent_rows(backend.left_out)
+        rows += [Check(name, "not in the folder") for name in backend.left_out]  # nothing judges them
         rows += free_only_rows(stand)
     rows.append(check_file(stand, document))
     if against is not None:
@@ -124,11 +124,6 @@ def verify_c(
     judged = "generated C" if against is None else f"C in {against}"
     judged += f", only {', '.join(public_names(backend.program))}" if backend.left_out else ""
     return report(stand, judged, seed, len(states), limits.value, rows)
-
-
-def absent_rows(left_out: Sequence[str]) -> list[Check]:
-    """A row for each function that is not in the folder, which nothing judges."""
-    return [Check(name, "not in the folder") for name in left_out]
 
 
 def free_only_rows(stand: Stand) -> list[Check]:

@@ -9,17 +9,16 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, Protocol
+from typing import Any
 
 from mahovik.contract.functions import row_of
 from mahovik.contract.quantities import BOUNDS, QUANTITIES, TABLES, UNIT_LENGTH, limits_of
 from mahovik.contract.status import STATUS_VALUES, status_words
-from mahovik.core.emit.generate import Generated
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.state import State
-from mahovik.core.toolchain.library import Library
+from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check
 
 Call = Callable[[str, Mapping[str, Any]], tuple[int, bool]]
@@ -134,35 +133,18 @@ def _wrong_numbers(a: Argument | Field, path: Path, limit: float | None) -> Iter
 
 def with_value(good: Mapping[str, Any], wrong: WrongValue) -> dict[str, Any]:
     """A copy of the inputs with one value replaced."""
-    changed = dict(good)
-    if wrong.value is NULL:
-        changed[str(wrong.path[0])] = NULL
-    else:
-        changed[str(wrong.path[0])] = _replace_at(good[str(wrong.path[0])], wrong.path[1:], wrong.value)
+    changed: dict[str, Any] = _replace_at(good, wrong.path, wrong.value)
     return changed
 
 
 def _replace_at(value: Any, path: Path, new: Any) -> Any:
-    """A copy of nested data with the element at a path replaced."""
-    if not path:
-        return new
+    """A copy of nested data with the element at a path replaced; an address of results is added."""
     copy: Any = dict(value) if isinstance(value, Mapping) else list(value)
-    copy[path[0]] = _replace_at(value[path[0]], path[1:], new)
+    copy[path[0]] = _replace_at(value[path[0]], path[1:], new) if path[1:] else new
     return copy
 
 
-class LoadedC(Protocol):
-    """C that is loaded, with the program that it was printed from."""
-
-    generated: Generated
-    library: Library
-    program: Program
-
-    def arguments(self, state: State) -> dict[str, Any]:
-        """A state as arguments by name."""
-
-
-def good_inputs(backend: LoadedC, states: Sequence[tuple[str, State]]) -> dict[str, Any]:
+def good_inputs(backend: CBackend, states: Sequence[tuple[str, State]]) -> dict[str, Any]:
     """Good arguments of every public function: an ordinary state, and what does not belong to one."""
     state = next((s for name, s in states if name.startswith("random")), states[0][1])
     others = {
@@ -192,9 +174,8 @@ def _coordinates(program: Program) -> dict[str, Any]:
     return found | {a.name: (values[a.name],) * int(a.shape[0]) for a in taken if a.name in values}
 
 
-def raw_call(backend: LoadedC) -> Call:
+def raw_call(backend: CBackend) -> Call:
     """Calls a function of the C with inputs that may be wrong: its status, and whether its results are untouched."""
-
     library, program = backend.library, backend.program
 
     @cache

@@ -42,6 +42,10 @@ class Report:
 TEXT = "text = as generated"
 """Quantity of the row on the text of a folder; its words say where that differs, and who has written it."""
 
+REPORT_KEYS = ("stand", "structure", "physics", "judged", "left_out", "seed", "states", "tolerance", "passed")
+ROW_KEYS = ("judged", "quantity", "states", "skipped", "value", "limit", "second", "state", "verdict", "words")
+"""What the JSON of a report holds, besides its conclusion and rows, and what it holds of each row."""
+
 OTHER_TEXT = "its text is not what this version generates"
 """Reason of a row that C of a folder is not compared in, because another version or a hand has written it."""
 
@@ -77,39 +81,14 @@ def as_json(report: Report, more: Mapping[str, Any] | None = None) -> str:
 
     A difference that is not a finite number (missing, refused) is null.
     """
-    rows = [
-        {
-            "judged": row.judged,
-            "quantity": row.quantity,
-            "states": row.states,
-            "skipped": row.skipped,
-            "value": _finite(row.value),
-            "limit": row.limit,
-            "second": _finite(row.second),
-            "state": row.state,
-            "verdict": row.verdict,
-            "words": row.words,
-        }
-        for row in report.rows
-    ]
-    found: dict[str, Any] = {
-        "stand": report.stand,
-        "structure": report.structure,
-        "physics": report.physics,
-        "judged": report.judged,
-        "left_out": report.left_out,
-        "seed": report.seed,
-        "states": report.states,
-        "tolerance": report.tolerance,
-        "passed": report.passed,
-        "conclusion": conclusion(report),
-        "rows": rows,
-    }
-    return json.dumps(found | dict(more or {}), indent=1, allow_nan=False)
+    rows = [{key: _finite(getattr(row, key)) for key in ROW_KEYS} for row in report.rows]
+    about = {key: getattr(report, key) for key in REPORT_KEYS}
+    found = {**about, "conclusion": conclusion(report), "rows": rows, **(more or {})}
+    return json.dumps(found, indent=1, allow_nan=False)
 
 
-def _finite(number: float | None) -> float | None:
-    return number if number is not None and math.isfinite(number) else None
+def _finite(value: Any) -> Any:
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def as_junit(report: Report) -> str:
@@ -130,17 +109,11 @@ def as_junit(report: Report) -> str:
         elif row.verdict != "ok":
             skipped += 1
             ET.SubElement(case, "skipped", message=_printable(f"{row.verdict} {row.words}".strip()))
-    errors = 0
-    if report.error or not report.rows:
-        errors = 1
+    errors = int(bool(report.error or not report.rows))
+    if errors:
         case = ET.SubElement(suite, "testcase", classname=f"mahovik.{report.stand}", name="run")
         ET.SubElement(case, "error", message=_printable(report.error or "nothing was compared"))
-    counts = {
-        "tests": len(suite),
-        "failures": len(report.failures),
-        "errors": errors,
-        "skipped": skipped,
-    }
+    counts = {"tests": len(suite), "failures": len(report.failures), "errors": errors, "skipped": skipped}
     for name, number in counts.items():
         suite.set(name, str(number))
     ET.indent(suite)
