@@ -135,6 +135,13 @@ class Rows:
             off, words = difference(found.get(quantity), value, scale, check.floor)
             check.note(off, name, words)
 
+    def balance(self, quantity: str, name: str, state: State, sides: Equation, floor: float = 0.0) -> None:
+        """Compare the two sides (2xn) of each equation that an answer must solve, over the largest scale in them."""
+        measured = self._scales.measure(state, sides, least_squares=True)
+        for key, (left, right) in measured.values.items():
+            scale = np.full(left.shape, np.max(measured.scales[key], initial=0.0) + floor)
+            self.check(quantity).compare(left, right, scale, name)
+
 
 def ordinary(states: Sequence[tuple[str, State]], inputs: Sequence[str], most: int) -> list[tuple[str, State]]:
     """The first ordinary states, with run-time wrenches only on bodies that take one (`inputs`)."""

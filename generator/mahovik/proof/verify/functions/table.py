@@ -51,7 +51,7 @@ def _given_sines(case: Case, name: str) -> list[Check]:
 _GIVEN_SINES = FunctionJudge("value", _given_sines, "reference")
 _STEPS = FunctionJudge("integration", integration.step_checks, "reference, extrapolated")
 _INVERSE = FunctionJudge("optimality", optimality.inverse_checks, "reference")
-_FAST = FunctionJudge("optimality", optimality.fast_checks, "reference")
+_FAST = FunctionJudge("optimality", optimality.inverse_checks, "reference")
 _TORQUES = FunctionJudge("optimality", optimality.torque_checks, "reference, second derivation")
 _JACOBIAN = FunctionJudge("derivative", value.jacobian_checks, "second derivation")
 _PARAMETERS = FunctionJudge("value", value.other_parameters, "reference")
