@@ -124,20 +124,13 @@ def inertial_force(chart: Chart, T: Expr) -> Expr:
 
 @cache
 def body_kinetics() -> Expr:
-    """(body, q', phi) -> T (J), dT/dq' (7), d2T/dq'2 (7x7): energy, momenta, mass matrix of a body."""
+    """(body, q', phi) -> T (J), dT/dq' (7), d2T/dq'2 (7x7), m x_c (3; kg m): energy, momenta, mass matrix of a body,
+    and its first moment about O1, in E1."""
     body = MovingBody()
-    chart, T = body.chart, body.energy()
+    chart, T, moment = body.chart, body.energy(), body.mass * body.place(body.center_of_mass)
     momenta = ca.gradient(T, chart.q_dot)
-    results = [chart.here(value) for value in (T, momenta, ca.jacobian(momenta, chart.q_dot))]
+    results = [chart.here(value) for value in (T, momenta, ca.jacobian(momenta, chart.q_dot), moment)]
     return ca.Function("body_kinetics", [body.numbers, chart.q_dot, chart.phi], results)
-
-
-@cache
-def body_moment() -> Expr:
-    """(body, phi) -> m x_c (3; kg m): first moment of a body about O1, in E1."""
-    body = MovingBody()
-    moment = body.chart.here(body.mass * body.place(body.center_of_mass))
-    return ca.Function("body_moment", [body.numbers, body.chart.phi], [moment])
 
 
 @cache
@@ -177,22 +170,18 @@ def body_force(potentials: tuple[Potential, ...]) -> Expr:
     return ca.Function("body_force", [body.numbers, numbers, chart.phi, gravity, P], [force])
 
 
-def fluid_energy(chart: Chart, Lambda: Expr, stream: Expr) -> Expr:
-    """T = V_r^T Lambda V_r / 2 (J), V_r the carrier's twist relative to a fluid of velocity `stream`, in E1.
+@cache
+def fluid_motion() -> Expr:
+    """(Lambda, stream, V, (delta'', xi'')) -> T (J), dT/dV (6) and d/dt (dT/dq') - dT/dq (6) of the fluid.
 
-    Lambda (6x6) is the added mass about O1 in E1; `stream` (3; m/s) is on the chart's axes, which do not turn.
+    T = V_r^T Lambda V_r / 2, V_r the carrier's twist relative to a fluid of velocity `stream`, in E1. Lambda (6x6) is
+    the added mass about O1 in E1; `stream` (3; m/s) is on the chart's axes, which do not turn.
     """
+    chart, Lambda, stream = Chart(), ca.SX.sym("Lambda", 6, 6), ca.SX.sym("stream", 3)
     turned = turn(chart.xi)
     relative = turned.T @ (chart.q_dot[:3] - stream)
     V_r = ca.vertcat(relative, angular_velocity(turned, chart.rate(turned)))
-    return ca.dot(V_r, Lambda @ V_r) / 2
-
-
-@cache
-def fluid_motion() -> Expr:
-    """(Lambda, stream, V, (delta'', xi'')) -> T (J), dT/dV (6) and d/dt (dT/dq') - dT/dq (6) of the fluid."""
-    chart, Lambda, stream = Chart(), ca.SX.sym("Lambda", 6, 6), ca.SX.sym("stream", 3)
-    T = fluid_energy(chart, Lambda, stream)
+    T = ca.dot(V_r, Lambda @ V_r) / 2
     results = [T, ca.gradient(T, chart.q_dot)[:6], inertial_force(chart, T)[:6]]
     arguments = [Lambda, stream, chart.q_dot[:6], chart.q_ddot[:6]]
     return ca.Function("fluid_motion", arguments, [chart.here(value) for value in results])

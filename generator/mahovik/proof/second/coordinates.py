@@ -73,7 +73,7 @@ def held_coordinates(
     numbered = [k for k in range(len(hold.freedoms)) if k not in turns or len(turns) == 1]
     q = np.array([coordinate(hold, hold.freedoms[k], C0, ca.DM(position), ca.DM(C)).full()[0, 0] for k in numbered])
     present = np.concatenate([q, np.asarray(C).T.ravel()]) if len(turns) == 3 else q
-    motion = _motion(hold, C0, numbered)
+    motion = motion_of_coordinates(hold, C0, numbered)
     A = motion(present, np.zeros(len(hold.freedoms)))[0].full()
     q_dot = np.linalg.lstsq(A, np.array(V), rcond=None)[0]
     turning = motion(present, q_dot)[1].full()[:, 0]
@@ -86,7 +86,7 @@ def held_coordinates(
     return {**values, "q_dot": q_dot, "q_ddot": np.linalg.lstsq(A, V_dot - turning, rcond=None)[0]}
 
 
-def _motion(hold: Hold, C0: Expr, numbered: list[int]) -> Expr:
+def motion_of_coordinates(hold: Hold, C0: Expr, numbered: list[int]) -> Expr:
     """(coordinates, rates r (m)) -> A (6 x m) and A' r (6): V = A r, V' = A r' + A' r.
 
     The coordinates are q, followed by the attitude, column by column, of what turns about a point.

@@ -47,7 +47,7 @@ class Second:
     @cached_property
     def system(self) -> System:
         """The stand's equations as expressions."""
-        return System(self.stand)
+        return System(self.stand, problems.twists(self.stand.hold))
 
     def function(self, want: str) -> Expr:
         """The CasADi function of a want of PROBLEMS.
@@ -78,7 +78,7 @@ class Second:
         if state.task:
             raise StateError("task: the second derivation has no tasks, ask the backends c or numpy")
         if self.stand.hold is not None:
-            state = problems.held_state(self.stand.hold, state)
+            state = problems.held_state(self.system.S, state)
         self._check_state(state)
         check_depth(self.stand, state)
         with np.errstate(all="ignore"):  # what is not finite is found below
@@ -165,10 +165,7 @@ class Derivatives:
     def _slope(self, value: Expr, name: str) -> Expr:
         """Derivative of a value by an input, or by `u` of a held carrier, V = S u."""
         system = self._second.system
-        if name != "u":
-            return ca.jacobian(value, system.inputs[name])
-        assert system.stand.hold is not None
-        return ca.jacobian(value, system.V) @ ca.DM(problems.twists(system.stand.hold))
+        return ca.jacobian(value, system.V) @ system.S if name == "u" else ca.jacobian(value, system.inputs[name])
 
     @property
     def stand(self) -> Stand:

@@ -14,11 +14,12 @@ from typing import cast
 import casadi as ca
 import numpy as np
 
-from mahovik.core.stand.model import Freedom, Hold, Stand, Vec6
+from mahovik.core.stand.model import Hold, Stand, Vec6
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError, count_numbers
 from mahovik.proof.second.body import Chart, inertial_acceleration
-from mahovik.proof.second.rotation import Array, Expr, angular_velocity, by_axis, turn, unit
+from mahovik.proof.second.coordinates import motion_of_coordinates
+from mahovik.proof.second.rotation import Array, Expr, angular_velocity, turn
 from mahovik.proof.second.system import System, places
 
 Results = dict[str, Expr]
@@ -26,29 +27,23 @@ Results = dict[str, Expr]
 POINT_QUANTITIES = ("position", "C", "twist", "specific_force", "angular_acceleration")
 
 
-def twists(hold: Hold) -> Array:
-    """S (6 x m), by motion: how the place of O1 and the axes of E1 change as a freedom goes on by an amount."""
-    vectors = [_twist(freedom, hold.pivot) for freedom in hold.freedoms]
-    return np.column_stack(vectors) if vectors else np.zeros((6, 0))
+def twists(hold: Hold | None) -> Array:
+    """S (6 x m), by motion: the twist of E1 as a freedom leaves the home pose at a rate of one. E without a hold."""
+    if hold is None:
+        return np.eye(6)
+    vectors = [np.zeros((6, 0))]
+    for freedom in hold.freedoms:
+        if freedom.kind == "twist":
+            vectors.append(np.array(freedom.twist)[:, None])
+        else:
+            vectors.append(
+                motion_of_coordinates(replace(hold, freedoms=(freedom,)), ca.DM.eye(3), [0])(0.0, 0.0)[0].full()
+            )
+    return np.hstack(vectors)
 
 
-def _twist(freedom: Freedom, pivot: Sequence[float]) -> Array:
-    if freedom.kind == "twist":
-        return np.array(freedom.twist)
-    along, amount, r = ca.DM(unit(freedom.direction)), ca.SX.sym("amount"), ca.DM(pivot)
-    if freedom.kind == "slide":
-        place, axes = amount * along, ca.SX.eye(3)
-    else:
-        axes = by_axis(along, amount)
-        place = r + axes @ (-r)  # the pivot stays, O1 is at -r from it
-    rates = ca.Function("rates", [amount], [ca.jacobian(ca.vertcat(place, ca.vec(axes)), amount)])(0.0).full()[:, 0]
-    turning = rates[3:].reshape(3, 3).T
-    return np.concatenate([rates[:3], [turning[2, 1], turning[0, 2], turning[1, 0]]])
-
-
-def held_state(hold: Hold, state: State) -> State:
+def held_state(S: Array, state: State) -> State:
     """The state with V = S u, V* = S u*. StateError: u or u_dot of another length."""
-    S = twists(hold)
     for name, rates in (("u", state.u), ("u_dot", state.u_dot)):
         if len(rates) != S.shape[1]:
             raise StateError(f"{name}: expected {count_numbers(S.shape[1])}, found {len(rates)}")
@@ -58,12 +53,12 @@ def held_state(hold: Hold, state: State) -> State:
 
 def momentum(system: System) -> Results:
     """Z (6), Z0 (6, in E0 about its origin), energy (J), center_of_mass (3; m, of all bodies, in E1)."""
-    T, Z, _, _ = system.kinetics()
+    T, Z, _, _, center = system.kinetics()
     return {
         "Z": Z,
         "Z0": momentum_in_E0(system.inputs["position"], system.inputs["C"], Z),
         "energy": T,
-        "center_of_mass": system.center_of_mass(),
+        "center_of_mass": center,
     }
 
 
@@ -79,7 +74,7 @@ def momentum_in_E0(position: Expr, C: Expr, Z: Expr) -> Expr:
 def forward(system: System) -> Results:
     """V_dot (6) for given phi_ddot: Lagrange's equations of the carrier; u_dot (m) and reaction of a held one."""
     phi_ddot = system.inputs["phi_ddot"]
-    S, (_, _, K, _) = _basis(system), system.kinetics()
+    S, (_, _, K, _, _) = system.S, system.kinetics()
     applied, _ = system.applied_force()
     inertial, _ = system.inertial_force(ca.MX.zeros(6), phi_ddot)
     return _motion(system, _solve(S.T @ K @ S, S.T @ (applied - inertial)), phi_ddot)
@@ -90,7 +85,7 @@ def coupled(system: System, locked: Sequence[bool] = ()) -> Results:
 
     `locked` (N, none by default): flywheels for whose equation stands phi_ddot = 0, as their torques are reactions.
     """
-    S, (_, _, K, columns) = _basis(system), system.kinetics()
+    S, (_, _, K, columns, _) = system.S, system.kinetics()
     m = S.shape[1]
     applied, on_flywheels = system.applied_force()
     still, still_flywheels = system.inertial_force(ca.MX.zeros(6), ca.MX.zeros(system.N))
@@ -124,13 +119,8 @@ def _motion(system: System, u_dot: Expr, phi_ddot: Expr) -> Results:
     """What a carrier answers that moves at u_dot (m) in its freedoms."""
     if system.stand.hold is None:
         return {"V_dot": u_dot}
-    V_dot = _basis(system) @ u_dot
+    V_dot = system.S @ u_dot
     return {"u_dot": u_dot, "V_dot": V_dot, "reaction": _reaction(system, V_dot, phi_ddot)}
-
-
-def _basis(system: System) -> Expr:
-    """S (6 x m)."""
-    return ca.DM(np.eye(6) if system.stand.hold is None else twists(system.stand.hold))
 
 
 def _solve(matrix: Expr, right: Expr) -> Expr:

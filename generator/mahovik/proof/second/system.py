@@ -93,11 +93,11 @@ class System:
     """Expressions of a stand at a state and its inputs, which are symbols.
 
     `inputs` (name -> MX): position (3), C (3x3), V, V_dot (6), phi, phi_dot, phi_ddot, tau (N), wrench (6 x
-    bodies, each in the body's frame), and those of the laws of `laws/`.
+    bodies, each in the body's frame), and those of the laws of `laws/`. `S` (6 x m): V = S u.
     """
 
-    def __init__(self, stand: Stand) -> None:
-        self.stand = stand
+    def __init__(self, stand: Stand, S: Array) -> None:
+        self.stand, self.S = stand, S
         self.N = len(stand.flywheels)
         self.count = len(stand.bodies)
         self.fixed = self.count - self.N
@@ -115,20 +115,17 @@ class System:
         self.q_dot = self._rates(self.V, self.inputs["phi_dot"])
         self.Lambda = added_mass(stand)
 
-    def kinetics(self) -> tuple[Expr, Expr, Expr, Expr]:
-        """T (J), Z (6; kg m/s, kg m2/s, in E1 about O1), and of the bodies: K (6x6), flywheel columns (7xN)."""
-        T, momenta, mass = self._map_over_bodies(one.body_kinetics())(self.bodies, self.q_dot, self.phi)
+    def kinetics(self) -> tuple[Expr, Expr, Expr, Expr, Expr]:
+        """T (J), Z (6; kg m/s, kg m2/s, in E1 about O1), and of the bodies: K (6x6), flywheel columns (7xN), and their
+        centre of mass (3; m) in E1, which is not a number where there is no mass."""
+        T, momenta, mass, moments = self._map_over_bodies(one.body_kinetics())(self.bodies, self.q_dot, self.phi)
         T, Z = ca.sum2(T), ca.sum2(momenta[:6, :])
         K = mass[:6, :] @ ca.DM(np.tile(np.eye(7)[:, :6], (self.count, 1)))
         if self.Lambda is not None:
             fluid_T, fluid_Z, _ = one.fluid_motion()(self.Lambda, self.stream, self.V, ca.DM.zeros(6))
             T, Z, K = T + fluid_T, Z + fluid_Z, K + self.Lambda
-        return T, Z, K, mass[:, [7 * body + 6 for body in range(self.fixed, self.count)]]
-
-    def center_of_mass(self) -> Expr:
-        """Centre of mass of all bodies (3; m), in E1. Not a number where there is no mass."""
-        moments = self._map_over_bodies(one.body_moment())(self.bodies, self.phi)
-        return ca.sum2(moments) / sum(body.mass for body in self.stand.bodies)
+        center = ca.sum2(moments) / sum(body.mass for body in self.stand.bodies)
+        return T, Z, K, mass[:, [7 * body + 6 for body in range(self.fixed, self.count)]], center
 
     def inertial_force(self, V_dot: Expr, phi_ddot: Expr) -> tuple[Expr, Expr]:
         """d/dt (dT/dq') - dT/dq for the accelerations V_dot (6), phi_ddot (N): of the carrier (6), flywheels (N)."""
