@@ -24,7 +24,7 @@ from mahovik.proof.second.rotation import (
     by_angles,
     by_axis,
     directional_derivative,
-    rotation_vector,
+    quaternion_of,
     unit,
 )
 
@@ -79,10 +79,7 @@ def held_coordinates(
     turning = motion(present, q_dot)[1].full()[:, 0]
     values = {"q": q} if numbered else {}
     if len(turns) == 3:
-        x = rotation_vector(C0.full().T @ C)
-        half = math.hypot(*x) / 2
-        share = math.sin(half) / (2 * half) if half else 0.5
-        values["orientation"] = np.array([math.cos(half), *(share * x)])
+        values["orientation"] = quaternion_of(C0.full().T @ C)
     return {**values, "q_dot": q_dot, "q_ddot": np.linalg.lstsq(A, V_dot - turning, rcond=None)[0]}
 
 

@@ -180,12 +180,7 @@ class Derivatives:
 
 def _finite_only(values: Values) -> Values:
     for name, value in values.items():
-        if not _is_finite(value):
+        numbers = [x for of_point in value.values() for x in of_point.values()] if isinstance(value, dict) else [value]
+        if not all(np.isfinite(x).all() for x in numbers):
             raise StateError(f"{name}: not finite at this state")
     return values
-
-
-def _is_finite(value: Any) -> bool:
-    if isinstance(value, dict):
-        return all(map(_is_finite, value.values()))
-    return bool(np.isfinite(value).all())

@@ -89,10 +89,8 @@ def _body(table: Table) -> BodyNumbers:
         J = np.diag([_si(table["spin_inertia"]), *(_numbers(across) if pair else [_si(across)] * 2)])
         c = np.array([0.0, static.real, static.imag]) / (mass or 1.0)
         S = _second_moments(J)
-        S[0, 1:] = S[1:, 0] = (
-            dynamic.real,
-            dynamic.imag,
-        )  # int x y and int x z: the products of inertia are their negatives
+        # int x y and int x z: the products of inertia are their negatives
+        S[0, 1:] = S[1:, 0] = dynamic.real, dynamic.imag
     else:
         S = _second_moments(_symmetric(table.get("inertia", [0, 0, 0]), 3))
     if table.get("inertia_about") == "center_of_mass":
@@ -119,12 +117,8 @@ def _axes(table: Table) -> Array:
         return np.column_stack([arm / np.linalg.norm(arm) for arm in (spin, np.cross(third, spin), third)])
     arms = np.eye(3)
     for angle, number in zip(_numbers(table.get("angles", [0, 0])), (2, 1, 0), strict=False):
-        k = arms[:, [number]]
-        arms = (
-            arms * math.cos(angle)
-            + np.cross(k, arms, axis=0) * math.sin(angle)
-            + k @ (k.T @ arms) * (1 - math.cos(angle))
-        )
+        k, (c, s) = arms[:, [number]], (math.cos(angle), math.sin(angle))
+        arms = c * arms + s * np.cross(k, arms, axis=0) + (1 - c) * k @ (k.T @ arms)
     return arms
 
 
@@ -188,25 +182,21 @@ def differences(stand: Stand, document: Table) -> dict[str, float]:
     Lengths are over the largest of the stand, centres of mass over their own, inertia over its largest element and
     that of its transfer. Raises UnknownUnitError.
     """
-    file, at, numbers = read(document), places(stand), columns(stand)
-    if list(file.places) != [*dict.fromkeys((*file.bodies, *at))] or list(file.bodies) != [
-        b.name for b in stand.bodies
-    ]:
+    file, at, fluid = read(document), places(stand), added_mass(stand)
+    if [*file.places] != [*dict.fromkeys((*file.bodies, *at))] or [*file.bodies] != [b.name for b in stand.bodies]:
         return {"bodies": math.inf}
     reach = max(float(np.abs(origin).max()) for origin, _ in at.values())
     found = {}
     for name, (origin, axes) in at.items():
         found[f"{name} position"] = _relative(origin, file.places[name][0], reach)
         found[f"{name} axes"] = _relative(axes, file.places[name][1], 1.0)
-    for name, column in zip(file.bodies, numbers.T, strict=True):
+    for (name, body), column in zip(file.bodies.items(), columns(stand).T, strict=True):
         mass, c, J = column[12], column[13:16], column[16:].reshape(3, 3)
-        body = file.bodies[name]
         found[f"{name} mass"] = _relative(mass, body.mass, mass)
         found[f"{name} center of mass"] = _relative(c, body.center_of_mass, np.abs(c).max())
         found[f"{name} inertia"] = _relative(J, body.inertia, np.abs(J).max() + mass * float(c @ c))
-    fluid = added_mass(stand)
-    here = np.zeros((6, 6)) if fluid is None else fluid
-    return {**found, "added mass": _relative(here, file.added_mass, np.abs(here).max())}
+    Lambda = np.zeros((6, 6)) if fluid is None else fluid
+    return {**found, "added mass": _relative(Lambda, file.added_mass, np.abs(Lambda).max())}
 
 
 def _relative(value: Any, expected: Any, scale: float) -> float:

@@ -103,10 +103,17 @@ def by_quaternion(quaternion: Quaternion) -> Array:
 
 
 def rotation_vector(C: Array) -> Array:
-    """Vector (3; rad, of length <= pi) of a rotation C (3x3): C = exp<x>.
+    """Vector (3; rad, of length <= pi) of a rotation C (3x3): C = exp<x>."""
+    w, *vector = quaternion_of(C)
+    sine = math.hypot(*vector)
+    return np.array(vector) * (2 * math.atan2(sine, w) / sine) if sine else np.zeros(3)
 
-    Through the quaternion with w >= 0, whose outer product with itself is linear in C; the column with the largest
-    diagonal is taken, so that no digits are lost at any angle.
+
+def quaternion_of(C: Array) -> Array:
+    """Quaternion (4), w first and not negative, of a rotation C (3x3).
+
+    Its outer product with itself is linear in C; the column with the largest diagonal is taken, so that no digits are
+    lost at any angle.
     """
     trace = float(np.trace(C))
     odd = np.array([C[2, 1] - C[1, 2], C[0, 2] - C[2, 0], C[1, 0] - C[0, 1]])
@@ -115,8 +122,4 @@ def rotation_vector(C: Array) -> Array:
     outer[0, 1:] = outer[1:, 0] = odd
     outer[1:, 1:] = C + C.T + (1 - trace) * np.eye(3)
     q = outer[int(np.argmax(np.diag(outer)))]
-    q = q / math.hypot(*q) * (-1.0 if q[0] < 0 else 1.0)
-    sine = math.hypot(*q[1:])
-    if sine == 0.0:
-        return np.zeros(3)
-    return np.asarray(q[1:] * (2 * math.atan2(sine, q[0]) / sine))
+    return np.asarray(q / math.hypot(*q) * (-1.0 if q[0] < 0 else 1.0))
