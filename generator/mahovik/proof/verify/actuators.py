@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
@@ -25,19 +24,14 @@ def actuators_of(stand: Stand) -> dict[str, Actuator]:
 
 
 def stand_at(stand: Stand, state: State) -> Stand:
-    """The stand with the deflections and speeds of a state; itself, where the state has none."""
-    return with_actuators(stand, state.actuators)
-
-
-def with_actuators(stand: Stand, given: Mapping[str, float]) -> Stand:
-    """The stand with other deflections (rad) and speeds (rad/s), by name."""
-    if not given:
+    """The stand with the deflections (rad) and speeds (rad/s) of a state; itself, where the state has none."""
+    if not state.actuators:
         return stand
     changes = of_bodies("actuator", "actuate")
 
     def change(body: Any) -> Any:
         for actuate in changes:
-            body = actuate(body, given)
+            body = actuate(body, state.actuators)
         return body
 
     return replace(stand, carrier=change(stand.carrier), instruments=tuple(map(change, stand.instruments)))

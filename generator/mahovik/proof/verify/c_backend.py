@@ -68,7 +68,10 @@ class CBackend(ProgramBackend):
             self.generated = generate_all(stand, precision_name, only)
         # once loaded, the library needs its file no more
         with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-            place = folder if folder is not None else _write_files(self.generated.files, Path(scratch))
+            place = folder or Path(scratch)
+            if folder is None:
+                for name, text in self.generated.files.items():
+                    (place / name).write_text(text, encoding="ascii", newline="\n")
             paths = place / f"{stand.name}.h", place / f"{stand.name}.c"
             self.library = Library(*paths, Path(scratch), stand.name)
         program = self.generated.program
@@ -151,12 +154,6 @@ class CBackend(ProgramBackend):
             f for f in self.complete.program.functions if f.public and any(a.name == "table" for a in f.arguments)
         )
         return self.library.value(next(takers), "table")
-
-
-def _write_files(files: Mapping[str, str], scratch: Path) -> Path:
-    for name, text in files.items():
-        (scratch / name).write_text(text, encoding="ascii", newline="\n")
-    return scratch
 
 
 def _part(folder: Path, stand: Stand, program: Program) -> tuple[str, ...]:

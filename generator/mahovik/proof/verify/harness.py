@@ -162,16 +162,13 @@ def check_bits(backend: CBackend, states: Sequence[tuple[str, State]], against: 
         row.words = "none of the functions answers a want; the self-test compares bits"
         return row
     for name, state in states[::INTERPRETED_EVERY]:
-        wants = [want for want in backend.wants if applicable(state, want)]
-        pairs = (
-            (want, _outcome(backend.evaluate, state, want), _outcome(backend.interpreter_evaluate, state, want))
-            for want in wants
-        )
-        wrong = next((want for want, compiled, interpreted in pairs if not same_bits(compiled, interpreted)), None)
-        if wrong is None:
-            row.note(0.0, name)
+        for want in (want for want in backend.wants if applicable(state, want)):
+            both = (_outcome(run, state, want) for run in (backend.evaluate, backend.interpreter_evaluate))
+            if not same_bits(*both):
+                row.note(math.inf, name, f"{want} differs", Request(name, state, (want,)))
+                break
         else:
-            row.note(math.inf, name, f"{wrong} differs", Request(name, state, (wrong,)))
+            row.note(0.0, name)
     return row
 
 
