@@ -41,7 +41,7 @@ def functions(monkeypatch: pytest.MonkeyPatch) -> list[FunctionCost]:
         targets = [
             TargetCost(
                 *(target.name, target.title, real, "0" * 64, "gcc 1.2.3", "-O2", "qemu 7.2.0"),
-                *(tuple(found), 5000, {}, {}, 8),
+                *(tuple(found), 5000, {}, 8),
             )
             for target, real in pairs
         ]

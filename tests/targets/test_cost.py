@@ -99,8 +99,6 @@ def test_figures_of_the_host_agree_with_one_another(monkeypatch: pytest.MonkeyPa
     assert 1.8 < step.instructions / half.instructions < 2.1 and step.code == half.code <= cost.text
     assert recorded.instructions > step.instructions > mounts.instructions > 0
     assert recorded.stack > step.stack > cost_of(cost, "prepare_mounts").stack > 0
-    own = sum(cost.symbols.values())
-    assert own <= cost.text < own + 16 * len(cost.symbols)  # and what aligns them
     assert cost.constants["demo3_default"] > 0 and cost.unnamed > 0
     text = page(found)
     assert f"\n| `step` | {step.instructions:,} | {step.stack:,} |  | {step.code:,} |\n" in text
@@ -113,14 +111,13 @@ def test_the_page_tells_what_was_refused_and_what_the_compiler_adds() -> None:
     text = page(costs(functions=(replace(one, instructions=0, routines=("__divdi3",)),)))
     assert "| `forward` | refused | 500 | 490 | 3,000* |" in text and "\nRefused: these states are none for it" in text
     assert "\n\\* and `__divdi3` of the compiler's library" in text
-    assert "| `forward` | 300 |" in text
 
 
 def costs(**changes: Any) -> Costs:
     one = FunctionCost("forward", 1000, 500, 490, 3000, ())
     found = TargetCost(
         *("m7", "Cortex-M7", "double", "0" * 64, "gcc 1.2.3", "-O2", "qemu 7.2.0"),
-        *((one,), 5000, {"demo3_forward": 300}, {"demo3_default": 400}, 8),
+        *((one,), 5000, {"demo3_default": 400}, 8),
     )
     return Costs("demo3", "0", "1", (replace(found, **changes),))
 

@@ -55,7 +55,7 @@ class FunctionCost:
 @dataclass(frozen=True)
 class TargetCost:
     """Cost of a stand's C on one target. `source`: SHA-256 of the measured .c; `text`: bytes of code of the whole file;
-    `symbols`, `constants`: bytes of each function, of each table; `unnamed`: bytes of constants without a symbol.
+    `constants`: bytes of each table; `unnamed`: bytes of constants without a symbol.
     """
 
     target: str
@@ -67,7 +67,6 @@ class TargetCost:
     emulator: str
     functions: tuple[FunctionCost, ...]
     text: int
-    symbols: dict[str, int]
     constants: dict[str, int]
     unnamed: int
 
@@ -178,7 +177,6 @@ def _measure_target(stand: Stand, made: Generated, target: Target, real: str) ->
         emulator="" if not target.emulator else version(target.emulator[0]),
         functions=tuple(functions),
         text=sizes.text,
-        symbols=dict(sorted(sizes.code.items())),
         constants=dict(sorted(sizes.constants.items())),
         unnamed=sizes.data - sum(sizes.constants.values()),
     )

@@ -6,7 +6,6 @@ Both files lie beside the C and are no part of its delivery: the manifest does n
 from __future__ import annotations
 
 import json
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -44,23 +43,27 @@ def page(costs: Costs) -> str:
         "record is not\ncounted. Its painted stack has a frame of the measuring program in it.\n\n"
         f"SHA-256 of the measured `{costs.stand}.c`, by element type:\n\n```text{sources}\n```\n"
     )
-    return text + "".join(map(_target, costs.targets)) + _code(costs)
+    return text + "".join(map(_target, costs.targets))
 
 
 def _target(target: TargetCost) -> str:
     rows = [
-        [
-            f"`{f.function}`",
-            f"{f.instructions:,}" if f.instructions else "refused",
-            f"{f.stack:,}",
-            f"{f.painted:,}" * bool(f.painted),
-            f"{f.code:,}{'*' if f.routines else ''}",
-        ]
-        for f in target.functions
+        ("function", "instructions", "stack, bytes", "painted", "code, bytes"),
+        ("---", *["---:"] * 4),
+        *(
+            (
+                f"`{f.function}`",
+                f"{f.instructions:,}" if f.instructions else "refused",
+                f"{f.stack:,}",
+                f"{f.painted:,}" * bool(f.painted),
+                f"{f.code:,}{'*' if f.routines else ''}",
+            )
+            for f in target.functions
+        ),
     ]
     counted = f"counted by {target.emulator or 'callgrind'}"
     text = f"\n## {target.title}: {target.target}, {target.real}\n\n{target.compiler} `{target.flags}`; {counted}.\n\n"
-    text += _table(["function", "instructions", "stack, bytes", "painted", "code, bytes"], rows)
+    text += "".join(f"| {' | '.join(row)} |\n" for row in rows)
     if not all(f.instructions for f in target.functions):
         text += "\nRefused: these states are none for it; `inverse_fast` wants six independent flywheels, or damping.\n"
     if routines := sorted({name for f in target.functions for name in f.routines}):
@@ -71,26 +74,6 @@ def _target(target: TargetCost) -> str:
         f"{text}\nWhole file: {target.text:,} bytes of code; constants: {sizes}, "
         f"literals of the code {target.unnamed:,}.\n"
     )
-
-
-def _code(costs: Costs) -> str:
-    """How many bytes each function has by itself, by target, with what the compiler cut off it."""
-    columns = []
-    for target in costs.targets:
-        sizes: Counter[str] = Counter()
-        for symbol, size in target.symbols.items():
-            sizes[symbol.partition(".")[0].removeprefix(f"{costs.stand}_")] += size
-        columns.append(sizes)
-    names = sorted(set().union(*columns))
-    rows = [[f"`{name}`", *(f"{c[name]:,}" if name in c else "" for c in columns)] for name in names]
-    head = ["own code, bytes", *(f"{t.target}, {t.real}" for t in costs.targets)]
-    words = "A function that is not there was compiled into its callers."
-    return f"\n## Code by function\n\n{words}\n\n{_table(head, rows)}"
-
-
-def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    lines = [head, ["---", *["---:"] * (len(head) - 1)], *rows]
-    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
 def as_json(costs: Costs, before: Sequence[Mapping[str, Any]] = ()) -> str:

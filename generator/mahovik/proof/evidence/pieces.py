@@ -18,7 +18,7 @@ from mahovik.core.emit.eva import drivers
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.stand.model import Stand
-from mahovik.core.toolchain.branches import FLAGS as FLAGS_OF_COVERAGE
+from mahovik.core.toolchain.compiler import BITS
 from mahovik.core.toolchain.static_checks import (
     ANALYSER,
     CPPCHECK,
@@ -178,7 +178,7 @@ def _branches_command(subject: Subject) -> str:
     name = subject.stand.name
     files = f"-D{name.upper()}_SELFTEST_MAIN c/{name}.c c/{subject.selftest}"
     judge = f"awk -F'[:%]' '{{ print }} /^Taken/ {{ enough += $2 >= {LEAST_BRANCHES} }} END {{ exit !enough }}'"
-    build = f"gcc {shlex.join(FLAGS_OF_COVERAGE)} {files} -o branches"
+    build = f"gcc -std=c99 -O0 --coverage {shlex.join(BITS)} {files} -o branches"
     return f"{build} && ./branches >log && gcov -b -c branches-{name}.gcda | {judge}"
 
 
