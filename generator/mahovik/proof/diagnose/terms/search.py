@@ -73,6 +73,9 @@ SPREAD = {"V": 1.0, "phi_dot": 3.0, "phi_ddot": 3.0, "V_dot": 1.0}
 ALIKE, SAME, THERE = 1e-3, 1e-6, 1e-9
 """Relative difference of factors of one term in two wants; of equal numbers; part of the largest that is rounding."""
 
+LIKELY = -1.0, 0.0, 0.5, 2.0
+"""Factors of a part of a coefficient that people make by mistake."""
+
 ORDER = 1e-9
 """Relative difference within which an answer is that of another state."""
 
@@ -94,7 +97,7 @@ class WrongTerm:
     component    letter of SNAME of the wrench on the carrier, or of the momentum; the flywheel's name; or bodies
     term         the product; on the right-hand side of K V* = ..., in the drive torque or in the momentum
     factor       in the program, SI; where `expected`, the right one, is None it is only known what it is wrong by
-    coefficient  path of the number of the stand file that the right factor is; "": it is none of them
+    coefficient  path of the number of the stand file that the right factor is proportional to; "": of none alone
     share        its mean square over the sum of those of all wrong terms of the want
     twins        other products that explain the error as well in its place, at the states that there are
     of_body      whether it is a vector term of bodies, which `component` names, in all components
@@ -449,7 +452,9 @@ class TermSearch:
                     factor, expected, path = c, None, ""
                 else:
                     expected = float(right[k, i]) if there[k] else 0.0
-                    factor, path = expected + c, self._path(of, k, i, expected)
+                    factor, path = expected + c, ""
+                    if expected:
+                        factor, expected, path = self._part(of, k, i, expected, c)
                 factor = 0.0 if abs(factor) <= SAME * abs(expected or 0.0) else factor
                 term = WrongTerm(*place, factor, expected, path, twins=twins)
                 terms.append((float(np.sum((c * values) ** 2)), term))
@@ -494,21 +499,29 @@ class TermSearch:
     def _drawn_pieces(self) -> list[Pieces]:
         return self._pieces_of(self._drawn)
 
-    def _path(self, of: _Equations, k: int, component: int, expected: float) -> str:
-        """The number of the stand file that a right factor is: with it changed, the factor is so too."""
-        if not expected:
-            return ""
-        file = StandNumbers(self._stand, parse(dumps(self._stand)))
+    def _part(self, of: _Equations, k: int, component: int, expected: float, error: float) -> tuple[float, float, str]:
+        """A factor, the right one, and the path of the number of the stand file that this is proportional to.
+
+        Of all of the coefficient of product k; else of the part of it that a number has, where this explains the error
+        by a likely factor. The part is what changes with the number in the right equations.
+        """
+        file, g = StandNumbers(self._stand, parse(dumps(self._stand))), float(np.linalg.norm(self._stand.gravity))
+        found = expected + error, expected, ""
         for number in file:
-            if abs(abs(number.value) - abs(expected)) <= SAME * abs(expected):
-                try:
-                    changed = read(file.with_values({number: 1.01 * number.value}), self._stand.name, physics=False)
-                except UsageError:
-                    continue
-                factors = self._solve(of, changed)
-                if factors is not None and abs(factors[k, component] / expected - 1.01) <= SAME:
-                    return number.path
-        return ""
+            sizes = [abs(multiple * number.value) for multiple in (1.0, 2.0, 0.5, g, 2.0 * g)]
+            if not any(abs(x - abs(y)) <= SAME * abs(y) for x in sizes for y in (expected, error)):
+                continue
+            try:
+                changed = read(file.with_values({number: 1.01 * number.value}), self._stand.name, physics=False)
+            except UsageError:
+                continue
+            factors = self._solve(of, changed)
+            part = 0.0 if factors is None else (float(factors[k, component]) - expected) / 0.01
+            if abs(part - expected) <= SAME * abs(expected):
+                return expected + error, expected, number.path
+            if any(abs(error - (likely - 1.0) * part) <= SAME * abs(error) for likely in LIKELY):
+                found = part + error, part, number.path
+        return found
 
     def _has_mass_matrix(self, terms: Sequence[WrongTerm]) -> bool:
         """Whether the equations with these terms wrong still have one acceleration, at some phases.
