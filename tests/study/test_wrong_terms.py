@@ -217,24 +217,9 @@ def test_terms_of_torques() -> None:
     assert {(x.want, x.component, x.term) for x in result.terms} == {("torque", "w2", "p q")}
 
 
-def test_programs_that_cannot_be_searched_are_refused() -> None:
-    """Answers by chance, none at all, and those to the state before."""
-    stand, rng = stand_of("demo3"), np.random.default_rng(1)
-
-    def by_chance(_: Any, right: Any, __: Pieces) -> None:
-        right[0] += rng.normal()
-
-    with pytest.raises(CheckError, match="not deterministic"):
-        terms_found("demo3", by_chance)
+def test_a_program_without_answers_is_refused() -> None:
     with pytest.raises(CheckError, match=r"forward: 0 of \d+ states have an answer; expected at least \d+"):
         search("demo3", "forward").find(lambda _: {"V_dot": [float("nan")] * 6})
-    before: list[Mapping[str, Any]] = [{}]
-    late: dict[str, Mapping[str, Any]] = {}
-    for request in search("demo3", "forward").requests:
-        late[request.id] = before[-1]
-        before.append(reference.evaluate(stand, request.state, request.want))
-    with pytest.raises(CheckError, match="it answers another state's result: that to 'term 2, forward' is right for"):
-        search("demo3", "forward").find(lambda request: late[request.id.removesuffix(", again")])
 
 
 def test_a_momentum_without_a_name_hinders_no_other() -> None:

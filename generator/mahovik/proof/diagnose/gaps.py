@@ -24,8 +24,7 @@ class Gap:
 
     missing     number of states with an answer that is not all numbers; states: of those with an answer
     components  of each quantity with gaps, its components there, by letter, flywheel or index from 1
-    whole       quantities of which no component is ever a number
-    only        whether the want has one quantity
+    words       these in words
     shapes      of each quantity that has numbers in one wrong shape at all its states: this, and the expected one
     """
 
@@ -33,8 +32,7 @@ class Gap:
     missing: int
     states: int
     components: Mapping[str, tuple[str, ...]]
-    whole: tuple[str, ...]
-    only: bool
+    words: str
     shapes: Mapping[str, tuple[Shape, Shape]] = field(default_factory=dict)
 
     @property
@@ -44,76 +42,57 @@ class Gap:
 
     def sentence(self) -> str:
         """The gap in a line."""
-        places = "; ".join(
-            f"{'' if self.only else quantity + ', '}{self._place(quantity, names)}"
-            for quantity, names in self.components.items()
-        )
         what = "another shape" if self.shapes.keys() == self.components.keys() else "no number"
-        return f"{self.want} answers {what} at {self.missing} of {self.states} states of the diagnosis ({places})"
-
-    def _place(self, quantity: str, names: tuple[str, ...]) -> str:
-        if quantity in self.shapes:
-            found, expected = self.shapes[quantity]
-            return f"shape {list(found)}, expected {list(expected)}"
-        if quantity in self.whole:
-            return "all components"
-        return f"component{'s' if len(names) > 1 else ''} {' '.join(names)}"
+        return f"{self.want} answers {what} at {self.missing} of {self.states} states of the diagnosis ({self.words})"
 
 
 def gaps_of(
-    stand: Stand, vector: AnswerVector, found: Array, answers: Callable[[Request], Mapping[str, Any]]
+    stand: Stand, vector: AnswerVector, numbers: Array, answers: Callable[[Request], Mapping[str, Any]]
 ) -> tuple[Gap, ...]:
-    """Gaps in the numbers `found` of a vector's requests.
+    """Gaps in the `numbers` of a vector's requests.
 
     States that the program refused, and quantities that none of its answers has, are not counted.
     """
-    asked: dict[str, list[tuple[Mapping[str, Any], set[str], tuple[Any, ...]]]] = {}
+    answered: dict[str, list[tuple[Mapping[str, Any], Any]]] = {}
     for request, parts in zip(vector.requests, vector.parts, strict=True):
         answer = answers(request)
-        given = {path[0] for path, _, _ in parts} & answer.keys()
-        if given:
-            asked.setdefault(request.want[0], []).append((answer, given, parts))
+        if any(path[0] in answer for path, *_ in parts):
+            answered.setdefault(request.want[0], []).append((answer, parts))
     gaps = []
-    for want, rows in asked.items():
-        offered = set().union(*(given for _, given, _ in rows))
-        shapes: dict[str, set[tuple[Shape, Shape] | None]] = {}
-        lost: dict[str, set[int]] = {}
-        sizes: dict[str, int] = {}
-        there: set[str] = set()
-        missing = 0
-        for answer, _, parts in rows:
-            incomplete = False
+    for want, rows in answered.items():
+        absent: dict[str, list[Array]] = {}
+        pairs: dict[str, set[tuple[Shape, Shape] | None]] = {}
+        offered = {key for answer, _ in rows for key in answer}
+        for answer, parts in rows:
             for path, shape, start in parts:
-                if path[0] not in offered:
-                    continue
-                name, size = ".".join(path), int(np.prod(shape))
-                absent = np.flatnonzero(~np.isfinite(found[start : start + size])).tolist()
-                sizes[name] = size
-                if len(absent) < size:
-                    there.add(name)
-                if absent:
-                    lost.setdefault(name, set()).update(absent)
-                    shapes.setdefault(name, set()).add(_wrong_shape(answer, path, shape))
-                    incomplete = True
-            missing += incomplete
-        if missing:
-            components = {name: _names(stand, name, sizes[name], sorted(lost[name])) for name in lost}
-            whole = tuple(name for name in lost if name not in there)
-            other = {name: pair for name, (pair, *more) in shapes.items() if pair and not more and name in whole}
-            gaps.append(Gap(want, missing, len(rows), components, whole, len(sizes) == 1, other))
+                if path[0] in offered:
+                    name, there = ".".join(path), numbers_at(answer, path)
+                    lost = ~np.isfinite(numbers[start : start + int(np.prod(shape))])
+                    absent.setdefault(name, []).append(lost)
+                    other = there is not None and there.shape != shape and bool(np.isfinite(there).all())
+                    if lost.any():
+                        pairs.setdefault(name, set()).add((there.shape, shape) if there is not None and other else None)
+        table = {name: np.array(x) for name, x in absent.items()}
+        shapes = {n: pair for n, (pair, *more) in pairs.items() if pair and not more and table[n].all()}
+        components = {name: _names(stand, name, table[name].any(axis=0)) for name in pairs}
+        words = []
+        for name, lost_names in components.items():
+            place = f"component{'s' if len(lost_names) > 1 else ''} {' '.join(lost_names)}"
+            if name in shapes:
+                place = "shape {}, expected {}".format(*map(list, shapes[name]))
+            elif table[name].all():
+                place = "all components"
+            words.append(place if len(table) == 1 else f"{name}, {place}")
+        if components:
+            missing = int(np.any([x.any(axis=1) for x in table.values()], axis=0).sum())
+            gaps.append(Gap(want, missing, len(rows), components, "; ".join(words), shapes))
     return tuple(gaps)
 
 
-def _wrong_shape(answer: Mapping[str, Any], path: tuple[str, ...], shape: Shape) -> tuple[Shape, Shape] | None:
-    """The shape of finite numbers that is not the expected one, and this; None where the shape is no fault."""
-    numbers = numbers_at(answer, path)
-    wrong = numbers is not None and numbers.shape != shape and bool(np.isfinite(numbers).all())
-    return (numbers.shape, shape) if numbers is not None and wrong else None
-
-
-def _names(stand: Stand, quantity: str, size: int, indices: list[int]) -> tuple[str, ...]:
+def _names(stand: Stand, quantity: str, lost: Any) -> tuple[str, ...]:
     if quantity in _BY_LETTER:
-        return tuple(WRENCH_LETTERS[i] for i in indices)
-    if size == len(stand.flywheels):
-        return tuple(stand.flywheels[i].name for i in indices)
-    return tuple(str(i + 1) for i in indices)
+        names = list(WRENCH_LETTERS)
+    else:
+        wheels = [wheel.name for wheel in stand.flywheels]
+        names = wheels if lost.size == len(wheels) else [str(i + 1) for i in range(lost.size)]
+    return tuple(names[i] for i in np.flatnonzero(lost))
