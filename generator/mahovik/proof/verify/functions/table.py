@@ -17,6 +17,7 @@ from typing import Any
 
 from mahovik.contract.functions import FUNCTIONS, task_of
 from mahovik.errors import StateError
+from mahovik.proof.reference.regressor import answer_regressor
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions import exact, integration, optimality, value
 from mahovik.proof.verify.functions.case import Case
@@ -36,19 +37,10 @@ class FunctionJudge:
     against: str
 
 
-def _value(trials: Callable[[Case], Iterator[value.Trial]], suffix: str = "") -> FunctionJudge:
-    return FunctionJudge("value", partial(_trials, trials=trials, suffix=suffix), "reference")
+def _value(trials: Callable[..., Iterator[value.Trial]], suffix: str = "") -> FunctionJudge:
+    return FunctionJudge("value", partial(value.trial_checks, trials=trials, suffix=suffix), "reference")
 
 
-def _trials(case: Case, name: str, trials: Callable[[Case], Iterator[value.Trial]], suffix: str) -> list[Check]:
-    return value.trial_checks(case, name, trials, suffix)
-
-
-def _given_sines(case: Case, name: str) -> list[Check]:
-    return value.trial_checks(case, name, partial(value.trials_of_given_sines, function=name))
-
-
-_GIVEN_SINES = FunctionJudge("value", _given_sines, "reference")
 _STEPS = FunctionJudge("integration", integration.step_checks, "reference, extrapolated")
 _INVERSE = FunctionJudge("optimality", optimality.inverse_checks, "reference")
 _FAST = FunctionJudge("optimality", optimality.inverse_checks, "reference")
@@ -57,7 +49,7 @@ _JACOBIAN = FunctionJudge("derivative", value.jacobian_checks, "second derivatio
 _PARAMETERS = FunctionJudge("value", value.other_parameters, "reference")
 
 JUDGES: dict[str, FunctionJudge] = {
-    "wrench": _value(value.wrench_trials),
+    "wrench": _value(partial(value.state_trials, equation=lambda stand, state, at: {"F": at.F})),
     "mounts": FunctionJudge("value", value.mount_checks, "second derivation"),
     "coupled": _value(value.locked_trials, ", with locks"),
     "step": _STEPS,
@@ -71,13 +63,15 @@ JUDGES: dict[str, FunctionJudge] = {
     "coupled_jacobian": _JACOBIAN,
     "quaternion": _value(value.quaternion_trials),
     "state_from_coordinates": _value(value.coordinate_trials),
-    "wrap": FunctionJudge("exact", exact.wrap_checks, "fifty digits"),
-    "phase_of_counts": FunctionJudge("exact", exact.phase_checks, "fifty digits"),
-    "speed_of_counts": FunctionJudge("exact", exact.speed_checks, "fractions"),
+    "wrap": FunctionJudge("exact", exact.angle_checks, "fifty digits"),
+    "phase_of_counts": FunctionJudge("exact", exact.angle_checks, "fifty digits"),
+    "speed_of_counts": FunctionJudge("exact", exact.angle_checks, "fifty digits"),
     "accumulate": FunctionJudge("exact", exact.accumulate_checks, "integers"),
     "prepare": _PARAMETERS,
     "prepare_mounts": _PARAMETERS,
-    "regressor": _value(value.regressor_trials),
+    "regressor": _value(
+        partial(value.state_trials, equation=lambda stand, state, at: answer_regressor(at, stand, state))
+    ),
     "identify_step": _value(value.estimate_trials),
 }
 """Functions that answer no want, and those of a want with arguments that `eval` does not set.
@@ -90,7 +84,11 @@ JUDGES |= dict.fromkeys(
     ("at", "runup_at", "rundown_at"), FunctionJudge("law", programme.table_checks, "programme file")
 )
 JUDGES |= dict.fromkeys(programme.CLOCK_FUNCTIONS, FunctionJudge("exact", programme.clock_checks, "fractions"))
-JUDGES |= {name: _GIVEN_SINES for name in FUNCTIONS if name.endswith("_at") and name not in JUDGES}
+JUDGES |= {
+    name: _value(partial(value.trials_of_given_sines, function=name))
+    for name in FUNCTIONS
+    if name.endswith("_at") and name not in JUDGES
+}
 
 
 def judge_of(name: str) -> FunctionJudge | None:

@@ -21,7 +21,7 @@ from mahovik.proof.reference.array import Array, Values, vector
 from mahovik.proof.reference.coordinates import pose_of
 from mahovik.proof.reference.generalized import check_attitude, kinematic_matrix, kinematic_matrix_rate
 from mahovik.proof.reference.hold import accelerations, twists
-from mahovik.proof.reference.regressor import answer_regressor, identify_step, slopes
+from mahovik.proof.reference.regressor import identify_step, slopes
 from mahovik.proof.reference.rotation import C1, attitude, quaternion_rotation
 from mahovik.proof.reference.screw import block_diagonal
 from mahovik.proof.second import Second
@@ -72,10 +72,10 @@ def trial_checks(case: Case, function: str, trials: Callable[[Case], Iterator[Tr
     return list(rows.checks.values())
 
 
-def wrench_trials(case: Case) -> Iterator[Trial]:
-    """F of (7)."""
+def state_trials(case: Case, equation: Equation) -> Iterator[Trial]:
+    """An equation at every state, with the state as arguments."""
     for name, state in case.states:
-        yield Trial(name, state, case.backend.arguments(state), lambda _, __, at: {"F": at.F})
+        yield Trial(name, state, case.backend.arguments(state), equation)
 
 
 def trials_of_given_sines(case: Case, function: str) -> Iterator[Trial]:
@@ -105,14 +105,6 @@ def locked_trials(case: Case) -> Iterator[Trial]:
             return {"V_dot": V_dot, "phi_ddot": phi_ddot}
 
         yield Trial(name, state, case.backend.arguments(state) | {"locked": [int(x) for x in locked]}, equation)
-
-
-def regressor_trials(case: Case) -> Iterator[Trial]:
-    """Columns of the regressor, group by group."""
-    for name, state in case.states:
-        yield Trial(
-            name, state, case.backend.arguments(state), lambda stand, near, at: answer_regressor(at, stand, near)
-        )
 
 
 def estimate_trials(case: Case) -> Iterator[Trial]:
