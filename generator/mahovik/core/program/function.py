@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from mahovik.core.program.call import Argument, Call, Signature
 from mahovik.core.program.expression import Expr, Operand, Place, as_expr
@@ -78,7 +79,8 @@ class Program:
 
     def function(self, name: str) -> Function:
         """The function of that name. Raises KeyError."""
-        for function in self.functions:
-            if function.name == name:
-                return function
-        raise KeyError(name)
+        return self._by_name[name]
+
+    @cached_property
+    def _by_name(self) -> dict[str, Function]:
+        return {function.name: function for function in self.functions}
