@@ -167,11 +167,6 @@ class Derivatives:
         system = self._second.system
         return ca.jacobian(value, system.V) @ system.S if name == "u" else ca.jacobian(value, system.inputs[name])
 
-    @property
-    def stand(self) -> Stand:
-        """The stand whose equations are differentiated."""
-        return self._second.stand
-
     def evaluate(self, state: State) -> dict[str, Array]:
         """Matrices by name: `V_dot_phi` is that of V_dot by phi. Raises StateError."""
         slopes = self._function(**self._second.arguments(state))
