@@ -283,7 +283,7 @@ def test_what_unbalance_adds_is_what_the_reference_simulates() -> None:
     start = programme.at(np.zeros(1))
     V = twist_at_rest(stand, np.zeros(6), start.phi[0], start.phi_dot[0])
     t = effect.t[: k + 1 : 8]
-    scale = replace(scale_of(stand, motion, programme), amplitude=1e-3)
+    scale = scale_of(stand, motion, programme)._replace(amplitude=1e-3)
     q_dot = np.linalg.solve(carrier_at(stand, np.zeros(6), np.zeros(6)).A, V)
     y = simulate(stand, programme.at, np.concatenate([np.zeros(6), q_dot]), t, scale, 1e-3)
     aside = y[:, :6] - motion.at(t, programme.bias).q

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 from mahovik.core.program.call import Argument, Call, Signature
 from mahovik.core.program.expression import Expr, Operand, Place, as_expr
@@ -34,8 +35,8 @@ class Function:
     short: bool = False
     copied: bool = False
 
-    def __call__(self, *arguments: Operand) -> Call:
-        """A call: an expression, if the function returns a real or a status."""
+    def __call__(self, *arguments: Any) -> Any:
+        """A Call: an expression, if the function returns a real or a status. Arguments: operands, of results places."""
         if len(arguments) != len(self.arguments):
             raise TypeError(f"{self.name} takes {len(self.arguments)} arguments, not {len(arguments)}")
         return Call(self.signature, tuple(map(self._checked_argument, arguments, self.arguments)))

@@ -81,6 +81,8 @@ class NamedCount:
     def __int__(self) -> int:
         return self.value
 
+    __index__ = __int__  # of `range`, in the text of kernels
+
 
 Shape: TypeAlias = tuple[int | NamedCount, ...]
 """Lengths of an array, the outermost first; () is a scalar."""

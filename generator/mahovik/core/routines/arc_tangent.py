@@ -21,11 +21,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import bits_of, magnitude, real, real_of_bits, select, unequal, word
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind, Precision
+from mahovik.core.program.kernel import argument, bits_of, kernel, real_of_bits, word
+from mahovik.core.program.types import Precision
 from mahovik.core.routines.real_constants import PI, polynomial, sign_bit, split
 
 
@@ -64,48 +62,44 @@ POLYNOMIALS = {
 
 def atan2(precision: Precision) -> Function:
     """The function `atan2(y, x)`."""
-    y = Argument("y", Kind.REAL, purpose="second coordinate, finite")
-    x = Argument("x", Kind.REAL, purpose="first coordinate, finite")
     fit = POLYNOMIALS[precision.name]
     quarter_hi, quarter_lo = split(PI / 4, precision, [precision.significand - 2])
     sign = sign_bit(precision)
     huge = 2.0 ** (precision.bias - 2)
 
-    b = Body()
-    x_size = b.let("x_size", magnitude(x.place))
-    y_size = b.let("y_size", magnitude(y.place))
-    steep = b.let("steep", y_size > x_size)
-    larger = b.let("larger", select(steep, y_size, x_size))
-    scale = b.let("scale", select(larger > huge, 0.25, 1.0), "larger + smaller must not overflow")
-    major = b.let("major", larger * scale)
-    minor = b.let("minor", select(steep, x_size, y_size) * scale)
+    @kernel(notes=["x and y finite. Error at most 2 units in the last place; signs of zeros as in C, atan2(0, 0) = 0."])
+    def atan2(
+        y: float = argument("second coordinate, finite"), x: float = argument("first coordinate, finite")
+    ) -> float:
+        """angle of the vector (x, y), in [-pi, pi]"""
+        x_size = abs(x)
+        y_size = abs(y)
+        steep = y_size > x_size
+        larger = y_size if steep else x_size
+        scale = 0.25 if larger > huge else 1.0  # larger + smaller must not overflow
+        major = larger * scale
+        minor = (x_size if steep else y_size) * scale
 
-    b.note("The angle of (major, minor) is atan(t), or pi/4 + atan(t) where minor > major/2; in both |t| <= 1/2.")
-    beyond = b.let("beyond", minor + minor > major)
-    above = b.let("above", select(beyond, minor - major, minor))
-    below = b.let("below", select(beyond, minor + major, select(major > 0.0, major, 1.0)), "1 avoids 0/0")
-    octant = b.let("octant", select(beyond, real(1.0), 0.0))
+        # The angle of (major, minor) is atan(t), or pi/4 + atan(t) where minor > major/2; in both |t| <= 1/2.
+        beyond = minor + minor > major
+        above = minor - major if beyond else minor
+        below = minor + major if beyond else major if major > 0.0 else 1.0  # 1 avoids 0/0
+        octant = 1.0 if beyond else 0.0
 
-    b.note("Octants: |y| > |x| is pi/2 - angle, a negative x (or -0, as in C) pi - angle.")
-    above_1 = b.let("above_1", select(steep, -above, above))
-    octant_1 = b.let("octant_1", select(steep, 2.0 - octant, octant))
-    left = b.let("left", unequal(bits_of(x.place) & word(sign), 0))
-    t = b.let("t", select(left, -above_1, above_1) / below)
-    octant_2 = b.let("octant_2", select(left, 4.0 - octant_1, octant_1))
+        # Octants: |y| > |x| is pi/2 - angle, a negative x (or -0, as in C) pi - angle.
+        above_1 = -above if steep else above
+        octant_1 = 2.0 - octant if steep else octant
+        left = bits_of(x) & word(sign) != 0
+        t = (-above_1 if left else above_1) / below
+        octant_2 = 4.0 - octant_1 if left else octant_1
 
-    z = b.let("z", t * t)
-    fitted = b.let("fitted", t * z * polynomial(fit.coefficients, z), "atan t = t + t^3 A(t^2)")
-    b.note("octant pi/4 + atan t; pi/4 in two parts, so that its product with 3 is exact.")
-    base = b.let("base", octant_2 * quarter_hi)
-    sum_ = b.let("sum", base + t, "base is 0 or larger than t:")
-    lost = b.let("lost", (base - sum_) + t, "so this is the rounding error of the sum")
-    angle = b.let("angle", sum_ + (lost + (fitted + octant_2 * quarter_lo)))
-    b.ret(real_of_bits(bits_of(angle) | (bits_of(y.place) & word(sign))))
+        z = t * t
+        fitted = t * z * polynomial(fit.coefficients, z)  # atan t = t + t^3 A(t^2)
+        # octant pi/4 + atan t; pi/4 in two parts, so that its product with 3 is exact.
+        base = octant_2 * quarter_hi
+        sum_ = base + t  # base is 0 or larger than t:
+        lost = (base - sum_) + t  # so this is the rounding error of the sum
+        angle = sum_ + (lost + (fitted + octant_2 * quarter_lo))
+        return real_of_bits(bits_of(angle) | (bits_of(y) & word(sign)))
 
-    return b.function(
-        name="atan2",
-        purpose="angle of the vector (x, y), in [-pi, pi]",
-        arguments=(y, x),
-        returns=Kind.REAL,
-        notes=("x and y finite. Error at most 2 units in the last place; signs of zeros as in C, atan2(0, 0) = 0.",),
-    )
+    return atan2

@@ -12,13 +12,9 @@ multiplier is released.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Not, Place, and_, equal, integer, magnitude, or_, real, select
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind, NamedCount
+from mahovik.core.program.kernel import Ints, Reals, argument, inline, ints, kernel, reals
+from mahovik.core.program.types import NamedCount
 
 ROUNDS = 3
 """Solutions of a pass, two of them for what the one before has left."""
@@ -31,217 +27,212 @@ def passes(count: int) -> int:
 
 def bounded_least_squares(rows: int, count: NamedCount, square_root: Function, regular: float) -> Function:
     """`bounded_least_squares` for a matrix of `rows` x `count`; `regular`: lambda, relative to the largest row."""
-    W = Argument("W", Kind.REAL, (rows * int(count),), purpose="rows of the equations, one after the other")
-    r = Argument("r", Kind.REAL, (rows,), purpose="wanted W y")
-    low = Argument("low", Kind.REAL, (count,), purpose="lower bounds of y")
-    high = Argument("high", Kind.REAL, (count,), purpose="upper bounds; not below the lower ones")
-    weight = Argument("weight", Kind.REAL, (count,), purpose="Omega, greater than 0")
-    y = Argument("y", Kind.REAL, (count,), "out", purpose="the solution")
-    held = Argument("held", Kind.INT, (count,), "out", purpose="-1 at its lower bound, 1 at its upper one, 0 between")
-    body = Body()
-    _begin(body, low.place, high.place, y.place, held.place)
-    scratch = _Scratch(
-        gram=body.local("gram", (rows, rows), comment="of rows, or of fewer free unknowns; then its factor"),
-        z=body.local("z", (rows,), comment="(r - W y)/lambda"),
-        left=body.local("left", (rows,), comment="right-hand side, and what solves it"),
-        free=body.local("free", (rows,), Kind.INT, "free unknowns where these are fewer than rows"),
-        many=body.local("many", (), Kind.INT, "number of free unknowns"),
-        goal=body.local("goal", (count,), comment="solution of the free unknowns"),
-    )
-    ridge = _ridge(body, W.place, weight.place, rows, regular)
-    going = body.local("going", (), Kind.INT)
-    body.set(going, integer(1))
-    with body.loop("pass", passes(int(count))), body.when(going > 0):
-        _gram(body, W.place, weight.place, held.place, scratch, ridge)
-        size = body.let("unknowns", select(scratch.many < rows, scratch.many, integer(rows)))
-        _factor(body, scratch.gram, size, ridge, square_root)
-        _goal(body, (W.place, r.place, weight.place), (y.place, held.place), scratch, size, ridge)
-        stopped = _advance(body, low.place, high.place, y.place, held.place, scratch.goal)
-        with body.when(stopped < 0):
-            freed = _unknown_to_release(body, W.place, weight.place, y.place, held.place, scratch.z)
-            with body.when(freed < 0):
-                body.set(going, integer(0))
-            with body.otherwise():
-                body.set(held.place[freed], integer(0))
-    return body.function(
-        f"bounded_least_squares_{rows}",
-        "Least error of W y = r within bounds, then least weighted norm of y.",
-        (W, r, low, high, weight, y, held),
-    )
+
+    @kernel(f"bounded_least_squares_{rows}")
+    def bounded_least_squares(
+        W: Reals = argument("rows of the equations, one after the other", rows * int(count)),
+        r: Reals = argument("wanted W y", rows),
+        low: Reals = argument("lower bounds of y", count),
+        high: Reals = argument("upper bounds; not below the lower ones", count),
+        weight: Reals = argument("Omega, greater than 0", count),
+        y: Reals = argument("the solution", count, direction="out"),
+        held: Ints = argument("-1 at its lower bound, 1 at its upper one, 0 between", count, direction="out"),
+    ) -> None:
+        """Least error of W y = r within bounds, then least weighted norm of y."""
+        begin(low, high, y, held)
+        gram = reals(rows, rows)  # of rows, or of fewer free unknowns; then its factor
+        z = reals(rows)  # (r - W y)/lambda
+        left = reals(rows)  # right-hand side, and what solves it
+        free = ints(rows)  # free unknowns where these are fewer than rows
+        many = ints()  # number of free unknowns
+        goal = reals(count)  # solution of the free unknowns
+        largest = largest_diagonal(W, weight, rows)
+        lambda_ = regular * largest if largest > 0 else 1.0
+        going: int = 1
+        for pass_ in range(passes(int(count))):  # noqa: B007
+            if going > 0:
+                make_gram(W, weight, held, gram, free, many, lambda_)
+                unknowns = many if many < rows else rows
+                factor(gram, unknowns, lambda_, square_root)
+                solve_free(W, r, weight, y, held, gram, z, left, free, many, goal, unknowns, lambda_)
+                stopped = advance(low, high, y, held, goal)
+                if stopped < 0:
+                    freed = unknown_to_release(W, weight, y, held, z)
+                    if freed < 0:
+                        going = 0
+                    else:
+                        held[freed] = 0
+
+    return bounded_least_squares
 
 
-def _begin(body: Body, low: Place, high: Place, y: Place, held: Place) -> None:
+@inline
+def begin(low: Reals, high: Reals, y: Reals, held: Ints) -> None:
     """Begin at the place within the bounds that is nearest to zero; unknowns without room are held."""
-    with body.loop("s", len(y)) as s:
-        body.set(y[s], select(low[s] > 0, low[s], select(high[s] < 0, high[s], real(0))))
-        body.set(held[s], select(Not(low[s] < high[s]), integer(1), integer(0)))
+    for s in range(len(y)):
+        y[s] = low[s] if low[s] > 0 else high[s] if high[s] < 0 else 0.0
+        held[s] = 1 if not low[s] < high[s] else 0
 
 
-@dataclass(frozen=True, eq=False)
-class _Scratch:
-    """Local arrays of the solution for the free unknowns."""
-
-    gram: Place
-    z: Place
-    left: Place
-    free: Place
-    many: Place
-    goal: Place
-
-
-def _ridge(body: Body, W: Place, weight: Place, rows: int, regular: float) -> Place:
-    """lambda: a small part of the largest diagonal element of W Omega^-1 W^T."""
+@inline
+def largest_diagonal(W: Reals, weight: Reals, rows: int) -> float:
+    """The largest diagonal element of W Omega^-1 W^T: lambda is a small part of it."""
     count = len(weight)
-    largest = body.local("largest", comment="diagonal element of W Omega^-1 W^T")
-    body.set(largest, real(0))
-    with body.loop("i", rows) as i:
-        whole = body.local("whole")
-        body.set(whole, real(0))
-        with body.loop("s", count) as s:
-            body.add(whole, W[i * count + s] * W[i * count + s] / weight[s])
-        body.set(largest, select(whole > largest, whole, largest))
-    return body.let("lambda", select(largest > 0, real(regular) * largest, real(1)))
+    largest: float = 0.0  # diagonal element of W Omega^-1 W^T
+    for i in range(rows):
+        whole: float = 0.0
+        for s in range(count):
+            whole += W[i * count + s] * W[i * count + s] / weight[s]
+        largest = whole if whole > largest else largest
+    return largest
 
 
-def _gram(body: Body, W: Place, weight: Place, held: Place, scratch: _Scratch, ridge: Place) -> None:
+@inline
+def make_gram(W: Reals, weight: Reals, held: Ints, gram: Reals, free: Ints, many: int, ridge: float) -> None:
     """W Omega^-1 W^T + lambda over the free unknowns; where these are fewer than rows, W^T W + lambda Omega of them."""
-    gram, free, many = scratch.gram, scratch.free, scratch.many
     rows, count = len(gram), len(weight)
-    with body.loop("i", rows) as i, body.loop("j", i + 1) as j:
-        body.set(gram[i][j], real(0))
-    body.set(many, integer(0))
-    with body.loop("s", count) as s, body.when(equal(held[s], integer(0))):
-        with body.when(many < rows):
-            body.set(free[many], s)
-        body.set(many, many + 1)
-    total = body.local("total")
-    with body.when(many < rows), body.loop("k", many) as k, body.loop("l", k + 1) as l:
-        body.set(total, select(equal(k, l), ridge * weight[free[k]], real(0)))
-        with body.loop("i", rows) as i:
-            body.add(total, W[i * count + free[k]] * W[i * count + free[l]])
-        body.set(gram[k][l], total)
-    with body.otherwise(), body.loop("i", rows) as i, body.loop("j", i + 1) as j:
-        body.set(total, select(equal(i, j), ridge, real(0)))
-        with body.loop("s", count) as s, body.when(equal(held[s], integer(0))):
-            body.add(total, W[i * count + s] * W[j * count + s] / weight[s])
-        body.set(gram[i][j], total)
+    for i in range(rows):
+        for j in range(i + 1):
+            gram[i][j] = 0
+    many = 0
+    for s in range(count):
+        if held[s] == 0:
+            if many < rows:
+                free[many] = s
+            many = many + 1
+    total = reals()
+    if many < rows:
+        for k in range(many):
+            for l in range(k + 1):
+                total = ridge * weight[free[k]] if k == l else 0.0
+                for i in range(rows):
+                    total += W[i * count + free[k]] * W[i * count + free[l]]
+                gram[k][l] = total
+    else:
+        for i in range(rows):
+            for j in range(i + 1):
+                total = ridge if i == j else 0.0
+                for s in range(count):
+                    if held[s] == 0:
+                        total += W[i * count + s] * W[j * count + s] / weight[s]
+                gram[i][j] = total
 
 
-def _factor(body: Body, gram: Place, size: Place, ridge: Place, square_root: Function) -> None:
+@inline
+def factor(gram: Reals, size: int, ridge: float, square_root: Function) -> None:
     """Cholesky factor in the lower triangle."""
-    with body.loop("j", size) as j:
-        least = body.let(
-            "least", real(2.0**-52) * gram[j][j] + real(2.0**-20) * ridge, "rounding, of a singular matrix"
-        )
-        with body.loop("k", j) as k:
-            body.add(gram[j][j], -(gram[j][k] * gram[j][k]))
-        body.set(gram[j][j], square_root(select(gram[j][j] > least, gram[j][j], least)))
-        with body.loop("i", size, start=j + 1) as i:
-            with body.loop("k", j) as k:
-                body.add(gram[i][j], -(gram[i][k] * gram[j][k]))
-            body.set(gram[i][j], gram[i][j] / gram[j][j])
+    for j in range(size):
+        least = 2.0**-52 * gram[j][j] + 2.0**-20 * ridge  # rounding, of a singular matrix
+        for k in range(j):
+            gram[j][j] -= gram[j][k] * gram[j][k]
+        gram[j][j] = square_root(gram[j][j] if gram[j][j] > least else least)
+        for i in range(j + 1, size):
+            for k in range(j):
+                gram[i][j] -= gram[i][k] * gram[j][k]
+            gram[i][j] = gram[i][j] / gram[j][j]
 
 
-def _solve(body: Body, gram: Place, b: Place, size: Place) -> None:
+@inline
+def solve(gram: Reals, b: Reals, size: int) -> None:
     """b = gram^-1 b by the factor."""
-    with body.loop("i", size) as i:
-        with body.loop("k", i) as k:
-            body.add(b[i], -(gram[i][k] * b[k]))
-        body.set(b[i], b[i] / gram[i][i])
-    with body.loop("t", size) as t:
-        i_ = body.let("i", size - 1 - t)
-        with body.loop("k", size, start=i_ + 1) as k:
-            body.add(b[i_], -(gram[k][i_] * b[k]))
-        body.set(b[i_], b[i_] / gram[i_][i_])
+    for i in range(size):
+        for k in range(i):
+            b[i] -= gram[i][k] * b[k]
+        b[i] = b[i] / gram[i][i]
+    for t in range(size):
+        i = size - 1 - t
+        for k in range(i + 1, size):
+            b[i] -= gram[k][i] * b[k]
+        b[i] = b[i] / gram[i][i]
 
 
-def _goal(
-    body: Body,
-    given: tuple[Place, Place, Place],
-    state: tuple[Place, Place],
-    scratch: _Scratch,
-    size: Place,
-    ridge: Place,
-) -> None:
+@inline
+def solve_free(
+    W: Reals, r: Reals, weight: Reals, y: Reals, held: Ints, gram: Reals, z: Reals, left: Reals, free: Ints, many: int,
+    goal: Reals, size: int, ridge: float,
+) -> None:  # fmt: skip
     """The solution of the free unknowns, refined, and the multipliers z."""
-    W, r, weight = given
-    y, held = state
-    gram, z, left, free, many, goal = vars(scratch).values()
     rows, count = len(r), len(y)
-    body.note("held unknowns keep their values; the free ones start from 0")
-    with body.loop("s", count) as s:
-        body.set(goal[s], select(equal(held[s], integer(0)), real(0), y[s]))
-    with body.loop("i", rows) as i:
-        body.set(z[i], real(0))
-    missing = body.local("missing", (rows,), comment="r - W goal")
-    with body.loop("round", ROUNDS + 1) as turn:
-        with body.loop("i", rows) as i:
-            body.set(missing[i], r[i])
-            with body.loop("s", count) as s:
-                body.add(missing[i], -(W[i * count + s] * goal[s]))
-        with body.when(and_(many >= rows, turn < ROUNDS)):
-            with body.loop("i", rows) as i:
-                body.set(left[i], missing[i])
-            _solve(body, gram, left, size)
-            with body.loop("i", rows) as i:
-                body.add(z[i], left[i])
-            with body.loop("s", count) as s, body.when(equal(held[s], integer(0))), body.loop("i", rows) as i:
-                body.add(goal[s], W[i * count + s] * left[i] / weight[s])
-        with body.when(many < rows):
-            body.note("what the last round leaves of the demand gives the multipliers")
-            with body.loop("i", rows) as i:
-                body.set(z[i], missing[i] / ridge)
-            with body.when(turn < ROUNDS):
-                with body.loop("k", many) as k:
-                    body.set(left[k], real(0))
-                    with body.loop("i", rows) as i:
-                        body.add(left[k], W[i * count + free[k]] * missing[i])
-                _solve(body, gram, left, size)
-                with body.loop("k", many) as k:
-                    body.add(goal[free[k]], left[k])
+    # held unknowns keep their values; the free ones start from 0
+    for s in range(count):
+        goal[s] = 0.0 if held[s] == 0 else y[s]
+    for i in range(rows):
+        z[i] = 0
+    missing = reals(rows)  # r - W goal
+    for round in range(ROUNDS + 1):
+        for i in range(rows):
+            missing[i] = r[i]
+            for s in range(count):
+                missing[i] -= W[i * count + s] * goal[s]
+        if many >= rows and round < ROUNDS:
+            for i in range(rows):
+                left[i] = missing[i]
+            solve(gram, left, size)
+            for i in range(rows):
+                z[i] += left[i]
+            for s in range(count):
+                if held[s] == 0:
+                    for i in range(rows):
+                        goal[s] += W[i * count + s] * left[i] / weight[s]
+        if many < rows:
+            # what the last round leaves of the demand gives the multipliers
+            for i in range(rows):
+                z[i] = missing[i] / ridge
+            if round < ROUNDS:
+                for k in range(many):
+                    left[k] = 0
+                    for i in range(rows):
+                        left[k] += W[i * count + free[k]] * missing[i]
+                solve(gram, left, size)
+                for k in range(many):
+                    goal[free[k]] += left[k]
 
 
-def _advance(body: Body, low: Place, high: Place, y: Place, held: Place, goal: Place) -> Place:
+@inline
+def advance(low: Reals, high: Reals, y: Reals, held: Ints, goal: Reals) -> int:
     """Go towards the goal as far as all bounds allow; the unknown that stopped it, or -1."""
-    length = body.local("length")
-    stopped = body.local("stopped", (), Kind.INT)
-    body.set(length, real(1))
-    body.set(stopped, integer(-1))
-    with body.loop("s", len(y)) as s, body.when(equal(held[s], integer(0))):
-        beyond = or_(goal[s] > high[s], goal[s] < low[s])
-        with body.when(beyond):
-            room = body.let("room", select(goal[s] > high[s], high[s] - y[s], low[s] - y[s]))
-            part = body.let("part", room / (goal[s] - y[s]))
-            with body.when(part < length):
-                body.set(length, select(part > 0, part, real(0)))
-                body.set(stopped, s)
-    with body.loop("s", len(y)) as s, body.when(equal(held[s], integer(0))):
-        moved = body.let("moved", select(length < 1, y[s] + length * (goal[s] - y[s]), goal[s]))
-        body.set(y[s], select(moved > high[s], high[s], select(moved < low[s], low[s], moved)))
-    with body.when(stopped >= 0):
-        up = body.let("up", goal[stopped] > high[stopped])
-        body.set(y[stopped], select(up, high[stopped], low[stopped]))
-        body.set(held[stopped], select(up, integer(1), integer(-1)))
+    length = reals()
+    stopped = ints()
+    length = 1
+    stopped = -1
+    for s in range(len(y)):
+        if held[s] == 0:  # noqa: SIM102
+            if goal[s] > high[s] or goal[s] < low[s]:
+                room = high[s] - y[s] if goal[s] > high[s] else low[s] - y[s]
+                part = room / (goal[s] - y[s])
+                if part < length:
+                    length = part if part > 0 else 0.0
+                    stopped = s
+    for s in range(len(y)):
+        if held[s] == 0:
+            moved = y[s] + length * (goal[s] - y[s]) if length < 1 else goal[s]
+            y[s] = high[s] if moved > high[s] else low[s] if moved < low[s] else moved
+    if stopped >= 0:
+        up = goal[stopped] > high[stopped]
+        y[stopped] = high[stopped] if up else low[stopped]
+        held[stopped] = 1 if up else -1
     return stopped
 
 
-def _unknown_to_release(body: Body, W: Place, weight: Place, y: Place, held: Place, z: Place) -> Place:
+@inline
+def unknown_to_release(W: Reals, weight: Reals, y: Reals, held: Ints, z: Reals) -> int:
     """The held unknown that the objective would move inward most, beyond rounding, or -1."""
-    freed = body.local("freed", (), Kind.INT)
-    best = body.local("best")
-    body.set(freed, integer(-1))
-    body.set(best, real(0))
-    with body.loop("s", len(y)) as s, body.when(Not(equal(held[s], integer(0)))):
-        pull = body.local("pull", comment="W^T z - Omega y: where the objective falls")
-        size = body.local("size", comment="sum of its terms, for rounding")
-        body.set(pull, -(weight[s] * y[s]))
-        body.set(size, magnitude(weight[s] * y[s]))
-        with body.loop("i", len(z)) as i:
-            term = body.let("term", W[i * len(y) + s] * z[i])
-            body.add(pull, term)
-            body.add(size, magnitude(term))
-        inward = body.let("inward", select(held[s] > 0, -pull, pull))
-        with body.when(and_(inward > real(2.0**-20) * size, inward * inward > best * weight[s])):
-            body.set(best, inward * inward / weight[s])
-            body.set(freed, s)
+    freed = ints()
+    best = reals()
+    freed = -1
+    best = 0
+    for s in range(len(y)):
+        if not held[s] == 0:  # noqa: SIM201
+            pull = reals()  # W^T z - Omega y: where the objective falls
+            size = reals()  # sum of its terms, for rounding
+            pull = -(weight[s] * y[s])
+            size = abs(weight[s] * y[s])
+            for i in range(len(z)):
+                term = W[i * len(y) + s] * z[i]
+                pull += term
+                size += abs(term)
+            inward = -pull if held[s] > 0 else pull
+            if inward > 2.0**-20 * size and inward * inward > best * weight[s]:
+                best = inward * inward / weight[s]
+                freed = s
     return freed

@@ -24,11 +24,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import bits_of, real, real_of_bits, select
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind, Precision
+from mahovik.core.program.kernel import argument, bits_of, kernel, real_of_bits
+from mahovik.core.program.types import Precision
 from mahovik.core.routines.real_constants import LN_2, nearest, polynomial, split
 
 LOWEST = {"double": -708.0, "float": -87.0}
@@ -84,43 +82,41 @@ def ln_2_parts(precision: Precision) -> list[float]:
 
 def exponential(precision: Precision) -> Function:
     """The function `exp(x)`."""
-    x = Argument("x", Kind.REAL, purpose="exponent, not positive")
     fits = POLYNOMIALS[precision.name]
     part_1, part_2 = ln_2_parts(precision)
     to_integer = 1.5 * 2.0 ** (precision.significand - 1)
+    per_ln_2 = nearest(1 / LN_2, precision)
     lowest = LOWEST[precision.name]
 
-    b = Body()
-    vanishes = b.let("vanishes", x.place < lowest, "exp(x) is 0 there by definition: no result is subnormal")
-    given = b.let("given", select(vanishes, real(0), x.place))
-
-    b.note("k = x/ln 2, rounded: adding the large constant leaves the integer k in the last bits of the sum.")
-    shifted = b.let("shifted", given * nearest(1 / LN_2, precision) + to_integer)
-    k = b.let("k", shifted - to_integer)
-
-    b.note("r = r_hi + r_tail = x - k ln 2, ln 2 in two parts: the product with the first is exact.")
-    rest = b.let("rest", given - k * part_1)
-    second = b.let("second", k * part_2)
-    r_hi = b.let("r_hi", rest - second)
-    r_tail = b.let("r_tail", (rest - r_hi) - second, "rounding error of r_hi")
-    z = b.let("z", r_hi * r_hi)
-
-    b.note("exp r = 1 + (r + (z/2 + (r^3 S(z) + z^2 C(z)))): cosh r + sinh r, z = r^2.")
-    sine = b.let("sine", z * r_hi * polynomial(fits.sine, z))
-    cosine = b.let("cosine", z * z * polynomial(fits.cosine, z))
-    fraction = b.let("fraction", 1.0 + (r_hi + (z * 0.5 + ((sine + cosine) + r_tail))))
-
-    b.note("2^k exp r: k is added to the exponent, modulo 2^width.")
-    scaled = b.let("scaled", real_of_bits(bits_of(fraction) + (bits_of(shifted) << (precision.significand - 1))))
-    b.ret(select(vanishes, real(0), scaled))
-
-    return b.function(
-        name="exp",
-        purpose="exponential of a number that is not positive",
-        arguments=(x,),
-        returns=Kind.REAL,
-        notes=(
+    @kernel(
+        notes=[
             "x <= 0, which the caller sees to. Error at most 1 unit in the last place;",
             f"0 for x < {lowest:g}, so that no result is subnormal.",
-        ),
+        ]
     )
+    def exp(x: float = argument("exponent, not positive")) -> float:
+        """exponential of a number that is not positive"""
+        vanishes = x < lowest  # exp(x) is 0 there by definition: no result is subnormal
+        given = 0.0 if vanishes else x
+
+        # k = x/ln 2, rounded: adding the large constant leaves the integer k in the last bits of the sum.
+        shifted = given * per_ln_2 + to_integer
+        k = shifted - to_integer
+
+        # r = r_hi + r_tail = x - k ln 2, ln 2 in two parts: the product with the first is exact.
+        rest = given - k * part_1
+        second = k * part_2
+        r_hi = rest - second
+        r_tail = (rest - r_hi) - second  # rounding error of r_hi
+        z = r_hi * r_hi
+
+        # exp r = 1 + (r + (z/2 + (r^3 S(z) + z^2 C(z)))): cosh r + sinh r, z = r^2.
+        sine = z * r_hi * polynomial(fits.sine, z)
+        cosine = z * z * polynomial(fits.cosine, z)
+        fraction = 1.0 + (r_hi + (z * 0.5 + ((sine + cosine) + r_tail)))
+
+        # 2^k exp r: k is added to the exponent, modulo 2^width.
+        scaled = real_of_bits(bits_of(fraction) + (bits_of(shifted) << (precision.significand - 1)))
+        return 0.0 if vanishes else scaled
+
+    return exp

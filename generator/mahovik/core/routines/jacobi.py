@@ -8,10 +8,10 @@ sweeps converge quadratically; for six rows SWEEPS is more than any matrix of th
 
 from __future__ import annotations
 
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import magnitude, real, select
+from typing import Any
+
 from mahovik.core.program.function import Function
+from mahovik.core.program.kernel import argument, kernel, reals
 from mahovik.core.program.types import NamedCount, Struct
 
 SWEEPS = {"double": 9, "float": 7}
@@ -23,68 +23,66 @@ def name_for_rows(name: str, rows: int) -> str:
     return name if rows == 6 else f"{name}_{rows}"
 
 
-def orthogonalise(
-    struct: Struct, count: NamedCount, square_root: Function, precision_name: str, rows: int = 6
-) -> Function:
+def orthogonalise(struct: Struct, count: NamedCount, sqrt: Function, precision_name: str, rows: int = 6) -> Function:
     """`orthogonalise`: works in place on a struct with members W[6][N], U[6][6], r[6], sigma[6].
 
     With fewer than six rows it is `orthogonalise_ROWS`, which works on the first of them.
     """
-    work = Argument(
-        "work", struct, (), "inout", purpose="in: W, r; out: rows of W orthogonal, r = U^T r, U, sigma = |rows|"
-    )
-    w = work.place
-    body = Body()
-    with body.loop("i", rows) as i:
-        with body.loop("j", rows) as j:
-            body.set(w.U[i][j], real(0))
-        body.set(w.U[i][i], real(1))
-    with (
-        body.loop("sweep", SWEEPS[precision_name]),
-        body.loop("p", rows - 1) as p,
-        body.loop("q", rows, start=p + 1) as q,
-    ):
-        a = body.local("a")
-        b = body.local("b")
-        g = body.local("g")
-        for place in (a, b, g):
-            body.set(place, real(0))
-        with body.loop("j", count) as j:
-            body.add(a, w.W[p][j] * w.W[p][j])
-            body.add(b, w.W[q][j] * w.W[q][j])
-            body.add(g, w.W[p][j] * w.W[q][j])
-        body.note("tangent of the smaller angle that makes the rows orthogonal")
-        size = body.let("size", magnitude(b - a) + 2 * magnitude(g))
-        unit = body.let("unit", select(size > 0, size, real(1)), "scaled to size 1, so that no square underflows")
-        d = body.let("d", (b - a) / unit)
-        h = body.let("h", 2 * g / unit)
-        root = body.let("root", square_root(d * d + h * h))
-        below = body.let("below", select(d < 0, d - root, d + root))
-        t = body.let("t", select(magnitude(below) > 0, h / select(magnitude(below) > 0, below, real(1)), real(0)))
-        c = body.let("c", 1 / square_root(1 + t * t))
-        s = body.let("s", c * t)
-        with body.loop("j", count) as j:
-            x = body.let("x", w.W[p][j])
-            y = body.let("y", w.W[q][j])
-            body.set(w.W[p][j], c * x - s * y)
-            body.set(w.W[q][j], s * x + c * y)
-        with body.loop("j", rows) as j:
-            x = body.let("x", w.U[j][p])
-            y = body.let("y", w.U[j][q])
-            body.set(w.U[j][p], c * x - s * y)
-            body.set(w.U[j][q], s * x + c * y)
-        x = body.let("x", w.r[p])
-        y = body.let("y", w.r[q])
-        body.set(w.r[p], c * x - s * y)
-        body.set(w.r[q], s * x + c * y)
-    with body.loop("i", rows) as i:
-        total = body.local("total")
-        body.set(total, real(0))
-        with body.loop("j", count) as j:
-            body.add(total, w.W[i][j] * w.W[i][j])
-        body.set(w.sigma[i], square_root(total))
-    return body.function(
-        name_for_rows("orthogonalise", rows),
-        "One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the condition.",
-        (work,),
-    )
+    sweeps = SWEEPS[precision_name]
+
+    @kernel(name_for_rows("orthogonalise", rows))
+    def orthogonalise(
+        work: Any = argument(
+            "in: W, r; out: rows of W orthogonal, r = U^T r, U, sigma = |rows|", struct=struct, direction="inout"
+        ),
+    ) -> None:
+        """One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the condition."""
+        W, U, r = work.W, work.U, work.r
+        for i in range(rows):
+            for j in range(rows):
+                U[i][j] = 0
+            U[i][i] = 1
+        for sweep in range(sweeps):  # noqa: B007
+            for p in range(rows - 1):
+                for q in range(p + 1, rows):
+                    a = reals()
+                    b = reals()
+                    g = reals()
+                    a = 0
+                    b = 0
+                    g = 0
+                    for j in range(count):
+                        a += W[p][j] * W[p][j]
+                        b += W[q][j] * W[q][j]
+                        g += W[p][j] * W[q][j]
+                    # tangent of the smaller angle that makes the rows orthogonal
+                    size = abs(b - a) + 2 * abs(g)
+                    unit = size if size > 0 else 1.0  # scaled to size 1, so that no square underflows
+                    d = (b - a) / unit
+                    h = 2 * g / unit
+                    root = sqrt(d * d + h * h)
+                    below = d - root if d < 0 else d + root
+                    t = h / (below if abs(below) > 0 else 1.0) if abs(below) > 0 else 0.0
+                    c = 1 / sqrt(1 + t * t)
+                    s = c * t
+                    for j in range(count):
+                        x = W[p][j]
+                        y = W[q][j]
+                        W[p][j] = c * x - s * y
+                        W[q][j] = s * x + c * y
+                    for j in range(rows):
+                        x = U[j][p]
+                        y = U[j][q]
+                        U[j][p] = c * x - s * y
+                        U[j][q] = s * x + c * y
+                    x = r[p]
+                    y = r[q]
+                    r[p] = c * x - s * y
+                    r[q] = s * x + c * y
+        for i in range(rows):
+            total: float = 0.0
+            for j in range(count):
+                total += W[i][j] * W[i][j]
+            work.sigma[i] = sqrt(total)
+
+    return orthogonalise

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from mahovik.core.program.expression import Expr, real
 from mahovik.core.program.types import Precision
 
 PI = Fraction(0x3243F6A8885A308D313198A2E03707344A4093822299F31D0082EFA98EC4E6C89, 1 << 256)
@@ -43,9 +42,9 @@ def sign_bit(precision: Precision) -> int:
     return 1 << (precision.width - 1)
 
 
-def polynomial(coefficients: Sequence[float], z: Expr) -> Expr:
+def polynomial(coefficients: Sequence[float], z: float) -> float:
     """c[0] + z*(c[1] + z*(c[2] + ...)), from the inside out: each step is a multiplication and an addition."""
-    total: Expr = real(coefficients[-1])
+    total = coefficients[-1]
     for c in reversed(coefficients[:-1]):
         total = c + z * total
     return total

@@ -25,11 +25,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Place, bits_of, real_of_bits, word
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind, NamedCount, Precision
+from mahovik.core.program.kernel import Reals, Result, argument, bits_of, inline, kernel, real_of_bits, word
+from mahovik.core.program.types import NamedCount, Precision
 from mahovik.core.routines.real_constants import PI, nearest, polynomial, sign_bit, split
 
 
@@ -88,14 +86,18 @@ def half_pi_parts(precision: Precision) -> list[float]:
 
 def sincos(precision: Precision) -> Function:
     """The function `sincos(x, sine, cosine)`."""
-    x = Argument("x", Kind.REAL, unit="rad", purpose="angle")
-    sine = Argument("sine", Kind.REAL, direction="out", purpose="sin(x)")
-    cosine = Argument("cosine", Kind.REAL, direction="out", purpose="cos(x)")
-    body = Body()
-    _compute(body, x.place, sine.place, cosine.place, precision)
-    return body.function(
-        name="sincos", purpose="sine and cosine of an angle", arguments=(x, sine, cosine), notes=_notes(precision)
-    )
+    compute = _sincos(precision)
+
+    @kernel(notes=_notes(precision))
+    def sincos(
+        x: float = argument("angle", unit="rad"),
+        sine: Result = argument("sin(x)", direction="out"),
+        cosine: Result = argument("cos(x)", direction="out"),
+    ) -> None:
+        """sine and cosine of an angle"""
+        sine.value, cosine.value = compute(x)
+
+    return sincos
 
 
 def sincos_each(precision: Precision, count: NamedCount) -> Function:
@@ -104,18 +106,19 @@ def sincos_each(precision: Precision, count: NamedCount) -> Function:
     The same operations as `sincos`, so the same bits. One angle does not wait for another: twice as fast as
     angle by angle among other work.
     """
-    x = Argument("x", Kind.REAL, (count,), unit="rad", purpose="angles")
-    sine = Argument("sine", Kind.REAL, (count,), direction="out")
-    cosine = Argument("cosine", Kind.REAL, (count,), direction="out")
-    body = Body()
-    with body.loop("s", count) as s:
-        _compute(body, x.place[s], sine.place[s], cosine.place[s], precision)
-    return body.function(
-        name="sincos_each",
-        purpose="sines and cosines of all phases",
-        arguments=(x, sine, cosine),
-        notes=_notes(precision),
-    )
+    compute = _sincos(precision)
+
+    @kernel(notes=_notes(precision))
+    def sincos_each(
+        x: Reals = argument("angles", count, unit="rad"),
+        sine: Reals = argument("", count, direction="out"),
+        cosine: Reals = argument("", count, direction="out"),
+    ) -> None:
+        """sines and cosines of all phases"""
+        for s in range(count):
+            sine[s], cosine[s] = compute(x[s])
+
+    return sincos_each
 
 
 def _notes(precision: Precision) -> tuple[str, ...]:
@@ -126,41 +129,46 @@ def _notes(precision: Precision) -> tuple[str, ...]:
     )
 
 
-def _compute(b: Body, x: Place, sine: Place, cosine: Place, precision: Precision) -> None:
-    """sine, cosine = sin x, cos x; the method is the module's first lines."""
+def _sincos(precision: Precision) -> inline:
+    """sin x and cos x; the method is the module's first lines."""
     fits = POLYNOMIALS[precision.name]
+    sine_fit = [-c for c in fits.sine]  # S with positive sign, so that sin(-0) = -0
     part_1, part_2, part_3 = half_pi_parts(precision)
+    per_quarter = nearest(Fraction(2) / PI, precision)
     to_integer = 1.5 * 2.0 ** (precision.significand - 1)
     sign = sign_bit(precision)
     top = precision.width - 2  # moves bit 1 of the quadrant to the sign
 
-    b.note("k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the sum.")
-    shifted = b.let("shifted", x * nearest(Fraction(2) / PI, precision) + to_integer)
-    quadrant = b.let("quadrant", bits_of(shifted), "mod 4: its last two bits")
-    k = b.let("k", shifted - to_integer)
+    @inline
+    def compute(x: float) -> tuple[float, float]:
+        # k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the sum.
+        shifted = x * per_quarter + to_integer
+        quadrant = bits_of(shifted)  # mod 4: its last two bits
+        k = shifted - to_integer
 
-    b.note("r = r_hi - r_tail = x - k pi/2, pi/2 in three parts: the product with the first is exact.")
-    rest = b.let("rest", x - k * part_1)
-    second = b.let("second", k * part_2)
-    r_hi = b.let("r_hi", rest - second)
-    r_tail = b.let("r_tail", ((r_hi - rest) + second) + k * part_3, "rounding error of r_hi, and the third part")
-    z = b.let("z", r_hi * r_hi)
+        # r = r_hi - r_tail = x - k pi/2, pi/2 in three parts: the product with the first is exact.
+        rest = x - k * part_1
+        second = k * part_2
+        r_hi = rest - second
+        r_tail = ((r_hi - rest) + second) + k * part_3  # rounding error of r_hi, and the third part
+        z = r_hi * r_hi
 
-    b.note("cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back.")
-    half_z = b.let("half_z", z * 0.5)
-    flat = b.let("flat", 1.0 - half_z)
-    cos_fit = b.let("cos_fit", polynomial(fits.cosine, z))
-    cos_r = b.let("cos_r", flat + (((1.0 - flat) - half_z) + (z * z * cos_fit + r_hi * r_tail)))
+        # cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back.
+        half_z = z * 0.5
+        flat = 1.0 - half_z
+        cos_fit = polynomial(fits.cosine, z)
+        cos_r = flat + (((1.0 - flat) - half_z) + (z * z * cos_fit + r_hi * r_tail))
 
-    b.note("sin r_hi = r_hi - r_hi^3 S(z), S with positive sign so that sin(-0) = -0.")
-    sin_fit = b.let("sin_fit", polynomial([-c for c in fits.sine], z))
-    sin_r = b.let("sin_r", r_hi - (z * r_hi * sin_fit + flat * r_tail))
+        # sin r_hi = r_hi - r_hi^3 S(z), S with positive sign so that sin(-0) = -0.
+        sin_fit = polynomial(sine_fit, z)
+        sin_r = r_hi - (z * r_hi * sin_fit + flat * r_tail)
 
-    b.note("Odd quadrants exchange sine and cosine; quadrants 2, 3 negate the sine, 1, 2 the cosine.")
-    sin_bits = b.let("sin_bits", bits_of(sin_r))
-    cos_bits = b.let("cos_bits", bits_of(cos_r))
-    exchange = b.let("exchange", (sin_bits ^ cos_bits) & (0 - (quadrant & 1)))
-    sine_sign = b.let("sine_sign", (quadrant << top) & word(sign))
-    cosine_sign = b.let("cosine_sign", ((quadrant + 1) << top) & word(sign))
-    b.set(sine, real_of_bits(sin_bits ^ exchange ^ sine_sign))
-    b.set(cosine, real_of_bits(cos_bits ^ exchange ^ cosine_sign))
+        # Odd quadrants exchange sine and cosine; quadrants 2, 3 negate the sine, 1, 2 the cosine.
+        sin_bits = bits_of(sin_r)
+        cos_bits = bits_of(cos_r)
+        exchange = (sin_bits ^ cos_bits) & (0 - (quadrant & 1))
+        sine_sign = (quadrant << top) & word(sign)
+        cosine_sign = ((quadrant + 1) << top) & word(sign)
+        return real_of_bits(sin_bits ^ exchange ^ sine_sign), real_of_bits(cos_bits ^ exchange ^ cosine_sign)
+
+    return compute

@@ -22,11 +22,9 @@ Measured: tests/routines (float: every significand of two binades).
 
 from __future__ import annotations
 
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import bits_of, real_of_bits, select, word
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind, Precision
+from mahovik.core.program.kernel import argument, bits_of, kernel, let, real_of_bits, word
+from mahovik.core.program.types import Precision
 
 SEED = {"double": 0x5FE6EB50C7B537A9, "float": 0x5F375A86}
 """Minus half the bits of m from these gives bits near 1/sqrt(m): Lomont, "Fast inverse square root", 2003."""
@@ -36,46 +34,45 @@ NEWTON_STEPS = {"double": 3, "float": 2}
 
 def square_root(precision: Precision) -> Function:
     """The function `sqrt(x)`."""
-    x = Argument("x", Kind.REAL, purpose="not negative, finite")
     fraction_bits = precision.significand - 1
     hidden = 1 << fraction_bits
     raised = precision.significand + precision.significand % 2  # even, so that its half can be subtracted again
     smallest = 2.0 ** (1 - precision.bias)
-
-    b = Body()
-    b.note("x = m 4^j with m in [1, 4), taken from its bits; subnormals are scaled up first.")
-    subnormal = b.let("subnormal", x.place < smallest)
-    lift = b.let("lift", select(subnormal, 2.0**raised, 1.0))
-    lowered = b.let("lowered", select(subnormal, word(raised // 2), word(0)))
-    bits = b.let("bits", bits_of(x.place * lift))
-    exponent = b.let("exponent", bits >> fraction_bits)
-    odd = b.let("odd", (exponent & 1) ^ 1, "the exponent's bias is odd")
-    fraction = b.let("fraction", bits & (hidden - 1))
-    m_bits = b.let("m_bits", fraction + ((odd + precision.bias) << fraction_bits))
-    m = b.let("m", real_of_bits(m_bits))
-    half_m = b.let("half_m", m * 0.5)
-
-    b.note("y = 1/sqrt(m): a shift of the bits gives a first guess, Newton steps refine it.")
-    y = b.let("y0", real_of_bits(SEED[precision.name] - (m_bits >> 1)))
-    for step in range(1, NEWTON_STEPS[precision.name] + 1):
-        y = b.let(f"y{step}", y * (1.5 - half_m * y * y))
-    s = b.let("s", m * y)
-    close = b.let("close", s + (m - s * s) * (y * 0.5), "within 1.5 units in the last place")
-
-    b.note("The last bit, exactly, in integers modulo 2^width: compare d = m - s^2 with s, in units of the last place.")
     one = precision.bias << fraction_bits
-    root = b.let("root", bits_of(close) - word(one - hidden), "s as an integer")
-    d = b.let("d", (((fraction + hidden) << odd) << fraction_bits) - root * root)
-    up = b.let("up", (root - d) >> (precision.width - 1), "1 if d > s: the next larger number is nearer")
-    down = b.let("down", (d + root - 1) >> (precision.width - 1), "1 if d <= -s: the next smaller number is nearer")
-    halved = b.let("halved", ((exponent + precision.bias - odd) >> 1) - lowered)
-    result = b.let("result", real_of_bits(root + up - down + ((halved - 1) << fraction_bits)))
-    b.ret(select(x.place > 0.0, result, x.place))
+    seed, steps = SEED[precision.name], range(1, NEWTON_STEPS[precision.name] + 1)
 
-    return b.function(
-        name="sqrt",
-        purpose="square root, correctly rounded",
-        arguments=(x,),
-        returns=Kind.REAL,
-        notes=("x >= 0 and finite, which the caller checks; subnormals are exact too, sqrt(0) = 0.",),
-    )
+    @kernel()
+    def sqrt(x: float = argument("not negative, finite")) -> float:
+        """square root, correctly rounded
+
+        x >= 0 and finite, which the caller checks; subnormals are exact too, sqrt(0) = 0.
+        """
+        # x = m 4^j with m in [1, 4), taken from its bits; subnormals are scaled up first.
+        subnormal = x < smallest
+        lift = 2.0**raised if subnormal else 1.0
+        lowered = word(raised // 2) if subnormal else word(0)
+        bits = bits_of(x * lift)
+        exponent = bits >> fraction_bits
+        odd = (exponent & 1) ^ 1  # the exponent's bias is odd
+        fraction = bits & (hidden - 1)
+        m_bits = fraction + ((odd + precision.bias) << fraction_bits)
+        m = real_of_bits(m_bits)
+        half_m = m * 0.5
+
+        # y = 1/sqrt(m): a shift of the bits gives a first guess, Newton steps refine it.
+        y = let("y0", real_of_bits(seed - (m_bits >> 1)))
+        for step in steps:
+            y = let(f"y{step}", y * (1.5 - half_m * y * y))
+        s = m * y
+        close = s + (m - s * s) * (y * 0.5)  # within 1.5 units in the last place
+
+        # The last bit, exactly, in integers modulo 2^width: compare d = m - s^2 with s, in units of the last place.
+        root = bits_of(close) - word(one - hidden)  # s as an integer
+        d = (((fraction + hidden) << odd) << fraction_bits) - root * root
+        up = (root - d) >> (precision.width - 1)  # 1 if d > s: the next larger number is nearer
+        down = (d + root - 1) >> (precision.width - 1)  # 1 if d <= -s: the next smaller number is nearer
+        halved = ((exponent + precision.bias - odd) >> 1) - lowered
+        result = real_of_bits(root + up - down + ((halved - 1) << fraction_bits))
+        return result if x > 0.0 else x
+
+    return sqrt

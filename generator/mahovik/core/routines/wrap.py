@@ -12,16 +12,17 @@ an angle as any, unless the interval is promised.
 
 from __future__ import annotations
 
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, real
+from typing import Any
+
+from mahovik.core.program.expression import real
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind, Precision
+from mahovik.core.program.kernel import argument, kernel
+from mahovik.core.program.types import Precision
 from mahovik.core.routines.real_constants import PI, nearest
 from mahovik.core.routines.sincos import half_pi_parts
 
 
-def turns_of_angle(precision: Precision, phi: Expr) -> Expr:
+def turns_of_angle(precision: Precision, phi: Any) -> Any:
     """phi / (2 pi) to nearest."""
     magic = 1.5 * 2.0 ** (precision.significand - 1)
     return phi * real(nearest(1 / (2 * PI), precision)) + real(magic) - real(magic)
@@ -35,31 +36,24 @@ def turn_parts(precision: Precision) -> tuple[float, float, float]:
 
 def unwind(precision: Precision) -> Function:
     """`unwound`: an angle less a whole number of turns."""
-    phi = Argument("phi", Kind.REAL, unit="rad")
-    k = Argument("k", Kind.REAL, purpose="turns, a whole number")
     first, second, third = turn_parts(precision)
-    body = Body()
-    turns = k.place
-    body.ret(phi.place - turns * real(first) - turns * real(second) - turns * real(third))
-    return body.function(
-        "unwound",
-        "Removes k turns, phi - k 2 pi, with 2 pi in three parts: the product with the first is exact.",
-        (phi, k),
-        returns=Kind.REAL,
-    )
+
+    @kernel()
+    def unwound(phi: float = argument(unit="rad"), k: float = argument("turns, a whole number")) -> float:
+        """Removes k turns, phi - k 2 pi, with 2 pi in three parts: the product with the first is exact."""
+        return phi - k * first - k * second - k * third
+
+    return unwound
 
 
 def wrap(precision: Precision, unwound: Function) -> Function:
     """`wrapped`: an angle as the equal one in [-pi, pi], to rounding."""
-    phi = Argument("phi", Kind.REAL, unit="rad")
-    body = Body()
-    body.note("k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits of the sum.")
-    k = body.let("k", turns_of_angle(precision, phi.place), "turns")
-    body.ret(unwound(phi.place, k))
-    return body.function(
-        "wrapped",
-        "The angle wrapped to within half a turn of zero.",
-        (phi,),
-        returns=Kind.REAL,
-        notes=(f"|phi| <= {precision.max_phase:g}: beyond this the result is meaningless, but the call is safe.",),
-    )
+
+    @kernel(notes=[f"|phi| <= {precision.max_phase:g}: beyond this the result is meaningless, but the call is safe."])
+    def wrapped(phi: float = argument(unit="rad")) -> float:
+        """The angle wrapped to within half a turn of zero."""
+        # k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits of the sum.
+        k = turns_of_angle(precision, phi)  # turns
+        return unwound(phi, k)
+
+    return wrapped

@@ -1,0 +1,152 @@
+"""Kernels: what their text becomes in the program, and what it may not hold."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.program.expression import Status
+from mahovik.core.program.function import Function
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.kernel import KernelError, Reals, Result, argument, inline, ints, kernel, let, reals
+from mahovik.core.program.statement import Declare, Let, Loop, Note, Set
+from mahovik.core.program.types import Field, Kind, NamedCount, Struct
+from program.small import program
+
+N = NamedCount("N", 3)
+RANGE = Status("RANGE")
+PAIR = Struct("pair", "two numbers", (Field("left", Kind.REAL), Field("right", Kind.REAL)))
+numbers = st.lists(st.floats(-1e6, 1e6), min_size=3, max_size=3)
+
+
+@inline
+def larger(a: float, b: float) -> float:
+    """The larger of two."""
+    return a if a > b else b
+
+
+@kernel()
+def largest(a: Reals = argument("numbers", N), most: Result = argument(direction="out")) -> None:
+    """The largest magnitude."""
+    # from the first
+    best: float = 0.0  # so far
+    for i in range(N):
+        best = larger(best, abs(a[i]))
+    most.value = best
+
+
+@kernel("sorted", statuses=("OK", "RANGE"), public=True)
+def in_order(a: Reals = argument("numbers", N, unit="m"), rank: Reals = argument("", N, direction="out")) -> Status:
+    """How many numbers are smaller than each.
+
+    Refuses numbers beyond 1e5.
+    """
+    smaller = ints(N)
+    for i in range(N):
+        if not (a[i] <= 1e5 and a[i] >= -1e5):
+            return RANGE
+        smaller[i] = 0
+        for j in range(N):
+            smaller[i] += 1 if a[j] < a[i] or (j < i and j != i and not a[i] < a[j]) else 0
+        rank[i] = float(smaller[i])
+    return Status("OK")
+
+
+@kernel()
+def weighted(pair: Any = argument(struct=PAIR), a: Reals = argument("", N)) -> float:
+    """Repeats what stands in a Python loop, takes the branch that Python knows, calls a function."""
+    most = reals()
+    largest(a, most)
+    for k in (0, 1, 2):
+        let(f"part{k}", a[k] * pair.left)
+    total: float = 0.0
+    for value in a:
+        if int(N) == 3:
+            total += value * pair.left
+        else:
+            total -= value
+    total -= pair.right
+    return total / (1 + most) if most > 0 else total
+
+
+def run(function: Function, **inputs: Any) -> tuple[Any, dict[str, Any]]:
+    return Interpreter(program(largest, in_order, weighted, structs=(PAIR,))).run(function.name, inputs)
+
+
+@given(numbers)
+def test_a_kernel_computes_what_its_text_says(a: list[float]) -> None:
+    assert run(largest, a=a)[1] == {"most": max(map(abs, a))}
+    status, results = run(in_order, a=a)
+    rank = results["rank"]
+    if max(map(abs, a)) > 1e5:
+        assert status == STATUS_VALUES["RANGE"]
+    else:
+        assert sorted(rank) == [0, 1, 2] and np.all(np.diff(np.array(a)[np.argsort(rank)]) >= 0)
+    total = 2 * a[0] + 2 * a[1] + 2 * a[2] - 1
+    value, _ = run(weighted, pair={"left": 2.0, "right": 1.0}, a=a)
+    assert value == (total / (1 + max(map(abs, a))) if any(a) else total)
+
+
+def test_comments_names_and_contract_go_into_the_program() -> None:
+    note, best, first, loop, result = largest.body
+    assert isinstance(note, Note) and note.text == "from the first"
+    assert isinstance(best, Declare) and best.comment == "so far" and best.variable.name == "best"
+    assert isinstance(first, Set) and isinstance(loop, Loop) and isinstance(result, Set)
+    assert in_order.name == "sorted" and in_order.purpose == "How many numbers are smaller than each."
+    assert in_order.notes == ("Refuses numbers beyond 1e5.",) and in_order.statuses == ("OK", "RANGE")
+    assert in_order.public and in_order.arguments[0].unit == "m" and in_order.arguments[1].direction == "out"
+    names = [s.variable.name for s in weighted.body if isinstance(s, Let)]
+    assert names == ["part0", "part1", "part2"] and sum(isinstance(s, Set) for s in weighted.body) == 5
+
+
+def unknown_statement(a: float = argument()) -> float:
+    """A loop that may not end."""
+    while a > 0:
+        pass
+    return a
+
+
+def name_of_another_block(a: float = argument()) -> float:
+    """A name that ends with its block."""
+    if a > 0:
+        b = 2 * a
+    return b
+
+
+def kinds_that_differ(a: float = argument(), n: int = argument()) -> float:
+    """A real and an int."""
+    return a + n
+
+
+def wrong_member(pair: Any = argument(struct=PAIR)) -> float:
+    """A member that is not there."""
+    return pair.middle  # type: ignore[no-any-return]
+
+
+def no_argument(a: float = 1.0) -> float:
+    """A number as the default value."""
+    return a
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (unknown_statement, "no statement of a kernel: while a > 0:"),
+        (name_of_another_block, "return b: name 'b' is not defined"),
+        (kinds_that_differ, "return a \\+ n: kinds differ: real and int"),
+        (wrong_member, "struct pair has no member middle"),
+        (no_argument, "a: expected argument\\(...\\)"),
+    ],
+)
+def test_a_wrong_text_is_an_error_with_its_line(text: Callable[..., Any], message: str) -> None:
+    with pytest.raises(KernelError, match=f"test_kernel.py:[0-9]+: .*{message}"):
+        kernel()(text)
+
+
+def test_an_inline_kernel_is_no_function_of_python() -> None:
+    with pytest.raises(TypeError, match="in the text of a kernel"):
+        larger(1.0, 2.0)
