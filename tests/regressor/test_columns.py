@@ -19,8 +19,9 @@ from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.state import State
 from mahovik.laws.damping.data import Damping
 from mahovik.proof.reference import regressor as literal
+from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.bodies import bodies_of, spatial_inertia
-from mahovik.proof.reference.pieces import mass_matrix, pieces
+from mahovik.proof.reference.pieces import mass_matrix
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check

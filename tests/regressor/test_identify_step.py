@@ -20,8 +20,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.state import State, rest_state
 from mahovik.core.stand.structure import structure
+from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.motion import forward
-from mahovik.proof.reference.pieces import pieces
 from mahovik.proof.verify.functions.table import checks_of
 from mahovik.proof.verify.functions.value import covariance
 from regressor.test_columns import case_of, failures

@@ -1,7 +1,8 @@
 """The literal reference: (1)-(13) in plain NumPy, slow, one concept a file, to be read beside the paper."""
 
+from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.evaluate import evaluate
 from mahovik.proof.reference.hold import held_state
-from mahovik.proof.reference.pieces import Pieces, pieces
+from mahovik.proof.reference.pieces import Pieces
 
 __all__ = ["Pieces", "evaluate", "held_state", "pieces"]

@@ -14,7 +14,8 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference import coordinates, generalized, hold, inverse, momentum, motion, regressor, tasks
 from mahovik.proof.reference.array import Values, vector
-from mahovik.proof.reference.pieces import Pieces, pieces
+from mahovik.proof.reference.assembly import pieces
+from mahovik.proof.reference.pieces import Pieces
 
 ANSWERS: Mapping[str, Callable[[Pieces, Stand, State], Values]] = {
     "matrices": lambda at, stand, state: {name: getattr(at, name) for name in ("K", "K_dot", "M", "I", "J", "F")},

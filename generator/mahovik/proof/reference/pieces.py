@@ -9,14 +9,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from mahovik.contract import laws
-from mahovik.core.stand.model import Body, Stand, Vec3
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, Vec3
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, larger, smaller, stack, transpose, vector
-from mahovik.proof.reference.bodies import Bodies, PlacedBody, bodies_of
-from mahovik.proof.reference.rotation import Pose, carrier_rotation
-from mahovik.proof.reference.screw import Phi, cross, f, spin, wrench_to_parent
+from mahovik.proof.reference.bodies import Bodies, PlacedBody
+from mahovik.proof.reference.screw import Phi, cross, f, spin
 
 Kinds = Mapping[str, Array]
 """Wrenches (6; N, N m) on one body by their kind, in its frame about its origin."""
@@ -92,42 +89,6 @@ class Pieces:
         return np.concatenate([cross(self.V[3:]) @ self.u, np.zeros(3)])
 
 
-def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
-    """The pieces of `stand` at `state`. StateError where a law is undefined.
-
-    `bodies`: `bodies_of` the stand, where the caller has them already.
-    """
-    C, V = carrier_rotation(stand, state), vector(state.V)
-    u = C.T @ stream_at(stand, state.position)
-    V_r = V - np.concatenate([u, np.zeros(3)])
-    k = (bodies or bodies_of(stand)).at_phases(state.phi, state.phi_dot)
-    s = k.flywheels
-    K_bodies, Lambda, K_dot = mass_matrix(k), k.Lambda.sum(axis=0), mass_matrix_rate(s)
-    K, gravity, pose = K_bodies + Lambda, C.T @ vector(stand.gravity), Pose(vector(state.position), C, V)
-    terms = external_wrenches(stand, state, pose, gravity, V_r, k)
-    P = {name: body_wrench(kinds) for name, kinds in terms.items()}
-    return Pieces(
-        C=C,
-        L1=wrench_to_parent(pose.O1, C),
-        V=V,
-        V_r=V_r,
-        bodies=k,
-        K_bodies=K_bodies,
-        Lambda=Lambda,
-        K=K,
-        K_dot=K_dot,
-        M=velocity_matrix(K, K_dot, V_r),
-        I=coupling(s),
-        J=coupling_bias(s, V_r),
-        Theta_ff=spin_inertia(s),
-        terms=terms,
-        P=P,
-        F=np.asarray(sum((L @ P_k for L, P_k in zip(k.L, P.values(), strict=True)), np.zeros(6))),  # (7)
-        gravity=gravity,
-        u=u,
-    )
-
-
 def mass_matrix(k: Bodies) -> Array:
     """Theta_1 + sum_p Lp Theta_p Lp^T + sum_s Ls Theta_s Ls^T (6x6; kg, kg m, kg m2): K of (2) without added mass."""
     return np.asarray((k.L @ k.Theta @ transpose(k.L)).sum(axis=0))
@@ -157,41 +118,6 @@ def coupling_bias(s: Bodies, V: Array) -> Array:
 def spin_inertia(s: Bodies) -> Array:
     """Theta_ff = diag(f^T Theta_s f) (NxN, kg m2)."""
     return np.diag(f @ s.Theta @ f)
-
-
-# External wrenches, (7).
-
-
-def external_wrenches(
-    stand: Stand, state: State, at: Pose, gravity: Array, V_r: Array, bodies: Bodies
-) -> dict[str, Kinds]:
-    """Every wrench of (7) by body name and kind. The laws between E0 and the carrier count among the carrier's.
-
-    `gravity` (3) and `V_r` (6, twist of E1 relative to the fluid) in E1.
-    """
-    P: dict[str, Kinds] = {}
-    gravities, twists = transpose(bodies.L[:, :3, :3]) @ gravity, bodies.twists(V_r)
-    for body, own_gravity, own_V_r in zip(bodies.bodies, gravities, twists, strict=True):
-        P[body.name] = body_wrenches(body, own_gravity, own_V_r, run_time_wrench(state, body))
-    for law in laws.parts("reference"):
-        P[stand.carrier.name] = {**P[stand.carrier.name], **law.wrenches(stand, state, at)}
-    return P
-
-
-def body_wrenches(body: Body, gravity: Array, V_r: Array, given: Array) -> Kinds:
-    """Wrenches on one body by kind. `gravity` (3, m/s2), `V_r` (6, relative to the fluid) in its frame.
-
-    `given` (6) is the run-time wrench.
-    """
-    kinds: dict[str, Array] = {}
-    for wrenches in laws.of_bodies("reference", "wrenches"):
-        kinds |= wrenches(body, gravity, V_r)
-    return kinds | {"run-time": given}
-
-
-def run_time_wrench(state: State, body: Body) -> Array:
-    """The caller's wrench (6; N, N m) on a body, in its own frame about its origin."""
-    return vector(state.wrench.get(body.name, (0.0,) * 6))
 
 
 def body_wrench(kinds: Kinds) -> Array:

@@ -16,8 +16,9 @@ import numpy as np
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array, Values, vector
+from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.motion import forward, reaction, torque
-from mahovik.proof.reference.pieces import Pieces, pieces
+from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import E, zero
 
 _MOMENTS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))

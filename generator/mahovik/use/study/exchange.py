@@ -15,17 +15,16 @@ import numpy as np
 from mahovik.core.stand.model import Flywheel
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array, solve_symmetric
+from mahovik.proof.reference.assembly import body_wrenches, run_time_wrench
 from mahovik.proof.reference.bodies import Bodies, PlacedBody, spatial_inertia
 from mahovik.proof.reference.motion import mounts_on_flywheels
 from mahovik.proof.reference.pieces import (
     Pieces,
     body_wrench,
-    body_wrenches,
     coupling,
     coupling_bias,
     mass_matrix,
     mass_matrix_rate,
-    run_time_wrench,
     velocity_matrix,
 )
 from mahovik.proof.reference.rotation import C1

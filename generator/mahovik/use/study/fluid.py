@@ -12,8 +12,8 @@ from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
 from mahovik.core.stand.state import rest_state
+from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.motion import forward
-from mahovik.proof.reference.pieces import pieces
 from mahovik.use.plan.residual.body_laws import TwistLaws, twist_laws
 
 Array = NDArray[np.float64]
