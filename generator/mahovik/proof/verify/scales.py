@@ -22,7 +22,7 @@ from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
-from mahovik.proof.reference.array import Array, Values, vector
+from mahovik.proof.reference.array import Array, Values, times, transpose, vector
 from mahovik.proof.reference.bodies import Bodies, bodies_of
 from mahovik.proof.reference.hold import held_state, twists
 from mahovik.proof.reference.inverse import Cuts, inverse_root
@@ -204,6 +204,8 @@ class Scales:
         if kind == "spin":
             squares = RESTING * at.phi_dot**2
             return np.diag(at.Theta_ff) * squares if name == "tau" else squares
+        if kind == "turning":
+            return np.reshape(share(turning(at), 0), np.shape(scales[name]))
         if state.task and name == "residual":
             return np.abs(vector(state.demand)) + np.max(scales["V_dot"], initial=0.0)
         if kind == "motion":
@@ -263,6 +265,12 @@ def _raised(scales: Mapping[str, Any], ordinary: Mapping[str, Any]) -> dict[str,
         else:
             found[name] = scale if scale is None or other is None else np.maximum(scale, RESTING * other)
     return found
+
+
+def turning(at: Pieces) -> Array:
+    """|phi_s' Theta_s Ls^T V| (Nx6; N, N m): in (4) both terms have it, with opposite signs, since Es turns."""
+    wheels = at.bodies.flywheels
+    return np.abs(at.phi_dot[:, None] * times(wheels.Theta, transpose(wheels.L) @ at.V))
 
 
 def _terms(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:

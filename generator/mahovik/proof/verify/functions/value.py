@@ -29,7 +29,7 @@ from mahovik.proof.second.evaluate import Derivatives
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.functions.case import Case, Rows
-from mahovik.proof.verify.scales import Equation
+from mahovik.proof.verify.scales import Equation, turning
 from mahovik.proof.verify.states import Request
 
 ATTITUDES = 12
@@ -306,7 +306,7 @@ def mount_checks(case: Case, function: str) -> list[Check]:
             continue
         try:
             tau = case.second.evaluate(moving, ("torque",))["tau"]
-            torque.compare(wrenches[:, 3], tau, own.scales["tau"], name)
+            torque.compare(wrenches[:, 3], tau, own.scales["tau"] + turning(case.scales.at(moving))[:, 3], name)
             alone = _without_flywheels(moving, case.scales.at(moving), wrenches, bare)
             if not case.stand.carrier.mass or np.linalg.eigvalsh(reference.pieces(bare, alone).K)[0] <= 0.0:
                 raise StateError("the mass matrix of the stand without flywheels is not positive definite")

@@ -13,8 +13,6 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.linalg import expm
-from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.programme import Angles, Programme
 from mahovik.core.motion.required import Course, RequiredMotion
@@ -50,6 +48,8 @@ class Carrier(NamedTuple):
 
 def carrier_at(stand: Stand, q: Array, q_dot: Array) -> Carrier:
     """The carrier at coordinates q and rates q' (m each; m, rad, s)."""
+    from scipy.linalg import expm
+
     if stand.hold is None:
         D = kinematic_matrix_rate(stand.angles, q[3:], q_dot[3:])
         return Carrier(q[:3], attitude(stand.angles, *q[3:]), kinematic_matrix(stand.angles, q[3:]), D @ q_dot)
@@ -120,6 +120,8 @@ class Moment(NamedTuple):
 
 def moment(stand: Stand, q: Array, q_dot: Array, phi: Array, phi_dot: Array) -> Moment:
     """Everything at coordinates q, q' (m each), angles phi and speeds phi' of the flywheels (N each)."""
+    from scipy.spatial.transform import Rotation
+
     if not (np.isfinite(q).all() and np.isfinite(q_dot).all()):
         raise StateError("the carrier is thrown off: its coordinates are not finite")
     carrier = carrier_at(stand, q, q_dot)
@@ -334,6 +336,8 @@ def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> t
     x' = A(t) x along the required motion, of (q, q'), over a period by Magnus's fourth-order steps with A at the
     two points of Gauss. StateError at a singular attitude.
     """
+    from scipy.linalg import expm
+
     steps = max(STEPS_OF_PERIOD, 2 * max([*motion.harmonics, *map(abs, programme.winding)], default=0))
     h = programme.span / steps
     times = ((np.arange(steps)[:, None] + 0.5 + np.array([-1, 1]) * np.sqrt(3) / 6) * h).ravel()

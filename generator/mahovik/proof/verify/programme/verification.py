@@ -9,7 +9,6 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.linalg import expm
 
 from mahovik.core.motion.motor import available_torque, required_torque
 from mahovik.core.motion.programme import Angles, Fourier, Programme, RunUpTable, Samples
@@ -433,6 +432,8 @@ class ProgrammeCase:
 
     def slew(self) -> list[Check]:
         """The course of a slew begins, goes and ends as demanded, which (8) follows by another item; its motors."""
+        from scipy.linalg import expm
+
         slew, stand, programme = self.motion.slew, self.stand, self.programme
         if slew is None:
             return []

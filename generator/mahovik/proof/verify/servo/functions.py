@@ -9,7 +9,6 @@ from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from mahovik.contract.quantities import BOUNDS, limits_of
 from mahovik.core.motion.programme import Programme
@@ -193,6 +192,8 @@ NEAR = 0.05
 
 def poses(case: ServoCase, rng: np.random.Generator) -> Iterator[dict[str, Any]]:
     """Inputs of `trim_coordinates`: any attitude that is not near a singular one, and those near that of E0."""
+    from scipy.spatial.transform import Rotation
+
     measured, sequence = len(case.default("trim_default")["target"]), case.stand.angles
     for number in range(case.states):
         angles = rng.uniform(-1, 1, 3) * (math.pi, math.pi / 2 - NEAR, math.pi) * (1.0 if number % 3 else 0.1)

@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 Array = NDArray[np.float64]
 Values = Mapping[str, Any]
@@ -108,5 +107,7 @@ def trim_coordinates(
     sequence: str, chosen: Sequence[int], position: Array, attitude: Array, q: Array
 ) -> dict[str, Any]:
     """The `chosen` of x, y, z of O1 in E0 and the angles of a quaternion, w first; `sequence`: axes of the turns."""
+    from scipy.spatial.transform import Rotation
+
     angles = Rotation.from_quat(np.roll(attitude, -1)).as_euler(sequence)
     return {"q": np.concatenate([position, angles])[list(chosen)], "status": "OK"}

@@ -15,7 +15,6 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.linalg import block_diag
 
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
@@ -89,6 +88,8 @@ def responses(of: Sequence[Array], harmonics: int) -> Array:
     `of`: `slopes` by all five at M uniform times, M odd, a radian of the period as the unit. Raises StateError: a free
     motion of the carrier has such harmonics, so that they are not determined.
     """
+    from scipy.linalg import block_diag
+
     M, m, _ = of[2].shape
     k, phase, highest = np.fft.fftfreq(M, 1.0 / M), np.arange(M) / M, harmonics + PROTECTED
     # of the trigonometric polynomial through M values: the values, its derivatives by the phase
