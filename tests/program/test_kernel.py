@@ -29,6 +29,12 @@ def larger(a: float, b: float) -> float:
     return a if a > b else b
 
 
+@inline
+def count(reached: Result, by: int) -> None:
+    """Raises a variable of the caller."""
+    reached.value = reached.value + by
+
+
 @kernel()
 def largest(a: Reals = argument("numbers", N), most: Result = argument(direction="out")) -> None:
     """The largest magnitude."""
@@ -52,7 +58,9 @@ def in_order(a: Reals = argument("numbers", N, unit="m"), rank: Reals = argument
         smaller[i] = 0
         for j in range(N):
             smaller[i] += 1 if a[j] < a[i] or (j < i and j != i and not a[i] < a[j]) else 0
-        rank[i] = float(smaller[i])
+        doubled: int = 0
+        count(doubled, smaller[i])
+        rank[i] = float(doubled)
     return Status("OK")
 
 
@@ -122,9 +130,11 @@ def kinds_that_differ(a: float = argument(), n: int = argument()) -> float:
     return a + n
 
 
-def wrong_member(pair: Any = argument(struct=PAIR)) -> float:
-    """A member that is not there."""
-    return pair.middle  # type: ignore[no-any-return]
+def second_value(a: float = argument()) -> float:
+    """A name that is not declared to change."""
+    b = 2 * a
+    b = b * b
+    return b + 1
 
 
 def no_argument(a: float = 1.0) -> float:
@@ -138,7 +148,7 @@ def no_argument(a: float = 1.0) -> float:
         (unknown_statement, "no statement of a kernel: while a > 0:"),
         (name_of_another_block, "return b: name 'b' is not defined"),
         (kinds_that_differ, "return a \\+ n: kinds differ: real and int"),
-        (wrong_member, "struct pair has no member middle"),
+        (second_value, "b has a value already: what changes is declared"),
         (no_argument, "a: expected argument\\(...\\)"),
     ],
 )

@@ -15,12 +15,11 @@ nearly silenced may give.
 
 from __future__ import annotations
 
+from typing import Any
+
 from mahovik.core.lower.library import Library
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Not, Place, and_, equal, integer, magnitude, or_, real, select
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind
+from mahovik.core.program.kernel import Ints, Reals, Result, argument, inline, ints, kernel, reals
 from mahovik.core.routines.jacobi import name_for_rows
 
 
@@ -36,211 +35,205 @@ def most_passes(count: int) -> int:
 
 def solve_gram(lib: Library, rows: int = 6) -> Function:
     """z = gram^-1 z of a symmetric matrix that regularisation keeps positive definite."""
-    gram = Argument("gram", Kind.REAL, (rows, rows), "inout", purpose="lower triangle; becomes its Cholesky factor")
-    z = Argument("z", Kind.REAL, (rows,), "inout", purpose="right-hand side; becomes the solution")
-    least = Argument("least", Kind.REAL, purpose="lower bound of the pivots, except for rounding; greater than 0")
-    A, b = gram.place, z.place
-    body = Body()
-    with body.loop("j", rows) as j:
-        with body.loop("k", j) as k:
-            body.add(A[j][j], -(A[j][k] * A[j][k]))
-        pivot = body.let("pivot", select(A[j][j] > least.place, A[j][j], least.place))
-        body.set(A[j][j], lib["sqrt"](pivot))
-        with body.loop("i", rows, start=j + 1) as i:
-            with body.loop("k", j) as k:
-                body.add(A[i][j], -(A[i][k] * A[j][k]))
-            body.set(A[i][j], A[i][j] / A[j][j])
-        with body.loop("k", j) as k:
-            body.add(b[j], -(A[j][k] * b[k]))
-        body.set(b[j], b[j] / A[j][j])
-    with body.loop("t", rows) as t:
-        i_ = body.let("i", integer(rows - 1) - t)
-        with body.loop("k", rows, start=i_ + 1) as k:
-            body.add(b[i_], -(A[k][i_] * b[k]))
-        body.set(b[i_], b[i_] / A[i_][i_])
-    return body.function(
-        name_for_rows("solve_gram", rows),
-        "Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place.",
-        (gram, z, least),
-    )
+    sqrt = lib["sqrt"]
+
+    @kernel(name_for_rows("solve_gram", rows))
+    def solve_gram(
+        gram: Reals = argument("lower triangle; becomes its Cholesky factor", rows, rows, direction="inout"),
+        z: Reals = argument("right-hand side; becomes the solution", rows, direction="inout"),
+        least: float = argument("lower bound of the pivots, except for rounding; greater than 0"),
+    ) -> None:
+        """Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place."""
+        for j in range(rows):
+            for k in range(j):
+                gram[j][j] -= gram[j][k] * gram[j][k]
+            pivot = gram[j][j] if gram[j][j] > least else least
+            gram[j][j] = sqrt(pivot)
+            for i in range(j + 1, rows):
+                for k in range(j):
+                    gram[i][j] -= gram[i][k] * gram[j][k]
+                gram[i][j] = gram[i][j] / gram[j][j]
+            for k in range(j):
+                z[j] -= gram[j][k] * z[k]
+            z[j] = z[j] / gram[j][j]
+        for t in range(rows):
+            i = (rows - 1) - t
+            for k in range(i + 1, rows):
+                z[i] -= gram[k][i] * z[k]
+            z[i] = z[i] / gram[i][i]
+
+    return solve_gram
 
 
 def allocate(lib: Library, rows: int = 6) -> Function:
     """phi'' of a demand in orthogonal rows, the first `rows` of the work."""
-    layout = lib.layout
-    work = Argument("work", layout.inverse_work, purpose="orthogonal rows W, their sizes sigma, demand r, scale")
-    options = Argument("options", layout.inverse_options, purpose="weights and limits")
-    rank = Argument("rank", Kind.INT, purpose="number of rows used")
-    limited = Argument("limited", Kind.INT, (layout.count,), "out", purpose="1 where a flywheel is held at its limit")
-    phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
-    w, p, y, held = work.place, options.place, phi_ddot.place, limited.place
-    count = int(layout.count)
-    body = Body()
-    share = body.local("share", (layout.count,), comment="1/weight")
-    give = body.local("give", (layout.count,), comment="1/weight of a free flywheel, 0 for one held at its limit")
-    step = body.local("step", (layout.count,), comment="increment of the free flywheels")
-    row = body.local("row", (rows,), comment="factor of each row; 0: the row is left out")
-    gram = body.local("gram", (rows, rows))
-    z = body.local("z", (rows,))
-    going, weighted = body.local("going", (), Kind.INT), body.local("weighted", (), Kind.INT)
-    settled = body.local("settled", (), Kind.INT, "1 after a whole step that gains nothing and frees nobody")
-    square_before = body.local("square_before", comment="square of the residual after the last whole step")
-    body.set(going, integer(1))
-    body.set(weighted, integer(1))
-    body.set(square_before, real(lib.layout.precision.largest))
-    body.note("until the end phi_ddot holds y = D phi''")
-    with body.loop("s", layout.count) as s:
-        body.set(y[s], real(0))
-        body.set(held[s], integer(0))
-        body.set(share[s], 1 / p.weight[s])
-    with body.loop("pass", most_passes(count)) as turn, body.when(going > 0):
-        most = body.local("most")
-        body.set(most, real(0))
-        with body.loop("s", layout.count) as s:
-            body.set(give[s], select(held[s] > 0, real(0), share[s]))
-            body.set(most, select(give[s] > most, give[s], most))
-        regular = body.let("regular", real(lib.thresholds.regular) * most)
-        least = body.let("least", select(most > 0, regular, real(1)), "lower bound that keeps the diagonal positive")
-        _rows(body, w, rank.place, turn, row, rows)
-        _left_over(lib, body, w, y, row, z, rows)
-        _gram(lib, body, w, row, give, gram, least, rows)
-        body.call(lib[name_for_rows("solve_gram", rows)], gram, z, least)
-        with body.loop("i", rows) as i:
-            body.set(z[i], row[i] * z[i])
-        with body.loop("s", layout.count) as s:
-            total = body.local("total")
-            body.set(total, real(0))
-            with body.loop("i", rows) as i:
-                body.add(total, w.W[i][s] * z[i])
-            body.set(step[s], give[s] * total)
-        body.set(settled, integer(0))
-        with body.when(turn < 1):
-            _clip(lib, body, w, p, y, held, step)
-        with body.otherwise():
-            _advance(lib, body, w, p, rank.place, y, held, step, rows, settled, square_before)
-        ends = or_(settled > 0, equal(turn, most_passes(count) // 2))
-        with body.when(and_(turn >= usual_passes(count) - 2, ends)):
-            body.set(going, weighted)
-            body.set(weighted, integer(0))
-            with body.loop("s", layout.count) as s:
-                body.set(share[s], real(1))
-    body.note("the product may round an answer that just reaches its limit beyond it; what overflows is refused later")
-    largest = lib.limits["LARGEST"].expression
-    with body.loop("s", layout.count) as s:
-        found = body.let("found", y[s] * w.scale[s])
-        body.set(y[s], found)
-        beyond = and_(magnitude(found) > p.limit[s], magnitude(found) <= largest)
-        with body.when(or_(held[s] > 0, beyond)):
-            body.set(y[s], select(found < 0, -p.limit[s], p.limit[s]))
-    return body.function(
-        name_for_rows("allocate", rows),
-        "Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others share.",
-        (work, options, rank, phi_ddot, limited),
-        equation="(12)",
-    )
+    layout, solve = lib.layout, lib[name_for_rows("solve_gram", rows)]
+    N, n = layout.count, int(layout.count)
+    regularisation, tolerance = lib.thresholds.regular, lib.thresholds.unreachable
+    most_real, largest = layout.precision.largest, lib.limits["LARGEST"].expression
+
+    @kernel(name_for_rows("allocate", rows), equation="(12)")
+    def allocate(
+        work: Any = argument("orthogonal rows W, their sizes sigma, demand r, scale", struct=layout.inverse_work),
+        options: Any = argument("weights and limits", struct=layout.inverse_options),
+        rank: int = argument("number of rows used"),
+        phi_ddot: Reals = argument("flywheel accelerations", N, direction="out", unit="rad/s2"),
+        limited: Ints = argument("1 where a flywheel is held at its limit", N, direction="out"),
+    ) -> None:
+        """Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others share."""  # noqa: E501
+        share = reals(N)  # 1/weight
+        give = reals(N)  # 1/weight of a free flywheel, 0 for one held at its limit
+        step = reals(N)  # increment of the free flywheels
+        row = reals(rows)  # factor of each row; 0: the row is left out
+        gram = reals(rows, rows)
+        z = reals(rows)
+        going = ints()
+        weighted = ints()
+        settled = ints()  # 1 after a whole step that gains nothing and frees nobody
+        square_before = reals()  # square of the residual after the last whole step
+        going = 1
+        weighted = 1
+        square_before = most_real
+        # until the end phi_ddot holds y = D phi''
+        for s in range(N):
+            phi_ddot[s] = 0
+            limited[s] = 0
+            share[s] = 1 / options.weight[s]
+        for pass_ in range(most_passes(n)):
+            if going > 0:
+                most: float = 0.0
+                for s in range(N):
+                    give[s] = 0.0 if limited[s] > 0 else share[s]
+                    most = give[s] if give[s] > most else most
+                regular = regularisation * most
+                least = regular if most > 0 else 1.0  # lower bound that keeps the diagonal positive
+                for i in range(rows):
+                    row[i] = 0
+                    if i < rank:
+                        row[i] = 1 / (work.sigma[i] if pass_ < 1 else work.sigma[0])
+                left_over(N, work, phi_ddot, row, z, rows)
+                make_gram(N, work, row, give, gram, least, rows)
+                solve(gram, z, least)
+                for i in range(rows):
+                    z[i] = row[i] * z[i]
+                for s in range(N):
+                    total: float = 0.0
+                    for i in range(rows):
+                        total += work.W[i][s] * z[i]
+                    step[s] = give[s] * total
+                settled = 0
+                if pass_ < 1:
+                    clip(N, work, options, phi_ddot, limited, step)
+                else:
+                    advance(N, work, options, rank, phi_ddot, limited, step, rows, settled, square_before, tolerance)
+                if pass_ >= usual_passes(n) - 2 and (settled > 0 or pass_ == most_passes(n) // 2):
+                    going = weighted
+                    weighted = 0
+                    for s in range(N):
+                        share[s] = 1
+        # the product may round an answer that just reaches its limit beyond it; what overflows is refused later
+        for s in range(N):
+            found = phi_ddot[s] * work.scale[s]
+            phi_ddot[s] = found
+            if limited[s] > 0 or (abs(found) > options.limit[s] and abs(found) <= largest):
+                phi_ddot[s] = -options.limit[s] if found < 0 else options.limit[s]
+
+    return allocate
 
 
-def _clip(lib: Library, body: Body, w: Place, p: Place, y: Place, held: Place, step: Place) -> None:
+@inline
+def clip(N: int, work: Any, options: Any, y: Reals, held: Ints, step: Reals) -> None:
     """The first answer, with flywheels beyond their limit held at it."""
-    with body.loop("s", lib.layout.count) as s:
-        body.set(y[s], step[s])
-        with body.when(magnitude(step[s]) * w.scale[s] > p.limit[s]):
-            bound = body.let("bound", p.limit[s] / w.scale[s])
-            body.set(y[s], select(step[s] < 0, -bound, bound))
-            body.set(held[s], integer(1))
+    for s in range(N):
+        y[s] = step[s]
+        if abs(step[s]) * work.scale[s] > options.limit[s]:
+            bound = options.limit[s] / work.scale[s]
+            y[s] = -bound if step[s] < 0 else bound
+            held[s] = 1
 
 
-def _advance(
-    lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place, held: Place, step: Place, rows: int,
-    settled: Place, square_before: Place
+@inline
+def advance(
+    N: int, work: Any, options: Any, rank: int, y: Reals, held: Ints, step: Reals, rows: int, settled: Result,
+    square_before: Result, tolerance: float,
 ) -> None:  # fmt: skip
-    """A step of the active set method."""
-    body.note("go as far as all limits allow; hold the flywheel that reaches its limit")
-    length = body.local("length")
-    body.set(length, real(1))
-    stopped = body.local("stopped", (), Kind.INT)
-    body.set(stopped, integer(-1))
-    with body.loop("s", lib.layout.count) as s:
-        moved = body.let("moved", (y[s] + step[s]) * w.scale[s])
-        beyond = and_(equal(held[s], 0), magnitude(moved) > p.limit[s])
-        # at its limit a flywheel that does not move may still be beyond it by the rounding of the product
-        with body.when(and_(beyond, magnitude(step[s]) > 0)):
-            room = body.let("room", p.limit[s] / w.scale[s] - select(moved < 0, -y[s], y[s]))
-            part = body.let("part", room / magnitude(step[s]))
-            with body.when(part < length):
-                body.set(length, select(part > 0, part, real(0)))
-                body.set(stopped, s)
-    with body.loop("s", lib.layout.count) as s:
-        body.add(y[s], length * step[s])
-        with body.when(equal(stopped, s)):
-            bound = body.let("bound", p.limit[s] / w.scale[s])
-            body.set(y[s], select(step[s] < 0, -bound, bound))
-            body.set(held[s], integer(1))
-    body.note("after a full step, release the held flywheel that would lower the residual most")
-    with body.when(stopped < 0):
-        left = body.local("left", (rows,))
-        wanted = body.local("wanted")
-        square = body.local("square", comment="of the residual")
-        body.set(wanted, real(0))
-        body.set(square, real(0))
-        with body.loop("i", rows) as i:
-            body.add(wanted, w.r[i] * w.r[i])
-            body.set(left[i], select(i < rank, w.r[i], real(0)))
-            with body.when(i < rank), body.loop("s", lib.layout.count) as s:
-                body.add(left[i], -(w.W[i][s] * y[s]))
-            body.add(square, left[i] * left[i])
-        best = body.local("best")
-        tolerance = lib.thresholds.unreachable
-        body.set(best, real(tolerance * tolerance) * wanted, "smaller gains are ignored")
-        freed = body.local("freed", (), Kind.INT)
-        body.set(freed, integer(-1))
-        with body.loop("s", lib.layout.count) as s, body.when(held[s] > 0):
-            slope = body.local("slope")
-            body.set(slope, real(0))
-            size = body.local("size")
-            body.set(size, real(0))
-            with body.loop("i", rows) as i:
-                body.add(slope, w.W[i][s] * left[i])
-                body.add(size, w.W[i][s] * w.W[i][s])
-            inward = body.let("inward", select(y[s] > 0, -slope, slope))
-            with body.when(and_(inward > 0, inward * inward > best * size)):
-                body.set(best, inward * inward / size)
-                body.set(freed, s)
-        with body.when(freed >= 0):
-            body.set(held[freed], integer(0))
-        with body.otherwise(), body.when(Not(and_(square > best, square < square_before * real(1 - tolerance)))):
-            body.set(settled, integer(1))
-        body.set(square_before, square)
+    """A step of the active set method.
+
+    At its limit a flywheel that does not move may still be beyond it by the rounding of the product.
+    """
+    # go as far as all limits allow; hold the flywheel that reaches its limit
+    length: float = 1.0
+    stopped: int = -1
+    for s in range(N):
+        moved = (y[s] + step[s]) * work.scale[s]
+        if held[s] == 0 and abs(moved) > options.limit[s] and abs(step[s]) > 0:
+            room = options.limit[s] / work.scale[s] - (-y[s] if moved < 0 else y[s])
+            part = room / abs(step[s])
+            if part < length:
+                length = part if part > 0 else 0.0
+                stopped = s
+    for s in range(N):
+        y[s] += length * step[s]
+        if stopped == s:
+            bound = options.limit[s] / work.scale[s]
+            y[s] = -bound if step[s] < 0 else bound
+            held[s] = 1
+    # after a full step, release the held flywheel that would lower the residual most
+    if stopped < 0:
+        left = reals(rows)
+        wanted = reals()
+        square = reals()  # of the residual
+        wanted = 0
+        square = 0
+        for i in range(rows):
+            wanted += work.r[i] * work.r[i]
+            left[i] = work.r[i] if i < rank else 0.0
+            if i < rank:
+                for s in range(N):
+                    left[i] -= work.W[i][s] * y[s]
+            square += left[i] * left[i]
+        best = reals()
+        best = tolerance * tolerance * wanted  # smaller gains are ignored
+        freed: int = -1
+        for s in range(N):
+            if held[s] > 0:
+                slope: float = 0.0
+                size: float = 0.0
+                for i in range(rows):
+                    slope += work.W[i][s] * left[i]
+                    size += work.W[i][s] * work.W[i][s]
+                inward = -slope if y[s] > 0 else slope
+                if inward > 0 and inward * inward > best * size:
+                    best = inward * inward / size
+                    freed = s
+        if freed >= 0:
+            held[freed] = 0
+        else:  # noqa: PLR5501
+            if not (square > best and square < square_before.value * (1 - tolerance)):
+                settled.value = 1
+        square_before.value = square
 
 
-def _rows(body: Body, w: Place, rank: Place, turn: Place, row: Place, rows: int) -> None:
-    """Factors of the rows in a pass."""
-    with body.loop("i", rows) as i:
-        body.set(row[i], real(0))
-        with body.when(i < rank):
-            body.set(row[i], 1 / select(turn < 1, w.sigma[i], w.sigma[0]))
-
-
-def _left_over(lib: Library, body: Body, w: Place, y: Place, row: Place, z: Place, rows: int) -> None:
+@inline
+def left_over(N: int, work: Any, y: Reals, row: Reals, z: Reals, rows: int) -> None:
     """Compute the demand that the flywheels do not meet yet."""
-    with body.loop("i", rows) as i:
-        left = body.local("left")
-        body.set(left, w.r[i])
-        with body.loop("s", lib.layout.count) as s:
-            body.add(left, -(w.W[i][s] * y[s]))
-        body.set(z[i], row[i] * left)
+    for i in range(rows):
+        left: float = work.r[i]
+        for s in range(N):
+            left -= work.W[i][s] * y[s]
+        z[i] = row[i] * left
 
 
-def _gram(lib: Library, body: Body, w: Place, row: Place, give: Place, gram: Place, least: Place, rows: int) -> None:
+@inline
+def make_gram(N: int, work: Any, row: Reals, give: Reals, gram: Reals, least: float, rows: int) -> None:
     """B Omega^-1 B^T of the free flywheels, lower triangle."""
-    weighed = body.local("weighed", (lib.layout.count,), comment="a row of W Omega^-1")
-    with body.loop("i", rows) as i:
-        with body.loop("s", lib.layout.count) as s:
-            body.set(weighed[s], w.W[i][s] * give[s])
-        with body.loop("j", i + 1) as j:
-            total = body.local("total")
-            body.set(total, real(0))
-            with body.loop("s", lib.layout.count) as s:
-                body.add(total, weighed[s] * w.W[j][s])
-            body.set(gram[i][j], row[i] * row[j] * total)
-        body.add(gram[i][i], least)
+    weighed = reals(N)  # a row of W Omega^-1
+    for i in range(rows):
+        for s in range(N):
+            weighed[s] = work.W[i][s] * give[s]
+        for j in range(i + 1):
+            total: float = 0.0
+            for s in range(N):
+                total += weighed[s] * work.W[j][s]
+            gram[i][j] = row[i] * row[j] * total
+        gram[i][i] += least

@@ -35,7 +35,7 @@ import io
 import keyword
 import textwrap
 import tokenize
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, Protocol, cast
@@ -84,7 +84,7 @@ Ints = Reals
 
 
 class Result(Protocol):
-    """A number that a function gives through a pointer."""
+    """A number that a function gives through a pointer, or a variable that an inline kernel changes."""
 
     value: Any
 
@@ -191,8 +191,10 @@ class inline:  # noqa: N801
         bound = self.signature.bind(*arguments, **named)
         bound.apply_defaults()
         scope = bound.arguments
-        changing = {name for name, value in scope.items() if isinstance(value, Place) and value.is_scalar}
-        return _Compilation(self.text, body, scope, changing, inlined=True).block(self.text.statements)
+        for name in scope:
+            if self.text.annotations.get(name) == "Result":
+                scope[name] = _Pointed(scope[name])
+        return _Compilation(self.text, body, scope, inlined=True).block(self.text.statements)
 
 
 @dataclass(frozen=True)
@@ -252,16 +254,14 @@ def _in_c(name: str) -> str:
 class _Compilation:
     """Compiles the statements of a text into a body.
 
-    `scope`: arguments and locals by name; `variables`: those that change; `inlined`: `return` ends no function of C.
+    `scope`: arguments and locals by name; `inlined`: `return` ends no function of C.
     """
 
-    def __init__(
-        self, text: _Text, body: Body, scope: Mapping[str, Any], variables: Iterable[str] = (), inlined: bool = False
-    ) -> None:
+    def __init__(self, text: _Text, body: Body, scope: Mapping[str, Any], inlined: bool = False) -> None:
         self.text = text
         self.body = body
         self.scope = dict(scope)
-        self.variables = set(variables)
+        self.variables: set[str] = set()  # those that change
         self.inlined = inlined
         self.line = 0  # of the last statement
 
@@ -346,6 +346,8 @@ class _Compilation:
             self.body.set(self.value(target), result, comment)
         elif target.id in self.variables:
             self.body.set(self.scope[target.id], result, comment)
+        elif isinstance(self.scope.get(target.id), Place) and not called:
+            raise TypeError(f"{target.id} has a value already: what changes is declared, {target.id}: float = ...")
         elif isinstance(result, Local):
             self._local(target.id, result, comment)
         elif isinstance(result, Expr) and not (isinstance(result, Place) and (called or not result.is_scalar)):

@@ -13,7 +13,7 @@ multiplier is released.
 from __future__ import annotations
 
 from mahovik.core.program.function import Function
-from mahovik.core.program.kernel import Ints, Reals, argument, inline, ints, kernel, reals
+from mahovik.core.program.kernel import Ints, Reals, Result, argument, inline, ints, kernel, reals
 from mahovik.core.program.types import NamedCount
 
 ROUNDS = 3
@@ -88,21 +88,21 @@ def largest_diagonal(W: Reals, weight: Reals, rows: int) -> float:
 
 
 @inline
-def make_gram(W: Reals, weight: Reals, held: Ints, gram: Reals, free: Ints, many: int, ridge: float) -> None:
+def make_gram(W: Reals, weight: Reals, held: Ints, gram: Reals, free: Ints, many: Result, ridge: float) -> None:
     """W Omega^-1 W^T + lambda over the free unknowns; where these are fewer than rows, W^T W + lambda Omega of them."""
     rows, count = len(gram), len(weight)
     for i in range(rows):
         for j in range(i + 1):
             gram[i][j] = 0
-    many = 0
+    many.value = 0
     for s in range(count):
         if held[s] == 0:
-            if many < rows:
-                free[many] = s
-            many = many + 1
+            if many.value < rows:
+                free[many.value] = s
+            many.value = many.value + 1
     total = reals()
-    if many < rows:
-        for k in range(many):
+    if many.value < rows:
+        for k in range(many.value):
             for l in range(k + 1):
                 total = ridge * weight[free[k]] if k == l else 0.0
                 for i in range(rows):
