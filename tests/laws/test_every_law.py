@@ -191,18 +191,8 @@ PLACES = {
 """What each refusal of a law names."""
 
 REFUSED = [
-    (
-        "control",
-        '"rudder.deflection"]',
-        '"rudde.deflection"]',
-        'no "rudde.deflection" on this body, which has rudder.defl',
-    ),
-    (
-        "control",
-        '"rudder.deflection"]',
-        '"rudder.angle"]',
-        'PROPELLER.race, with or without bars, found "rudder.angle"',
-    ),
+    ("control", '"rudder.deflection"]', '"rudde.deflection"]', 'no "rudde.deflection" on this body, which has rudder.'),
+    ("control", '"rudder.deflection"]', '"rudder.angle"]', 'with or without bars, found "rudder.angle"'),
     ("control", '"rudder.deflection"]', '"rudder.speed"]', 'no "rudder.speed" on this body'),
     ("control", '["u", "r", "rudder.deflection"]', "[]", "expected one to four factors"),
     ("control", '["w", "w", "w"]', '["w", "w", "w", "w", "w"]', "expected one to four factors"),
@@ -216,12 +206,7 @@ REFUSED = [
     ("fading", '"3 s/m"', '"3 m/s"', "expected a rate over speed"),
     ("fading", '"3 s/m"', "inf", "finite"),
     ("fading", 'rate = "3 s/m"', "", "missing"),
-    (
-        "fading",
-        '["2 N s/m", 20, 20, 0.1, 3, 3]',
-        "[2, 20, 20]",
-        "expected six rows of six numbers, or a diagonal of six",
-    ),
+    ("fading", '["2 N s/m", 20, 20, 0.1, 3, 3]', "[2, 20, 20]", "expected six rows of six numbers, or a diagonal"),
     ("fading", "rate", "rat", 'unknown key "rat"'),
     ("torquers", 'mount = "boom"', 'mount = "bom"', 'torquer "my", mount: unknown "bom", did you mean "boom"?'),
     ("torquers", 'name = "my"', 'name = "boom"', 'torquer "boom", name: taken by an instrument'),
