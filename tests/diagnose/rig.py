@@ -97,8 +97,8 @@ class Rig:
         """Rotation from E1 to E0."""
         if "quaternion" in state:
             q = np.array(state["quaternion"])
-            if self.fault == "scalar last":
-                q = np.roll(q, 1)
+            if self.fault in ("scalar last", "scalar first"):
+                q = np.roll(q, 1 if self.fault == "scalar last" else -1)
             if self.fault == "conjugate":
                 q = q * [1, -1, -1, -1]
             return of_quaternion(q)

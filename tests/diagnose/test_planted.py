@@ -28,6 +28,7 @@ TEXT = (HERE / "rig.toml").read_text(encoding="utf-8")
 
 FAULTS: dict[str, Any] = {
     "scalar last": "quaternion read with the scalar last",
+    "scalar first": "quaternion given with the scalar last to what reads it scalar first",
     "conjugate": "quaternion conjugated",
     "degrees": "attitude angles in degrees",
     "gravity": ("all bodies", "weight", -1.0, 1.0),

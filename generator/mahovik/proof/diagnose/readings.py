@@ -287,6 +287,8 @@ PARTS: Mapping[str, Scope] = {"": "bodies", " of flywheels": "flywheels", " of c
 READINGS: tuple[Reading, ...] = (
     # attitude
     of_state("quaternion read with the scalar last", "quaternion", lambda q, *_: np.roll(q, 1)),
+    of_state("quaternion given with the scalar last to what reads it scalar first", "quaternion",
+             lambda q, *_: np.roll(q, -1)),
     of_state("quaternion conjugated", "quaternion", lambda q, *_: q * [1, -1, -1, -1]),
     of_state("quaternion read with the scalar last, and conjugated", "quaternion",
              lambda q, *_: np.roll(q, 1) * [1, -1, -1, -1]),

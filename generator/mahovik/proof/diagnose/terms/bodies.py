@@ -122,7 +122,6 @@ def _terms(k: PlacedBody, at: Pieces, V_dot: Array, phi_ddot: float) -> Iterator
             "m phi_dot^2 e x (e x r)": speed**2 * np.cross(e, np.cross(e, r)),
         }
         moments |= {
-            DRIVE: e * k.Theta[3, 3] * phi_ddot,
             "J e phi_ddot": phi_ddot * J @ e,
             "J phi_dot omega x e": speed * J @ np.cross(w, e),
             "phi_dot omega x J e": speed * np.cross(w, J @ e),
@@ -130,6 +129,7 @@ def _terms(k: PlacedBody, at: Pieces, V_dot: Array, phi_ddot: float) -> Iterator
             "phi_dot^2 e x J e": speed**2 * np.cross(e, J @ e),
         }
         wrenches |= {
+            DRIVE: f * k.Theta[3, 3] * phi_ddot,  # before its twins in a torque, which would be wrong elsewhere as well
             "Phi Ls Theta_s f phi_dot": Phi(V) @ turn * speed,
             "Ls <e> Theta_s f phi_dot^2": spin @ turn * speed**2,
             "Ls <e> Theta_s Ls^T phi_dot V": spin @ k.Theta @ V * speed,
