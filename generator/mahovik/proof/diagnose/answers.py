@@ -119,13 +119,15 @@ class AnswerVector:
     parts: tuple[tuple[tuple[tuple[str, ...], tuple[int, ...], int], ...], ...]
     ranks: tuple[int | None, ...]
 
-    def fill(self, answers: Answers) -> Array:
-        """The same numbers from other answers; NaN if missing or of another shape.
+    def fill(self, answers: Answers, among: Collection[str] | None = None) -> Array:
+        """The same numbers from other answers; NaN if missing, of another shape, or of no request `among` these ids.
 
         Where a rank is another one, rounding decides what the numbers are: they count as right.
         """
         found = np.full(self.expected.size, np.nan)
         for request, parts, rank in zip(self.requests, self.parts, self.ranks, strict=True):
+            if among is not None and request.id not in among:
+                continue
             values = answers(request)
             other_rank = rank is not None and values.get("rank", rank) != rank
             for path, shape, start in parts:
@@ -137,27 +139,14 @@ class AnswerVector:
                     found[start : start + numbers.size] = numbers.ravel()
         return found
 
-    def of_model(self, model: Model) -> Array:
-        """The numbers that other equations answer; NaN where they have none."""
-        return self.fill(lambda request: model(request.state, request.want[0]))
+    def of_model(self, model: Model, among: Collection[str] | None = None) -> Array:
+        """The numbers that other equations answer; NaN where they have none, and of other requests than these ids."""
+        return self.fill(lambda request: model(request.state, request.want[0]), among)
 
-    def only(self, requests: Collection[str]) -> tuple[AnswerVector, NDArray[np.int64]]:
-        """The vector of some requests, by their ids, and the places of its numbers in this one."""
-        kept = [k for k, request in enumerate(self.requests) if request.id in requests]
-        parts, places = [], [np.zeros(0, dtype=np.int64)]
-        start = 0
-        for k in kept:
-            own = []
-            for path, shape, at in self.parts[k]:
-                size = int(np.prod(shape))
-                own.append((path, shape, start))
-                places.append(np.arange(at, at + size))
-                start += size
-            parts.append(tuple(own))
-        i = np.concatenate(places)
-        ranks = tuple(self.ranks[k] for k in kept)
-        cut = (self.block[i], self.expected[i], self.scale[i], tuple(parts), ranks)
-        return AnswerVector(tuple(self.requests[k] for k in kept), self.quantities, *cut), i
+    def places(self, among: Collection[str]) -> NDArray[np.bool_]:
+        """Which numbers belong to requests with these ids."""
+        sizes = [sum(int(np.prod(shape)) for _, shape, _ in parts) for parts in self.parts]
+        return np.repeat([request.id in among for request in self.requests], sizes)
 
     def words_of(self, places: NDArray[np.bool_]) -> tuple[str, ...]:
         """Quantities that some numbers belong to, as want: quantity."""

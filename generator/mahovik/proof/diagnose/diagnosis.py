@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mahovik.contract.functions import wants_of_carrier
 from mahovik.contract.limits import DOUBLE
@@ -214,9 +213,9 @@ class Diagnoser:
 
     def _by_numbers(self, evidence: _Evidence) -> tuple[tuple[Cause, ...] | None, _Near]:
         """A number, or two, that explain all of the error; else those that leave least."""
-        few, places = evidence.few
-        search = NumberSearch(self._stand, self._document, few)
-        error, noise = evidence.error[places], evidence.noise[places]
+        few, noise = evidence.few, evidence.noise
+        search = NumberSearch(self._stand, self._document, self.whole, few)
+        error = np.where(self.whole.places(few), evidence.error, np.nan)
         near: _Near = 1.0, ()
         for solved in (search.singles, search.pairs):
             exact = []
@@ -252,9 +251,10 @@ class _Evidence:
         of_wants = np.array([want in self._wants for want, _ in whole.quantities])
         self._in_wrong_wants = of_wants[whole.block]
         chosen = sorted(self._wants, key=lambda want: (want not in TELLING, want))[:FEW_WANTS]
-        self.few = whole.only({x.id for x in whole.requests if x.id in first and x.want[0] in chosen})
-        if not self.wrong[self.few[1]].any():
-            self.few = whole.only({x.id for x in whole.requests})
+        self._every = {x.id for x in whole.requests}
+        self.few = {x.id for x in whole.requests if x.id in first and x.want[0] in chosen}
+        if not self.wrong[whole.places(self.few)].any():
+            self.few = self._every
 
     def differing(self, numbers: Array) -> tuple[str, ...]:
         """Quantities whose answers differ from other numbers by more than rounding; those without numbers too."""
@@ -265,35 +265,32 @@ class _Evidence:
 
         These are none where it explains the rightness of all others as well; None where it leaves more than rounding.
         """
-        left, exact, _ = self._remainder(*self.few, model)
-        if not exact:
-            return left, None
-        left, exact, everywhere = self._remainder(self._whole, np.arange(self._found.size), model)
-        if not exact:
-            return left, None
+        left, everywhere = 1.0, False
+        for among in (self.few, self._every):
+            left, exact, everywhere = self._remainder(model, among)
+            if not exact:
+                return left, None
         return left, () if everywhere else tuple(sorted(self._wants))
 
-    def _remainder(self, vector: AnswerVector, places: NDArray[np.int64], model: Model) -> tuple[float, bool, bool]:
-        """What is left of the error; whether it is rounding in the wants that are wrong, and in all."""
-        there, wrong, error = self._there[places], self.wrong[places], np.abs(self.error[places])
-        predicted = vector.of_model(model)
-        rest = np.abs(np.nan_to_num(self._found[places] - predicted, nan=np.inf))
-        beyond = there & (rest > self.noise[places] * self._growth(vector, predicted))
-        in_wrong = self._in_wrong_wants[places]
-        blocks = vector.block[wrong]
-        e, r = error[wrong], np.minimum(rest[wrong], error[wrong])
+    def _remainder(self, model: Model, among: Collection[str]) -> tuple[float, bool, bool]:
+        """What is left of the error in some requests; whether it is rounding in wants that are wrong, and in all."""
+        places, predicted = self._whole.places(among), self._whole.of_model(model, among)
+        rest = np.abs(np.nan_to_num(self._found - predicted, nan=np.inf))
+        growth = self._growth(np.where(places, self._whole.expected, 0.0), predicted)
+        beyond = places & self._there & (rest > self.noise * growth)
+        wrong = places & self.wrong
+        blocks, e = self._whole.block[wrong], np.abs(self.error[wrong])
         with np.errstate(all="ignore"):
-            shares = np.bincount(blocks, r**2) / np.bincount(blocks, e**2)
+            shares = np.bincount(blocks, np.minimum(rest[wrong], e) ** 2) / np.bincount(blocks, e**2)
         left = float(np.sqrt(np.nanmean(shares))) if blocks.size else 0.0
-        return left, not (beyond & in_wrong).any(), not beyond.any()
+        return left, not (beyond & self._in_wrong_wants).any(), not beyond.any()
 
-    def _growth(self, vector: AnswerVector, predicted: Array) -> Array:
+    def _growth(self, right: Array, predicted: Array) -> Array:
         """How much larger the numbers of each quantity are than the right ones: their rounding is so too."""
-        count = len(vector.quantities)
-        largest = [np.zeros(count), np.zeros(count)]
-        for size, numbers in zip(largest, (vector.expected, predicted), strict=True):
-            np.maximum.at(size, vector.block, np.nan_to_num(np.abs(numbers) / vector.scale))
-        return np.asarray(np.maximum(1.0, largest[1] / np.maximum(largest[0], 1e-12)))[vector.block]
+        largest = np.zeros((2, len(self._whole.quantities)))
+        for size, numbers in zip(largest, (right, predicted), strict=True):
+            np.maximum.at(size, self._whole.block, np.nan_to_num(np.abs(numbers) / self._whole.scale))
+        return np.asarray(np.maximum(1.0, largest[1] / np.maximum(largest[0], 1e-12)))[self._whole.block]
 
 
 def _causes(solved: SolvedNumbers) -> tuple[Cause, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -51,9 +51,9 @@ class SolvedNumbers:
 class NumberSearch:
     """Numbers of one stand, with the derivatives of the answers to some requests by each."""
 
-    def __init__(self, stand: Stand, document: Mapping[str, Any], vector: AnswerVector) -> None:
-        """`document`: the keys of the stand's file; `vector`: the requests by which numbers are looked for."""
-        self._stand, self._vector = stand, vector
+    def __init__(self, stand: Stand, document: Mapping[str, Any], vector: AnswerVector, among: Collection[str]) -> None:
+        """`document`: the keys of the stand's file; `among`: ids of the requests by which numbers are looked for."""
+        self._stand, self._vector, self._among = stand, vector, among
         self._file = StandNumbers(stand, document)
         self._numbers = list(self._file)
 
@@ -65,7 +65,7 @@ class NumberSearch:
             raise StandError([str(error)]) from None
 
     def singles(self, error: Array, noise: Array) -> list[SolvedNumbers]:
-        """Single numbers, those that leave least of an error (NaN: not answered) first."""
+        """Single numbers, those that leave least of an error (NaN: not answered, or not looked at) first."""
         weighted, slopes = self._weighted(error, noise)
         with np.errstate(all="ignore"):
             alike = np.nan_to_num((slopes.T @ weighted) ** 2 / (slopes**2).sum(axis=0))
@@ -97,7 +97,7 @@ class NumberSearch:
             for digits in range(1, 16):
                 short = {**values, number: float(f"{value:.{digits}g}")}
                 left = self._remainder(short, error)
-                if left is not None and (np.abs(left) <= noise).all():
+                if left is not None and (np.abs(left) <= noise[np.isfinite(error)]).all():
                     values = short
                     break
         return SolvedNumbers(values, solved.left)
@@ -111,7 +111,7 @@ class NumberSearch:
             columns.append(np.zeros(self._vector.expected.size))
             for step in (STEP * size, -STEP * size):
                 try:
-                    moved = self._vector.of_model(self.model({each: each.value + step}))
+                    moved = self._vector.of_model(self.model({each: each.value + step}), self._among)
                 except StandError:
                     continue
                 columns[-1] = np.nan_to_num((moved - self._vector.expected) / step, nan=0.0)
@@ -125,7 +125,7 @@ class NumberSearch:
     def _remainder(self, values: Mapping[StandNumber, float], error: Array) -> Array | None:
         """What numbers leave of an error, where it was answered; None: a stand cannot have them."""
         try:
-            found = self._vector.of_model(self.model(values))
+            found = self._vector.of_model(self.model(values), self._among)
         except StandError:
             return None
         left = (error + self._vector.expected - found)[np.isfinite(error)]

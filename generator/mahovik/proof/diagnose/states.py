@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import cast
 
 import numpy as np
+from scipy.linalg import qr
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random_state import in_layer, random_state, random_wrenches
@@ -94,8 +95,7 @@ def _with_wrenches(stand: Stand, state: State, rng: np.random.Generator) -> Stat
 
 def spread_rows(states: Sequence[tuple[str, State]], count: int) -> list[tuple[str, State]]:
     """At most `count` rows of a log, spread evenly."""
-    chosen = range(len(states)) if len(states) <= count else np.linspace(0, len(states) - 1, count).astype(int).tolist()
-    return [states[k] for k in chosen]
+    return [states[k] for k in np.linspace(0, len(states) - 1, min(count, len(states))).astype(int)]
 
 
 def telling_rows(states: Sequence[tuple[str, State]], count: int) -> list[tuple[str, State]]:
@@ -103,18 +103,12 @@ def telling_rows(states: Sequence[tuple[str, State]], count: int) -> list[tuple[
     motions = np.array([(*s.V, *s.V_dot, *s.phi_dot, *s.phi_ddot) for _, s in states])
     size = np.sqrt(np.mean(motions**2, axis=0))
     scaled = motions / np.where(size > 0.0, size, 1.0)
-    left = scaled.copy()
-    chosen: list[int] = []
-    for _ in range(min(count, len(states))):
-        longest = (left**2).sum(axis=1)
-        longest[chosen] = -1.0
-        k = int(longest.argmax())
-        chosen.append(k)
-        norm = np.linalg.norm(left[k])
-        if norm <= 1e-9 * np.linalg.norm(scaled[k]):
-            left = scaled.copy()  # these span all motions: begin again with the rows that are left
-        else:
-            left = left - np.outer(left @ left[k] / norm**2, left[k])
-    fullest = np.abs(scaled[chosen])
-    order = np.argsort(-np.minimum(fullest, 1.0).sum(axis=1), kind="stable")
-    return [states[chosen[i]] for i in order]
+    left, chosen = list(range(len(states))), list[int]()
+    while left and len(chosen) < count:  # those that span all motions; then again of the rows that are left
+        triangle, order = qr(scaled[left].T, mode="r", pivoting=True)
+        lengths = np.abs(np.diag(triangle))
+        rank = max(1, int((lengths > 1e-9 * lengths[0]).sum()))
+        chosen += [left[i] for i in order[:rank]]
+        left = [i for i in left if i not in chosen]
+    fullest = np.minimum(np.abs(scaled[chosen[:count]]), 1.0).sum(axis=1)
+    return [states[chosen[i]] for i in np.argsort(-fullest, kind="stable")]

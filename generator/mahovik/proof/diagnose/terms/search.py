@@ -11,7 +11,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from mahovik.core.stand.model import WRENCH_LETTERS, Stand, Vec6
+from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.core.stand.numbers import StandNumbers
 from mahovik.core.stand.random_state import along_freedoms
 from mahovik.core.stand.read import read
@@ -542,21 +542,18 @@ def _other_wrenches(at: Pieces) -> Array:
 def _state(stand: Stand, rng: np.random.Generator) -> State:
     """A state in which no kind of term is much larger than another; without run-time wrenches."""
     N = len(stand.flywheels)
-    numbers = {
-        key: tuple((SPREAD[key] * rng.normal(size=6 if key.startswith("V") else N)).tolist())
-        for key in ("V", "phi_dot", "phi_ddot", "V_dot")
+    numbers: Any = {
+        key: tuple((spread * rng.normal(size=6 if key.startswith("V") else N)).tolist())
+        for key, spread in SPREAD.items()
     }
     q = rng.normal(size=4)
     state = State(
         position=(0.0, 0.0, 0.0),
         angles=None,
         quaternion=cast(Quaternion, tuple((q / np.linalg.norm(q)).tolist())),
-        V=cast(Vec6, numbers["V"]),
         phi=tuple(rng.uniform(-math.pi, math.pi, N).tolist()),
-        phi_dot=numbers["phi_dot"],
-        phi_ddot=numbers["phi_ddot"],
-        V_dot=cast(Vec6, numbers["V_dot"]),
         tau=tuple(3.0 * x * w.inertia[0][0] for x, w in zip(rng.normal(size=N).tolist(), stand.flywheels, strict=True)),
         wrench=MappingProxyType({}),
+        **numbers,
     )
     return state if stand.hold is None else along_freedoms(stand, state, rng)
