@@ -11,11 +11,11 @@ from mahovik.contract.limits import LIMITS
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features, random_stand
 from mahovik.proof.second import Second
+from mahovik.proof.verify.backends import with_all_inputs
 from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.check import Report, report
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.harness import judge, report
-from mahovik.proof.verify.program_backend import with_all_inputs
-from mahovik.proof.verify.report import Report
+from mahovik.proof.verify.harness import judge
 
 COUNTS = (0, 1, 5, 6, 7, 12, 64, 3, 2, 8, 4, 10)
 """Flywheels of the stands, in turn: every kind of inverse problem, none, and many."""

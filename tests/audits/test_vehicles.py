@@ -19,8 +19,8 @@ from mahovik.laws.fin.data import Fin, Fins
 from mahovik.laws.propeller.data import Propellers
 from mahovik.proof.reference import evaluate
 from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.check import conclusion
 from mahovik.proof.verify.harness import verify_c
-from mahovik.proof.verify.report import conclusion
 
 VEHICLES = Path(__file__).parents[2] / "docs" / "vehicles"
 AGREEMENT = 1e-12

@@ -20,7 +20,7 @@ from mahovik.core.stand.state import State
 from mahovik.core.toolchain import library as library_module
 from mahovik.core.toolchain.compiler import build_shared
 from mahovik.core.toolchain.library import Library
-from mahovik.proof.verify.program_backend import ProgramBackend
+from mahovik.proof.verify.backends import ProgramBackend
 
 QUANTITIES = ("forward", "matrices", "momentum", "generalized", "wrench")
 """Public functions of a state; a stand without wrenches has no `wrench`."""

@@ -34,10 +34,10 @@ from mahovik.out.foreign.merge import make_stand
 from mahovik.out.foreign.mjcf import read_mjcf
 from mahovik.out.foreign.urdf import read_urdf
 from mahovik.out.foreign.write import stand_file
-from mahovik.proof.verify.backends import Backend, NumpyBackend
+from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.foreign import read_results
-from mahovik.proof.verify.states import Request, evaluate_lines
+from mahovik.proof.verify.states import Backend, Request, evaluate_lines
 from mahovik.stands import path
 from mahovik.use.control.servo import check_margins, gains
 from mahovik.use.simulate.case import load_start

@@ -13,7 +13,7 @@ import numpy as np
 
 from mahovik.core.stand import Stand, dumps, loads
 from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features, random_stand
-from mahovik.proof.verify.program_backend import with_all_inputs
+from mahovik.proof.verify.backends import with_all_inputs
 
 STANDS = Path(__file__).parent / "stands"
 COUNTS = (3, 1, 6, 2, 0, 7, 5, 8, 12, 4)

@@ -58,7 +58,7 @@ def test_rounding_is_what_the_estimate_allows(name: str) -> None:
     stand = load(path(name))
     c = CBackend(stand, "float")
     for motion in MOTIONS:
-        for state in map(round_to_float, states(stand, speeds(stand), motion)):
+        for state in (round_to_float(stand, each) for each in states(stand, speeds(stand), motion)):
             at = reference.pieces(stand, state)
             for want, quantity in QUANTITIES.items():
                 expected = reference.evaluate(stand, state, [want], at)[quantity.key]

@@ -30,11 +30,11 @@ from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.hold import held_state, twists
 from mahovik.proof.reference.motion import bias, torque
 from mahovik.proof.reference.pieces import body_wrench
-from mahovik.proof.verify.actuators import stand_at, with_drawn_actuators
 from mahovik.proof.verify.backends import CasadiBackend, NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.draw import with_drawn_actuators
 from mahovik.proof.verify.foreign import Program
-from mahovik.proof.verify.states import Request
+from mahovik.proof.verify.states import Request, stand_at
 from mahovik.stands import path
 
 UNKNOWN = Diagnosis("unnamed", unexplained=1.0, wrong=("forward: V_dot",))

@@ -13,7 +13,7 @@ from mahovik.core.toolchain import compiler
 from mahovik.core.toolchain.compiler import CANDIDATES, build_shared, find_compiler, preprocess
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import ToolchainError
-from mahovik.proof.verify.program_backend import public_names
+from mahovik.proof.verify.backends import public_names
 from toolchain import build_cache
 
 GOOD = "int answer(void);\nint answer(void) { return 42; }\n"

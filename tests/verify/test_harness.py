@@ -22,12 +22,11 @@ from mahovik.core.program.types import FLOAT as SINGLE
 from mahovik.core.stand import Stand, State, load, rest_state
 from mahovik.errors import CheckError, ToolchainError, UsageError
 from mahovik.proof.verify.backends import NumpyBackend
-from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.check import Check, difference
+from mahovik.proof.verify.c_backend import InterpreterBackend
+from mahovik.proof.verify.check import Check, Report, as_json, as_junit, conclusion, difference, worst_lines
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.files import check_batch
 from mahovik.proof.verify.harness import judge, verify_c
-from mahovik.proof.verify.report import Report, as_json, as_junit, conclusion, worst_lines
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import read_line
 from mahovik.stands import path
@@ -174,15 +173,15 @@ def test_a_warning_of_the_compiler_is_an_error(tmp_path: Path) -> None:
 
 
 def test_bits_that_differ_from_the_interpreter_are_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    original = CBackend.interpreter_evaluate
+    original = InterpreterBackend.evaluate
 
-    def evaluate_wrongly(self: CBackend, state: State, want: Sequence[str]) -> dict[str, Any]:
+    def evaluate_wrongly(self: InterpreterBackend, state: State, want: Sequence[str]) -> dict[str, Any]:
         found = original(self, state, want)
         if "V_dot" in found:
             found["V_dot"][2] = float(np.nextafter(found["V_dot"][2], np.inf))
         return found
 
-    monkeypatch.setattr(CBackend, "interpreter_evaluate", evaluate_wrongly)
+    monkeypatch.setattr(InterpreterBackend, "evaluate", evaluate_wrongly)
     found = verify_c(DEMO, count=4)
     (row,) = found.failures
     assert row.quantity == "interpreter = C, bit for bit"

@@ -18,9 +18,9 @@ from mahovik.core.stand.random import random_stand
 from mahovik.errors import UsageError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
+from mahovik.proof.verify.check import conclusion
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.judges import PROGRAMS, Program, bare_stand, judge, verify_judges
-from mahovik.proof.verify.report import conclusion
 from mahovik.stands import path
 from toolchain.quick import quick
 from verify.holds import DRY, HOLDS, PIVOT, held_by, state_of, worst

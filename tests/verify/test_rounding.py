@@ -15,7 +15,7 @@ from flint import arb
 from mahovik.core.stand import Stand, State, load, loads
 from mahovik.errors import StateError
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.report import Report
+from mahovik.proof.verify.check import Report
 from mahovik.proof.verify.rounding import error, measure_rounding
 from mahovik.stands import names, path
 from verify.holds import PENDULUM

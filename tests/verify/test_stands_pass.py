@@ -22,9 +22,9 @@ from mahovik.laws.fading.data import FadingDamping
 from mahovik.laws.fin.data import Fins
 from mahovik.laws.propeller.data import Propellers
 from mahovik.proof.verify.backends import NumpyBackend
+from mahovik.proof.verify.check import Report, conclusion
 from mahovik.proof.verify.harness import verify_c
 from mahovik.proof.verify.judges import verify_judges
-from mahovik.proof.verify.report import Report, conclusion
 from toolchain.quick import quick
 from verify.build import everything
 from verify.holds import DRY, WET, random_held_stand

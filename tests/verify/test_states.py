@@ -14,8 +14,7 @@ from mahovik.core.stand import State, load
 from mahovik.core.stand.random import EXTREMES, extreme_state
 from mahovik.errors import StateError
 from mahovik.proof.verify.backends import NumpyBackend
-from mahovik.proof.verify.json_text import encode
-from mahovik.proof.verify.states import Request, evaluate_lines, read_line, state_line
+from mahovik.proof.verify.states import Request, encode, evaluate_lines, read_line, state_line
 from mahovik.stands import path
 
 AUV = load(path("auv6"))
@@ -72,7 +71,7 @@ def test_a_quaternion_near_unit_length_is_normalised() -> None:
         ({"want": [1]}, "want: expected names, found 1"),
         ({"want": ["forward", "coupled"]}, "both give V_dot"),
         ({"want": ["inverse", "momentum", "coupled"]}, "both give phi_ddot"),
-        ({"wrench": {"w9": [0] * 6}}, 'wrench: unknown body "w9", did you mean "w1"?'),
+        ({"wrench": {"w9": [0] * 6}}, 'wrench: unknown "w9", did you mean "w1"?'),
         ({"wrench": {"w1": [0] * 5}}, "wrench, w1: expected 6 numbers, found 5"),
         ({"wrench": [0] * 6}, "wrench: expected an object of bodies"),
         ({"phi": [0] * (N + 1)}, f"phi: expected {N} numbers, found {N + 1}"),

@@ -19,7 +19,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.proof.reference.tasks import TaskRows, task_rows
 from mahovik.proof.second import Second
-from mahovik.proof.verify.backends import Backend, NumpyBackend
+from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
@@ -27,7 +27,7 @@ from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.table import checks_of
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
 from mahovik.proof.verify.scales import Scales
-from mahovik.proof.verify.states import evaluate_lines, read_line, split_lines, state_line
+from mahovik.proof.verify.states import Backend, evaluate_lines, read_line, split_lines, state_line
 from toolchain.quick import quick
 from verify.test_functions import case_of, planted
 

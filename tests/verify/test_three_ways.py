@@ -14,9 +14,9 @@ from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
-from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.check import Check, report
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.harness import judge, report
+from mahovik.proof.verify.harness import judge
 from mahovik.stands import path
 
 DEMO = load(path("demo3"))

@@ -12,7 +12,7 @@ from campaigns import REALS, Rows, Table, at_most, cores, side_by_side
 from mahovik.contract.limits import LIMITS
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
-from mahovik.proof.verify.report import conclusion, worst_lines
+from mahovik.proof.verify.check import conclusion, worst_lines
 from mahovik.proof.verify.rounding import measure_rounding
 from mahovik.stands import names, path
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 
@@ -14,10 +14,9 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.program.arrays import ArgumentLayout, record
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
 from mahovik.core.stand.structure import structure
 from mahovik.out.api.compiled import ELEMENT, CompiledLibrary, Real, compile_library
-from mahovik.proof.verify.program_backend import FunctionBackend, with_all_inputs
+from mahovik.proof.verify.backends import FunctionBackend, with_all_inputs
 
 
 class KeptBackend(FunctionBackend):
@@ -36,13 +35,8 @@ class KeptBackend(FunctionBackend):
     @cached_property
     def full(self) -> KeptBackend:
         """The C of the same stand with a run-time wrench on every body."""
-        return KeptBackend(with_all_inputs(self._stand), self._real)
-
-    def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
-        """Results by the names of contract/quantities.py. Raises StateError."""
-        if any(body not in self.inputs for body in state.wrench):
-            return super(KeptBackend, self.full).evaluate(state, want)
-        return super().evaluate(state, want)
+        stand = with_all_inputs(self._stand)
+        return self if stand == self._stand else KeptBackend(stand, self._real)
 
     def table_of(self, actuators: Mapping[str, float]) -> Any:
         """The table with other deflections and speeds, by name."""

@@ -15,7 +15,7 @@ from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
-    from mahovik.proof.verify.backends import Backend
+    from mahovik.proof.verify.states import Backend
 
 
 @command(name="eval", lines=text_lines())

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 from mahovik.out.cli.output import Cell, print_line, print_table
 
 if TYPE_CHECKING:
-    from mahovik.proof.verify.check import Check
-    from mahovik.proof.verify.report import Report
+    from mahovik.proof.verify.check import Check, Report
     from mahovik.proof.verify.targets import TargetRow, TargetsReport
 
 
@@ -27,7 +26,7 @@ def print_report(found: Report, by: str = "", everything: bool = True) -> None:
     `by`: head of the column of wants.
     """
     from mahovik.contract.functions import ALL_WANTS, is_public
-    from mahovik.proof.verify.report import conclusion
+    from mahovik.proof.verify.check import conclusion
 
     print_line(f"{found.judged} of {found.stand}   {_identities(found)}   seed {found.seed}")
     if found.left_out:

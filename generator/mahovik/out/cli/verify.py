@@ -30,7 +30,7 @@ from mahovik.out.cli.verdicts import print_report, print_targets
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
-    from mahovik.proof.verify.report import Report
+    from mahovik.proof.verify.check import Report
 
 
 @command()
@@ -219,7 +219,7 @@ def finish(
 
     `more` is added to the JSON, `words` are printed as lines below the table, `by` heads the column of wants.
     """
-    from mahovik.proof.verify.report import as_json as json_text
+    from mahovik.proof.verify.check import as_json as json_text
 
     if as_json:
         print_json_text(json_text(found, more))
@@ -245,7 +245,7 @@ def _conclude(found: Report, as_json: bool, junit: str | None, worst: str | None
 
 
 def _write(found: Report, as_json: bool, junit: str | None, worst: str | None) -> None:
-    from mahovik.proof.verify.report import as_junit, worst_lines
+    from mahovik.proof.verify.check import as_junit, worst_lines
     from mahovik.writing import write
 
     if junit is not None:

@@ -22,7 +22,7 @@ from mahovik.out.functions.table import Column, Table
 if TYPE_CHECKING:
     from mahovik.out.report.plot.panel import Panel
     from mahovik.proof.diagnose.diagnosis import Diagnosis
-    from mahovik.proof.verify.report import Report
+    from mahovik.proof.verify.check import Report
 
 
 COMPARED = ("value", "second")
@@ -68,7 +68,7 @@ class Verification(Table):
     @property
     def conclusion(self) -> str:
         """The verdict in one line."""
-        from mahovik.proof.verify.report import conclusion
+        from mahovik.proof.verify.check import conclusion
 
         return conclusion(self.result)
 
@@ -83,7 +83,7 @@ class Verification(Table):
 
     def to_dict(self) -> dict[str, Any]:
         """All of it, as `mahovik verify --json` prints it."""
-        from mahovik.proof.verify.report import as_json
+        from mahovik.proof.verify.check import as_json
 
         found: dict[str, Any] = json.loads(as_json(self.result, self.more()))
         return found

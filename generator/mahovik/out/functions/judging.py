@@ -20,8 +20,8 @@ from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 
 if TYPE_CHECKING:
     from mahovik.proof.diagnose.diagnosis import Diagnosis
+    from mahovik.proof.verify.check import Report
     from mahovik.proof.verify.foreign import Attitude, Program
-    from mahovik.proof.verify.report import Report
     from mahovik.proof.verify.states import Request
 
 States = Sequence[tuple[str, State]]
@@ -109,8 +109,8 @@ def judge(
 
 def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool:
     """Whether deflections and speeds can be varied; a warning where the stand has them and the program ignores them."""
-    from mahovik.proof.verify.actuators import actuators_of
     from mahovik.proof.verify.foreign import takes_actuators
+    from mahovik.proof.verify.states import actuators_of
 
     if not actuators_of(stand):
         return False

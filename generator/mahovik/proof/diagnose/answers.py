@@ -17,9 +17,8 @@ from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.hold import held_state
-from mahovik.proof.verify.actuators import stand_at
 from mahovik.proof.verify.scales import Scales
-from mahovik.proof.verify.states import Request
+from mahovik.proof.verify.states import Request, stand_at
 
 Answers = Callable[[Request], Mapping[str, Any]]
 """Answer of a program to a request: empty if it refused."""

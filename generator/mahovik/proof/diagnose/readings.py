@@ -21,8 +21,8 @@ from mahovik.proof.diagnose.answers import Model, Reference
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import inertia_about_origin, mount_transfer
 from mahovik.proof.reference.rotation import C1, C2, C3, carrier_rotation, flywheel_mounting
-from mahovik.proof.verify.actuators import stand_at
 from mahovik.proof.verify.held import freedom_rates, quaternion_of
+from mahovik.proof.verify.states import stand_at
 
 Scope = Literal["both", "answer", "bodies", "fixed", "flywheels", "phases"]
 """What is changed: stand and state, the answer, all bodies or one, carrier and instruments, flywheels, their states."""

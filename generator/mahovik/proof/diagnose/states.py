@@ -14,7 +14,7 @@ from scipy.linalg import qr
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random_state import in_layer, random_state, random_wrenches
 from mahovik.core.stand.state import Quaternion, State
-from mahovik.proof.verify.actuators import with_drawn_actuators
+from mahovik.proof.verify.draw import with_drawn_actuators
 from mahovik.proof.verify.foreign import Program
 
 FIRST = 3

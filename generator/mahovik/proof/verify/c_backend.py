@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -18,11 +18,10 @@ from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import CheckError, UsageError
+from mahovik.proof.verify.backends import ProgramBackend, public_names, with_all_inputs
 from mahovik.proof.verify.delivery import declared_functions, delivered_options
-from mahovik.proof.verify.program_backend import ProgramBackend, public_names, with_all_inputs
 
 
 class InterpreterBackend(ProgramBackend):
@@ -118,23 +117,9 @@ class CBackend(ProgramBackend):
 
     @cached_property
     def full(self) -> CBackend:
-        """The C of the same stand with a run-time wrench on every body."""
+        """The C of the same stand with a run-time wrench on every body; itself where it is of a folder."""
         stand = with_all_inputs(self._stand)
-        if stand == self._stand:
-            return self
-        return CBackend(stand, self._precision_name)
-
-    def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
-        """Results by the names of contract/quantities.py. Raises StateError."""
-        if self._folder is None and any(body not in self.inputs for body in state.wrench):
-            return super(CBackend, self.full).evaluate(state, want)
-        return super().evaluate(state, want)
-
-    def interpreter_evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
-        """The same results by the interpreter, whose bits must be equal."""
-        if any(body not in self.inputs for body in state.wrench):
-            return self.full.interpreter.evaluate(state, want)
-        return self.interpreter.evaluate(state, want)
+        return self if self._folder or stand == self._stand else CBackend(stand, self._precision_name)
 
     def table_of(self, actuators: Mapping[str, float]) -> Any:
         """The default table with other deflections and speeds, by name."""

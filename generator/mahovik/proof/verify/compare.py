@@ -17,9 +17,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.second import Second
-from mahovik.proof.verify.actuators import stand_at
+from mahovik.proof.verify.backends import CasadiBackend, is_beyond
 from mahovik.proof.verify.check import Check, difference
-from mahovik.proof.verify.program_backend import is_beyond
 from mahovik.proof.verify.scales import Measured, Scales
 from mahovik.proof.verify.states import Request
 
@@ -70,20 +69,13 @@ class Judge:
         self, stand: Stand, limits: Limits = DOUBLE, second: Second | None = None, judged: str = "C",
         scales: Scales | None = None,
     ) -> None:  # fmt: skip
-        self._stand, self._limits, self._second, self._judged = stand, limits, second, judged
+        self._stand, self._limits, self._judged = stand, limits, judged
+        self._second = None if second is None else CasadiBackend(stand, second)
         self.scales = scales or Scales(stand, limits.real)
-        self._seconds: dict[tuple[tuple[str, float], ...], Second] = {}
         self._checks: dict[tuple[str, str], Check] = {}
         self._amplified: dict[tuple[str, str], list[float]] = {}
         self._answered: set[str] = set()
         self._one_sided: dict[str, list[tuple[Check, float, Request, str]]] = {}
-
-    def _second_of(self, state: State) -> Second:
-        """The second derivation with the deflections and speeds of a state, which are numbers in its expressions."""
-        assert self._second is not None
-        if not state.actuators:
-            return self._second
-        return self._seconds.setdefault(tuple(state.actuators.items()), Second(stand_at(self._stand, state)))
 
     def compare(
         self,
@@ -154,7 +146,7 @@ class Judge:
         if self._second is None or "second" not in FUNCTIONS[want].judges:
             return {}, ""
         try:
-            return self._second_of(state).evaluate(state, (want,)), ""
+            return self._second.evaluate(state, (want,)), ""
         except StateError as error:
             return {}, f"second derivation refused: {error}"
 
@@ -163,11 +155,11 @@ class Judge:
 
         It differentiates energies: at the highest speeds terms cancel there that the equations do not have.
         """
-        second, noise = self._second_of(state), 0.0
-        center = second.evaluate(state, (want,))[quantity]
+        assert self._second is not None
+        noise, center = 0.0, self._second.evaluate(state, (want,))[quantity]
         for _ in range(NEIGHBOURS):
             with suppress(StateError):
-                moved = second.evaluate(self.scales.moved(state, LAST_PLACES), (want,))[quantity]
+                moved = self._second.evaluate(self.scales.moved(state, LAST_PLACES), (want,))[quantity]
                 noise = max(noise, difference(moved, center, scale, self._limits.floor)[0])
         return ROUNDINGS * noise
 

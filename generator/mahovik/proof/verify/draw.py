@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from types import MappingProxyType
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
 from mahovik.contract import laws
-from mahovik.contract.quantities import QUANTITIES, limits_of
+from mahovik.contract.quantities import limits_of
 from mahovik.core.stand.hold import twist_of
-from mahovik.core.stand.model import Stand, Vec6
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state, random_wrenches
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError, whole_number
 from mahovik.proof.verify.scales import Scales
+from mahovik.proof.verify.states import HELD_KEYS, INPUTS, actuators_of
 
 HALF_TURN_DISTANCE = {"double": 1e-6, "float": 1e-5}
 """Least distance from a half turn, rad: nearer, rounding decides in which sense a law turns back."""
@@ -48,7 +49,7 @@ def _draw_one(stand: Stand, rng: np.random.Generator, kind: str, real: str, wren
     if not wrenches:
         takes = {body.name for body in stand.bodies if body.wrench_input}
         state = replace(state, wrench=MappingProxyType({name: w for name, w in state.wrench.items() if name in takes}))
-    return _held_to_float(stand, round_to_float(state)) if real == "float" else state
+    return round_to_float(stand, state) if real == "float" else state
 
 
 def check_drawing(seed: int, count: int, real: str) -> None:
@@ -96,28 +97,29 @@ def _draw_state(stand: Stand, rng: np.random.Generator, kind: str, real: str) ->
     return state
 
 
-def round_to_float(state: State) -> State:
-    """The state with every number but the quaternion rounded to the nearest float."""
-    keys = [row.symbol for row in QUANTITIES.values() if row.input and row.symbol != "wrench"]
-    given = {key: getattr(state, key) for key in keys}
-    found: dict[str, Any] = {key: None if value is None else tuple(map(_float, value)) for key, value in given.items()}
-    wrench = {name: cast(Vec6, tuple(map(_float, value))) for name, value in state.wrench.items()}
-    return replace(state, **found, wrench=MappingProxyType(wrench))
-
-
-def _held_to_float(stand: Stand, state: State) -> State:
-    """The state with u, u_dot of a held carrier rounded to the nearest float, and V, V_dot of these in double."""
-    if stand.hold is None:
+def with_drawn_actuators(stand: Stand, state: State, rng: np.random.Generator) -> State:
+    """The state with deflections and speeds of their usual size; itself where the stand has neither."""
+    known = actuators_of(stand)
+    if not known:
         return state
+    sizes = rng.uniform(0.3, 1.0, len(known)) * rng.choice([-1.0, 1.0], len(known))
+    given = {name: float(size * each.usual) for (name, each), size in zip(known.items(), sizes, strict=True)}
+    return replace(state, actuators=MappingProxyType(given))
+
+
+def round_to_float(stand: Stand, state: State) -> State:
+    """The state with every number but the quaternion rounded to the nearest float, V, V_dot of a held carrier by u."""
     given: dict[str, Any] = {}
-    for key, symbol in (("u", "V"), ("u_dot", "V_dot")):
-        given[key] = tuple(map(_float, getattr(state, key)))
-        given[symbol] = twist_of(stand.hold, given[key])
-    return replace(state, **given)
+    for key in (*INPUTS, *HELD_KEYS):
+        value = getattr(state, key)
+        given[key] = None if value is None else _floats(value)
+    if stand.hold is not None:
+        given |= {twist: twist_of(stand.hold, given[key]) for key, twist in HELD_KEYS.items()}
+    return replace(state, **given, wrench=MappingProxyType({name: _floats(w) for name, w in state.wrench.items()}))
 
 
-def _float(number: float) -> float:
-    return float(np.float32(number))
+def _floats(numbers: Sequence[float]) -> Any:
+    return tuple(np.array(numbers, dtype=np.float32).astype(np.float64).tolist())
 
 
 def _near_a_branch(stand: Stand, state: State, cut: float) -> bool:

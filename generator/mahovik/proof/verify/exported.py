@@ -9,15 +9,13 @@ from mahovik.contract.limits import LIMITS
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
-from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.check import Check, Report, report
 from mahovik.proof.verify.functions.table import function_checks
 from mahovik.proof.verify.programme.compiled import load_part
 from mahovik.proof.verify.programme.functions import CompiledProgramme
 from mahovik.proof.verify.programme.verification import ProgrammeCase, motion_check, stand_check
-from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.servo.functions import ServoCase
 from mahovik.proof.verify.servo.tables import table_checks
 
@@ -67,6 +65,4 @@ def verify_servo(
         made = load_part(stand, folder, "servo", name, Path(scratch))
         case = ServoCase(stand, servo, made, seed, count, motion, programme)
         rows = (*table_checks(case), *function_checks(case))
-    own = identities(stand)
-    limit = LIMITS[made.real].law
-    return Report(stand.name, own.structure, own.physics, f"servo {servo.name}", seed, count, limit, rows)
+    return report(stand, f"servo {servo.name}", seed, count, LIMITS[made.real].law, rows)

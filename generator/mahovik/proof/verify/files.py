@@ -21,9 +21,8 @@ from mahovik.core.emit.recorder import has_recorder, recorder_files
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.proof.second.reading import Table, UnknownUnitError, differences
-from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.check import TEXT, Check
 from mahovik.proof.verify.delivery import declared_functions, read_manifest
-from mahovik.proof.verify.report import TEXT
 
 ACCEPTED = 1e-12
 """Relative difference of two readings of a file that rounding may make; seen are 4e-16."""

@@ -28,13 +28,11 @@ from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.second import Second
-from mahovik.proof.verify.actuators import with_drawn_actuators
-from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.check import Check, Report, report
 from mahovik.proof.verify.compare import Judge
-from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.harness import applicable, report
+from mahovik.proof.verify.draw import draw, with_drawn_actuators
+from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.held import onto_hold, with_angles, with_quaternion
-from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.states import LONGEST, Request, excerpt, state_line
 from mahovik.proof.verify.torque_want import WANT as TORQUE_FOR
 from mahovik.proof.verify.torque_want import TaskSetting, torque_requests, torque_rows

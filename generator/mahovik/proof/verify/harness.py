@@ -11,25 +11,22 @@ from mahovik.contract.functions import TASK_WANTS
 from mahovik.contract.limits import DOUBLE, LIMITS, Limits
 from mahovik.core.lower.hold import OF_COORDINATES
 from mahovik.core.stand.hold import has_coordinates
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.toolchain.process import side_by_side
 from mahovik.errors import StateError
 from mahovik.proof.second import Second
 from mahovik.proof.second.reading import Table
-from mahovik.proof.verify.backends import Backend
+from mahovik.proof.verify.backends import public_names
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.check import OTHER_TEXT, Check, Report, report
 from mahovik.proof.verify.compare import Judge, same_bits
 from mahovik.proof.verify.draw import check_drawing, draw_decided
 from mahovik.proof.verify.files import check_batch, check_file, check_text, is_as_generated
 from mahovik.proof.verify.functions.case import Case, ordinary
-from mahovik.proof.verify.program_backend import public_names
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
-from mahovik.proof.verify.report import OTHER_TEXT, Report
 from mahovik.proof.verify.scales import Scales
-from mahovik.proof.verify.states import Request
+from mahovik.proof.verify.states import Backend, Request
 
 INTERPRETED_EVERY = 8
 """The interpreter, a thousand times slower than C, runs at every eighth state."""
@@ -141,14 +138,6 @@ def free_only_rows(stand: Stand) -> list[Check]:
     return [Check(name, "not there", words=words) for name in names]
 
 
-def report(
-    stand: Stand, judged: str, seed: int, count: int, tolerance: float, rows: Sequence[Check], error: str = ""
-) -> Report:
-    """The report of these rows on a stand."""
-    names = identities(stand)
-    return Report(stand.name, names.structure, names.physics, judged, seed, count, tolerance, tuple(rows), error)
-
-
 def check_bits(backend: CBackend, states: Sequence[tuple[str, State]], against: Path | None) -> Check:
     """Check: the interpreter of the program gives the same bits as the compiled C, so printer and compiler are right.
 
@@ -163,7 +152,7 @@ def check_bits(backend: CBackend, states: Sequence[tuple[str, State]], against: 
         return row
     for name, state in states[::INTERPRETED_EVERY]:
         for want in (want for want in backend.wants if applicable(state, want)):
-            both = (_outcome(run, state, want) for run in (backend.evaluate, backend.interpreter_evaluate))
+            both = (_outcome(of, state, want) for of in (backend, backend.taking(state).interpreter))
             if not same_bits(*both):
                 row.note(math.inf, name, f"{want} differs", Request(name, state, (want,)))
                 break
@@ -172,9 +161,9 @@ def check_bits(backend: CBackend, states: Sequence[tuple[str, State]], against: 
     return row
 
 
-def _outcome(evaluate: Callable[[State, Sequence[str]], dict[str, Any]], state: State, want: str) -> Any:
+def _outcome(backend: Backend, state: State, want: str) -> Any:
     """Results, or the text of the refusal, which must be equal as well."""
     try:
-        return evaluate(state, (want,))
+        return backend.evaluate(state, (want,))
     except StateError as error:
         return str(error)

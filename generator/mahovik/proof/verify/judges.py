@@ -28,15 +28,13 @@ from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.physical import LEAST_EIGENVALUE
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
-from mahovik.proof.verify.backends import Backend
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.check import Check, difference
+from mahovik.proof.verify.check import Check, Report, difference, report
 from mahovik.proof.verify.compare import LAST_PLACES, NEIGHBOURS, ROUNDINGS
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.harness import Progress, report
-from mahovik.proof.verify.report import Report
+from mahovik.proof.verify.harness import Progress
 from mahovik.proof.verify.scales import Scales
-from mahovik.proof.verify.states import Request
+from mahovik.proof.verify.states import Backend, Request
 
 Array = NDArray[np.float64]
 Values = dict[str, Any]

@@ -17,12 +17,11 @@ from mahovik.errors import StateError, UsageError
 from mahovik.proof import rigorous
 from mahovik.proof.reference.array import Array
 from mahovik.proof.rigorous import BITS, Balls, enclose
+from mahovik.proof.verify.backends import is_beyond, public_names
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.check import Check, Report, report
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.harness import Progress, report
-from mahovik.proof.verify.program_backend import is_beyond, public_names
-from mahovik.proof.verify.report import Report
+from mahovik.proof.verify.harness import Progress
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import Request
 
@@ -55,8 +54,6 @@ def measure_rounding(
     states = draw(stand, seed, count, real, wrenches=against is None)
     for done, (name, state) in enumerate(states):
         exact_at = cache(lambda bits, state=state: rigorous.exact_at(stand, state, bits))
-        # the C that takes the run-time wrenches of the state
-        judged = backend if set(state.wrench) <= set(backend.inputs) else backend.full
         for want in wants:
             measured, request = scales.want(state, want), Request(name, state, (want,))
             if measured is None:
@@ -72,7 +69,7 @@ def measure_rounding(
                 return all(_is_narrow(balls[key], size) for key, size in sizes.items())
 
             try:
-                found, balls, words = judged.evaluate(state, (want,)), enclose(exact, narrow), ""
+                found, balls, words = backend.evaluate(state, (want,)), enclose(exact, narrow), ""
             except StateError as refusal:
                 found, words = {}, str(refusal)
             for key, size in sizes.items():

@@ -27,7 +27,7 @@ from mahovik.proof.reference.bodies import Bodies, bodies_of
 from mahovik.proof.reference.hold import held_state, twists
 from mahovik.proof.reference.inverse import Cuts, inverse_root
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.verify.actuators import stand_at
+from mahovik.proof.verify.states import stand_at
 
 ORDINARY = 2
 """Seed of the ordinary state whose scales are floors at all others."""

@@ -5,27 +5,30 @@ from __future__ import annotations
 import codecs
 import json
 import math
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from itertools import cycle
 from types import MappingProxyType
-from typing import IO, Any, cast
+from typing import IO, Any, Protocol, cast
 
 from mahovik.contract.evaluation import STATE
 from mahovik.contract.functions import ALL_WANTS, TASK_CONFLICTS, TASK_WANTS, WANTS, hold_fault, want_fault
-from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH, Quantity
+from mahovik.contract.laws import of_bodies
+from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH
+from mahovik.core.stand.actuator import Actuator
 from mahovik.core.stand.hold import has_coordinates, no_coordinates, twist_of
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.core.stand.units import show
 from mahovik.errors import StateError, count_numbers
 from mahovik.nearest import suggestion
-from mahovik.proof.verify.actuators import actuators_of
-from mahovik.proof.verify.backends import Backend
-from mahovik.proof.verify.json_text import members
 
 ROUNDING = 4 * 2.0**-52
 """Rounding of four squares and a root: a quaternion this near to unit length stays as it is, so that states replay."""
+
+INPUTS = {row.symbol: row.count for row in QUANTITIES.values() if row.input and row.symbol != "wrench"}
+"""Keys of a state that are lists of numbers of a quantity, and how many: N, one for each flywheel."""
 
 HELD_KEYS = {"u": "V", "u_dot": "V_dot"}
 """Keys of a state of a held carrier, and those that they stand for."""
@@ -78,9 +81,8 @@ def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> R
     if "generalized" in want and "quaternion" in found and stand.hold is None:
         raise StateError("quaternion: `generalized` needs `angles`")
     given: dict[str, Any] = {
-        row.symbol: _numbers(found, row, len(stand.flywheels) if row.count == "N" else int(row.count), real)
-        for row in QUANTITIES.values()
-        if row.input and row.symbol != "wrench"
+        key: _list_of(found.get(key, [0.0] * count), key, count, QUANTITIES[key].limits(real))
+        for key, count in ((key, len(stand.flywheels) if n == "N" else int(n)) for key, n in INPUTS.items())
     }
     given["angles"] = given["angles"] if "angles" in found else None
     quaternion = _quaternion(found) if "quaternion" in found else None
@@ -118,11 +120,7 @@ def _without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     if len(found) == len(pairs):
         return found
     marked = _RepeatedKeys(found)
-    seen: set[str] = set()
-    for key, _ in pairs:
-        if key in seen:
-            marked.key = key
-        seen.add(key)
+    marked.key = Counter(key for key, _ in pairs).most_common(1)[0][0]
     return marked
 
 
@@ -155,13 +153,6 @@ def _want(found: dict[str, Any]) -> tuple[str, ...]:
     return tuple(given)
 
 
-def _numbers(found: dict[str, Any], row: Quantity, count: int, real: str) -> tuple[float, ...]:
-    """The numbers of a quantity, zeros where it is missing."""
-    if row.symbol not in found:
-        return (0.0,) * count
-    return _list_of(found[row.symbol], row.symbol, count, row.limits(real))
-
-
 def _list_of(given: Any, where: str, count: int, limits: Sequence[float]) -> tuple[float, ...]:
     """`count` finite numbers within their limits in magnitude, which repeat."""
     if not isinstance(given, list):
@@ -169,10 +160,15 @@ def _list_of(given: Any, where: str, count: int, limits: Sequence[float]) -> tup
     if len(given) != count:
         raise StateError(f"{where}: expected {count_numbers(count)}, found {len(given)}")
     numbers = tuple(_number(value, f"{where}[{i}]") for i, value in enumerate(given))
-    for i, (number, limit) in enumerate(zip(numbers, cycle(limits), strict=False)):
-        if abs(number) > limit:
-            raise StateError(f"{where}[{i}]: {number:.9g} is out of range, at most {limit:g} in magnitude")
+    _refuse_beyond(numbers, where, limits)
     return numbers
+
+
+def _refuse_beyond(numbers: Sequence[float], where: str, limits: Sequence[float]) -> None:
+    """Raises StateError where one of the numbers is above its limit in magnitude."""
+    for i, (number, limit) in enumerate(zip(numbers, cycle(limits), strict=False)):
+        if not abs(number) <= limit:
+            raise StateError(f"{where}[{i}]: {number:.9g} is out of range, at most {limit:g} in magnitude")
 
 
 def freedoms_of(stand: Stand, found: dict[str, Any], want: Sequence[str], real: str) -> dict[str, Any]:
@@ -197,11 +193,7 @@ def freedoms_of(stand: Stand, found: dict[str, Any], want: Sequence[str], real: 
             raise StateError(f"{other}: the carrier is held, expected {key}, {count_numbers(count)}")
         given[key] = _list_of(found.get(key, [0.0] * count), key, count, (math.inf,))
         given[other] = twist_of(stand.hold, given[key])
-        for i, (number, limit) in enumerate(zip(given[other], cycle(QUANTITIES[other].limits(real)), strict=False)):
-            if not abs(number) <= limit:
-                raise StateError(
-                    f"{key}: gives {other}[{i}] = {number:.9g}, which is out of range, at most {limit:g} in magnitude"
-                )
+        _refuse_beyond(given[other], f"{key}: gives {other}", QUANTITIES[other].limits(real))
     return given
 
 
@@ -248,34 +240,69 @@ def _task(stand: Stand, found: dict[str, Any], want: Sequence[str], real: str) -
     return name, _list_of(found["demand"], "demand", rows[name], QUANTITIES["V_dot"].limits(real))
 
 
-def _wrench(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyType[str, Vec6]:
-    given = found.get("wrench", {})
+def _by_name(found: dict[str, Any], key: str, known: Collection[str], what: str) -> dict[str, Any]:
+    """The values of a key that is an object, by names that the stand has."""
+    given = found.get(key, {})
     if not isinstance(given, dict):
-        raise StateError(f"wrench: expected an object of bodies, found {excerpt(given)}")
-    bodies = [body.name for body in stand.bodies]
+        raise StateError(f"{key}: expected an object of {what}, found {excerpt(given)}")
     for name in given:
-        if name not in bodies:
-            raise StateError(f'wrench: unknown body "{name}"{suggestion(name, bodies)}')
-    limits = QUANTITIES["wrench"].limits(real)
+        if name not in known:
+            raise StateError(f'{key}: unknown "{name}"{suggestion(name, known, f"the stand has no {what}")}')
+    return given
+
+
+def _wrench(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyType[str, Vec6]:
+    given, limits = (
+        _by_name(found, "wrench", [b.name for b in stand.bodies], "bodies"),
+        QUANTITIES["wrench"].limits(real),
+    )
     values = {name: cast(Vec6, _list_of(value, f"wrench, {name}", 6, limits)) for name, value in given.items()}
     return MappingProxyType(values)
 
 
 def _actuators(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyType[str, float]:
-    given, known = found.get("actuators", {}), actuators_of(stand)
-    if not isinstance(given, dict):
-        raise StateError(f"actuators: expected an object of fins and propellers, found {excerpt(given)}")
-    values = {}
-    for name, value in given.items():
-        if name not in known:
-            near = suggestion(name, known, "the stand has neither fins nor propellers")
-            raise StateError(f'actuators: unknown "{name}"{near}')
+    known, values = actuators_of(stand), {}
+    for name, value in _by_name(found, "actuators", known, "fins and propellers").items():
         row, where = known[name], f"actuators, {name}"
         most = row.limit or QUANTITIES["phi_dot"].limits(real)[0]
         values[name] = _number(value, where)
         if abs(values[name]) > most:
             raise StateError(f"{where}: {values[name]:.9g} is out of range for its {row.what}, at most {most:g}")
     return MappingProxyType(values)
+
+
+def actuators_of(stand: Stand) -> dict[str, Actuator]:
+    """Fins and propellers of a stand by name."""
+    found: dict[str, Actuator] = {}
+    for actuators in of_bodies("actuator", "actuators"):
+        for body in stand.bodies:
+            found |= actuators(body)
+    return found
+
+
+def stand_at(stand: Stand, state: State) -> Stand:
+    """The stand with the deflections (rad) and speeds (rad/s) of a state; itself, where the state has none."""
+    if not state.actuators:
+        return stand
+    changes = of_bodies("actuator", "actuate")
+
+    def change(body: Any) -> Any:
+        for actuate in changes:
+            body = actuate(body, state.actuators)
+        return body
+
+    return replace(stand, carrier=change(stand.carrier), instruments=tuple(map(change, stand.instruments)))
+
+
+class Backend(Protocol):
+    """An evaluator of states of one stand."""
+
+    @property
+    def name(self) -> str:
+        """Name in tables and messages."""
+
+    def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
+        """Quantities of `want`, by the names of the contract. Raises StateError."""
 
 
 LONGEST = 16_000_000
@@ -329,28 +356,40 @@ def _text(line: bytes) -> str:
 
 def state_object(state: State) -> dict[str, Any]:
     """The keys of a state as in a line, without those that are zero."""
-    found: dict[str, Any] = {}
-    if any(state.position):
-        found["position"] = state.position
-    if state.angles is not None:
-        found["angles"] = state.angles
-    if state.quaternion is not None:
-        found["quaternion"] = state.quaternion
-    held = state.u or state.u_dot
-    for key in ("V", "phi", "phi_dot", "phi_ddot", "V_dot", "tau", "u", "u_dot"):
-        if any(getattr(state, key)) and not (held and key in HELD_KEYS.values()):
-            found[key] = getattr(state, key)
-    if state.task:
-        found |= {"task": state.task, "demand": state.demand}
-    wrench = {name: value for name, value in state.wrench.items() if any(value)}
-    if wrench:
-        found["wrench"] = wrench
-    if state.actuators:
-        found["actuators"] = dict(state.actuators)
-    return found
+    stands_for = HELD_KEYS.values() if state.u or state.u_dot else ()
+    given = {key: getattr(state, key) for key in STATE if key not in ("id", "want", *stands_for)}
+    given["wrench"] = {name: value for name, value in state.wrench.items() if any(value)}
+    given["actuators"] = dict(state.actuators)
+    kept = {"angles", "demand"} if state.task else {"angles"}
+    return {key: value for key, value in given.items() if value is not None and (key in kept or any(value))}
 
 
 def state_line(request: Request) -> str:
     """The line that asks for a request: reading it back gives the same numbers."""
     required = {"u_dot": request.state.u_dot} if request.state.u_dot and "reaction" in request.want else {}
     return _line(request.id, {**state_object(request.state), **required, "want": list(request.want)})
+
+
+def encode(value: Any, name: str = "") -> str:
+    """Strict JSON, floats with 17 significant digits, so that they read back as the same bits.
+
+    StateError where a number is not finite, with the `name` of the member. Arrays are lists; a float is never written
+    like an integer.
+    """
+    value = value.tolist() if hasattr(value, "tolist") else value  # of NumPy
+    match value:
+        case dict():
+            return "{" + members(value) + "}"
+        case list() | tuple():
+            return "[" + ", ".join(encode(item, name) for item in value) + "]"
+        case float() if not math.isfinite(value):
+            raise StateError(f"{name}: not finite at this state" if name else "not finite at this state")
+        case float():
+            text = f"{value:.17g}"
+            return text + ".0" if text.lstrip("-").isdigit() else text
+    return json.dumps(value)
+
+
+def members(value: dict[str, Any]) -> str:
+    """Names and values of an object, without its braces. StateError as encode."""
+    return ", ".join(f"{json.dumps(name)}: {encode(item, name)}" for name, item in value.items())

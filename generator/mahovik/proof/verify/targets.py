@@ -23,9 +23,8 @@ from mahovik.core.toolchain.process import side_by_side
 from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.nearest import suggestion
-from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.report import Report
-from mahovik.proof.verify.report import as_junit as checks_as_junit
+from mahovik.proof.verify.check import Check, Report
+from mahovik.proof.verify.check import as_junit as checks_as_junit
 from mahovik.writing import write_all
 
 REALS = ("double", "float")

@@ -21,7 +21,7 @@ from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.motion import coupled
 from mahovik.proof.reference.tasks import task_rows
 from mahovik.proof.second import Second
-from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.check import Check, difference
 from mahovik.proof.verify.functions.case import Rows, ordinary
 from mahovik.proof.verify.functions.optimality import judge_torques, motor_bounds
 from mahovik.proof.verify.scales import Scales
@@ -118,13 +118,8 @@ def _numbers(result: Mapping[str, Any], N: int, m: int) -> dict[str, Any]:
     """The numbers of a result, whose shapes are right. Raises StateError."""
     found = {}
     for name, count in (("tau", N), ("phi_ddot", N), ("V_dot", 6), ("residual", m), ("limited", N)):
-        try:
-            numbers = np.array(result.get(name), dtype=np.float64)
-        except (ValueError, TypeError, OverflowError):
-            raise StateError(f"{name}: no array of numbers") from None
-        if numbers.shape != (count,):
-            raise StateError(f"{name}: shape {list(numbers.shape)}, expected {[count]}")
-        if not np.isfinite(numbers).all():
-            raise StateError(f"{name}: not finite")
-        found[name] = numbers
+        _, fault = difference(result.get(name), np.zeros(count), 1.0)
+        if fault:
+            raise StateError(f"{name}: {fault}")
+        found[name] = np.array(result[name], dtype=np.float64)
     return found

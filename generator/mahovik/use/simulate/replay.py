@@ -22,7 +22,7 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.json_text import encode
+from mahovik.proof.verify.states import encode
 from mahovik.use.simulate.flight_log import Damage, Reals, Start, Step, members
 from mahovik.writing import format_of
 

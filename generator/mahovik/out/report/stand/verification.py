@@ -19,11 +19,10 @@ from mahovik.out.report.stand.material import Material, Section, generate_once
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
-from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.check import Check, Report, conclusion, report
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.harness import judge, report, verify_c
+from mahovik.proof.verify.harness import judge, verify_c
 from mahovik.proof.verify.judges import PROGRAMS, missing, verify_judges
-from mahovik.proof.verify.report import Report, conclusion
 from mahovik.proof.verify.targets import TargetsReport, parse_targets, verify_targets
 
 STATES = 16

@@ -29,9 +29,9 @@ from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.momentum import momentum
 from mahovik.proof.reference.motion import bias, mounts, reaction, torque
-from mahovik.proof.verify.actuators import stand_at, with_drawn_actuators
+from mahovik.proof.verify.draw import with_drawn_actuators
 from mahovik.proof.verify.foreign import Program
-from mahovik.proof.verify.states import Request
+from mahovik.proof.verify.states import Request, stand_at
 
 ANSWERS: Mapping[str, tuple[str, ...]] = {
     "forward": ("V_dot",),

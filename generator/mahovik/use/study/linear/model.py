@@ -23,8 +23,7 @@ from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference.motion import point_transfers
 from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.proof.verify.json_text import encode
-from mahovik.proof.verify.states import state_object
+from mahovik.proof.verify.states import encode, state_object
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual import Linear, Mechanics, linear
 from mahovik.use.plan.residual.by_carrier import ByCarrier, by_carrier
