@@ -150,13 +150,7 @@ BAD = [
     (FREE, FREE_MAP, 'V = "carrier.V[{i}]"', "V = [1, 2, 3, 4, 5, 6]", "expected the name of a variable"),
     (FREE, FREE_MAP, '"carrier.V[{i}]"', '[{ variable = "a", factor = 0 }]', "the factor not zero"),
     (FREE, FREE_MAP, "[state]", "[state", "no TOML"),
-    (
-        held_text(),
-        JOINT_MAP,
-        'q = "joint.{freedom}.s"\n',
-        "",
-        "state.quaternion or state.angles is missing: answers of this stand",
-    ),
+    (held_text(), JOINT_MAP, 'q = "joint.{freedom}.s"\n', "", "state.quaternion or state.angles is missing: answers"),
     (held_text(), JOINT_MAP, 'u = "joint.{freedom}.v"\n', "", "state.V or state.u is missing: answers of this stand"),
     (held_text(), JOINT_MAP, '["joint.a"]', '["a", "b"]', "forward.u_dot: 2 variables, expected 1"),
     (held_text(), JOINT_MAP, 'u_dot = ["joint.a"]', 'reaction = "R[{i}]"', "forward.u_dot is missing"),
@@ -175,6 +169,12 @@ def test_files_that_are_refused(fmu: Path) -> None:
     assert "no FMU" in refused(*judged(FREE, "stand.toml", FREE_MAP))
     assert "--map" in refused(*judged(FREE, fmu, FREE_MAP)[:-2])
     assert "expected one of them" in refused(*judged(FREE, fmu, FREE_MAP), "--with", "cat")
+
+
+@pytest.mark.parametrize("what", ["FILES", "BYTES", "DESCRIPTION"])
+def test_an_fmu_that_would_fill_the_disk_is_not_unpacked(fmu: Path, monkeypatch: pytest.MonkeyPatch, what: str) -> None:
+    monkeypatch.setattr(f"mahovik.proof.verify.fmu.MOST_{what}", 2)
+    assert ", expected at most 2" in refused(*judged(FREE, fmu, FREE_MAP))
 
 
 @pytest.mark.parametrize("name", ["../outside", "/outside", "C:outside"])

@@ -208,9 +208,8 @@ def advance(
                     freed = s
         if freed >= 0:
             held[freed] = 0
-        else:  # noqa: PLR5501
-            if not (square > best and square < square_before.value * (1 - tolerance)):
-                settled.value = 1
+        elif not (square > best and square < square_before.value * (1 - tolerance)):
+            settled.value = 1
         square_before.value = square
 
 

@@ -56,7 +56,7 @@ class Precision:
 
     @classmethod
     def of(cls, numbers: Array, tolerance: float = 0.0) -> Precision:
-        """Of the numbers of its answers; at least `tolerance`, where the user gives one."""
+        """Precision of a program, read off the numbers of its answers; `tolerance`: the least that the user accepts."""
         there = numbers[np.isfinite(numbers) & (numbers != 0.0)]
         with np.errstate(over="ignore"):
             rounded = there.astype(np.float32).astype(np.float64)
@@ -143,7 +143,7 @@ class AnswerVector:
         return self.fill(lambda request: model(request.state, request.want[0]), among)
 
     def places(self, among: Collection[str]) -> NDArray[np.bool_]:
-        """Which numbers belong to requests with these ids."""
+        """Mask of the numbers that belong to the requests with these ids."""
         sizes = [sum(int(np.prod(shape)) for _, shape, _ in parts) for parts in self.parts]
         return np.repeat([request.id in among for request in self.requests], sizes)
 

@@ -91,7 +91,7 @@ def solve_symmetric(S: Array, b: Array) -> Array:
 
 
 def _solve_exactly(S: Array, b: Array) -> Array:
-    """By the numbers' own elimination."""
+    """x of S x = b, by the solver of the number type (balls)."""
     kind = next(type(x) for x in (*S.flat, *b.flat) if not isinstance(x, float | int))
     found: Array = kind.solve(S, b)
     return found

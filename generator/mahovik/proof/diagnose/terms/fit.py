@@ -14,7 +14,7 @@ from scipy.optimize import linprog
 from mahovik.proof.reference.array import Array
 
 Mask = NDArray[np.bool_]
-"""Which columns."""
+"""True for the columns that a fit may use."""
 
 Places = NDArray[np.int64]
 """Indices of columns."""

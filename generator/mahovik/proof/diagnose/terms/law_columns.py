@@ -41,7 +41,7 @@ Parts = list[list[tuple[str, Array, LawTerm]]]
 
 
 def law_parts(stand: Stand, at: Sequence[Pieces]) -> Parts:
-    """Of all laws at n states."""
+    """Parts of all laws of a stand at n states: those between bodies, then those of each body."""
     poses = [Pose(axial(p.L1[3:, :3] @ p.C.T), p.C, p.V) for p in at]
     between = (part.law_terms(stand, poses) for part in laws.parts("terms"))
     parts = [[("carrier", np.eye(6), term) for term in terms] for terms in between if terms]

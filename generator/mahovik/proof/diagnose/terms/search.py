@@ -516,7 +516,7 @@ class TermSearch:
 
 
 def _is_there(factors: Array) -> Any:
-    """Which factors are more than rounding, beside the others."""
+    """Mask of the factors that are more than rounding of the largest."""
     return np.abs(np.nan_to_num(factors)) > THERE * np.abs(np.nan_to_num(factors)).max(initial=0.0)
 
 
