@@ -180,8 +180,6 @@ REFUSED: list[tuple[str, str, dict[str, Any], str]] = [
     ("judge", "demo3", {"timeout": 0}, "timeout 0: expected a number above 0"),
     ("judge", "demo3", {"want": ["forwards"]}, 'want: unknown "forwards", did you mean "forward"?'),
     ("judge", "demo3", {"timeout": "1 kg"}, 'timeout: unit "kg" does not fit'),
-    ("excite", "sat4", {"harmonics": 1.5}, "harmonics 1.5: expected a whole number from 0 to 20"),
-    ("excite", "sat4", {"seed": -1}, "seed -1: expected a whole number of at least 0"),
 ]
 USUAL: dict[str, dict[str, Any]] = {
     "response": {"speeds": {"all": "100..3000rpm"}, "at": "acc1"},
@@ -211,7 +209,6 @@ SEARCHES: dict[str, Callable[[str], object]] = {
     "plan": lambda limit: mahovik.plan(SHAKER2, TILT, seconds=limit),
     "design": lambda limit: mahovik.design(SHAKER2, TILT, "phase", seconds=limit),
     "quiet": lambda limit: mahovik.quiet(SAT4, "acc1", (20.0, 200.0), backend=None, seconds=limit),
-    "excite": lambda limit: mahovik.excite(SAT4, speed="3000 rpm", seconds=limit),
 }
 
 

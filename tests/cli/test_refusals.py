@@ -11,7 +11,6 @@ import pytest
 
 from cli.run import refused
 from control.following import SERVO
-from identify.data import bench8
 from mahovik import stands
 from mahovik.core.motion.programme import save_programme
 from verify.programme.programmes import shaker
@@ -27,7 +26,6 @@ COMMANDS = {
     "jitter": "jitter $sat4 --speed all=3000rpm --at acc1",
     "quiet": "quiet $sat4 --point acc1 --band 20..200Hz --backend none --momentum '0 0 14'",
     "plan": "plan $demo3 --motion $turn -o p2.json",
-    "excite": "excite two.toml --speed '1000 rpm' --duration 0.5 --rate 500 -o p2.json",
     "verify": "verify $demo3",
     "replay": "replay $demo3 --log none.log",
     "report": "report $demo3 -o r.html",
@@ -87,13 +85,6 @@ CASES = [
     ("plan", "-o .", ".: is a directory, expected a file to write"),
     ("plan", "--method ocp", "(13) needs at least 6"),
     ("plan", "--time 0", "--time"),
-    ("excite", "--free ,", "expected at least one path"),
-    ("excite", "--speed 10,20,30", "3 numbers, but the stand has 2 flywheels"),
-    ("excite", "--speed-min '1200 rpm'", "leaves no room below"),
-    ("excite", "--speed '1 rpm'", "longer --duration"),
-    ("excite", "--noise imu.rat=1", 'did you mean "imu.rate"'),
-    ("excite", "--noise rate=0", "expected a number above 0"),
-    ("excite", "--rate 1e9", "samples, expected"),
     ("program", "--with ''", "no command"),
     ("program", '--with "\'unclosed"', "No closing quotation"),
     ("program", "--with 'no-such-program {stand}'", "cannot be started"),
@@ -122,7 +113,6 @@ CASES = [
 def files(own_folder: Path) -> set[str]:
     """Files that the commands read."""
     save_programme(shaker()[2], own_folder / "p.json")
-    bench8(2).save("two.toml")
     Path("servo.toml").write_text(SERVO)
     Path("twice.json").write_text('{"phi": [0, 0, 0], "phi": [1, 0, 0]}')
     Path("twice.py").touch()

@@ -15,6 +15,3 @@ mahovik design $STANDS/shaker2.toml $z --free little.toml -o bad.toml
 sed 's/3 kg mm/3 mm/; s/quality/qualiti/' free.toml > bad.toml
 mahovik design $STANDS/shaker2.toml $z --free bad.toml -o worse.toml
 mahovik design $STANDS/shaker2.toml $z --free unbalanc -o bad.toml
-mahovik excite $INPUTS/force_table.toml --speed "300 rpm" --duration "0.5 s" --rate 200 --harmonics 0 --time "1 ms" -o p.json
-mahovik excite $INPUTS/force_table.toml --speed "300 rpm" --duration "0.5 s" --channels hold.reation.x -o q.json
-mahovik excite $INPUTS/force_table.toml --speed "300 rpm" --duration "0.5 kg" -o q.json

@@ -19,7 +19,6 @@ from mahovik.out.cli.design import design
 from mahovik.out.cli.doctor import doctor
 from mahovik.out.cli.evaluate import evaluate
 from mahovik.out.cli.evidence import evidence
-from mahovik.out.cli.excite import excite
 from mahovik.out.cli.export import export
 from mahovik.out.cli.generate import generate
 from mahovik.out.cli.group import Commands
@@ -47,7 +46,7 @@ SECTIONS = {
     "Motion, vibration": (
         evaluate, simulate, replay, modes, linearize, response, jitter, quiet, balance, identify, campaign,
     ),
-    "Programmes of the flywheels": (plan, excite, design, verify_programme),
+    "Programmes of the flywheels": (plan, design, verify_programme),
     "Interfaces and tools": (report, plot, export, doctor, completion),
 }  # fmt: skip
 """Commands under the headings of `--help`, in the order of use; all fit on a screen of 40 lines."""

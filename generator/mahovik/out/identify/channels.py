@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from fnmatch import fnmatchcase
 
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
@@ -74,18 +72,3 @@ def known_channels(stand: Stand) -> tuple[Channel, ...]:
 def six_axes(point: str) -> tuple[Channel, ...]:
     """All channels of an IMU at a point."""
     return tuple(Channel(point, kind, axis) for kind in KINDS for axis in range(3))
-
-
-def chosen_channels(stand: Stand, patterns: Sequence[str]) -> tuple[Channel, ...]:
-    """Known channels whose names match one of the patterns, such as `imu.rate.*`; without patterns all.
-
-    Raises UsageError: a pattern that no channel matches.
-    """
-    known = known_channels(stand)
-    names = [channel.name for channel in known]
-    for pattern in patterns:
-        if not any(fnmatchcase(name, pattern) for name in names):
-            raise UsageError(
-                f'--channels: no channel of {stand.name} is called "{pattern}"{suggestion(pattern, names)}'
-            )
-    return tuple(each for each in known if not patterns or any(fnmatchcase(each.name, pattern) for pattern in patterns))
