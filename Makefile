@@ -23,7 +23,7 @@ help:
 	@echo "make setup-test  the same environment with judges, test tools and the site's builder added"
 	@echo "make lint        format, lint, types, imports, and the size of the house"
 	@echo "make docs        the pages of docs/ as a site: build/docs/index.html; any warning is an error"
-	@echo "make generated   write generated/ again from the example stands"
+	@echo "make generated   derive the formulas again with SymPy, write generated/ again from the example stands"
 	@echo "make net         the C of 67 stands, answers of every study, transcripts: as accepted in tests/net?"
 	@echo "make targets     compilers and emulators (Debian), then the same bits and no rise of cost on every processor"
 	@echo "make fuzz        ten million executions of the C on arbitrary arguments, every reader on arbitrary files"
@@ -45,7 +45,7 @@ test: demo setup-test
 
 # Not compiled at once: less disk and time, and most modules are never imported. Those that commands import are compiled by
 # running some, where the environment lets Python keep none: as pip does there, and every start takes half the time.
-KEEPING := env -u PYTHONDONTWRITEBYTECODE -u PYTHONPYCACHEPREFIX MAHOVIK_CACHE=
+KEEPING := env -u PYTHONDONTWRITEBYTECODE -u PYTHONPYCACHEPREFIX
 INSTALL := $(BIN)/python -m pip install --no-compile --disable-pip-version-check -c constraints.txt
 
 setup: $(READY)
@@ -81,6 +81,7 @@ docs: setup-test
 	@echo "build/docs/index.html"
 
 generated: setup
+	$(BIN)/python tools/formulas.py
 	@for stand in $(EXAMPLES); do \
 	  $(BIN)/mahovik generate generator/mahovik/stands/$$stand.toml -o generated/$$stand || exit 1; done
 

@@ -1,6 +1,6 @@
 """Hypothesis draws the same examples in every run of CI; elsewhere new ones, so that daily work searches on.
 
-Commands keep their formulas here, not in the folder of the user; equal C is compiled once for all tests, and
+Compiled stands are kept here, not in the folder of the user; equal C is compiled once for all tests, and
 generated once in each process.
 Linear algebra has one thread, and garbage is looked for as seldom, as in the command.
 Ctrl-C acts on commands that tests start, also where a shell runs the tests beside itself and has it ignored.
@@ -28,9 +28,9 @@ if os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):  # commands that tests start n
 gc.set_threshold(ALLOCATIONS)
 for name in ONE_THREAD:  # before NumPy is loaded
     os.environ.setdefault(name, "1")
-os.environ["MAHOVIK_CACHE"] = str(CACHE / "formulas")
+os.environ["MAHOVIK_CACHE"] = str(CACHE / "mahovik")
 build_cache.install(CACHE / "libraries")
-generated_once.install(os.environ["MAHOVIK_CACHE"])
+generated_once.install()
 
 sys.path.append(str(TOOLS))  # tools import one another, and tests import them; last, as names of tests go first
 

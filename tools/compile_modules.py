@@ -20,7 +20,7 @@ COMMANDS = (
     ("check", STAND),
     ("rest", STAND),
     ("eval", STAND, "--backend", "numpy"),
-    ("generate", STAND, "-o", "bench8", "--no-cache"),
+    ("generate", STAND, "-o", "bench8"),
 )
 
 

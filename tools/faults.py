@@ -26,6 +26,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 LIST = Path("tests/faults.toml")
 VERDICTS = ROOT / "build" / "faults" / "verdicts.json"
+FORMULAS = "generator/mahovik/core/formula/derived.json"
 COPIES = 2
 LONGEST = 1200.0  # s
 CAUGHT = "caught"
@@ -73,14 +74,18 @@ def state_of(copy: Path) -> str:
     return digest.hexdigest()
 
 
+def environment(copy: Path) -> dict[str, str]:
+    """Variables of processes that import the copy."""
+    return os.environ | {"PYTHONPATH": str(copy / "generator"), "CI": "1"}
+
+
 def run_tests(copy: Path, tests: Sequence[str], *options: str) -> tuple[int, str]:
     """Exit status of pytest, and the end of what it printed."""
     ids = [f"tests/{test}" for test in tests]
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, *ids]
-    environment = os.environ | {"PYTHONPATH": str(copy / "generator"), "CI": "1"}
     try:
         done = subprocess.run(
-            command, cwd=copy, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+            command, cwd=copy, env=environment(copy), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
             check=False, timeout=LONGEST,
         )  # fmt: skip
     except subprocess.TimeoutExpired:
@@ -89,16 +94,21 @@ def run_tests(copy: Path, tests: Sequence[str], *options: str) -> tuple[int, str
 
 
 def judge(copy: Path, fault: Fault) -> str:
-    """Plant the fault in the copy, run its tests, take it out again."""
+    """Plant the fault in the copy, derive again where it is in the derivation, run its tests, take it out again."""
     text = path.read_text(encoding="utf-8") if (path := copy / fault.file).is_file() else ""
     if (count := text.count(fault.before)) != 1:
         return f"DOES NOT APPLY: its text is {count} times in {fault.file}"
-    shutil.copy2(path, original := path.with_name(f"{path.name}.original"))
+    derives = "/derive" in fault.file
+    changed = (path, copy / FORMULAS) if derives else (path,)
+    originals = [Path(shutil.copy2(file, f"{file}.original")) for file in changed]
     path.write_text(text.replace(fault.before, fault.after), encoding="utf-8")
     try:
+        if derives:
+            subprocess.run([sys.executable, "tools/formulas.py"], cwd=copy, env=environment(copy), check=True)
         status, said = run_tests(copy, fault.tests, "-x")
     finally:
-        original.replace(path)  # with its time, by which Python knows what it has compiled
+        for original, file in zip(originals, changed, strict=True):
+            original.replace(file)  # with its time, by which Python knows what it has compiled
     return {0: "SURVIVED", 1: CAUGHT}.get(status, f"NO VERDICT: pytest ended with {status}\n{said}")
 
 

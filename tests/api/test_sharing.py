@@ -6,6 +6,7 @@ import hashlib
 import json
 import os
 import pickle
+import shutil
 import subprocess
 import sys
 import time
@@ -134,3 +135,41 @@ def test_without_a_cache_it_works_and_leaves_nothing(
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     assert works(mahovik.build(stand("bench8"))) and made == ["bench8"]
     assert os.listdir(tmp_path) == ["file"]
+
+
+@pytest.mark.parametrize("changed", ["contract/laws.py", "core/formula/derived.json", "laws/leg/lower.py"])
+def test_another_generator_has_other_entries(changed: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def key() -> str:
+        store._generator.cache_clear()
+        return store.numbers_key(stand("demo3"), "double")
+
+    installed = key()
+    for part in ("contract", "core", "laws"):
+        shutil.copytree(store._PACKAGE / part, tmp_path / part, ignore=shutil.ignore_patterns("*.pyc"))
+    with monkeypatch.context() as patch:
+        patch.setattr(store, "_PACKAGE", tmp_path)
+        assert key() == installed
+        with (tmp_path / changed).open("a") as file:
+            file.write("\n")
+        assert key() != installed
+    assert key() == installed
+
+
+@pytest.mark.parametrize(
+    ("env", "expected"),
+    [
+        ({"MAHOVIK_CACHE": "here", "XDG_CACHE_HOME": "/x", "HOME": "/h"}, "here/models"),
+        ({"MAHOVIK_CACHE": "", "HOME": "/h"}, None),
+        ({"XDG_CACHE_HOME": "/x", "HOME": "/h"}, "/x/mahovik/models"),
+        ({"XDG_CACHE_HOME": "x", "HOME": "/h"}, "/h/.cache/mahovik/models"),
+        ({"HOME": "/h"}, "/h/.cache/mahovik/models"),
+    ],
+    ids=str,
+)
+def test_where_the_store_is(env: dict[str, str], expected: str | None, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("MAHOVIK_CACHE", "XDG_CACHE_HOME", "HOME"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in env.items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.setattr(sys, "platform", "linux")
+    assert store.folder() == (None if expected is None else Path(expected))

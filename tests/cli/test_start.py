@@ -30,6 +30,7 @@ CASES = {
     ("--help",): NOTHING,
     ("--version",): NOTHING,
     ("generate", "--help"): NOTHING,
+    ("generate", BENCH8, "-o", "bench8"): NUMBERS | {"rich", "jinja2"},
     ("verify", "--help"): NOTHING,
     ("new", "--list"): NOTHING,
     ("new", "demo3"): NOTHING,

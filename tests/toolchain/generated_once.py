@@ -1,28 +1,22 @@
-"""C and formulas of a stand, made once a process for equal arguments, while formulas have the cache of the tests."""
+"""C of a stand, made once a process for equal arguments."""
 
 from __future__ import annotations
 
-import os
 import pickle
 from collections.abc import Callable
 from dataclasses import replace
 from functools import wraps
-from importlib import import_module
 from inspect import signature
 from typing import Any
 
-MADE = (("core.emit.generate", "generate_all"), ("core.formula.derived", "_derive"))
 
-
-def once(make: Callable[..., Any], usable: Callable[[], bool]) -> Callable[..., Any]:
+def once(make: Callable[..., Any]) -> Callable[..., Any]:
     """`make`, whose results are remembered by their arguments, however passed; files of C are the caller's own."""
     known: dict[bytes, Any] = {}
     parameters = signature(make)
 
     @wraps(make)
     def found(*arguments: Any, **named: Any) -> Any:
-        if not usable():
-            return make(*arguments, **named)
         bound = parameters.bind(*arguments, **named)
         bound.apply_defaults()
         key = pickle.dumps(bound.arguments)
@@ -34,8 +28,8 @@ def once(make: Callable[..., Any], usable: Callable[[], bool]) -> Callable[..., 
     return found
 
 
-def install(formulas: str) -> None:
-    """Generate and derive once from now on, while MAHOVIK_CACHE is this folder."""
-    for module, name in MADE:
-        place = import_module(f"mahovik.{module}")
-        setattr(place, name, once(getattr(place, name), lambda: os.environ.get("MAHOVIK_CACHE") == formulas))
+def install() -> None:
+    """Generate once from now on."""
+    from mahovik.core.emit import generate  # not before the process has chosen its threads
+
+    generate.generate_all = once(generate.generate_all)

@@ -45,6 +45,6 @@ def turned_axes() -> sp.Matrix:
     return matrix("R") * C1
 
 
-def row_times(row: str, column: str, size: int = 6) -> sp.Expr:
-    """One row of a matrix times a vector: sum of row[j] column[j]."""
-    return vector(row, size).dot(vector(column, size))
+def row_times() -> sp.Expr:
+    """One row of a matrix times a vector of six numbers: sum of row[j] column[j]."""
+    return vector("row", 6).dot(vector("column", 6))

@@ -1,22 +1,62 @@
-"""The modules of derive/, whose functions give formulas here: from the cache if they are there, else derived.
+"""The modules of derive/, whose functions give formulas here, read from the data file of the package without SymPy.
 
 `carrier.momentum(True)` is `mahovik.core.derive.carrier.momentum(True)` with its operations in the order of
-formula/ordered. Type checkers and editors see the module of derive/ itself, so that names and arguments are checked and
-a definition is found. Arguments are names and flags, so that a call is a key of the cache. Without `use_cache`
-everything is derived again.
+formula/ordering. Type checkers and editors see the module of derive/ itself: names and arguments are checked, and a
+definition is found. `python tools/formulas.py` writes the file.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass, field
-from functools import partial
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+import json
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any, TypeAlias
 
-from mahovik.core.formula.cache import Cache
-from mahovik.core.formula.tree import as_json, from_json
+FILE = Path(__file__).with_name("derived.json")
+
+MODULES = (
+    *("accumulate", "attitude", "carrier", "carrying", "drive", "hold", "motion", "point", "regressor", "sensitivity"),
+    "wrench",
+)
+"""Modules of derive/ that give formulas."""
+
+
+Formula: TypeAlias = "str | float | list[Any]"
+"""A name such as `mu[0]`, a number, or an operation: ["+", a, b], ["-", a, b], ["*", a, b], ["-", a]."""
+
+
+@dataclass(frozen=True)
+class Matrix:
+    """Formulas of a matrix, row by row. Indexed as SymPy's: [k], [:3], [i, :], [:3, :]."""
+
+    rows: int
+    columns: int
+    elements: list[Formula]
+
+    def __len__(self) -> int:
+        return len(self.elements)
+
+    def __iter__(self) -> Iterator[Formula]:
+        return iter(self.elements)
+
+    def __getitem__(self, index: Any) -> Any:
+        if not isinstance(index, tuple):
+            return self.elements[index]
+        rows = _selection(index[0], self.rows)
+        columns = _selection(index[1], self.columns)
+        return Matrix(len(rows), len(columns), [self.elements[self.columns * i + j] for i in rows for j in columns])
+
+
+def _selection(index: int | slice, count: int) -> range:
+    return range(count)[index] if isinstance(index, slice) else range(count)[index : index + 1]
+
+
+def key(module: str, function: str, *arguments: object) -> str:
+    """The name of a formula in the file: the call that derives it."""
+    return f"{module}.{function}({', '.join(map(str, arguments))})"
 
 
 class FormulaModule:
@@ -28,14 +68,22 @@ class FormulaModule:
     def __getattr__(self, name: str) -> Callable[..., Any]:
         if name.startswith("_"):
             raise AttributeError(name)
-        return partial(_recall, self._module, name)
+        return lambda *arguments: _formulas()[key(self._module, name, *arguments)]
 
 
-MODULES = (
-    *("accumulate", "attitude", "carrier", "carrying", "drive", "hold", "motion", "point", "regressor", "sensitivity"),
-    "wrench",
-)
-"""Modules of derive/ that give formulas."""
+@cache
+def _formulas() -> dict[str, Any]:
+    """All formulas by key."""
+    formulas: dict[str, Any] = json.loads(FILE.read_bytes(), object_hook=_value)
+    return formulas
+
+
+def _value(members: dict[str, Any]) -> Any:
+    """A matrix, a record or a dict of formulas."""
+    if "elements" in members:
+        return Matrix(**members)
+    return SimpleNamespace(**members["record"]) if "record" in members else members
+
 
 if TYPE_CHECKING:
     from mahovik.core.derive import (
@@ -51,83 +99,46 @@ if TYPE_CHECKING:
         sensitivity,
         wrench,
     )
-else:  # without SymPy, until a formula has to be derived
+else:
     accumulate, attitude, carrier, carrying, drive, hold, motion, point, regressor, sensitivity, wrench = (
         FormulaModule(f"core.derive.{name}") for name in MODULES
     )
 
 __all__ = [
-    "FormulaModule", "accumulate", "attitude", "carrier", "carrying", "drive", "formula_cache", "hold", "leave_cache",
-    "motion", "point", "regressor", "sensitivity", "use_cache", "without_cache", "wrench",
+    "FILE", "MODULES", "Formula", "FormulaModule", "Matrix", "accumulate", "attitude", "carrier", "carrying", "drive",
+    "hold", "key", "motion", "names_of", "omitting", "point", "regressor", "rename_symbols", "sensitivity", "wrench",
 ]  # fmt: skip
 
 
-@dataclass
-class _Session:
-    """A cache in use, and what has been taken from it or derived since."""
-
-    cache: Cache
-    known: dict[str, Any] = field(default_factory=dict)
-
-
-@dataclass
-class _State:
-    """The session of this process, if it has one."""
-
-    session: _Session | None = None
+def rename_symbols(formula: Formula, names: Mapping[str, str]) -> Formula:
+    """A copy of the formula with its symbols renamed."""
+    if isinstance(formula, str):
+        return names.get(formula, formula)
+    if isinstance(formula, list):
+        return [formula[0], *(rename_symbols(part, names) for part in formula[1:])]
+    return formula
 
 
-_state = _State()
+def names_of(formula: Formula) -> set[str]:
+    """The names in a formula."""
+    if isinstance(formula, str):
+        return {formula}
+    return set().union(*(names_of(part) for part in formula[1:])) if isinstance(formula, list) else set()
 
 
-def use_cache(warn: Callable[[str], None]) -> None:
-    """Take formulas from the cache on disk from now on; `warn` gets one line if that is damaged."""
-    _state.session = _Session(Cache(warn))
-
-
-def without_cache() -> None:
-    """Derive everything from now on, and write nothing."""
-    _state.session = None
-
-
-def leave_cache() -> None:
-    """Writes what was derived since `use_cache`; from now on everything is derived."""
-    found, _state.session = _state.session, None
-    if found is not None:
-        found.cache.save()
-
-
-@contextmanager
-def formula_cache(warn: Callable[[str], None]) -> Iterator[None]:
-    """Formulas are from the cache within, as between `use_cache` and `leave_cache`; a cache in use stays in use."""
-    if _state.session is not None:
-        yield
-        return
-    use_cache(warn)
-    try:
-        yield
-    finally:
-        leave_cache()
-
-
-def _recall(module: str, name: str, *arguments: str | bool) -> Any:
-    """One call of derive/: known, from the cache, or derived."""
-    session = _state.session
-    if session is None:
-        return _derive(module, name, arguments)
-    store, known = session.cache, session.known
-    key = f"{module}.{name}({', '.join(map(repr, arguments))})"
-    if key not in known:
-        kept = store.get(key)
-        if kept is None:
-            known[key] = _derive(module, name, arguments)
-            store.add(key, as_json(known[key]))
-        else:
-            known[key] = from_json(kept)
-    return known[key]
-
-
-def _derive(module: str, name: str, arguments: tuple[str | bool, ...]) -> Any:
-    from mahovik.core.formula.ordering import to_formulas
-
-    return to_formulas(getattr(import_module(f"mahovik.{module}"), name)(*arguments))
+def omitting(formula: Formula, name: str) -> Formula:
+    """The formula where that name is zero: its products are left out. 0.0 where nothing is left."""
+    if not isinstance(formula, list):
+        return 0.0 if formula == name else formula
+    operator, *parts = formula
+    if len(parts) == 1:
+        one = omitting(parts[0], name)
+        return 0.0 if one == 0.0 else [operator, one]
+    left, right = omitting(parts[0], name), omitting(parts[1], name)
+    if operator == "*":
+        return 0.0 if 0.0 in (left, right) else [operator, left, right]
+    if right == 0.0:
+        return left
+    if left == 0.0:
+        return right if operator == "+" else ["-", right]
+    return [operator, left, right]

@@ -1,4 +1,4 @@
-"""SymPy expressions as formulas, with a fixed order of operations.
+"""SymPy expressions as formulas, with a fixed order of operations, and all of them as the text of the data file.
 
 SymPy sorts sums and products by rules that may change with its version; here terms are ordered by the names in
 them, positive ones first, so that the same derivation always gives the same operations, hence the same bits.
@@ -6,29 +6,52 @@ them, positive ones first, so that the same derivation always gives the same ope
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Sequence
 from dataclasses import fields, is_dataclass
 from functools import lru_cache
-from types import SimpleNamespace
+from importlib import import_module
+from inspect import signature
+from itertools import product
+from pathlib import Path
 from typing import Any
 
 import sympy as sp
 
-from mahovik.core.formula.tree import Formula, Matrix
+from mahovik.core.derive.order import SEQUENCES
+from mahovik.core.formula.derived import MODULES, Formula, Matrix, key
+
+VARIANTS = dict.fromkeys(("added_mass", "displaces", "weight"), (False, True)) | {"sequence": tuple(SEQUENCES)}
+"""Parameters of the functions of derive/ that give formulas, and all that they can be."""
+
+
+def derive_all() -> str:
+    """The data file: every formula of derive/ and of the laws, a line each, by the call that derives it."""
+    laws = sorted(path.parent.name for path in Path(__file__).parents[2].glob("laws/*/derive.py"))
+    lines = []
+    for module in (*(f"core.derive.{name}" for name in MODULES), *(f"laws.{law}.derive" for law in laws)):
+        for name, function in vars(import_module(f"mahovik.{module}")).items():
+            if name.startswith("_") or getattr(function, "__module__", "") != f"mahovik.{module}":
+                continue
+            if (parameters := signature(function).parameters).keys() <= VARIANTS.keys():
+                for arguments in product(*(VARIANTS[parameter] for parameter in parameters)):
+                    value = json.dumps(to_formulas(function(*arguments)), default=vars, separators=(",", ":"))
+                    lines.append(f'"{key(module, name, *arguments)}":{value}')
+    return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
 def to_formulas(value: Any) -> Any:
     """Result of a function of derive/ as formulas: each element of matrices, tuples, dicts and data classes."""
     if isinstance(value, sp.MatrixBase):
         rows, columns = value.shape
-        return Matrix(rows, columns, tuple(_formula(x) for x in value))
+        return Matrix(rows, columns, [_formula(x) for x in value])
     if isinstance(value, tuple):
-        return tuple(to_formulas(each) for each in value)
+        return [to_formulas(each) for each in value]
     if isinstance(value, dict):
         return {name: to_formulas(each) for name, each in value.items()}
     if is_dataclass(value):
-        return SimpleNamespace(**{f.name: to_formulas(getattr(value, f.name)) for f in fields(value)})
+        return {"record": {f.name: to_formulas(getattr(value, f.name)) for f in fields(value)}}
     return _formula(sp.sympify(value))
 
 
@@ -52,7 +75,7 @@ def _sum(e: sp.Add) -> Formula:
     terms = sorted(e.args, key=lambda t: (_negative(t), _key(t)))
     total = _formula(terms[0])
     for term in terms[1:]:
-        total = ("-", total, _formula(-term)) if _negative(term) else ("+", total, _formula(term))
+        total = ["-", total, _formula(-term)] if _negative(term) else ["+", total, _formula(term)]
     return total
 
 
@@ -60,7 +83,7 @@ def _product(e: sp.Mul) -> Formula:
     coefficient, rest = e.as_coeff_Mul()
     factors = [_formula(a) for a in sorted(sp.Mul.make_args(rest), key=_key)]
     if coefficient == -1:
-        return _chain([("-", factors[0]), *factors[1:]])
+        return _chain([["-", factors[0]], *factors[1:]])
     if coefficient == 1:
         return _chain(factors)
     return _chain([float(coefficient), *factors])
@@ -69,7 +92,7 @@ def _product(e: sp.Mul) -> Formula:
 def _chain(factors: Sequence[Formula]) -> Formula:
     product = factors[0]
     for factor in factors[1:]:
-        product = ("*", product, factor)
+        product = ["*", product, factor]
     return product
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import hold as derived
-from mahovik.core.formula.tree import omitting
+from mahovik.core.formula.derived import omitting
 from mahovik.core.lower.flywheels import Turns, let_turn, let_weights, named_turns, places_of
 from mahovik.core.lower.freedoms import columns, dot, element, momenta_needed, place_of, speeds, turning_force
 from mahovik.core.lower.library import Library

@@ -101,4 +101,4 @@ def couple_flywheel(lib: Library, body: Body, table: Place, s: Place, seen: Scen
 
 def along(column: Sequence[Expr], V_dot: Place | Sequence[Expr]) -> Expr:
     """I_s . V*."""
-    return translate(derived_wrench.row_times("column", "V_dot"), {"column": column, "V_dot": V_dot})
+    return translate(derived_wrench.row_times(), {"row": column, "column": V_dot})

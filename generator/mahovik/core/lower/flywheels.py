@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from mahovik.core.formula.derived import accumulate as derived
-from mahovik.core.formula.tree import omitting
+from mahovik.core.formula.derived import omitting
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import add_each, assign, translate
 from mahovik.core.program.build import Body

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from mahovik.core.formula.tree import names_of, rename_symbols
+from mahovik.core.formula.derived import names_of, rename_symbols
 from mahovik.core.program.build import Body
 from mahovik.core.program.expression import Expr, Negate, Place, real
 
@@ -31,9 +31,7 @@ def translate(formula: Any, binding: Binding) -> Expr:
             return translate(left, binding) - translate(right, binding)
         case ("*", left, right):
             return translate(left, binding) * translate(right, binding)
-    from mahovik.core.formula.ordering import to_formulas  # an expression of SymPy itself, as tests give it
-
-    return translate(to_formulas(formula), binding)
+    raise TypeError(f"{formula} is no formula")
 
 
 def _place(name: str, binding: Binding) -> Expr:

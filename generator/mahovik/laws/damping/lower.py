@@ -148,8 +148,7 @@ def damp(lib: FunctionSet) -> Function:
             body.set(factors[k + 6], magnitude(V[k]))
     if struct.field("linear") is not None:
         with body.loop("i", 6) as i:
-            row = derived.row_times("linear", "V")
-            body.add(P[i], -translate(row, {"linear": damper.linear[i], "V": V}))
+            body.add(P[i], -translate(derived.row_times(), {"row": damper.linear[i], "column": V}))
     if struct.field("quadratic") is not None:
         assert factors is not None
         with body.loop("i", 6) as i, body.loop("j", 6) as j:
@@ -182,8 +181,7 @@ def damp_slope(lib: FunctionSet) -> Function:
             body.set(dx[k + 6], select(V[k] < 0, -change[k], change[k]))
     if struct.field("linear") is not None:
         with body.loop("i", 6) as i:
-            row = derived.row_times("linear", "V")
-            body.add(P[i], -translate(row, {"linear": damper.linear[i], "V": change}))
+            body.add(P[i], -translate(derived.row_times(), {"row": damper.linear[i], "column": change}))
     if struct.field("quadratic") is not None:
         assert x is not None and dx is not None
         with body.loop("i", 6) as i, body.loop("j", 6) as j:
@@ -206,8 +204,7 @@ def damp_slope(lib: FunctionSet) -> Function:
 def _times(body: Statements, added_mass: Place, V: Place, Z: Place) -> None:
     """Z = Lambda V (6)."""
     with body.loop("i", 6) as i:
-        row = derived.row_times("linear", "V")
-        body.set(Z[i], translate(row, {"linear": added_mass[i], "V": V}))
+        body.set(Z[i], translate(derived.row_times(), {"row": added_mass[i], "column": V}))
 
 
 def _add_crossed(body: Statements, V: Place, Z: Place, P: Place) -> None:

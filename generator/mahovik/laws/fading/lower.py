@@ -112,7 +112,7 @@ def _fade(lib: FunctionSet, body: Statements, damper: Place, V: Place) -> tuple[
 
 def _row(damper: Place, i: Place, V: Place) -> Expr:
     """Row i of the matrix times a twist."""
-    return translate(derived.row_times("linear", "V"), {"linear": damper.fading[i], "V": V})
+    return translate(derived.row_times(), {"row": damper.fading[i], "column": V})
 
 
 def _dot(a: Place, b: Place) -> Expr:

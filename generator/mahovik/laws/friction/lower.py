@@ -25,7 +25,7 @@ from mahovik.laws.friction.data import frictions_of
 
 if TYPE_CHECKING:
     from mahovik.laws.friction import derive as formulas
-else:  # without SymPy, until a formula has to be derived
+else:
     formulas = FormulaModule("laws.friction.derive")
 
 REAL = Kind.REAL

@@ -36,7 +36,7 @@ LEG = Struct(
 
 if TYPE_CHECKING:
     from mahovik.laws.leg import derive as formulas
-else:  # without SymPy, until a formula has to be derived
+else:
     formulas = FormulaModule("laws.leg.derive")
 
 

@@ -24,7 +24,7 @@ from mahovik.laws.stop.data import stops_of
 
 if TYPE_CHECKING:
     from mahovik.laws.stop import derive as formulas
-else:  # without SymPy, until a formula has to be derived
+else:
     formulas = FormulaModule("laws.stop.derive")
 
 REAL = Kind.REAL

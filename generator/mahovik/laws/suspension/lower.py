@@ -34,7 +34,7 @@ SUSPENSION = Struct(
 
 if TYPE_CHECKING:
     from mahovik.laws.suspension import derive as formulas
-else:  # without SymPy, until a formula has to be derived
+else:
     formulas = FormulaModule("laws.suspension.derive")
 
 

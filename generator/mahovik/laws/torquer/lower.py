@@ -22,7 +22,7 @@ from mahovik.laws.torquer.data import Torquers as Data
 
 if TYPE_CHECKING:
     from mahovik.laws.torquer import derive as formulas
-else:  # without SymPy, until a formula has to be derived
+else:
     formulas = FormulaModule("laws.torquer.derive")
 
 DIPOLE = Field("dipole", Kind.REAL, (3,), "A m2", "in the axes of its mount; may be set at run time")

@@ -16,7 +16,7 @@ from mahovik.core.stand.structure_facts import Structure
 
 if TYPE_CHECKING:
     from mahovik.laws.weight import derive as formulas
-else:  # without SymPy, until a formula has to be derived
+else:
     formulas = FormulaModule("laws.weight.derive")
 
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import tempfile
-import warnings
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -19,7 +18,6 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import TypeAdapter
 
-from mahovik.core.formula.derived import formula_cache
 from mahovik.core.program.arrays import ArrayFunction, Member, fill_record
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
@@ -139,8 +137,7 @@ def _found_or_made(source: Source, kind: LibraryKind, load: Callable[[Path, Mapp
             return load(*found)
     # once loaded, the library needs its file no more
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-        with formula_cache(warnings.warn):
-            library, facts = _compile(source, kind, Path(scratch))
+        library, facts = _compile(source, kind, Path(scratch))
         store.keep(key, library, facts)
         return load(library, facts)
 
@@ -150,8 +147,7 @@ def _kept_numbers(stand: Stand, real: str) -> dict[str, Any]:
     key = store.numbers_key(stand, real)
     found = store.find_numbers(key)
     if found is None:
-        with formula_cache(warnings.warn):
-            found = _numbers(stand, real)
+        found = _numbers(stand, real)
         store.keep_numbers(key, found)
     return found
 

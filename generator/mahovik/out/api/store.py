@@ -2,7 +2,7 @@
 
 Each lies there by a key of all that it depends on.
 
-They lie in the folder of the cache of formulas. An entry is whole or not there; the oldest go where there are many.
+An entry is whole or not there; the oldest go where there are many.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import contextlib
 import hashlib
 import json
 import os
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from functools import cache
@@ -19,7 +20,6 @@ from typing import TYPE_CHECKING, Any
 
 from mahovik import __version__
 from mahovik.core.emit.templates import folders
-from mahovik.core.formula import cache as formulas
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure_facts import Structure
 from mahovik.core.toolchain.arrays import machine, program_file
@@ -29,9 +29,13 @@ from mahovik.writing import write_all
 if TYPE_CHECKING:
     from mahovik.core.emit.arrays import LibraryKind
 
+VARIABLE = "MAHOVIK_CACHE"
+"""Environment variable with the folder of the cache; empty: no cache."""
+
 KEPT = 256
 """Libraries kept, and as many numbers; the one not used for the longest time goes first."""
 
+_PACKAGE = Path(__file__).resolve().parents[2]
 _DIGEST = "digest"
 _NUMBERS = ".numbers"
 
@@ -62,16 +66,30 @@ def _key(*parts: str) -> str:
 @cache
 def _generator() -> str:
     """SHA-256 of all that decides the text of the C and how it is compiled."""
-    found = hashlib.sha256(f"{__version__}\0{formulas.source_hash()}".encode())
-    for path in (path for place in folders() for path in sorted(place.rglob("*")) if path.is_file()):
-        found.update(path.name.encode() + b"\0" + path.read_bytes())
+    found = hashlib.sha256(__version__.encode())
+    for place in (*(_PACKAGE / part for part in ("contract", "core", "laws")), *folders()):
+        for path in sorted(place.rglob("*")):
+            if path.suffix != ".pyc" and path.is_file():
+                found.update(f"\0{path.relative_to(place).as_posix()}\0".encode() + path.read_bytes())
     return found.hexdigest()
 
 
 def folder() -> Path | None:
-    """Where the libraries lie; None where there is no cache."""
-    place = formulas.folder()
-    return None if place is None else place / "models"
+    """`models` in MAHOVIK_CACHE, else in `mahovik` of the user's folder for caches; None where there is none."""
+    place = os.environ.get(VARIABLE)
+    if place is not None:
+        return Path(place, "models") if place else None
+    if sys.platform == "win32":
+        base = os.environ.get("LOCALAPPDATA")
+        return Path(base, "mahovik", "cache", "models") if base else None
+    base = os.environ.get("XDG_CACHE_HOME")
+    if base and Path(base).is_absolute():  # the specification: a relative path is to be ignored
+        return Path(base, "mahovik", "models")
+    try:
+        home = Path.home()
+    except RuntimeError:
+        return None
+    return home / ("Library/Caches" if sys.platform == "darwin" else ".cache") / "mahovik" / "models"
 
 
 def find(name: str) -> tuple[Path, dict[str, Any]] | None:

@@ -27,7 +27,6 @@ def generate(
     output: str | None = file_option("-o", "DIR", "Write into this folder; default ./NAME of the stand."),
     check: bool = flag("--check", "Write nothing, and exit with status 1 if the folder differs."),
     batch: bool = flag("--batch", "Write also functions for many states at once: NAME_batch.h, NAME_batch.c."),
-    no_cache: bool = flag("--no-cache", "Derive everything again, without the cache of formulas."),
     only: tuple[str, ...] | None = ONLY,
     prefix: str | None = PREFIX,
     real: str = REAL,
@@ -37,15 +36,10 @@ def generate(
     A complete folder: header, source, self-test with golden vectors, README, and a manifest with the hash of every
     file; beside it, unlisted, provenance.json: what made it, package, Python, NumPy and stand file. It writes all or
     nothing, never overwrites files of others, and needs no compiler. Warns if float would not resolve an unbalance or
-    would lose what short steps add, and where (12) is singular in practice. The formulas that all stands share are
-    derived once and cached, in the folder MAHOVIK_CACHE if that is set. With --prefix the C is that of a stand of that
-    name, and so is its physics hash; commands that read the folder, or a log of its C, find the name there. --check
-    compares with the options that the folder was made with, unless others are given.
+    would lose what short steps add, and where (12) is singular in practice. With --prefix the C is that of a stand of
+    that name, and so is its physics hash; commands that read the folder, or a log of its C, find the name there.
+    --check compares with the options that the folder was made with, unless others are given.
     """
-    if no_cache:
-        from mahovik.core.formula.derived import without_cache
-
-        without_cache()
     stand = load_stand(stand_file)
     from mahovik.errors import CheckError
     from mahovik.out.functions.evidence import generate as make

@@ -20,15 +20,6 @@ INTERRUPTION = "error: interrupted; no file is half written"
 
 
 @contextlib.contextmanager
-def _formulas() -> Iterator[None]:
-    """Formulas of the derivation from the cache; new ones are kept, however the command ends."""
-    from mahovik.core.formula.derived import formula_cache
-
-    with formula_cache(lambda line: click.echo(f"warning: {line}", err=True)):
-        yield
-
-
-@contextlib.contextmanager
 def _closed_by_reader() -> Iterator[None]:
     """The end of a command whose reader has closed (`| head`): nothing more is printed, nor flushed at exit."""
     try:
@@ -115,7 +106,7 @@ class Commands(click.Group):
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
-            with _closed_by_reader(), _formulas(), _warnings_as_lines(), _usage_in_a_line():
+            with _closed_by_reader(), _warnings_as_lines(), _usage_in_a_line():
                 return super().invoke(ctx)
         except MahovikError as error:
             lines = str(error).splitlines() or [type(error).__name__]

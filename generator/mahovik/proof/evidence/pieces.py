@@ -248,9 +248,9 @@ PIECES: tuple[Piece, ...] = (
     Piece(
         name="delivery",
         title="The C is what the stand file gives",
-        shows="Another process derived every formula again: `c/` is, byte for byte, of the stand file beside it.",
+        shows="Another process generated it again: `c/` is, byte for byte, of the stand file beside it.",
         limits="That masses, mountings and unbalances of the stand file are those of the real machine.",
-        command=lambda s: f"mahovik generate {s.file} -o c{s.options.removesuffix(' --against c')} --check --no-cache",
+        command=lambda s: f"mahovik generate {s.file} -o c{s.options.removesuffix(' --against c')} --check",
         figure=r"^c +(as the stand file gives it)$",
     ),
     Piece(
