@@ -738,36 +738,6 @@ auv6_status auv6_forward(const auv6_table *table, const auv6_state *x, const auv
     return AUV6_OK;
 }
 
-/* (7) */
-AUV6_CODE
-auv6_status auv6_wrench(const auv6_table *table, const auv6_state *x, auv6_real F[6])
-{
-    if (table == NULL || x == NULL || F == NULL) { return AUV6_BAD_ARGUMENT; }
-    auv6_status status = auv6_check_state(x);
-    if (status != AUV6_OK) { return status; }
-    status = auv6_within(table->stream, 3, AUV6_MAX_VELOCITY);
-    if (status != AUV6_OK) { return status; }
-    auv6_real C[9];  /* attitude */
-    auv6_rotation(x->attitude, C);
-    auv6_real u[3];  /* stream in E1 */
-    auv6_rotate_back(C, table->stream, u);
-    auv6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
-    V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
-    V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
-    auv6_real g[3];  /* gravity in E1 */
-    auv6_rotate_back(C, table->gravity, g);
-    auv6_sums sum;
-    auv6_real sine[AUV6_N];
-    auv6_real cosine[AUV6_N];
-    auv6_sincos_each(x->phi, sine, cosine);
-    auv6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    auv6_real result[6];
-    auv6_external(table, &sum, V, g, result);
-    F[0] = result[0];  F[1] = result[1];  F[2] = result[2];
-    F[3] = result[3];  F[4] = result[4];  F[5] = result[5];
-    return AUV6_OK;
-}
-
 /* M = Phi K + K*, (9). */
 AUV6_CODE
 static void auv6_velocity_matrix(const auv6_real V[6], auv6_matrices_result *restrict out)
@@ -958,6 +928,14 @@ auv6_status auv6_momentum(const auv6_table *table, const auv6_state *x, auv6_mom
     out->center_of_mass[0] = sum.mu[0] * table->mass_inverse;
     out->center_of_mass[1] = sum.mu[1] * table->mass_inverse;
     out->center_of_mass[2] = sum.mu[2] * table->mass_inverse;
+    auv6_real v[3];  /* of the mass centre in E1, from the momentum of the bodies, without the fluid's */
+    v[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
+    v[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
+    v[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
+    v[0] = v[0] * table->mass_inverse;  v[1] = v[1] * table->mass_inverse;  v[2] = v[2] * table->mass_inverse;
+    out->center_of_mass_velocity[0] = C[0] * v[0] + C[1] * v[1] + C[2] * v[2];
+    out->center_of_mass_velocity[1] = C[3] * v[0] + C[4] * v[1] + C[5] * v[2];
+    out->center_of_mass_velocity[2] = C[6] * v[0] + C[7] * v[1] + C[8] * v[2];
     return AUV6_OK;
 }
 
@@ -4112,36 +4090,6 @@ auv6_status auv6_step_driven_carried(const auv6_table *table, const auv6_state *
     *next = y;
     const auv6_real most = (order == 2) ? AUV6_MAX_TURN_2 : AUV6_MAX_TURN_4;  /* rad */
     if (dt * dt * fastest > most * most) { return AUV6_COARSE; }
-    return AUV6_OK;
-}
-
-/* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
-AUV6_CODE
-auv6_status auv6_center_of_mass_velocity(const auv6_table *table, const auv6_state *x,
-                                         auv6_real center_of_mass_velocity[3])
-{
-    if (table == NULL || x == NULL || center_of_mass_velocity == NULL) { return AUV6_BAD_ARGUMENT; }
-    auv6_status status = auv6_check_state(x);
-    if (status != AUV6_OK) { return status; }
-    status = auv6_within(table->stream, 3, AUV6_MAX_VELOCITY);
-    if (status != AUV6_OK) { return status; }
-    auv6_real C[9];  /* attitude */
-    auv6_rotation(x->attitude, C);
-    auv6_sums sum;
-    auv6_real sine[AUV6_N];
-    auv6_real cosine[AUV6_N];
-    auv6_sincos_each(x->phi, sine, cosine);
-    auv6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    auv6_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
-    own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
-    own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
-    own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
-    own_velocity[0] = own_velocity[0] * table->mass_inverse;
-    own_velocity[1] = own_velocity[1] * table->mass_inverse;
-    own_velocity[2] = own_velocity[2] * table->mass_inverse;
-    center_of_mass_velocity[0] = C[0] * own_velocity[0] + C[1] * own_velocity[1] + C[2] * own_velocity[2];
-    center_of_mass_velocity[1] = C[3] * own_velocity[0] + C[4] * own_velocity[1] + C[5] * own_velocity[2];
-    center_of_mass_velocity[2] = C[6] * own_velocity[0] + C[7] * own_velocity[1] + C[8] * own_velocity[2];
     return AUV6_OK;
 }
 

@@ -29,35 +29,33 @@
  * AUV6_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other languages
  * need them. */
 #ifndef AUV6_PLAIN_NAMES
-#define auv6_default_parameters      auv6_default_parameters_f64_76395735
-#define auv6_default                 auv6_default_f64_76395735
-#define auv6_default_options         auv6_default_options_f64_76395735
-#define auv6_forward                 auv6_forward_f64_76395735
-#define auv6_wrench                  auv6_wrench_f64_76395735
-#define auv6_matrices                auv6_matrices_f64_76395735
-#define auv6_momentum                auv6_momentum_f64_76395735
-#define auv6_torque                  auv6_torque_f64_76395735
-#define auv6_coupled                 auv6_coupled_f64_76395735
-#define auv6_step                    auv6_step_f64_76395735
-#define auv6_step_driven             auv6_step_driven_f64_76395735
-#define auv6_wrap                    auv6_wrap_f64_76395735
-#define auv6_phase_of_counts         auv6_phase_of_counts_f64_76395735
-#define auv6_speed_of_counts         auv6_speed_of_counts_f64_76395735
-#define auv6_accumulate              auv6_accumulate_f64_76395735
-#define auv6_forward_jacobian        auv6_forward_jacobian_f64_76395735
-#define auv6_coupled_jacobian        auv6_coupled_jacobian_f64_76395735
-#define auv6_inverse                 auv6_inverse_f64_76395735
-#define auv6_inverse_fast            auv6_inverse_fast_f64_76395735
-#define auv6_points                  auv6_points_f64_76395735
-#define auv6_quaternion              auv6_quaternion_f64_76395735
-#define auv6_state_from_coordinates  auv6_state_from_coordinates_f64_76395735
-#define auv6_generalized             auv6_generalized_f64_76395735
-#define auv6_prepare                 auv6_prepare_f64_76395735
-#define auv6_mounts                  auv6_mounts_f64_76395735
-#define auv6_prepare_mounts          auv6_prepare_mounts_f64_76395735
-#define auv6_step_carried            auv6_step_carried_f64_76395735
-#define auv6_step_driven_carried     auv6_step_driven_carried_f64_76395735
-#define auv6_center_of_mass_velocity auv6_center_of_mass_velocity_f64_76395735
+#define auv6_default_parameters     auv6_default_parameters_f64_e1ec19a2
+#define auv6_default                auv6_default_f64_e1ec19a2
+#define auv6_default_options        auv6_default_options_f64_e1ec19a2
+#define auv6_forward                auv6_forward_f64_e1ec19a2
+#define auv6_matrices               auv6_matrices_f64_e1ec19a2
+#define auv6_momentum               auv6_momentum_f64_e1ec19a2
+#define auv6_torque                 auv6_torque_f64_e1ec19a2
+#define auv6_coupled                auv6_coupled_f64_e1ec19a2
+#define auv6_step                   auv6_step_f64_e1ec19a2
+#define auv6_step_driven            auv6_step_driven_f64_e1ec19a2
+#define auv6_wrap                   auv6_wrap_f64_e1ec19a2
+#define auv6_phase_of_counts        auv6_phase_of_counts_f64_e1ec19a2
+#define auv6_speed_of_counts        auv6_speed_of_counts_f64_e1ec19a2
+#define auv6_accumulate             auv6_accumulate_f64_e1ec19a2
+#define auv6_forward_jacobian       auv6_forward_jacobian_f64_e1ec19a2
+#define auv6_coupled_jacobian       auv6_coupled_jacobian_f64_e1ec19a2
+#define auv6_inverse                auv6_inverse_f64_e1ec19a2
+#define auv6_inverse_fast           auv6_inverse_fast_f64_e1ec19a2
+#define auv6_points                 auv6_points_f64_e1ec19a2
+#define auv6_quaternion             auv6_quaternion_f64_e1ec19a2
+#define auv6_state_from_coordinates auv6_state_from_coordinates_f64_e1ec19a2
+#define auv6_generalized            auv6_generalized_f64_e1ec19a2
+#define auv6_prepare                auv6_prepare_f64_e1ec19a2
+#define auv6_mounts                 auv6_mounts_f64_e1ec19a2
+#define auv6_prepare_mounts         auv6_prepare_mounts_f64_e1ec19a2
+#define auv6_step_carried           auv6_step_carried_f64_e1ec19a2
+#define auv6_step_driven_carried    auv6_step_driven_carried_f64_e1ec19a2
 #endif
 
 #ifdef __cplusplus
@@ -231,12 +229,13 @@ typedef struct auv6_matrices_result {
     auv6_real F[6];           /* N, N m; total external wrench (7) */
 } auv6_matrices_result;
 
-/* Momentum, energy and mass centre. */
+/* Momentum, energy, mass centre and its velocity. */
 typedef struct auv6_momentum_result {
-    auv6_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
-    auv6_real Z0[6];              /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
-    auv6_real energy;             /* J; kinetic energy */
-    auv6_real center_of_mass[3];  /* m; mass centre of all bodies, in E1 */
+    auv6_real Z[6];                        /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
+    auv6_real Z0[6];                       /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
+    auv6_real energy;                      /* J; kinetic energy */
+    auv6_real center_of_mass[3];           /* m; mass centre of all bodies, in E1 */
+    auv6_real center_of_mass_velocity[3];  /* m/s; of the mass centre relative to E0, in E0 */
 } auv6_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
@@ -352,14 +351,6 @@ extern const auv6_inverse_options auv6_default_options;           /* of inverse,
 auv6_status auv6_forward(const auv6_table *table, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
                          auv6_real V_dot[6]);
 
-/* wrench: total external wrench of all bodies at a state, (7).
- *   table  the prepared table
- *   x      state; its attitude within 1e-3 of unit length
- *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1556 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
-auv6_status auv6_wrench(const auv6_table *table, const auv6_state *x, auv6_real F[6]);
-
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
  *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
@@ -368,12 +359,12 @@ auv6_status auv6_wrench(const auv6_table *table, const auv6_state *x, auv6_real 
  * At most 2270 operations on reals, 1 of them a division. Stack: at most 1840 bytes. */
 auv6_status auv6_matrices(const auv6_table *table, const auv6_state *x, auv6_matrices_result *out);
 
-/* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
+/* momentum: momentum screw, kinetic energy, mass centre of the whole system and its velocity, (1), (2).
  *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
- *   out    out: Z, Z0, energy, mass centre
+ *   out    out: Z, Z0, energy, mass centre and its velocity
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2015 operations on reals, 1 of them a division. Stack: at most 1712 bytes. */
+ * At most 2051 operations on reals, 1 of them a division. Stack: at most 1744 bytes. */
 auv6_status auv6_momentum(const auv6_table *table, const auv6_state *x, auv6_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -653,15 +644,6 @@ auv6_status auv6_step_carried(const auv6_table *table, const auv6_state *x, cons
 auv6_status auv6_step_driven_carried(const auv6_table *table, const auv6_state *x,
                                      const auv6_real phi_ddot[AUV6_N], auv6_real dt, int order,
                                      auv6_step_carry *carry, auv6_state *next);
-
-/* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
- *   table                       the prepared table
- *   x                           state; its attitude within 1e-3 of unit length
- *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1343 operations on reals, 1 of them a division. Stack: at most 1504 bytes. */
-auv6_status auv6_center_of_mass_velocity(const auv6_table *table, const auv6_state *x,
-                                         auv6_real center_of_mass_velocity[3]);
 
 #ifdef __cplusplus
 }

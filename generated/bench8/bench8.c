@@ -866,29 +866,6 @@ bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
     return BENCH8_OK;
 }
 
-/* (7) */
-BENCH8_CODE
-bench8_status bench8_wrench(const bench8_table *table, const bench8_state *x, bench8_real F[6])
-{
-    if (table == NULL || x == NULL || F == NULL) { return BENCH8_BAD_ARGUMENT; }
-    bench8_status status = bench8_check_state(x);
-    if (status != BENCH8_OK) { return status; }
-    bench8_real C[9];  /* attitude */
-    bench8_rotation(x->attitude, C);
-    bench8_real g[3];  /* gravity in E1 */
-    bench8_rotate_back(C, table->gravity, g);
-    bench8_sums sum;
-    bench8_real sine[BENCH8_N];
-    bench8_real cosine[BENCH8_N];
-    bench8_sincos_each(x->phi, sine, cosine);
-    bench8_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    bench8_real result[6];
-    bench8_external(table, x, &sum, C, g, result);
-    F[0] = result[0];  F[1] = result[1];  F[2] = result[2];
-    F[3] = result[3];  F[4] = result[4];  F[5] = result[5];
-    return BENCH8_OK;
-}
-
 /* M = Phi K + K*, (9). */
 BENCH8_CODE
 static void bench8_velocity_matrix(const bench8_real V[6], bench8_matrices_result *restrict out)
@@ -1042,6 +1019,11 @@ bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, 
     out->center_of_mass[0] = sum.mu[0] * table->mass_inverse;
     out->center_of_mass[1] = sum.mu[1] * table->mass_inverse;
     out->center_of_mass[2] = sum.mu[2] * table->mass_inverse;
+    bench8_real v[3];  /* of the mass centre in E1, from the momentum of the bodies, without the fluid's */
+    v[0] = Z[0] * table->mass_inverse;  v[1] = Z[1] * table->mass_inverse;  v[2] = Z[2] * table->mass_inverse;
+    out->center_of_mass_velocity[0] = C[0] * v[0] + C[1] * v[1] + C[2] * v[2];
+    out->center_of_mass_velocity[1] = C[3] * v[0] + C[4] * v[1] + C[5] * v[2];
+    out->center_of_mass_velocity[2] = C[6] * v[0] + C[7] * v[1] + C[8] * v[2];
     return BENCH8_OK;
 }
 
@@ -3735,34 +3717,6 @@ bench8_status bench8_step_driven_carried(const bench8_table *table, const bench8
     *next = y;
     const bench8_real most = (order == 2) ? BENCH8_MAX_TURN_2 : BENCH8_MAX_TURN_4;  /* rad */
     if (dt * dt * fastest > most * most) { return BENCH8_COARSE; }
-    return BENCH8_OK;
-}
-
-/* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
-BENCH8_CODE
-bench8_status bench8_center_of_mass_velocity(const bench8_table *table, const bench8_state *x,
-                                             bench8_real center_of_mass_velocity[3])
-{
-    if (table == NULL || x == NULL || center_of_mass_velocity == NULL) { return BENCH8_BAD_ARGUMENT; }
-    bench8_status status = bench8_check_state(x);
-    if (status != BENCH8_OK) { return status; }
-    bench8_real C[9];  /* attitude */
-    bench8_rotation(x->attitude, C);
-    bench8_sums sum;
-    bench8_real sine[BENCH8_N];
-    bench8_real cosine[BENCH8_N];
-    bench8_sincos_each(x->phi, sine, cosine);
-    bench8_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    bench8_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
-    own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
-    own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
-    own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
-    own_velocity[0] = own_velocity[0] * table->mass_inverse;
-    own_velocity[1] = own_velocity[1] * table->mass_inverse;
-    own_velocity[2] = own_velocity[2] * table->mass_inverse;
-    center_of_mass_velocity[0] = C[0] * own_velocity[0] + C[1] * own_velocity[1] + C[2] * own_velocity[2];
-    center_of_mass_velocity[1] = C[3] * own_velocity[0] + C[4] * own_velocity[1] + C[5] * own_velocity[2];
-    center_of_mass_velocity[2] = C[6] * own_velocity[0] + C[7] * own_velocity[1] + C[8] * own_velocity[2];
     return BENCH8_OK;
 }
 

@@ -37,11 +37,11 @@
  * BENCH8_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
  * languages need them. */
 #ifndef BENCH8_PLAIN_NAMES
-#define bench8_recorder_start               bench8_recorder_start_f64_2230a8a3
-#define bench8_recorder_step                bench8_recorder_step_f64_2230a8a3
-#define bench8_recorder_step_driven         bench8_recorder_step_driven_f64_2230a8a3
-#define bench8_recorder_step_carried        bench8_recorder_step_carried_f64_2230a8a3
-#define bench8_recorder_step_driven_carried bench8_recorder_step_driven_carried_f64_2230a8a3
+#define bench8_recorder_start               bench8_recorder_start_f64_2895af6d
+#define bench8_recorder_step                bench8_recorder_step_f64_2895af6d
+#define bench8_recorder_step_driven         bench8_recorder_step_driven_f64_2895af6d
+#define bench8_recorder_step_carried        bench8_recorder_step_carried_f64_2895af6d
+#define bench8_recorder_step_driven_carried bench8_recorder_step_driven_carried_f64_2895af6d
 #endif
 
 #ifdef __cplusplus
@@ -49,7 +49,7 @@ extern "C" {
 #endif
 
 #define BENCH8_RECORDER_FORMAT 3u           /* version of the log format */
-#define BENCH8_RECORDER_SOURCE 0x2f96427du  /* FNV-1a hash of the texts of bench8.h and bench8.c */
+#define BENCH8_RECORDER_SOURCE 0xc9d6e40eu  /* FNV-1a hash of the texts of bench8.h and bench8.c */
 #define BENCH8_RECORD_BYTES    557  /* longest record of a step; most have 80 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

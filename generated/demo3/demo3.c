@@ -892,6 +892,11 @@ demo3_status demo3_momentum(const demo3_table *table, const demo3_state *x, demo
     out->center_of_mass[0] = sum.mu[0] * table->mass_inverse;
     out->center_of_mass[1] = sum.mu[1] * table->mass_inverse;
     out->center_of_mass[2] = sum.mu[2] * table->mass_inverse;
+    demo3_real v[3];  /* of the mass centre in E1, from the momentum of the bodies, without the fluid's */
+    v[0] = Z[0] * table->mass_inverse;  v[1] = Z[1] * table->mass_inverse;  v[2] = Z[2] * table->mass_inverse;
+    out->center_of_mass_velocity[0] = C[0] * v[0] + C[1] * v[1] + C[2] * v[2];
+    out->center_of_mass_velocity[1] = C[3] * v[0] + C[4] * v[1] + C[5] * v[2];
+    out->center_of_mass_velocity[2] = C[6] * v[0] + C[7] * v[1] + C[8] * v[2];
     return DEMO3_OK;
 }
 
@@ -3519,34 +3524,6 @@ demo3_status demo3_step_driven_carried(const demo3_table *table, const demo3_sta
     *next = y;
     const demo3_real most = (order == 2) ? DEMO3_MAX_TURN_2 : DEMO3_MAX_TURN_4;  /* rad */
     if (dt * dt * fastest > most * most) { return DEMO3_COARSE; }
-    return DEMO3_OK;
-}
-
-/* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
-DEMO3_CODE
-demo3_status demo3_center_of_mass_velocity(const demo3_table *table, const demo3_state *x,
-                                           demo3_real center_of_mass_velocity[3])
-{
-    if (table == NULL || x == NULL || center_of_mass_velocity == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status = demo3_check_state(x);
-    if (status != DEMO3_OK) { return status; }
-    demo3_real C[9];  /* attitude */
-    demo3_rotation(x->attitude, C);
-    demo3_sums sum;
-    demo3_real sine[DEMO3_N];
-    demo3_real cosine[DEMO3_N];
-    demo3_sincos_each(x->phi, sine, cosine);
-    demo3_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    demo3_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
-    own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
-    own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
-    own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
-    own_velocity[0] = own_velocity[0] * table->mass_inverse;
-    own_velocity[1] = own_velocity[1] * table->mass_inverse;
-    own_velocity[2] = own_velocity[2] * table->mass_inverse;
-    center_of_mass_velocity[0] = C[0] * own_velocity[0] + C[1] * own_velocity[1] + C[2] * own_velocity[2];
-    center_of_mass_velocity[1] = C[3] * own_velocity[0] + C[4] * own_velocity[1] + C[5] * own_velocity[2];
-    center_of_mass_velocity[2] = C[6] * own_velocity[0] + C[7] * own_velocity[1] + C[8] * own_velocity[2];
     return DEMO3_OK;
 }
 

@@ -29,33 +29,32 @@
  * DEMO3_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other languages
  * need them. */
 #ifndef DEMO3_PLAIN_NAMES
-#define demo3_default_parameters      demo3_default_parameters_f64_0155b064
-#define demo3_default                 demo3_default_f64_0155b064
-#define demo3_default_options         demo3_default_options_f64_0155b064
-#define demo3_forward                 demo3_forward_f64_0155b064
-#define demo3_matrices                demo3_matrices_f64_0155b064
-#define demo3_momentum                demo3_momentum_f64_0155b064
-#define demo3_torque                  demo3_torque_f64_0155b064
-#define demo3_coupled                 demo3_coupled_f64_0155b064
-#define demo3_step                    demo3_step_f64_0155b064
-#define demo3_step_driven             demo3_step_driven_f64_0155b064
-#define demo3_wrap                    demo3_wrap_f64_0155b064
-#define demo3_phase_of_counts         demo3_phase_of_counts_f64_0155b064
-#define demo3_speed_of_counts         demo3_speed_of_counts_f64_0155b064
-#define demo3_accumulate              demo3_accumulate_f64_0155b064
-#define demo3_forward_jacobian        demo3_forward_jacobian_f64_0155b064
-#define demo3_coupled_jacobian        demo3_coupled_jacobian_f64_0155b064
-#define demo3_inverse                 demo3_inverse_f64_0155b064
-#define demo3_inverse_fast            demo3_inverse_fast_f64_0155b064
-#define demo3_quaternion              demo3_quaternion_f64_0155b064
-#define demo3_state_from_coordinates  demo3_state_from_coordinates_f64_0155b064
-#define demo3_generalized             demo3_generalized_f64_0155b064
-#define demo3_prepare                 demo3_prepare_f64_0155b064
-#define demo3_mounts                  demo3_mounts_f64_0155b064
-#define demo3_prepare_mounts          demo3_prepare_mounts_f64_0155b064
-#define demo3_step_carried            demo3_step_carried_f64_0155b064
-#define demo3_step_driven_carried     demo3_step_driven_carried_f64_0155b064
-#define demo3_center_of_mass_velocity demo3_center_of_mass_velocity_f64_0155b064
+#define demo3_default_parameters     demo3_default_parameters_f64_c7b8009d
+#define demo3_default                demo3_default_f64_c7b8009d
+#define demo3_default_options        demo3_default_options_f64_c7b8009d
+#define demo3_forward                demo3_forward_f64_c7b8009d
+#define demo3_matrices               demo3_matrices_f64_c7b8009d
+#define demo3_momentum               demo3_momentum_f64_c7b8009d
+#define demo3_torque                 demo3_torque_f64_c7b8009d
+#define demo3_coupled                demo3_coupled_f64_c7b8009d
+#define demo3_step                   demo3_step_f64_c7b8009d
+#define demo3_step_driven            demo3_step_driven_f64_c7b8009d
+#define demo3_wrap                   demo3_wrap_f64_c7b8009d
+#define demo3_phase_of_counts        demo3_phase_of_counts_f64_c7b8009d
+#define demo3_speed_of_counts        demo3_speed_of_counts_f64_c7b8009d
+#define demo3_accumulate             demo3_accumulate_f64_c7b8009d
+#define demo3_forward_jacobian       demo3_forward_jacobian_f64_c7b8009d
+#define demo3_coupled_jacobian       demo3_coupled_jacobian_f64_c7b8009d
+#define demo3_inverse                demo3_inverse_f64_c7b8009d
+#define demo3_inverse_fast           demo3_inverse_fast_f64_c7b8009d
+#define demo3_quaternion             demo3_quaternion_f64_c7b8009d
+#define demo3_state_from_coordinates demo3_state_from_coordinates_f64_c7b8009d
+#define demo3_generalized            demo3_generalized_f64_c7b8009d
+#define demo3_prepare                demo3_prepare_f64_c7b8009d
+#define demo3_mounts                 demo3_mounts_f64_c7b8009d
+#define demo3_prepare_mounts         demo3_prepare_mounts_f64_c7b8009d
+#define demo3_step_carried           demo3_step_carried_f64_c7b8009d
+#define demo3_step_driven_carried    demo3_step_driven_carried_f64_c7b8009d
 #endif
 
 #ifdef __cplusplus
@@ -185,12 +184,13 @@ typedef struct demo3_matrices_result {
     demo3_real F[6];            /* N, N m; total external wrench (7) */
 } demo3_matrices_result;
 
-/* Momentum, energy and mass centre. */
+/* Momentum, energy, mass centre and its velocity. */
 typedef struct demo3_momentum_result {
-    demo3_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
-    demo3_real Z0[6];              /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
-    demo3_real energy;             /* J; kinetic energy */
-    demo3_real center_of_mass[3];  /* m; mass centre of all bodies, in E1 */
+    demo3_real Z[6];                        /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
+    demo3_real Z0[6];                       /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
+    demo3_real energy;                      /* J; kinetic energy */
+    demo3_real center_of_mass[3];           /* m; mass centre of all bodies, in E1 */
+    demo3_real center_of_mass_velocity[3];  /* m/s; of the mass centre relative to E0, in E0 */
 } demo3_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
@@ -303,12 +303,12 @@ demo3_status demo3_forward(const demo3_table *table, const demo3_state *x,
  * At most 1137 operations on reals, no division. Stack: at most 1536 bytes. */
 demo3_status demo3_matrices(const demo3_table *table, const demo3_state *x, demo3_matrices_result *out);
 
-/* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
+/* momentum: momentum screw, kinetic energy, mass centre of the whole system and its velocity, (1), (2).
  *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
- *   out    out: Z, Z0, energy, mass centre
+ *   out    out: Z, Z0, energy, mass centre and its velocity
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1083 operations on reals, 1 of them a division. Stack: at most 1536 bytes. */
+ * At most 1101 operations on reals, 1 of them a division. Stack: at most 1568 bytes. */
 demo3_status demo3_momentum(const demo3_table *table, const demo3_state *x, demo3_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -578,15 +578,6 @@ demo3_status demo3_step_carried(const demo3_table *table, const demo3_state *x,
 demo3_status demo3_step_driven_carried(const demo3_table *table, const demo3_state *x,
                                        const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                        demo3_step_carry *carry, demo3_state *next);
-
-/* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
- *   table                       the prepared table
- *   x                           state; its attitude within 1e-3 of unit length
- *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 761 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
-demo3_status demo3_center_of_mass_velocity(const demo3_table *table, const demo3_state *x,
-                                           demo3_real center_of_mass_velocity[3]);
 
 #ifdef __cplusplus
 }

@@ -37,11 +37,11 @@
  * DEMO3_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other languages
  * need them. */
 #ifndef DEMO3_PLAIN_NAMES
-#define demo3_recorder_start               demo3_recorder_start_f64_f5e85f62
-#define demo3_recorder_step                demo3_recorder_step_f64_f5e85f62
-#define demo3_recorder_step_driven         demo3_recorder_step_driven_f64_f5e85f62
-#define demo3_recorder_step_carried        demo3_recorder_step_carried_f64_f5e85f62
-#define demo3_recorder_step_driven_carried demo3_recorder_step_driven_carried_f64_f5e85f62
+#define demo3_recorder_start               demo3_recorder_start_f64_fb546a5f
+#define demo3_recorder_step                demo3_recorder_step_f64_fb546a5f
+#define demo3_recorder_step_driven         demo3_recorder_step_driven_f64_fb546a5f
+#define demo3_recorder_step_carried        demo3_recorder_step_carried_f64_fb546a5f
+#define demo3_recorder_step_driven_carried demo3_recorder_step_driven_carried_f64_fb546a5f
 #endif
 
 #ifdef __cplusplus
@@ -49,7 +49,7 @@ extern "C" {
 #endif
 
 #define DEMO3_RECORDER_FORMAT 3u           /* version of the log format */
-#define DEMO3_RECORDER_SOURCE 0xba655966u  /* FNV-1a hash of the texts of demo3.h and demo3.c */
+#define DEMO3_RECORDER_SOURCE 0x6029ed63u  /* FNV-1a hash of the texts of demo3.h and demo3.c */
 #define DEMO3_RECORD_BYTES    357  /* longest record of a step; most have 40 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

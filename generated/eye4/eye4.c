@@ -751,22 +751,6 @@ eye4_status eye4_forward(const eye4_table *table, const eye4_state *x, const eye
     return EYE4_OK;
 }
 
-/* (7) */
-EYE4_CODE
-eye4_status eye4_wrench(const eye4_state *x, const eye4_real wrench[6], eye4_real F[6])
-{
-    if (x == NULL || wrench == NULL || F == NULL) { return EYE4_BAD_ARGUMENT; }
-    eye4_status status = eye4_check_state(x);
-    if (status != EYE4_OK) { return status; }
-    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
-    if (status != EYE4_OK) { return status; }
-    eye4_real result[6];
-    eye4_external(wrench, result);
-    F[0] = result[0];  F[1] = result[1];  F[2] = result[2];
-    F[3] = result[3];  F[4] = result[4];  F[5] = result[5];
-    return EYE4_OK;
-}
-
 /* M = Phi K + K*, (9). */
 EYE4_CODE
 static void eye4_velocity_matrix(const eye4_real V[6], eye4_matrices_result *restrict out)
@@ -919,6 +903,11 @@ eye4_status eye4_momentum(const eye4_table *table, const eye4_state *x, eye4_mom
     out->center_of_mass[0] = sum.mu[0] * table->mass_inverse;
     out->center_of_mass[1] = sum.mu[1] * table->mass_inverse;
     out->center_of_mass[2] = sum.mu[2] * table->mass_inverse;
+    eye4_real v[3];  /* of the mass centre in E1, from the momentum of the bodies, without the fluid's */
+    v[0] = Z[0] * table->mass_inverse;  v[1] = Z[1] * table->mass_inverse;  v[2] = Z[2] * table->mass_inverse;
+    out->center_of_mass_velocity[0] = C[0] * v[0] + C[1] * v[1] + C[2] * v[2];
+    out->center_of_mass_velocity[1] = C[3] * v[0] + C[4] * v[1] + C[5] * v[2];
+    out->center_of_mass_velocity[2] = C[6] * v[0] + C[7] * v[1] + C[8] * v[2];
     return EYE4_OK;
 }
 
@@ -5207,34 +5196,6 @@ eye4_status eye4_step_driven_carried(const eye4_table *table, const eye4_state *
     *next = y;
     const eye4_real most = (order == 2) ? EYE4_MAX_TURN_2 : EYE4_MAX_TURN_4;  /* rad */
     if (dt * dt * fastest > most * most) { return EYE4_COARSE; }
-    return EYE4_OK;
-}
-
-/* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
-EYE4_CODE
-eye4_status eye4_center_of_mass_velocity(const eye4_table *table, const eye4_state *x,
-                                         eye4_real center_of_mass_velocity[3])
-{
-    if (table == NULL || x == NULL || center_of_mass_velocity == NULL) { return EYE4_BAD_ARGUMENT; }
-    eye4_status status = eye4_check_state(x);
-    if (status != EYE4_OK) { return status; }
-    eye4_real C[9];  /* attitude */
-    eye4_rotation(x->attitude, C);
-    eye4_sums sum;
-    eye4_real sine[EYE4_N];
-    eye4_real cosine[EYE4_N];
-    eye4_sincos_each(x->phi, sine, cosine);
-    eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    eye4_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
-    own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
-    own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
-    own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
-    own_velocity[0] = own_velocity[0] * table->mass_inverse;
-    own_velocity[1] = own_velocity[1] * table->mass_inverse;
-    own_velocity[2] = own_velocity[2] * table->mass_inverse;
-    center_of_mass_velocity[0] = C[0] * own_velocity[0] + C[1] * own_velocity[1] + C[2] * own_velocity[2];
-    center_of_mass_velocity[1] = C[3] * own_velocity[0] + C[4] * own_velocity[1] + C[5] * own_velocity[2];
-    center_of_mass_velocity[2] = C[6] * own_velocity[0] + C[7] * own_velocity[1] + C[8] * own_velocity[2];
     return EYE4_OK;
 }
 

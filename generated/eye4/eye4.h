@@ -29,38 +29,36 @@
  * EYE4_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other languages
  * need them. */
 #ifndef EYE4_PLAIN_NAMES
-#define eye4_default_parameters      eye4_default_parameters_f64_63e43f2c
-#define eye4_default                 eye4_default_f64_63e43f2c
-#define eye4_default_options         eye4_default_options_f64_63e43f2c
-#define eye4_forward                 eye4_forward_f64_63e43f2c
-#define eye4_wrench                  eye4_wrench_f64_63e43f2c
-#define eye4_matrices                eye4_matrices_f64_63e43f2c
-#define eye4_momentum                eye4_momentum_f64_63e43f2c
-#define eye4_torque                  eye4_torque_f64_63e43f2c
-#define eye4_coupled                 eye4_coupled_f64_63e43f2c
-#define eye4_step                    eye4_step_f64_63e43f2c
-#define eye4_step_driven             eye4_step_driven_f64_63e43f2c
-#define eye4_wrap                    eye4_wrap_f64_63e43f2c
-#define eye4_phase_of_counts         eye4_phase_of_counts_f64_63e43f2c
-#define eye4_speed_of_counts         eye4_speed_of_counts_f64_63e43f2c
-#define eye4_accumulate              eye4_accumulate_f64_63e43f2c
-#define eye4_forward_jacobian        eye4_forward_jacobian_f64_63e43f2c
-#define eye4_coupled_jacobian        eye4_coupled_jacobian_f64_63e43f2c
-#define eye4_inverse                 eye4_inverse_f64_63e43f2c
-#define eye4_inverse_fast            eye4_inverse_fast_f64_63e43f2c
-#define eye4_inverse_pointing        eye4_inverse_pointing_f64_63e43f2c
-#define eye4_inverse_fast_pointing   eye4_inverse_fast_pointing_f64_63e43f2c
-#define eye4_torque_for_pointing     eye4_torque_for_pointing_f64_63e43f2c
-#define eye4_points                  eye4_points_f64_63e43f2c
-#define eye4_quaternion              eye4_quaternion_f64_63e43f2c
-#define eye4_state_from_coordinates  eye4_state_from_coordinates_f64_63e43f2c
-#define eye4_generalized             eye4_generalized_f64_63e43f2c
-#define eye4_prepare                 eye4_prepare_f64_63e43f2c
-#define eye4_mounts                  eye4_mounts_f64_63e43f2c
-#define eye4_prepare_mounts          eye4_prepare_mounts_f64_63e43f2c
-#define eye4_step_carried            eye4_step_carried_f64_63e43f2c
-#define eye4_step_driven_carried     eye4_step_driven_carried_f64_63e43f2c
-#define eye4_center_of_mass_velocity eye4_center_of_mass_velocity_f64_63e43f2c
+#define eye4_default_parameters     eye4_default_parameters_f64_832b2aad
+#define eye4_default                eye4_default_f64_832b2aad
+#define eye4_default_options        eye4_default_options_f64_832b2aad
+#define eye4_forward                eye4_forward_f64_832b2aad
+#define eye4_matrices               eye4_matrices_f64_832b2aad
+#define eye4_momentum               eye4_momentum_f64_832b2aad
+#define eye4_torque                 eye4_torque_f64_832b2aad
+#define eye4_coupled                eye4_coupled_f64_832b2aad
+#define eye4_step                   eye4_step_f64_832b2aad
+#define eye4_step_driven            eye4_step_driven_f64_832b2aad
+#define eye4_wrap                   eye4_wrap_f64_832b2aad
+#define eye4_phase_of_counts        eye4_phase_of_counts_f64_832b2aad
+#define eye4_speed_of_counts        eye4_speed_of_counts_f64_832b2aad
+#define eye4_accumulate             eye4_accumulate_f64_832b2aad
+#define eye4_forward_jacobian       eye4_forward_jacobian_f64_832b2aad
+#define eye4_coupled_jacobian       eye4_coupled_jacobian_f64_832b2aad
+#define eye4_inverse                eye4_inverse_f64_832b2aad
+#define eye4_inverse_fast           eye4_inverse_fast_f64_832b2aad
+#define eye4_inverse_pointing       eye4_inverse_pointing_f64_832b2aad
+#define eye4_inverse_fast_pointing  eye4_inverse_fast_pointing_f64_832b2aad
+#define eye4_torque_for_pointing    eye4_torque_for_pointing_f64_832b2aad
+#define eye4_points                 eye4_points_f64_832b2aad
+#define eye4_quaternion             eye4_quaternion_f64_832b2aad
+#define eye4_state_from_coordinates eye4_state_from_coordinates_f64_832b2aad
+#define eye4_generalized            eye4_generalized_f64_832b2aad
+#define eye4_prepare                eye4_prepare_f64_832b2aad
+#define eye4_mounts                 eye4_mounts_f64_832b2aad
+#define eye4_prepare_mounts         eye4_prepare_mounts_f64_832b2aad
+#define eye4_step_carried           eye4_step_carried_f64_832b2aad
+#define eye4_step_driven_carried    eye4_step_driven_carried_f64_832b2aad
 #endif
 
 #ifdef __cplusplus
@@ -209,12 +207,13 @@ typedef struct eye4_matrices_result {
     eye4_real F[6];           /* N, N m; total external wrench (7) */
 } eye4_matrices_result;
 
-/* Momentum, energy and mass centre. */
+/* Momentum, energy, mass centre and its velocity. */
 typedef struct eye4_momentum_result {
-    eye4_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
-    eye4_real Z0[6];              /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
-    eye4_real energy;             /* J; kinetic energy */
-    eye4_real center_of_mass[3];  /* m; mass centre of all bodies, in E1 */
+    eye4_real Z[6];                        /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
+    eye4_real Z0[6];                       /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
+    eye4_real energy;                      /* J; kinetic energy */
+    eye4_real center_of_mass[3];           /* m; mass centre of all bodies, in E1 */
+    eye4_real center_of_mass_velocity[3];  /* m/s; of the mass centre relative to E0, in E0 */
 } eye4_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
@@ -364,14 +363,6 @@ extern const eye4_inverse_options eye4_default_options;           /* of inverse,
 eye4_status eye4_forward(const eye4_table *table, const eye4_state *x, const eye4_real phi_ddot[EYE4_N],
                          const eye4_real wrench[6], eye4_real V_dot[6]);
 
-/* wrench: total external wrench of all bodies at a state, (7).
- *   x          state; its attitude within 1e-3 of unit length
- *   wrench[6]  N, N m; run-time wrenches, six numbers a body (carrier), in its own frame about its origin
- *   F[6]       out: N, N m; total external wrench on the carrier, in E1 about O1
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 186 operations on reals, no division. Stack: at most 1056 bytes. */
-eye4_status eye4_wrench(const eye4_state *x, const eye4_real wrench[6], eye4_real F[6]);
-
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
  *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
@@ -382,12 +373,12 @@ eye4_status eye4_wrench(const eye4_state *x, const eye4_real wrench[6], eye4_rea
 eye4_status eye4_matrices(const eye4_table *table, const eye4_state *x, const eye4_real wrench[6],
                           eye4_matrices_result *out);
 
-/* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
+/* momentum: momentum screw, kinetic energy, mass centre of the whole system and its velocity, (1), (2).
  *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
- *   out    out: Z, Z0, energy, mass centre
+ *   out    out: Z, Z0, energy, mass centre and its velocity
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1355 operations on reals, 1 of them a division. Stack: at most 1552 bytes. */
+ * At most 1373 operations on reals, 1 of them a division. Stack: at most 1584 bytes. */
 eye4_status eye4_momentum(const eye4_table *table, const eye4_state *x, eye4_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -754,15 +745,6 @@ eye4_status eye4_step_carried(const eye4_table *table, const eye4_state *x, cons
 eye4_status eye4_step_driven_carried(const eye4_table *table, const eye4_state *x,
                                      const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                                      eye4_real dt, int order, eye4_step_carry *carry, eye4_state *next);
-
-/* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
- *   table                       the prepared table
- *   x                           state; its attitude within 1e-3 of unit length
- *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 951 operations on reals, 1 of them a division. Stack: at most 1456 bytes. */
-eye4_status eye4_center_of_mass_velocity(const eye4_table *table, const eye4_state *x,
-                                         eye4_real center_of_mass_velocity[3]);
 
 #ifdef __cplusplus
 }

@@ -37,11 +37,11 @@
  * EYE4_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other languages
  * need them. */
 #ifndef EYE4_PLAIN_NAMES
-#define eye4_recorder_start               eye4_recorder_start_f64_c7ba2b6e
-#define eye4_recorder_step                eye4_recorder_step_f64_c7ba2b6e
-#define eye4_recorder_step_driven         eye4_recorder_step_driven_f64_c7ba2b6e
-#define eye4_recorder_step_carried        eye4_recorder_step_carried_f64_c7ba2b6e
-#define eye4_recorder_step_driven_carried eye4_recorder_step_driven_carried_f64_c7ba2b6e
+#define eye4_recorder_start               eye4_recorder_start_f64_4abe9cdf
+#define eye4_recorder_step                eye4_recorder_step_f64_4abe9cdf
+#define eye4_recorder_step_driven         eye4_recorder_step_driven_f64_4abe9cdf
+#define eye4_recorder_step_carried        eye4_recorder_step_carried_f64_4abe9cdf
+#define eye4_recorder_step_driven_carried eye4_recorder_step_driven_carried_f64_4abe9cdf
 #endif
 
 #ifdef __cplusplus
@@ -49,7 +49,7 @@ extern "C" {
 #endif
 
 #define EYE4_RECORDER_FORMAT 3u           /* version of the log format */
-#define EYE4_RECORDER_SOURCE 0xa3062683u  /* FNV-1a hash of the texts of eye4.h and eye4.c */
+#define EYE4_RECORDER_SOURCE 0xa6d3c86cu  /* FNV-1a hash of the texts of eye4.h and eye4.c */
 #define EYE4_RECORD_BYTES    445  /* longest record of a step; most have 48 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

@@ -739,36 +739,6 @@ remus6_status remus6_forward(const remus6_table *table, const remus6_state *x,
     return REMUS6_OK;
 }
 
-/* (7) */
-REMUS6_CODE
-remus6_status remus6_wrench(const remus6_table *table, const remus6_state *x, remus6_real F[6])
-{
-    if (table == NULL || x == NULL || F == NULL) { return REMUS6_BAD_ARGUMENT; }
-    remus6_status status = remus6_check_state(x);
-    if (status != REMUS6_OK) { return status; }
-    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
-    if (status != REMUS6_OK) { return status; }
-    remus6_real C[9];  /* attitude */
-    remus6_rotation(x->attitude, C);
-    remus6_real u[3];  /* stream in E1 */
-    remus6_rotate_back(C, table->stream, u);
-    remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
-    V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
-    V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
-    remus6_real g[3];  /* gravity in E1 */
-    remus6_rotate_back(C, table->gravity, g);
-    remus6_sums sum;
-    remus6_real sine[REMUS6_N];
-    remus6_real cosine[REMUS6_N];
-    remus6_sincos_each(x->phi, sine, cosine);
-    remus6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    remus6_real result[6];
-    remus6_external(table, &sum, V, g, result);
-    F[0] = result[0];  F[1] = result[1];  F[2] = result[2];
-    F[3] = result[3];  F[4] = result[4];  F[5] = result[5];
-    return REMUS6_OK;
-}
-
 /* M = Phi K + K*, (9). */
 REMUS6_CODE
 static void remus6_velocity_matrix(const remus6_real V[6], remus6_matrices_result *restrict out)
@@ -959,6 +929,14 @@ remus6_status remus6_momentum(const remus6_table *table, const remus6_state *x, 
     out->center_of_mass[0] = sum.mu[0] * table->mass_inverse;
     out->center_of_mass[1] = sum.mu[1] * table->mass_inverse;
     out->center_of_mass[2] = sum.mu[2] * table->mass_inverse;
+    remus6_real v[3];  /* of the mass centre in E1, from the momentum of the bodies, without the fluid's */
+    v[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
+    v[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
+    v[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
+    v[0] = v[0] * table->mass_inverse;  v[1] = v[1] * table->mass_inverse;  v[2] = v[2] * table->mass_inverse;
+    out->center_of_mass_velocity[0] = C[0] * v[0] + C[1] * v[1] + C[2] * v[2];
+    out->center_of_mass_velocity[1] = C[3] * v[0] + C[4] * v[1] + C[5] * v[2];
+    out->center_of_mass_velocity[2] = C[6] * v[0] + C[7] * v[1] + C[8] * v[2];
     return REMUS6_OK;
 }
 
@@ -4200,36 +4178,6 @@ remus6_status remus6_step_driven_carried(const remus6_table *table, const remus6
     *next = y;
     const remus6_real most = (order == 2) ? REMUS6_MAX_TURN_2 : REMUS6_MAX_TURN_4;  /* rad */
     if (dt * dt * fastest > most * most) { return REMUS6_COARSE; }
-    return REMUS6_OK;
-}
-
-/* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
-REMUS6_CODE
-remus6_status remus6_center_of_mass_velocity(const remus6_table *table, const remus6_state *x,
-                                             remus6_real center_of_mass_velocity[3])
-{
-    if (table == NULL || x == NULL || center_of_mass_velocity == NULL) { return REMUS6_BAD_ARGUMENT; }
-    remus6_status status = remus6_check_state(x);
-    if (status != REMUS6_OK) { return status; }
-    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
-    if (status != REMUS6_OK) { return status; }
-    remus6_real C[9];  /* attitude */
-    remus6_rotation(x->attitude, C);
-    remus6_sums sum;
-    remus6_real sine[REMUS6_N];
-    remus6_real cosine[REMUS6_N];
-    remus6_sincos_each(x->phi, sine, cosine);
-    remus6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    remus6_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
-    own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
-    own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
-    own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
-    own_velocity[0] = own_velocity[0] * table->mass_inverse;
-    own_velocity[1] = own_velocity[1] * table->mass_inverse;
-    own_velocity[2] = own_velocity[2] * table->mass_inverse;
-    center_of_mass_velocity[0] = C[0] * own_velocity[0] + C[1] * own_velocity[1] + C[2] * own_velocity[2];
-    center_of_mass_velocity[1] = C[3] * own_velocity[0] + C[4] * own_velocity[1] + C[5] * own_velocity[2];
-    center_of_mass_velocity[2] = C[6] * own_velocity[0] + C[7] * own_velocity[1] + C[8] * own_velocity[2];
     return REMUS6_OK;
 }
 

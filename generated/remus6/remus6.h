@@ -29,35 +29,33 @@
  * REMUS6_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
  * languages need them. */
 #ifndef REMUS6_PLAIN_NAMES
-#define remus6_default_parameters      remus6_default_parameters_f64_98d7f07c
-#define remus6_default                 remus6_default_f64_98d7f07c
-#define remus6_default_options         remus6_default_options_f64_98d7f07c
-#define remus6_forward                 remus6_forward_f64_98d7f07c
-#define remus6_wrench                  remus6_wrench_f64_98d7f07c
-#define remus6_matrices                remus6_matrices_f64_98d7f07c
-#define remus6_momentum                remus6_momentum_f64_98d7f07c
-#define remus6_torque                  remus6_torque_f64_98d7f07c
-#define remus6_coupled                 remus6_coupled_f64_98d7f07c
-#define remus6_step                    remus6_step_f64_98d7f07c
-#define remus6_step_driven             remus6_step_driven_f64_98d7f07c
-#define remus6_wrap                    remus6_wrap_f64_98d7f07c
-#define remus6_phase_of_counts         remus6_phase_of_counts_f64_98d7f07c
-#define remus6_speed_of_counts         remus6_speed_of_counts_f64_98d7f07c
-#define remus6_accumulate              remus6_accumulate_f64_98d7f07c
-#define remus6_forward_jacobian        remus6_forward_jacobian_f64_98d7f07c
-#define remus6_coupled_jacobian        remus6_coupled_jacobian_f64_98d7f07c
-#define remus6_inverse                 remus6_inverse_f64_98d7f07c
-#define remus6_inverse_fast            remus6_inverse_fast_f64_98d7f07c
-#define remus6_points                  remus6_points_f64_98d7f07c
-#define remus6_quaternion              remus6_quaternion_f64_98d7f07c
-#define remus6_state_from_coordinates  remus6_state_from_coordinates_f64_98d7f07c
-#define remus6_generalized             remus6_generalized_f64_98d7f07c
-#define remus6_prepare                 remus6_prepare_f64_98d7f07c
-#define remus6_mounts                  remus6_mounts_f64_98d7f07c
-#define remus6_prepare_mounts          remus6_prepare_mounts_f64_98d7f07c
-#define remus6_step_carried            remus6_step_carried_f64_98d7f07c
-#define remus6_step_driven_carried     remus6_step_driven_carried_f64_98d7f07c
-#define remus6_center_of_mass_velocity remus6_center_of_mass_velocity_f64_98d7f07c
+#define remus6_default_parameters     remus6_default_parameters_f64_2e819fc0
+#define remus6_default                remus6_default_f64_2e819fc0
+#define remus6_default_options        remus6_default_options_f64_2e819fc0
+#define remus6_forward                remus6_forward_f64_2e819fc0
+#define remus6_matrices               remus6_matrices_f64_2e819fc0
+#define remus6_momentum               remus6_momentum_f64_2e819fc0
+#define remus6_torque                 remus6_torque_f64_2e819fc0
+#define remus6_coupled                remus6_coupled_f64_2e819fc0
+#define remus6_step                   remus6_step_f64_2e819fc0
+#define remus6_step_driven            remus6_step_driven_f64_2e819fc0
+#define remus6_wrap                   remus6_wrap_f64_2e819fc0
+#define remus6_phase_of_counts        remus6_phase_of_counts_f64_2e819fc0
+#define remus6_speed_of_counts        remus6_speed_of_counts_f64_2e819fc0
+#define remus6_accumulate             remus6_accumulate_f64_2e819fc0
+#define remus6_forward_jacobian       remus6_forward_jacobian_f64_2e819fc0
+#define remus6_coupled_jacobian       remus6_coupled_jacobian_f64_2e819fc0
+#define remus6_inverse                remus6_inverse_f64_2e819fc0
+#define remus6_inverse_fast           remus6_inverse_fast_f64_2e819fc0
+#define remus6_points                 remus6_points_f64_2e819fc0
+#define remus6_quaternion             remus6_quaternion_f64_2e819fc0
+#define remus6_state_from_coordinates remus6_state_from_coordinates_f64_2e819fc0
+#define remus6_generalized            remus6_generalized_f64_2e819fc0
+#define remus6_prepare                remus6_prepare_f64_2e819fc0
+#define remus6_mounts                 remus6_mounts_f64_2e819fc0
+#define remus6_prepare_mounts         remus6_prepare_mounts_f64_2e819fc0
+#define remus6_step_carried           remus6_step_carried_f64_2e819fc0
+#define remus6_step_driven_carried    remus6_step_driven_carried_f64_2e819fc0
 #endif
 
 #ifdef __cplusplus
@@ -250,12 +248,13 @@ typedef struct remus6_matrices_result {
     remus6_real F[6];             /* N, N m; total external wrench (7) */
 } remus6_matrices_result;
 
-/* Momentum, energy and mass centre. */
+/* Momentum, energy, mass centre and its velocity. */
 typedef struct remus6_momentum_result {
-    remus6_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
-    remus6_real Z0[6];              /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
-    remus6_real energy;             /* J; kinetic energy */
-    remus6_real center_of_mass[3];  /* m; mass centre of all bodies, in E1 */
+    remus6_real Z[6];                        /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
+    remus6_real Z0[6];                       /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
+    remus6_real energy;                      /* J; kinetic energy */
+    remus6_real center_of_mass[3];           /* m; mass centre of all bodies, in E1 */
+    remus6_real center_of_mass_velocity[3];  /* m/s; of the mass centre relative to E0, in E0 */
 } remus6_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
@@ -371,14 +370,6 @@ extern const remus6_inverse_options remus6_default_options;       /* of inverse,
 remus6_status remus6_forward(const remus6_table *table, const remus6_state *x,
                              const remus6_real phi_ddot[REMUS6_N], remus6_real V_dot[6]);
 
-/* wrench: total external wrench of all bodies at a state, (7).
- *   table  the prepared table
- *   x      state; its attitude within 1e-3 of unit length
- *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1406 operations on reals, 1 of them a division. Stack: at most 1680 bytes. */
-remus6_status remus6_wrench(const remus6_table *table, const remus6_state *x, remus6_real F[6]);
-
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
  *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
@@ -387,12 +378,12 @@ remus6_status remus6_wrench(const remus6_table *table, const remus6_state *x, re
  * At most 2120 operations on reals, 1 of them a division. Stack: at most 1840 bytes. */
 remus6_status remus6_matrices(const remus6_table *table, const remus6_state *x, remus6_matrices_result *out);
 
-/* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
+/* momentum: momentum screw, kinetic energy, mass centre of the whole system and its velocity, (1), (2).
  *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
- *   out    out: Z, Z0, energy, mass centre
+ *   out    out: Z, Z0, energy, mass centre and its velocity
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2015 operations on reals, 1 of them a division. Stack: at most 1712 bytes. */
+ * At most 2051 operations on reals, 1 of them a division. Stack: at most 1744 bytes. */
 remus6_status remus6_momentum(const remus6_table *table, const remus6_state *x, remus6_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -678,15 +669,6 @@ remus6_status remus6_step_carried(const remus6_table *table, const remus6_state 
 remus6_status remus6_step_driven_carried(const remus6_table *table, const remus6_state *x,
                                          const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
                                          remus6_step_carry *carry, remus6_state *next);
-
-/* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
- *   table                       the prepared table
- *   x                           state; its attitude within 1e-3 of unit length
- *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1343 operations on reals, 1 of them a division. Stack: at most 1504 bytes. */
-remus6_status remus6_center_of_mass_velocity(const remus6_table *table, const remus6_state *x,
-                                             remus6_real center_of_mass_velocity[3]);
 
 #ifdef __cplusplus
 }

@@ -888,6 +888,11 @@ sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_mom
     out->center_of_mass[0] = sum.mu[0] * table->mass_inverse;
     out->center_of_mass[1] = sum.mu[1] * table->mass_inverse;
     out->center_of_mass[2] = sum.mu[2] * table->mass_inverse;
+    sat4_real v[3];  /* of the mass centre in E1, from the momentum of the bodies, without the fluid's */
+    v[0] = Z[0] * table->mass_inverse;  v[1] = Z[1] * table->mass_inverse;  v[2] = Z[2] * table->mass_inverse;
+    out->center_of_mass_velocity[0] = C[0] * v[0] + C[1] * v[1] + C[2] * v[2];
+    out->center_of_mass_velocity[1] = C[3] * v[0] + C[4] * v[1] + C[5] * v[2];
+    out->center_of_mass_velocity[2] = C[6] * v[0] + C[7] * v[1] + C[8] * v[2];
     return SAT4_OK;
 }
 
@@ -5136,34 +5141,6 @@ sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *
     *next = y;
     const sat4_real most = (order == 2) ? SAT4_MAX_TURN_2 : SAT4_MAX_TURN_4;  /* rad */
     if (dt * dt * fastest > most * most) { return SAT4_COARSE; }
-    return SAT4_OK;
-}
-
-/* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
-SAT4_CODE
-sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_state *x,
-                                         sat4_real center_of_mass_velocity[3])
-{
-    if (table == NULL || x == NULL || center_of_mass_velocity == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status = sat4_check_state(x);
-    if (status != SAT4_OK) { return status; }
-    sat4_real C[9];  /* attitude */
-    sat4_rotation(x->attitude, C);
-    sat4_sums sum;
-    sat4_real sine[SAT4_N];
-    sat4_real cosine[SAT4_N];
-    sat4_sincos_each(x->phi, sine, cosine);
-    sat4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    sat4_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
-    own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
-    own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
-    own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
-    own_velocity[0] = own_velocity[0] * table->mass_inverse;
-    own_velocity[1] = own_velocity[1] * table->mass_inverse;
-    own_velocity[2] = own_velocity[2] * table->mass_inverse;
-    center_of_mass_velocity[0] = C[0] * own_velocity[0] + C[1] * own_velocity[1] + C[2] * own_velocity[2];
-    center_of_mass_velocity[1] = C[3] * own_velocity[0] + C[4] * own_velocity[1] + C[5] * own_velocity[2];
-    center_of_mass_velocity[2] = C[6] * own_velocity[0] + C[7] * own_velocity[1] + C[8] * own_velocity[2];
     return SAT4_OK;
 }
 

@@ -29,37 +29,36 @@
  * SAT4_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other languages
  * need them. */
 #ifndef SAT4_PLAIN_NAMES
-#define sat4_default_parameters      sat4_default_parameters_f64_b38173ad
-#define sat4_default                 sat4_default_f64_b38173ad
-#define sat4_default_options         sat4_default_options_f64_b38173ad
-#define sat4_forward                 sat4_forward_f64_b38173ad
-#define sat4_matrices                sat4_matrices_f64_b38173ad
-#define sat4_momentum                sat4_momentum_f64_b38173ad
-#define sat4_torque                  sat4_torque_f64_b38173ad
-#define sat4_coupled                 sat4_coupled_f64_b38173ad
-#define sat4_step                    sat4_step_f64_b38173ad
-#define sat4_step_driven             sat4_step_driven_f64_b38173ad
-#define sat4_wrap                    sat4_wrap_f64_b38173ad
-#define sat4_phase_of_counts         sat4_phase_of_counts_f64_b38173ad
-#define sat4_speed_of_counts         sat4_speed_of_counts_f64_b38173ad
-#define sat4_accumulate              sat4_accumulate_f64_b38173ad
-#define sat4_forward_jacobian        sat4_forward_jacobian_f64_b38173ad
-#define sat4_coupled_jacobian        sat4_coupled_jacobian_f64_b38173ad
-#define sat4_inverse                 sat4_inverse_f64_b38173ad
-#define sat4_inverse_fast            sat4_inverse_fast_f64_b38173ad
-#define sat4_inverse_pointing        sat4_inverse_pointing_f64_b38173ad
-#define sat4_inverse_fast_pointing   sat4_inverse_fast_pointing_f64_b38173ad
-#define sat4_torque_for_pointing     sat4_torque_for_pointing_f64_b38173ad
-#define sat4_points                  sat4_points_f64_b38173ad
-#define sat4_quaternion              sat4_quaternion_f64_b38173ad
-#define sat4_state_from_coordinates  sat4_state_from_coordinates_f64_b38173ad
-#define sat4_generalized             sat4_generalized_f64_b38173ad
-#define sat4_prepare                 sat4_prepare_f64_b38173ad
-#define sat4_mounts                  sat4_mounts_f64_b38173ad
-#define sat4_prepare_mounts          sat4_prepare_mounts_f64_b38173ad
-#define sat4_step_carried            sat4_step_carried_f64_b38173ad
-#define sat4_step_driven_carried     sat4_step_driven_carried_f64_b38173ad
-#define sat4_center_of_mass_velocity sat4_center_of_mass_velocity_f64_b38173ad
+#define sat4_default_parameters     sat4_default_parameters_f64_6172d9f7
+#define sat4_default                sat4_default_f64_6172d9f7
+#define sat4_default_options        sat4_default_options_f64_6172d9f7
+#define sat4_forward                sat4_forward_f64_6172d9f7
+#define sat4_matrices               sat4_matrices_f64_6172d9f7
+#define sat4_momentum               sat4_momentum_f64_6172d9f7
+#define sat4_torque                 sat4_torque_f64_6172d9f7
+#define sat4_coupled                sat4_coupled_f64_6172d9f7
+#define sat4_step                   sat4_step_f64_6172d9f7
+#define sat4_step_driven            sat4_step_driven_f64_6172d9f7
+#define sat4_wrap                   sat4_wrap_f64_6172d9f7
+#define sat4_phase_of_counts        sat4_phase_of_counts_f64_6172d9f7
+#define sat4_speed_of_counts        sat4_speed_of_counts_f64_6172d9f7
+#define sat4_accumulate             sat4_accumulate_f64_6172d9f7
+#define sat4_forward_jacobian       sat4_forward_jacobian_f64_6172d9f7
+#define sat4_coupled_jacobian       sat4_coupled_jacobian_f64_6172d9f7
+#define sat4_inverse                sat4_inverse_f64_6172d9f7
+#define sat4_inverse_fast           sat4_inverse_fast_f64_6172d9f7
+#define sat4_inverse_pointing       sat4_inverse_pointing_f64_6172d9f7
+#define sat4_inverse_fast_pointing  sat4_inverse_fast_pointing_f64_6172d9f7
+#define sat4_torque_for_pointing    sat4_torque_for_pointing_f64_6172d9f7
+#define sat4_points                 sat4_points_f64_6172d9f7
+#define sat4_quaternion             sat4_quaternion_f64_6172d9f7
+#define sat4_state_from_coordinates sat4_state_from_coordinates_f64_6172d9f7
+#define sat4_generalized            sat4_generalized_f64_6172d9f7
+#define sat4_prepare                sat4_prepare_f64_6172d9f7
+#define sat4_mounts                 sat4_mounts_f64_6172d9f7
+#define sat4_prepare_mounts         sat4_prepare_mounts_f64_6172d9f7
+#define sat4_step_carried           sat4_step_carried_f64_6172d9f7
+#define sat4_step_driven_carried    sat4_step_driven_carried_f64_6172d9f7
 #endif
 
 #ifdef __cplusplus
@@ -206,12 +205,13 @@ typedef struct sat4_matrices_result {
     sat4_real F[6];           /* N, N m; total external wrench (7) */
 } sat4_matrices_result;
 
-/* Momentum, energy and mass centre. */
+/* Momentum, energy, mass centre and its velocity. */
 typedef struct sat4_momentum_result {
-    sat4_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
-    sat4_real Z0[6];              /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
-    sat4_real energy;             /* J; kinetic energy */
-    sat4_real center_of_mass[3];  /* m; mass centre of all bodies, in E1 */
+    sat4_real Z[6];                        /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
+    sat4_real Z0[6];                       /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
+    sat4_real energy;                      /* J; kinetic energy */
+    sat4_real center_of_mass[3];           /* m; mass centre of all bodies, in E1 */
+    sat4_real center_of_mass_velocity[3];  /* m/s; of the mass centre relative to E0, in E0 */
 } sat4_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
@@ -367,12 +367,12 @@ sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat
  * At most 1408 operations on reals, no division. Stack: at most 1552 bytes. */
 sat4_status sat4_matrices(const sat4_table *table, const sat4_state *x, sat4_matrices_result *out);
 
-/* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
+/* momentum: momentum screw, kinetic energy, mass centre of the whole system and its velocity, (1), (2).
  *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
- *   out    out: Z, Z0, energy, mass centre
+ *   out    out: Z, Z0, energy, mass centre and its velocity
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1355 operations on reals, 1 of them a division. Stack: at most 1552 bytes. */
+ * At most 1373 operations on reals, 1 of them a division. Stack: at most 1584 bytes. */
 sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -711,15 +711,6 @@ sat4_status sat4_step_carried(const sat4_table *table, const sat4_state *x, cons
 sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *x,
                                      const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order,
                                      sat4_step_carry *carry, sat4_state *next);
-
-/* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
- *   table                       the prepared table
- *   x                           state; its attitude within 1e-3 of unit length
- *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 951 operations on reals, 1 of them a division. Stack: at most 1456 bytes. */
-sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_state *x,
-                                         sat4_real center_of_mass_velocity[3]);
 
 #ifdef __cplusplus
 }

@@ -37,11 +37,11 @@
  * SAT4_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other languages
  * need them. */
 #ifndef SAT4_PLAIN_NAMES
-#define sat4_recorder_start               sat4_recorder_start_f64_39d8910f
-#define sat4_recorder_step                sat4_recorder_step_f64_39d8910f
-#define sat4_recorder_step_driven         sat4_recorder_step_driven_f64_39d8910f
-#define sat4_recorder_step_carried        sat4_recorder_step_carried_f64_39d8910f
-#define sat4_recorder_step_driven_carried sat4_recorder_step_driven_carried_f64_39d8910f
+#define sat4_recorder_start               sat4_recorder_start_f64_01f7ce52
+#define sat4_recorder_step                sat4_recorder_step_f64_01f7ce52
+#define sat4_recorder_step_driven         sat4_recorder_step_driven_f64_01f7ce52
+#define sat4_recorder_step_carried        sat4_recorder_step_carried_f64_01f7ce52
+#define sat4_recorder_step_driven_carried sat4_recorder_step_driven_carried_f64_01f7ce52
 #endif
 
 #ifdef __cplusplus
@@ -49,7 +49,7 @@ extern "C" {
 #endif
 
 #define SAT4_RECORDER_FORMAT 3u           /* version of the log format */
-#define SAT4_RECORDER_SOURCE 0xde5bd987u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
+#define SAT4_RECORDER_SOURCE 0x0c47dd87u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
 #define SAT4_RECORD_BYTES    397  /* longest record of a step; most have 48 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

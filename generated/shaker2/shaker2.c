@@ -871,29 +871,6 @@ shaker2_status shaker2_forward(const shaker2_table *table, const shaker2_state *
     return SHAKER2_OK;
 }
 
-/* (7) */
-SHAKER2_CODE
-shaker2_status shaker2_wrench(const shaker2_table *table, const shaker2_state *x, shaker2_real F[6])
-{
-    if (table == NULL || x == NULL || F == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status = shaker2_check_state(x);
-    if (status != SHAKER2_OK) { return status; }
-    shaker2_real C[9];  /* attitude */
-    shaker2_rotation(x->attitude, C);
-    shaker2_real g[3];  /* gravity in E1 */
-    shaker2_rotate_back(C, table->gravity, g);
-    shaker2_sums sum;
-    shaker2_real sine[SHAKER2_N];
-    shaker2_real cosine[SHAKER2_N];
-    shaker2_sincos_each(x->phi, sine, cosine);
-    shaker2_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    shaker2_real result[6];
-    shaker2_external(table, x, &sum, C, g, result);
-    F[0] = result[0];  F[1] = result[1];  F[2] = result[2];
-    F[3] = result[3];  F[4] = result[4];  F[5] = result[5];
-    return SHAKER2_OK;
-}
-
 /* M = Phi K + K*, (9). */
 SHAKER2_CODE
 static void shaker2_velocity_matrix(const shaker2_real V[6], shaker2_matrices_result *restrict out)
@@ -1049,6 +1026,11 @@ shaker2_status shaker2_momentum(const shaker2_table *table, const shaker2_state 
     out->center_of_mass[0] = sum.mu[0] * table->mass_inverse;
     out->center_of_mass[1] = sum.mu[1] * table->mass_inverse;
     out->center_of_mass[2] = sum.mu[2] * table->mass_inverse;
+    shaker2_real v[3];  /* of the mass centre in E1, from the momentum of the bodies, without the fluid's */
+    v[0] = Z[0] * table->mass_inverse;  v[1] = Z[1] * table->mass_inverse;  v[2] = Z[2] * table->mass_inverse;
+    out->center_of_mass_velocity[0] = C[0] * v[0] + C[1] * v[1] + C[2] * v[2];
+    out->center_of_mass_velocity[1] = C[3] * v[0] + C[4] * v[1] + C[5] * v[2];
+    out->center_of_mass_velocity[2] = C[6] * v[0] + C[7] * v[1] + C[8] * v[2];
     return SHAKER2_OK;
 }
 
@@ -3746,34 +3728,6 @@ shaker2_status shaker2_step_driven_carried(const shaker2_table *table, const sha
     *next = y;
     const shaker2_real most = (order == 2) ? SHAKER2_MAX_TURN_2 : SHAKER2_MAX_TURN_4;  /* rad */
     if (dt * dt * fastest > most * most) { return SHAKER2_COARSE; }
-    return SHAKER2_OK;
-}
-
-/* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
-SHAKER2_CODE
-shaker2_status shaker2_center_of_mass_velocity(const shaker2_table *table, const shaker2_state *x,
-                                               shaker2_real center_of_mass_velocity[3])
-{
-    if (table == NULL || x == NULL || center_of_mass_velocity == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status = shaker2_check_state(x);
-    if (status != SHAKER2_OK) { return status; }
-    shaker2_real C[9];  /* attitude */
-    shaker2_rotation(x->attitude, C);
-    shaker2_sums sum;
-    shaker2_real sine[SHAKER2_N];
-    shaker2_real cosine[SHAKER2_N];
-    shaker2_sincos_each(x->phi, sine, cosine);
-    shaker2_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    shaker2_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
-    own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
-    own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
-    own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
-    own_velocity[0] = own_velocity[0] * table->mass_inverse;
-    own_velocity[1] = own_velocity[1] * table->mass_inverse;
-    own_velocity[2] = own_velocity[2] * table->mass_inverse;
-    center_of_mass_velocity[0] = C[0] * own_velocity[0] + C[1] * own_velocity[1] + C[2] * own_velocity[2];
-    center_of_mass_velocity[1] = C[3] * own_velocity[0] + C[4] * own_velocity[1] + C[5] * own_velocity[2];
-    center_of_mass_velocity[2] = C[6] * own_velocity[0] + C[7] * own_velocity[1] + C[8] * own_velocity[2];
     return SHAKER2_OK;
 }
 

@@ -29,34 +29,32 @@
  * SHAKER2_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
  * languages need them. */
 #ifndef SHAKER2_PLAIN_NAMES
-#define shaker2_default_parameters      shaker2_default_parameters_f64_f2384de4
-#define shaker2_default                 shaker2_default_f64_f2384de4
-#define shaker2_default_options         shaker2_default_options_f64_f2384de4
-#define shaker2_forward                 shaker2_forward_f64_f2384de4
-#define shaker2_wrench                  shaker2_wrench_f64_f2384de4
-#define shaker2_matrices                shaker2_matrices_f64_f2384de4
-#define shaker2_momentum                shaker2_momentum_f64_f2384de4
-#define shaker2_torque                  shaker2_torque_f64_f2384de4
-#define shaker2_coupled                 shaker2_coupled_f64_f2384de4
-#define shaker2_step                    shaker2_step_f64_f2384de4
-#define shaker2_step_driven             shaker2_step_driven_f64_f2384de4
-#define shaker2_wrap                    shaker2_wrap_f64_f2384de4
-#define shaker2_phase_of_counts         shaker2_phase_of_counts_f64_f2384de4
-#define shaker2_speed_of_counts         shaker2_speed_of_counts_f64_f2384de4
-#define shaker2_accumulate              shaker2_accumulate_f64_f2384de4
-#define shaker2_forward_jacobian        shaker2_forward_jacobian_f64_f2384de4
-#define shaker2_coupled_jacobian        shaker2_coupled_jacobian_f64_f2384de4
-#define shaker2_inverse                 shaker2_inverse_f64_f2384de4
-#define shaker2_inverse_fast            shaker2_inverse_fast_f64_f2384de4
-#define shaker2_quaternion              shaker2_quaternion_f64_f2384de4
-#define shaker2_state_from_coordinates  shaker2_state_from_coordinates_f64_f2384de4
-#define shaker2_generalized             shaker2_generalized_f64_f2384de4
-#define shaker2_prepare                 shaker2_prepare_f64_f2384de4
-#define shaker2_mounts                  shaker2_mounts_f64_f2384de4
-#define shaker2_prepare_mounts          shaker2_prepare_mounts_f64_f2384de4
-#define shaker2_step_carried            shaker2_step_carried_f64_f2384de4
-#define shaker2_step_driven_carried     shaker2_step_driven_carried_f64_f2384de4
-#define shaker2_center_of_mass_velocity shaker2_center_of_mass_velocity_f64_f2384de4
+#define shaker2_default_parameters     shaker2_default_parameters_f64_578e746f
+#define shaker2_default                shaker2_default_f64_578e746f
+#define shaker2_default_options        shaker2_default_options_f64_578e746f
+#define shaker2_forward                shaker2_forward_f64_578e746f
+#define shaker2_matrices               shaker2_matrices_f64_578e746f
+#define shaker2_momentum               shaker2_momentum_f64_578e746f
+#define shaker2_torque                 shaker2_torque_f64_578e746f
+#define shaker2_coupled                shaker2_coupled_f64_578e746f
+#define shaker2_step                   shaker2_step_f64_578e746f
+#define shaker2_step_driven            shaker2_step_driven_f64_578e746f
+#define shaker2_wrap                   shaker2_wrap_f64_578e746f
+#define shaker2_phase_of_counts        shaker2_phase_of_counts_f64_578e746f
+#define shaker2_speed_of_counts        shaker2_speed_of_counts_f64_578e746f
+#define shaker2_accumulate             shaker2_accumulate_f64_578e746f
+#define shaker2_forward_jacobian       shaker2_forward_jacobian_f64_578e746f
+#define shaker2_coupled_jacobian       shaker2_coupled_jacobian_f64_578e746f
+#define shaker2_inverse                shaker2_inverse_f64_578e746f
+#define shaker2_inverse_fast           shaker2_inverse_fast_f64_578e746f
+#define shaker2_quaternion             shaker2_quaternion_f64_578e746f
+#define shaker2_state_from_coordinates shaker2_state_from_coordinates_f64_578e746f
+#define shaker2_generalized            shaker2_generalized_f64_578e746f
+#define shaker2_prepare                shaker2_prepare_f64_578e746f
+#define shaker2_mounts                 shaker2_mounts_f64_578e746f
+#define shaker2_prepare_mounts         shaker2_prepare_mounts_f64_578e746f
+#define shaker2_step_carried           shaker2_step_carried_f64_578e746f
+#define shaker2_step_driven_carried    shaker2_step_driven_carried_f64_578e746f
 #endif
 
 #ifdef __cplusplus
@@ -197,12 +195,13 @@ typedef struct shaker2_matrices_result {
     shaker2_real F[6];              /* N, N m; total external wrench (7) */
 } shaker2_matrices_result;
 
-/* Momentum, energy and mass centre. */
+/* Momentum, energy, mass centre and its velocity. */
 typedef struct shaker2_momentum_result {
-    shaker2_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
-    shaker2_real Z0[6];              /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
-    shaker2_real energy;             /* J; kinetic energy */
-    shaker2_real center_of_mass[3];  /* m; mass centre of all bodies, in E1 */
+    shaker2_real Z[6];                        /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
+    shaker2_real Z0[6];                       /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
+    shaker2_real energy;                      /* J; kinetic energy */
+    shaker2_real center_of_mass[3];           /* m; mass centre of all bodies, in E1 */
+    shaker2_real center_of_mass_velocity[3];  /* m/s; of the mass centre relative to E0, in E0 */
 } shaker2_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
@@ -308,14 +307,6 @@ extern const shaker2_inverse_options shaker2_default_options;     /* of inverse,
 shaker2_status shaker2_forward(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6]);
 
-/* wrench: total external wrench of all bodies at a state, (7).
- *   table  the prepared table
- *   x      state; its attitude within 1e-3 of unit length
- *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 859 operations on reals, 3 of them divisions. Stack: at most 1952 bytes. */
-shaker2_status shaker2_wrench(const shaker2_table *table, const shaker2_state *x, shaker2_real F[6]);
-
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
  *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
@@ -325,12 +316,12 @@ shaker2_status shaker2_wrench(const shaker2_table *table, const shaker2_state *x
 shaker2_status shaker2_matrices(const shaker2_table *table, const shaker2_state *x,
                                 shaker2_matrices_result *out);
 
-/* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
+/* momentum: momentum screw, kinetic energy, mass centre of the whole system and its velocity, (1), (2).
  *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
- *   out    out: Z, Z0, energy, mass centre
+ *   out    out: Z, Z0, energy, mass centre and its velocity
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 811 operations on reals, 1 of them a division. Stack: at most 1520 bytes. */
+ * At most 829 operations on reals, 1 of them a division. Stack: at most 1536 bytes. */
 shaker2_status shaker2_momentum(const shaker2_table *table, const shaker2_state *x,
                                 shaker2_momentum_result *out);
 
@@ -611,15 +602,6 @@ shaker2_status shaker2_step_carried(const shaker2_table *table, const shaker2_st
 shaker2_status shaker2_step_driven_carried(const shaker2_table *table, const shaker2_state *x,
                                            const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt,
                                            int order, shaker2_step_carry *carry, shaker2_state *next);
-
-/* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
- *   table                       the prepared table
- *   x                           state; its attitude within 1e-3 of unit length
- *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 571 operations on reals, 1 of them a division. Stack: at most 1424 bytes. */
-shaker2_status shaker2_center_of_mass_velocity(const shaker2_table *table, const shaker2_state *x,
-                                               shaker2_real center_of_mass_velocity[3]);
 
 #ifdef __cplusplus
 }

@@ -64,7 +64,7 @@ def test_every_function_has_the_bits_of_models_of_their_own(name: str) -> None:
         "forward": {"phi_ddot": wheel}, "coupled": {"tau": wheel}, "torque": {"V_dot": twist}, "matrices": {},
         "momentum": {}, "mounts": {"V_dot": twist, "phi_ddot": wheel}, "points": {"V_dot": twist},
         "inverse": {"V_dot": twist}, "step": {"dt": 1e-4, "tau": wheel}, "step_driven": {"dt": 1e-4, "phi_ddot": wheel},
-        "forward_jacobian": {"phi_ddot": wheel}, "center_of_mass_velocity": {},
+        "forward_jacobian": {"phi_ddot": wheel},
     }  # fmt: skip
     for j in (0, 7, 10):
         own = mahovik.build(tables.stand(j))

@@ -22,8 +22,8 @@ from mahovik.core.toolchain.compiler import build_shared
 from mahovik.core.toolchain.library import Library
 from mahovik.proof.verify.backends import ProgramBackend
 
-QUANTITIES = ("forward", "matrices", "momentum", "generalized", "wrench")
-"""Public functions of a state; a stand without wrenches has no `wrench`."""
+QUANTITIES = ("forward", "matrices", "momentum", "generalized")
+"""Public functions of a state."""
 
 
 class Compiled:

@@ -16,7 +16,7 @@ from toolchain.quick import quick
 NAMES = ("everything6", "hung5", "wet7", "bare5", "everything0", "bare0", "stream1")
 
 OTHERS = (
-    *("quaternion", "torque", "mounts", "coupled", "inverse", "inverse_fast", "points", "center_of_mass_velocity"),
+    *("quaternion", "torque", "mounts", "coupled", "inverse", "inverse_fast", "points"),
     *("forward_jacobian", "coupled_jacobian", "step", "step_driven", "step_carried", "step_driven_carried"),
 )
 

@@ -40,10 +40,7 @@ SEARCH = Tolerance(1e-3, "a search with seeds ends near the same optimum")
 
 HELD = ("pendulum", "cube", "air_table", "force_table", "linear_shaker")
 EVALUATED = ("telescope", "demo3", "shaker2", "remus6", *HELD, "random01", "random09", "random43")
-WANTS = (
-    *("matrices", "momentum", "forward", "torque", "mounts", "coupled", "inverse", "generalized", "points"),
-    "center_of_mass_velocity",
-)
+WANTS = ("matrices", "momentum", "forward", "torque", "mounts", "coupled", "inverse", "generalized", "points")
 """Wants that every stand is asked for; held stands are asked for `reaction` too, those with tasks for `torque_for`."""
 
 

@@ -124,7 +124,7 @@ def test_wrong_numbers_of_the_profile_are_refused(wrong: tuple[Any, ...]) -> Non
     state = replace(random_state(loads(FILE), np.random.default_rng(1)), position=(0.0, 0.0, 20.0))
     inputs = c.arguments(state) | {"table": table, "dt": 1e-3, "order": 4}
     for judged in (c, c.interpreter):
-        for name in ("forward", "wrench", "step"):
+        for name in ("forward", "step"):
             assert judged.call(name, inputs)[0] == status, name
 
 
@@ -138,7 +138,7 @@ def test_a_depth_beyond_the_profile_is_refused(depth: float) -> None:
     state = replace(random_state(stand, np.random.default_rng(1)), position=(0.0, 0.0, depth))
     inputs = c.arguments(state) | {"dt": 1e-3, "order": 4}
     for judged, table in ((c, {}), (c.interpreter, {"table": c.table()})):
-        for name in ("forward", "wrench", "matrices", "momentum", "forward_jacobian", "step"):
+        for name in ("forward", "matrices", "momentum", "forward_jacobian", "step"):
             assert judged.call(name, inputs | table)[0] == -2, name
     for ask in (Second(stand).evaluate, lambda s, w: reference.evaluate(stand, s, w)):
         with pytest.raises(StateError, match="is outside of stream_profile"):

@@ -456,6 +456,7 @@ static void untouched_momentum_result(const auv6_momentum_result *x)
     untouched(&x->Z0[0], 6);
     untouched(&x->energy, 1);
     untouched(&x->center_of_mass[0], 3);
+    untouched(&x->center_of_mass_velocity[0], 3);
 }
 
 static void written_momentum_result(const auv6_momentum_result *x)
@@ -464,6 +465,7 @@ static void written_momentum_result(const auv6_momentum_result *x)
     written(&x->Z0[0], 6);
     written(&x->energy, 1);
     written(&x->center_of_mass[0], 3);
+    written(&x->center_of_mass_velocity[0], 3);
 }
 
 static void initialised_momentum_result(const auv6_momentum_result *x)
@@ -472,6 +474,7 @@ static void initialised_momentum_result(const auv6_momentum_result *x)
     initialised(&x->Z0[0], 6);
     initialised(&x->energy, 1);
     initialised(&x->center_of_mass[0], 3);
+    initialised(&x->center_of_mass_velocity[0], 3);
 }
 
 static void untouched_state(const auv6_state *x)
@@ -986,57 +989,6 @@ void auv6_eva_bits_forward(void)
     } else {
         Frama_C_show_each_returned(status);
         initialised(&V_dot[0], 6);
-    }
-}
-
-void auv6_eva_normal_wrench(void);
-void auv6_eva_normal_wrench(void)
-{
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
-    normal_state(&x);
-    auv6_real F[6];
-    const auv6_status status = auv6_wrench(&table, &x, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&F[0], 6);
-    }
-}
-
-void auv6_eva_any_wrench(void);
-void auv6_eva_any_wrench(void)
-{
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
-    any_state(&x);
-    auv6_real F[6];
-    const auv6_status status = auv6_wrench(&table, &x, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&F[0], 6);
-    }
-}
-
-void auv6_eva_bits_wrench(void);
-void auv6_eva_bits_wrench(void)
-{
-    auv6_table table = auv6_default;
-    all_bits(&table.stream[0], 3);
-    auv6_state x;
-    bits_state(&x);
-    auv6_real F[6];
-    const auv6_status status = auv6_wrench(&table, &x, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        initialised(&F[0], 6);
     }
 }
 
@@ -2462,57 +2414,6 @@ void auv6_eva_bits_step_driven_carried(void)
         Frama_C_show_each_returned(status);
         initialised_step_carry(&carry);
         initialised_state(&next);
-    }
-}
-
-void auv6_eva_normal_center_of_mass_velocity(void);
-void auv6_eva_normal_center_of_mass_velocity(void)
-{
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, 10.0);
-    auv6_state x;
-    normal_state(&x);
-    auv6_real center_of_mass_velocity[3];
-    const auv6_status status = auv6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&center_of_mass_velocity[0], 3);
-    }
-}
-
-void auv6_eva_any_center_of_mass_velocity(void);
-void auv6_eva_any_center_of_mass_velocity(void)
-{
-    auv6_table table = auv6_default;
-    reals(&table.stream[0], 3, AUV6_LARGEST);
-    auv6_state x;
-    any_state(&x);
-    auv6_real center_of_mass_velocity[3];
-    const auv6_status status = auv6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&center_of_mass_velocity[0], 3);
-    }
-}
-
-void auv6_eva_bits_center_of_mass_velocity(void);
-void auv6_eva_bits_center_of_mass_velocity(void)
-{
-    auv6_table table = auv6_default;
-    all_bits(&table.stream[0], 3);
-    auv6_state x;
-    bits_state(&x);
-    auv6_real center_of_mass_velocity[3];
-    const auv6_status status = auv6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        initialised(&center_of_mass_velocity[0], 3);
     }
 }
 

@@ -480,6 +480,7 @@ static void untouched_momentum_result(const bench8_momentum_result *x)
     untouched(&x->Z0[0], 6);
     untouched(&x->energy, 1);
     untouched(&x->center_of_mass[0], 3);
+    untouched(&x->center_of_mass_velocity[0], 3);
 }
 
 static void written_momentum_result(const bench8_momentum_result *x)
@@ -488,6 +489,7 @@ static void written_momentum_result(const bench8_momentum_result *x)
     written(&x->Z0[0], 6);
     written(&x->energy, 1);
     written(&x->center_of_mass[0], 3);
+    written(&x->center_of_mass_velocity[0], 3);
 }
 
 static void initialised_momentum_result(const bench8_momentum_result *x)
@@ -496,6 +498,7 @@ static void initialised_momentum_result(const bench8_momentum_result *x)
     initialised(&x->Z0[0], 6);
     initialised(&x->energy, 1);
     initialised(&x->center_of_mass[0], 3);
+    initialised(&x->center_of_mass_velocity[0], 3);
 }
 
 static void untouched_state(const bench8_state *x)
@@ -1070,51 +1073,6 @@ void bench8_eva_bits_forward(void)
     } else {
         Frama_C_show_each_returned(status);
         initialised(&V_dot[0], 6);
-    }
-}
-
-void bench8_eva_normal_wrench(void);
-void bench8_eva_normal_wrench(void)
-{
-    bench8_state x;
-    normal_state(&x);
-    bench8_real F[6];
-    const bench8_status status = bench8_wrench(&bench8_default, &x, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&F[0], 6);
-    }
-}
-
-void bench8_eva_any_wrench(void);
-void bench8_eva_any_wrench(void)
-{
-    bench8_state x;
-    any_state(&x);
-    bench8_real F[6];
-    const bench8_status status = bench8_wrench(&bench8_default, &x, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&F[0], 6);
-    }
-}
-
-void bench8_eva_bits_wrench(void);
-void bench8_eva_bits_wrench(void)
-{
-    bench8_state x;
-    bits_state(&x);
-    bench8_real F[6];
-    const bench8_status status = bench8_wrench(&bench8_default, &x, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        initialised(&F[0], 6);
     }
 }
 
@@ -2372,51 +2330,6 @@ void bench8_eva_bits_step_driven_carried(void)
         Frama_C_show_each_returned(status);
         initialised_step_carry(&carry);
         initialised_state(&next);
-    }
-}
-
-void bench8_eva_normal_center_of_mass_velocity(void);
-void bench8_eva_normal_center_of_mass_velocity(void)
-{
-    bench8_state x;
-    normal_state(&x);
-    bench8_real center_of_mass_velocity[3];
-    const bench8_status status = bench8_center_of_mass_velocity(&bench8_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&center_of_mass_velocity[0], 3);
-    }
-}
-
-void bench8_eva_any_center_of_mass_velocity(void);
-void bench8_eva_any_center_of_mass_velocity(void)
-{
-    bench8_state x;
-    any_state(&x);
-    bench8_real center_of_mass_velocity[3];
-    const bench8_status status = bench8_center_of_mass_velocity(&bench8_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&center_of_mass_velocity[0], 3);
-    }
-}
-
-void bench8_eva_bits_center_of_mass_velocity(void);
-void bench8_eva_bits_center_of_mass_velocity(void)
-{
-    bench8_state x;
-    bits_state(&x);
-    bench8_real center_of_mass_velocity[3];
-    const bench8_status status = bench8_center_of_mass_velocity(&bench8_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        initialised(&center_of_mass_velocity[0], 3);
     }
 }
 

@@ -425,6 +425,7 @@ static void untouched_momentum_result(const demo3_momentum_result *x)
     untouched(&x->Z0[0], 6);
     untouched(&x->energy, 1);
     untouched(&x->center_of_mass[0], 3);
+    untouched(&x->center_of_mass_velocity[0], 3);
 }
 
 static void written_momentum_result(const demo3_momentum_result *x)
@@ -433,6 +434,7 @@ static void written_momentum_result(const demo3_momentum_result *x)
     written(&x->Z0[0], 6);
     written(&x->energy, 1);
     written(&x->center_of_mass[0], 3);
+    written(&x->center_of_mass_velocity[0], 3);
 }
 
 static void initialised_momentum_result(const demo3_momentum_result *x)
@@ -441,6 +443,7 @@ static void initialised_momentum_result(const demo3_momentum_result *x)
     initialised(&x->Z0[0], 6);
     initialised(&x->energy, 1);
     initialised(&x->center_of_mass[0], 3);
+    initialised(&x->center_of_mass_velocity[0], 3);
 }
 
 static void untouched_state(const demo3_state *x)
@@ -2067,51 +2070,6 @@ void demo3_eva_bits_step_driven_carried(void)
         Frama_C_show_each_returned(status);
         initialised_step_carry(&carry);
         initialised_state(&next);
-    }
-}
-
-void demo3_eva_normal_center_of_mass_velocity(void);
-void demo3_eva_normal_center_of_mass_velocity(void)
-{
-    demo3_state x;
-    normal_state(&x);
-    demo3_real center_of_mass_velocity[3];
-    const demo3_status status = demo3_center_of_mass_velocity(&demo3_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&center_of_mass_velocity[0], 3);
-    }
-}
-
-void demo3_eva_any_center_of_mass_velocity(void);
-void demo3_eva_any_center_of_mass_velocity(void)
-{
-    demo3_state x;
-    any_state(&x);
-    demo3_real center_of_mass_velocity[3];
-    const demo3_status status = demo3_center_of_mass_velocity(&demo3_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&center_of_mass_velocity[0], 3);
-    }
-}
-
-void demo3_eva_bits_center_of_mass_velocity(void);
-void demo3_eva_bits_center_of_mass_velocity(void)
-{
-    demo3_state x;
-    bits_state(&x);
-    demo3_real center_of_mass_velocity[3];
-    const demo3_status status = demo3_center_of_mass_velocity(&demo3_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        initialised(&center_of_mass_velocity[0], 3);
     }
 }
 

@@ -43,7 +43,7 @@ int demo3_selftest(void (*print)(const char *text), unsigned long sweep);
 
 typedef uint64_t real_bits;
 
-enum { CASES = 3, FUNCTIONS = 24, SWEPT = 4 };
+enum { CASES = 3, FUNCTIONS = 23, SWEPT = 4 };
 
 #define FARTHEST ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
 
@@ -105,7 +105,6 @@ static union {
     struct { demo3_mount_table mounting; } prepare_mounts;
     struct { demo3_step_carry carry; demo3_state next; } step_carried;
     struct { demo3_step_carry carry; demo3_state next; } step_driven_carried;
-    struct { demo3_real center_of_mass_velocity[3]; } center_of_mass_velocity;
     unsigned char bytes[1];
 } results;
 
@@ -206,6 +205,7 @@ static void take_momentum_result(tally *sum, const demo3_momentum_result *value)
     take_reals(sum, value->Z0, 6);
     take_reals(sum, &value->energy, 1);
     take_reals(sum, value->center_of_mass, 3);
+    take_reals(sum, value->center_of_mass_velocity, 3);
 }
 
 static void take_state(tally *sum, const demo3_state *value)
@@ -640,18 +640,6 @@ static void take_step_driven_carried_results(tally *sum, int refused)
     take_state(sum, &results.step_driven_carried.next);
 }
 
-static demo3_status call_center_of_mass_velocity(void)
-{
-    return demo3_center_of_mass_velocity((omitted == 1) ? NULL : table, (omitted == 2) ? NULL : &in.x,
-        (omitted == 3) ? NULL : results.center_of_mass_velocity.center_of_mass_velocity);
-}
-
-static void take_center_of_mass_velocity_results(tally *sum, int refused)
-{
-    if (refused != 0) { return; }
-    take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);
-}
-
 /* ---- golden vectors ---- */
 
 static const inputs golden[CASES] =
@@ -809,11 +797,11 @@ static const demo3_real numbers_momentum[] =
     0x1.98cdb4p+4, 0x1.e62748p+4, 0x1.d12948p+3, -0x1.e8fafcd55b1f6p-3, -0x1.ce85db3271571p-1,
         -0x1.e678f83193db7p-3, 0x1.dc305e13cf2f7p+2, -0x1.f2ceacd330cp+1, 0x1.4b7947089d36p+5,
         0x1.ec0ba9972123ep+5, 0x1.dc7ce19007856p+4, -0x1.246147489b09ap+3, 0x1.b0b5ecd22d624p+7, 0x0p+0,
-        0x0p+0, 0x1p-61,
+        0x0p+0, 0x1p-61, 0x1.dc305e13cf2f7p-2, -0x1.f2ceacd330cp-3, 0x1.4b7947089d36p+1,
     0x1.968a6p+5, 0x1.cdc694p+6, -0x1.0249c8p+6, -0x1.e84cee95d6bebp+4, -0x1.276181a577391p+4,
         -0x1.cb0cb9673a9d4p+5, -0x1.80f9dd8d558f5p+4, 0x1.1574ee131be05p+7, 0x1.fec730e85048p+3,
         -0x1.75383a7792f0bp+4, 0x1.539917feba172p+1, -0x1.c6328f9a66199p+5, 0x1.e5076d8d9bf3dp+18, 0x0p+0,
-        0x0p+0, 0x1p-61,
+        0x0p+0, 0x1p-61, -0x1.80f9dd8d558f5p+0, 0x1.1574ee131be05p+3, 0x1.fec730e85048p-1,
 };
 
 static const demo3_real numbers_torque[] =
@@ -1054,12 +1042,6 @@ static const demo3_real numbers_step_driven_carried[] =
         -0x1.67b038p-26,
 };
 
-static const demo3_real numbers_center_of_mass_velocity[] =
-{
-    0x1.dc305e13cf2f7p-2, -0x1.f2ceacd330cp-3, 0x1.4b7947089d36p+1,
-    -0x1.80f9dd8d558f5p+0, 0x1.1574ee131be05p+3, 0x1.fec730e85048p-1,
-};
-
 typedef struct function {
     const char *name;
     int pointers;  /* arguments that must not be null */
@@ -1084,8 +1066,8 @@ static const function functions[FUNCTIONS] =
       0xc2e7d3e8u },
     { "momentum", 3, sizeof results.momentum, 0u,
       call_momentum, take_momentum_results, numbers_momentum,
-      { { 0, 0x62decc32u, 16 }, { 0, 0xf85b2b2cu, 16 }, { -2, 0x8e5b0aa0u, 0 } },
-      0x13232363u },
+      { { 0, 0x3e34c615u, 19 }, { 0, 0xd2b3d478u, 19 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x7ce90a3eu },
     { "torque", 5, sizeof results.torque, 0u,
       call_torque, take_torque_results, numbers_torque,
       { { 0, 0x9d74225bu, 3 }, { 0, 0x6bb91420u, 3 }, { -2, 0x8e5b0aa0u, 0 } },
@@ -1166,10 +1148,6 @@ static const function functions[FUNCTIONS] =
       call_step_driven_carried, take_step_driven_carried_results, numbers_step_driven_carried,
       { { 0, 0x73dd37e4u, 32 }, { 32, 0x5923ab52u, 32 }, { -2, 0x2993729bu, 19 } },
       0x5ed02766u },
-    { "center_of_mass_velocity", 3, sizeof results.center_of_mass_velocity, 0u,
-      call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
-      { { 0, 0xec9bec3au, 3 }, { 0, 0xf6da479du, 3 }, { -2, 0x8e5b0aa0u, 0 } },
-      0xeb6b23dcu },
 };
 
 /* ---- a sweep's inputs: an integer generator, exact scaling ---- */
@@ -2228,26 +2206,26 @@ typedef struct trial {
 
 static const trial trials[] =
 {
-    { 0, -1, 0, 0x00000000u, { 0xea787fu } },
-    { 1, -1, 0, 0x00000000u, { 0xea787fu } },
-    { 2, -2, 0, 0x00000000u, { 0xea787fu } },
-    { 3, -2, 0, 0x00000000u, { 0xea787fu } },
-    { 4, -1, 0, 0x00000000u, { 0xe8787fu } },
-    { 5, -1, 0, 0x00000000u, { 0xe8787fu } },
-    { 6, -2, 0, 0x00000000u, { 0xe8787fu } },
-    { 7, -2, 0, 0x00000000u, { 0xe8787fu } },
-    { 8, -1, 0, 0x00000000u, { 0xea787fu } },
-    { 9, -1, 0, 0x00000000u, { 0xea787fu } },
-    { 10, -2, 0, 0x00000000u, { 0xea787fu } },
-    { 11, -2, 0, 0x00000000u, { 0xea787fu } },
-    { 12, -1, 0, 0x00000000u, { 0xea787fu } },
-    { 13, -1, 0, 0x00000000u, { 0xea787fu } },
-    { 14, -2, 0, 0x00000000u, { 0xea787fu } },
-    { 15, -2, 0, 0x00000000u, { 0xea787fu } },
-    { 16, -1, 0, 0x00000000u, { 0xea787fu } },
-    { 17, -1, 0, 0x00000000u, { 0xea787fu } },
-    { 18, -2, 0, 0x00000000u, { 0xea787fu } },
-    { 19, -2, 0, 0x00000000u, { 0xea787fu } },
+    { 0, -1, 0, 0x00000000u, { 0x6a787fu } },
+    { 1, -1, 0, 0x00000000u, { 0x6a787fu } },
+    { 2, -2, 0, 0x00000000u, { 0x6a787fu } },
+    { 3, -2, 0, 0x00000000u, { 0x6a787fu } },
+    { 4, -1, 0, 0x00000000u, { 0x68787fu } },
+    { 5, -1, 0, 0x00000000u, { 0x68787fu } },
+    { 6, -2, 0, 0x00000000u, { 0x68787fu } },
+    { 7, -2, 0, 0x00000000u, { 0x68787fu } },
+    { 8, -1, 0, 0x00000000u, { 0x6a787fu } },
+    { 9, -1, 0, 0x00000000u, { 0x6a787fu } },
+    { 10, -2, 0, 0x00000000u, { 0x6a787fu } },
+    { 11, -2, 0, 0x00000000u, { 0x6a787fu } },
+    { 12, -1, 0, 0x00000000u, { 0x6a787fu } },
+    { 13, -1, 0, 0x00000000u, { 0x6a787fu } },
+    { 14, -2, 0, 0x00000000u, { 0x6a787fu } },
+    { 15, -2, 0, 0x00000000u, { 0x6a787fu } },
+    { 16, -1, 0, 0x00000000u, { 0x6a787fu } },
+    { 17, -1, 0, 0x00000000u, { 0x6a787fu } },
+    { 18, -2, 0, 0x00000000u, { 0x6a787fu } },
+    { 19, -2, 0, 0x00000000u, { 0x6a787fu } },
     { 20, -1, 0, 0x00000000u, { 0x4a0849u } },
     { 21, -1, 0, 0x00000000u, { 0x4a0849u } },
     { 22, -2, 0, 0x00000000u, { 0x4a0849u } },

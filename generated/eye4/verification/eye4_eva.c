@@ -467,6 +467,7 @@ static void untouched_momentum_result(const eye4_momentum_result *x)
     untouched(&x->Z0[0], 6);
     untouched(&x->energy, 1);
     untouched(&x->center_of_mass[0], 3);
+    untouched(&x->center_of_mass_velocity[0], 3);
 }
 
 static void written_momentum_result(const eye4_momentum_result *x)
@@ -475,6 +476,7 @@ static void written_momentum_result(const eye4_momentum_result *x)
     written(&x->Z0[0], 6);
     written(&x->energy, 1);
     written(&x->center_of_mass[0], 3);
+    written(&x->center_of_mass_velocity[0], 3);
 }
 
 static void initialised_momentum_result(const eye4_momentum_result *x)
@@ -483,6 +485,7 @@ static void initialised_momentum_result(const eye4_momentum_result *x)
     initialised(&x->Z0[0], 6);
     initialised(&x->energy, 1);
     initialised(&x->center_of_mass[0], 3);
+    initialised(&x->center_of_mass_velocity[0], 3);
 }
 
 static void untouched_state(const eye4_state *x)
@@ -968,57 +971,6 @@ void eye4_eva_bits_forward(void)
     } else {
         Frama_C_show_each_returned(status);
         initialised(&V_dot[0], 6);
-    }
-}
-
-void eye4_eva_normal_wrench(void);
-void eye4_eva_normal_wrench(void)
-{
-    eye4_state x;
-    normal_state(&x);
-    eye4_real wrench[6];
-    reals(&wrench[0], 6, 1.0e3);
-    eye4_real F[6];
-    const eye4_status status = eye4_wrench(&x, wrench, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&F[0], 6);
-    }
-}
-
-void eye4_eva_any_wrench(void);
-void eye4_eva_any_wrench(void)
-{
-    eye4_state x;
-    any_state(&x);
-    eye4_real wrench[6];
-    reals(&wrench[0], 6, EYE4_LARGEST);
-    eye4_real F[6];
-    const eye4_status status = eye4_wrench(&x, wrench, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&F[0], 6);
-    }
-}
-
-void eye4_eva_bits_wrench(void);
-void eye4_eva_bits_wrench(void)
-{
-    eye4_state x;
-    bits_state(&x);
-    eye4_real wrench[6];
-    all_bits(&wrench[0], 6);
-    eye4_real F[6];
-    const eye4_status status = eye4_wrench(&x, wrench, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        initialised(&F[0], 6);
     }
 }
 
@@ -2642,51 +2594,6 @@ void eye4_eva_bits_step_driven_carried(void)
         Frama_C_show_each_returned(status);
         initialised_step_carry(&carry);
         initialised_state(&next);
-    }
-}
-
-void eye4_eva_normal_center_of_mass_velocity(void);
-void eye4_eva_normal_center_of_mass_velocity(void)
-{
-    eye4_state x;
-    normal_state(&x);
-    eye4_real center_of_mass_velocity[3];
-    const eye4_status status = eye4_center_of_mass_velocity(&eye4_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&center_of_mass_velocity[0], 3);
-    }
-}
-
-void eye4_eva_any_center_of_mass_velocity(void);
-void eye4_eva_any_center_of_mass_velocity(void)
-{
-    eye4_state x;
-    any_state(&x);
-    eye4_real center_of_mass_velocity[3];
-    const eye4_status status = eye4_center_of_mass_velocity(&eye4_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&center_of_mass_velocity[0], 3);
-    }
-}
-
-void eye4_eva_bits_center_of_mass_velocity(void);
-void eye4_eva_bits_center_of_mass_velocity(void)
-{
-    eye4_state x;
-    bits_state(&x);
-    eye4_real center_of_mass_velocity[3];
-    const eye4_status status = eye4_center_of_mass_velocity(&eye4_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        initialised(&center_of_mass_velocity[0], 3);
     }
 }
 

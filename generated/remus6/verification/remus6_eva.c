@@ -474,6 +474,7 @@ static void untouched_momentum_result(const remus6_momentum_result *x)
     untouched(&x->Z0[0], 6);
     untouched(&x->energy, 1);
     untouched(&x->center_of_mass[0], 3);
+    untouched(&x->center_of_mass_velocity[0], 3);
 }
 
 static void written_momentum_result(const remus6_momentum_result *x)
@@ -482,6 +483,7 @@ static void written_momentum_result(const remus6_momentum_result *x)
     written(&x->Z0[0], 6);
     written(&x->energy, 1);
     written(&x->center_of_mass[0], 3);
+    written(&x->center_of_mass_velocity[0], 3);
 }
 
 static void initialised_momentum_result(const remus6_momentum_result *x)
@@ -490,6 +492,7 @@ static void initialised_momentum_result(const remus6_momentum_result *x)
     initialised(&x->Z0[0], 6);
     initialised(&x->energy, 1);
     initialised(&x->center_of_mass[0], 3);
+    initialised(&x->center_of_mass_velocity[0], 3);
 }
 
 static void untouched_state(const remus6_state *x)
@@ -1088,57 +1091,6 @@ void remus6_eva_bits_forward(void)
     } else {
         Frama_C_show_each_returned(status);
         initialised(&V_dot[0], 6);
-    }
-}
-
-void remus6_eva_normal_wrench(void);
-void remus6_eva_normal_wrench(void)
-{
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
-    normal_state(&x);
-    remus6_real F[6];
-    const remus6_status status = remus6_wrench(&table, &x, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&F[0], 6);
-    }
-}
-
-void remus6_eva_any_wrench(void);
-void remus6_eva_any_wrench(void)
-{
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
-    any_state(&x);
-    remus6_real F[6];
-    const remus6_status status = remus6_wrench(&table, &x, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&F[0], 6);
-    }
-}
-
-void remus6_eva_bits_wrench(void);
-void remus6_eva_bits_wrench(void)
-{
-    remus6_table table = remus6_default;
-    all_bits(&table.stream[0], 3);
-    remus6_state x;
-    bits_state(&x);
-    remus6_real F[6];
-    const remus6_status status = remus6_wrench(&table, &x, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        initialised(&F[0], 6);
     }
 }
 
@@ -2594,57 +2546,6 @@ void remus6_eva_bits_step_driven_carried(void)
         Frama_C_show_each_returned(status);
         initialised_step_carry(&carry);
         initialised_state(&next);
-    }
-}
-
-void remus6_eva_normal_center_of_mass_velocity(void);
-void remus6_eva_normal_center_of_mass_velocity(void)
-{
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, 10.0);
-    remus6_state x;
-    normal_state(&x);
-    remus6_real center_of_mass_velocity[3];
-    const remus6_status status = remus6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&center_of_mass_velocity[0], 3);
-    }
-}
-
-void remus6_eva_any_center_of_mass_velocity(void);
-void remus6_eva_any_center_of_mass_velocity(void)
-{
-    remus6_table table = remus6_default;
-    reals(&table.stream[0], 3, REMUS6_LARGEST);
-    remus6_state x;
-    any_state(&x);
-    remus6_real center_of_mass_velocity[3];
-    const remus6_status status = remus6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&center_of_mass_velocity[0], 3);
-    }
-}
-
-void remus6_eva_bits_center_of_mass_velocity(void);
-void remus6_eva_bits_center_of_mass_velocity(void)
-{
-    remus6_table table = remus6_default;
-    all_bits(&table.stream[0], 3);
-    remus6_state x;
-    bits_state(&x);
-    remus6_real center_of_mass_velocity[3];
-    const remus6_status status = remus6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        initialised(&center_of_mass_velocity[0], 3);
     }
 }
 

@@ -467,6 +467,7 @@ static void untouched_momentum_result(const sat4_momentum_result *x)
     untouched(&x->Z0[0], 6);
     untouched(&x->energy, 1);
     untouched(&x->center_of_mass[0], 3);
+    untouched(&x->center_of_mass_velocity[0], 3);
 }
 
 static void written_momentum_result(const sat4_momentum_result *x)
@@ -475,6 +476,7 @@ static void written_momentum_result(const sat4_momentum_result *x)
     written(&x->Z0[0], 6);
     written(&x->energy, 1);
     written(&x->center_of_mass[0], 3);
+    written(&x->center_of_mass_velocity[0], 3);
 }
 
 static void initialised_momentum_result(const sat4_momentum_result *x)
@@ -483,6 +485,7 @@ static void initialised_momentum_result(const sat4_momentum_result *x)
     initialised(&x->Z0[0], 6);
     initialised(&x->energy, 1);
     initialised(&x->center_of_mass[0], 3);
+    initialised(&x->center_of_mass_velocity[0], 3);
 }
 
 static void untouched_state(const sat4_state *x)
@@ -2467,51 +2470,6 @@ void sat4_eva_bits_step_driven_carried(void)
         Frama_C_show_each_returned(status);
         initialised_step_carry(&carry);
         initialised_state(&next);
-    }
-}
-
-void sat4_eva_normal_center_of_mass_velocity(void);
-void sat4_eva_normal_center_of_mass_velocity(void)
-{
-    sat4_state x;
-    normal_state(&x);
-    sat4_real center_of_mass_velocity[3];
-    const sat4_status status = sat4_center_of_mass_velocity(&sat4_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&center_of_mass_velocity[0], 3);
-    }
-}
-
-void sat4_eva_any_center_of_mass_velocity(void);
-void sat4_eva_any_center_of_mass_velocity(void)
-{
-    sat4_state x;
-    any_state(&x);
-    sat4_real center_of_mass_velocity[3];
-    const sat4_status status = sat4_center_of_mass_velocity(&sat4_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&center_of_mass_velocity[0], 3);
-    }
-}
-
-void sat4_eva_bits_center_of_mass_velocity(void);
-void sat4_eva_bits_center_of_mass_velocity(void)
-{
-    sat4_state x;
-    bits_state(&x);
-    sat4_real center_of_mass_velocity[3];
-    const sat4_status status = sat4_center_of_mass_velocity(&sat4_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        initialised(&center_of_mass_velocity[0], 3);
     }
 }
 

@@ -43,7 +43,7 @@ int sat4_selftest(void (*print)(const char *text), unsigned long sweep);
 
 typedef uint64_t real_bits;
 
-enum { CASES = 3, FUNCTIONS = 28, SWEPT = 4 };
+enum { CASES = 3, FUNCTIONS = 27, SWEPT = 4 };
 
 #define FARTHEST ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
 
@@ -110,7 +110,6 @@ static union {
     struct { sat4_mount_table mounting; } prepare_mounts;
     struct { sat4_step_carry carry; sat4_state next; } step_carried;
     struct { sat4_step_carry carry; sat4_state next; } step_driven_carried;
-    struct { sat4_real center_of_mass_velocity[3]; } center_of_mass_velocity;
     unsigned char bytes[1];
 } results;
 
@@ -211,6 +210,7 @@ static void take_momentum_result(tally *sum, const sat4_momentum_result *value)
     take_reals(sum, value->Z0, 6);
     take_reals(sum, &value->energy, 1);
     take_reals(sum, value->center_of_mass, 3);
+    take_reals(sum, value->center_of_mass_velocity, 3);
 }
 
 static void take_state(tally *sum, const sat4_state *value)
@@ -738,18 +738,6 @@ static void take_step_driven_carried_results(tally *sum, int refused)
     take_state(sum, &results.step_driven_carried.next);
 }
 
-static sat4_status call_center_of_mass_velocity(void)
-{
-    return sat4_center_of_mass_velocity((omitted == 1) ? NULL : table, (omitted == 2) ? NULL : &in.x,
-        (omitted == 3) ? NULL : results.center_of_mass_velocity.center_of_mass_velocity);
-}
-
-static void take_center_of_mass_velocity_results(tally *sum, int refused)
-{
-    if (refused != 0) { return; }
-    take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);
-}
-
 /* ---- golden vectors ---- */
 
 static const inputs golden[CASES] =
@@ -917,10 +905,12 @@ static const sat4_real numbers_momentum[] =
         0x1.d9b4b02335b74p-5, -0x1.0de87e69624e5p+2, 0x1.c7e61fb52d548p+4, -0x1.db58b2ec935c8p+3,
         0x1.36f1445f4af54p+7, 0x1.d14b3b3973be2p+7, 0x1.a2d22569abc45p+6, -0x1.e1cc0cac54edp+4,
         0x1.53dad0bea6e47p+10, 0x1.b866d58db61fep-9, -0x1.4a4ce0e74054cp-9, -0x1.64846d02e6b13p-9,
+        0x1.e64acc7cfd271p-2, -0x1.fb094762bf524p-3, 0x1.4bac04a9e98e4p+1,
     -0x1.638a3a63be1a7p+5, -0x1.c140306f415d8p+8, -0x1.da556a200f6fcp+8, 0x1.584fbd590e049p+6,
         -0x1.84bf174a697d3p+5, 0x1.8701b9aa6a483p+4, -0x1.8a6bb49dfebc4p+7, -0x1.14781bb0169aep+9,
         -0x1.221aef1ea29p+8, -0x1.4977becb6ba56p+9, 0x1.f1faf67a3f1fbp+7, -0x1.85f1e757acb66p+5,
         0x1.859ae51516f6ep+22, 0x1.b8671f8c4d3c8p-9, -0x1.4a4c9648a1aa4p-9, -0x1.648214f2cc6ep-9,
+        -0x1.a4b7270eed95bp+1, -0x1.26e683ef070bap+3, -0x1.35721020ad666p+2,
 };
 
 static const sat4_real numbers_torque[] =
@@ -1244,12 +1234,6 @@ static const sat4_real numbers_step_driven_carried[] =
         0x1.9ff9b8p-25, -0x1.12f4p-27, 0x1.69a1c8p-26,
 };
 
-static const sat4_real numbers_center_of_mass_velocity[] =
-{
-    0x1.e64acc7cfd271p-2, -0x1.fb094762bf524p-3, 0x1.4bac04a9e98e4p+1,
-    -0x1.a4b7270eed95bp+1, -0x1.26e683ef070bap+3, -0x1.35721020ad666p+2,
-};
-
 typedef struct function {
     const char *name;
     int pointers;  /* arguments that must not be null */
@@ -1274,8 +1258,8 @@ static const function functions[FUNCTIONS] =
       0x89cfa9b0u },
     { "momentum", 3, sizeof results.momentum, 0u,
       call_momentum, take_momentum_results, numbers_momentum,
-      { { 0, 0x69737d59u, 16 }, { 0, 0xdb9c767au, 16 }, { -2, 0x8e5b0aa0u, 0 } },
-      0xa8ec4ff8u },
+      { { 0, 0x0bc6d829u, 19 }, { 0, 0xdb83c7f2u, 19 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xa6b080d8u },
     { "torque", 5, sizeof results.torque, 0u,
       call_torque, take_torque_results, numbers_torque,
       { { 0, 0x4a5512f2u, 4 }, { 0, 0xb8864d4du, 4 }, { -2, 0x8e5b0aa0u, 0 } },
@@ -1372,10 +1356,6 @@ static const function functions[FUNCTIONS] =
       call_step_driven_carried, take_step_driven_carried_results, numbers_step_driven_carried,
       { { 0, 0xcf318e47u, 32 }, { 32, 0xf207a99au, 32 }, { -2, 0x6833bce9u, 21 } },
       0x8cdc7000u },
-    { "center_of_mass_velocity", 3, sizeof results.center_of_mass_velocity, 0u,
-      call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
-      { { 0, 0x2684d1adu, 3 }, { 0, 0x33a6332du, 3 }, { -2, 0x8e5b0aa0u, 0 } },
-      0x21b9412du },
 };
 
 /* ---- a sweep's inputs: an integer generator, exact scaling ---- */
@@ -2656,26 +2636,26 @@ typedef struct trial {
 
 static const trial trials[] =
 {
-    { 0, -1, 0, 0x00000000u, { 0xea7f87fu } },
-    { 1, -1, 0, 0x00000000u, { 0xea7f87fu } },
-    { 2, -2, 0, 0x00000000u, { 0xea7f87fu } },
-    { 3, -2, 0, 0x00000000u, { 0xea7f87fu } },
-    { 4, -1, 0, 0x00000000u, { 0xe87f87fu } },
-    { 5, -1, 0, 0x00000000u, { 0xe87f87fu } },
-    { 6, -2, 0, 0x00000000u, { 0xe87f87fu } },
-    { 7, -2, 0, 0x00000000u, { 0xe87f87fu } },
-    { 8, -1, 0, 0x00000000u, { 0xea7f87fu } },
-    { 9, -1, 0, 0x00000000u, { 0xea7f87fu } },
-    { 10, -2, 0, 0x00000000u, { 0xea7f87fu } },
-    { 11, -2, 0, 0x00000000u, { 0xea7f87fu } },
-    { 12, -1, 0, 0x00000000u, { 0xea7f87fu } },
-    { 13, -1, 0, 0x00000000u, { 0xea7f87fu } },
-    { 14, -2, 0, 0x00000000u, { 0xea7f87fu } },
-    { 15, -2, 0, 0x00000000u, { 0xea7f87fu } },
-    { 16, -1, 0, 0x00000000u, { 0xea7f87fu } },
-    { 17, -1, 0, 0x00000000u, { 0xea7f87fu } },
-    { 18, -2, 0, 0x00000000u, { 0xea7f87fu } },
-    { 19, -2, 0, 0x00000000u, { 0xea7f87fu } },
+    { 0, -1, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 1, -1, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 2, -2, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 3, -2, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 4, -1, 0, 0x00000000u, { 0x687f87fu } },
+    { 5, -1, 0, 0x00000000u, { 0x687f87fu } },
+    { 6, -2, 0, 0x00000000u, { 0x687f87fu } },
+    { 7, -2, 0, 0x00000000u, { 0x687f87fu } },
+    { 8, -1, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 9, -1, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 10, -2, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 11, -2, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 12, -1, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 13, -1, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 14, -2, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 15, -2, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 16, -1, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 17, -1, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 18, -2, 0, 0x00000000u, { 0x6a7f87fu } },
+    { 19, -2, 0, 0x00000000u, { 0x6a7f87fu } },
     { 20, -1, 0, 0x00000000u, { 0x4a00849u } },
     { 21, -1, 0, 0x00000000u, { 0x4a00849u } },
     { 22, -2, 0, 0x00000000u, { 0x4a00849u } },

@@ -420,6 +420,7 @@ static void untouched_momentum_result(const shaker2_momentum_result *x)
     untouched(&x->Z0[0], 6);
     untouched(&x->energy, 1);
     untouched(&x->center_of_mass[0], 3);
+    untouched(&x->center_of_mass_velocity[0], 3);
 }
 
 static void written_momentum_result(const shaker2_momentum_result *x)
@@ -428,6 +429,7 @@ static void written_momentum_result(const shaker2_momentum_result *x)
     written(&x->Z0[0], 6);
     written(&x->energy, 1);
     written(&x->center_of_mass[0], 3);
+    written(&x->center_of_mass_velocity[0], 3);
 }
 
 static void initialised_momentum_result(const shaker2_momentum_result *x)
@@ -436,6 +438,7 @@ static void initialised_momentum_result(const shaker2_momentum_result *x)
     initialised(&x->Z0[0], 6);
     initialised(&x->energy, 1);
     initialised(&x->center_of_mass[0], 3);
+    initialised(&x->center_of_mass_velocity[0], 3);
 }
 
 static void untouched_state(const shaker2_state *x)
@@ -776,51 +779,6 @@ void shaker2_eva_bits_forward(void)
     } else {
         Frama_C_show_each_returned(status);
         initialised(&V_dot[0], 6);
-    }
-}
-
-void shaker2_eva_normal_wrench(void);
-void shaker2_eva_normal_wrench(void)
-{
-    shaker2_state x;
-    normal_state(&x);
-    shaker2_real F[6];
-    const shaker2_status status = shaker2_wrench(&shaker2_default, &x, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&F[0], 6);
-    }
-}
-
-void shaker2_eva_any_wrench(void);
-void shaker2_eva_any_wrench(void)
-{
-    shaker2_state x;
-    any_state(&x);
-    shaker2_real F[6];
-    const shaker2_status status = shaker2_wrench(&shaker2_default, &x, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&F[0], 6);
-    }
-}
-
-void shaker2_eva_bits_wrench(void);
-void shaker2_eva_bits_wrench(void)
-{
-    shaker2_state x;
-    bits_state(&x);
-    shaker2_real F[6];
-    const shaker2_status status = shaker2_wrench(&shaker2_default, &x, F);
-    if (status < 0) {
-        untouched(&F[0], 6);
-    } else {
-        Frama_C_show_each_returned(status);
-        initialised(&F[0], 6);
     }
 }
 
@@ -2078,51 +2036,6 @@ void shaker2_eva_bits_step_driven_carried(void)
         Frama_C_show_each_returned(status);
         initialised_step_carry(&carry);
         initialised_state(&next);
-    }
-}
-
-void shaker2_eva_normal_center_of_mass_velocity(void);
-void shaker2_eva_normal_center_of_mass_velocity(void)
-{
-    shaker2_state x;
-    normal_state(&x);
-    shaker2_real center_of_mass_velocity[3];
-    const shaker2_status status = shaker2_center_of_mass_velocity(&shaker2_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&center_of_mass_velocity[0], 3);
-    }
-}
-
-void shaker2_eva_any_center_of_mass_velocity(void);
-void shaker2_eva_any_center_of_mass_velocity(void)
-{
-    shaker2_state x;
-    any_state(&x);
-    shaker2_real center_of_mass_velocity[3];
-    const shaker2_status status = shaker2_center_of_mass_velocity(&shaker2_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        written(&center_of_mass_velocity[0], 3);
-    }
-}
-
-void shaker2_eva_bits_center_of_mass_velocity(void);
-void shaker2_eva_bits_center_of_mass_velocity(void)
-{
-    shaker2_state x;
-    bits_state(&x);
-    shaker2_real center_of_mass_velocity[3];
-    const shaker2_status status = shaker2_center_of_mass_velocity(&shaker2_default, &x, center_of_mass_velocity);
-    if (status < 0) {
-        untouched(&center_of_mass_velocity[0], 3);
-    } else {
-        Frama_C_show_each_returned(status);
-        initialised(&center_of_mass_velocity[0], 3);
     }
 }
 

@@ -83,7 +83,7 @@ ANSWERS: Mapping[str, Key] = {
         Key("Z0", (6,), "kg m/s, kg m2/s", "momentum screw (1), in E0 about its origin"),
         Key("energy", (), "J", "kinetic energy"),
         Key("center_of_mass", (3,), "m", "of all bodies, from O1 in E1"),
-        Key("center_of_mass_velocity", (3,), "m/s", "relative to E0, in E0"),
+        Key("center_of_mass_velocity", (3,), "m/s", "its velocity, relative to E0, in E0; may be missing"),
         Key("V_dot", (6,), "m/s2, rad/s2", "derivatives of the components of V"),
         Key("u_dot", ("m",), "m/s2, rad/s2", "derivatives of u"),
         Key("reaction", (6,), "N, N m", "of the hold on the carrier, in E1 about O1"),
@@ -116,8 +116,8 @@ ANSWERS: Mapping[str, Key] = {
 _UNANSWERED = {"inverse": ("damped_by", "limited", "hardest"), "torque_for": ("share",)}
 """Results of the C that `eval` does not answer."""
 
-MAY_BE_LEFT_OUT = ("I0", "J0")
-"""Quantities that a program may leave out of a want that it offers: (10) and (11) do not need them."""
+MAY_BE_LEFT_OUT = ("center_of_mass_velocity", "I0", "J0")
+"""Quantities that a program may leave out of a want that it offers: nothing else needs them."""
 
 
 def needs_of(want: str) -> tuple[str, ...]:

@@ -36,7 +36,7 @@ _ROWS: tuple[PublicFunction, ...] = (
         "momentum",
         "(1), (2)",
         _STATE,
-        ("Z", "Z0", "energy", "center_of_mass"),
+        ("Z", "Z0", "energy", "center_of_mass", "center_of_mass_velocity"),
         _ALL_JUDGES,
         want=True,
         claimed=(NORMAL, ANY),
@@ -110,7 +110,6 @@ _ROWS: tuple[PublicFunction, ...] = (
     PublicFunction(
         "points", "", (*_STATE, "V_dot"), ("points",), ("reference", "second"), want=True, needs="sensors", batch=True
     ),
-    PublicFunction("center_of_mass_velocity", "", _STATE, ("center_of_mass_velocity",), ("reference",), want=True),
     PublicFunction(
         "reaction",
         "(8)",
@@ -121,7 +120,6 @@ _ROWS: tuple[PublicFunction, ...] = (
         needs="held",
         batch=True,
     ),
-    PublicFunction("wrench", "(7)", (*_STATE, "wrench"), ("F",), ("reference",), needs="wrenches"),
     PublicFunction(
         "step",
         "",

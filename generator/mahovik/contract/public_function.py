@@ -29,7 +29,6 @@ SECTIONS = {
     **dict.fromkeys(("step", "step_driven", "step_carried", "step_driven_carried"), "Steps in time"),
     **dict.fromkeys(("wrap", "phase_of_counts", "speed_of_counts", "accumulate"), "Phases from encoders"),
     "points": "Points",
-    "center_of_mass_velocity": "Momentum, (1)-(2)",
     "quaternion": "Generalized coordinates, (10)-(11)",
     "torque_for": "Torques for a task",
 }
@@ -44,8 +43,7 @@ class PublicFunction:
     takes     arguments in order; those that a stand does not need are left out
     gives     results, by name
     want      whether `eval` answers it, by the name of the function
-    needs     parts that a stand must have: "flywheels", "sensors" (instruments or points), "wrenches" (any), "tasks",
-              "held"; or nothing
+    needs     parts that a stand must have: "flywheels", "sensors" (instruments or points), "tasks", "held"; or nothing
     tasks     whether each task of the stand has a form of its own, `NAME_TASK`, with its demand in place of V_dot
     sines     whether it has a form `NAME_at` that takes sines and cosines of the phases
     batch     whether it has a batch, many states in a register; others run state by state

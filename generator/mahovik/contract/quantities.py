@@ -158,7 +158,6 @@ QUANTITIES = {
         Quantity("orientation", "", "unit quaternion, w first, from the home pose", "4", draw=Draw.ATTITUDE),
         Quantity("q_dot", "m/s, rad/s", "O1 in E0, then psi, theta, phi", "6", ("MAX_SPEED",), 20.0, 2.0),
         Quantity("q_ddot", "m/s2, rad/s2", "O1 in E0, then psi, theta, phi", "6", _ANGULAR, 1e3, 16.0),
-        Quantity("center_of_mass_velocity", "m/s", "mass centre of all bodies, relative to E0, in E0", "3"),
         # what all states of a batch share
         Quantity(
             "table",

@@ -1,4 +1,4 @@
-"""forward (8) and the wrench (7), as public functions; what they share: attitude, stream, sums."""
+"""forward (8), as public function; what it shares with others: attitude, stream, sums."""
 
 from __future__ import annotations
 
@@ -274,27 +274,5 @@ def forward(lib: Library, at: bool = False) -> Function:
         equation="(8)",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
         notes=AT_NOTES if at else (),
-        public=True,
-    )
-
-
-def wrench_function(lib: Library) -> Function:
-    """Total external wrench (7) as a public function."""
-    table, x = lib.table_argument(), lib.state_argument()
-    wrench = lib.wrench_arguments()
-    F = Argument("F", Kind.REAL, (6,), "out", "N, N m", "total external wrench on the carrier, in E1 about O1")
-    body = Body()
-    check_inputs(lib, body, table, x, (), wrench)
-    seen = scene(lib, body, table.place, x.place)
-    sum_up(lib, body, table.place, x.place, seen, None, mass_alone=True)
-    result = body.local("result", (6,))
-    external_wrench(lib, body, table.place, x.place, seen, wrench, result)
-    body.copy_array(F.place, result)
-    return body.checked_function(
-        "wrench",
-        "Total external wrench of all bodies at a state.",
-        (table, x, *wrench, F),
-        equation="(7)",
-        statuses=STATE_STATUSES,
         public=True,
     )

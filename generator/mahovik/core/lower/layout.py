@@ -364,8 +364,9 @@ class Layout(Tables):
             Field("Z0", REAL, (6,), "kg m/s, kg m2/s", "momentum screw in E0 about its origin (1)"),
             Field("energy", REAL, (), "J", "kinetic energy"),
             Field("center_of_mass", REAL, (3,), "m", "mass centre of all bodies, in E1"),
+            Field("center_of_mass_velocity", REAL, (3,), "m/s", "of the mass centre relative to E0, in E0"),
         )
-        return Struct("momentum_result", "Momentum, energy and mass centre.", fields)
+        return Struct("momentum_result", "Momentum, energy, mass centre and its velocity.", fields)
 
     @cached_property
     def generalized(self) -> Struct:

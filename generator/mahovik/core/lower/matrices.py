@@ -86,10 +86,10 @@ def _columns(lib: Library, body: Body, table: Place, x: Place, turns: Turns, V: 
 
 
 def momentum(lib: Library) -> Function:
-    """Z, Z0, kinetic energy, mass centre."""
+    """Z, Z0, kinetic energy, mass centre and its velocity."""
     layout = lib.layout
     table, x = lib.table_argument(), lib.state_argument()
-    out = Argument("out", layout.momentum, (), "out", purpose="Z, Z0, energy, mass centre")
+    out = Argument("out", layout.momentum, (), "out", purpose="Z, Z0, energy, mass centre and its velocity")
     body = Body()
     check_inputs(lib, body, table, x)
     seen = scene(lib, body, table.place, x.place, attitude=True)
@@ -117,9 +117,16 @@ def momentum(lib: Library) -> Function:
     body.set(out.place.energy, energy)
     for i in range(3):
         body.set(out.place.center_of_mass[i], sums.mu[i] * table.place.mass_inverse)
+    v = body.local("v", (3,), comment="of the mass centre in E1, from the momentum of the bodies, without the fluid's")
+    if layout.added_mass or layout.stream:
+        binding = {"m": table.place.mass, "mu": sums.mu, "mu_dot": sums.mu_dot} | parts_of_twist(x.place.V)
+        assign(body, list(v), derived.momentum(False)[:3, :], binding)
+    for i in range(3):
+        body.set(v[i], (v[i] if layout.added_mass or layout.stream else z[i]) * table.place.mass_inverse)
+    assign(body, list(out.place.center_of_mass_velocity), derived.momentum_in_E0()[:3, :], {"C": C, "p": v})
     return body.checked_function(
         "momentum",
-        "Momentum screw, kinetic energy and mass centre of the whole system.",
+        "Momentum screw, kinetic energy, mass centre of the whole system and its velocity.",
         (table, x, out),
         equation="(1), (2)",
         statuses=STATE_STATUSES,

@@ -107,8 +107,6 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
     lib.add(forward.forward(lib))
     if layout.sine_input:
         lib.add(forward.forward(lib, at=True))
-    if layout.wrenches:
-        lib.add(forward.wrench_function(lib))
     lib.add(matrices.velocity_matrix(lib))
     lib.add(matrices.matrices(lib))
     lib.add(matrices.momentum(lib))

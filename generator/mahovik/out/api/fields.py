@@ -41,6 +41,7 @@ _BY_NAME: Mapping[str, tuple[Labels, ...]] = {
     "I": (WRENCH_LETTERS,),
     "J": (WRENCH_LETTERS,),
     "center_of_mass": (_AXES,),
+    "center_of_mass_velocity": (_AXES,),
     "twist": (TWIST_LETTERS,),
     "specific_force": (_AXES,),
     "angular_acceleration": (_AXES,),

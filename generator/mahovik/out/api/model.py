@@ -292,17 +292,6 @@ class Model(WithReaction, WithRegressor, WithCoordinates):
         if task not in self._rows:
             raise InputError(f"task: unknown {show(task)}{suggestion(task, self._rows, 'the stand has none')}")
 
-    def wrench(
-        self,
-        x: States | ArrayLike,
-        *,
-        wrench: Wrenches = None,
-        tables: Tables | None = None,
-        on_error: OnError = "raise",
-    ) -> results.Wrench:
-        """Total external wrench `F` on the carrier, (7). State by state. Raises InputError, RefusedError."""
-        return self._result(results.Wrench, "wrench", x, on_error, wrench, tables)
-
     def matrices(
         self,
         x: States | ArrayLike,
@@ -317,7 +306,7 @@ class Model(WithReaction, WithRegressor, WithCoordinates):
     def momentum(
         self, x: States | ArrayLike, *, tables: Tables | None = None, on_error: OnError = "raise"
     ) -> results.Momentum:
-        """`Z`, `Z0`, `energy`, `center_of_mass`, (1), (2). State by state. Raises InputError, RefusedError."""
+        """`Z`, `Z0`, `energy`, `center_of_mass`, its velocity, (1), (2). State by state; InputError, RefusedError."""
         return self._result(results.Momentum, "momentum", x, on_error, None, tables)
 
     def points(

@@ -71,12 +71,6 @@ class Torque(Result):
     tau: Real
 
 
-class Wrench(Result):
-    """`F` (6): total external wrench on the carrier, N, N m, in E1 about O1; (7)."""
-
-    F: Real
-
-
 class Matrices(Result):
     """The matrices of (8): `K`, `K_dot`, `M` (6, 6), `I`, `J` (6, N), and `F` (6)."""
 
@@ -89,12 +83,14 @@ class Matrices(Result):
 
 
 class Momentum(Result):
-    """`Z` (6) in E1 about O1, `Z0` (6) in E0 about its origin, `energy` (kinetic, J), `center_of_mass` (3) in E1."""
+    """`Z` (6) in E1 about O1, `Z0` (6) in E0 about its origin, `energy` (kinetic, J), `center_of_mass` (3) in E1,
+    `center_of_mass_velocity` (3) in E0."""
 
     Z: Real
     Z0: Real
     energy: Real
     center_of_mass: Real
+    center_of_mass_velocity: Real
 
 
 class Inverse(Result):

@@ -24,9 +24,7 @@ ANSWERS: Mapping[str, Callable[[Pieces, Stand, State], Values]] = {
         "Z0": momentum.momentum_in_E0(at),
         "energy": momentum.kinetic_energy(at),
         "center_of_mass": momentum.center_of_mass(at),
-    },
-    "center_of_mass_velocity": lambda at, stand, state: {
-        "center_of_mass_velocity": momentum.center_of_mass_velocity(at, stand)
+        "center_of_mass_velocity": momentum.center_of_mass_velocity(at, stand),
     },
     "forward": lambda at, stand, state: {"V_dot": motion.forward(at, vector(state.phi_ddot))},
     "torque": lambda at, stand, state: {"tau": motion.torque(at, vector(state.V_dot), vector(state.phi_ddot))},

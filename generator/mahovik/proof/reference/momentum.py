@@ -38,13 +38,11 @@ def center_of_mass(at: Pieces) -> Array:
 
 
 def center_of_mass_velocity(at: Pieces, stand: Stand) -> Array:
-    """Velocity (3, m/s) of the centre of mass in E0: sum_k m_k C C_k v_k over the mass; StateError without mass.
+    """Velocity (3, m/s) of the centre of mass in E0: sum_k m_k C C_k v_k over the mass.
 
     v_k + omega_k x r_k is the velocity of the mass centre of a body in its own frame.
     """
     mass = sum(body.mass for body in stand.bodies)
-    if mass == 0:
-        raise StateError("center_of_mass_velocity: no body of the stand has a mass")
     in_E1 = np.zeros(3)
     for body, L, V_k in zip(stand.bodies, at.bodies.L, at.bodies.twists(at.V), strict=True):
         velocity = V_k[:3] + cross(V_k[3:]) @ vector(body.center_of_mass)

@@ -52,13 +52,15 @@ def held_state(S: Array, state: State) -> State:
 
 
 def momentum(system: System) -> Results:
-    """Z (6), Z0 (6, in E0 about its origin), energy (J), center_of_mass (3; m, of all bodies, in E1)."""
-    T, Z, _, _, center = system.kinetics()
+    """Z (6), Z0 (6, in E0 about its origin), energy (J), center_of_mass (3; m, of all bodies, in E1) and its velocity
+    (3; m/s, in E0)."""
+    T, Z, _, _, center, velocity = system.kinetics()
     return {
         "Z": Z,
         "Z0": momentum_in_E0(system.inputs["position"], system.inputs["C"], Z),
         "energy": T,
         "center_of_mass": center,
+        "center_of_mass_velocity": system.inputs["C"] @ velocity,
     }
 
 
@@ -74,7 +76,7 @@ def momentum_in_E0(position: Expr, C: Expr, Z: Expr) -> Expr:
 def forward(system: System) -> Results:
     """V_dot (6) for given phi_ddot: Lagrange's equations of the carrier; u_dot (m) and reaction of a held one."""
     phi_ddot = system.inputs["phi_ddot"]
-    S, (_, _, K, _, _) = system.S, system.kinetics()
+    S, (_, _, K, *_) = system.S, system.kinetics()
     applied, _ = system.applied_force()
     inertial, _ = system.inertial_force(ca.MX.zeros(6), phi_ddot)
     return _motion(system, _solve(S.T @ K @ S, S.T @ (applied - inertial)), phi_ddot)
@@ -85,7 +87,7 @@ def coupled(system: System, locked: Sequence[bool] = ()) -> Results:
 
     `locked` (N, none by default): flywheels for whose equation stands phi_ddot = 0, as their torques are reactions.
     """
-    S, (_, _, K, columns, _) = system.S, system.kinetics()
+    S, (_, _, K, columns, *_) = system.S, system.kinetics()
     m = S.shape[1]
     applied, on_flywheels = system.applied_force()
     still, still_flywheels = system.inertial_force(ca.MX.zeros(6), ca.MX.zeros(system.N))

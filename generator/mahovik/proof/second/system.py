@@ -115,17 +115,18 @@ class System:
         self.q_dot = self._rates(self.V, self.inputs["phi_dot"])
         self.Lambda = added_mass(stand)
 
-    def kinetics(self) -> tuple[Expr, Expr, Expr, Expr, Expr]:
+    def kinetics(self) -> tuple[Expr, ...]:
         """T (J), Z (6; kg m/s, kg m2/s, in E1 about O1), and of the bodies: K (6x6), flywheel columns (7xN), and their
-        centre of mass (3; m) in E1, which is not a number where there is no mass."""
+        centre of mass (3; m) and its velocity (3; m/s) in E1, which are not numbers where there is no mass."""
         T, momenta, mass, moments = self._map_over_bodies(one.body_kinetics())(self.bodies, self.q_dot, self.phi)
         T, Z = ca.sum2(T), ca.sum2(momenta[:6, :])
+        m = sum(body.mass for body in self.stand.bodies)
+        center, velocity = ca.sum2(moments) / m, Z[:3] / m
         K = mass[:6, :] @ ca.DM(np.tile(np.eye(7)[:, :6], (self.count, 1)))
         if self.Lambda is not None:
             fluid_T, fluid_Z, _ = one.fluid_motion()(self.Lambda, self.stream, self.V, ca.DM.zeros(6))
             T, Z, K = T + fluid_T, Z + fluid_Z, K + self.Lambda
-        center = ca.sum2(moments) / sum(body.mass for body in self.stand.bodies)
-        return T, Z, K, mass[:, [7 * body + 6 for body in range(self.fixed, self.count)]], center
+        return T, Z, K, mass[:, [7 * body + 6 for body in range(self.fixed, self.count)]], center, velocity
 
     def inertial_force(self, V_dot: Expr, phi_ddot: Expr) -> tuple[Expr, Expr]:
         """d/dt (dT/dq') - dT/dq for the accelerations V_dot (6), phi_ddot (N): of the carrier (6), flywheels (N)."""

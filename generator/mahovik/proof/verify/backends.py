@@ -126,7 +126,7 @@ class FunctionBackend(ABC):
             of_task = _members(self._call(f"{name}_{state.task}", inputs), answers_of(name, task=True))
             moved = {**inputs, "V_dot": of_task["V_dot"], "phi_ddot": of_task["phi_ddot"]}
         if any(law.invalid for law in self.layout.law_tables) or self.layout.structure.stream_stations:
-            self._call("wrench", inputs)  # a state where a law is undefined has no answer to any want
+            self._call("matrices", inputs)  # a state where a law is undefined has no answer to any want
         for name in want:
             if of_task and name in ("inverse", *TASK_WANTS):
                 results |= of_task

@@ -49,7 +49,6 @@ _JACOBIAN = FunctionJudge("derivative", value.jacobian_checks, "second derivatio
 _PARAMETERS = FunctionJudge("value", value.other_parameters, "reference")
 
 JUDGES: dict[str, FunctionJudge] = {
-    "wrench": _value(partial(value.state_trials, equation=lambda stand, state, at: {"F": at.F})),
     "mounts": FunctionJudge("value", value.mount_checks, "second derivation"),
     "coupled": _value(value.locked_trials, ", with locks"),
     "step": _STEPS,
