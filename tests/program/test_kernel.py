@@ -9,16 +9,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.program.expression import Status
+from mahovik.core.program.expression import Binary, Place, Status
 from mahovik.core.program.function import Function
 from mahovik.core.program.interpret import Interpreter
-from mahovik.core.program.kernel import KernelError, Reals, Result, argument, inline, ints, kernel, let, reals
+from mahovik.core.program.kernel import RANGE, KernelError, Reals, Result, argument, inline, ints, kernel, let, reals
 from mahovik.core.program.statement import Declare, Let, Loop, Note, Set
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
+from mahovik.core.program.vector import Vector, cross, dot
 from program.small import program
 
 N = NamedCount("N", 3)
-RANGE = Status("RANGE")
 PAIR = Struct("pair", "two numbers", (Field("left", Kind.REAL), Field("right", Kind.REAL)))
 numbers = st.lists(st.floats(-1e6, 1e6), min_size=3, max_size=3)
 
@@ -81,8 +81,29 @@ def weighted(pair: Any = argument(struct=PAIR), a: Reals = argument("", N)) -> f
     return total / (1 + most) if most > 0 else total
 
 
+@kernel()
+def moved(
+    C: Reals = argument("", 9), J: Reals = argument("", 6), V: Reals = argument("", 6), K: Reals = argument("", 6, 6),
+    absent: Any = None, out: Reals = argument("", 6, direction="out"), last: Reals = argument("", 3, direction="out"),
+) -> Status:  # fmt: skip
+    """A call that is checked, vectors, and what is not there."""
+    v, omega = V[0:3], V[3:6]
+    copied: Reals = v
+    in_order(copied, last)
+    if absent is not None:
+        return RANGE
+    turned: Reals = C.T @ v  # in E1
+    rate = v + cross(omega, turned)
+    out[0:3] = J @ omega - rate
+    out[3:6] = C.square @ C.T @ omega - Vector([1, 0, 0]) * omega[0]
+    out[3:6] += K[0:3, 1]
+    last -= Vector([0, 1, 0])
+    let("total", dot(V, V))
+    return Status("OK")
+
+
 def run(function: Function, **inputs: Any) -> tuple[Any, dict[str, Any]]:
-    return Interpreter(program(largest, in_order, weighted, structs=(PAIR,))).run(function.name, inputs)
+    return Interpreter(program(largest, in_order, weighted, moved, structs=(PAIR,))).run(function.name, inputs)
 
 
 @given(numbers)
@@ -97,6 +118,31 @@ def test_a_kernel_computes_what_its_text_says(a: list[float]) -> None:
     total = 2 * a[0] + 2 * a[1] + 2 * a[2] - 1
     value, _ = run(weighted, pair={"left": 2.0, "right": 1.0}, a=a)
     assert value == (total / (1 + max(map(abs, a))) if any(a) else total)
+
+
+@given(st.lists(numbers, min_size=19, max_size=19))
+def test_vectors_are_computed_element_by_element(drawn: list[list[float]]) -> None:
+    flat = np.array(drawn).ravel() * 1e-3
+    C, J, V, K = flat[:9], flat[9:15], flat[15:21], flat[21:57]
+    status, results = run(moved, C=C, J=J, V=V, K=K.reshape(6, 6))
+    assert status == STATUS_VALUES["OK"]
+    v, omega, A, S = V[:3], V[3:], C.reshape(3, 3), J[[0, 3, 4, 3, 1, 5, 4, 5, 2]].reshape(3, 3)
+    rate = v + np.cross(omega, A.T @ v)
+    first = A @ A.T @ omega - [omega[0], 0, 0] + K.reshape(6, 6)[:3, 1]
+    np.testing.assert_allclose(results["out"], [*(S @ omega - rate), *first], rtol=1e-10, atol=1e-3)
+    assert list(np.add(results["last"], [0, 1, 0])) == list(np.argsort(np.argsort(v, kind="stable")))
+
+
+def test_sums_of_vectors_begin_with_what_is_added_and_leave_out_zeros() -> None:
+    names = [s.variable.name for s in moved.body if isinstance(s, Let)]
+    assert names == ["rate1", "rate2", "rate3", "total"] and [a.name for a in moved.arguments][-2:] == ["out", "last"]
+    sets = [s for s in moved.body if isinstance(s, Set)]
+    assert len(sets) == 3 + 1 + 3 + 3 + 3 + 3 + 1  # one of `last`
+    rate = next(s.value for s in moved.body if isinstance(s, Let))
+    assert isinstance(rate, Binary) and rate.operator == "-" and isinstance(rate.left, Binary)  # (v + a b) - c d
+    assert rate.left.operator == "+" and isinstance(rate.left.left, Place)
+    with pytest.raises(TypeError, match="7 numbers are no square matrix"):
+        _ = Vector([0] * 7).square
 
 
 def test_comments_names_and_contract_go_into_the_program() -> None:

@@ -63,7 +63,6 @@ def check_turns(lib: Library) -> Function:
     """Sines and cosines from encoders: finite, and of unit length within 1e-3."""
     sine, cosine = lib.given_turns()
     body = Body()
-    lib.begin(body)
     for given in (sine, cosine):
         lib.check(body, "within", given.place, lib.layout.count, real(2))
     with body.loop("s", lib.layout.count) as s:
@@ -150,7 +149,6 @@ def check_state(lib: Library) -> Function:
     x = lib.state_argument()
     body = Body()
     _look_at_sums(lib, body, x.place)
-    lib.begin(body)
     _look_at_each(lib, body, x.place)
     return body.checked_function(
         "check_state", "Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length?", (x,)
@@ -163,7 +161,6 @@ def check_motion(lib: Library) -> Function:
     values, limit = Argument("values", Kind.REAL, (lib.layout.count,)), Argument("limit", Kind.REAL)
     body = Body()
     _look_at_sums(lib, body, x.place, ((values.place, limit.place),))
-    lib.begin(body)
     _look_at_each(lib, body, x.place)
     lib.check(body, "within", values.place, lib.layout.count, limit.place)
     return body.checked_function(

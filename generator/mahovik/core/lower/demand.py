@@ -39,7 +39,6 @@ def factor(lib: Library) -> Function:
     )
     G = work.place.G
     body = Body()
-    lib.begin(body)
     with body.loop("j", 6) as j:
         pivot = body.local("pivot")
         body.set(pivot, G[j][j])
@@ -80,7 +79,6 @@ def begin_demand(lib: Library, body: Body) -> Beginning:
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted")
     turns, wrench = lib.turn_arguments(), lib.wrench_arguments()
     work = Argument("work", lib.layout.inverse_work, (), "out")
-    lib.begin(body)
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
     moving = relative_rate(body, x.place, V_dot.place, seen.stream)
     sum_up(lib, body, table.place, x.place, seen, None)

@@ -128,7 +128,6 @@ def solve_coupled(lib: Library) -> Function:
     given, results = arguments[2 + len(turns) : -2 - held], places_of(arguments[-2 - held :])
     tau, locked, *wrench = given
     body = Body()
-    lib.begin(body)
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns_in(arguments)))
     if layout.held:
         freedoms, drift = equations_along(lib, body, table.place, x.place, seen, tuple(wrench), None)

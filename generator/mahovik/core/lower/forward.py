@@ -49,7 +49,6 @@ def check_inputs(
 
     Accelerations or torques are looked at together with the state, where nothing has its turn between them.
     """
-    lib.begin(body)
     limit = {name: found.expression for name, found in lib.limits.items()}
     rest: list[tuple[Place, Operand, Expr]] = [(a.place, lib.layout.count, limit["MAX_ACCELERATION"]) for a in phi_ddot]
     rest += [(a.place, len(a.place), limit["MAX_WRENCH"]) for a in wrench]
@@ -158,7 +157,6 @@ def accelerate(lib: Library) -> Function:
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
     held = hold.results(lib)
     body = Body()
-    lib.begin(body)
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
     accelerations = phi_ddot[0].place if phi_ddot else None
     if lib.layout.held:

@@ -7,10 +7,10 @@ from typing import Protocol
 from mahovik.core.lower.thresholds import Thresholds, thresholds
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Operand, Place, Status, unequal
+from mahovik.core.program.expression import Operand
 from mahovik.core.program.function import Function
 from mahovik.core.program.prune import prune
-from mahovik.core.program.types import Kind, Precision, Struct
+from mahovik.core.program.types import Precision, Struct
 from mahovik.core.routines import exponential
 from mahovik.core.stand.structure_facts import Structure
 
@@ -43,7 +43,6 @@ class FunctionSet:
         self.layout = layout
         self.thresholds: Thresholds = thresholds(layout.precision)
         self._functions: dict[str, Function] = {}
-        self._status: Place
 
     def add(self, function: Function) -> Function:
         """Adds a function; later ones may call it. An internal function loses the arguments that it does not use."""
@@ -86,12 +85,6 @@ class FunctionSet:
         """Names of the arguments of a function."""
         return [a.name for a in self[function].arguments]
 
-    def begin(self, body: Body) -> None:
-        """Declares the local `status`, for `check`."""
-        self._status = body.local("status", (), Kind.STATUS)
-
     def check(self, body: Body, function: str, *arguments: Operand) -> None:
         """Calls a function that returns a status, and returns that status where it is not OK."""
-        body.set(self._status, self[function](*arguments))
-        with body.when(unequal(self._status, Status("OK"))):
-            body.ret(self._status)
+        body.check(self[function](*arguments))

@@ -34,7 +34,6 @@ def quaternion(lib: Library) -> Function:
     angles = angles_argument(lib)
     attitude = Argument("attitude", Kind.REAL, (4,), "out", purpose="unit quaternion, w first")
     body = Body()
-    lib.begin(body)
     check_vector(lib, body, angles.place, lib.limits["MAX_PHASE"].expression)
     binding: dict[str, Expr] = {}
     for i, name in enumerate(_NAMES):
@@ -75,7 +74,6 @@ def generalized(lib: Library) -> Function:
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     out = Argument("out", layout.generalized, (), "out", purpose="A, D, I0, J0, q_dot, q_ddot")
     body = Body()
-    lib.begin(body)
     y = body.local("y", (), layout.state, "the state with the attitude of the angles")
     V_dot = body.local("V_dot", (6,))
     m = body.local("m", (), layout.matrices)

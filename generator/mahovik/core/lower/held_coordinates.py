@@ -102,7 +102,6 @@ def generalized(lib: Library) -> Function:
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     out = Argument("out", layout.generalized, (), "out", purpose="coordinates of the freedoms, q_dot, q_ddot")
     body, m = Body(), layout.freedoms
-    lib.begin(body)
     V_dot = body.local("V_dot", (6,))
     u_dot = body.local("u_dot", (m,))
     given = (*(a.place for a in phi_ddot), *(a.place for a in wrench))
@@ -203,7 +202,6 @@ def state_from_coordinates(lib: Library) -> Function:
         "V_dot", REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V, as inverse takes it"
     )
     body = Body()
-    lib.begin(body)
     _check_coordinates(lib, body, found, given)
     T = table.place
     attitude = body.local("attitude", (4,))

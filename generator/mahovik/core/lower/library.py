@@ -9,7 +9,7 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Operand, Status, and_, real, unequal
+from mahovik.core.program.expression import Expr, Not, Operand, Status, and_, real
 from mahovik.core.program.types import Kind
 
 
@@ -83,8 +83,7 @@ class Library(FunctionSet):
 
     def check_as(self, body: Body, status: str, function: str, *arguments: Operand) -> None:
         """Calls a function that returns a status, and returns `status` in its place where it is not OK."""
-        body.set(self._status, self[function](*arguments))
-        self.guard(body, unequal(self._status, Status("OK")), status)
+        body.check(self[function](*arguments), status)
 
 
 def unit_square(square: Expr) -> Expr:

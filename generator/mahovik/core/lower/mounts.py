@@ -152,7 +152,6 @@ def prepare_mounts(lib: Library) -> Function:
     parameters = Argument("parameters", layout.parameters, purpose="masses, inertias, mountings")
     mounting = Argument("mounting", layout.mount_table, (), "out", purpose="table for the function mounts")
     p, body = parameters.place, Body()
-    lib.begin(body)
     lib.check(body, "check_parameters", p)
     with body.loop("s", layout.count) as s:
         w, m = p.flywheel[s], mounting.place.flywheel[s]

@@ -28,7 +28,6 @@ def check_body(lib: Library, struct: Struct) -> Function:
     """Check of mass properties: can a body have them? `check_body` or `check_dry_body`, by the struct."""
     b = Argument("body", struct)
     body = Body()
-    lib.begin(body)
     bound = lib.limits["MAX_PARAMETER"].expression
     members = [(getattr(b.place, field.name), bool(field.shape)) for field in struct.fields]
     scalars = [place for place, is_array in members if not is_array]
@@ -96,7 +95,6 @@ def check_added_mass(lib: Library) -> Function:
     added = Argument("added_mass", Kind.REAL, (6, 6), purpose="of carrier and instruments, about O1 in E1")
     m = added.place
     body = Body()
-    lib.begin(body)
     factor = body.local("factor", (6, 6), comment="L below the diagonal, D on it")
     with body.loop("i", 6) as i:
         lib.check(body, "within", m[i], 6, lib.limits["MAX_PARAMETER"].expression)
@@ -163,7 +161,6 @@ def check_parameters(lib: Library) -> Function:
     p = parameters.place
     bound = lib.limits["MAX_PARAMETER"].expression
     body = Body()
-    lib.begin(body)
     total = body.local("mass")
     size = body.local(
         "size", comment="largest moment of inertia that products in the equations can reach; it must not overflow"

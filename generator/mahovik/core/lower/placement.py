@@ -19,7 +19,6 @@ def frame_of_axes(lib: Library) -> Function:
     zero = Argument("zero", Kind.REAL, (3,), purpose="any length, not along axis")
     R = Argument("R", Kind.REAL, (9,), "out", purpose="columns are the axes, row by row")
     body = Body()
-    lib.begin(body)
     bound = lib.limits["MAX_PARAMETER"].expression
     check_vector(lib, body, axis.place, bound)
     check_vector(lib, body, zero.place, bound)
@@ -74,7 +73,6 @@ def _placement_function(lib: Library, name: str, struct: Struct, purpose: str) -
     O = Argument("O", Kind.REAL, (3,), "out", "m", "Os in E1")
     R = Argument("R", Kind.REAL, (9,), "out", purpose="its axes in E1")
     body = Body()
-    lib.begin(body)
     check_vector(lib, body, w.place.position, lib.limits["MAX_PARAMETER"].expression)
     lib.check(body, "frame_of_axes", w.place.axis, w.place.zero, R.place)
     body.copy_array(O.place, w.place.position)

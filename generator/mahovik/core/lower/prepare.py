@@ -80,7 +80,6 @@ def prepare(lib: Library) -> Function:
     )
     p, out = parameters.place, table.place
     body = Body()
-    lib.begin(body)
     lib.check(body, "check_parameters", p)
     body.note("all checks passed: from here on the table is written and nothing can fail")
     totals = _start(layout, body)

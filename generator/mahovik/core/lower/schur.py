@@ -60,7 +60,6 @@ def factor_schur(lib: Library) -> Function:
     schur = Argument("K", lib.layout.schur)
     out = Argument("factor", lib.layout.schur_factor, (), "out")
     body = Body()
-    lib.begin(body)
     K, f = schur.place, out.place
     invert_block(lib, body, K, f.A_inv)
     S = body.local("S", (6,), comment="D - B A^-1 B^T")

@@ -129,7 +129,6 @@ def factor_carrier(lib: Library) -> Function:
     out = Argument("K", lib.layout.carrier_factor, (), "out")
     added = lib.layout.added_mass
     body = Body()
-    lib.begin(body)
     binding = carrier_binding(lib, table.place, sums.place)
     if added:
         B = body.local("B", (9,), comment="<mu> + Lambda_21: lower left block of K")

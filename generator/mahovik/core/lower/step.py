@@ -48,7 +48,6 @@ def _rate(lib: Library, torques: bool) -> Function:
     drive = _drive_arguments(lib, torques)
     rate = Argument("rate", layout.state, (), "out", purpose="time derivatives of the members of the state")
     body = Body()
-    lib.begin(body)
     C = body.local("C", (9,), comment="attitude")
     turns = turns_of(lib, body, x.place)
     out = rate.place
@@ -106,7 +105,6 @@ def _finish(lib: Library) -> Function:
     """Unit length for the quaternion, phases within half a turn; and is the state still in its ranges?"""
     x = Argument("x", lib.layout.state, (), "inout")
     body = Body()
-    lib.begin(body)
     q = x.place.attitude
     square = body.let("square", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
     lib.guard(body, Not(and_(square > real(0.5), square < real(2))), "RANGE")
@@ -143,7 +141,6 @@ def _stages(lib: Library, torques: bool) -> Function:
     stage = Argument("y", layout.state, (), "out", purpose="scratch: states of the stages")
     total = Argument("total", layout.state, (), "out", purpose="order 4: k1 + 2 k2 + 2 k3 + k4; order 2: k2")
     body = Body()
-    lib.begin(body)
     y, sum_ = stage.place, total.place
     k = body.local("k", (), layout.state, "time derivatives at a stage")
     rate = form_name(lib, "rate", torques)

@@ -98,7 +98,6 @@ def _finish(lib: Library) -> Function:
     x = Argument("x", lib.layout.state, (), "inout")
     carry = Argument("carry", lib.layout.carry, (), "inout")
     body = Body()
-    lib.begin(body)
     q = x.place.attitude
     first = next(first for name, _, first in _numbers(lib) if name == "attitude")
     square = body.let("square", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])

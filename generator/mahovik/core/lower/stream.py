@@ -26,7 +26,6 @@ def check_depth(lib: Library) -> Function:
     table, x, body = lib.table_argument(), lib.state_argument(), Body()
     profile, limit = table.place.stream_profile, {name: each.expression for name, each in lib.limits.items()}
     last = lib.layout.structure.stream_stations - 1
-    lib.begin(body)
     lib.check(body, "within", profile.down, 3, real(2))
     down = profile.down
     lib.check_unit(body, body.let("down2", down[0] * down[0] + down[1] * down[1] + down[2] * down[2]))

@@ -33,8 +33,6 @@ def external(lib: Library) -> Function:
     body = Body()
     laws = lib.layout.law_tables
     refuses, checked = any(law.refuses for law in laws), "check_actuators" in lib
-    if refuses or checked:
-        lib.begin(body)
     if checked:
         lib.check(body, "check_actuators", table.place)
     for element in F.place:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from typing import Any
 
 from mahovik.core.program.call import Argument, Call
-from mahovik.core.program.expression import Expr, Operand, Place, Status, Variable, as_expr
+from mahovik.core.program.expression import Expr, Operand, Place, Status, Variable, as_expr, unequal
 from mahovik.core.program.function import Function
 from mahovik.core.program.statement import (
     Block,
@@ -33,6 +34,7 @@ class Body:
 
     def __init__(self) -> None:
         self._blocks: list[list[Statement]] = [[]]
+        self._status: Variable | None = None  # of calls that are checked
 
     def _add(self, statement: Statement) -> None:
         self._blocks[-1].append(statement)
@@ -65,13 +67,27 @@ class Body:
         self._add(Declare(variable, comment))
         return variable.place
 
-    def set(self, place: Place, value: Operand, comment: str = "") -> None:
-        """place = value"""
-        self._add(Set(_scalar(place), as_expr(value, place.kind), comment))
+    def set(self, place: Any, value: Any, comment: str = "") -> None:
+        """place = value; of an array or a vector element by element, of a struct whole."""
+        if not isinstance(place, Place) or place.shape:
+            for one, element in zip(place, value, strict=True):
+                self.set(one, element, comment)
+                comment = ""
+        elif isinstance(place.type, Struct):
+            self.copy(place, value, comment)
+        else:
+            self._add(Set(place, as_expr(value, place.kind), comment))
 
-    def add(self, place: Place, value: Operand, comment: str = "") -> None:
-        """place += value"""
-        self._add(Set(_scalar(place), as_expr(value, place.kind), comment, add=True))
+    def add(self, place: Any, value: Any, comment: str = "", subtract: bool = False) -> None:
+        """place += value, or -= with `subtract`; of an array element by element, without those that are 0."""
+        if not isinstance(place, Place) or place.shape:
+            for one, element in zip(place, value, strict=True):
+                if isinstance(element, Expr) or element != 0:
+                    self.add(one, element, comment, subtract)
+                    comment = ""
+        else:
+            change = as_expr(value, place.kind)
+            self._add(Set(place, -change if subtract else change, comment, add=True))
 
     def copy(self, target: Place, source: Place, comment: str = "") -> None:
         """A struct is copied whole."""
@@ -83,6 +99,16 @@ class Body:
             raise TypeError(f"{target!r} has {len(target)} elements, {source!r} {len(source)}")
         for i in range(len(target)):
             self.set(target[i], source[i])
+
+    def check(self, call: Expr, status: str = "") -> None:
+        """A call that returns a status: where it is not OK, that is returned, or `status` in its place."""
+        if self._status is None:
+            self._status = Variable("status", Kind.STATUS, written=True)
+            first = self._blocks[0]
+            first.insert(1 if first and isinstance(first[0], Shortcut) else 0, Declare(self._status))
+        self.set(self._status.place, call)
+        with self.when(unequal(self._status.place, Status("OK"))):
+            self.ret(Status(status) if status else self._status.place)
 
     def call(self, function: Function, *arguments: Operand, comment: str = "") -> None:
         """A call whose results are its output arguments."""
@@ -165,9 +191,3 @@ class Body:
         yield
         body = tuple(self._blocks.pop())
         self._add(When(last.condition, last.body, body, last.comment))
-
-
-def _scalar(place: Place) -> Place:
-    if not place.is_scalar:
-        raise TypeError(f"{place!r} is not a scalar")
-    return place

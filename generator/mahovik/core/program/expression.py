@@ -1,14 +1,15 @@
 """Expressions of a program. The tree *is* the order of operations: printer and interpreter keep it as it is.
 
-Python operators build trees (`a*b + c`), so that lowering code reads like the formula. Equality of
-integers is `equal(a, b)`: `==` stays Python's own.
+Python operators build trees (`a*b + c`), so that lowering code reads like the formula; of arrays they build vectors
+(program/vector). Equality of integers is `equal(a, b)`: `==` stays Python's own.
 """
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Iterator
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, cast
 
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 
@@ -16,9 +17,37 @@ Number: TypeAlias = int | float | Fraction
 Operand: TypeAlias = "Expr | int | float | Fraction | NamedCount"
 
 
-def _operators(symbol: str) -> tuple[Callable[[Expr, Operand], Expr], Callable[[Expr, Operand], Expr]]:
+def _operators(
+    symbol: str, operate: Callable[[Any, Any], Any]
+) -> tuple[Callable[[Expr, Any], Expr], Callable[[Expr, Any], Expr]]:
     """The methods that a Python operator calls on its left operand, and on its right one."""
-    return lambda self, other: binary(symbol, self, other), lambda self, other: binary(symbol, other, self)
+
+    def operate_first(self: Expr, other: Any) -> Any:
+        if not (_is_array(self) or _is_array(other)):
+            return binary(symbol, self, other) if isinstance(other, OPERANDS) else NotImplemented
+        return operate(_vector(self), _vector(other))
+
+    def operate_second(self: Expr, other: Any) -> Any:
+        if not _is_array(self):
+            return binary(symbol, other, self) if isinstance(other, OPERANDS) else NotImplemented
+        return operate(other, _vector(self))
+
+    return operate_first, operate_second
+
+
+def _is_array(value: Any) -> bool:
+    return isinstance(value, Place) and bool(value.shape)
+
+
+def _vector(value: Any) -> Any:
+    """An array as a vector or matrix; anything else as it is."""
+    return _vector_of(value) if _is_array(value) else value
+
+
+def _vector_of(values: Any) -> Any:
+    from mahovik.core.program.vector import vector_of
+
+    return vector_of(values)
 
 
 def _comparison(symbol: str) -> Callable[[Expr, Operand], Expr]:
@@ -31,21 +60,24 @@ class Expr:
     __slots__ = ("kind",)
     kind: Kind
 
-    __add__, __radd__ = _operators("+")
-    __sub__, __rsub__ = _operators("-")
-    __mul__, __rmul__ = _operators("*")
-    __truediv__, __rtruediv__ = _operators("/")
-    __mod__, _ = _operators("%")
-    __and__, _ = _operators("&")
-    __or__, _ = _operators("|")
-    __xor__, _ = _operators("^")
-    __lshift__, _ = _operators("<<")
-    __rshift__, _ = _operators(">>")
+    __add__, __radd__ = _operators("+", operator.add)
+    __sub__, __rsub__ = _operators("-", operator.sub)
+    __mul__, __rmul__ = _operators("*", operator.mul)
+    __truediv__, __rtruediv__ = _operators("/", operator.truediv)
+    __mod__, _ = _operators("%", operator.mod)
+    __and__, _ = _operators("&", operator.and_)
+    __or__, _ = _operators("|", operator.or_)
+    __xor__, _ = _operators("^", operator.xor)
+    __lshift__, _ = _operators("<<", operator.lshift)
+    __rshift__, _ = _operators(">>", operator.rshift)
     __lt__, __le__ = _comparison("<"), _comparison("<=")
     __gt__, __ge__ = _comparison(">"), _comparison(">=")
 
-    def __neg__(self) -> Expr:
-        return Negate(self)
+    def __neg__(self) -> Any:
+        return -_vector(self) if _is_array(self) else Negate(self)
+
+    def __matmul__(self, other: Any) -> Any:
+        return operator.matmul(_vector(self), _vector(other)) if _is_array(self) else NotImplemented
 
     @property
     def operands(self) -> tuple[Expr, ...]:
@@ -58,6 +90,9 @@ class Expr:
 
     def __bool__(self) -> bool:
         raise TypeError("an expression of a program has no truth value in Python; use When or select")
+
+
+OPERANDS = (Expr, int, float, Fraction, NamedCount)
 
 
 class Const(Expr):
@@ -110,20 +145,30 @@ class Place(Expr):
     def __getattr__(self, name: str) -> Place:
         if name.startswith("_") or name in Place.__slots__ or name == "kind":
             raise AttributeError(name)
+        if self.shape:
+            return cast(Place, getattr(_vector(self), name))
         return self.member(name)
 
     def member(self, name: str) -> Place:
         """The member `name` of a struct."""
         if self.shape or not isinstance(self.type, Struct):
             raise TypeError(f"{self!r} is not a struct: it has no member {name}")
-        found: Field | None = self.type.field(name)
-        if found is None:
+        field: Field | None = self.type.field(name)
+        if field is None:
             raise TypeError(f"struct {self.type.name} has no member {name}")
-        return Place(self.root, (*self.path, name), found.type, found.shape)
+        return Place(self.root, (*self.path, name), field.type, field.shape)
 
-    def __getitem__(self, index: Operand) -> Place:
+    def __getitem__(self, index: Any) -> Place:
+        """An element; of a slice a vector, of `[:, j]` a column."""
         if not self.shape:
             raise TypeError(f"{self!r} is not an array")
+        if isinstance(index, slice):
+            return cast(Place, _vector_of([self[i] for i in range(len(self))[index]]))
+        if isinstance(index, tuple):
+            first, *rest = index
+            if not isinstance(first, slice):
+                return self[first][rest[0]]
+            return cast(Place, _vector_of([self[i][rest[0]] for i in range(len(self))[first]]))
         if isinstance(index, int) and not 0 <= index < int(self.shape[0]):
             raise IndexError(f"{self!r}[{index}] is outside 0..{int(self.shape[0]) - 1}")
         return Place(self.root, (*self.path, as_expr(index, Kind.INT)), self.type, self.shape[1:])

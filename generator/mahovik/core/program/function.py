@@ -19,7 +19,8 @@ class Function:
     `equation` are numbers of the paper, "(8)"; `returns` None, REAL or STATUS; `statuses` those it can return;
     `notes` further lines of the contract; `public` functions stand in the header; `apart`: not copied into its callers;
     `short`: a compiler is asked to copy it there, which takes fewer instructions and no more code than calls;
-    `copied`: on desktop processors it is made to copy it there, which is faster and takes more code.
+    `copied`: on desktop processors it is made to copy it there, which is faster and takes more code;
+    `parameters`: names of all arguments of its text, of which some may have been left out.
     """
 
     name: str
@@ -34,9 +35,16 @@ class Function:
     apart: bool = False
     short: bool = False
     copied: bool = False
+    parameters: tuple[str, ...] = ()
 
     def __call__(self, *arguments: Any) -> Any:
-        """A Call: an expression, if the function returns a real or a status. Arguments: operands, of results places."""
+        """A Call: an expression, if the function returns a real or a status. Arguments: operands, of results places.
+
+        There may be one for each of its parameters.
+        """
+        if len(arguments) == len(self.parameters):
+            taken = [a.name for a in self.arguments]
+            arguments = tuple(v for name, v in zip(self.parameters, arguments, strict=True) if name in taken)
         if len(arguments) != len(self.arguments):
             raise TypeError(f"{self.name} takes {len(self.arguments)} arguments, not {len(arguments)}")
         return Call(self.signature, tuple(map(self._checked_argument, arguments, self.arguments)))

@@ -14,11 +14,17 @@ What the text may hold, and what it becomes:
 * `x = e` a named temporary; `x: float = e` and `x: int = e` variables that change; `x = reals(n, m)`, `ints(n)` and
   `record(struct)` local arrays and structs; `x = reals()` a variable without a first value.
 * `=`, `+=`, `-=` to variables, elements `a[i]` and members `a.b`; calls of functions, as statements or in expressions.
+  A call that returns a status, as a statement: where that is not OK, the function returns it.
+* Vectors (program/vector): arrays, slices `V[0:3]`, columns `I[:, s]` with + - * @, `C.T @ a`, `cross`, `dot`. Assigned
+  to an array or a slice, one statement an element; `x: Reals = e` is a local array; `x = e` of what is computed are
+  temporaries x1, x2, ...; of places, a name for them.
 * `for i in range(...)` a loop; over anything else the body is repeated, with the value in its place. `if` and `else`,
-  `return`; where the condition is a truth value of Python, one branch is taken.
+  `return`; where the condition is a truth value of Python, one branch is taken, and its names stay. A status that an
+  inline kernel returns is what the function returns, any other value that of its call.
 * Numbers, + - * / % and those of words; comparisons; `and`, `or`, `not`, `a if c else b`, `abs`, `float` of an int.
 * Names from around the function (counts, numbers, functions, structs): their values now. Other Python functions are
   called while the text is compiled, with expressions as arguments; those that are `inline` are kernels that are put in.
+* An argument whose default value is None is not there. Calls by position leave out what a function does not take.
 * The docstring is the purpose, its further lines the notes. Comments become comments; a line of its own, or more, those
   before the next statement. Of a name that Python has, `pass_` or `sum_`, the last underscore goes.
 
@@ -29,20 +35,22 @@ from __future__ import annotations
 
 import ast
 import builtins
-import copy
 import inspect
-import io
 import keyword
-import textwrap
-import tokenize
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import linecache
+import re
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache
+from types import CodeType
 from typing import Any, Protocol, cast
 
+from mahovik.core.program import vector
 from mahovik.core.program.build import CHECKED, Body
 from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import (
+    OPERANDS,
     BitCast,
     Const,
     Convert,
@@ -65,18 +73,36 @@ from mahovik.core.program.types import Kind, NamedCount, Struct
 KINDS = {"float": Kind.REAL, "int": Kind.INT, "Reals": Kind.REAL, "Ints": Kind.INT, "Result": Kind.REAL}
 """Kinds of scalars, and of elements, by the annotation."""
 
+OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT = map(
+    Status, ("OK", "NOT_FINITE", "RANGE", "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT")
+)
+"""What kernels return."""
+
 
 class KernelError(TypeError):
     """A construct that no kernel has: file, line, what it is."""
 
 
 class Reals(Protocol):
-    """An array of reals in the text of a kernel, with one index or more."""
+    """An array of reals in the text of a kernel, with one index or more, or a vector of what is computed."""
 
-    def __getitem__(self, index: int) -> Any: ...
-    def __setitem__(self, index: int, value: Any) -> None: ...
+    def __getitem__(self, index: Any) -> Any: ...
+    def __setitem__(self, index: Any, value: Any) -> None: ...
     def __len__(self) -> int: ...
     def __iter__(self) -> Iterator[Any]: ...
+    def __add__(self, other: Any) -> Any: ...
+    def __radd__(self, other: Any) -> Any: ...
+    def __sub__(self, other: Any) -> Any: ...
+    def __rsub__(self, other: Any) -> Any: ...
+    def __mul__(self, other: Any) -> Any: ...
+    def __rmul__(self, other: Any) -> Any: ...
+    def __truediv__(self, other: Any) -> Any: ...
+    def __matmul__(self, other: Any) -> Any: ...
+    def __neg__(self) -> Any: ...
+    @property
+    def T(self) -> Any: ...
+    @property
+    def square(self) -> Any: ...
 
 
 Ints = Reals
@@ -125,9 +151,29 @@ def record(struct: Struct) -> Any:
     return Local((), struct)
 
 
+_bodies: list[Body] = []
+"""Bodies of the functions that are being compiled, the innermost last."""
+
+
 def let(name: str, value: float, comment: str = "") -> float:
-    """A named temporary whose name is computed, in what is repeated."""
-    raise TypeError("`let` is called in the text of a kernel")
+    """A named temporary whose name is computed."""
+    return cast(float, _body("let").let(name, as_expr(cast(Operand, value), Kind.REAL), comment))
+
+
+def shortcut() -> AbstractContextManager[None]:
+    """`with shortcut():` a quick way to return what the statements after it would return as well."""
+    return _body("shortcut").shortcut()
+
+
+def check_as(status: Status, call: Any) -> None:
+    """A call of a function that returns a status; where that is not OK, `status` is returned."""
+    _body("check_as").check(call, status.name)
+
+
+def _body(name: str) -> Body:
+    if not _bodies:
+        raise TypeError(f"`{name}` is called in the text of a kernel")
+    return _bodies[-1]
 
 
 def bits_of(value: float) -> int:
@@ -150,27 +196,36 @@ def kernel(
     equation: str = "",
     notes: Sequence[str] = (),
     statuses: Sequence[str] = CHECKED,
+    purpose: str = "",
     **flags: bool,
 ) -> Callable[[Callable[..., Any]], Function]:
     """The function of the program that this Python function is the text of. Raises KernelError.
 
     `name`: in C, if it is another; `notes`: further lines of its contract, after those of the docstring; `statuses`: of
-    a function that returns one, "OK" where nothing else was returned; `flags`: fields of `Function` that are true.
+    a function that returns one, "OK" where nothing else was returned; `purpose`: in place of the docstring's first
+    line; `flags`: fields of `Function` that are true.
     """
 
     def compiled(function: Callable[..., Any]) -> Function:
         text = _Text(function)
         arguments = text.arguments()
         body = Body()
+        places = {
+            parameter: _Pointed(a.place) if a.variable.pointer and a.place.is_scalar else a.place
+            for parameter, a in arguments.items()
+            if a is not None
+        }
         returns = {"None": None, "float": Kind.REAL, "Status": Kind.STATUS}[text.returns]
-        places = [_Pointed(a.place) if a.variable.pointer and a.place.is_scalar else a.place for a in arguments]
-        _Compilation(text, body, dict(zip(text.defaults, places, strict=True))).block(text.statements)
-        if returns is Kind.STATUS:
-            body.ret(Status("OK"))
-        purpose, *lines = (line for line in text.docstring.splitlines() if line)
+        absent = {parameter: None for parameter, a in arguments.items() if a is None}
+        compilation = _Compilation(text, body, places | absent)
+        compilation.block(text.statements)
+        if returns is Kind.STATUS and not compilation.returned:
+            body.ret(OK)
+        first, *lines = (line for line in text.docstring.splitlines() if line)
         return Function(
-            name or function.__name__, purpose, arguments, body.statements, equation, returns,
-            tuple(statuses) if returns is Kind.STATUS else (), (*lines, *notes), **flags,
+            name or function.__name__, purpose or first, tuple(a for a in arguments.values() if a is not None),
+            body.statements, equation, returns, tuple(statuses) if returns is Kind.STATUS else (), (*lines, *notes),
+            parameters=tuple(_in_c(parameter) if a is None else a.name for parameter, a in arguments.items()), **flags,
         )  # fmt: skip
 
     return compiled
@@ -184,65 +239,92 @@ class inline:  # noqa: N801
         self.signature = inspect.signature(function)
 
     def __call__(self, *arguments: Any, **named: Any) -> Any:
-        raise TypeError("an inline kernel is called in the text of a kernel")
+        return self.put_into(_body(self.text.name), *arguments, **named)
 
     def put_into(self, body: Body, *arguments: Any, **named: Any) -> Any:
         """Its statements in a body; what it returns."""
         bound = self.signature.bind(*arguments, **named)
         bound.apply_defaults()
         scope = bound.arguments
-        for name in scope:
-            if self.text.annotations.get(name) == "Result":
-                scope[name] = _Pointed(scope[name])
-        return _Compilation(self.text, body, scope, inlined=True).block(self.text.statements)
+        for name, value in scope.items():
+            if self.text.annotations.get(name) == "Result" and isinstance(value, Place):
+                scope[name] = _Pointed(value)
+        compilation = _Compilation(self.text, body, scope, inlined=True)
+        compilation.block(self.text.statements)
+        return compilation.result
 
 
-@dataclass(frozen=True)
+@dataclass
 class _Pointed:
     """A scalar result of a function."""
 
     value: Place
 
 
+@dataclass(frozen=True)
+class _Module:
+    """The text of a file: its functions by the line at which they begin, its comments by line."""
+
+    functions: dict[int, ast.FunctionDef]
+    beside: dict[int, str]  # comment at the end of a line
+    before: dict[int, str]  # comment on a line of its own
+
+
+_COMMENT = re.compile(r"""((?:[^#"']|"[^"]*"|'[^']*')*)#\s*(.*?)\s*$""")
+
+
+@cache
+def _module(file: str) -> _Module:
+    """The parsed text of a file."""
+    lines = linecache.getlines(file)
+    functions = {
+        min((node.lineno, *(d.lineno for d in node.decorator_list))): node
+        for node in ast.walk(ast.parse("".join(lines)))
+        if isinstance(node, ast.FunctionDef)
+    }
+    beside: dict[int, str] = {}
+    before: dict[int, str] = {}
+    for number, line in enumerate(lines, 1):
+        if "#" in line and (comment := _COMMENT.match(line)):
+            words = comment[2].lstrip("# ").split("# noqa")[0].strip()
+            if words and not words.startswith(("noqa", "type: ", "fmt: ")):
+                (beside if comment[1].strip() else before)[number] = words
+    return _Module(functions, beside, before)
+
+
 class _Text:
     """The text of a kernel: its tree, its comments, and the names around it."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
-        lines, self.line = inspect.getsourcelines(function)
-        self.file = inspect.getsourcefile(function)
-        source = textwrap.dedent("".join(lines))
-        tree = ast.parse(source).body[0]
-        assert isinstance(tree, ast.FunctionDef)
+        code = function.__code__
+        self.name, self.file = function.__name__, code.co_filename
+        self.module = _module(code.co_filename)
+        tree = self.module.functions[code.co_firstlineno]
         self.docstring = ast.get_docstring(tree) or ""
         self.statements = tree.body[1:] if self.docstring else tree.body
+        self.line = (tree.body[0].end_lineno or 0) if self.docstring else tree.lineno
         self.returns = ast.unparse(tree.returns) if tree.returns else "None"
-        around = inspect.getclosurevars(function)
-        self.names: dict[str, Any] = {**around.globals, **around.nonlocals}
-        self.annotations = {node.arg: ast.unparse(node.annotation) for node in tree.args.args if node.annotation}
+        self.names = function.__globals__ | dict(inspect.getclosurevars(function).nonlocals) | OPERATORS
+        arguments = (*tree.args.args, *tree.args.kwonlyargs)
+        self.annotations = {node.arg: ast.unparse(node.annotation) for node in arguments if node.annotation}
         self.defaults = {p.name: p.default for p in inspect.signature(function).parameters.values()}
-        self.beside: dict[int, str] = {}  # comment at the end of a line
-        self.before: dict[int, str] = {}  # comment on a line of its own
-        for token in tokenize.generate_tokens(io.StringIO(source).readline):
-            if token.type == tokenize.COMMENT:
-                alone = not token.line[: token.start[1]].strip()
-                words = token.string.lstrip("# ").split("# noqa")[0].strip()
-                if words and not words.startswith("noqa"):
-                    (self.before if alone else self.beside)[token.start[0]] = words
 
-    def arguments(self) -> tuple[Argument, ...]:
+    def arguments(self) -> dict[str, Argument | None]:
         """The arguments of the function, from the default values of its parameters."""
-        arguments = []
+        arguments: dict[str, Argument | None] = {}
         for name, declared in self.defaults.items():
-            if not isinstance(declared, Argument):
-                raise KernelError(f"{self.file}:{self.line}: {name}: expected argument(...) as its default value")
-            type_ = declared.type if isinstance(declared.type, Struct) else KINDS[self.annotations[name]]
-            arguments.append(declared if declared.name else replace(declared, name=_in_c(name), type=type_))
-        return tuple(arguments)
+            arguments[name] = declared
+            if declared is not None and not isinstance(declared, Argument):
+                raise self.error(self.statements[0], f"{name}: expected argument(...) as its default value")
+            if declared is not None and not declared.name:
+                type_ = declared.type if isinstance(declared.type, Struct) else KINDS[self.annotations[name]]
+                arguments[name] = replace(declared, name=_in_c(name), type=type_)
+        return arguments
 
-    def error(self, node: ast.AST, words: str) -> KernelError:
-        """The error at a place of the text."""
-        line = self.line + getattr(node, "lineno", 1) - 1
-        return KernelError(f"{self.file}:{line}: {words}")
+    def error(self, node: ast.stmt, words: str) -> KernelError:
+        """The error at a statement of the text."""
+        line = linecache.getline(self.file, node.lineno).strip()
+        return KernelError(f"{self.file}:{node.lineno}: {words.replace('{}', line, 1)}")
 
 
 def _in_c(name: str) -> str:
@@ -257,81 +339,91 @@ class _Compilation:
     `scope`: arguments and locals by name; `inlined`: `return` ends no function of C.
     """
 
-    def __init__(self, text: _Text, body: Body, scope: Mapping[str, Any], inlined: bool = False) -> None:
+    def __init__(self, text: _Text, body: Body, scope: dict[str, Any], inlined: bool = False) -> None:
         self.text = text
         self.body = body
-        self.scope = dict(scope)
+        self.scope: dict[str, Any] = text.names | scope
         self.variables: set[str] = set()  # those that change
         self.inlined = inlined
-        self.line = 0  # of the last statement
+        self.line = text.line  # of the last statement
+        self.returned = False  # no statement of the block is reached any more
+        self.result: Any = None  # of an inline kernel
 
     # -- statements ----------------------------------------------------------------------------------------------
 
-    def block(self, statements: Sequence[ast.stmt]) -> Any:
+    def block(self, statements: Sequence[ast.stmt]) -> None:
         """Compile the statements of a block, whose names end with it."""
         scope, variables = dict(self.scope), set(self.variables)
-        value = self.statements(statements)
+        _bodies.append(self.body)
+        try:
+            self.statements(statements)
+        finally:
+            _bodies.pop()
         self.scope, self.variables = scope, variables
-        return value
 
-    def statements(self, statements: Sequence[ast.stmt]) -> Any:
-        """Compile statements; the value of a `return` at the end of an inline kernel."""
-        value = None
+    def statements(self, statements: Sequence[ast.stmt]) -> None:
+        """Compile statements up to a `return`."""
         for statement in statements:
             self._notes(statement.lineno)
             self.line = statement.lineno
             try:
-                value = self.statement(statement)
+                self.statement(statement)
             except KernelError:
                 raise
             except Exception as error:
-                raise self.text.error(statement, f"{ast.unparse(statement).splitlines()[0]}: {error}") from error
+                raise self.text.error(statement, f"{{}}: {error}") from error
             self.line = statement.end_lineno or 0
-        return value
+            if self.returned:
+                break
 
     def _notes(self, line: int) -> None:
         """Comments on lines of their own before a statement: one note, if they follow one another."""
-        lines = [self.text.before[n] for n in range(self.line + 1, line) if n in self.text.before]
+        before = self.text.module.before
+        lines = [before[n] for n in range(self.line + 1, line) if n in before]
         if lines:
             self.body.note(" ".join(lines))
 
-    def statement(self, node: ast.stmt) -> Any:
+    def statement(self, node: ast.stmt) -> None:
         """Compile a statement."""
-        comment = self.text.beside.get(node.end_lineno or 0, "")
+        comment = self.text.module.beside.get(node.end_lineno or 0, "")
         match node:
             case ast.AnnAssign(ast.Name(name), annotation, ast.expr() as value):
                 first = self.value(value)
-                self.body.set(self._local(name, Local((), KINDS[ast.unparse(annotation)]), comment), first)
-            case ast.Assign([ast.Tuple(targets)], value):
-                for target, part in zip(targets, self.value(value), strict=True):
+                shape = () if isinstance(first, OPERANDS) else (len(first),)
+                self.body.set(self._local(name, Local(shape, KINDS[ast.unparse(annotation)]), comment), first)
+            case ast.Assign([ast.Tuple(targets)], value) if not isinstance(result := self.value(value), Expr):
+                for target, part in zip(targets, result, strict=True):
                     self._assign(target, part, comment)
             case ast.Assign([target], value):
                 self._assign(target, self.value(value), comment, isinstance(value, ast.Call))
             case ast.AugAssign(target, ast.Add() | ast.Sub() as operator, value):
                 place = self.value(target)
-                change = as_expr(self.value(value), place.kind)
-                self.body.add(place, -change if isinstance(operator, ast.Sub) else change, comment)
+                if not isinstance(place, Place | vector.Vector):
+                    raise TypeError("expected a variable or a place")
+                self.body.add(place, self.value(value), comment, isinstance(operator, ast.Sub))
             case ast.Expr(value):
                 result = self.value(value)
-                if isinstance(result, Call):
+                if isinstance(result, Call) and result.signature.returns is Kind.STATUS:
+                    self.body.check(result)
+                elif isinstance(result, Call):
                     self.body.do(result, comment)
-            case ast.For(ast.Name(name), iterated, inner, []):
-                self._loop(name, iterated, inner, self.text.beside.get(node.iter.end_lineno or 0, ""))
+            case ast.For(target, iterated, inner, []):
+                self._loop(target, iterated, inner, self.text.module.beside.get(iterated.end_lineno or 0, ""))
             case ast.If(test, inner, otherwise):
-                self._when(test, inner, otherwise, self.text.beside.get(node.test.end_lineno or 0, ""))
+                self._when(test, inner, otherwise, self.text.module.beside.get(test.end_lineno or 0, ""))
             case ast.With([ast.withitem(context, None)], inner):
                 with self.value(context):
                     self.block(inner)
+                self.returned = False
             case ast.Return(value):
                 result = None if value is None else self.value(value)
-                if not self.inlined:
+                if isinstance(result, Status) or not self.inlined:
                     self.body.ret(as_expr(cast(Operand, result), Kind.REAL))
-                return result
+                self.result, self.returned = result, True
             case ast.Pass():
                 pass
             case _:
-                raise self.text.error(node, f"no statement of a kernel: {ast.unparse(node).splitlines()[0]}")
-        return None
+                raise self.text.error(node, "no statement of a kernel: {}")
 
     def _local(self, name: str, local: Local, comment: str) -> Place:
         """A local variable, which is in scope from now on."""
@@ -344,57 +436,83 @@ class _Compilation:
         """`x = e`, `a[i] = e`, `a.b = e`. A part that is no number, and a place that a call made, get a second name."""
         if not isinstance(target, ast.Name):
             self.body.set(self.value(target), result, comment)
-        elif target.id in self.variables:
-            self.body.set(self.scope[target.id], result, comment)
-        elif isinstance(self.scope.get(target.id), Place) and not called:
-            raise TypeError(f"{target.id} has a value already: what changes is declared, {target.id}: float = ...")
+            return
+        name, present = target.id, self.scope.get(target.id)
+        if name in self.variables or (isinstance(present, Place) and not present.is_scalar):
+            self.body.set(present, result, comment)
+        elif isinstance(present, Place) and not called:
+            raise TypeError(f"{name} has a value already: what changes is declared, {name}: float = ...")
         elif isinstance(result, Local):
-            self._local(target.id, result, comment)
+            self._local(name, result, comment)
+        elif isinstance(result, vector.Vector) and not all(isinstance(x, Place | int) for x in result):
+            self.scope[name] = vector.Vector(self._parts(name, result, comment))
         elif isinstance(result, Expr) and not (isinstance(result, Place) and (called or not result.is_scalar)):
-            self.scope[target.id] = self.body.let(_in_c(target.id), result, comment)
+            self.scope[name] = self.body.let(_in_c(name), result, comment)
         else:
-            self.scope[target.id] = result
+            self.scope[name] = result
 
-    def _loop(self, name: str, iterated: ast.expr, inner: Sequence[ast.stmt], comment: str) -> None:
+    def _parts(self, name: str, values: vector.Vector, comment: str) -> Iterator[Any]:
+        """Temporaries of the elements that are no numbers of Python, numbered from 1."""
+        for number, value in enumerate(values, 1):
+            yield self.body.let(f"{name}{number}", value, comment) if isinstance(value, Expr) else value
+            comment = ""
+
+    def _loop(self, target: ast.expr, iterated: ast.expr, inner: Sequence[ast.stmt], comment: str) -> None:
         """A loop over `range(stop)` or `range(start, stop)`; a repetition for each value of anything else."""
-        match iterated:
-            case ast.Call(ast.Name("range"), [*bounds], []):
+        match target, iterated:
+            case ast.Name(name), ast.Call(ast.Name("range"), [*bounds], []):
                 start, stop = [integer(0), *map(self.value, bounds)][-2:]
                 with self.body.loop(_in_c(name), stop, start, comment) as index:
-                    scope = dict(self.scope)
-                    self.scope[name] = index
-                    self.block(inner)
-                    self.scope = scope
+                    self._branch(inner, {name: index})
             case _:
                 for value in self.value(iterated):
-                    self.line, self.scope[name] = iterated.lineno, value
+                    parts = zip(target.elts, value, strict=True) if isinstance(target, ast.Tuple) else [(target, value)]
+                    self.scope |= {ast.unparse(name): part for name, part in parts}
+                    self.line = iterated.lineno
                     self.statements(inner)
+                    if self.returned:
+                        break
 
     def _when(self, test: ast.expr, inner: Sequence[ast.stmt], otherwise: Sequence[ast.stmt], comment: str) -> None:
         """`if`, and `else`; a branch alone, where Python knows which."""
         condition = self.value(test)
         if not isinstance(condition, Expr):
-            self.block(inner if condition else otherwise)
+            self.statements(inner if condition else otherwise)
             return
         with self.body.when(condition, comment):
-            self.block(inner)
+            self._branch(inner)
         if otherwise:
             with self.body.otherwise():
-                self.block(otherwise)
+                self._branch(otherwise)
+
+    def _branch(self, statements: Sequence[ast.stmt], names: dict[str, Any] | None = None) -> None:
+        """A block that the program may not reach: a `return` in it ends only the block."""
+        scope = self.scope
+        self.scope = scope | (names or {})
+        self.block(statements)
+        self.scope = scope
+        if self.returned and self.inlined and not isinstance(self.result, Status):
+            raise TypeError("an inline kernel returns a value at its end")
+        self.returned = False
 
     # -- expressions ---------------------------------------------------------------------------------------------
 
     def value(self, node: ast.expr) -> Any:
-        """The value of an expression: an Expr, or a value of Python."""
-        tree = ast.fix_missing_locations(ast.Expression(_Operators().visit(copy.deepcopy(node))))
+        """The value of an expression: an Expr, a vector, or a value of Python."""
+        return eval(_code(node), self.scope)  # text of the house, which is imported anyway
+
+
+def _code(node: ast.expr) -> CodeType:
+    """The code of an expression, which is kept in its node."""
+    code: CodeType | None = getattr(node, "_code", None)
+    if code is None:
+        tree = ast.fix_missing_locations(ast.Expression(_Operators().visit(node)))
         for part in ast.walk(tree):
             if isinstance(part, ast.Name | ast.Attribute | ast.Subscript):
                 part.ctx = ast.Load()  # a target is a place as well
-        names = self.text.names | OPERATORS | {"let": self.body.let} | self.scope
-        for name, value in names.items():
-            if isinstance(value, inline):
-                names[name] = partial(value.put_into, self.body)
-        return eval(compile(tree, "<kernel>", "eval"), names)  # text of the house, which is imported anyway
+        code = compile(tree, "<kernel>", "eval")
+        node._code = code  # type: ignore[attr-defined]
+    return code
 
 
 class _Operators(ast.NodeTransformer):

@@ -23,7 +23,6 @@ def off_hold(lib: Library) -> Function:
     table, x = lib.table_argument(), lib.state_argument()
     off = Argument("off", Kind.REAL, (12,), "out", "m/s, rad/s; m, rad", "blocked part of V; then of the pose")
     body = Body()
-    lib.begin(body)
     for i in range(6):
         body.set(off.place[i], x.place.V[i])
         body.set(off.place[6 + i], real(0))

@@ -65,7 +65,6 @@ def _unit_attitude(lib: Library) -> Function:
     length = Argument("length", Kind.REAL, (), "out", purpose="as it was given")
     q = attitude.place
     body = Body()
-    lib.begin(body)
     body.set(length.place, real(0))
     lib.check(body, "within", q, 4, real(_SQUARED))
     square = body.let("square", _square(q))

@@ -22,7 +22,6 @@ def coordinates(lib: Library, form: ServoForm) -> Function:
     q = Argument("q", Kind.REAL, (form.trim.measured,), "out", "m, rad", "measured coordinates of the carrier")
     a = attitude.place
     body = Body()
-    lib.begin(body)
     lib.check(body, "within", position.place, 3, lib.limits["MAX_POSITION"].expression)
     lib.check(body, "within", a, 4, real(2))
     norm = body.let("norm2", a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + a[3] * a[3])

@@ -76,7 +76,6 @@ def step(lib: Library, form: ServoForm) -> Function:
     tau = Argument("tau", Kind.REAL, n, "out", "N m", "what the motors are to give")
     g, x = gains.place, state.place
     body = Body()
-    lib.begin(body)
     limit = {name: found.expression for name, found in lib.limits.items()}
     angle = body.local("angle", n, comment="measured; wanted where nothing good was")
     speed = body.local("speed", n, comment="likewise")

@@ -147,7 +147,6 @@ def step(lib: Library, form: ServoForm) -> Function:
     tau = Argument("tau", Kind.REAL, n, "inout", "N m", "feedforward; corrected")
     d, x = design.place, state.place
     body = Body()
-    lib.begin(body)
     check_phase(lib, body, phase.place, True)
     limit = {name: found.expression for name, found in lib.limits.items()}
     lib.check(body, "within", q.place, trim.measured, limit["MAX_POSITION"])

@@ -35,7 +35,6 @@ def demand_turning(lib: Library) -> Function:
     )
     w = work.place
     body = Body()
-    lib.begin(body)
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
     sum_up(lib, body, table.place, x.place, seen, None)
     F = body.local("F", (6,), comment="wrench (7); then b = F - M V_r - J phi'")

@@ -41,7 +41,6 @@ def torque_demand(lib: Library, turning: bool) -> Function:
     )
     w = work.place
     body = Body()
-    lib.begin(body)
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
     sum_up(lib, body, table.place, x.place, seen, None)
     F = body.local("F", (6,), comment="wrench (7); then F_c")
