@@ -26,7 +26,7 @@ from mahovik.core.lower.forward import (
 )
 from mahovik.core.lower.held_drive import solve_held
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.schur import start_schur
+from mahovik.core.lower.solve import start_blocks
 from mahovik.core.lower.wrenches import flywheel_wrenches
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
@@ -151,7 +151,7 @@ def without_drives(lib: Library, body: Body, table: Place, x: Place, seen: Scene
     external_wrench(lib, body, table, x, seen, wrench, F)
     body.call(lib["subtract_rates"], table, seen.sums, seen.V, F)
     K = body.local("K", (), lib.layout.schur, "mass matrix with free flywheels eliminated")
-    start_schur(lib, body, table, seen.sums, K)
+    start_blocks.put_into(body, lib, table, seen.sums, K)
     return K, F
 
 

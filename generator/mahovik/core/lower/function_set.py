@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from collections.abc import Callable
+from typing import Any, Protocol
 
 from mahovik.core.lower.thresholds import Thresholds, thresholds
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Operand
 from mahovik.core.program.function import Function
+from mahovik.core.program.kernel import kernel
 from mahovik.core.program.prune import prune
 from mahovik.core.program.types import Precision, Struct
 from mahovik.core.routines import exponential
@@ -51,6 +53,10 @@ class FunctionSet:
         self._functions[function.name] = function
         return function
 
+    def kernel(self, name: str = "", **options: Any) -> Callable[[Callable[..., Any]], Function]:
+        """Adds the function whose text a Python function is: see `kernel`."""
+        return lambda function: self.add(kernel(name, **options)(function))
+
     def add_exponential(self) -> None:
         """Adds the function `exp`, for a law that needs it, unless it is there."""
         if "exp" not in self:
@@ -65,6 +71,16 @@ class FunctionSet:
     @property
     def functions(self) -> tuple[Function, ...]:
         return tuple(self._functions.values())
+
+    @property
+    def table(self) -> Argument:
+        """The prepared stand."""
+        return self.table_argument()
+
+    @property
+    def x(self) -> Argument:
+        """The state."""
+        return self.state_argument()
 
     def table_argument(self) -> Argument:
         """The prepared stand."""

@@ -22,6 +22,16 @@ class Library(FunctionSet):
         super().__init__(layout)
         self.limits: dict[str, Limit] = limits(layout.precision)
 
+    @property
+    def largest(self) -> Expr:
+        """The largest finite number."""
+        return self.limits["LARGEST"].expression
+
+    @property
+    def sums(self) -> Argument:
+        """Sums over all bodies."""
+        return Argument("sum", self.layout.sums)
+
     # -- what many functions share -----------------------------------------------------------------------------------
 
     def phi_ddot_arguments(self) -> tuple[Argument, ...]:

@@ -39,7 +39,6 @@ from mahovik.core.lower import (
     prepare,
     regressor,
     rotation,
-    schur,
     sensitivity,
     solve,
     step,
@@ -93,14 +92,8 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         lib.add(flywheels.sum_spin(lib, steady=True))
         lib.add(flywheels.sum_spin(lib))
     _add_wrenches(lib)
-    lib.add(solve.momentum_screw(lib))
-    lib.add(solve.subtract_rates(lib))
-    lib.add(solve.factor3(lib))
-    lib.add(solve.solve3(lib))
-    lib.add(solve.factor_carrier(lib))
-    lib.add(solve.solve_carrier(lib))
-    if not layout.added_mass:
-        lib.add(solve.solve_carrier_once(lib))
+    solve.add_momentum(lib)
+    solve.add_solution(lib)
     if layout.held:
         hold.add_all(lib)
     lib.add(forward.accelerate(lib))
@@ -112,13 +105,12 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
     lib.add(matrices.momentum(lib))
     if layout.flywheels:
         lib.add(coupling.couple(lib))
-        lib.add(schur.eliminate(lib))
+        solve.add_elimination(lib)
         lib.add(drive.balance(lib))
         if layout.sine_input:
             lib.add(drive.torque(lib, at=True))
         lib.add(drive.torque(lib))
-        lib.add(schur.factor_schur(lib))
-        lib.add(schur.solve_schur(lib))
+        solve.add_block_solution(lib)
         lib.add(drive.solve_coupled(lib))
         lib.add(drive.coupled(lib))
         if layout.sine_input:

@@ -136,6 +136,16 @@ def argument(
     return Argument("", struct or Kind.REAL, shape, direction, unit, purpose, optional, overlaps)
 
 
+def result(purpose: str = "", *shape: int | NamedCount, **more: Any) -> Any:
+    """An argument that the function writes."""
+    return argument(purpose, *shape, direction="out", **more)
+
+
+def changed(purpose: str = "", *shape: int | NamedCount, **more: Any) -> Any:
+    """An argument that the function reads and writes."""
+    return argument(purpose, *shape, direction="inout", **more)
+
+
 def reals(*shape: int | NamedCount) -> Any:
     """A local array of reals; without a length a variable that has no first value."""
     return Local(shape, Kind.REAL)
@@ -286,8 +296,8 @@ def _module(file: str) -> _Module:
     before: dict[int, str] = {}
     for number, line in enumerate(lines, 1):
         if "#" in line and (comment := _COMMENT.match(line)):
-            words = comment[2].lstrip("# ").split("# noqa")[0].strip()
-            if words and not words.startswith(("noqa", "type: ", "fmt: ")):
+            words = re.sub(r"^type: ignore\[[\w-]+\]", "", comment[2]).lstrip("# ").split("# noqa")[0].strip()
+            if words and not words.startswith(("noqa", "fmt: ")):
                 (beside if comment[1].strip() else before)[number] = words
     return _Module(functions, beside, before)
 
@@ -313,10 +323,11 @@ class _Text:
         """The arguments of the function, from the default values of its parameters."""
         arguments: dict[str, Argument | None] = {}
         for name, declared in self.defaults.items():
-            arguments[name] = declared
             if declared is not None and not isinstance(declared, Argument):
                 raise self.error(self.statements[0], f"{name}: expected argument(...) as its default value")
-            if declared is not None and not declared.name:
+            if declared is None or declared.name:
+                arguments[name] = declared and replace(declared)  # with a variable of its own
+            else:
                 type_ = declared.type if isinstance(declared.type, Struct) else KINDS[self.annotations[name]]
                 arguments[name] = replace(declared, name=_in_c(name), type=type_)
         return arguments
@@ -393,7 +404,7 @@ class _Compilation:
                 self.body.set(self._local(name, Local(shape, KINDS[ast.unparse(annotation)]), comment), first)
             case ast.Assign([ast.Tuple(targets)], value) if not isinstance(result := self.value(value), Expr):
                 for target, part in zip(targets, result, strict=True):
-                    self._assign(target, part, comment)
+                    self._assign(target, part, comment, called=True)
             case ast.Assign([target], value):
                 self._assign(target, self.value(value), comment, isinstance(value, ast.Call))
             case ast.AugAssign(target, ast.Add() | ast.Sub() as operator, value):
@@ -506,10 +517,9 @@ def _code(node: ast.expr) -> CodeType:
     """The code of an expression, which is kept in its node."""
     code: CodeType | None = getattr(node, "_code", None)
     if code is None:
+        if isinstance(node, ast.Name | ast.Attribute | ast.Subscript):
+            node.ctx = ast.Load()  # a target is a place as well
         tree = ast.fix_missing_locations(ast.Expression(_Operators().visit(node)))
-        for part in ast.walk(tree):
-            if isinstance(part, ast.Name | ast.Attribute | ast.Subscript):
-                part.ctx = ast.Load()  # a target is a place as well
         code = compile(tree, "<kernel>", "eval")
         node._code = code  # type: ignore[attr-defined]
     return code

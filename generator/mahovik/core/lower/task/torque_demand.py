@@ -17,7 +17,7 @@ from mahovik.core.lower.demand import substitute
 from mahovik.core.lower.flywheels import places_of
 from mahovik.core.lower.forward import STATE_STATUSES, external_wrench, relative_rate, scene, sum_up
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.schur import invert_block, start_schur
+from mahovik.core.lower.solve import invert_symmetric, start_blocks
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.lower.task.demand import factor3, substitute3
 from mahovik.core.program.build import Body
@@ -47,7 +47,7 @@ def torque_demand(lib: Library, turning: bool) -> Function:
     external_wrench(lib, body, table.place, x.place, seen, wrench, F)
     body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
     K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
-    start_schur(lib, body, table.place, seen.sums, K)
+    start_blocks.put_into(body, lib, table.place, seen.sums, K)
     alike = declare_common_terms(lib, body, seen)
     coupling = body.local("drive", (), layout.coupling)
     with body.loop("s", layout.count) as s:
@@ -106,7 +106,7 @@ def _whole(lib: Library, body: Body, w: Place, K: Place, F: Place, moving: Place
 def _turning_part(lib: Library, body: Body, table: Place, w: Place, K: Place, F: Place) -> None:
     """C, x, X of the last three components: what eliminating v* leaves of them. A stream moves v* alone."""
     inverse = body.local("A_inv", (6,))
-    invert_block(lib, body, K, inverse)
+    invert_symmetric.put_into(body, lib, K.A, inverse)
     U = body.local("U", (9,), comment="A^-1 B^T")
     S = body.local("S", (6,), comment="D - B A^-1 B^T")
     binding: dict[str, Any] = {"A_inv": inverse, "B": K.B, "U": U, "J": K.D}
