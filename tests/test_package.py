@@ -89,7 +89,7 @@ def test_what_travels(wheel: Path) -> None:
 def test_the_installed_package_generates_the_same_c(installed: Callable[..., str], tmp_path: Path) -> None:
     code = "from mahovik.out.cli import main; main()"
     found = installed("-c", "from mahovik import stands; print(stands.path('bench8'))").strip()
-    installed("-c", code, "generate", found, "-o", "out")
+    installed("-c", code, "generate", found, "--with", "selftest", "-o", "out")
     files = [file for file in (tmp_path / "out").rglob("*") if file.is_file()]
     written = {str(file.relative_to(tmp_path / "out")): file.read_text(encoding="ascii") for file in files}
     expected = generate(load(examples.path("bench8")))

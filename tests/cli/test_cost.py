@@ -36,7 +36,8 @@ def functions(monkeypatch: pytest.MonkeyPatch) -> list[FunctionCost]:
         stand: Stand,
         pairs: Sequence[tuple[Target, str]],
         progress: Callable[[int, int], None],
-        only: tuple[str, ...] = (),
+        only: tuple[str, ...],
+        recorder: bool,
     ) -> Costs:
         targets = [
             TargetCost(

@@ -24,9 +24,9 @@ def generated_once() -> Iterator[None]:
     original = delivery.delivery
     known: dict[tuple[object, ...], dict[str, str]] = {}
 
-    def once(stand: Stand, real: str = "double", batch: bool = False, only: tuple[str, ...] = ()) -> dict[str, str]:
-        key = (stand.name, real, batch, only)
-        known[key] = known.get(key) or original(stand, real, batch, only)
+    def once(stand: Stand, real: str, only: tuple[str, ...], additions: tuple[str, ...]) -> dict[str, str]:
+        key = (stand.name, real, only, additions)
+        known[key] = known.get(key) or original(stand, real, only, additions)
         return dict(known[key])
 
     with pytest.MonkeyPatch.context() as patch:
@@ -49,8 +49,8 @@ def folder(delivered: Path, tmp_path: Path) -> Path:
 
 
 def generate(folder: Path, *options: str) -> str:
-    """Writes into the folder; returns what is said beside the list of files."""
-    result = run("generate", DEMO3, "-o", str(folder), *options)
+    """Writes C and self-test into the folder; returns what is said beside the list of files."""
+    result = run("generate", DEMO3, "-o", str(folder), "--with", "selftest", *options)
     assert result.exit_code == 0, result.output
     return "".join(f"{line}\n" for line in result.output.splitlines() if not line.endswith(" lines"))
 
@@ -124,7 +124,7 @@ def test_float_takes_the_place_of_double(folder: Path) -> None:
 def test_a_file_of_others_is_not_overwritten(name: str, tmp_path: Path) -> None:
     (tmp_path / name).parent.mkdir(exist_ok=True)
     (tmp_path / name).write_text("mine\n")
-    words = refused("generate", DEMO3, "-o", str(tmp_path))
+    words = refused("generate", DEMO3, "-o", str(tmp_path), "--with", "selftest")
     assert words.startswith(f"error: {tmp_path / name}: ") and words.endswith("nothing was written\n")
     assert contents(tmp_path) == {name: b"mine\n"}
 
@@ -149,7 +149,7 @@ def test_what_is_no_longer_delivered_is_removed(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("fault", [KeyboardInterrupt, OSError])
-@pytest.mark.parametrize("after", [0, 5])
+@pytest.mark.parametrize("after", [0, 3])
 def test_an_interrupted_run_leaves_the_old_folder(
     fault: type[BaseException], after: int, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -31,7 +31,9 @@ def generated(folder: Path, *options: str) -> Path:
 @pytest.fixture(scope="module")
 def part(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Two functions of shaker2 under another name."""
-    return generated(tmp_path_factory.mktemp("part") / "c", "--only", "forward,torque", "--prefix", "shakerp")
+    return generated(
+        tmp_path_factory.mktemp("part") / "c", "--only", "forward,torque", "--prefix", "shakerp", "--with", "selftest"
+    )
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from emit.stands import generated, stand, write
-from mahovik.core.emit.delivery import firmware
+from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.generate import generate, generate_all
 from mahovik.core.emit.log_format import RECORDED
 from mahovik.core.emit.recorder import recorder_files
@@ -32,6 +32,10 @@ def source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
     return write(made.files | recorder_files(stand(name), made), tmp_path_factory.mktemp(name))
 
 
+def recorder_of(source: Path) -> Path:
+    return source.parent / "verification" / f"{source.stem}_recorder.c"
+
+
 def test_no_warning_and_bare_objects(source: Path, tmp_path: Path) -> None:
     """gcc -O2 has no complaint; no library is needed, nothing can change, and all names are the stand's."""
     name, header = source.stem, source.with_suffix(".h").read_text()
@@ -41,18 +45,18 @@ def test_no_warning_and_bare_objects(source: Path, tmp_path: Path) -> None:
     assert defined and {kind for kind, _ in defined} <= set("TtRr")
     assert [symbol for _, symbol in defined if not symbol.startswith(f"{name}_")] == []
     assert [s for kind, s in defined if kind in "TR" and not re.search(rf"\b{s}\b", header)] == []
-    recorder = symbols_of(source.with_name(f"{name}_recorder.c"), tmp_path)
+    recorder = symbols_of(recorder_of(source), tmp_path)
     assert {s for kind, s in recorder if kind == "U"} <= {*(f"{name}_{step}" for step in RECORDED), "memcpy", "memset"}
     assert {kind for kind, _ in recorder} <= set("UTtRr")
 
 
 def test_clang_and_32_bits(source: Path) -> None:
     compile_elsewhere(source)
-    compile_elsewhere(source.with_name(f"{source.stem}_recorder.c"))
+    compile_elsewhere(recorder_of(source))
 
 
 def test_headers_twice_in_c_and_cpp(source: Path, tmp_path: Path) -> None:
-    twice = f'#include "{source.stem}.h"\n#include "{source.stem}_recorder.h"\n' * 2
+    twice = f'#include "{source.stem}.h"\n#include "verification/{source.stem}_recorder.h"\n' * 2
     user = tmp_path / "user.c"
     user.write_text(twice)
     compile_c(require("gcc", "gcc"), user, f"-I{source.parent}", "-fsyntax-only")
@@ -129,7 +133,7 @@ def test_float_has_no_instruction_of_double_on_the_m7(tmp_path: Path) -> None:
 @pytest.mark.parametrize(("real", "root"), [("double", "__builtin_sqrt"), ("float", "__builtin_sqrtf")])
 def test_the_root_of_the_processor_gives_the_same_bits(real: str, root: str, tmp_path: Path) -> None:
     """NAME_SQRT: the self-test passes, and notices a root that is one unit too large."""
-    source = write(firmware(stand("shaker2"), real), tmp_path)
+    source = write(delivery(stand("shaker2"), real, additions=("selftest",)), tmp_path)
     test, program = tmp_path / "verification/shaker2_selftest.c", tmp_path / "program"
     flags = ("-O2", "-ffp-contract=off", "-fno-math-errno", "-DSHAKER2_SELFTEST_MAIN")
     for macro in (root, f"1.0000001{'F' if real == 'float' else ''} * {root}"):

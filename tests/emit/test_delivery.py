@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from emit.stands import stand, write
-from mahovik.core.emit.delivery import delivery
+from mahovik.core.emit.delivery import ADDITIONS, delivery
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.manifest import manifest
 from mahovik.core.stand.identity import identities
@@ -36,7 +36,7 @@ def test_the_example_compiles_and_prints_an_acceleration(name: str, real: str, t
 @pytest.mark.parametrize("real", ["double", "float"])
 def test_it_names_every_function_status_identity_and_file(real: str) -> None:
     given = stand("bench8")
-    files = delivery(given, real)
+    files = delivery(given, real, additions=tuple(ADDITIONS))
     readme = files["README.md"]
     found = identities(given)
     for word in (found.structure, found.physics, f"`{real}`", "COST.md", "manifest.json"):
@@ -47,7 +47,7 @@ def test_it_names_every_function_status_identity_and_file(real: str) -> None:
     assert len(statuses) == 13
     for name, value in statuses:
         assert f"| `{name}` | {value} |" in readme
-    assert [name for name in files if name not in readme and not name.endswith("_recorder.c")] == ["README.md"]
+    assert [name for name in files if name not in readme and not name.endswith(("r.c", "h.c"))] == ["README.md"]
 
 
 def test_the_manifest_is_json_in_a_fixed_order() -> None:

@@ -16,7 +16,7 @@ CALLER = r"""
 #include <stdio.h>
 #include <string.h>
 #include "shaker2_batch.h"
-#include "shaker2_recorder.h"
+#include "verification/shaker2_recorder.h"
 
 enum { N = SHAKER2_N };
 
@@ -70,7 +70,9 @@ def test_null_is_no_lock_and_the_table_has_its_hash(tmp_path: Path) -> None:
     made = generate_all(stand("shaker2"))
     write({**made.files, **batch_files(stand("shaker2"), made), **recorder_files(stand("shaker2"), made)}, tmp_path)
     (tmp_path / "caller.c").write_text(CALLER)
-    sources = [tmp_path / name for name in ("caller.c", "shaker2.c", "shaker2_batch.c", "shaker2_recorder.c")]
+    sources = [
+        tmp_path / name for name in ("caller.c", "shaker2.c", "shaker2_batch.c", "verification/shaker2_recorder.c")
+    ]
     program = tmp_path / "caller"
     compile_c(
         require("gcc", "gcc"),

@@ -85,7 +85,7 @@ def sources(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
         {Path(name).name: text for name, text in fmu.items() if isinstance(text, str) and name.endswith((".c", ".h"))},
         folder,
     )
-    return sorted(path for path in folder.glob("*.c") if not path.stem.endswith(("_test", "_main", "_fmi3")))
+    return sorted(path for path in folder.rglob("*.c") if not path.stem.endswith(("_test", "_main", "_fmi3")))
 
 
 @pytest.mark.parametrize(

@@ -11,11 +11,11 @@ import pytest
 
 from mahovik import stands as examples
 
-FIRMWARE = """
+DELIVERY = """
 import sys
-from mahovik.core.emit.delivery import firmware
+from mahovik.core.emit.delivery import ADDITIONS, delivery
 from mahovik.core.stand import load
-for text in firmware(load(sys.argv[1])).values():
+for text in delivery(load(sys.argv[1]), additions=tuple(ADDITIONS)).values():
     sys.stdout.buffer.write(text.encode("ascii"))
 """
 LOOP = """
@@ -34,7 +34,7 @@ WORLDS = (
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("script", "name"), [(FIRMWARE, "demo3"), (FIRMWARE, "auv6"), (LOOP, "eye4"), (LOOP, "sat4")])
+@pytest.mark.parametrize(("script", "name"), [(DELIVERY, "demo3"), (DELIVERY, "auv6"), (LOOP, "eye4"), (LOOP, "sat4")])
 def test_two_processes_write_the_same_bytes(script: str, name: str, tmp_path: Path) -> None:
     """The stand file is named by relative paths of different lengths: no path may be in the text."""
     found = []

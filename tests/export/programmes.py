@@ -105,10 +105,7 @@ def started() -> Programme:
 
 @cache
 def stand_files(real: str) -> dict[str, str]:
-    """The C of the stand; in double that of generated/, which another test keeps as it should be."""
-    if real == "double":
-        folder = Path(__file__).resolve().parents[2] / "generated" / "shaker2"
-        return {name: (folder / name).read_text(encoding="ascii") for name in ("shaker2.h", "shaker2.c")}
+    """The C of the stand."""
     return generate_all(stand(), real).files
 
 

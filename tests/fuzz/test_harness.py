@@ -11,7 +11,7 @@ import pytest
 
 from cli.run import DEMO3, run
 from mahovik.core.stand import load
-from mahovik.core.toolchain.fuzz_project import fuzz_project
+from mahovik.core.toolchain.fuzz_project import fuzz_project, sources
 from mahovik.core.toolchain.fuzzing import compile_harness, fuzz, minimise
 from mahovik.errors import CheckError
 from toolchain.tools import compile_c, require
@@ -104,7 +104,7 @@ def test_a_planted_fault_is_found(fault: Fault, harness: list[str], tmp_path: Pa
 def test_nothing_is_found_in_the_c_of_a_held_carrier(tmp_path: Path) -> None:
     folder = tmp_path / "project"
     assert run("export", "fuzz", str(PENDULUM), "-o", str(folder)).exit_code == 0
-    program = compile_harness(folder, ("-O0", *(f"pendulum{part}.c" for part in ("", "_fuzz", "_recorder"))))
+    program = compile_harness(folder, ("-O0", *sources("pendulum")))
     assert fuzz(program, tmp_path / "corpus", runs=20_000).executions >= 20_000
 
 

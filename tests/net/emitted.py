@@ -45,9 +45,10 @@ def digest(text: str) -> str:
 
 def emitted(stand: Path | mahovik.Stand, options: dict[str, Any]) -> dict[str, dict[str, str]]:
     """Hashes of the C of a stand: `files` by name, `functions` by name."""
+    additions = ("selftest", "eva", *(() if options.get("only") else ("recorder",)))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        files = mahovik.generate(stand, **options).files
+        files = mahovik.generate(stand, **options, additions=additions).files
     sources = {name: text for name, text in files.items() if name.endswith((".c", ".h"))}
     functions: dict[str, str] = {}
     for name, header in sources.items():

@@ -113,7 +113,7 @@ def main() -> int:
     wrong, changed = [], list[str]()
     for name in options.stands:
         stand = mahovik.example(name)
-        costs = measure(stand, pairs)
+        costs = measure(stand, pairs, recorder=True)
         if options.accept:
             before[name] = {f"{t.target} {t.real}": accepted_costs(t) for t in costs.targets}
             continue

@@ -9,6 +9,7 @@ import cffi
 import numpy as np
 
 from emit.stands import stand as known_stand
+from emit.stands import write
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.toolchain.compiler import BITS, WARNINGS, preprocess, run_compiler
@@ -27,13 +28,13 @@ class Recorder:
         if edit is not None:
             assert edit[0] in texts[f"{name}.c"]
             texts[f"{name}.c"] = texts[f"{name}.c"].replace(*edit, 1)
-        for file, text in texts.items():
-            (folder / file).write_text(text, encoding="ascii")
-        sources = [str(folder / f"{name}.c"), str(folder / f"{name}_recorder.c")]
+        write(texts, folder)
+        recorder = folder / "verification" / f"{name}_recorder"
+        sources = [str(folder / f"{name}.c"), str(recorder.with_suffix(".c"))]
         library, plain = str(folder / "recorder.so"), f"-D{name.upper()}_PLAIN_NAMES"
         run_compiler([*WARNINGS, *BITS, "-O1", plain, "-shared", "-fPIC", *sources, "-o", library], name)
         self.ffi = cffi.FFI()
-        declarations = preprocess(folder / f"{name}_recorder.h", plain).replace("extern const ", "extern ")
+        declarations = preprocess(recorder.with_suffix(".h"), plain).replace("extern const ", "extern ")
         own = declarations[declarations.index(f"typedef {real} {name}_real;") :]  # the system's headers left out
         self.ffi.cdef(own)
         self.library: Any = self.ffi.dlopen(library)

@@ -2,29 +2,26 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import pytest
 
-from mahovik.core.emit.delivery import firmware
-from mahovik.core.stand import load
+from mahovik.core.emit.delivery import selftest_files
+from mahovik.core.emit.generate import Generated
 from mahovik.core.stand.model import Stand
 from mahovik.out.export import target as project
 from mahovik.proof.verify import targets
-from mahovik.stands import path
 
-
-@cache
-def _delivered(name: str, real: str, only: tuple[str, ...]) -> dict[str, str]:
-    return firmware(load(path(name)), real, only)
+KNOWN: dict[str, dict[str, str]] = {}
 
 
 @pytest.fixture(autouse=True)
 def delivered_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """For example stands only: the name says which it is."""
+    """For stands whose source says which they are."""
 
-    def once(stand: Stand, real: str, only: tuple[str, ...] = ()) -> dict[str, str]:
-        return dict(_delivered(stand.name, real, only))
+    def once(stand: Stand, generated: Generated) -> dict[str, str]:
+        source = generated.files[f"{stand.name}.c"]
+        if source not in KNOWN:
+            KNOWN[source] = selftest_files(stand, generated)
+        return dict(KNOWN[source])
 
-    monkeypatch.setattr(targets, "firmware", once)
-    monkeypatch.setattr(project, "firmware", once)
+    monkeypatch.setattr(targets, "selftest_files", once)
+    monkeypatch.setattr(project, "selftest_files", once)

@@ -9,7 +9,7 @@ import pytest
 from emit.stands import stand, write
 from mahovik.contract.functions import row_of
 from mahovik.core.emit.delivery import delivery
-from mahovik.core.emit.eva import drivers
+from mahovik.core.emit.eva import drivers, eva_files
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.toolchain.eva import Proof, parse_proof, prove
 from mahovik.errors import ToolchainError
@@ -56,7 +56,7 @@ def test_every_public_function_has_drivers(name: str) -> None:
     assert {d.function for d in found if d.claimed and d.set != "routine"} == {
         name for name in public if row_of(name).claimed
     }
-    files = delivery(stand(name))
+    files = eva_files(stand(name), generate_all(stand(name)))
     for driver in found:
         assert f"void {name}_{driver.entry}(void)\n" in files[f"verification/{name}_eva.c"]
         assert f"{driver.set}_{driver.function}" in files[f"verification/{name}_eva.sh"]
@@ -65,7 +65,7 @@ def test_every_public_function_has_drivers(name: str) -> None:
 @pytest.mark.slow
 def test_the_c_of_demo3_holds(tmp_path: Path) -> None:
     require("frama-c", "frama-c-base")
-    write(delivery(stand("demo3")), tmp_path)
+    write(delivery(stand("demo3"), additions=("eva",)), tmp_path)
     found = prove(
         tmp_path / "verification/demo3_eva.sh", ["any_forward", "any_momentum", "bits_step", "routine_check_state"]
     )
@@ -77,7 +77,7 @@ def test_the_c_of_demo3_holds(tmp_path: Path) -> None:
 def test_a_planted_fault_is_seen(fault: str, tmp_path: Path) -> None:
     require("frama-c", "frama-c-base")
     driver, right, wrong = FAULTS[fault]
-    files = delivery(stand("demo3"))
+    files = delivery(stand("demo3"), additions=("eva",))
     assert right in files["demo3.c"]
     write({**files, "demo3.c": files["demo3.c"].replace(right, wrong)}, tmp_path)
     run(require("gcc", "gcc"), "-std=c99", "-fsyntax-only", tmp_path / "demo3.c")  # it is C all the same

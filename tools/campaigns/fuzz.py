@@ -26,6 +26,7 @@ from mahovik.core.toolchain.fuzz_project import fuzz_project, sources
 from mahovik.core.toolchain.fuzzing import FLAGS, compile_harness, fuzz, minimise
 from mahovik.errors import CheckError
 from mahovik.stands import path
+from mahovik.writing import write_all
 
 OPTIONS = {"runs": 10_500_000, "seconds": 0, "stands": "demo3,bench8,shaker2,auv6,remus6,sat4"}
 
@@ -38,8 +39,7 @@ def build_harness(stand: str, real: str) -> tuple[Path, Path, str]:
     folder = ROOT / "build" / "fuzz" / f"{stand}-{real}"
     folder.mkdir(parents=True, exist_ok=True)
     texts = fuzz_project(load(path(stand)), real)
-    for name, text in texts.items():
-        (folder / name).write_text(text, encoding="utf-8")
+    write_all(folder, texts)
     made_of = "".join(texts[name] for name in sources(stand)) + " ".join(FLAGS)
     return folder, compile_harness(folder, sources(stand)), hashlib.sha256(made_of.encode()).hexdigest()
 

@@ -23,7 +23,6 @@ from mahovik.core.emit.eva import Driver, drivers, eva_files
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.stand import Stand, load, loads
-from mahovik.core.stand.identity import identities
 from mahovik.core.toolchain.eva import Proof, prove
 from mahovik.core.toolchain.static_checks import (
     DEVIATIONS,
@@ -67,7 +66,7 @@ def write_drivers(name: str, real: str) -> tuple[Path, tuple[Driver, ...]]:
     """Emit C, drivers and script of a stand into a folder; the script, and all drivers."""
     stand = stand_of(name)
     made = generate_all(stand, real)
-    files = {**made.files, **eva_files(made.program, identities(stand))}
+    files = {**made.files, **eva_files(stand, made)}
     digest = hashlib.sha256("".join(text for _, text in sorted(files.items())).encode()).hexdigest()[:16]
     folder = ROOT / "build" / "proofs" / f"{name}-{real}-{digest}"
     write_all(folder, files)
@@ -136,8 +135,8 @@ def by_function(rows: Rows) -> Rows:
 def examine(stand: str, real: str) -> tuple[list[str], Counter[str]]:
     """Complaints of compilers and analyser about a stand's C, and its findings by rule."""
     folder = ROOT / "build" / "static-checks" / f"{stand}-{real}"
-    write_all(folder, delivery(load(path(stand)), real))
-    files = [f"{stand}.c", f"{stand}_recorder.c"]  # firmware: not the self-test, not the drivers of Eva
+    write_all(folder, delivery(load(path(stand)), real, additions=("selftest", "recorder")))
+    files = [f"{stand}.c", f"{VERIFICATION}{stand}_recorder.c"]  # firmware: not the self-test
     return warnings_of(folder, [*files, f"{VERIFICATION}{stand}_selftest.c"]), count_by_rule(findings(folder, files))
 
 

@@ -1,4 +1,4 @@
-"""Example stands shipped with the package: `mahovik new NAME`, tests, generated/."""
+"""Example stands shipped with the package: `mahovik new NAME`, tests, generated/bench8."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-mahovik generate $STANDS/shaker2.toml -o c --only forward,torque --prefix fw > /dev/null
+mahovik generate $STANDS/shaker2.toml -o c --only forward,torque --with selftest --prefix fw > /dev/null
 cc -O1 -ffp-contract=off -DFW_SELFTEST_MAIN -Ic c/fw.c c/verification/fw_selftest.c -o selftest
 ./selftest > board.log
 mahovik verify $STANDS/shaker2.toml --against c --states 3

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.eva import eva_files
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.readme import readme
-from mahovik.core.emit.recorder import has_recorder, recorder_files
+from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.emit.selftest import selftest
 from mahovik.core.lower.golden import golden
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.errors import UsageError
+from mahovik.nearest import suggestion
 
 
 def selftest_files(stand: Stand, generated: Generated) -> dict[str, str]:
@@ -21,31 +25,33 @@ def selftest_files(stand: Stand, generated: Generated) -> dict[str, str]:
     return {f"{VERIFICATION}{stand.name}_selftest.c": text}
 
 
-def firmware(stand: Stand, precision_name: str = "double", only: tuple[str, ...] = ()) -> dict[str, str]:
-    """Return the files that are compiled for a board, and the README. Raises UsageError, StandError."""
-    return _firmware(stand, generate_all(stand, precision_name, only))
+ADDITIONS: Mapping[str, Callable[[Stand, Generated], dict[str, str]]] = {
+    "selftest": selftest_files,
+    "recorder": recorder_files,
+    "eva": eva_files,
+    "batch": batch_files,
+}
+"""What `generate --with` adds to header, source and README: files whose names end in the name of the addition."""
+
+
+def added_files(stand: Stand, generated: Generated, additions: tuple[str, ...]) -> dict[str, str]:
+    """The files of ADDITIONS. Raises UsageError for an unknown one, and where the C lacks what one of them calls."""
+    files: dict[str, str] = {}
+    for name in additions:
+        if name not in ADDITIONS:
+            raise UsageError(f"--with {name}: expected some of {', '.join(ADDITIONS)}{suggestion(name, ADDITIONS)}")
+        files |= ADDITIONS[name](stand, generated)
+    return files
 
 
 def delivery(
-    stand: Stand,
-    precision_name: str = "double",
-    batch: bool = False,
-    only: tuple[str, ...] = (),
+    stand: Stand, precision_name: str = "double", only: tuple[str, ...] = (), additions: tuple[str, ...] = ()
 ) -> dict[str, str]:
-    """All files of the folder except its manifest; `batch`: with the functions for many states.
+    """All files of the folder except its manifest: header, source, README, and those of `additions`.
 
-    `only`: with these public functions alone; no recorder without a step.
+    `only`: with these public functions alone.
     Raises UsageError, StandError.
     """
     generated = generate_all(stand, precision_name, only)
-    return {**_firmware(stand, generated, batch), **eva_files(generated.program, identities(stand))}
-
-
-def _firmware(stand: Stand, generated: Generated, batch: bool = False) -> dict[str, str]:
-    return {
-        **generated.files,
-        **selftest_files(stand, generated),
-        **(recorder_files(stand, generated) if has_recorder(generated) else {}),
-        **(batch_files(stand, generated) if batch else {}),
-        "README.md": readme(stand, generated, batch),
-    }
+    added = added_files(stand, generated, additions)
+    return {**generated.files, **added, "README.md": readme(stand, generated, additions)}

@@ -15,6 +15,7 @@ from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.calls import argument_text, call, declaration, nested_loops
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import prototype
+from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.names import VERIFICATION, member
 from mahovik.core.lower.checks import state_limits
 from mahovik.core.lower.limits import UNIT_SQUARE_MIN
@@ -23,7 +24,8 @@ from mahovik.core.program.expression import Const
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.walk import expressions
-from mahovik.core.stand.identity import Identities
+from mahovik.core.stand.identity import identities
+from mahovik.core.stand.model import Stand
 
 ROUTINE = "routine"
 """Set of the drivers of the routines that work on bits and of CHECKS; the other sets are those of the contract."""
@@ -85,9 +87,10 @@ def _angles(program: Program) -> dict[str, Any] | None:
     return {"given": range(count), "last": count - 1}
 
 
-def eva_files(program: Program, identities: Identities) -> dict[str, str]:
+def eva_files(stand: Stand, generated: Generated) -> dict[str, str]:
     """`<stand>_eva.c`, which is empty for any other reader than Frama-C, and `<stand>_eva.sh`, in VERIFICATION."""
-    code = Code(program, identities)
+    program = generated.program
+    code = Code(program, identities(stand))
     writer = _Writer(code)
     every = drivers(program)
     printed = [writer.driver(each) for each in every]

@@ -36,7 +36,6 @@ def manifest(
     The stand's name is the prefix of the C.
     """
     more: dict[str, Any] = {"only": list(only)} if only else {}
-    more |= {"batch": True} if f"{stand.name}_batch.c" in files else {}
     more |= {"project": project} if project else {}
     return manifest_with(stand, real, files, more)
 

@@ -13,7 +13,7 @@ from mahovik.core.emit.declaration import pointer_arguments, prototype
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrap_statement
 from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, RECORDED, STEP, logged_members, table_bytes
-from mahovik.core.emit.names import Names
+from mahovik.core.emit.names import VERIFICATION, Names
 from mahovik.core.lower.golden import fnv1a
 from mahovik.core.lower.layout import Layout
 from mahovik.core.program.call import Argument
@@ -22,6 +22,7 @@ from mahovik.core.program.stack import stack_bound
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.errors import UsageError
 
 
 def source_hash(files: dict[str, str], name: str) -> int:
@@ -29,20 +30,18 @@ def source_hash(files: dict[str, str], name: str) -> int:
     return fnv1a((files[f"{name}.h"] + files[f"{name}.c"]).encode("utf-8"))
 
 
-def has_recorder(generated: Generated) -> bool:
-    """Whether there are steps whose logs can be repeated."""
-    return bool(logging(generated.program))
-
-
 _FRAMES = 352
 """Stack of the recorder's own functions, bytes: an upper bound for the deepest chain of calls, without the record."""
 
 
 def recorder_files(stand: Stand, generated: Generated) -> dict[str, str]:
-    """Header and source of the recorder, to stand beside the C of `generated`: text by file name."""
+    """Header and source of the recorder by file name, in VERIFICATION. Raises UsageError where there is no step."""
+    if not logging(generated.program):
+        raise UsageError(f"--with recorder: the C of {stand.name} has no step, expected one of {', '.join(RECORDED)}")
     code = Code(generated.program, identities(stand))
     values = _values(generated, code)
-    return {f"{stand.name}_recorder.{kind}": code.render(f"recorder.{kind}.j2", **values) for kind in ("h", "c")}
+    place = f"{VERIFICATION}{stand.name}_recorder"
+    return {f"{place}.{kind}": code.render(f"recorder.{kind}.j2", **values) for kind in ("h", "c")}
 
 
 def _values(generated: Generated, code: Code) -> dict[str, Any]:

@@ -6,6 +6,7 @@ import shlex
 
 from mahovik.core.emit.fuzz import fuzz_harness
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
@@ -15,7 +16,7 @@ from mahovik.core.toolchain.fuzzing import FLAGS, LIMITS
 
 def sources(name: str) -> tuple[str, ...]:
     """Files that are compiled and linked."""
-    return (f"{name}.c", f"{name}_recorder.c", f"{name}_fuzz.c")
+    return (f"{name}.c", f"{VERIFICATION}{name}_recorder.c", f"{name}_fuzz.c")
 
 
 def fuzz_project(stand: Stand, real: str) -> dict[str, str]:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
     from mahovik.core.toolchain.targets import Target
     from mahovik.proof.cost.measure import Costs
+    from mahovik.proof.verify.delivery import Options
 
 
 @command(short_help="Measure the C of a stand on processors.")
@@ -67,7 +68,7 @@ def cost(
     if check and accepted is None:
         raise UsageError(f"{folder / FIGURES}: no such file: accept figures first, `mahovik cost` without --check")
     before = None if accepted is None else accepted["targets"]
-    found = _measure(stand, pairs, options.only)
+    found = _measure(stand, pairs, options)
     if as_json:
         print_json_text(json_text(found))
     elif not usual and not check:
@@ -100,8 +101,8 @@ def _compare(
     click.echo(f"{found.stand}: no rise on {'; '.join(result.compared) or 'any target'}", err=quiet)
 
 
-def _measure(stand: Stand, pairs: Sequence[tuple[Target, str]], only: tuple[str, ...]) -> Costs:
+def _measure(stand: Stand, pairs: Sequence[tuple[Target, str]], options: Options) -> Costs:
     from mahovik.proof.cost.measure import measure
 
     with progress(f"cost of {stand.name}", len(pairs)) as stage:
-        return measure(stand, pairs, stage.at, only)
+        return measure(stand, pairs, stage.at, options.only, "recorder" in options.additions)

@@ -49,7 +49,7 @@ def evidence(
     as_json: bool = json_option("Print the table as JSON."),
     real: str = REAL,
     against: str | None = file_option(
-        "--against", "DIR", "Use the prefix, element type, functions and --batch of this folder."
+        "--against", "DIR", "Use the prefix, element type, functions and additions of this folder."
     ),
 ) -> None:
     """Collect the evidence for the C of a stand.

@@ -15,6 +15,7 @@ from mahovik.out.cli.options import (
     PREFIX,
     REAL,
     STAND_FILE,
+    WITH,
     choice,
     command,
     file_option,
@@ -249,6 +250,7 @@ def cmake(
     real: str = REAL,
     batch: bool = flag("--batch", "Add a target for many states at once, with OpenMP if wanted."),
     only: tuple[str, ...] | None = ONLY,
+    additions: tuple[str, ...] | None = WITH,
     prefix: str | None = PREFIX,
 ) -> None:
     """Write a CMake project with the target mahovik::NAME.
@@ -261,7 +263,8 @@ def cmake(
     from mahovik.proof.verify.delivery import deliver, with_prefix
 
     stand, chosen = with_prefix(load_stand(stand_file), prefix), only or ()
-    files = cmake_project(stand, real, batch, chosen)
+    added = (*(additions or ()), *(["batch"] if batch else []))
+    files = cmake_project(stand, real, chosen, added)
     made_by = _made_by(stand_file)
     done = deliver(Path(output or f"{stand.name}-cmake"), stand, real, files, "cmake", chosen, made_by=made_by)
     print_paths(done.paths, done.notes)

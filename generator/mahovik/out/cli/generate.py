@@ -11,6 +11,7 @@ from mahovik.out.cli.options import (
     PREFIX,
     REAL,
     STAND_FILE,
+    WITH,
     command,
     file_option,
     flag,
@@ -28,34 +29,35 @@ def generate(
     check: bool = flag("--check", "Write nothing, and exit with status 1 if the folder differs."),
     batch: bool = flag("--batch", "Write also functions for many states at once: NAME_batch.h, NAME_batch.c."),
     only: tuple[str, ...] | None = ONLY,
+    additions: tuple[str, ...] | None = WITH,
     prefix: str | None = PREFIX,
     real: str = REAL,
 ) -> None:
     """Write the C of a stand.
 
-    A complete folder: header, source, self-test with golden vectors, README, and a manifest with the hash of every
-    file; beside it, unlisted, provenance.json: what made it, package, Python, NumPy and stand file. It writes all or
-    nothing, never overwrites files of others, and needs no compiler. Warns if float would not resolve an unbalance or
-    would lose what short steps add, and where (12) is singular in practice. With --prefix the C is that of a stand of
-    that name, and so is its physics hash; commands that read the folder, or a log of its C, find the name there.
-    --check compares with the options that the folder was made with, unless others are given.
+    A complete folder: header, source, README, what --with adds, and a manifest with the hash of every file; beside it,
+    unlisted, provenance.json: what made it, package, Python, NumPy and stand file. It writes all or nothing, never
+    overwrites files of others, and needs no compiler. Warns if float would not resolve an unbalance or would lose what
+    short steps add, and where (12) is singular in practice. With --prefix the C is that of a stand of that name, and so
+    is its physics hash; commands that read the folder, or a log of its C, find the name there. --check compares with
+    the options that the folder was made with, unless others are given.
     """
     stand = load_stand(stand_file)
     from mahovik.errors import CheckError
     from mahovik.out.functions.evidence import generate as make
     from mahovik.proof.verify.delivery import delivered_options, differences, stand_in
 
-    folder, chosen = Path(output or prefix or stand.name), only or ()
+    folder, chosen, added = Path(output or prefix or stand.name), only or (), additions or ()
     if check:  # as it was delivered, but for what is asked for here
         if prefix is None:
             stand = stand_in(folder, stand)
         if (options := delivered_options(folder)) is not None:
             real = real if is_given("real") else options.real
-            batch, chosen = batch or options.batch, chosen or options.only
+            chosen, added = chosen or options.only, tuple(dict.fromkeys((*added, *options.additions)))
     with progress(f"generate {stand.name}") as stage:
         made = make(
             stand if check else stand_file, None if check else folder, real=real, batch=batch, only=chosen,
-            prefix=prefix, progress=stage.show,
+            additions=added, prefix=prefix, progress=stage.show,
         )  # fmt: skip
     if check:
         found = differences(folder, made.stand, real, made.files, chosen)

@@ -160,6 +160,12 @@ REAL = choice("--real", ["double", "float"], "Choose the element type of the C."
 ONLY = option(
     "--only", "Write these public functions alone, and what they need.", metavar="NAME,NAME", parse=comma_list
 )
+WITH = option(
+    "--with",
+    "Add to verification/: selftest, golden vectors for any machine; recorder, a log of flights; eva, proofs.",
+    metavar="NAME,NAME",
+    parse=comma_list,
+)
 PREFIX = option(
     "--prefix", "Use this name in C instead of the one of the stand: two element types in one image.", metavar="NAME"
 )

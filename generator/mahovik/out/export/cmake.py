@@ -2,50 +2,51 @@
 
 from __future__ import annotations
 
-from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.cpp import cpp_example, cpp_header
-from mahovik.core.emit.delivery import selftest_files
+from mahovik.core.emit.delivery import added_files
 from mahovik.core.emit.generate import describe_bodies, generate_all
-from mahovik.core.emit.recorder import has_recorder, recorder_files
+from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
 
-def cmake_project(stand: Stand, real: str, batch: bool = False, only: tuple[str, ...] = ()) -> dict[str, str]:
-    """The project's files, text by file name; `batch`: also the functions for many states; `only`: as of `generate`.
+def cmake_project(
+    stand: Stand, real: str, only: tuple[str, ...] = (), additions: tuple[str, ...] = ()
+) -> dict[str, str]:
+    """The project's files, text by file name; `only`, `additions`: as of `generate`, and the self-test always.
 
-    Without `forward` there is no example, without a step no recorder.
+    Without `forward` there is no example.
 
     Raises StandError, UsageError.
     """
     generated = generate_all(stand, real, only)
-    logs, example = has_recorder(generated), not only or "forward" in only
+    example = not only or "forward" in only
+    additions = (*(name for name in dict.fromkeys(additions) if name != "selftest"), "selftest")
     name, found = stand.name, identities(stand)
     files = {
         **generated.files,
         **cpp_header(stand, generated),
-        **(recorder_files(stand, generated) if logs else {}),
-        **(batch_files(stand, generated) if batch else {}),
+        **added_files(stand, generated, additions),
     }
-    options = f"{'' if real == 'double' else f' --real {real}'}{' --batch' if batch else ''}"
-    options += f" --only {','.join(only)}" if only else ""
+    listed = (("--only", only), ("--with", additions[:-1]))
+    options = "" if real == "double" else f" --real {real}"
+    options += "".join(f" {option} {','.join(names)}" for option, names in listed if names)
     words = {
         "name": name,
         "NAME": name.upper(),
         "real": real,
-        "batch": batch,
-        "recorder": logs,
+        "batch": "batch" in additions,
+        "recorder": f"{VERIFICATION}{name}_recorder" if "recorder" in additions else "",
         "example": example,
         "bodies": describe_bodies(stand),
         "command": f"mahovik export cmake STAND.toml{options}",
         "structure": found.structure,
         "physics": found.physics,
-        "headers": [file for file in files if file.endswith((".h", ".hpp"))],
+        "headers": [file for file in files if file.endswith((".h", ".hpp")) and "/" not in file],
     }
     return {
         **files,
-        **selftest_files(stand, generated),
         **(cpp_example(stand, generated) if example else {}),
         "CMakeLists.txt": template("cmake/CMakeLists.txt.j2").render(**words),
         f"{name}Config.cmake.in": template("cmake/Config.cmake.in.j2").render(**words),

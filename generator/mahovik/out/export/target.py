@@ -6,7 +6,8 @@ import shlex
 from collections.abc import Mapping
 from pathlib import PurePosixPath
 
-from mahovik.core.emit.delivery import firmware
+from mahovik.core.emit.delivery import selftest_files
+from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.model import Stand
@@ -32,9 +33,13 @@ def exportable(name: str) -> Target:
 
 def project(stand: Stand, target: Target, real: str, only: tuple[str, ...] = ()) -> dict[str, str]:
     """The project's files, text by file name; `only`: as of `generate`. Raises StandError, UsageError."""
-    delivered = firmware(stand, real, only)
-    known = {"README.md", f"{stand.name}.h", f"{stand.name}.c", f"{VERIFICATION}{stand.name}_selftest.c"}
-    files = {**delivered, **board_folder(target), "main.c": selftest_main(stand.name, SWEEP)}
+    made = generate_all(stand, real, only)
+    files = {
+        **made.files,
+        **selftest_files(stand, made),
+        **board_folder(target),
+        "main.c": selftest_main(stand.name, SWEEP),
+    }
     words = {
         "name": stand.name,
         "NAME": stand.name.upper(),
@@ -50,7 +55,6 @@ def project(stand: Stand, target: Target, real: str, only: tuple[str, ...] = ())
         + (f" --only {','.join(only)}" if only else ""),
         packages=f"; Debian: apt-get install {' '.join(target.packages)}",
         startup="startup.S" if f"{VERIFICATION}startup.S" in files else "startup.c",
-        others=sorted(delivered.keys() - known),
         fpu=bool(target.real),
         vector="-fno-tree-vectorize" in target.compiler[1:] and target.family != "hosted",
         ticks="ticks of the processor's clock; compile with -DBOARD_MHZ=1000u"

@@ -170,14 +170,16 @@ def generate(
     real: str = "double",
     batch: bool = False,
     only: Sequence[str] = (),
+    additions: Sequence[str] = (),
     prefix: str | None = None,
     progress: OnProgress | None = None,
 ) -> Generated:
     """Derive and write the C of a stand, a complete folder; `folder` None: nothing is written.
 
-    real    "double" or "float"; batch: also functions for many states
-    only    these public functions alone, and what they need
-    prefix  the first word of every name in C, in place of the stand's name
+    real       "double" or "float"; batch: also functions for many states
+    only       these public functions alone, and what they need
+    additions  "selftest", "recorder", "eva": files that test, log or prove it
+    prefix     the first word of every name in C, in place of the stand's name
 
     Raises StandError, UsageError; nothing is written over files of others.
     """
@@ -188,7 +190,7 @@ def generate(
     own = with_prefix(own, prefix)
     tell(progress, Progress(f"generate {own.name}"))
     chosen = tuple(dict.fromkeys(only))
-    files = delivery(own, real, batch, chosen)
+    files = delivery(own, real, chosen, tuple(dict.fromkeys((*additions, *(["batch"] if batch else [])))))
     if folder is None:
         return Generated(own, files, None, ())
     if real == "float":

@@ -10,7 +10,7 @@ from typing import Any
 
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.manifest import digest
-from mahovik.core.emit.recorder import has_recorder, recorder_files
+from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.lower.test_inputs import Generator, draw, plan
 from mahovik.core.program.function import Program
 from mahovik.core.stand.identity import identities
@@ -114,8 +114,11 @@ def measure(
     pairs: Sequence[tuple[Target, str]],
     progress: Callable[[int, int], None] = lambda done, count: None,
     only: tuple[str, ...] = (),
+    recorder: bool = False,
 ) -> Costs:
     """Builds and runs the measuring program on each target; `only`: of C that has these public functions alone.
+
+    `recorder`: of the steps with a log as well.
 
     Raises ToolchainError where a tool is missing.
     """
@@ -124,7 +127,7 @@ def measure(
     made = {real: generate_all(stand, real, only=only) for real in dict.fromkeys(real for _, real in pairs)}
     names, costs = identities(stand), []
     with side_by_side() as pool:
-        tasks = [pool.submit(_measure_target, stand, made[real], target, real) for target, real in pairs]
+        tasks = [pool.submit(_measure_target, stand, made[real], target, real, recorder) for target, real in pairs]
         for done, task in enumerate(tasks, start=1):
             costs.append(task.result())
             progress(done, len(pairs))
@@ -138,8 +141,8 @@ def measuring_states(program: Program) -> list[dict[str, Any]]:
     return [state | ({"locked": [0] * len(state["locked"])} if "locked" in state else {}) for state in states]
 
 
-def _measure_target(stand: Stand, made: Generated, target: Target, real: str) -> TargetCost:
-    states, log = measuring_states(made.program), has_recorder(made)
+def _measure_target(stand: Stand, made: Generated, target: Target, real: str, log: bool) -> TargetCost:
+    states = measuring_states(made.program)
     files = {**made.files, **(recorder_files(stand, made) if log else {})}
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as folder:
         scratch = Path(folder)

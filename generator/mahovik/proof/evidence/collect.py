@@ -74,7 +74,8 @@ def collect(
 
     def fill(draft: Path) -> None:
         subject = Subject(stand, options.real, draft, Path(scratch), full, seconds, options.only)
-        files = delivery(stand, options.real, options.batch, options.only)
+        additions = tuple(dict.fromkeys((*options.additions, "selftest", "eva")))  # which the pieces run
+        files = delivery(stand, options.real, options.only, additions)
         deliver(subject.c, stand, options.real, files, only=options.only, made_by=provenance(text))
         write(draft / subject.file, text)
         for piece in pieces:

@@ -80,9 +80,9 @@ class Subject:
     def sources(self) -> list[str]:
         """C for firmware in the delivered folder."""
         return [
-            f"{self.stand.name}{part}.c"
-            for part in ("", "_recorder")
-            if (self.c / f"{self.stand.name}{part}.c").is_file()
+            name
+            for name in (f"{self.stand.name}.c", f"{VERIFICATION}{self.stand.name}_recorder.c")
+            if (self.c / name).is_file()
         ]
 
     @property

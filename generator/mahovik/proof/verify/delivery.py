@@ -14,11 +14,12 @@ import subprocess
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib.metadata import version
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 import mahovik
 from mahovik import __version__
+from mahovik.core.emit.delivery import ADDITIONS
 from mahovik.core.emit.generate import PRECISIONS
 from mahovik.core.emit.manifest import FORMAT, NAME, as_text, digest, manifest
 from mahovik.core.emit.names import VERIFICATION
@@ -49,7 +50,7 @@ class Options:
 
     real: str = "double"
     only: tuple[str, ...] = ()
-    batch: bool = False
+    additions: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -83,7 +84,9 @@ def delivered_options(folder: Path) -> Options | None:
     manifest = read_manifest(folder)
     if manifest is None:
         return None
-    return Options(manifest["real"], tuple(manifest.get("only", ())), bool(manifest.get("batch", False)))
+    stems = {PurePosixPath(name).stem for name in manifest["files"]}
+    added = tuple(each for each in ADDITIONS if f"{manifest['stand']}_{each}" in stems)
+    return Options(manifest["real"], tuple(manifest.get("only", ())), added)
 
 
 def with_prefix(stand: Stand, prefix: str | None) -> Stand:

@@ -16,8 +16,9 @@ from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.emit.manifest import digest
+from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.reading import spans
-from mahovik.core.emit.recorder import has_recorder, recorder_files
+from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.proof.second.reading import Table, UnknownUnitError, differences
@@ -55,7 +56,8 @@ def check_text(stand: Stand, generated: Generated, folder: Path) -> Check:
     Text that differs is no failure: the other rows have judged its answers.
     """
     row = Check("", TEXT, verdict="ok")
-    expected = {**generated.files, **(recorder_files(stand, generated) if has_recorder(generated) else {})}
+    recorded = (folder / f"{VERIFICATION}{stand.name}_recorder.c").is_file()
+    expected = {**generated.files, **(recorder_files(stand, generated) if recorded else {})}
     there = {name: text for name in expected if (text := _text(folder / name)) is not None}
     edited = {name for name, text in there.items() if text != expected[name]}
     if edited:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from mahovik.core.emit.delivery import firmware
+from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.lower.golden import CASES, FAR
@@ -131,9 +131,8 @@ def verify_targets(
 
 def selftest_sources(stand: Stand, real: str, sweep: int, only: tuple[str, ...] = ()) -> dict[str, str]:
     """A stand's C with its self-test and a `main` for boards, by file name; `only`: with these functions alone."""
-    files = firmware(stand, real, only)
-    files.pop("README.md")
-    return {**files, "main.c": selftest_main(stand.name, sweep)}
+    made = generate_all(stand, real, only)
+    return {**made.files, **selftest_files(stand, made), "main.c": selftest_main(stand.name, sweep)}
 
 
 def _row(
