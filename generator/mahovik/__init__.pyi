@@ -36,7 +36,6 @@ from mahovik.out.functions.simulation import simulate as simulate
 from mahovik.out.functions.stand_balancing import balance_stand as balance_stand
 from mahovik.out.functions.vibration import quiet as quiet
 from mahovik.out.functions.vibration import response as response
-from mahovik.out.identify.excite.face import excite as excite
 from mahovik.out.identify.face import identify as identify
 
 __version__: str
