@@ -9,7 +9,7 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Iterator
 from fractions import Fraction
-from typing import Any, TypeAlias, cast
+from typing import Any, ClassVar, TypeAlias, cast
 
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 
@@ -41,13 +41,7 @@ def _is_array(value: Any) -> bool:
 
 def _vector(value: Any) -> Any:
     """An array as a vector or matrix; anything else as it is."""
-    return _vector_of(value) if _is_array(value) else value
-
-
-def _vector_of(values: Any) -> Any:
-    from mahovik.core.program.vector import vector_of
-
-    return vector_of(values)
+    return Place.vector_of(value) if _is_array(value) else value
 
 
 def _comparison(symbol: str) -> Callable[[Expr, Operand], Expr]:
@@ -124,6 +118,9 @@ class Place(Expr):
 
     __slots__ = ("path", "root", "shape", "type")
 
+    vector_of: ClassVar[Callable[[Any], Any]]
+    """Vectors of arrays and places; program/vector, which imports this module, defines them."""
+
     def __init__(
         self, root: Variable, path: tuple[str | Expr, ...], type_: Kind | Struct, shape: tuple[Any, ...]
     ) -> None:
@@ -163,12 +160,12 @@ class Place(Expr):
         if not self.shape:
             raise TypeError(f"{self!r} is not an array")
         if isinstance(index, slice):
-            return cast(Place, _vector_of([self[i] for i in range(len(self))[index]]))
+            return cast(Place, self.vector_of([self[i] for i in range(len(self))[index]]))
         if isinstance(index, tuple):
             first, *rest = index
             if not isinstance(first, slice):
                 return self[first][rest[0]]
-            return cast(Place, _vector_of([self[i][rest[0]] for i in range(len(self))[first]]))
+            return cast(Place, self.vector_of([self[i][rest[0]] for i in range(len(self))[first]]))
         if isinstance(index, int) and not 0 <= index < int(self.shape[0]):
             raise IndexError(f"{self!r}[{index}] is outside 0..{int(self.shape[0]) - 1}")
         return Place(self.root, (*self.path, as_expr(index, Kind.INT)), self.type, self.shape[1:])

@@ -188,6 +188,9 @@ def vector_of(value: Any) -> Vector | Matrix:
     return Vector(value)
 
 
+Place.vector_of = staticmethod(vector_of)
+
+
 def _is_matrix(value: Any, beside: Any) -> bool:
     """Is the value in a product a matrix?"""
     if isinstance(value, Matrix) or (isinstance(value, Place) and len(value.shape) == 2):
