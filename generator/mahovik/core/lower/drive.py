@@ -5,13 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mahovik.core.lower import hold
-from mahovik.core.lower.coupling import (
+from mahovik.core.lower.flywheels import (
+    AT_NOTES,
     Carried,
     along,
+    common_terms,
     couple_flywheel,
-    declare_common_terms,
+    named_turns,
+    places_of,
 )
-from mahovik.core.lower.flywheels import AT_NOTES, named_turns, places_of
 from mahovik.core.lower.forward import (
     STATE_STATUSES,
     Scene,
@@ -93,10 +95,10 @@ def _balance(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
     seen = scene(lib, body, table, x, turns=tuple(place[n] for n in ("sine", "cosine") if n in place))
     moving = relative_rate(body, x, place["V_dot"], seen.stream)
     flywheel_wrenches(lib, body, table, x, seen, wrench)
-    alike = declare_common_terms(lib, body, seen)
+    alike = common_terms.put_into(body, lib, seen.V, seen.g)
     coupling = body.local("drive", (), layout.coupling)
     with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, table, s, seen, alike, coupling)
+        couple_flywheel.put_into(body, lib, table, s, seen, alike, coupling)
         spin = table.flywheel[s].spin * place["phi_ddot"][s]
         total = along(list(coupling.I), moving) + spin + coupling.bias
         body.set(place["tau"][s], total if seen.own is None else total - seen.own[s * integer(6) + 3])
@@ -174,11 +176,11 @@ def solve_free(lib: Library, body: Body, table: Place, seen: Scene, given: Pair,
     layout = lib.layout
     (tau, locked), (K, F), (V_dot, phi_ddot) = given, system, results
     drives = body.local("drive", (layout.count,), layout.coupling)
-    alike = declare_common_terms(lib, body, seen)
+    alike = common_terms.put_into(body, lib, seen.V, seen.g)
     rate = body.local("rate", (layout.count,), comment="accelerations at V* = 0")
     with body.loop("s", layout.count) as s:
         with body.when(equal(locked[s], integer(0))):
-            couple_flywheel(lib, body, table, s, seen, alike, drives[s])
+            couple_flywheel.put_into(body, lib, table, s, seen, alike, drives[s])
             demand = tau[s] - drives[s].bias
             if seen.own is not None:
                 demand = demand + seen.own[s * integer(6) + 3]

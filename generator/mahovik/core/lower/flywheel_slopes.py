@@ -10,8 +10,7 @@ from typing import Any
 from mahovik.core.derive.order import WEIGHTS
 from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import sensitivity as derived
-from mahovik.core.lower.coupling import along
-from mahovik.core.lower.flywheels import Turns, columns_of, let_turn, let_weights
+from mahovik.core.lower.flywheels import Turns, along, columns_of, let_turn, let_weights
 from mahovik.core.lower.forward import Scene
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.sensitivity import set_weights

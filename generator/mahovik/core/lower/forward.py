@@ -107,7 +107,7 @@ def sum_up(
     lib: Library, body: Body, table: Place, x: Place, seen: Scene, phi_ddot: Place | None, mass_alone: bool = False
 ) -> None:
     """Sums over all bodies into seen.sums; without phi_ddot those of constant speeds. `mass_alone`: for K and K_dot."""
-    flywheels.sum_up(lib, body, table, x, seen.turns, seen.sums, phi_ddot, mass_alone)
+    flywheels.sum_up.put_into(body, lib, table, x, seen.turns, seen.sums, phi_ddot, mass_alone)
 
 
 def external_wrench(

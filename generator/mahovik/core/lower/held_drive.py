@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from mahovik.core.lower.coupling import along, couple_flywheel, declare_common_terms
+from mahovik.core.lower.flywheels import along, common_terms, couple_flywheel
 from mahovik.core.lower.forward import Scene
 from mahovik.core.lower.hold import Freedoms, of_flywheel, room_for_projected
 from mahovik.core.lower.library import Library
@@ -56,9 +56,9 @@ def _linear(coupling: Place, drift: Place) -> Expr:
 def _couple(lib: Library, body: Body, table: Place, seen: Scene, columns: Place, bias: Place) -> None:
     """Columns of I and bias torques of all flywheels."""
     layout = lib.layout
-    alike = declare_common_terms(lib, body, seen)
+    alike = common_terms.put_into(body, lib, seen.V, seen.g)
     drive = body.local("drive", (), layout.coupling)
     with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, table, s, seen, alike, drive)
+        couple_flywheel.put_into(body, lib, table, s, seen, alike, drive)
         body.copy_array(columns[s], drive.I)
         body.set(bias[s], drive.bias)

@@ -13,7 +13,6 @@ from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import sensitivity as derived
 from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower import hold
-from mahovik.core.lower.coupling import couple_flywheel, declare_common_terms
 from mahovik.core.lower.drive import check_drive
 from mahovik.core.lower.flywheel_slopes import (
     CoupledMotion,
@@ -23,7 +22,7 @@ from mahovik.core.lower.flywheel_slopes import (
     own_change,
     row_weights,
 )
-from mahovik.core.lower.flywheels import columns_of, named_turns, turns_of
+from mahovik.core.lower.flywheels import columns_of, common_terms, couple_flywheel, named_turns, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, scene, sum_up
 from mahovik.core.lower.freedoms import columns, dot, place_of
 from mahovik.core.lower.jacobian import bias_slopes, twist_slopes
@@ -247,10 +246,10 @@ def coupled_jacobian(lib: Library) -> Function:
     slope, axial = twist_slopes(lib, body, table.place, x.place, seen, wrench, Z)
     freedoms = _Freedoms(lib, body, table.place, seen)
     drives = _Drives(lib, body, table.place, freedoms, locked.place)
-    alike = declare_common_terms(lib, body, seen)
+    alike = common_terms.put_into(body, lib, seen.V, seen.g)
     S = [list(column) for column in columns(layout.ways, table.place)]
     with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, table.place, s, seen, alike, drives.columns[s])
+        couple_flywheel.put_into(body, lib, table.place, s, seen, alike, drives.columns[s])
         drives.eliminate(s, S)
     freedoms.invert()
     by_twist = bias_slopes(lib, body, table.place, seen, drives.columns)

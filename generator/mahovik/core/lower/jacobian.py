@@ -10,7 +10,6 @@ from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import carrier as derived_carrier
 from mahovik.core.formula.derived import drive as derived_drive
 from mahovik.core.formula.derived import sensitivity as derived
-from mahovik.core.lower.coupling import along
 from mahovik.core.lower.drive import check_drive, solve_free, without_drives
 from mahovik.core.lower.flywheel_slopes import (
     CoupledMotion,
@@ -20,7 +19,7 @@ from mahovik.core.lower.flywheel_slopes import (
     own_change,
     row_weights,
 )
-from mahovik.core.lower.flywheels import columns_of, let_turn, turns_of
+from mahovik.core.lower.flywheels import along, columns_of, let_turn, turns_of
 from mahovik.core.lower.forward import (
     STATE_STATUSES,
     Scene,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.layout import Layout
@@ -26,6 +27,16 @@ class Library(FunctionSet):
     def largest(self) -> Expr:
         """The largest finite number."""
         return self.limits["LARGEST"].expression
+
+    @property
+    def sine(self) -> Any:
+        """Sines of the phases, as internal functions take them; none without flywheels."""
+        return self.turn_arguments()[0] if self.layout.flywheels else None
+
+    @property
+    def cosine(self) -> Any:
+        """Cosines of the phases, likewise."""
+        return self.turn_arguments()[1] if self.layout.flywheels else None
 
     @property
     def sums(self) -> Argument:

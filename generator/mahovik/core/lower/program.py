@@ -15,7 +15,6 @@ from mahovik.core.lower import (
     along,
     checks,
     coordinates,
-    coupling,
     demand,
     drive,
     excess,
@@ -51,6 +50,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.task.functions import add_tasks
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.idle_calls import without_idle_calls
+from mahovik.core.program.prune import prune
 from mahovik.core.program.restrict import restrict_program
 from mahovik.core.program.short_loops import loops_of_no_turn, without_short_loops
 from mahovik.core.program.types import Precision, Struct
@@ -104,7 +104,7 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
     lib.add(matrices.matrices(lib))
     lib.add(matrices.momentum(lib))
     if layout.flywheels:
-        lib.add(coupling.couple(lib))
+        lib.add(flywheels.couple(lib))
         solve.add_elimination(lib)
         lib.add(drive.balance(lib))
         if layout.sine_input:
@@ -197,7 +197,7 @@ def _program(lib: Library) -> Program:
     spare: tuple[Function, ...] = ()
     if layout.flywheels:
         turning = (flywheels.sum_spin(lib, steady, apart=True) for steady in (True, False))
-        spare = (flywheels.sum_mass(lib, apart=True), *turning)
+        spare = tuple(map(prune, (flywheels.sum_mass(lib, apart=True), *turning)))
     functions = tuple(  # matrices of one freedom have one row
         without_short_loops(f) if layout.held or any(loops_of_no_turn(f.body)) else f for f in reachable(lib.functions)
     )

@@ -160,12 +160,12 @@ class Place(Expr):
         if not self.shape:
             raise TypeError(f"{self!r} is not an array")
         if isinstance(index, slice):
-            return cast(Place, self.vector_of([self[i] for i in range(len(self))[index]]))
+            return cast(Place, Place.vector_of([self[i] for i in range(len(self))[index]]))
         if isinstance(index, tuple):
             first, *rest = index
             if not isinstance(first, slice):
                 return self[first][rest[0]]
-            return cast(Place, self.vector_of([self[i][rest[0]] for i in range(len(self))[first]]))
+            return cast(Place, Place.vector_of([self[i][rest[0]] for i in range(len(self))[first]]))
         if isinstance(index, int) and not 0 <= index < int(self.shape[0]):
             raise IndexError(f"{self!r}[{index}] is outside 0..{int(self.shape[0]) - 1}")
         return Place(self.root, (*self.path, as_expr(index, Kind.INT)), self.type, self.shape[1:])

@@ -328,9 +328,13 @@ class _Text:
             if declared is None or declared.name:
                 arguments[name] = declared and replace(declared)  # with a variable of its own
             else:
-                type_ = declared.type if isinstance(declared.type, Struct) else KINDS[self.annotations[name]]
+                type_ = declared.type if isinstance(declared.type, Struct) else self.kind(name)
                 arguments[name] = replace(declared, name=_in_c(name), type=type_)
         return arguments
+
+    def kind(self, name: str) -> Kind:
+        """The kind of an argument; REAL of one that is not always there."""
+        return KINDS.get(self.annotations[name], Kind.REAL)
 
     def error(self, node: ast.stmt, words: str) -> KernelError:
         """The error at a statement of the text."""
@@ -488,6 +492,8 @@ class _Compilation:
         """`if`, and `else`; a branch alone, where Python knows which."""
         condition = self.value(test)
         if not isinstance(condition, Expr):
+            if not condition:
+                self.line = inner[-1].end_lineno or 0  # comments of this branch are not those of the other
             self.statements(inner if condition else otherwise)
             return
         with self.body.when(condition, comment):

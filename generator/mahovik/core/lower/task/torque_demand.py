@@ -12,9 +12,8 @@ from typing import Any
 
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.formula.derived import carrier as derived
-from mahovik.core.lower.coupling import couple_flywheel, declare_common_terms
 from mahovik.core.lower.demand import substitute
-from mahovik.core.lower.flywheels import places_of
+from mahovik.core.lower.flywheels import common_terms, couple_flywheel, places_of
 from mahovik.core.lower.forward import STATE_STATUSES, external_wrench, relative_rate, scene, sum_up
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import invert_symmetric, start_blocks
@@ -48,10 +47,10 @@ def torque_demand(lib: Library, turning: bool) -> Function:
     body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
     K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
     start_blocks.put_into(body, lib, table.place, seen.sums, K)
-    alike = declare_common_terms(lib, body, seen)
+    alike = common_terms.put_into(body, lib, seen.V, seen.g)
     coupling = body.local("drive", (), layout.coupling)
     with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, table.place, s, seen, alike, coupling)
+        couple_flywheel.put_into(body, lib, table.place, s, seen, alike, coupling)
         spin = body.let("spin", table.place.flywheel[s].spin)
         bias: Expr = coupling.bias
         if seen.own is not None:
