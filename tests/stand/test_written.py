@@ -8,7 +8,7 @@ import pytest
 
 from cli.run import run
 from mahovik.core.stand import load
-from mahovik.core.stand.written import Written, doubts, written_numbers
+from mahovik.core.stand.written import Written, written_numbers
 
 TEXT = """schema = 1
 name = "a"
@@ -34,7 +34,7 @@ motor = { torque = "7.5 oz-in", speed = "6000 1/min", coulomb = 1e-4 }
 def test_numbers_with_units_are_listed_as_they_are_written(tmp_path: Path) -> None:
     (tmp_path / "a.toml").write_text(TEXT, encoding="utf-8")
     load(tmp_path / "a.toml")
-    found = {(each.where, each.key): each for each in written_numbers(tmp_path / "a.toml")}
+    found = {(each.where, each.key): each for each in written_numbers(tmp_path / "a.toml")[0]}
     assert found["w1", "unbalance.static"] == Written("w1", "unbalance.static", "0.05 g mm", 5e-8, "kg m")
     assert {key: (each.text, each.in_si) for key, each in found.items()} == {
         ("carrier", "mass"): ("12000 g", "12 kg"),
@@ -112,7 +112,7 @@ def test_check_names_elements_of_which_the_mean_counts_and_angles_in_degrees(
 ) -> None:
     file = tmp_path / "rov.toml"
     file.write_text(FIN.format(*numbers))
-    assert [line.partition(": not")[0].partition(": degrees")[0] for line in doubts(file)] == lines
+    assert [line.partition(": not")[0].partition(": degrees")[0] for line in written_numbers(file)[1]] == lines
     shown = run("check", str(file)).stdout
     assert all(f"warning: {line}" in shown for line in lines)
     J = load(file).carrier.inertia

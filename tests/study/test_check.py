@@ -24,10 +24,18 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import round_to_float
 from mahovik.stands import names, path
 from mahovik.use.study.excess import excess
-from mahovik.use.study.exchange import Exchange
 from mahovik.use.study.fluid import added_mass, fluid, growth
 from mahovik.use.study.increments import lost_increments
-from mahovik.use.study.resolution import FACTOR, MOTIONS, QUANTITIES, UNIT, balanced_flywheel, shortfalls, states
+from mahovik.use.study.resolution import (
+    FACTOR,
+    MOTIONS,
+    QUANTITIES,
+    UNIT,
+    balanced_flywheel,
+    exchanged,
+    shortfalls,
+    states,
+)
 from mahovik.use.study.task_reach import task_shortfalls
 from physics.general import rows
 from toolchain.quick import quick
@@ -86,15 +94,15 @@ def test_a_change_is_the_difference_of_two_stands(seed: int) -> None:
     if seed % 2:  # another mass as well, so that weight and the centre of mass change
         other = replace(other, mass=1.5 * other.mass)
     wheels = (*stand.flywheels[:number], other, *stand.flywheels[number + 1 :])
-    exchanged = replace(stand, flywheels=wheels)
+    others = [balanced_flywheel(each) if k != number else other for k, each in enumerate(stand.flywheels)]
 
     at = reference.pieces(stand, state)
     before = reference.evaluate(stand, state, list(QUANTITIES), at)
-    after = reference.evaluate(exchanged, state, list(QUANTITIES))
-    changes = Exchange.of(number, stand.flywheels[number], other).changes(at, state, before["V_dot"])
+    after = reference.evaluate(replace(stand, flywheels=wheels), state, list(QUANTITIES))
+    changes = {want: found[number] for want, found in exchanged(at, state, before["V_dot"], others).items()}
     for want, quantity in QUANTITIES.items():
         difference, size = after[quantity.key] - before[quantity.key], quantity.terms(at, state)
-        if quantity.by_flywheel:
+        if difference.ndim == 2:
             difference, size = difference[number], size[number]
         assert np.abs(difference).max() > 0.0
         assert (np.abs(changes[want] - difference) <= 1e-12 * size).all(), want

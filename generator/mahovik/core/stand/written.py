@@ -5,6 +5,8 @@ from __future__ import annotations
 import typing
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -44,31 +46,28 @@ class Written:
         return f"{self.value:.6g} {self.unit}"
 
 
-def written_numbers(path: str | Path) -> list[Written]:
-    """All numbers with units of a valid stand file, in its order.
+def written_numbers(path: str | Path) -> tuple[list[Written], list[str]]:
+    """All numbers with units of a valid stand file, in its order, and warnings, a line each.
 
     A list of which some numbers have units is one item, a matrix an item for each row. In the 6x6 matrices, whose
-    numbers differ in dimension, each number with a unit is an item.
+    numbers differ in dimension, each number with a unit is an item. Warnings are on angles without unit, in rad, beyond
+    a whole turn, and on symmetric matrices with elements that differ, of which the mean counts.
     """
-    found = (_of_matrix6(*each) if isinstance(each[0], tuple) else _of_value(*each) for each in _numbers(path))
-    return [written for items in found for written in items]
+    numbers = list(_numbers(path))
+    items = (_of_matrix6(*each) if isinstance(each[0], tuple) else _of_value(*each) for each in numbers)
+    return list(chain.from_iterable(items)), list(_doubts(numbers))
 
 
-def doubts(path: str | Path) -> list[str]:
-    """Warnings, a line each, on numbers of a valid stand file: angles without unit, in rad, beyond a whole turn, and
-    symmetric matrices with elements that differ, of which the mean counts.
-    """
-    found = []
-    for dimension, raw, where, key in _numbers(path):
+def _doubts(numbers: list[Quantity]) -> Iterator[str]:
+    for dimension, raw, where, key in numbers:
         name = f"{where}.{key}".removeprefix("stand.")
         if dimension == ANGLE:
-            found += beyond_a_turn(name, raw)
+            yield from beyond_a_turn(name, raw)
         blocks = dimension if isinstance(dimension, tuple) else ((dimension,) * 2,) * 2
         rows = raw["value"] if isinstance(raw, dict) else raw
         if (blocks == ADDED_MASS or dimension == INERTIA) and isinstance(rows, list) and any(map(_is_row, rows)):
             pairs = asymmetries(raw, blocks, SHARE if blocks == ADDED_MASS else 0.0)
-            found += [f"{name}: {above} but {below}: not symmetric, their mean counts" for above, below, _ in pairs]
-    return found
+            yield from (f"{name}: {above} but {below}: not symmetric, their mean counts" for above, below, _ in pairs)
 
 
 def _numbers(path: str | Path) -> Iterator[Quantity]:
@@ -114,15 +113,20 @@ def _of_hold(raw: dict[str, Any]) -> Iterator[Quantity]:
 
 
 def _of_table(raw: dict[str, Any], table: type[Table], where: str, path: str = "") -> Iterator[Quantity]:
+    fields = _fields(table)
     for key, value in raw.items():
-        field = table.model_fields.get(key)
-        if field is None:
-            continue
-        quantity, inner = quantity_and_table((field.annotation, *field.metadata))
+        quantity, inner = fields.get(key, (None, None))
         if quantity is not None:
             yield quantity.dimension, value, where, path + key
         elif inner is not None and isinstance(value, dict):
             yield from _of_table(value, inner, where, f"{path}{key}.")
+
+
+@cache
+def _fields(table: type[Table]) -> dict[str, tuple[QuantityValidator | None, type[Table] | None]]:
+    """What the keys of a table are."""
+    fields = table.model_fields.items()
+    return {key: quantity_and_table((field.annotation, *field.metadata)) for key, field in fields}
 
 
 def _of_matrix6(blocks: Blocks, raw: list[Any], where: str, key: str) -> Iterator[Written]:

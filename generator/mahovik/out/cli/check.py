@@ -12,7 +12,7 @@ from mahovik.errors import UsageError
 from mahovik.out.cli.check_fluid import fluid_object, print_fluid
 from mahovik.out.cli.fitting import column_that_fits, fitting_unit
 from mahovik.out.cli.options import STAND_FILE, command, json_option, load_stand, option
-from mahovik.out.cli.output import console, print_json, print_line, print_table
+from mahovik.out.cli.output import print_json, print_line, print_table
 from mahovik.out.cli.progress import progress
 from mahovik.out.functions.motor_limits import warn_of_speeds
 
@@ -68,7 +68,7 @@ def check(
         warn_of_speeds(stand, [asked] * len(stand.flywheels), [str(speed)] * len(stand.flywheels))
     from mahovik.core.stand import identities
     from mahovik.core.stand.summary import summarize
-    from mahovik.core.stand.written import doubts, written_numbers
+    from mahovik.core.stand.written import written_numbers
     from mahovik.use.simulate.friction_steps import long_steps
     from mahovik.use.study.excess import excess
     from mahovik.use.study.increments import USUAL_STEP, lost_increments
@@ -77,10 +77,10 @@ def check(
 
     step = USUAL_STEP if dt is None else _read("--dt", dt, ("a time", "s"), 1e-9, 1e3)
     with progress(f"check {stand.name}"):
-        written = written_numbers(stand_file)
+        written, doubts = written_numbers(stand_file)
         unbalances = {each.where: each.text for each in written if each.key == "unbalance.static"}
         summary, names = summarize(stand, asked, apart, unbalances), identities(stand)
-        summary = replace(summary, warnings=(*summary.warnings, *doubts(stand_file)))
+        summary = replace(summary, warnings=(*summary.warnings, *doubts))
         speeds = [row.speed for row in summary.unbalance]
         short, lost = shortfalls(stand, speeds), [] if dt is None else lost_increments(stand, speeds, step)
         over, unreached = excess(stand), task_shortfalls(stand)
@@ -131,7 +131,7 @@ def _read(option: str, text: str, dimension: tuple[str, str], low: float, high: 
 
 
 def _print(summary: Summary, names: Identities, short: list[str], written: list[Written]) -> None:
-    console().print(f"[bold]{summary.name}[/bold]   structure {names.structure}, physics {names.physics}")
+    print_line(f"   structure {names.structure}, physics {names.physics}", name=summary.name)
     title, masses = column_that_fits("mass", [*(b.mass for b in summary.bodies), summary.mass], "kg")
     print_table(
         ("body", "kind", "mount", title, "centre of mass in E1, m>"),

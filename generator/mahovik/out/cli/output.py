@@ -8,17 +8,18 @@ from __future__ import annotations
 
 import json
 import math
+import os
+import shutil
 import sys
+import textwrap
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import zip_longest
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
 from mahovik.errors import UsageError
-
-if TYPE_CHECKING:
-    from rich.console import Console
 
 Cell = str | tuple[str, str]
 """Text of a cell of a table, or the text with its style."""
@@ -32,25 +33,10 @@ CLOSED = 141
 _ASKED, _PRINTED = "mahovik.json", "mahovik.json.printed"
 
 
-def console(piped: int = 4000) -> Console:
-    """Console as wide as the terminal; in pipes no line is cut or folded before `piped` columns.
-
-    Colours on a terminal, unless NO_COLOR is set or TERM is dumb; elsewhere only if FORCE_COLOR is set.
-    """
-    from rich.console import Console
-
-    class Piped(Console):
-        def on_broken_pipe(self) -> None:  # Rich would end with status 1, that of a failed check
-            raise BrokenPipeError
-
-    return Piped(highlight=False, width=None if sys.stdout.isatty() else piped)
-
-
-def print_line(words: str, style: str = "") -> None:
-    """Print a line that narrow terminals fold."""
-    from rich.text import Text
-
-    console().print(Text(words, style))
+def print_line(words: str, style: str = "", name: str = "") -> None:
+    """Print a line that narrow terminals fold, after a `name` in bold; `style`: "bold", a colour, or "bold red"."""
+    first, *more = _folded(name + words, _width(None))
+    _print([_styled(name, "bold") + _styled(first[len(name) :], style), *(_styled(line, style) for line in more)])
 
 
 def print_table(
@@ -58,27 +44,61 @@ def print_table(
     rows: Iterable[Sequence[Cell]],
     *,
     title: str | None = None,
-    total: Sequence[Cell] = (),
-    piped: int = 4000,
+    total: Sequence[str] = (),
+    piped: int | None = None,
 ) -> None:
     """Print a table; a column whose name ends in ">" is right-aligned. Narrow terminals fold, never cut.
 
-    `total`: a last row, under a line.
+    `total`: a last row, under a line; `piped`: width at which a table is folded that goes into a pipe.
     """
-    from rich.box import SIMPLE_HEAD
-    from rich.table import Table
-    from rich.text import Text
+    table = [[(name.removesuffix(">"), "bold") for name in columns]]
+    table += [
+        [(cell, "") if isinstance(cell, str) else cell for cell in row] for row in (*rows, *filter(None, [total]))
+    ]
+    widths = [max(len(line) for text, _ in column for line in text.split("\n")) for column in zip(*table, strict=True)]
+    limit, between = _width(piped), 3 * len(widths) - 1
+    while limit is not None and sum(widths) + between > limit and max(widths) > 1:
+        widths[widths.index(max(widths))] -= 1
+    width = sum(widths) + between
+    empty, rule = " " * width, "─" if sys.stdout.encoding.lower().startswith("utf") else "-"
+    lines = [_styled(line.ljust(width), "bold") for line in _folded(title, width)] if title else []
+    for number, row in enumerate(table):
+        if number == 0 or (total and 1 < number == len(table) - 1):
+            lines.append(empty)
+        folded = [_folded(text, size) for (text, _), size in zip(row, widths, strict=True)]
+        for texts in zip_longest(*folded, fillvalue=""):
+            parts = zip(texts, row, widths, columns, strict=True)
+            cells = (
+                _styled(x.rjust(n) if name.endswith(">") else x.ljust(n), style) for x, (_, style), n, name in parts
+            )
+            lines.append(f" {'   '.join(cells)} ")
+        if number == 0:
+            lines.append(f" {rule * (width - 2)} ")
+    _print([*lines, empty])
 
-    found = Table(title=title, title_justify="left", title_style="bold", box=SIMPLE_HEAD, pad_edge=False, safe_box=True)
-    for name in columns:
-        right: Any = "right" if name.endswith(">") else "left"
-        found.add_column(name.removesuffix(">"), justify=right, overflow="fold")
-    for row in rows:
-        found.add_row(*(Text(*cell) if isinstance(cell, tuple) else Text(cell) for cell in row))
-    if total:
-        found.add_section()
-        found.add_row(*map(str, total))
-    console(piped).print(found)
+
+def _width(piped: int | None) -> int | None:
+    """Columns at which lines are folded: those of a terminal; None: they are not."""
+    return shutil.get_terminal_size().columns if sys.stdout.isatty() else piped
+
+
+def _folded(text: str, width: int | None) -> list[str]:
+    """Lines of at most this width."""
+    lines = text.split("\n")
+    if width is None or max(map(len, lines)) <= width:
+        return lines
+    return [part for line in lines for part in textwrap.wrap(line, width, break_on_hyphens=False) or [""]]
+
+
+def _styled(text: str, style: str) -> str:
+    colour = style.removeprefix("bold").strip()
+    return click.style(text, fg=colour or None, bold=style.startswith("bold") or None) if style else text
+
+
+def _print(lines: Iterable[str]) -> None:
+    """Print lines; styles on a terminal unless NO_COLOR or TERM=dumb is set, elsewhere only if FORCE_COLOR is set."""
+    plain = os.environ.get("NO_COLOR") or os.environ.get("TERM", "").lower() in ("dumb", "unknown")
+    click.echo("\n".join(lines), color=False if plain else bool(os.environ.get("FORCE_COLOR")) or None)
 
 
 def print_paths(paths: Iterable[Path | str], notes: Iterable[str] = (), err: bool = False) -> None:

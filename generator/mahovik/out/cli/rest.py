@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from mahovik.errors import UsageError
 from mahovik.out.cli.options import STAND_FILE, command, json_option, load_stand, option
-from mahovik.out.cli.output import console, print_json, print_line, print_table
+from mahovik.out.cli.output import print_json, print_line, print_table
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
@@ -71,7 +71,7 @@ def plain(x: float, digits: int = 9) -> float:
 def _print(found: Rest, stand: Stand) -> None:
     quaternion = found.state.quaternion or (1.0, 0.0, 0.0, 0.0)
     turn = 2 * math.degrees(math.atan2(math.hypot(*quaternion[1:]), quaternion[0]))
-    console().print(f"[bold]{stand.name}[/bold] rests, turned by {turn:.6g} deg from E0")
+    print_line(f" rests, turned by {turn:.6g} deg from E0", name=stand.name)
     pose = ("  ".join(f"{plain(x):.9f}" for x in part) for part in (found.state.position, quaternion))
     left = f"{max(map(abs, found.V_dot)):.2g}"
     print_table(("position of O1 in E0, m", "quaternion", "remaining V_dot>"), [(*pose, left)])

@@ -22,11 +22,13 @@ from mahovik.core.stand.model import Flywheel, Stand, Vec6
 from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import StateError
 from mahovik.proof import reference
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Bodies, PlacedBody, bodies_of
-from mahovik.proof.reference.motion import forward
-from mahovik.proof.reference.screw import Phi, f, spin
-from mahovik.use.study.exchange import Exchange
+from mahovik.proof.reference.array import Array, stack, times, transpose, vector
+from mahovik.proof.reference.assembly import body_wrenches, run_time_wrench
+from mahovik.proof.reference.bodies import Bodies, bodies_of, spatial_inertia
+from mahovik.proof.reference.motion import forward, mounts_on_flywheels
+from mahovik.proof.reference.pieces import body_wrench, coupling, coupling_bias, velocity_matrix
+from mahovik.proof.reference.rotation import C1
+from mahovik.proof.reference.screw import Phi, block_diagonal, f, spin
 
 UNIT = 2.0**-24
 """Largest relative error of one rounding in float."""
@@ -76,12 +78,11 @@ class Shortfall:
 
 @dataclass(frozen=True)
 class Quantity:
-    """A result, and the magnitudes of its terms; one row per flywheel for results of each flywheel."""
+    """A result, and the magnitudes of its terms; a row a flywheel (Nx6) for results of each flywheel, else (6)."""
 
     words: str
     key: str
     terms: Callable[[reference.Pieces, State], Array]
-    by_flywheel: bool = False
 
 
 def acceleration_terms(at: reference.Pieces, state: State) -> Array:
@@ -109,52 +110,40 @@ def momentum_terms(at: reference.Pieces, state: State) -> Array:
 
 def mount_terms(at: reference.Pieces, state: State) -> Array:
     """Terms of mount_wrench (Nx6): lengths of force and moment, since their axes do not turn with the flywheel."""
-    found = np.zeros((len(at.flywheels), 6))
-    for row, s in enumerate(at.flywheels):
-        carried = s.L.T @ at.V
-        V = np.abs(carried + f * s.phi_dot)
-        V_dot = np.abs(spin @ carried * s.phi_dot)
-        Theta = np.abs(s.Theta)
-        own = sum((np.abs(P) for P in at.terms[s.body.name].values()), np.zeros(6))
-        whole = Theta @ V_dot + np.abs(Phi(carried + f * s.phi_dot)) @ (Theta @ V) + own
-        found[row] = _lengths(whole)
-    return found
+    s = at.bodies.flywheels
+    carried = transpose(s.L) @ at.V
+    V = carried + np.outer(at.phi_dot, f)
+    Theta, V_dot = np.abs(s.Theta), np.abs(carried @ spin.T * at.phi_dot[:, None])
+    own = stack([sum(map(np.abs, at.terms[body.name].values()), np.zeros(6)) for body in s.bodies], 6)
+    return _lengths(times(Theta, V_dot) + times(np.abs(Phi(V)), times(Theta, np.abs(V))) + own)
 
 
 def _coupling_terms(columns: Array, at: reference.Pieces) -> Array:
     """Columns (6xN) times phi', by their lengths, since a flywheel's terms are turned into E1."""
-    return np.asarray(sum((_lengths(c * speed) for c, speed in zip(columns.T, at.phi_dot, strict=True)), np.zeros(6)))
+    return np.asarray(_lengths(columns.T * at.phi_dot[:, None]).sum(axis=0))
 
 
-def _lengths(screw: Array) -> Array:
-    """Lengths of the two halves, repeated in all their components."""
-    return np.repeat([np.linalg.norm(screw[:3]), np.linalg.norm(screw[3:])], 3)
-
-
-def _bodies(at: reference.Pieces) -> tuple[PlacedBody, ...]:
-    return (*at.fixed, *at.flywheels)
+def _lengths(screws: Array) -> Array:
+    """Lengths of the two halves of each screw (Nx6), repeated in all their components."""
+    return np.repeat(np.linalg.norm(screws.reshape(-1, 2, 3), axis=2), 3, axis=1)
 
 
 def _mass_terms(at: reference.Pieces) -> Array:
     """Terms of K (6x6), body by body."""
-
-    total = sum((np.abs(k.L @ k.Theta @ k.L.T) for k in _bodies(at)), np.zeros((6, 6)))
-    return np.asarray(total + sum(np.abs(p.Lambda) for p in at.fixed))
+    k = at.bodies
+    return np.asarray((np.abs(k.L @ k.Theta @ transpose(k.L)) + np.abs(k.Lambda)).sum(axis=0))
 
 
 def _wrench_terms(at: reference.Pieces) -> Array:
     """Terms of F (6), body by body and kind by kind."""
-    total = np.zeros(6)
-    for k in _bodies(at):
-        for P in at.terms[k.body.name].values():
-            total += np.abs(k.L) @ np.abs(P)
-    return total
+    kinds = [sum(map(np.abs, each.values()), np.zeros(6)) for each in at.terms.values()]
+    return np.asarray(times(np.abs(at.bodies.L), np.array(kinds)).sum(axis=0))
 
 
 QUANTITIES: Mapping[str, Quantity] = {
     "forward": Quantity("the carrier's acceleration V_dot", "V_dot", acceleration_terms),
     "momentum": Quantity("the momentum Z", "Z", momentum_terms),
-    "mounts": Quantity("the wrench of its mount", "mount_wrench", mount_terms, by_flywheel=True),
+    "mounts": Quantity("the wrench of its mount", "mount_wrench", mount_terms),
 }
 """Quantities by want. Drive torques are left out: they need not show an unbalance."""
 
@@ -178,42 +167,73 @@ def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
     if stand.hold is not None:
         return []
     found: dict[tuple[int, str], Shortfall] = {}
-    bodies = bodies_of(stand)
-    exchanges = [Exchange.of(number, s, balanced_flywheel(s)) for number, s in enumerate(stand.flywheels)]
+    bodies, others = bodies_of(stand), [balanced_flywheel(s) for s in stand.flywheels]
     for motion in MOTIONS:
-        best: dict[tuple[int, str], tuple[float, float]] = {}
+        best = {want: np.tile((0.0, np.inf), (len(others), 1)) for want in QUANTITIES}
         for state in states(stand, speeds, motion):
-            for number, want, effect, rounding in _effects(stand, state, bodies, exchanges):
-                known = best.get((number, want), (0.0, math.inf))
-                best[number, want] = max(known, (effect, rounding), key=lambda pair: pair[0] / pair[1])
-        for (number, want), (effect, rounding) in best.items():
-            if 0.0 < effect * PART < rounding:
-                flywheel, words = stand.flywheels[number], QUANTITIES[want].words
-                found[number, want] = Shortfall(flywheel.name, speeds[number], want, words, motion, effect, rounding)
+            for want, effects in _effects(stand, state, bodies, others).items():
+                better = effects[:, 0] / effects[:, 1] > best[want][:, 0] / best[want][:, 1]
+                best[want][better] = effects[better]
+        for want, rows in best.items():
+            for number, (effect, rounding) in enumerate(rows.tolist()):
+                if 0.0 < effect * PART < rounding:
+                    name, words = stand.flywheels[number].name, QUANTITIES[want].words
+                    found[number, want] = Shortfall(name, speeds[number], want, words, motion, effect, rounding)
     return [found[key] for key in sorted(found)]
 
 
-def _effects(
-    stand: Stand, state: State, bodies: Bodies, exchanges: Sequence[Exchange]
-) -> Iterator[tuple[int, str, float, float]]:
-    """Flywheel, want, effect of its unbalance and rounding, in the component that shows it best."""
+def _effects(stand: Stand, state: State, bodies: Bodies, others: Sequence[Flywheel]) -> dict[str, Array]:
+    """By want: effect of each flywheel's unbalance and rounding (Nx2), in the component that shows it best."""
     try:
         at = reference.pieces(stand, state, bodies)
     except StateError:
-        return  # a law is undefined: not a state of the stand
+        return {}  # a law is undefined: not a state of the stand
     V_dot = reference.evaluate(stand, state, ["forward"], at)["V_dot"]
-    terms = {want: quantity.terms(at, state) for want, quantity in QUANTITIES.items()}
-    for exchange in exchanges:
-        number, changes = exchange.number, exchange.changes(at, state, V_dot)
-        for want, quantity in QUANTITIES.items():
-            effect, size = np.abs(changes[want]), terms[want]
-            if quantity.by_flywheel:
-                size = size[number]
-            seen = effect > DOUBLE_NOISE * size
-            if np.any(seen):
-                effect, size = effect[seen], size[seen]
-                index = int(np.argmax(effect / size))
-                yield number, want, float(effect[index]), float(FACTOR * UNIT * size[index])
+    found = {}
+    for want, changes in exchanged(at, state, V_dot, others).items():
+        effect = np.abs(changes)
+        size = np.broadcast_to(QUANTITIES[want].terms(at, state), effect.shape)
+        seen = effect > DOUBLE_NOISE * size
+        with np.errstate(divide="ignore"):
+            share = np.divide(effect, size, out=np.zeros_like(effect), where=seen)
+        at_best = np.arange(len(effect)), np.argmax(share, axis=1)
+        rounding = np.where(seen[at_best], FACTOR * UNIT * size[at_best], np.inf)
+        found[want] = np.column_stack([effect[at_best], rounding])
+    return found
+
+
+def exchanged(at: reference.Pieces, state: State, V_dot: Array, others: Sequence[Flywheel]) -> Mapping[str, Array]:
+    """Changes of V_dot, Z and of its own mount_wrench (Nx6 each, by want) where one flywheel is another.
+
+    What a flywheel adds to (2)-(9) is linear in its Theta and P. So the difference of two flywheels at one state is
+    what a flywheel adds whose Theta and P are the differences of theirs, and nothing cancels.
+
+    V_dot   (6) of `forward` before
+    others  N flywheels, each in the place of one of the stand, with its mount, axis and zero
+    """
+    s, phi_ddot = at.bodies.flywheels, vector(state.phi_ddot)
+    Theta = stack([spatial_inertia(other) for other in others], 6, 6) - s.Theta
+    d = Bodies(tuple(others), s.L, Theta, s.Lambda, s.phi, s.phi_dot)
+    gravities, twists = transpose(s.L[:, :3, :3]) @ at.gravity, s.twists(at.V_r)
+    kinds = [
+        body_wrenches(other, gravity, V_r, run_time_wrench(state, other))
+        for other, gravity, V_r in zip(others, gravities, twists, strict=True)
+    ]
+    P = stack([body_wrench(each) for each in kinds], 6) - at.P_s
+    Lt = transpose(d.L)
+    K, I, J = d.L @ Theta @ Lt, coupling(d).T, coupling_bias(d, at.V_r).T
+    K_dot = d.L @ (spin @ Theta - Theta @ spin) @ Lt * d.phi_dot[:, None, None]
+    # (K + dK) (V* + dV*) = right + d right, where K V* = right
+    right = times(d.L, P) - velocity_matrix(K, K_dot, at.V_r) @ at.V_r - K @ at.V_r_dot(V_dot)
+    right -= J * d.phi_dot[:, None] + I * phi_ddot[:, None]
+    scale = 1.0 / np.sqrt(np.diag(at.K))
+    solved = np.linalg.solve((at.K + K) * np.outer(scale, scale), (scale * right)[:, :, None])[:, :, 0]
+    mounts = mounts_on_flywheels(d, P, at.V, np.array(state.V_dot), phi_ddot)
+    return {
+        "forward": scale * solved,
+        "momentum": K @ at.V + I * d.phi_dot[:, None],
+        "mounts": times(block_diagonal(C1(d.phi)), mounts),
+    }
 
 
 def states(stand: Stand, speeds: Sequence[float], motion: str) -> Iterator[State]:
