@@ -50,9 +50,7 @@ def sizes() -> dict[str, int]:
     phony = re.search(r"^\.PHONY: (.*)$", makefile, re.M)
     return {
         "package": lines("generator/mahovik/*.py", "generator/mahovik/*.pyi"),
-        "templates": lines(
-            "templates", ":!templates/fmu/fmi?Fun*.h", ":!templates/fmu/fmi?*Types*.h", ":!templates/uplot"
-        ),
+        "templates": lines("templates", ":!templates/fmu/fmi?Fun*.h", ":!templates/fmu/fmi?*Types*.h"),
         "tests": lines("tests/*.py"),
         "tools and bench": lines("tools/*.py", "bench/*.py"),
         "words of the pages": words(),

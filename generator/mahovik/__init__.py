@@ -79,7 +79,7 @@ _PLACES = {
     "modes": "out.functions.linear",
     "plan": "out.functions.programmes",
     "quiet": "out.functions.vibration",
-    "report": "out.functions.evidence",
+    "report": "out.functions.stand_report",
     "response": "out.functions.vibration",
     "rest": "out.functions.equilibrium",
     "simulate": "out.functions.simulation",

@@ -99,7 +99,7 @@ CASES = [
     ("replay", "", "none.log: cannot be read"),
     ("replay", "-o states.txt", "expected a name that ends in .csv or .jsonl"),
     ("report", "--motion $turn", "goes with --programme P.json, which is missing"),
-    ("report", "--cost .", "has no cost.json: `mahovik cost` measures and writes it"),
+    ("report", "--require 'rms 1 kg'", "rms 1 kg"),
     ("report", "--run wheel.csv", 'no run of `mahovik simulate`: expected a column "t [s]" and rows'),
     ("report", "--run run.txt", "--run run.txt: expected a name that ends in .csv or .parquet"),
     ("judge", "--states 3", "--states"),

@@ -22,7 +22,7 @@ from mahovik.core.stand import Stand, dumps, identities, loads
 from mahovik.core.stand.model import StreamProfile
 from mahovik.core.stand.random import Features, random_stand, random_state
 from mahovik.errors import CheckError, StandError, StateError
-from mahovik.out.report.stand.surroundings import surroundings
+from mahovik.out.functions.stand_report import Subject, bodies_part
 from mahovik.proof import reference
 from mahovik.proof.reference.pieces import stream_at
 from mahovik.proof.verify.c_backend import CBackend
@@ -217,8 +217,8 @@ def test_refusals(old: str, new: str, words: str) -> None:
 
 
 def test_the_report_names_the_velocity_of_each_station() -> None:
-    words = str(surroundings(loads(FILE))["Fluid"])
-    assert "(0.5, 0.1, 0) m/s at 10 m" in words and "0 at 50 m" in words
+    words = str(bodies_part(Subject(mahovik.Stand.of(loads(FILE)), "s.toml")).markup)
+    assert "(0.5, 0.1, 0) m/s at 10 m" in words and "(0, 0, 0) m/s at 50 m" in words
 
 
 def test_simulators_see_its_numbers() -> None:

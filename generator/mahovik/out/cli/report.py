@@ -20,20 +20,23 @@ def report(
     motion_file: str | None = file_option(
         "--motion", "M.json", "Read the required motion of --programme from this file."
     ),
-    cost_folder: str | None = file_option(
-        "--cost", "DIR", "Show the figures that `mahovik cost` wrote into this folder."
+    at: str | None = option(
+        "--at", "Show the vibration of these points: names between commas, carrier, hold.reaction.", metavar="POINT,..."
     ),
-    targets: str | None = option(
-        "--targets", "Run the self-test on processors now, for minutes: all, quick, m7,...", metavar="NAME,..."
+    requirements: tuple[str, ...] = option(
+        "--require",
+        'Judge the angle of the first point by a limit, "rms 0.1 arcsec".',
+        metavar="LIMIT",
+        multiple=True,
     ),
 ) -> None:
     """Report on a stand: one page that opens offline in any browser, and prints.
 
-    Shows bodies, matrices, verification, cost, reach, and the motion of a run or programme. Exit status 1 if a
-    comparison fails; the page is written and shows it.
+    Shows bodies, modes, vibration, limits of the motors, verification, cost, and the motion of a run or programme.
+    Exit status 1 if a comparison fails or a requirement is not met; the page is written and shows it.
     """
     require_suffix(output, [".html"])
-    from mahovik.out.functions.evidence import report as make
+    from mahovik.out.functions.stand_report import report as make
     from mahovik.out.report.plot.draw import require
     from mahovik.writing import probe
 
@@ -41,8 +44,8 @@ def report(
     probe(Path(output))
     with progress("sections of the report") as stage:
         found = make(
-            stand_file, run=run_file, programme=programme_file, motion=motion_file, cost=cost_folder, targets=targets,
-            progress=stage.show,
+            stand_file, at=[] if at is None else at.split(","), require=requirements, run=run_file,
+            programme=programme_file, motion=motion_file, progress=stage.show,
         )  # fmt: skip
     found.save(output)
     click.echo(click.format_filename(output))

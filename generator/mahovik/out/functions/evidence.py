@@ -1,10 +1,9 @@
-"""`generate`: the C of a stand. `verify`: C against the reference. `report`: one page."""
+"""`generate`: the C of a stand. `verify`: C against the reference."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -231,63 +230,3 @@ def _warn_of_excess(stand: CoreStand) -> None:
 
     if (found := excess(stand)) is not None:
         warn(str(found))
-
-
-class Page:
-    """The report of a stand: `html`, one page that opens offline; `failures` are what it shows as failed."""
-
-    def __init__(self, stand: CoreStand, html: str, failures: Sequence[str]) -> None:
-        self.stand, self.html, self.failures = stand, html, tuple(failures)
-
-    def save(self, path: str | Path) -> None:
-        """Write the page. Raises UsageError."""
-        from mahovik.writing import write
-
-        write(Path(path), self.html)
-
-    def _repr_html_(self) -> str:
-        return f'<iframe srcdoc="{escape(self.html)}" style="width: 100%; height: 40em; border: 0"></iframe>'
-
-    def __repr__(self) -> str:
-        return f"<Page on {self.stand.name}: {len(self.html) // 1000} kB, {len(self.failures)} failures>"
-
-
-def report(
-    stand: StandGiven,
-    *,
-    run: str | Path | None = None,
-    programme: str | Path | None = None,
-    motion: str | Path | None = None,
-    cost: str | Path | None = None,
-    targets: str | None = None,
-    progress: OnProgress | None = None,
-) -> Page:
-    """Report on a stand: bodies, matrices, verification, cost, reach, and the motion of a run or programme.
-
-    run, programme, motion  files of `simulate`, `plan` and its motion; cost: a folder of `mahovik cost`
-    targets                 processors on which the self-test is run, as "quick"; None: none
-
-    Raises StandError, UsageError where matplotlib is missing or a file is of another stand.
-    """
-    from mahovik.out.report.plot.draw import require
-    from mahovik.out.report.stand.material import gather
-    from mahovik.out.report.stand.page import ORDER, page
-
-    require("report")
-
-    def text(path: str | Path | None) -> str | None:
-        return None if path is None else str(path)
-
-    own = Stand.of(stand)
-    source = str(stand) if isinstance(stand, str | Path) else f"{own.name}.toml"
-    material = gather(
-        own,
-        source,
-        run_file=text(run),
-        programme_file=text(programme),
-        motion_file=text(motion),
-        cost_folder=text(cost),
-        targets=targets,
-    )
-    found = page(material, lambda done: tell(progress, Progress("sections of the report", done, len(ORDER))))
-    return Page(own, found.html, found.failures)

@@ -73,12 +73,12 @@ class StandBalance(Table):
         Raises UsageError: matplotlib is missing, or the file cannot be written.
         """
         from mahovik.out.report.data.balance import balance_parts
-        from mahovik.out.report.data.page import write_data_page
+        from mahovik.out.report.page import write_page
 
         place = Path(path)
         parts = balance_parts(self.recordings, self.wheels, self.notes)
         files = [("data", each.source) for each in self.recordings]
-        write_data_page(place, f"{self.stand.name}: balancing", parts, stand=self.stand, files=files)
+        write_page(place, f"{self.stand.name}: balancing", parts, stand=self.stand, files=files)
         return place
 
     def __repr__(self) -> str:

@@ -95,12 +95,12 @@ class Identification(Table):
         Raises UsageError: matplotlib is missing, or the file cannot be written.
         """
         from mahovik.out.identify.page import identification_parts
-        from mahovik.out.report.data.page import write_data_page
+        from mahovik.out.report.page import write_page
 
         place, at = Path(path), self._comparison
         files = [("data", each.source) for each in at.recordings]
         title = f"{self.stand.name}: identification"
-        write_data_page(place, title, identification_parts(self, at), stand=at.free.model.stand, files=files)
+        write_page(place, title, identification_parts(self, at), stand=at.free.model.stand, files=files)
         return place
 
     def to_dict(self) -> dict[str, Any]:

@@ -15,10 +15,9 @@ from mahovik.out.identify.estimate import Fit
 from mahovik.out.identify.figures import ChannelFit, Parameter
 from mahovik.out.identify.free import Free
 from mahovik.out.identify.run import Run
-from mahovik.out.report.data.page import Part
 from mahovik.out.report.data.panels import confidence_ellipse, order_panels
+from mahovik.out.report.page import Cell, Part, figure
 from mahovik.out.report.plot.panel import Panel
-from mahovik.out.report.stand.markup import Cell, figure
 from mahovik.use.measured import Recording
 from mahovik.use.measured.orders import OrderMap, merge_maps, order_map
 

@@ -1,22 +1,19 @@
-"""The page: its sections in their order, in the frame of the reports of stands."""
+"""The page: its sections in their order, written as those on stands."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
 
-from mahovik import __version__
-from mahovik.core.emit.generate import describe_bodies
-from mahovik.core.emit.templates import source_text, template
-from mahovik.core.stand.identity import identities
 from mahovik.errors import CheckError, MahovikError
 from mahovik.out.campaign.dataset import status
 from mahovik.out.campaign.report.query import Query
 from mahovik.out.campaign.report.sections import overview, quantity, worst_samples
 from mahovik.out.campaign.rows import Work
 from mahovik.out.functions.notices import OnProgress, Progress, tell
+from mahovik.out.report.page import write_page
 from mahovik.out.report.plot.draw import require
-from mahovik.writing import probe, write
+from mahovik.writing import probe
 
 
 @dataclass(frozen=True)
@@ -52,20 +49,8 @@ def write_report(
             found.append(section)
     last = worst_samples(query, worst, {key: str(place.relative_to(folder)) for key, place in files.items()})
     found += [last] if last is not None else []
-    known = identities(work.stand)
-    html = template("report.html.j2").render(
-        name=state.manifest.name,
-        uplot=source_text("uplot/uPlot.iife.min.js").partition("\n")[2],
-        bodies=f"{work.stand.name}: {describe_bodies(work.stand)}",
-        structure=known.structure,
-        physics=known.physics,
-        version=__version__,
-        files=[("campaign", Path(state.manifest.file).name)],
-        failures=[line for each in found for line in each.failures],
-        summaries=[each for each in found if each.summary],
-        sections=found,
-    )
-    write(path, html)
+    files_read = [("campaign", Path(state.manifest.file).name)]
+    write_page(path, state.manifest.name, found, stand=work.stand, files=files_read)
     return CampaignReport(path, tuple(dict.fromkeys(files.values())))
 
 

@@ -14,12 +14,8 @@ from mahovik.out.campaign.report.influence import Influence, bin_means, influenc
 from mahovik.out.campaign.report.query import Query
 from mahovik.out.campaign.report.spread import FEW, histogram, quantile_table, scatter, settling, unit_text
 from mahovik.out.campaign.rows import Work
-from mahovik.out.report.plot.draw import COLOURS
-from mahovik.out.report.plot.inline import charts
-from mahovik.out.report.plot.numbers import page_variable
+from mahovik.out.report.page import Part, Row, figure, paragraph, picture, table
 from mahovik.out.report.plot.panel import Mark
-from mahovik.out.report.stand.markup import figure, paragraph, table
-from mahovik.out.report.stand.material import Section
 
 Array = NDArray[np.float64]
 
@@ -51,7 +47,7 @@ FIGURES = {
 """Heads of the columns of a sensitivity analysis."""
 
 
-def overview(state: Status, query: Query) -> Section:
+def overview(state: Status, query: Query) -> Part:
     """Counts of samples, and reasons of those without quantities."""
     known = state.manifest
     parts = [
@@ -60,16 +56,14 @@ def overview(state: Status, query: Query) -> Section:
     ]
     if known.end < known.samples:
         parts.append(f"enough of the {known.samples} that were allowed")
-    html = paragraph(f"{', '.join(parts)}. Numbers that vary: {len(known.parameters)}.")
-    reasons = query.reasons()
-    if reasons:
-        rows = [[text, str(count), str(first)] for text, count, first in reasons]
-        html += table(["Why samples have no quantities", "samples>", "first>"], [rows])
+    words = f"{', '.join(parts)}. Numbers that vary: {len(known.parameters)}."
+    rows = tuple((text, str(count), str(first)) for text, count, first in query.reasons())
+    head = ("Why samples have no quantities", "samples>", "first>") if rows else ()
     failures = () if state.complete else (f"{known.end - state.rows} of {known.end} samples are missing or damaged",)
-    return Section("samples", "Samples", html, failures=failures, summary=parts[0])
+    return Part("Samples", words, head, rows, failures=failures, summary=parts[0])
 
 
-def quantity(work: Work, query: Query, name: str, worst: int) -> Section | None:
+def quantity(work: Work, query: Query, name: str, worst: int) -> Part | None:
     """One quantity: how it is spread, and on which numbers it depends; None where no sample has it."""
     manifest, unit = query.manifest, query.manifest.quantities[name]
     values = query.columns([name])[name]
@@ -94,7 +88,7 @@ def quantity(work: Work, query: Query, name: str, worst: int) -> Section | None:
         against = (path, manifest.parameters[path], parameters[path])
         means = bin_means(parameters[path], columns[name][kept])
         panels.append(scatter(name, unit, columns[name][kept], against, means, marks))
-    html = charts(panels) + (quantile_table(name, unit, values) if work.has_quantiles else Markup(""))
+    html = picture(panels) + (quantile_table(name, unit, values) if work.has_quantiles else Markup(""))
     if goal is not None:
         html = paragraph(f"{words(goal, goal.interval(values))}.") + html
     if found:
@@ -106,7 +100,7 @@ def quantity(work: Work, query: Query, name: str, worst: int) -> Section | None:
         summary = f"half of the samples below {middle:.4g}{of}, 95 % below {high:.4g}{of}"
     else:
         summary = f"between {values.min():.4g}{of} and {values.max():.4g}{of}"
-    return Section(f"quantity-{list(manifest.quantities).index(name)}", name, html, summary=summary)
+    return Part(name, html=html, summary=summary)
 
 
 def tornado(found: list[Influence], explained: float) -> Markup:
@@ -118,14 +112,14 @@ def tornado(found: list[Influence], explained: float) -> Markup:
     ]  # fmt: skip
     more = f" The {SHOWN} largest of {len(found)}." if len(found) > SHOWN else ""
     caption = INFLUENCE_WORDS.format(explained=f"{max(explained, 0.0):.0%}") + more
-    return table(["Number", "share", ">", "change", ">", "rank>"], [rows], caption=caption)
+    return table(["Number", "share", ">", "change", ">", "rank>"], rows, caption)
 
 
 def bar(value: float, signed: bool) -> Markup:
     """A bar of a share, from the left; of a signed number up to 1, from the middle."""
     size = BAR * min(abs(value), 1.0) / (2.0 if signed else 1.0)
     start = 0.0 if not signed else BAR / 2.0 - (size if value < 0.0 else 0.0)
-    colour = page_variable(COLOURS[1 if value < 0.0 else 0])
+    colour = "--c2" if value < 0.0 else "--c1"
     return Markup(
         '<svg class="bar" role="img" aria-label="{}" width="{}" height="12" viewBox="0 0 {} 12">'
         '<rect x="{:.1f}" y="1" width="{:.1f}" height="10" style="fill:var({})"/></svg>'
@@ -149,21 +143,19 @@ def _by_design(work: Work, query: Query, name: str) -> Markup:
     left_out = f"; {found.left_out} left out, as their blocks have samples without it" if found.left_out else ""
     title = "Sobol' indices" if "ST" in keys else "Elementary effects of Morris"
     caption = f"{title}, from {found.used} samples{left_out}; ±: halves of 95 % confidence intervals"
-    return table(["Number", *(FIGURES[key] for key in keys)], [rows], caption=caption)
+    return table(["Number", *(FIGURES[key] for key in keys)], rows, caption)
 
 
-def worst_samples(query: Query, most: int, files: dict[tuple[str, int], str]) -> Section | None:
+def worst_samples(query: Query, most: int, files: dict[tuple[str, int], str]) -> Part | None:
     """Samples with the largest quantities, and their stand files."""
-    groups = []
+    rows: list[Row] = []
     for name in query.manifest.quantities:
         unit = query.manifest.quantities[name]
-        rows = [
+        rows += [
             [f"{name}{unit_text(unit)}", str(number), figure(value, 5), files.get((name, number), "cannot be")]
             for number, value in query.largest(name, most)
         ]
-        if rows:
-            groups.append(rows)
-    if not groups:
+    if not rows:
         return None
-    note = paragraph("The stand of a sample is a stand file like any other: ``mahovik check``, ``mahovik simulate``.")
-    return Section("worst", "Largest values", note + table(["Quantity", "sample>", "value>", "stand file"], groups))
+    words = "The stand of a sample is a stand file like any other: `mahovik check`, `mahovik simulate`."
+    return Part("Largest values", words, ("Quantity", "sample>", "value>", "stand file"), tuple(rows))

@@ -7,8 +7,8 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 
 from mahovik.out.campaign.convergence import Goal, quantile_interval
+from mahovik.out.report.page import figure, table
 from mahovik.out.report.plot.panel import Line, Mark, Panel, limit
-from mahovik.out.report.stand.markup import figure, table
 
 Array = NDArray[np.float64]
 
@@ -56,7 +56,7 @@ def quantile_table(name: str, unit: str, values: Array) -> Markup:
         ["largest", figure(float(values.max()), 5), "", ""],
     ]
     head = ["", f"{name}{unit_text(unit)}>", "from>", "to>"]
-    return table(head, [rows, other], caption=f"{len(values)} samples; from, to: {CONFIDENCE:.0%} confidence intervals")
+    return table(head, [*rows, *other], f"{len(values)} samples; from, to: {CONFIDENCE:.0%} confidence intervals")
 
 
 def settling(name: str, unit: str, values: Array, goal: Goal | None) -> Panel:

@@ -9,10 +9,9 @@ import numpy as np
 
 from mahovik.contract.quantities import RPM
 from mahovik.errors import InputError
-from mahovik.out.report.data.page import Part
 from mahovik.out.report.data.panels import confidence_ellipse, order_panels
+from mahovik.out.report.page import Cell, Part, figure
 from mahovik.out.report.plot.panel import Array, Panel
-from mahovik.out.report.stand.markup import Cell, figure
 from mahovik.use.balance.by_model import WheelBalance
 from mahovik.use.balance.polar import Complex
 from mahovik.use.measured import Channel, Recording

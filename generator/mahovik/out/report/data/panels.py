@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from mahovik.contract.quantities import RPM
-from mahovik.out.report.plot.inline import HEIGHT, LEFT, RIGHT, WIDTH
+from mahovik.out.report.plot.draw import HEIGHT, WIDTH
 from mahovik.out.report.plot.panel import Array, Line, Mark, Panel
 from mahovik.use.measured.orders import OrderMap
 
@@ -82,7 +82,7 @@ def confidence_ellipse(title: str, axes: tuple[str, str], centre: Array, covaria
         across = side * math.sqrt(max(1.0 - rho**2, 0.0)) * np.sin(angle)
         edges.append(Line("", x, centre[1] + RADIUS * sy * (rho * np.cos(angle) + across), 0))
     height = 2.0
-    wide = (WIDTH - LEFT - RIGHT) / (HEIGHT * height)
+    wide = (WIDTH - 2.0) / (HEIGHT * height)  # without the legend
     half = max(1.1 * RADIUS * max(sy * wide, sx), 1e-9 * abs(float(centre[0])), 1e-300)
     return Panel(
         f"{title}: {axes[1]}",

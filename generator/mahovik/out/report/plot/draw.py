@@ -12,7 +12,7 @@ import numpy as np
 
 from mahovik.errors import UsageError
 from mahovik.out.report.plot.panel import Dots, Levels, Line, Panel, extent
-from mahovik.out.report.plot.tags import tag_ends, tag_lines
+from mahovik.out.report.plot.tags import tag_ends
 
 SUFFIXES = (".svg", ".png")
 
@@ -59,20 +59,21 @@ def draw(title: str, panels: Sequence[Panel], suffix: str) -> bytes:
     """A picture: `suffix` .svg or .png. Raises UsageError where matplotlib is not installed."""
     matplotlib, figures = require("plot")
     with matplotlib.rc_context(STYLE):
-        figure, _ = _figure(figures.Figure, title, panels)
+        figure, _ = make_figure(figures.Figure, title, panels)
         buffer = io.BytesIO()
         metadata = {"Date": None, "Creator": "mahovik"} if suffix == ".svg" else {"Software": "mahovik"}
         figure.savefig(buffer, format=suffix[1:], dpi=150, metadata=metadata)
     return buffer.getvalue()
 
 
-def _figure(make: Callable[..., Any], title: str, panels: Sequence[Panel]) -> tuple[Any, list[Any]]:
+def make_figure(make: Callable[..., Any], title: str, panels: Sequence[Panel]) -> tuple[Any, list[Any]]:
     """A figure that `make` makes, with all panels, and their axes."""
     rows, found = _rows(panels), []
     heights = [max(panel.height for panel in row) for row in rows]
     width = WIDTH if len(rows) == len(panels) else WIDE
     figure = make(figsize=(width, HEIGHT * sum(heights) + 0.7), layout="constrained")
-    figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
+    if title:
+        figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
     grid = figure.add_gridspec(len(rows), 2, height_ratios=heights)
     for i, row in enumerate(rows):
         for k, panel in enumerate(row):
@@ -90,7 +91,7 @@ def draw_on_axes(title: str, panels: Sequence[Panel], axes: Any = None) -> list[
     matplotlib, _ = require("plot")
     with matplotlib.rc_context(STYLE):
         if axes is None:
-            return _figure(import_module("matplotlib.pyplot").figure, title, panels)[1]
+            return make_figure(import_module("matplotlib.pyplot").figure, title, panels)[1]
         given = list(np.ravel(np.asarray(axes, dtype=object)))
         if len(given) > len(panels):
             raise UsageError(f"axes: {len(given)} are given, but there are {len(panels)} panels to draw")
@@ -112,7 +113,7 @@ def _rows(panels: Sequence[Panel]) -> list[list[Panel]]:
 
 def _draw_whole(figure: Any, axes: Any, panel: Panel, narrow: bool, last: bool) -> None:
     """A panel with its words, names and scale of colours."""
-    draw_panel(axes, panel, outside=True)
+    _draw_panel(axes, panel)
     _, room = tag_ends(axes, panel.lines, GREY)
     _words(axes, panel, narrow, room)
     if panel.dots is not None:
@@ -123,33 +124,26 @@ def _draw_whole(figure: Any, axes: Any, panel: Panel, narrow: bool, last: bool) 
         axes.set_xlabel(panel.abscissa or TIME)
 
 
-def draw_panel(
-    axes: Any, panel: Panel, others: Sequence[Any] = (), outside: bool = False
-) -> tuple[list[Any], list[Any]]:
-    """Draw lines, marks and shaded stretches, and set the ranges; return what was drawn of lines and of marks.
-
-    `others` are ordinates that the axis holds as well; `outside`: the tags of lines are written later, by `tag_ends`.
-    """
-    dots = panel.dots
+def _draw_panel(axes: Any, panel: Panel) -> None:
+    """Draw lines, marks and shaded stretches, and set the ranges."""
     xs, ys = ([getattr(line, name) for line in panel.lines] for name in "xy")
-    for more in (dots, panel.levels):
+    for more in (panel.dots, panel.levels):
         if more is not None:
             xs, ys = [*xs, more.x], [*ys, more.y]
     across = panel.span or extent(xs, panel.log_abscissa, margin=0.0)
-    down = extent([*ys, *others], panel.log, panel.least) if panel.top is None else (0.0, panel.top)
+    down = extent(ys, panel.log, panel.least) if panel.top is None else (0.0, panel.top)
     axes.autoscale(False)
     axes.set(xlim=across, ylim=down)
     axes.set(xscale=_scale(panel.log_abscissa), yscale=_scale(panel.log))
     for axis, log, (low, high) in ((axes.xaxis, panel.log_abscissa, across), (axes.yaxis, panel.log, down)):
         if log:
             _powers_of_ten(axis, low, high)
-    lines = [_line(axes, line) for line in panel.lines]
+    for line in panel.lines:
+        _line(axes, line)
     for start, end in panel.shaded:
         axes.axvspan(start, end, color=SHADE, alpha=0.25, linewidth=0)
-    marks = [axes.plot(mark.x, mark.y, "o", color=INK, markersize=3.5)[0] for mark in panel.marks]
-    if not outside:
-        tag_lines(axes, panel.lines, GREY)
-    return lines, marks
+    for mark in panel.marks:
+        axes.plot(mark.x, mark.y, "o", color=INK, markersize=3.5)
 
 
 def _scale(log: bool) -> str:
@@ -239,7 +233,7 @@ def _scale_of_colours(figure: Any, axes: Any, shown: Any, quantity: str) -> None
     scale.ax.yaxis.set_major_formatter(power_labels(shown.norm.vmin, shown.norm.vmax))
 
 
-def colour_and_dashes(line: Line) -> tuple[str, Any]:
+def _colour_and_dashes(line: Line) -> tuple[str, Any]:
     """Colour of a line, and its dashes as matplotlib names them."""
     if line.colour is None:
         return GREY, (0, (4, 3)) if line.dashed else "-"
@@ -247,11 +241,11 @@ def colour_and_dashes(line: Line) -> tuple[str, Any]:
     return COLOURS[line.colour % len(COLOURS)], (0, (4, 3)) if line.dashed else ("-", "-.", ":")[turn % 3]
 
 
-def _line(axes: Any, line: Line) -> Any:
-    colour, dashes = colour_and_dashes(line)
+def _line(axes: Any, line: Line) -> None:
+    colour, dashes = _colour_and_dashes(line)
     level = line.dashed and line.colour is None
     x, y = (np.where(np.isfinite(each), each, np.nan) for each in (line.x, line.y))
-    return axes.plot(
+    axes.plot(
         x, y, color=colour, linestyle=dashes, linewidth=0.9 if level else 1.6 if line.dashed else 1.2,
         alpha=0.55 if line.dashed and not level else 1.0, label=line.name or None,
-    )[0]  # fmt: skip
+    )  # fmt: skip

@@ -20,9 +20,6 @@ CELLS = 100
 ROWS = 200
 """Speeds in the waterfall at most."""
 
-SPECTRA = 24
-"""Spectra in a waterfall of lines at most."""
-
 BARS = 8
 """Shares of the budget at most."""
 
@@ -41,33 +38,6 @@ def panels(found: Jitter) -> list[Panel]:
     else:
         first = [_sums(found, what, scale), _waterfall(found, what, size, floor)]
     return [*first, _cumulative(found, what, scale), _density(found, what, scale), _budget(found, what, scale)]
-
-
-def report_panels(found: Jitter) -> list[Panel]:
-    """Panels of a sweep for a page: sums, waterfall as lines, cumulative RMS and budget at the worst speed."""
-    scale, unit = (1.0, found.measure.unit) if found.measure.arcsec is None else (ARCSEC, found.measure.arcsec)
-    what = f"{found.quantity} of {found.point}, {unit}"
-    size = scale * np.linalg.norm(found.lines.sizes, axis=2)
-    floor = float(np.nanmax(size)) * 10.0**-DECADES
-    cascade = _cascade(found, size, floor, unit)
-    return [_sums(found, what, scale), cascade, _cumulative(found, what, scale), _budget(found, what, scale)]
-
-
-def _cascade(found: Jitter, size: Array, floor: float, unit: str) -> Panel:
-    """Spectra at their speeds: heights by powers of ten above the floor, all decades as high as two spectra apart."""
-    chosen = range(0, len(found.value), max(1, -(-len(found.value) // SPECTRA)))
-    speed, top = RPM * found.value, 1.05 * float(found.lines.frequency[size > floor].max(initial=0.0))
-    apart = float(np.ptp(speed)) / len(chosen)
-    drawn = []
-    for i in chosen:
-        order = np.argsort(found.lines.frequency[i], kind="stable")
-        order = order[(size[i, order] > floor) & (found.lines.frequency[i, order] > 0.0)]
-        height = 2.0 * apart * np.log10(size[i, order] / floor) / DECADES
-        peaks = np.stack([np.zeros_like(height), height, np.zeros_like(height)], axis=1).ravel()
-        x = np.concatenate([[0.0], np.repeat(found.lines.frequency[i, order], 3), [top]])
-        drawn.append(Line("", x, speed[i] + np.concatenate([[0.0], peaks, [0.0]]), 0))
-    note = f"heights: amplitudes, 0 to peak; {DECADES:g} decades of {unit} are two spectra apart"
-    return Panel(f"waterfall: {_swept(found)}", tuple(drawn), note=note, abscissa="frequency, Hz", span=(0.0, top))
 
 
 def _swept(found: Jitter) -> str:

@@ -118,17 +118,6 @@ def border(tag: str, x: float, low: float, high: float) -> Line:
     return Line("", np.full(2, x), np.array([low, high]), None, dashed=True, tag=tag)
 
 
-_PREFIXES = {-4: "p", -3: "n", -2: "µ", -1: "m", 0: "", 1: "k", 2: "M", 3: "G"}
-
-
-def si_prefix(largest: float, unit: str) -> tuple[float, str]:
-    """What numbers in `unit` up to `largest` are multiplied by, and the unit then: 2300, "N" give 1e-3, "kN"."""
-    if not (math.isfinite(largest) and largest > 0.0):
-        return 1.0, unit
-    n = min(max(math.floor(math.log10(largest) / 3 + 1e-12), min(_PREFIXES)), max(_PREFIXES))
-    return 10.0 ** (-3 * n), _PREFIXES[n] + unit
-
-
 DECADES = 12
 """Powers of ten shown at most: smaller values lie at the edge."""
 
@@ -190,45 +179,3 @@ def envelope(y: Array, bins: int = BINS) -> NDArray[np.intp]:
     most = at[rows, np.argmax(np.where(broken, -np.inf, values), axis=1)]
     gaps = at[rows, np.argmax(broken, axis=1)][broken.any(axis=1)]
     return np.unique(np.concatenate([[0, M - 1], least, most, gaps]))
-
-
-MOST = 12
-"""Most lines that a reader can distinguish in one frame."""
-
-NAMED_LINES = 6
-"""Lines named if there are more: those that reach furthest up or down."""
-
-
-@dataclass(frozen=True, eq=False)
-class Band:
-    """What `count` lines fill: from `low` to `high` (M each) over x (M)."""
-
-    count: int
-    x: Array
-    low: Array
-    high: Array
-
-
-def condense_lines(lines: tuple[Line, ...]) -> tuple[Band | None, tuple[Line, ...]]:
-    """Distinguishable lines; for more than MOST over the same abscissa, a band and the furthest of them."""
-    own = [line for line in lines if line.name and not line.dashed and line.colour is not None]
-    if len(own) <= MOST or any(not np.array_equal(line.x, own[0].x) for line in own):
-        return None, lines
-    values = np.stack([line.y for line in own])
-    blank = ~np.isfinite(values)
-    low, high = (
-        np.where(blank.all(axis=0), np.nan, found)
-        for found in (np.where(blank, np.inf, values).min(axis=0), np.where(blank, -np.inf, values).max(axis=0))
-    )
-    top, bottom = (np.argsort(x, kind="stable") for x in (-_peak(values), _peak(values, np.fmin)))
-    order = dict.fromkeys(np.stack([top, bottom], axis=1).ravel().tolist())
-    chosen = sorted(list(order)[:NAMED_LINES])
-    kept = tuple(Line(own[k].name, own[k].x, own[k].y, i) for i, k in enumerate(chosen))
-    others = tuple(line for line in lines if all(line is not each for each in own))
-    return Band(len(own), own[0].x, low, high), (*kept, *others)
-
-
-def _peak(values: Array, of: np.ufunc = np.fmax) -> Array:
-    """Largest (or least) of each row, finite."""
-    found = of.reduce(np.where(np.isfinite(values), values, np.nan), axis=1)
-    return np.asarray(np.nan_to_num(found))

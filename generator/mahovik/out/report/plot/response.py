@@ -26,26 +26,37 @@ ORDERS = 8
 def panels(found: Sweep) -> list[Panel]:
     """All panels of a sweep; for a single speed its spectrum."""
     what = f"{found.quantity} of {found.point}, {found.unit}"
-    steps = [step for step in found.steps if step.problem is None and step.turning.base]
-    largest = max((float(step.sizes[1:].max(initial=0.0)) for step in steps), default=0.0)
-    if largest == 0.0:
+    steps, floor = _steady(found), _floor(found)
+    if floor == 0.0:
         return [Panel(f"{what}: nothing moves", ())]
-    floor = largest * 10.0**-DECADES
     if len(found.steps) == 1:
         return [_spectrum(found.steps[0], what, floor)]
     lines = found.lines()[:ORDERS]
     top = 1.05 * max(float(step.frequencies[step.sizes > floor].max(initial=0.0)) for step in steps)
     return [
-        _orders(found, lines, floor),
+        orders_panel(found),
         _campbell(found, steps, lines, top, floor),
         _waterfall(found, steps, top, floor),
         _level_map(found, steps, top, floor),
     ]
 
 
+def _steady(found: Sweep) -> list[Step]:
+    """Speeds with a steady state in which something turns."""
+    return [step for step in found.steps if step.problem is None and step.turning.base]
+
+
+def _floor(found: Sweep) -> float:
+    """The least amplitude that is shown; 0 where nothing moves."""
+    largest = max((float(step.sizes[1:].max(initial=0.0)) for step in _steady(found)), default=0.0)
+    return float(largest * 10.0**-DECADES)
+
+
 def _speed_title(found: Sweep) -> str:
     asked = found.plan
-    return "speed, rpm" if asked.swept is None else f"speed of {asked.names[asked.swept]}, rpm"
+    if asked.swept is None:
+        return "speed, rpm"
+    return "common speed, rpm" if set(asked.factor) == {1.0} else f"speed of {asked.names[asked.swept]}, rpm"
 
 
 def _span(found: Sweep) -> tuple[float, float]:
@@ -87,8 +98,9 @@ def _visible_lines(step: Step, floor: float) -> tuple[Array, Array, Array]:
     return np.full(len(kept), RPM * step.value), step.frequencies[kept], step.sizes[kept]
 
 
-def _orders(found: Sweep, lines: tuple[OrderLine, ...], floor: float) -> Panel:
+def orders_panel(found: Sweep) -> Panel:
     """Amplitudes of the orders and RMS over speed."""
+    lines, floor = found.lines()[:ORDERS], _floor(found)
     speed = RPM * found.values
     kept = [line for line in lines if line.largest > floor]
     drawn = [Line(_short(line.name), speed, _above(line.size, floor), i) for i, line in enumerate(kept)]

@@ -175,9 +175,8 @@ def _turn(t: Array, columns: Mapping[str, Array]) -> Panel:
         return Panel("", ())
     attitude = Rotation.from_quat(np.stack([columns[name] for name in names], axis=1))
     vector = _without_jumps((attitude[0].inv() * attitude).as_rotvec())
-    large = float(np.abs(vector).max()) > 1.0
-    scale, unit = (math.degrees(1.0), "deg") if large else (1e3, "mrad")
-    return Panel(f"turn, {unit}, from the start", family([f"about {a}" for a in "xyz"], t, scale * vector))
+    turns = family([f"about {a}" for a in "xyz"], t, math.degrees(1.0) * vector)
+    return Panel("turn, deg, from the start", turns)
 
 
 def _without_jumps(vectors: Array) -> Array:

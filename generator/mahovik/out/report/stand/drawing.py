@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
+from markupsafe import Markup
 
 from mahovik.core.emit.templates import template
-from mahovik.out.report.stand.material import Material, Section
+from mahovik.core.stand.model import Stand
 from mahovik.out.report.stand.projection import Array, Box, Projection, arrow, line, n, path, round_length, sign, text
 from mahovik.out.report.stand.shape import Shape, shape_of
 from mahovik.out.report.stand.views import (
@@ -31,22 +32,23 @@ KEYS = (250.0, 118.0)
 """px that scale bar and arrows of the legend need."""
 
 
-def section(material: Material) -> Section | None:
-    """The section: always there."""
-    shape = shape_of(material.stand)
+def drawing(stand: Stand) -> Markup:
+    """The figure, with what its signs mean."""
+    shape = shape_of(stand)
     svg, left_out = draw(shape)
     words = names(shape)
-    html = template("report_drawing.html.j2").render(
-        svg=svg,
-        shape=shape,
-        static=any(d.static.any() for d in shape.flywheels),
-        dynamic=any(d.dynamic.any() for d in shape.flywheels),
-        cut=any(is_cut(shape, tie) for tie in shape.ties),
-        numbered=[(w, d.name) for w, d in zip(words, shape.flywheels, strict=True) if w != d.name],
-        left_out=left_out,
-        bare=[d.name for d in shape.flywheels if not d.equivalent],
+    return Markup(
+        template("page_drawing.html.j2").render(
+            svg=svg,
+            shape=shape,
+            static=any(d.static.any() for d in shape.flywheels),
+            dynamic=any(d.dynamic.any() for d in shape.flywheels),
+            cut=any(is_cut(shape, tie) for tie in shape.ties),
+            numbered=[(w, d.name) for w, d in zip(words, shape.flywheels, strict=True) if w != d.name],
+            left_out=left_out,
+            bare=[d.name for d in shape.flywheels if not d.equivalent],
+        )
     )
-    return Section("drawing", "Drawing", html)
 
 
 def basis(shape: Shape) -> Array:
@@ -101,7 +103,7 @@ def draw(shape: Shape) -> tuple[str, int]:
     found.append(_keys(shape, scale, length, keys))
     width = max(total[0], 0.0 if beside else KEYS[0] + 16)
     height = total[1] + (0.0 if beside else KEYS[1])
-    svg = template("report_drawing.svg.j2").render(width=n(width), height=n(height), body="".join(found))
+    svg = template("page_drawing.svg.j2").render(width=n(width), height=n(height), body="".join(found))
     return svg, max(each.left_out for each in views)
 
 

@@ -118,12 +118,6 @@ class Run:
         return np.stack([self.columns[name] for name in names], axis=1)
 
 
-def some_rows(M: int, most: int) -> NDArray[np.intp]:
-    """Rows of M, evenly, about `most`; the first and the last among them."""
-    step = max(1, -(-M // most))
-    return np.unique(np.append(np.arange(0, M, step), max(M - 1, 0))).astype(np.intp)
-
-
 AGREES = 1e-6
 """Part of the natural scale: numbers of a run agree better, those of another stand worse."""
 

@@ -1,0 +1,151 @@
+"""Pages: one HTML file that opens offline and prints, made of parts: words, tables, pictures of matplotlib."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from markupsafe import Markup, escape
+
+from mahovik import __version__
+from mahovik.core.emit.generate import describe_bodies
+from mahovik.core.emit.templates import template
+from mahovik.core.stand.identity import identities
+from mahovik.core.stand.model import Stand
+from mahovik.out.report.plot.draw import STYLE, make_figure, require
+from mahovik.out.report.plot.panel import Line, Panel, envelope
+from mahovik.writing import probe, write
+
+Cell = str | Markup
+Row = Sequence[Cell]
+
+DIGITS = 5
+"""Significant digits of a number, where nothing else is said."""
+
+LEAST, MOST = -4, 7
+"""Powers of ten of the first digit between which a number is printed without a power."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """One part of a page, in plain text; all but the title may be empty. Words between backticks are code.
+
+    head, rows   a table: names of columns that end in ">" are those of numbers, at the right
+    panels       pictures, one below the other
+    html         more, whose text is escaped already
+    notes        a list of lines
+    summary      what the head of the page says of it
+    failures     lines that the page shows at its top as failed
+    """
+
+    title: str
+    words: str = ""
+    head: tuple[Cell, ...] = ()
+    rows: tuple[Row, ...] = ()
+    panels: tuple[Panel, ...] = ()
+    html: str = ""
+    notes: tuple[str, ...] = ()
+    summary: str = ""
+    failures: tuple[str, ...] = ()
+
+    @property
+    def markup(self) -> Markup:
+        """All of it but the title; the table at the left of the pictures where there is room for both."""
+        rows = table(self.head, self.rows) if self.head else Markup("")
+        drawn = picture(self.panels) if self.panels else Markup("")
+        if rows and drawn:
+            rows, drawn = Markup('<div class="beside">{}').format(rows), drawn + Markup("</div>")
+        notes = Markup("").join(map(Markup("<li>{}</li>").format, self.notes))
+        words = paragraph(self.words) if self.words else Markup("")
+        return words + Markup(self.html) + rows + drawn + (Markup("<ul>{}</ul>").format(notes) if notes else "")
+
+
+def write_page(
+    path: Path, title: str, parts: Sequence[Part], *, stand: Stand, files: Sequence[tuple[str, str]] = ()
+) -> None:
+    """Write a page on a stand, whole or not at all; arguments as of `page`.
+
+    Raises UsageError: matplotlib is missing, or the file cannot be written.
+    """
+    require("report")
+    probe(path)
+    write(path, page(title, parts, stand, files))
+
+
+def page(title: str, parts: Sequence[Part], stand: Stand, files: Sequence[tuple[str, str]] = ()) -> str:
+    """HTML of a page on a stand. The same parts give the same bytes.
+
+    files   kind and name of each file that the page was made from, ("data", "run.csv")
+    """
+    return template("page.html.j2").render(
+        title=title,
+        bodies=f"{stand.name}: {describe_bodies(stand)}",
+        identity=identities(stand),
+        version=__version__,
+        files=files,
+        failures=[line for part in parts for line in part.failures],
+        parts=parts,
+    )
+
+
+def picture(panels: Sequence[Panel]) -> Markup:
+    """Panels as one picture in the page, which follows its colours by the page's style."""
+    matplotlib, figures = require("report")
+    with matplotlib.rc_context({**STYLE, "svg.fonttype": "none"}):
+        figure, _ = make_figure(figures.Figure, "", [replace(p, lines=tuple(map(_short, p.lines))) for p in panels])
+        stream = io.StringIO()
+        figure.savefig(stream, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
+    svg = stream.getvalue()
+    svg = re.sub(r"<metadata>.*?</metadata>", "", svg[svg.index("<svg") :], flags=re.DOTALL)
+    svg = re.sub(r"(\d\.\d\d)\d+", r"\1", svg)  # a hundredth of a point is enough
+    svg = svg.replace('<g id="', '<g data-id="')  # groups that nothing refers to
+    salt = hashlib.sha256(svg.encode()).hexdigest()[:8]  # no other picture of the page has these names
+    svg = re.sub(r'( id="|"#|url\(#)', rf"\g<1>{salt}", svg)
+    names = ", ".join(panel.quantity for panel in panels)
+    return Markup('<figure role="img" aria-label="{}">{}</figure>\n').format(names, Markup(svg))
+
+
+def _short(line: Line) -> Line:
+    """The line without points that nobody sees: of each stretch the extremes are kept."""
+    kept = envelope(line.y)
+    return replace(line, x=line.x[kept], y=line.y[kept])
+
+
+def paragraph(text: str) -> Markup:
+    """Running text; what is between backticks is code."""
+    pieces = (Markup("<code>{}</code>").format(x) if i % 2 else escape(x) for i, x in enumerate(text.split("`")))
+    return Markup("<p>{}</p>\n").format(Markup("").join(pieces))
+
+
+def table(head: Sequence[Cell], rows: Sequence[Row], caption: str = "") -> Markup:
+    """A table that scrolls where it is too wide; numbers of columns whose name ends in ">" stand at the right."""
+    sides = [Markup(' class="number"') if str(name).endswith(">") else "" for name in head]
+    return Markup(
+        template("page_table.html.j2").render(
+            caption=caption, head=[name.removesuffix(">") for name in head], sides=sides, rows=rows
+        )
+    )
+
+
+def figure(value: float, digits: int = DIGITS) -> Markup:
+    """A number to some significant digits as one prints it: minus sign, thousands apart, powers of ten; NaN as "–"."""
+    if not math.isfinite(value):
+        return Markup("–") if math.isnan(value) else Markup("−∞" if value < 0 else "∞")
+    text, _, exponent = f"{abs(value):.{digits - 1}e}".partition("e")
+    power = int(exponent)
+    sign = "−" if value < 0 else ""
+    if LEAST <= power < MOST or value == 0.0:
+        whole, point, decimals = _without_zeros(f"{abs(value):.{max(0, digits - 1 - power)}f}").partition(".")
+        grouped = f"{int(whole):,}".replace(",", "\u202f") if len(whole) > 4 else whole
+        return Markup(sign + grouped + point + decimals)
+    return Markup(f"{sign}{_without_zeros(text)}·10<sup>{str(power).replace('-', '−')}</sup>")
+
+
+def _without_zeros(text: str) -> str:
+    """Without zeros at the end of decimals."""
+    return text.rstrip("0").rstrip(".") if "." in text else text

@@ -1,0 +1,153 @@
+"""The page of a stand: no peak is lost, text is escaped, nothing is loaded, small; parts say what there is to say."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from mahovik import stands
+from mahovik.core.stand import load
+from mahovik.out.api.stands import Stand
+from mahovik.out.functions.stand_report import (
+    Subject,
+    limits_part,
+    modes_part,
+    report,
+    requirements_part,
+    vibration_part,
+)
+from mahovik.out.report.data.panels import confidence_ellipse, order_spectra, waterfall
+from mahovik.out.report.page import Part, figure, page, picture, table, write_page
+from mahovik.out.report.plot.panel import BINS, Line, Mark, Panel, envelope
+from mahovik.use.measured.orders import OrderMap
+from report.chromium import Opened, launched
+from report.stand.reports import read, words
+
+HELD = Path(__file__).resolve().parents[2] / "docs" / "held"
+
+
+def subject(name: str) -> Subject:
+    file = HELD / f"{name}.toml" if (HELD / f"{name}.toml").exists() else stands.path(name)
+    return Subject(Stand.of(load(file)), file.name)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.0, "0"), (-0.0, "0"), (-12.5, "−12.5"), (0.00012345678, "0.00012346"), (123456.7, "123\u202f457"),
+        (1234.5678, "1234.6"), (9.999999, "10"), (1e7, "1·10<sup>7</sup>"), (-2.5e-9, "−2.5·10<sup>−9</sup>"),
+        (math.inf, "∞"), (-math.inf, "−∞"), (math.nan, "–"),
+    ],
+)  # fmt: skip
+def test_a_figure_is_printed_as_one_writes_it(value: float, text: str) -> None:
+    assert figure(value) == text
+
+
+def test_an_envelope_keeps_every_extreme() -> None:
+    rng = np.random.default_rng(3)
+    y = rng.normal(size=100_000)
+    y[[12_345, 67_890]] = 9.0, -8.0
+    kept = envelope(y)
+    assert len(kept) <= 2 * BINS + 2 and np.all(np.diff(kept) > 0)
+    assert {0, len(y) - 1, 12_345, 67_890} <= set(kept.tolist())
+    edges = np.linspace(0, len(y), BINS + 1).astype(int)
+    for low, high in pairwise(edges):
+        inside = kept[(kept >= low) & (kept < high)]
+        assert y[inside].max() == y[low:high].max() and y[inside].min() == y[low:high].min()
+
+
+ORDERS = np.arange(1, 33) / 8.0
+
+
+def test_text_is_escaped_and_nothing_is_loaded(tmp_path: Path) -> None:
+    evil, x = '<script>alert("&")</script>', np.arange(3.0)
+    spectra = {"before": np.linspace(1.0, 0.1, 32), "after": np.zeros(32)}
+    amplitude = np.where(ORDERS == 1.0, 1.0, 1e-6)[None]
+    drawn = (
+        Panel(evil, (Line(evil, x, x, tag=evil),), note=evil, abscissa=evil, marks=(Mark(1.0, 1.0, evil),)),
+        order_spectra("rms", "m/s2", ORDERS, spectra, "w1"),
+        waterfall({"measured": OrderMap("w1", "acc1.acceleration.x", "m/s2", np.array([10.0]), ORDERS, amplitude)}),
+    )
+    part = Part(evil, f"{evil} `{evil}`", (evil, "n, kg>"), ((evil, "&"),), drawn, notes=(evil,), summary=evil,
+                failures=(evil,))  # fmt: skip
+    stand = load(stands.path("bench8"))
+    write_page(tmp_path / "p.html", evil, [part], stand=stand, files=[("data", evil)])
+    html = (tmp_path / "p.html").read_text(encoding="utf-8")
+    assert html == page(evil, [part], stand, [("data", evil)])
+    assert "<script" not in html and read(html).wrong == []
+    addresses = re.sub(r'(xmlns(:\w+)?|about)="http[^"]*"', "", html)  # names, which nobody asks for
+    assert not re.search(r"(https?:|file:|@import|//[a-z])", addresses)
+    assert "a&lt;b" in table(("a<b>",), [])
+
+
+def test_the_ellipse_holds_95_percent_of_its_distribution() -> None:
+    centre, covariance = np.array([100.0, -5.0]), np.array([[4.0, -1.5], [-1.5, 1.0]])
+    panel = confidence_ellipse("w1", ("y, g mm", "z, g mm"), centre, covariance)
+    high, low = panel.lines
+    x, y = np.random.default_rng(3).multivariate_normal(centre, covariance, 20_000).T
+    top = np.interp(x, high.x, high.y, left=np.nan, right=np.nan)
+    bottom = np.interp(x, low.x, low.y, left=np.nan, right=np.nan)
+    assert abs(np.mean((y < top) & (y > bottom)) - 0.95) < 0.006
+    assert panel.span is not None and panel.span[0] < high.x.min() and panel.span[1] > high.x.max()
+
+
+def test_a_picture_is_the_same_text_again() -> None:
+    x = np.linspace(0.0, 1.0, 7)
+    assert picture([Panel("y", (Line("a", x, x),))]) == picture([Panel("y", (Line("a", x, x),))])
+
+
+def test_vibration_and_requirements_at_points() -> None:
+    of = replace(subject("sat4"), require=("rms 1 arcsec", "rms 1e-9 arcsec"))
+    part = requirements_part(of)
+    assert part is not None and part.failures == ("acc1: rms is not met",)
+    assert [str(row[-1]) for row in part.rows] == ["met", '<span class="bad">failed</span>']
+    seen = vibration_part(replace(of, at=("carrier", "acc1")))
+    assert seen is not None and len(seen.panels) == 2 and "carrier at most" in seen.summary
+    table_of_limits = limits_part(of)
+    assert table_of_limits is not None and "326.6" not in table_of_limits.summary
+    assert "19.6 N m s" in table_of_limits.summary
+
+
+@pytest.mark.parametrize(
+    ("name", "modes", "vibration"),
+    [
+        ("demo3", "", "Nothing shakes carrier: the flywheels are balanced."),
+        ("remus6", "no pose to be linear about", "there is no steady vibration to show"),
+        ("force_table", None, "hold.reaction at most"),
+    ],
+)
+def test_what_cannot_be_shown_is_said(name: str, modes: str | None, vibration: str) -> None:
+    of = subject(name)
+    swinging, shaking = modes_part(of), vibration_part(of)
+    assert (swinging is None) is (modes is None)
+    assert swinging is None or modes is None or modes in swinging.words
+    assert shaking is not None
+    assert vibration in " ".join([shaking.words, *shaking.notes, shaking.summary])
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("ignore::mahovik.MahovikWarning")
+@pytest.mark.parametrize("name", [*stands.names(), "cube"])
+def test_four_screens_without_requests_or_overflow(name: str, tmp_path: Path) -> None:
+    """Light, dark, on a phone and on paper; at most 300 kB."""
+    made = report(subject(name).stand)
+    file = tmp_path / "page.html"
+    made.save(file)
+    assert made.failures == () and file.stat().st_size < 300_000
+    assert read(made.html).wrong == [] and made.stand.name in words(made.html)
+    with launched() as browser:
+        opened = Opened(browser, file, viewport={"width": 1280, "height": 900}, color_scheme="dark")
+        shown = opened.page
+        assert shown.evaluate("document.scrollingElement.scrollHeight") <= 4 * 900
+        shown.set_viewport_size({"width": 320, "height": 800})
+        assert shown.evaluate("document.scrollingElement.scrollWidth") <= 320
+        shown.emulate_media(media="print", color_scheme="dark")
+        assert shown.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+        assert opened.complaints == [] and opened.requests == [opened.address]
+        opened.context.close()
