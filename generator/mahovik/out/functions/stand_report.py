@@ -129,15 +129,14 @@ def _run(path: Path, stand: Stand) -> Run:
     return run
 
 
-def stand_parts(subject: Subject, made: Callable[[str], None] = lambda title: None) -> list[Part]:
-    """The parts of the page in their order; `made` hears the title of each."""
-    found = []
-    for section in SECTIONS:
+def stand_parts(subject: Subject, on_part: Callable[[int], None] = lambda done: None) -> list[Part]:
+    """The parts of the page in their order; `on_part` gets the number of those done, of all SECTIONS."""
+    parts = []
+    for done, section in enumerate(SECTIONS, start=1):
         part = section(subject)
-        if part is not None:
-            made(part.title)
-            found.append(part)
-    return found
+        parts += [] if part is None else [part]
+        on_part(done)
+    return parts
 
 
 # -- what moves --------------------------------------------------------------------------------------------------------
@@ -457,12 +456,6 @@ def report(
     source = Path(stand).name if isinstance(stand, str | Path) else f"{own.name}.toml"
     read, planned, required = (None if path is None else Path(path) for path in (run, programme, motion))
     subject = gather(own, source, read, planned, required, at, require)
-    done: list[str] = []
-
-    def made(title: str) -> None:
-        done.append(title)
-        tell(progress, Progress("sections of the report", len(done), len(SECTIONS)))
-
-    parts = stand_parts(subject, made)
+    parts = stand_parts(subject, lambda done: tell(progress, Progress("sections of the report", done, len(SECTIONS))))
     failures = [line for part in parts for line in part.failures]
     return Page(own, page(own.name, parts, own, subject.files), failures)
