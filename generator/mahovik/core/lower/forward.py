@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from mahovik.core.formula.derived import wrench as derived
-from mahovik.core.lower import along, flywheels, hold
+from mahovik.core.lower import flywheels, hold
 from mahovik.core.lower.flywheels import AT_NOTES, Turns, named_turns, places_of, turns_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
@@ -202,7 +202,7 @@ def equations_along(
     """
     F = body.local("F", (6,), comment="wrench (7)" if lib.layout.along else "wrench (7); then what is to be projected")
     if lib.layout.along:
-        sums = along.sum_up_along(lib, body, table, x, seen.turns, phi_ddot, seen.sums)
+        sums = hold.sum_up_along.put_into(body, lib, table, x, seen.turns, phi_ddot, seen.sums)
         external_wrench(lib, body, table, x, seen, wrench, F)
         freedoms = hold.Freedoms(lib, body, table, sums.P, y)
         named = {"table": table, "sum": sums, "V": x.V, "F": F, "y": freedoms.y}
@@ -258,7 +258,7 @@ def forward(lib: Library, at: bool = False) -> Function:
     named |= {a.name: found for a, found in zip(held, others, strict=True)}
     lib.check(body, "accelerate", *lib.arguments_of("accelerate", **named))
     if lib.layout.held:  # all inputs have been read
-        hold.write_twist(lib, body, table.place, others, result)
+        hold.write_twist.put_into(body, lib, table.place, others, result)
     if not at_once:
         body.copy_array(V_dot.place, result)
     for argument, found in zip(held, others, strict=True):

@@ -6,22 +6,23 @@ A turn about an axis of E1 through the pivot is (pivot x e, e), a slide (e, 0). 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
-from mahovik.core.program.expression import Expr, Place, real
+from mahovik.core.program.vector import Vector, dot
 from mahovik.core.stand.hold import FREEDOMS
-
-Column = Sequence[Expr | int]
-"""Six numbers of a column of S: an expression, or 0 or 1 where this is so for any stand of the structure."""
 
 TURNS = ("roll", "pitch", "yaw")
 
 
-def columns(ways: Sequence[str], table: Place) -> list[Column]:
-    """The columns of S of freedoms that are `ways`, names of FREEDOMS or turn, slide, twist."""
-    return [_column(way, [table.S[i][k] for i in range(6)]) for k, way in enumerate(ways)]
+def columns(ways: Sequence[str], table: Any) -> list[Vector]:
+    """The columns of S of freedoms that are `ways`, names of FREEDOMS or turn, slide, twist.
+
+    0 and 1 are numbers of Python where they are so for any stand of the structure.
+    """
+    return [Vector(_column(way, table.S[:, k])) for k, way in enumerate(ways)]
 
 
-def _column(way: str, whole: list[Place]) -> Column:
+def _column(way: str, whole: Sequence[Any]) -> Sequence[Any]:
     if way not in FREEDOMS:
         return [*whole[:3], 0, 0, 0] if way == "slide" else whole
     axis = [int(x) for x in FREEDOMS[way].direction]
@@ -30,42 +31,17 @@ def _column(way: str, whole: list[Place]) -> Column:
     return [*(0 if on else x for on, x in zip(axis, whole[:3], strict=True)), *axis]
 
 
-def dot(column: Column, wrench: Sequence[Expr]) -> Expr:
-    """A column of S times a wrench or a column of I: its power at u = 1."""
-    terms = [w if one == 1 else one * w for one, w in zip(column, wrench, strict=True) if one != 0]
-    total: Expr = terms[0]
-    for term in terms[1:]:
-        total = total + term
-    return total
-
-
-def twist(found: Sequence[Column], u: Place) -> list[Expr]:
-    """S u (6)."""
-    rows: list[Expr] = []
-    for i in range(6):
-        terms = [u[k] if each[i] == 1 else each[i] * u[k] for k, each in enumerate(found) if each[i] != 0]
-        total: Expr = terms[0] if terms else real(0)
-        for term in terms[1:]:
-            total = total + term
-        rows.append(total)
-    return rows
-
-
-def speeds(ways: Sequence[str], found: Sequence[Column], V: Place) -> list[Expr]:
+def speeds(ways: Sequence[str], S: Sequence[Vector], V: Any) -> list[Any]:
     """u of V = S u, for freedoms that `are_closed`."""
     if len(ways) == 1 and ways[0] not in FREEDOMS:
-        half = range(3) if ways[0] == "slide" else range(3, 6)
-        return [found[0][half[0]] * V[half[0]] + found[0][half[1]] * V[half[1]] + found[0][half[2]] * V[half[2]]]
+        half = slice(0, 3) if ways[0] == "slide" else slice(3, 6)
+        return [dot(S[0][half], V[half])]
     axes = [FREEDOMS[way].direction.index(1.0) for way in ways]
     turning = {k: V[3 + axes[k]] for k, way in enumerate(ways) if way in TURNS}
-    rates: list[Expr] = []
-    for k, way in enumerate(ways):
-        rate: Expr = V[axes[k]] if k not in turning else turning[k]
-        if way not in TURNS:  # what slides is what the turning does not give
-            for j, turn in turning.items():
-                if found[j][axes[k]] != 0:
-                    rate = rate - found[j][axes[k]] * turn
-        rates.append(rate)
+    rates: list[Any] = []
+    for k, axis in enumerate(axes):  # what slides is what the turning does not give
+        given = [S[j][axis] for j in turning]
+        rates.append(turning[k] if k in turning else dot((1, *[-x for x in given]), (V[axis], *turning.values())))
     return rates
 
 
@@ -89,24 +65,15 @@ def are_closed(ways: Sequence[str]) -> bool:
     return all(each is None or each[0] in ways for each in found)
 
 
-def turning_force(ways: Sequence[str], u: Place, momentum: Mapping[str, Expr]) -> list[Expr | None]:
-    """-S_k . Phi(V) Z (m) of freedoms that `are_closed`, by the momenta S^T Z; None where there is none.
+def turning_force(ways: Sequence[str], u: Any, momentum: Mapping[str, Any]) -> list[Any]:
+    """-S_k . Phi(V) Z (m) of freedoms that `are_closed`, by the momenta S^T Z; 0 where there is none.
 
     S_k . Phi(V) Z = -Z . (V x S_k), and V x S_k is the sum of u_j [S_j, S_k].
     """
-    forces: list[Expr | None] = []
+    forces = []
     for way in ways:
-        found = [(j, each) for j, other in enumerate(ways) if (each := _bracket_of(ways, other, way))]
-        total: Expr | None = None
-        for j, (name, sign) in sorted(found, key=lambda one: -one[1][1]):
-            term = u[j] * momentum[name]
-            if total is None:
-                total = term if sign > 0 else -term
-            elif sign > 0:
-                total = total + term
-            else:
-                total = total - term
-        forces.append(total)
+        brackets = [(u[j], found) for j, one in enumerate(ways) if (found := _bracket_of(ways, one, way))]
+        forces.append(dot([sign for _, (_, sign) in brackets], [rate * momentum[name] for rate, (name, _) in brackets]))
     return forces
 
 
@@ -128,6 +95,6 @@ def place_of(i: int, j: int) -> int:
     return i * (i + 1) // 2 + j
 
 
-def element(P: Place, i: int, j: int) -> Place:
+def element(P: Any, i: int, j: int) -> Any:
     """Element (i, j) of such a matrix."""
     return P[place_of(max(i, j), min(i, j))]

@@ -20,7 +20,7 @@ from mahovik.core.lower.freedom_coordinates import (
     turns_about_point,
     turns_slides,
 )
-from mahovik.core.lower.freedoms import TURNS, columns, speeds, twist
+from mahovik.core.lower.freedoms import TURNS, columns, speeds
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
@@ -28,6 +28,7 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
+from mahovik.core.program.vector import Matrix
 from mahovik.core.stand.hold import FREEDOMS
 
 REAL = Kind.REAL
@@ -216,8 +217,7 @@ def state_from_coordinates(lib: Library) -> Function:
         _turn_rates_back(lib, body, found, T, turn, u, u_dot)
     V, rate = (body.local(name, (6,)) for name in ("V", "rate"))
     for target, values in ((V, u), (rate, u_dot)):
-        for element, total in zip(target, twist(columns(layout.ways, T), values), strict=True):
-            body.set(element, total)
+        body.set(target, Matrix(columns(layout.ways, T)).T @ values)
     lib.check(body, "within", position, 3, lib.limits["MAX_POSITION"].expression)
     lib.check(body, "within", V, 6, lib.limits["MAX_SPEED"].expression)
     lib.check(body, "within", V, 3, lib.limits["MAX_VELOCITY"].expression)

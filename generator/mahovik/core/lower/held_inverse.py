@@ -12,7 +12,7 @@ from mahovik.core.lower import allocate, excess
 from mahovik.core.lower.demand import ANSWER_NOTE, begin_demand, check_answer, check_demand
 from mahovik.core.lower.flywheels import columns_of, let_turn, named_turns, places_of, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES
-from mahovik.core.lower.freedoms import columns, dot, place_of
+from mahovik.core.lower.freedoms import columns, place_of
 from mahovik.core.lower.hold import write_twist
 from mahovik.core.lower.inverse import POSITIVE, check_flywheels, choose_rank, flag, hardest, sort
 from mahovik.core.lower.inverse_fast import inverse_fast
@@ -23,6 +23,7 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Convert, Expr, Not, Place, integer, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
+from mahovik.core.program.vector import dot
 from mahovik.core.routines.jacobi import name_for_rows
 
 
@@ -141,7 +142,7 @@ def _inverse(lib: Library) -> Function:
     named |= named_turns(turns) | {w.name: w.place for w in wrench}
     rates = {"u_dot": body.local("rates", (m,))}
     lib.check(body, "accelerate", *lib.arguments_of("accelerate", **named, **rates))
-    write_twist(lib, body, table.place, list(rates.values()), moved)
+    write_twist.put_into(body, lib, table.place, list(rates.values()), moved)
     lacking = body.local("lacking", (), Kind.INT)
     body.call(lib["excessive"], *lib.arguments_of("excessive", **named, options=p, flags=lacking))
     body.set(flags, flags | lacking)

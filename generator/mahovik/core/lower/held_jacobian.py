@@ -24,7 +24,7 @@ from mahovik.core.lower.flywheel_slopes import (
 )
 from mahovik.core.lower.flywheels import columns_of, common_terms, couple_flywheel, named_turns, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, scene, sum_up
-from mahovik.core.lower.freedoms import columns, dot, place_of
+from mahovik.core.lower.freedoms import columns, place_of
 from mahovik.core.lower.jacobian import bias_slopes, twist_slopes
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
@@ -33,6 +33,7 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, equal, integer, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
+from mahovik.core.program.vector import dot
 
 NOTES = ("At a kink of a damping law with magnitudes, the derivative from one side is returned.",)
 
@@ -127,7 +128,7 @@ def forward_jacobian(lib: Library) -> Function:
     named = {"table": table.place, "x": x.place} | named_turns(turns) | {"u_dot": rates[0]}
     named |= {a.name: a.place for a in (*phi_ddot, *wrench)}
     lib.check(body, "accelerate", *lib.arguments_of("accelerate", **named))
-    hold.write_twist(lib, body, table.place, rates, motion)
+    hold.write_twist.put_into(body, lib, table.place, rates, motion)
     seen = scene(lib, body, table.place, x.place, turns=turns)
     sum_up(lib, body, table.place, x.place, seen, given[0] if given else None)
     _moving(body, x.place, seen, motion)

@@ -1,48 +1,49 @@
 """Held carrier: (8) projected to its m freedoms, V* = S u*, and the reaction of the hold, by an m x m solve.
 
 S^T K S u* = S^T b and R = K V_r* - b; with a stream, K d is taken from b first, and then V* stands in place of V_r*.
+
+Freedoms whose brackets are freedoms need no six rows. S is constant in E1, so S^T K S and S^T I_s have the harmonics of
+K and I_s, projected once by `prepare`:
+  P(phi) u* = S^T F - P* u - d/dt (S^T I_s phi') - S^T Phi(V) Z,  V = S u,
+the last term by the m momenta S^T Z = P u + S^T sum I_s phi'. It is zero for one freedom.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from operator import mul
+from typing import Any
 
-from mahovik.core.formula.derived import hold as derived
-from mahovik.core.formula.derived import wrench as derived_wrench
-from mahovik.core.lower import along
-from mahovik.core.lower.freedoms import columns, dot, place_of, twist
+from mahovik.core.lower.flywheels import weights
+from mahovik.core.lower.freedoms import columns, element, momenta_needed, place_of, speeds, turning_force
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.solve import carrier_binding
-from mahovik.core.lower.symbolic import assign, translate
+from mahovik.core.lower.solve import mass_times
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Place, real
-from mahovik.core.program.function import Function
+from mahovik.core.program.expression import Expr, Not, Place, Status, real
+from mahovik.core.program.kernel import (
+    NOT_POSITIVE_DEFINITE,
+    OK,
+    Reals,
+    argument,
+    body,
+    changed,
+    inline,
+    kernel,
+    let,
+    reals,
+    record,
+    refuse,
+    result,
+)
 from mahovik.core.program.types import Kind
-
-HELD_STATUSES = ("OK", "NOT_POSITIVE_DEFINITE")
+from mahovik.core.program.vector import Matrix, Vector, cross, dot, symmetric
 
 OF_COORDINATES = frozenset(("generalized", "state_from_coordinates"))
 """Names of functions that the C of a held carrier has where its poses have coordinates of the freedoms."""
 
 OF_FREEDOMS = frozenset(("inverse", "inverse_fast", "inverse_fast_at", "forward_jacobian", "coupled_jacobian"))
 """Names of functions that the C of a clamped carrier does not have: they are along the freedoms."""
-
-
-def add_all(lib: Library) -> None:
-    """Adds the functions of a held carrier; clamped, its V* is zero."""
-    if lib.layout.freedoms:
-        lib.add(project_mass(lib))
-        lib.add(project_wrench(lib))
-        lib.add(solve_freedoms(lib))
-        lib.add(twist_of_freedoms(lib))
-    if lib.layout.along:
-        along.add_all(lib)
-    if lib.layout.stream:
-        lib.add(subtract_drift(lib))
-    lib.add(react(lib))
-    lib.add(keep_pivot(lib))
 
 
 def results(lib: Library) -> tuple[Argument, ...]:
@@ -52,153 +53,303 @@ def results(lib: Library) -> tuple[Argument, ...]:
     return (Argument("u_dot", Kind.REAL, (lib.layout.freedoms,), "out", "SI", "rates of the freedoms"),)
 
 
-def project_mass(lib: Library) -> Function:
+def add_hold(lib: Library) -> None:
+    """Adds the functions of a held carrier; clamped, its V* is zero."""
+    layout, m, ways = lib.layout, lib.layout.freedoms, lib.layout.ways
+    size = place_of(m, 0)  # numbers of a symmetric matrix of the freedoms
+    least = layout.precision.smallest
+
+    if m:
+        lib.add(project_mass(lib))
+
+        @lib.kernel()
+        def project_wrench(
+            table: Any = lib.table, F: Reals = argument("", 6, unit="N, N m"), y: Reals = result("", m, unit="SI")
+        ) -> None:
+            """S^T F: a wrench along the freedoms."""
+            y[:] = [dot(column, F) for column in columns(ways, table)]
+
+        @lib.kernel(statuses=("OK", "NOT_POSITIVE_DEFINITE"))
+        def solve_freedoms(
+            P: Reals = argument("lower triangle, row by row", size, unit="SI"), y: Reals = changed("", m, unit="SI")
+        ) -> Status:
+            """Solves P x = y, P symmetric and positive definite, by L D L^T; x is written to y."""
+            y[:] = solved_by_ldl(P, y, least)
+            return OK
+
+        @lib.kernel(short=True)
+        def twist_of_freedoms(
+            table: Any = lib.table, u: Reals = argument("", m, unit="SI"), V: Reals = result("", 6)
+        ) -> None:
+            """V = S u."""
+            V[:] = Matrix(columns(ways, table)).T @ u
+
+    if layout.along:
+        lib.add(sum_along(lib, steady=False))
+        lib.add(sum_along(lib, steady=True))
+        add_right_side(lib)
+
+    if layout.stream:
+
+        @lib.kernel()
+        def subtract_drift(
+            table: Any = lib.table,
+            sum_: Any = lib.sums,
+            drift: Reals = argument("omega x C^T u", 3, unit="m/s2"),
+            F: Reals = changed("", 6, unit="N, N m"),
+        ) -> None:
+            """F less K (omega x C^T u, 0)."""
+            if layout.added_mass:
+                F -= mass_times(lib, table, sum_, Vector([*drift, 0, 0, 0]))
+            else:
+                F[0:3] -= drift * table.mass
+                F[3:6] -= -cross(drift, sum_.mu)
+
+    @lib.kernel()
+    def react(
+        table: Any = lib.table,
+        sum_: Any = lib.sums,
+        V_dot: Reals = argument("", 6, unit="m/s2, rad/s2"),
+        F: Reals = argument("right-hand side of (8), of all that turns as well", 6, unit="N, N m"),
+        reaction: Reals = result("must not overlap F", 6, unit="N, N m"),
+    ) -> None:
+        """Wrench of the hold on the carrier: K V* - F."""
+        moved: Reals = mass_times(lib, table, sum_, V_dot)  # K V*
+        reaction[:] = moved - F
+
+    @lib.kernel()
+    def keep_pivot(
+        table: Any = lib.table, x: Any = lib.x, y: Any = changed("state after the step", struct=layout.state)
+    ) -> None:
+        """Puts the pivot of the hold back to where it can slide."""
+        C, place, reached = pivot_arms(lib, table, x, y)
+        way = reals(3)  # how the pivot went, in E0
+        for i in list(range(3)):
+            place[i] += x.position[i]
+            way[i] = y.position[i] + reached[i] - place[i]
+        slid = allowed_way(lib, table, C, way)
+        y.position[:] = place + slid - reached
+
+
+def project_mass(lib: Library) -> Any:
     """S^T K S."""
-    table, sums = lib.table_argument(), Argument("sum", lib.layout.sums)
-    P = Argument("P", Kind.REAL, (place_of(lib.layout.freedoms, 0),), "out", "SI", "lower triangle, row by row")
-    body = Body()
-    binding = carrier_binding(lib, table.place, sums.place)
-    moved = body.local("moved", (6,), comment="K times a column of S")
-    found = columns(lib.layout.ways, table.place)
-    for j in range(lib.layout.freedoms):
-        six = [table.place.S[i][j] for i in range(6)]
-        assign(body, list(moved), derived.mass_times(lib.layout.added_mass), binding | {"twist": six})
-        for i in range(j, lib.layout.freedoms):
-            body.set(P.place[place_of(i, j)], dot(found[i], list(moved)))
-    return body.function("project_mass", "S^T K S: the mass matrix along the freedoms.", (table, sums, P))
+    m, ways = lib.layout.freedoms, lib.layout.ways
+    size = place_of(m, 0)
+
+    @kernel()
+    def project_mass(
+        table: Any = lib.table,
+        sum_: Any = lib.sums,
+        P: Reals = result("lower triangle, row by row", size, unit="SI"),
+    ) -> None:
+        """S^T K S: the mass matrix along the freedoms."""
+        moved = reals(6)  # K times a column of S
+        for j in list(range(m)):
+            moved[:] = mass_times(lib, table, sum_, table.S[:, j])
+            project(P, moved, columns(ways, table), j)
+
+    return project_mass
 
 
-def project_wrench(lib: Library) -> Function:
-    """S^T of a wrench."""
-    table, F = lib.table_argument(), Argument("F", Kind.REAL, (6,), unit="N, N m")
-    y = Argument("y", Kind.REAL, (lib.layout.freedoms,), "out", "SI")
-    body = Body()
-    for k, column in enumerate(columns(lib.layout.ways, table.place)):
-        body.set(y.place[k], dot(column, list(F.place)))
-    return body.function("project_wrench", "S^T F: a wrench along the freedoms.", (table, F, y))
+def project(P: Any, moved: Any, S: Sequence[Vector], j: int) -> None:
+    """Column j of S^T K S, by K times column j of S."""
+    for i in range(j, len(S)):
+        body().set(P[place_of(i, j)], dot(S[i], moved))
 
 
-def solve_freedoms(lib: Library) -> Function:
-    """P u* = y by L D L^T."""
-    m = lib.layout.freedoms
-    P = Argument("P", Kind.REAL, (place_of(m, 0),), unit="SI", purpose="lower triangle, row by row")
-    y = Argument("y", Kind.REAL, (m,), "inout", "SI")
-    least, x = real(lib.layout.precision.smallest), y.place
-    body = Body()
-    left: dict[tuple[int, int], Expr] = {(i, j): P.place[place_of(i, j)] for i in range(m) for j in range(i + 1)}
-    z: list[Expr] = [x[i] for i in range(m)]
+def solved_by_ldl(P: Any, y: Any, least: float) -> list[Expr]:
+    """x of P x = y by L D L^T; the function returns where P is not positive definite."""
+    m = len(y)
+    left: dict[tuple[int, int], Any] = {(i, j): P[place_of(i, j)] for i in range(m) for j in range(i + 1)}
+    z: list[Any] = list(y)
     for j in range(m):
-        lib.guard(body, Not(left[j, j] >= least), "NOT_POSITIVE_DEFINITE")
+        refuse(Not(left[j, j] >= least), NOT_POSITIVE_DEFINITE)
         if j + 1 < m:
-            body.note(f"column {j + 1} of L, and what is left of the others")
+            body().note(f"column {j + 1} of L, and what is left of the others")
         for i in range(j + 1, m):
-            share = body.let(f"l{i + 1}{j + 1}", left[i, j] / left[j, j])
+            share: Any = let(f"l{i + 1}{j + 1}", left[i, j] / left[j, j])
             for k in range(j + 1, i + 1):
-                left[i, k] = body.let(f"p{i + 1}{k + 1}_{j + 1}", left[i, k] - share * left[k, j])
-            z[i] = body.let(f"z{i + 1}_{j + 1}", z[i] - share * z[j])
+                left[i, k] = let(f"p{i + 1}{k + 1}_{j + 1}", left[i, k] - share * left[k, j])
+            z[i] = let(f"z{i + 1}_{j + 1}", z[i] - share * z[j])
     for j in reversed(range(m)):
-        rest: Expr = z[j]
         for i in range(j + 1, m):
-            rest = rest - left[i, j] * z[i]
-        z[j] = body.let(f"x{j + 1}", rest / left[j, j])
-    for element, value in zip(x, z, strict=True):
-        body.set(element, value)
-    return body.checked_function(
-        "solve_freedoms",
-        "Solves P x = y, P symmetric and positive definite, by L D L^T; x is written to y.",
-        (P, y),
-        statuses=HELD_STATUSES,
-    )
+            z[j] = z[j] - left[i, j] * z[i]
+        z[j] = let(f"x{j + 1}", z[j] / left[j, j])
+    return z
 
 
-def twist_of_freedoms(lib: Library) -> Function:
-    """V = S u."""
-    table = lib.table_argument()
-    u = Argument("u", Kind.REAL, (lib.layout.freedoms,), unit="SI")
-    V = Argument("V", Kind.REAL, (6,), "out")
-    body = Body()
-    for element, total in zip(V.place, twist(columns(lib.layout.ways, table.place), u.place), strict=True):
-        body.set(element, total)
-    return replace(body.function("twist_of_freedoms", "V = S u.", (table, u, V)), short=True)
-
-
-def subtract_drift(lib: Library) -> Function:
-    """b - K d."""
-    table, sums = lib.table_argument(), Argument("sum", lib.layout.sums)
-    drift = Argument("drift", Kind.REAL, (3,), unit="m/s2", purpose="omega x C^T u")
-    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m")
-    body = Body()
-    binding = carrier_binding(lib, table.place, sums.place) | {"drift": drift.place}
-    for target, value in zip(F.place, derived.mass_times_drift(lib.layout.added_mass), strict=True):
-        body.add(target, -translate(value, binding))
-    return body.function("subtract_drift", "F less K (omega x C^T u, 0).", (table, sums, drift, F))
-
-
-def react(lib: Library) -> Function:
-    """R = K V* - F."""
-    table, sums = lib.table_argument(), Argument("sum", lib.layout.sums)
-    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2")
-    F = Argument("F", Kind.REAL, (6,), unit="N, N m", purpose="right-hand side of (8), of all that turns as well")
-    R = Argument("reaction", Kind.REAL, (6,), "out", "N, N m", "must not overlap F")
-    body = Body()
-    binding = carrier_binding(lib, table.place, sums.place) | {"twist": list(V_dot.place)}
-    moved = body.local("moved", (6,), comment="K V*")
-    assign(body, list(moved), derived.mass_times(lib.layout.added_mass), binding)
-    for k in range(6):
-        body.set(R.place[k], moved[k] - F.place[k])
-    return body.function("react", "Wrench of the hold on the carrier: K V* - F.", (table, sums, V_dot, F, R))
-
-
-def pivot_arms(lib: Library, body: Body, table: Place, x: Place, after: Place) -> tuple[Place, Place, Place]:
+@inline
+def pivot_arms(lib: Library, table: Any, x: Any, after: Any) -> Any:
     """Attitude C before a step, and the arms from O1 to the pivot before and after it, in E0."""
-    rotated = derived_wrench.rotated()
-    C = body.local("C", (9,), comment="attitude before the step")
-    end = body.local("end", (9,), comment="attitude after the step")
-    arm = body.local("arm", (3,), comment="from O1 to the pivot before the step, in E0")
-    reached = body.local("reached", (3,), comment="likewise after the step")
-    body.call(lib["rotation"], x.attitude, C)
-    body.call(lib["rotation"], after.attitude, end)
-    assign(body, list(arm), rotated, {"C": C, "a": table.pivot})
-    assign(body, list(reached), rotated, {"C": end, "a": table.pivot})
+    C = reals(9)  # attitude before the step
+    end = reals(9)  # attitude after the step
+    arm = reals(3)  # from O1 to the pivot before the step, in E0
+    reached = reals(3)  # likewise after the step
+    lib["rotation"](x.attitude, C)
+    lib["rotation"](after.attitude, end)
+    arm[:] = C @ table.pivot
+    reached[:] = end @ table.pivot
     return C, arm, reached
 
 
-def allowed_way(lib: Library, body: Body, table: Place, C: Place, way: Place) -> Place:
+@inline
+def allowed_way(lib: Library, table: Any, C: Reals, way: Reals) -> Any:
     """The part along what slides of a way of the pivot, both in E0."""
-    rotated = derived_wrench.rotated()
-    own = body.local("own", (3,), comment="in E1")
-    body.call(lib["rotate_back"], C, way, own)
-    allowed = body.local("allowed", (3,), comment="of what slides, in E1")
-    slid = body.local("slid", (3,), comment="the part along what slides, in E0")
-    assign(body, list(allowed), rotated, {"C": table.sliding, "a": own})
-    assign(body, list(slid), rotated, {"C": C, "a": allowed})
+    own = reals(3)  # in E1
+    lib["rotate_back"](C, way, own)
+    allowed = reals(3)  # of what slides, in E1
+    slid = reals(3)  # the part along what slides, in E0
+    allowed[:] = table.sliding @ own
+    slid[:] = C @ allowed
     return slid
 
 
-def keep_pivot(lib: Library) -> Function:
-    """Takes from a step what moved the pivot where the hold does not let it go."""
-    table, x = lib.table_argument(), lib.state_argument()
-    after = Argument("y", lib.layout.state, (), "inout", purpose="state after the step")
-    body = Body()
-    C, place, reached = pivot_arms(lib, body, table.place, x.place, after.place)
-    way = body.local("way", (3,), comment="how the pivot went, in E0")
-    for i in range(3):
-        body.add(place[i], x.place.position[i])
-        body.set(way[i], after.place.position[i] + reached[i] - place[i])
-    slid = allowed_way(lib, body, table.place, C, way)
-    for i in range(3):
-        body.set(after.place.position[i], place[i] + slid[i] - reached[i])
-    return body.function("keep_pivot", "Puts the pivot of the hold back to where it can slide.", (table, x, after))
-
-
-def write_twist(lib: Library, body: Body, table: Place, u_dot: Sequence[Place], V_dot: Place) -> None:
+@inline
+def write_twist(lib: Library, table: Any, u_dot: Sequence[Any], V_dot: Reals) -> None:
     """V* = S u* of the rates of the freedoms, zero without any."""
     if u_dot:
-        named = {"table": table, "u": u_dot[0], "V": V_dot}
-        body.call(lib["twist_of_freedoms"], *lib.arguments_of("twist_of_freedoms", **named))
-        return
-    for element in V_dot:
-        body.set(element, real(0))
+        lib["twist_of_freedoms"](table, u_dot[0], V_dot)
+    else:
+        V_dot[:] = [0] * 6
+
+
+# -- along the freedoms ----------------------------------------------------------------------------------------------
+
+
+def sum_along(lib: Library, steady: bool) -> Any:
+    """Sums over all bodies, projected to the freedoms; `steady`: at constant speeds."""
+    layout, N = lib.layout, lib.layout.count
+    momenta = momenta_needed(layout.ways)
+    purpose = "Mass matrix of all bodies along the freedoms, and the flywheels' terms; w = phi'"
+    purpose += " is constant." if steady else ", a = phi''."
+
+    @kernel("sum_steady_along" if steady else "sum_along", equation="(2), (5), (6)", purpose=purpose)
+    def sum_along(
+        table: Any = lib.table,
+        sine: Reals = lib.sine,
+        cosine: Reals = lib.cosine,
+        phi_dot: Reals = argument("", N, unit="rad/s"),
+        phi_ddot: Any = None if steady else argument("", N, unit="rad/s2"),
+        whole: Any = changed("its first moment mu is set", struct=layout.sums),
+        sum_: Any = result(struct=layout.along_sums),
+    ) -> None:
+        """Mass matrix of all bodies along the freedoms, and the flywheels' terms."""
+        if layout.weight:
+            whole.mu[:] = table.first_moment
+        sum_.P[:] = table.P_0
+        for name in ("P_dot", "g", *(("h",) if momenta else ())):
+            sum_.member(name)[:] = [0] * len(sum_.member(name))
+        for k in range(N):
+            row = table.flywheel[k]
+            s = sine[k]
+            c = cosine[k]
+            w = phi_dot[k]
+            a = None if steady else phi_ddot[k]
+            c2, s2, dc, ds, dc2, ds2, ddc, dds = weights(s, c, w, a)
+            if layout.weight:
+                # first moment
+                whole.mu += row.mu_c * c + row.mu_s * s
+            # mass matrix along the freedoms and its rate
+            for i in list(range(len(sum_.P))):
+                sum_.P[i] += row.P_2c[i] * c2 + row.P_2s[i] * s2 + row.P_c[i] * c + row.P_s[i] * s
+                sum_.P_dot[i] += row.P_2c[i] * dc2 + row.P_2s[i] * ds2 + row.P_c[i] * dc + row.P_s[i] * ds
+            body().note("I phi' along the freedoms, and its rate" if momenta else "rate of I phi' along the freedoms")
+            for i in list(range(layout.freedoms)):
+                if momenta:
+                    sum_.h[i] += row.I_c[i] * ds + w * row.I_0[i] - row.I_s[i] * dc
+                if steady:
+                    sum_.g[i] += row.I_c[i] * dds - row.I_s[i] * ddc
+                else:
+                    sum_.g[i] += row.I_c[i] * dds + a * row.I_0[i] - row.I_s[i] * ddc
+
+    return sum_along
+
+
+def add_right_side(lib: Library) -> None:
+    """Adds the right-hand side along the freedoms, of the wrench (7)."""
+    layout, m, ways = lib.layout, lib.layout.freedoms, lib.layout.ways
+
+    @lib.kernel(equation="(2), (4), (5)")
+    def right_side(
+        table: Any = lib.table,
+        sum_: Any = argument(struct=layout.along_sums),
+        V: Reals = argument("twist of the carrier, S u", 6),
+        F: Reals = argument("wrench (7)", 6, unit="N, N m"),
+        y: Reals = result("", m, unit="SI"),
+    ) -> None:
+        """Right-hand side of (8) along the freedoms: S^T (F - Phi Z - K* V) - the flywheels' terms"""
+        S = columns(ways, table)
+        u = reals(m)  # speeds of the freedoms
+        u[:] = speeds(ways, S, V)
+        rows = [[element(matrix, k, j) for j in range(m)] for matrix in (sum_.P, sum_.P_dot) for k in range(m)]
+        momenta = {
+            way: let(f"momentum_{way}", dot((1, *rows[ways.index(way)]), (sum_.h[ways.index(way)], *u)))
+            for way in momenta_needed(ways)
+        }
+        forces = turning_force(ways, u, momenta)
+        for k in list(range(m)):
+            y[k] = plus(dot((*S[k], -1, *[-1] * m), (*F, sum_.g[k], *map(mul, rows[m + k], u))), forces[k])
+
+
+def plus(rest: Any, force: Any) -> Any:
+    """The sum of two sums; the second may be 0."""
+    return rest + force if isinstance(force, Expr) else rest
+
+
+def project_harmonic(lib: Library) -> Any:
+    """S^T K S of one harmonic."""
+    size = place_of(lib.layout.freedoms, 0)
+
+    @kernel()
+    def project_harmonic(
+        table: Any = lib.table,
+        mu: Reals = argument("", 3, unit="kg m"),
+        J: Reals = argument("", 6, unit="kg m2"),
+        P: Reals = result("lower triangle, row by row", size, unit="SI"),
+    ) -> None:
+        """S^T K S of one harmonic of a flywheel."""
+        moved = reals(6)  # the harmonic times a column of S
+        S = columns(lib.layout.ways, table)
+        for j in list(range(len(S))):
+            v, omega = table.S[0:3, j], table.S[3:6, j]
+            moved[:] = [*-cross(mu, omega), *(symmetric(J) @ omega + cross(mu, v))]
+            project(P, moved, S, j)
+
+    return project_harmonic
+
+
+@inline
+def prepare_row(lib: Library, table: Any, row: Any) -> None:
+    """The columns of a row along the freedoms, of its others: the force part of I_s is mu' = mu_s c - mu_c s."""
+    # along the freedoms: S^T K S and S^T I
+    none = reals(3)  # no first moment has harmonics of the double phase
+    none[:] = [0, 0, 0]
+    for name, mu in (("c", row.mu_c), ("s", row.mu_s), ("2c", none), ("2s", none)):
+        lib["project_harmonic"](table, mu, row.member(f"J_{name}"), row.member(f"P_{name}"))
+    for name, force in (("0", none), ("c", row.mu_s), ("s", -row.mu_c)):
+        wrench = [*force, *row.member(f"t_{name}")]
+        row.member(f"I_{name}")[:] = [dot(column, wrench) for column in columns(lib.layout.ways, table)]
+
+
+@inline
+def prepare_constant(lib: Library, table: Any) -> None:
+    """S^T K S of what no phase changes, into P_0 of the table."""
+    # mass matrix along the freedoms, constant part
+    constant = record(lib.layout.sums)  # first moment and inertia alone
+    constant.mu[:] = table.first_moment
+    constant.J[:] = table.inertia
+    lib["project_mass"](table, constant, table.P_0)
+
+
+@inline
+def sum_up_along(lib: Library, table: Any, x: Any, turns: Any, phi_ddot: Any, whole: Any) -> Any:
+    """The sums along the freedoms; without phi_ddot at constant speeds. `whole` gets the moment for the weight."""
+    along = record(lib.layout.along_sums)  # sums along the freedoms
+    if phi_ddot is None:
+        lib["sum_steady_along"](table, *turns, x.phi_dot, None, whole, along)
+    else:
+        lib["sum_along"](table, *turns, x.phi_dot, phi_ddot, whole, along)
+    return along
 
 
 class Freedoms:
@@ -217,33 +368,27 @@ class Freedoms:
         """Takes one free flywheel away by its column of I; `projected` (m) gets S^T I."""
         if projected is None:
             return
-        for k in range(self.count):
-            self._body.set(projected[k], dot(self._columns[k], coupling))
+        self._body.set(projected, [dot(column, coupling) for column in self._columns])
         for i in range(self.count):
-            self._body.add(self.y[i], -(projected[i] * rate))
+            self._body.add(self.y[i], projected[i] * rate, subtract=True)
             scaled = self._body.let(f"scaled{i + 1}", projected[i] * inverse)
             for j in range(i + 1):
-                self._body.add(self.P[place_of(i, j)], -(scaled * projected[j]))
+                self._body.add(self.P[place_of(i, j)], scaled * projected[j], subtract=True)
 
-    def back(self, projected: Place | None) -> Expr:
+    def back(self, projected: Place | None) -> Any:
         """I_s . V* of a flywheel by S^T I_s."""
-        if projected is None:
-            return real(0)
-        total: Expr = projected[0] * self.y[0]
-        for k in range(1, self.count):
-            total = total + projected[k] * self.y[k]
-        return total
+        return real(0) if projected is None else dot(projected, self.y)
 
     def solve(self) -> None:
         """u* into y; the caller returns where the mass along the freedoms is not positive."""
         if self.count:
-            self._lib.check(self._body, "solve_freedoms", self.P, self.y)
+            self._body.check(self._lib["solve_freedoms"](self.P, self.y))
 
     def write(self, V_dot: Place, rates: Sequence[Place]) -> None:
         """V* and u*."""
         if self.count:
-            self._body.copy_array(rates[0], self.y)
-        write_twist(self._lib, self._body, self._table, rates, V_dot)
+            self._body.set(rates[0], self.y)
+        write_twist.put_into(self._body, self._lib, self._table, rates, V_dot)
 
 
 def room_for_projected(lib: Library, body: Body) -> Place | None:

@@ -8,7 +8,7 @@ from typing import Any
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.formula.derived import carrying as derived
 from mahovik.core.formula.derived import wrench as derived_wrench
-from mahovik.core.lower import along
+from mahovik.core.lower import hold
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
@@ -113,7 +113,7 @@ def prepare(lib: Library) -> Function:
     body.copy_array(out.first_moment, totals.mu)
     body.copy_array(out.inertia, totals.J)
     if layout.along:
-        along.prepare_constant(lib, body, out)
+        hold.prepare_constant.put_into(body, lib, out)
     if totals.weight_mass is not None and totals.displaced is not None:
         body.set(out.weight_mass, totals.weight_mass)
         body.copy_array(out.displaced_moment, totals.displaced)
@@ -265,7 +265,7 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
         body.set(row.spin_root_inv, 1 / lib["sqrt"](w.body.inertia[0]))
         work.fill_displaced_mass(w.body, row)
         if lib.layout.along:
-            along.prepare_row(lib, body, out, row)
+            hold.prepare_row.put_into(body, lib, out, row)
 
 
 def _place(lib: Library, body: Body, p: Place, w: Place, work: _Work, function: str = "place_flywheel") -> None:

@@ -12,7 +12,6 @@ from mahovik.core import routines
 from mahovik.core.lower import (
     actuators,
     allocate,
-    along,
     checks,
     coordinates,
     demand,
@@ -95,7 +94,7 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
     solve.add_momentum(lib)
     solve.add_solution(lib)
     if layout.held:
-        hold.add_all(lib)
+        hold.add_hold(lib)
     lib.add(forward.accelerate(lib))
     lib.add(forward.forward(lib))
     if layout.sine_input:
@@ -219,7 +218,7 @@ def _add_prepare(lib: Library) -> None:
     if layout.along:
         if "project_mass" not in lib:
             lib.add(hold.project_mass(lib))
-        lib.add(along.project_harmonic(lib))
+        lib.add(hold.project_harmonic(lib))
     lib.add(parameters.check_inertia(lib))
     lib.add(parameters.check_body(lib, layout.body))
     if layout.flywheels and layout.flywheel_body is not layout.body:

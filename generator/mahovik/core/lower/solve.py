@@ -34,19 +34,20 @@ def carrier_binding(lib: Library, table: Place, sums: Place) -> dict[str, Any]:
     return binding
 
 
-def mass_times(lib: Library, table: Place, sums: Place, six: Any, h: Any = (0, 0, 0)) -> Any:
-    """K times a twist or its rate, as force and moment; `h` is added to the latter."""
+def mass_times(lib: Library, table: Any, sums: Any, six: Any, p: Any = (0, 0, 0), h: Any = (0, 0, 0)) -> Any:
+    """K times a twist or its rate (6), with p added to the force and h to the moment."""
     v, omega, mu = six[0:3], six[3:6], sums.mu
     if lib.layout.added_mass:
         B = lower_left(lib, table, mu)
-        return symmetric(table.A) @ v + B.T @ omega, B @ v + symmetric(sums.J) @ omega + h
-    return v.__rmul__(table.mass) - cross(mu, omega), symmetric(sums.J) @ omega + h + cross(mu, v)
+        force, moment = symmetric(table.A) @ v + B.T @ omega, B @ v + symmetric(sums.J) @ omega + h
+    else:
+        force, moment = v.__rmul__(table.mass) - cross(mu, omega), symmetric(sums.J) @ omega + h + cross(mu, v)
+    return Vector([*(force + p), *moment])
 
 
-def momentum_parts(lib: Library, table: Place, sums: Place, V: Any) -> Any:
+def momentum_parts(lib: Library, table: Any, sums: Any, V: Any) -> Any:
     """Z = K V + sum I phi' (2)."""
-    p, h = mass_times(lib, table, sums, V, sums.h_rel)
-    return Vector([*(p + sums.mu_dot), *h])
+    return mass_times(lib, table, sums, V, sums.mu_dot, sums.h_rel)
 
 
 def lower_left(lib: Library, table: Place, mu: Any) -> Any:

@@ -60,7 +60,7 @@ def _rate(lib: Library, torques: bool) -> Function:
     motion = "solve_coupled" if torques else "accelerate"
     lib.check(body, motion, *lib.arguments_of(motion, **given))
     if layout.held and not torques:
-        hold.write_twist(lib, body, table.place, others, out.V)
+        hold.write_twist.put_into(body, lib, table.place, others, out.V)
     body.call(lib["rotation"], x.place.attitude, C)
     bound = parts_of_twist(x.place.V) | {"C": C, "q": x.place.attitude}
     assign(body, list(out.position), derived.position_rate(), bound)

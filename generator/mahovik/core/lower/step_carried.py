@@ -131,13 +131,13 @@ def _keep_pivot(lib: Library) -> Function:
     carry = Argument("carry", lib.layout.carry, (), "inout", purpose="of the state after the step")
     first = next(first for name, _, first in _numbers(lib) if name == "position")
     body = Body()
-    C, arm, reached = pivot_arms(lib, body, table.place, x.place, after.place)
+    C, arm, reached = pivot_arms.put_into(body, lib, table.place, x.place, after.place)
     way = body.local("way", (3,), comment="how the pivot went, in E0")
     for i in range(3):
         moved = (after.place.position[i] - x.place.position[i]) + (reached[i] - arm[i])
         kept = carry.place.rounding[first + i] - before.place.rounding[first + i]
         body.set(way[i], moved + kept)
-    slid = allowed_way(lib, body, table.place, C, way)
+    slid = allowed_way.put_into(body, lib, table.place, C, way)
     for i in range(3):
         with body.block():
             part = carry.place.rounding[first + i] - (way[i] - slid[i])

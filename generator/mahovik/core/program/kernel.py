@@ -180,6 +180,17 @@ def check_as(status: Status, call: Any) -> None:
     _body("check_as").check(call, status.name)
 
 
+def body() -> Body:
+    """The statements so far, for functions that add to them."""
+    return _body("body")
+
+
+def refuse(condition: Any, status: Status) -> None:
+    """Returns `status` where the condition holds."""
+    with body().when(condition):
+        body().ret(status)
+
+
 def _body(name: str) -> Body:
     if not _bodies:
         raise TypeError(f"`{name}` is called in the text of a kernel")
