@@ -1654,47 +1654,57 @@ auv6_status auv6_accumulate(auv6_encoder *encoder, int counter, int bits, int pe
     return AUV6_OK;
 }
 
-/* Change of the damping of one body with its twist, (7). */
+/* Change of what damp gives, with the change of V, (7). */
 AUV6_CODE
-static void auv6_damp_slope(const auv6_damper *damper, const auv6_real V[6], const auv6_real change[6],
-                            auv6_real *restrict P /* [6] */)
+static void auv6_damp_by_V(const auv6_damper *damper, const auv6_real V[6], const auv6_real d_V[6],
+                           auv6_real *restrict d_P /* [6] */)
 {
     auv6_real x[12];  /* u v w p q r and their magnitudes */
-    auv6_real dx[12];  /* their changes with the twist */
+    auv6_real d_x[12];
     x[0] = V[0];
-    x[6] = (V[0] < 0.0) ? -V[0] : V[0];
-    dx[0] = change[0];
-    dx[6] = (V[0] < 0.0) ? -change[0] : change[0];
+    d_x[0] = d_V[0];
     x[1] = V[1];
-    x[7] = (V[1] < 0.0) ? -V[1] : V[1];
-    dx[1] = change[1];
-    dx[7] = (V[1] < 0.0) ? -change[1] : change[1];
+    d_x[1] = d_V[1];
     x[2] = V[2];
-    x[8] = (V[2] < 0.0) ? -V[2] : V[2];
-    dx[2] = change[2];
-    dx[8] = (V[2] < 0.0) ? -change[2] : change[2];
+    d_x[2] = d_V[2];
     x[3] = V[3];
-    x[9] = (V[3] < 0.0) ? -V[3] : V[3];
-    dx[3] = change[3];
-    dx[9] = (V[3] < 0.0) ? -change[3] : change[3];
+    d_x[3] = d_V[3];
     x[4] = V[4];
-    x[10] = (V[4] < 0.0) ? -V[4] : V[4];
-    dx[4] = change[4];
-    dx[10] = (V[4] < 0.0) ? -change[4] : change[4];
+    d_x[4] = d_V[4];
     x[5] = V[5];
+    d_x[5] = d_V[5];
+    x[6] = (V[0] < 0.0) ? -V[0] : V[0];
+    d_x[6] = (V[0] < 0.0) ? -d_V[0] : d_V[0];
+    x[7] = (V[1] < 0.0) ? -V[1] : V[1];
+    d_x[7] = (V[1] < 0.0) ? -d_V[1] : d_V[1];
+    x[8] = (V[2] < 0.0) ? -V[2] : V[2];
+    d_x[8] = (V[2] < 0.0) ? -d_V[2] : d_V[2];
+    x[9] = (V[3] < 0.0) ? -V[3] : V[3];
+    d_x[9] = (V[3] < 0.0) ? -d_V[3] : d_V[3];
+    x[10] = (V[4] < 0.0) ? -V[4] : V[4];
+    d_x[10] = (V[4] < 0.0) ? -d_V[4] : d_V[4];
     x[11] = (V[5] < 0.0) ? -V[5] : V[5];
-    dx[5] = change[5];
-    dx[11] = (V[5] < 0.0) ? -change[5] : change[5];
+    d_x[11] = (V[5] < 0.0) ? -d_V[5] : d_V[5];
     for (int i = 0; i < 6; ++i) {
-        P[i] -= change[0] * damper->linear[i][0] + change[1] * damper->linear[i][1]
-            + change[2] * damper->linear[i][2] + change[3] * damper->linear[i][3]
-            + change[4] * damper->linear[i][4] + change[5] * damper->linear[i][5];
+        d_P[i] -= d_V[0] * damper->linear[i][0] + d_V[1] * damper->linear[i][1]
+            + d_V[2] * damper->linear[i][2] + d_V[3] * damper->linear[i][3] + d_V[4] * damper->linear[i][4]
+            + d_V[5] * damper->linear[i][5];
     }
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
-            P[i] -= damper->quadratic[i][j] * (2.0 * x[j + 6] * dx[j]);
+            d_P[i] -= damper->quadratic[i][j] * (d_x[j] * x[j + 6] + x[j] * d_x[j + 6]);
         }
     }
+}
+
+/* Change of what external gives, with the change of V, (7). */
+AUV6_CODE
+static void auv6_external_by_V(const auv6_table *table, const auv6_real V[6], const auv6_real d_V[6],
+                               auv6_real *restrict d_F /* [6] */)
+{
+    d_F[0] = 0.0;  d_F[1] = 0.0;  d_F[2] = 0.0;
+    d_F[3] = 0.0;  d_F[4] = 0.0;  d_F[5] = 0.0;
+    auv6_damp_by_V(&table->damper, V, d_V, d_F);
 }
 
 /* Derivative of F - Phi Z - K* V by the twist, (8). */
@@ -1724,10 +1734,9 @@ static void auv6_twist_slope(const auv6_table *table, const auv6_real V[6], cons
         auv6_real F[6];  /* change of the wrench */
         for (int i = 0; i < 6; ++i) {
             change[i] = 0.0;
-            F[i] = 0.0;
         }
         change[j] = 1.0;
-        auv6_damp_slope(&table->damper, V, change, F);
+        auv6_external_by_V(table, V, change, F);
         for (int i = 0; i < 6; ++i) {
             slope[i * 6 + j] += F[i];
         }

@@ -29,33 +29,33 @@
  * AUV6_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other languages
  * need them. */
 #ifndef AUV6_PLAIN_NAMES
-#define auv6_default_parameters     auv6_default_parameters_f64_e1ec19a2
-#define auv6_default                auv6_default_f64_e1ec19a2
-#define auv6_default_options        auv6_default_options_f64_e1ec19a2
-#define auv6_forward                auv6_forward_f64_e1ec19a2
-#define auv6_matrices               auv6_matrices_f64_e1ec19a2
-#define auv6_momentum               auv6_momentum_f64_e1ec19a2
-#define auv6_torque                 auv6_torque_f64_e1ec19a2
-#define auv6_coupled                auv6_coupled_f64_e1ec19a2
-#define auv6_step                   auv6_step_f64_e1ec19a2
-#define auv6_step_driven            auv6_step_driven_f64_e1ec19a2
-#define auv6_wrap                   auv6_wrap_f64_e1ec19a2
-#define auv6_phase_of_counts        auv6_phase_of_counts_f64_e1ec19a2
-#define auv6_speed_of_counts        auv6_speed_of_counts_f64_e1ec19a2
-#define auv6_accumulate             auv6_accumulate_f64_e1ec19a2
-#define auv6_forward_jacobian       auv6_forward_jacobian_f64_e1ec19a2
-#define auv6_coupled_jacobian       auv6_coupled_jacobian_f64_e1ec19a2
-#define auv6_inverse                auv6_inverse_f64_e1ec19a2
-#define auv6_inverse_fast           auv6_inverse_fast_f64_e1ec19a2
-#define auv6_points                 auv6_points_f64_e1ec19a2
-#define auv6_quaternion             auv6_quaternion_f64_e1ec19a2
-#define auv6_state_from_coordinates auv6_state_from_coordinates_f64_e1ec19a2
-#define auv6_generalized            auv6_generalized_f64_e1ec19a2
-#define auv6_prepare                auv6_prepare_f64_e1ec19a2
-#define auv6_mounts                 auv6_mounts_f64_e1ec19a2
-#define auv6_prepare_mounts         auv6_prepare_mounts_f64_e1ec19a2
-#define auv6_step_carried           auv6_step_carried_f64_e1ec19a2
-#define auv6_step_driven_carried    auv6_step_driven_carried_f64_e1ec19a2
+#define auv6_default_parameters     auv6_default_parameters_f64_2f78b58b
+#define auv6_default                auv6_default_f64_2f78b58b
+#define auv6_default_options        auv6_default_options_f64_2f78b58b
+#define auv6_forward                auv6_forward_f64_2f78b58b
+#define auv6_matrices               auv6_matrices_f64_2f78b58b
+#define auv6_momentum               auv6_momentum_f64_2f78b58b
+#define auv6_torque                 auv6_torque_f64_2f78b58b
+#define auv6_coupled                auv6_coupled_f64_2f78b58b
+#define auv6_step                   auv6_step_f64_2f78b58b
+#define auv6_step_driven            auv6_step_driven_f64_2f78b58b
+#define auv6_wrap                   auv6_wrap_f64_2f78b58b
+#define auv6_phase_of_counts        auv6_phase_of_counts_f64_2f78b58b
+#define auv6_speed_of_counts        auv6_speed_of_counts_f64_2f78b58b
+#define auv6_accumulate             auv6_accumulate_f64_2f78b58b
+#define auv6_forward_jacobian       auv6_forward_jacobian_f64_2f78b58b
+#define auv6_coupled_jacobian       auv6_coupled_jacobian_f64_2f78b58b
+#define auv6_inverse                auv6_inverse_f64_2f78b58b
+#define auv6_inverse_fast           auv6_inverse_fast_f64_2f78b58b
+#define auv6_points                 auv6_points_f64_2f78b58b
+#define auv6_quaternion             auv6_quaternion_f64_2f78b58b
+#define auv6_state_from_coordinates auv6_state_from_coordinates_f64_2f78b58b
+#define auv6_generalized            auv6_generalized_f64_2f78b58b
+#define auv6_prepare                auv6_prepare_f64_2f78b58b
+#define auv6_mounts                 auv6_mounts_f64_2f78b58b
+#define auv6_prepare_mounts         auv6_prepare_mounts_f64_2f78b58b
+#define auv6_step_carried           auv6_step_carried_f64_2f78b58b
+#define auv6_step_driven_carried    auv6_step_driven_carried_f64_2f78b58b
 #endif
 
 #ifdef __cplusplus
@@ -476,7 +476,7 @@ auv6_status auv6_accumulate(auv6_encoder *encoder, int counter, int bits, int pe
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 9723 operations on reals, 28 of them divisions. Stack: at most 4896 bytes. */
+ * At most 9939 operations on reals, 28 of them divisions. Stack: at most 5008 bytes. */
 auv6_status auv6_forward_jacobian(const auv6_table *table, const auv6_state *x,
                                   const auv6_real phi_ddot[AUV6_N], auv6_forward_jacobian_result *out);
 
@@ -489,7 +489,7 @@ auv6_status auv6_forward_jacobian(const auv6_table *table, const auv6_state *x,
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 14350 operations on reals, 29 of them divisions. Stack: at most 6688 bytes. */
+ * At most 14566 operations on reals, 29 of them divisions. Stack: at most 6784 bytes. */
 auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, const auv6_real tau[AUV6_N],
                                   const int locked[AUV6_N], auv6_coupled_jacobian_result *out);
 

@@ -37,11 +37,11 @@
  * AUV6_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other languages
  * need them. */
 #ifndef AUV6_PLAIN_NAMES
-#define auv6_recorder_start               auv6_recorder_start_f64_8fe6b6ee
-#define auv6_recorder_step                auv6_recorder_step_f64_8fe6b6ee
-#define auv6_recorder_step_driven         auv6_recorder_step_driven_f64_8fe6b6ee
-#define auv6_recorder_step_carried        auv6_recorder_step_carried_f64_8fe6b6ee
-#define auv6_recorder_step_driven_carried auv6_recorder_step_driven_carried_f64_8fe6b6ee
+#define auv6_recorder_start               auv6_recorder_start_f64_fdf6cd1a
+#define auv6_recorder_step                auv6_recorder_step_f64_fdf6cd1a
+#define auv6_recorder_step_driven         auv6_recorder_step_driven_f64_fdf6cd1a
+#define auv6_recorder_step_carried        auv6_recorder_step_carried_f64_fdf6cd1a
+#define auv6_recorder_step_driven_carried auv6_recorder_step_driven_carried_f64_fdf6cd1a
 #endif
 
 #ifdef __cplusplus
@@ -49,7 +49,7 @@ extern "C" {
 #endif
 
 #define AUV6_RECORDER_FORMAT 3u           /* version of the log format */
-#define AUV6_RECORDER_SOURCE 0x2ae3adebu  /* FNV-1a hash of the texts of auv6.h and auv6.c */
+#define AUV6_RECORDER_SOURCE 0xa3eca38au  /* FNV-1a hash of the texts of auv6.h and auv6.c */
 #define AUV6_RECORD_BYTES    501  /* longest record of a step; most have 64 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

@@ -1712,6 +1712,27 @@ bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, 
     return BENCH8_OK;
 }
 
+/* Change of what suspend gives, with the change of V, (7). */
+BENCH8_CODE
+static void bench8_suspend_by_V(const bench8_suspension *law, const bench8_real d_V[6],
+                                bench8_real *restrict d_F /* [6] */)
+{
+    for (int i = 0; i < 6; ++i) {
+        d_F[i] -= d_V[0] * law->damping[i][0] + d_V[1] * law->damping[i][1] + d_V[2] * law->damping[i][2]
+            + d_V[3] * law->damping[i][3] + d_V[4] * law->damping[i][4] + d_V[5] * law->damping[i][5];
+    }
+}
+
+/* Change of what external gives, with the change of V, (7). */
+BENCH8_CODE
+static void bench8_external_by_V(const bench8_table *table, const bench8_real d_V[6],
+                                 bench8_real *restrict d_F /* [6] */)
+{
+    d_F[0] = 0.0;  d_F[1] = 0.0;  d_F[2] = 0.0;
+    d_F[3] = 0.0;  d_F[4] = 0.0;  d_F[5] = 0.0;
+    bench8_suspend_by_V(&table->suspension, d_V, d_F);
+}
+
 /* Derivative of F - Phi Z - K* V by the twist, (8). */
 BENCH8_CODE
 static void bench8_twist_slope(const bench8_table *table, const bench8_real Z[6],
@@ -1734,9 +1755,16 @@ static void bench8_twist_slope(const bench8_table *table, const bench8_real Z[6]
             slope[i * 6 + j] -= m->M[i][j];
         }
     }
-    for (int i = 0; i < 6; ++i) {
-        for (int j = 0; j < 6; ++j) {
-            slope[i * 6 + j] -= table->suspension.damping[i][j];
+    for (int j = 0; j < 6; ++j) {
+        bench8_real change[6];  /* unit twist */
+        bench8_real F[6];  /* change of the wrench */
+        for (int i = 0; i < 6; ++i) {
+            change[i] = 0.0;
+        }
+        change[j] = 1.0;
+        bench8_external_by_V(table, change, F);
+        for (int i = 0; i < 6; ++i) {
+            slope[i * 6 + j] += F[i];
         }
     }
 }

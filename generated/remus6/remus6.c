@@ -1670,42 +1670,52 @@ remus6_status remus6_accumulate(remus6_encoder *encoder, int counter, int bits, 
     return REMUS6_OK;
 }
 
-/* Change of the damping of one body with its twist, (7). */
+/* Change of what damp gives, with the change of V, (7). */
 REMUS6_CODE
-static void remus6_damp_slope(const remus6_table *table, const remus6_damper *damper, const remus6_real V[6],
-                              const remus6_real change[6], remus6_real *restrict P /* [6] */)
+static void remus6_damp_by_V(const remus6_table *table, const remus6_damper *damper, const remus6_real V[6],
+                             const remus6_real d_V[6], remus6_real *restrict d_P /* [6] */)
 {
     remus6_real x[12];  /* u v w p q r and their magnitudes */
-    remus6_real dx[12];  /* their changes with the twist */
+    remus6_real d_x[12];
     x[0] = V[0];
-    x[6] = (V[0] < 0.0) ? -V[0] : V[0];
-    dx[0] = change[0];
-    dx[6] = (V[0] < 0.0) ? -change[0] : change[0];
+    d_x[0] = d_V[0];
     x[1] = V[1];
-    x[7] = (V[1] < 0.0) ? -V[1] : V[1];
-    dx[1] = change[1];
-    dx[7] = (V[1] < 0.0) ? -change[1] : change[1];
+    d_x[1] = d_V[1];
     x[2] = V[2];
-    x[8] = (V[2] < 0.0) ? -V[2] : V[2];
-    dx[2] = change[2];
-    dx[8] = (V[2] < 0.0) ? -change[2] : change[2];
+    d_x[2] = d_V[2];
     x[3] = V[3];
-    x[9] = (V[3] < 0.0) ? -V[3] : V[3];
-    dx[3] = change[3];
-    dx[9] = (V[3] < 0.0) ? -change[3] : change[3];
+    d_x[3] = d_V[3];
     x[4] = V[4];
-    x[10] = (V[4] < 0.0) ? -V[4] : V[4];
-    dx[4] = change[4];
-    dx[10] = (V[4] < 0.0) ? -change[4] : change[4];
+    d_x[4] = d_V[4];
     x[5] = V[5];
+    d_x[5] = d_V[5];
+    x[6] = (V[0] < 0.0) ? -V[0] : V[0];
+    d_x[6] = (V[0] < 0.0) ? -d_V[0] : d_V[0];
+    x[7] = (V[1] < 0.0) ? -V[1] : V[1];
+    d_x[7] = (V[1] < 0.0) ? -d_V[1] : d_V[1];
+    x[8] = (V[2] < 0.0) ? -V[2] : V[2];
+    d_x[8] = (V[2] < 0.0) ? -d_V[2] : d_V[2];
+    x[9] = (V[3] < 0.0) ? -V[3] : V[3];
+    d_x[9] = (V[3] < 0.0) ? -d_V[3] : d_V[3];
+    x[10] = (V[4] < 0.0) ? -V[4] : V[4];
+    d_x[10] = (V[4] < 0.0) ? -d_V[4] : d_V[4];
     x[11] = (V[5] < 0.0) ? -V[5] : V[5];
-    dx[5] = change[5];
-    dx[11] = (V[5] < 0.0) ? -change[5] : change[5];
+    d_x[11] = (V[5] < 0.0) ? -d_V[5] : d_V[5];
     for (int t = damper->first_term; t < damper->last_term; ++t) {
-        P[table->term[t].wrench] += table->term[t].value
-            * (dx[table->term[t].first] * x[table->term[t].second]
-            + x[table->term[t].first] * dx[table->term[t].second]);
+        d_P[table->term[t].wrench] += table->term[t].value * d_x[table->term[t].first]
+            * x[table->term[t].second] + table->term[t].value * x[table->term[t].first]
+            * d_x[table->term[t].second];
     }
+}
+
+/* Change of what external gives, with the change of V, (7). */
+REMUS6_CODE
+static void remus6_external_by_V(const remus6_table *table, const remus6_real V[6], const remus6_real d_V[6],
+                                 remus6_real *restrict d_F /* [6] */)
+{
+    d_F[0] = 0.0;  d_F[1] = 0.0;  d_F[2] = 0.0;
+    d_F[3] = 0.0;  d_F[4] = 0.0;  d_F[5] = 0.0;
+    remus6_damp_by_V(table, &table->damper, V, d_V, d_F);
 }
 
 /* Derivative of F - Phi Z - K* V by the twist, (8). */
@@ -1735,10 +1745,9 @@ static void remus6_twist_slope(const remus6_table *table, const remus6_real V[6]
         remus6_real F[6];  /* change of the wrench */
         for (int i = 0; i < 6; ++i) {
             change[i] = 0.0;
-            F[i] = 0.0;
         }
         change[j] = 1.0;
-        remus6_damp_slope(table, &table->damper, V, change, F);
+        remus6_external_by_V(table, V, change, F);
         for (int i = 0; i < 6; ++i) {
             slope[i * 6 + j] += F[i];
         }

@@ -29,33 +29,33 @@
  * REMUS6_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
  * languages need them. */
 #ifndef REMUS6_PLAIN_NAMES
-#define remus6_default_parameters     remus6_default_parameters_f64_2e819fc0
-#define remus6_default                remus6_default_f64_2e819fc0
-#define remus6_default_options        remus6_default_options_f64_2e819fc0
-#define remus6_forward                remus6_forward_f64_2e819fc0
-#define remus6_matrices               remus6_matrices_f64_2e819fc0
-#define remus6_momentum               remus6_momentum_f64_2e819fc0
-#define remus6_torque                 remus6_torque_f64_2e819fc0
-#define remus6_coupled                remus6_coupled_f64_2e819fc0
-#define remus6_step                   remus6_step_f64_2e819fc0
-#define remus6_step_driven            remus6_step_driven_f64_2e819fc0
-#define remus6_wrap                   remus6_wrap_f64_2e819fc0
-#define remus6_phase_of_counts        remus6_phase_of_counts_f64_2e819fc0
-#define remus6_speed_of_counts        remus6_speed_of_counts_f64_2e819fc0
-#define remus6_accumulate             remus6_accumulate_f64_2e819fc0
-#define remus6_forward_jacobian       remus6_forward_jacobian_f64_2e819fc0
-#define remus6_coupled_jacobian       remus6_coupled_jacobian_f64_2e819fc0
-#define remus6_inverse                remus6_inverse_f64_2e819fc0
-#define remus6_inverse_fast           remus6_inverse_fast_f64_2e819fc0
-#define remus6_points                 remus6_points_f64_2e819fc0
-#define remus6_quaternion             remus6_quaternion_f64_2e819fc0
-#define remus6_state_from_coordinates remus6_state_from_coordinates_f64_2e819fc0
-#define remus6_generalized            remus6_generalized_f64_2e819fc0
-#define remus6_prepare                remus6_prepare_f64_2e819fc0
-#define remus6_mounts                 remus6_mounts_f64_2e819fc0
-#define remus6_prepare_mounts         remus6_prepare_mounts_f64_2e819fc0
-#define remus6_step_carried           remus6_step_carried_f64_2e819fc0
-#define remus6_step_driven_carried    remus6_step_driven_carried_f64_2e819fc0
+#define remus6_default_parameters     remus6_default_parameters_f64_460929de
+#define remus6_default                remus6_default_f64_460929de
+#define remus6_default_options        remus6_default_options_f64_460929de
+#define remus6_forward                remus6_forward_f64_460929de
+#define remus6_matrices               remus6_matrices_f64_460929de
+#define remus6_momentum               remus6_momentum_f64_460929de
+#define remus6_torque                 remus6_torque_f64_460929de
+#define remus6_coupled                remus6_coupled_f64_460929de
+#define remus6_step                   remus6_step_f64_460929de
+#define remus6_step_driven            remus6_step_driven_f64_460929de
+#define remus6_wrap                   remus6_wrap_f64_460929de
+#define remus6_phase_of_counts        remus6_phase_of_counts_f64_460929de
+#define remus6_speed_of_counts        remus6_speed_of_counts_f64_460929de
+#define remus6_accumulate             remus6_accumulate_f64_460929de
+#define remus6_forward_jacobian       remus6_forward_jacobian_f64_460929de
+#define remus6_coupled_jacobian       remus6_coupled_jacobian_f64_460929de
+#define remus6_inverse                remus6_inverse_f64_460929de
+#define remus6_inverse_fast           remus6_inverse_fast_f64_460929de
+#define remus6_points                 remus6_points_f64_460929de
+#define remus6_quaternion             remus6_quaternion_f64_460929de
+#define remus6_state_from_coordinates remus6_state_from_coordinates_f64_460929de
+#define remus6_generalized            remus6_generalized_f64_460929de
+#define remus6_prepare                remus6_prepare_f64_460929de
+#define remus6_mounts                 remus6_mounts_f64_460929de
+#define remus6_prepare_mounts         remus6_prepare_mounts_f64_460929de
+#define remus6_step_carried           remus6_step_carried_f64_460929de
+#define remus6_step_driven_carried    remus6_step_driven_carried_f64_460929de
 #endif
 
 #ifdef __cplusplus
@@ -497,7 +497,7 @@ remus6_status remus6_accumulate(remus6_encoder *encoder, int counter, int bits, 
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 8577 operations on reals, 28 of them divisions. Stack: at most 4896 bytes. */
+ * At most 8637 operations on reals, 28 of them divisions. Stack: at most 4992 bytes. */
 remus6_status remus6_forward_jacobian(const remus6_table *table, const remus6_state *x,
                                       const remus6_real phi_ddot[REMUS6_N],
                                       remus6_forward_jacobian_result *out);
@@ -511,7 +511,7 @@ remus6_status remus6_forward_jacobian(const remus6_table *table, const remus6_st
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 13204 operations on reals, 29 of them divisions. Stack: at most 6672 bytes. */
+ * At most 13264 operations on reals, 29 of them divisions. Stack: at most 6768 bytes. */
 remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_state *x,
                                       const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                       remus6_coupled_jacobian_result *out);

@@ -37,11 +37,11 @@
  * REMUS6_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
  * languages need them. */
 #ifndef REMUS6_PLAIN_NAMES
-#define remus6_recorder_start               remus6_recorder_start_f64_d94c4c10
-#define remus6_recorder_step                remus6_recorder_step_f64_d94c4c10
-#define remus6_recorder_step_driven         remus6_recorder_step_driven_f64_d94c4c10
-#define remus6_recorder_step_carried        remus6_recorder_step_carried_f64_d94c4c10
-#define remus6_recorder_step_driven_carried remus6_recorder_step_driven_carried_f64_d94c4c10
+#define remus6_recorder_start               remus6_recorder_start_f64_78add70c
+#define remus6_recorder_step                remus6_recorder_step_f64_78add70c
+#define remus6_recorder_step_driven         remus6_recorder_step_driven_f64_78add70c
+#define remus6_recorder_step_carried        remus6_recorder_step_carried_f64_78add70c
+#define remus6_recorder_step_driven_carried remus6_recorder_step_driven_carried_f64_78add70c
 #endif
 
 #ifdef __cplusplus
@@ -49,7 +49,7 @@ extern "C" {
 #endif
 
 #define REMUS6_RECORDER_FORMAT 3u           /* version of the log format */
-#define REMUS6_RECORDER_SOURCE 0xad7a3b50u  /* FNV-1a hash of the texts of remus6.h and remus6.c */
+#define REMUS6_RECORDER_SOURCE 0x8b2c9a7cu  /* FNV-1a hash of the texts of remus6.h and remus6.c */
 #define REMUS6_RECORD_BYTES    501  /* longest record of a step; most have 64 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

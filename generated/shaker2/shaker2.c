@@ -1723,6 +1723,27 @@ shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bit
     return SHAKER2_OK;
 }
 
+/* Change of what suspend gives, with the change of V, (7). */
+SHAKER2_CODE
+static void shaker2_suspend_by_V(const shaker2_suspension *law, const shaker2_real d_V[6],
+                                 shaker2_real *restrict d_F /* [6] */)
+{
+    for (int i = 0; i < 6; ++i) {
+        d_F[i] -= d_V[0] * law->damping[i][0] + d_V[1] * law->damping[i][1] + d_V[2] * law->damping[i][2]
+            + d_V[3] * law->damping[i][3] + d_V[4] * law->damping[i][4] + d_V[5] * law->damping[i][5];
+    }
+}
+
+/* Change of what external gives, with the change of V, (7). */
+SHAKER2_CODE
+static void shaker2_external_by_V(const shaker2_table *table, const shaker2_real d_V[6],
+                                  shaker2_real *restrict d_F /* [6] */)
+{
+    d_F[0] = 0.0;  d_F[1] = 0.0;  d_F[2] = 0.0;
+    d_F[3] = 0.0;  d_F[4] = 0.0;  d_F[5] = 0.0;
+    shaker2_suspend_by_V(&table->suspension, d_V, d_F);
+}
+
 /* Derivative of F - Phi Z - K* V by the twist, (8). */
 SHAKER2_CODE
 static void shaker2_twist_slope(const shaker2_table *table, const shaker2_real Z[6],
@@ -1745,9 +1766,16 @@ static void shaker2_twist_slope(const shaker2_table *table, const shaker2_real Z
             slope[i * 6 + j] -= m->M[i][j];
         }
     }
-    for (int i = 0; i < 6; ++i) {
-        for (int j = 0; j < 6; ++j) {
-            slope[i * 6 + j] -= table->suspension.damping[i][j];
+    for (int j = 0; j < 6; ++j) {
+        shaker2_real change[6];  /* unit twist */
+        shaker2_real F[6];  /* change of the wrench */
+        for (int i = 0; i < 6; ++i) {
+            change[i] = 0.0;
+        }
+        change[j] = 1.0;
+        shaker2_external_by_V(table, change, F);
+        for (int i = 0; i < 6; ++i) {
+            slope[i * 6 + j] += F[i];
         }
     }
 }

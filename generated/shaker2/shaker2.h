@@ -29,32 +29,32 @@
  * SHAKER2_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
  * languages need them. */
 #ifndef SHAKER2_PLAIN_NAMES
-#define shaker2_default_parameters     shaker2_default_parameters_f64_578e746f
-#define shaker2_default                shaker2_default_f64_578e746f
-#define shaker2_default_options        shaker2_default_options_f64_578e746f
-#define shaker2_forward                shaker2_forward_f64_578e746f
-#define shaker2_matrices               shaker2_matrices_f64_578e746f
-#define shaker2_momentum               shaker2_momentum_f64_578e746f
-#define shaker2_torque                 shaker2_torque_f64_578e746f
-#define shaker2_coupled                shaker2_coupled_f64_578e746f
-#define shaker2_step                   shaker2_step_f64_578e746f
-#define shaker2_step_driven            shaker2_step_driven_f64_578e746f
-#define shaker2_wrap                   shaker2_wrap_f64_578e746f
-#define shaker2_phase_of_counts        shaker2_phase_of_counts_f64_578e746f
-#define shaker2_speed_of_counts        shaker2_speed_of_counts_f64_578e746f
-#define shaker2_accumulate             shaker2_accumulate_f64_578e746f
-#define shaker2_forward_jacobian       shaker2_forward_jacobian_f64_578e746f
-#define shaker2_coupled_jacobian       shaker2_coupled_jacobian_f64_578e746f
-#define shaker2_inverse                shaker2_inverse_f64_578e746f
-#define shaker2_inverse_fast           shaker2_inverse_fast_f64_578e746f
-#define shaker2_quaternion             shaker2_quaternion_f64_578e746f
-#define shaker2_state_from_coordinates shaker2_state_from_coordinates_f64_578e746f
-#define shaker2_generalized            shaker2_generalized_f64_578e746f
-#define shaker2_prepare                shaker2_prepare_f64_578e746f
-#define shaker2_mounts                 shaker2_mounts_f64_578e746f
-#define shaker2_prepare_mounts         shaker2_prepare_mounts_f64_578e746f
-#define shaker2_step_carried           shaker2_step_carried_f64_578e746f
-#define shaker2_step_driven_carried    shaker2_step_driven_carried_f64_578e746f
+#define shaker2_default_parameters     shaker2_default_parameters_f64_266acba1
+#define shaker2_default                shaker2_default_f64_266acba1
+#define shaker2_default_options        shaker2_default_options_f64_266acba1
+#define shaker2_forward                shaker2_forward_f64_266acba1
+#define shaker2_matrices               shaker2_matrices_f64_266acba1
+#define shaker2_momentum               shaker2_momentum_f64_266acba1
+#define shaker2_torque                 shaker2_torque_f64_266acba1
+#define shaker2_coupled                shaker2_coupled_f64_266acba1
+#define shaker2_step                   shaker2_step_f64_266acba1
+#define shaker2_step_driven            shaker2_step_driven_f64_266acba1
+#define shaker2_wrap                   shaker2_wrap_f64_266acba1
+#define shaker2_phase_of_counts        shaker2_phase_of_counts_f64_266acba1
+#define shaker2_speed_of_counts        shaker2_speed_of_counts_f64_266acba1
+#define shaker2_accumulate             shaker2_accumulate_f64_266acba1
+#define shaker2_forward_jacobian       shaker2_forward_jacobian_f64_266acba1
+#define shaker2_coupled_jacobian       shaker2_coupled_jacobian_f64_266acba1
+#define shaker2_inverse                shaker2_inverse_f64_266acba1
+#define shaker2_inverse_fast           shaker2_inverse_fast_f64_266acba1
+#define shaker2_quaternion             shaker2_quaternion_f64_266acba1
+#define shaker2_state_from_coordinates shaker2_state_from_coordinates_f64_266acba1
+#define shaker2_generalized            shaker2_generalized_f64_266acba1
+#define shaker2_prepare                shaker2_prepare_f64_266acba1
+#define shaker2_mounts                 shaker2_mounts_f64_266acba1
+#define shaker2_prepare_mounts         shaker2_prepare_mounts_f64_266acba1
+#define shaker2_step_carried           shaker2_step_carried_f64_266acba1
+#define shaker2_step_driven_carried    shaker2_step_driven_carried_f64_266acba1
 #endif
 
 #ifdef __cplusplus
@@ -438,7 +438,7 @@ shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bit
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3388 operations on reals, 18 of them divisions. Stack: at most 4320 bytes. */
+ * At most 3820 operations on reals, 18 of them divisions. Stack: at most 4320 bytes. */
 shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker2_state *x,
                                         const shaker2_real phi_ddot[SHAKER2_N],
                                         shaker2_forward_jacobian_result *out);
@@ -452,7 +452,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5011 operations on reals, 19 of them divisions. Stack: at most 5520 bytes. */
+ * At most 5443 operations on reals, 19 of them divisions. Stack: at most 5520 bytes. */
 shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker2_state *x,
                                         const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                         shaker2_coupled_jacobian_result *out);

@@ -37,11 +37,11 @@
  * SHAKER2_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
  * languages need them. */
 #ifndef SHAKER2_PLAIN_NAMES
-#define shaker2_recorder_start               shaker2_recorder_start_f64_c58ea953
-#define shaker2_recorder_step                shaker2_recorder_step_f64_c58ea953
-#define shaker2_recorder_step_driven         shaker2_recorder_step_driven_f64_c58ea953
-#define shaker2_recorder_step_carried        shaker2_recorder_step_carried_f64_c58ea953
-#define shaker2_recorder_step_driven_carried shaker2_recorder_step_driven_carried_f64_c58ea953
+#define shaker2_recorder_start               shaker2_recorder_start_f64_476156fe
+#define shaker2_recorder_step                shaker2_recorder_step_f64_476156fe
+#define shaker2_recorder_step_driven         shaker2_recorder_step_driven_f64_476156fe
+#define shaker2_recorder_step_carried        shaker2_recorder_step_carried_f64_476156fe
+#define shaker2_recorder_step_driven_carried shaker2_recorder_step_driven_carried_f64_476156fe
 #endif
 
 #ifdef __cplusplus
@@ -49,7 +49,7 @@ extern "C" {
 #endif
 
 #define SHAKER2_RECORDER_FORMAT 3u           /* version of the log format */
-#define SHAKER2_RECORDER_SOURCE 0xa230cdb3u  /* FNV-1a hash of the texts of shaker2.h and shaker2.c */
+#define SHAKER2_RECORDER_SOURCE 0xdfe399e4u  /* FNV-1a hash of the texts of shaker2.h and shaker2.c */
 #define SHAKER2_RECORD_BYTES    317  /* longest record of a step; most have 32 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

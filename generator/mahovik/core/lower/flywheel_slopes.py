@@ -10,7 +10,7 @@ from typing import Any
 from mahovik.core.derive.order import WEIGHTS
 from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import sensitivity as derived
-from mahovik.core.lower.flywheels import Turns, along, columns_of, let_turn, let_weights
+from mahovik.core.lower.flywheels import Turns, along, columns_of, let_turn, let_weights, named_turns
 from mahovik.core.lower.forward import Scene
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.sensitivity import set_weights
@@ -18,7 +18,7 @@ from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Place, equal, real, select
+from mahovik.core.program.expression import Expr, Place, equal, integer, real, select
 from mahovik.core.program.types import NamedCount
 
 
@@ -27,30 +27,22 @@ def own_change(
     body: Body,
     table: Place,
     x: Place,
-    V: Place,
+    seen: Scene,
     wrench: tuple[Argument, ...],
     s: Place,
     rhs: Place,
-    turn: int,
-    speed: int,
+    by: str,
 ) -> Place | None:
     """Adds the change of flywheel s's own wrench with its phase or speed to rhs; returns its change about the axis."""
-    layout = lib.layout
-    if not layout.own_turning:
+    layout, name = lib.layout, f"own_wrench_by_{by}"
+    if name not in lib:
         return None
-    still = body.local("still", (6,))
-    part = body.local("part", (6,))
-    about = body.local("about", (1,))
-    for element in (*still, *about):
-        body.set(element, real(0))
+    own = body.local("own_change", (6 * int(layout.count),), comment="change of the flywheels' own wrenches")
     with body.loop("k", len(layout.own)) as k, body.when(equal(table.frame[k].flywheel, s)):
-        named: dict[str, Any] = {"table": table, "frame": table.frame[k], "x": x, "V": V, "V_change": still}
-        named |= {"turn_by": real(turn), "speed_by": real(speed), "F": part, "axial": about}
-        named |= {w.name: w.place for w in wrench}
-        body.call(lib["own_slope"], *lib.arguments_of("own_slope", **named))
-        with body.loop("i", 6) as i:
-            body.add(rhs[i], part[i])
-    return about
+        named: dict[str, Any] = {"table": table, "frame": table.frame[k], "x": x, "V": seen.V, "d_F": rhs, "d_own": own}
+        named |= named_turns(seen.turns) | {w.name: w.place for w in wrench}
+        body.call(lib[name], *lib.arguments_of(name, **named))
+    return own[s * integer(6) + 3]
 
 
 def row_weights(body: Body, x: Place, turns: Turns, s: Place, acceleration: Expr) -> dict[str, Expr]:
@@ -169,13 +161,12 @@ def by_flywheels(lib: Library, body: Body, at: CoupledMotion, o: Place, sides: S
     with body.loop("s", lib.layout.count) as s:
         row = table.flywheel[s]
         weights = row_weights(body, x, seen.turns, s, at.phi_ddot[s])
-        for name, by, turn, speed in (("phi", derived.by_phase(), 1, 0), ("phi_dot", derived.by_speed(), 0, 1)):
+        for name, by in (("phi", derived.by_phase()), ("phi_dot", derived.by_speed())):
             with body.block():
                 change_of_row(lib, body, row, by, weights, changes, seen, at.V_dot, sides.change)
-                about = own_change(lib, body, table, x, seen.V, at.wrench, s, sides.change, turn, speed)
+                side: Expr | None = own_change(lib, body, table, x, seen, at.wrench, s, sides.change, name)
                 sides.take_change()
-                side: Expr | None = None if about is None else about[0]
-                if turn:
+                if name == "phi":
                     slope = torque_slope(lib, body, row, weights, seen, at.origin_acceleration, at.V_dot)
                     side = -slope if side is None else -slope + side
                 sides.write_alone(o, name, s, side)

@@ -152,13 +152,13 @@ def forward_jacobian(lib: Library) -> Function:
         with body.loop("s", layout.count) as s:
             row = table.place.flywheel[s]
             weights = row_weights(body, x.place, seen.turns, s, given[0][s])
-            for target, by, turn, speed in (
-                (o.u_dot_phi, derived.by_phase(), 1, 0),
-                (o.u_dot_phi_dot, derived.by_speed(), 0, 1),
+            for name, target, by in (
+                ("phi", o.u_dot_phi, derived.by_phase()),
+                ("phi_dot", o.u_dot_phi_dot, derived.by_speed()),
             ):
                 with body.block():
                     change_of_row(lib, body, row, by, weights, changes, seen, motion, freedoms.rhs)
-                    own_change(lib, body, table.place, x.place, seen.V, wrench, s, freedoms.rhs, turn, speed)
+                    own_change(lib, body, table.place, x.place, seen, wrench, s, freedoms.rhs, name)
                     write(target, s)
             assign(body, list(freedoms.rhs), derived_rows.reaction(), weights | columns_of(row))
             write(o.u_dot_phi_ddot, s)

@@ -19,7 +19,7 @@ from mahovik.core.lower.flywheel_slopes import (
     own_change,
     row_weights,
 )
-from mahovik.core.lower.flywheels import along, columns_of, let_turn, turns_of
+from mahovik.core.lower.flywheels import along, columns_of, let_turn, named_turns, turns_of
 from mahovik.core.lower.forward import (
     STATE_STATUSES,
     Scene,
@@ -54,6 +54,7 @@ def twist_slopes(
         "axial", (6 * max(1, int(layout.count)),), comment="derivatives by V of the flywheels' own axial moments"
     )
     named = {"table": table, "x": x, "V": seen.V, "Z": Z, "m": m, "C": seen.C, "slope": slope, "axial": axial}
+    named |= named_turns(seen.turns)
     body.call(lib["twist_slope"], *lib.arguments_of("twist_slope", **named, **{w.name: w.place for w in wrench}))
     return slope, axial
 
@@ -96,13 +97,13 @@ def forward_jacobian(lib: Library) -> Function:
         with body.loop("s", layout.count) as s:
             row = table.place.flywheel[s]
             weights = row_weights(body, x.place, seen.turns, s, phi_ddot[0].place[s])
-            for target, by, turn, speed in (
-                (o.V_dot_phi, derived.by_phase(), 1, 0),
-                (o.V_dot_phi_dot, derived.by_speed(), 0, 1),
+            for name, target, by in (
+                ("phi", o.V_dot_phi, derived.by_phase()),
+                ("phi_dot", o.V_dot_phi_dot, derived.by_speed()),
             ):
                 with body.block():
                     change_of_row(lib, body, row, by, weights, changes, seen, motion, rhs)
-                    own_change(lib, body, table.place, x.place, seen.V, wrench, s, rhs, turn, speed)
+                    own_change(lib, body, table.place, x.place, seen, wrench, s, rhs, name)
                     solve()
                     with body.loop("i", 6) as i:
                         body.set(target[i][s], y[i])

@@ -31,7 +31,6 @@ class LawLowering:
     invalid      what of it may have a length that it must not have, for the list of statuses; "" for nothing
     quaternions  places in the table that must have unit length
     refuses      may its function refuse a state? Its status is RANGE then
-    per_twist    does `slope` add what a change of twist makes?
     """
 
     words: str
@@ -39,7 +38,6 @@ class LawLowering:
     invalid = ""
     quaternions: tuple[str, ...] = ()
     refuses = False
-    per_twist = False
 
     def present(self, structure: Structure) -> bool:
         """Whether a stand has the law."""
@@ -64,36 +62,22 @@ class LawLowering:
         """Adds its wrench, in E1 about O1, to F. `table`: the table; `x`: the state; `C`: the attitude (9)."""
         raise NotImplementedError
 
-    def add_slopes(self, lib: FunctionSet) -> None:
-        """Adds the functions that `slope` calls."""
-
-    def constant_slope(self, lib: FunctionSet, body: Body, table: Place, out: Place) -> None:
-        """Adds the derivative by the twist, where it is a constant, to `out` (36, row by row)."""
-
-    def slope(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, change: Place, F: Place) -> None:
-        """Adds the change of its wrench with a change of twist to F."""
-
 
 class TwistFunction:
-    """A function that adds the wrench of a body by its own twist to P, or with `slope` its change with the twist.
+    """A function that adds the wrench of a body by its own twist to P.
 
     table, damper  prepared table, and its part that belongs to the body
-    V, change      twist of the body relative to the fluid, and its change, in the body's frame
-    P              wrench of the body, or its change, to which the function adds
+    V              twist of the body relative to the fluid, in the body's frame
+    P              wrench of the body, to which the function adds
     body           statements
     """
 
-    def __init__(self, lib: FunctionSet, slope: bool = False) -> None:
-        real, six = Kind.REAL, (6,)
-        V = Argument("V", real, six, purpose="twist relative to the fluid, in the body's frame")
-        change = Argument("change", real, six, purpose="change of that twist")
-        if slope:
-            P = Argument("P", real, six, "inout", purpose="change of the wrench; this change is added to it")
-        else:
-            P = Argument("P", real, six, "inout", "N, N m", "wrench; this law is added to it")
+    def __init__(self, lib: FunctionSet) -> None:
+        V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
+        P = Argument("P", Kind.REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
         table, damper = lib.table_argument(), Argument("damper", lib.layout.damper)
-        self._arguments = (table, damper, V, *((change,) if slope else ()), P)
-        self.table, self.damper, self.V, self.change, self.P = (a.place for a in (table, damper, V, change, P))
+        self._arguments = (table, damper, V, P)
+        self.table, self.damper, self.V, self.P = (a.place for a in self._arguments)
         self.body = Body()
 
     @contextmanager

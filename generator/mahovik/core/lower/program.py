@@ -263,13 +263,7 @@ def _add_wrenches(lib: Library) -> None:
 def _add_jacobians(lib: Library) -> None:
     """Derivatives of forward and coupled."""
     layout = lib.layout
-    if layout.damped:
-        for add_slopes in of_bodies("lower", "add_slopes"):
-            add_slopes(lib)
-    if layout.own:
-        lib.add(sensitivity.own_slope(lib))
-    for law in lib.layout.law_tables:
-        law.add_slopes(lib)
+    sensitivity.add_tangents(lib)
     lib.add(sensitivity.twist_slope(lib))
     if layout.flywheels:
         lib.add(sensitivity.row_slope(lib))

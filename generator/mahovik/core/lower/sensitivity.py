@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.contract.laws import of_bodies
 from mahovik.core.derive.order import WEIGHTS
 from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import sensitivity as derived
 from mahovik.core.formula.derived import wrench as derived_wrench
-from mahovik.core.lower.flywheels import columns_of, sine_and_cosine
+from mahovik.core.lower.flywheels import columns_of, named_turns, places_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
@@ -17,85 +16,32 @@ from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, integer, real
 from mahovik.core.program.function import Function
+from mahovik.core.program.tangent import Seed, Tangents
 from mahovik.core.program.types import Kind
 
 
-def own_slope(lib: Library) -> Function:
-    """Change of one body's own wrench with the carrier's twist, and with its own phase and speed."""
-    layout = lib.layout
-    table, x = lib.table_argument(), lib.state_argument()
-    frame = Argument("frame", layout.frame)
-    V = Argument("V", Kind.REAL, (6,), purpose="twist of the carrier relative to the fluid")
-    V_change = Argument("V_change", Kind.REAL, (6,), purpose="change of that twist")
-    turn_by = Argument("turn_by", Kind.REAL, purpose="change of its phase")
-    speed_by = Argument("speed_by", Kind.REAL, purpose="change of its speed")
-    wrench = lib.wrench_arguments()
-    F = Argument("F", Kind.REAL, (6,), "out", purpose="change of its wrench, in E1 about O1")
-    axial = Argument("axial", Kind.REAL, (1,), "out", purpose="change of its moment about the spin axis")
-    body = Body()
-    axes = body.local("axes", (9,), comment="axes of the body in E1")
-    twist = body.local("twist", (6,), comment="of the body, in its own frame")
-    change = body.local("change", (6,), comment="of that twist")
-    P = body.local("P", (6,), comment="own wrench, in its own frame")
-    P_change = body.local("P_change", (6,))
-    body.copy_array(axes, frame.place.axes)
-    if layout.own_turning:
-        with body.when(frame.place.flywheel >= 0):
-            turn = sine_and_cosine(lib, body, x.place.phi[frame.place.flywheel])
-            assign(body, list(axes), derived_wrench.turned_axes(), turn | {"R": frame.place.axes})
-    for element in (*P, *P_change):
-        body.set(element, real(0))
-    _to_body(body, axes, frame.place.origin, V.place, twist, "velocity")
-    _to_body(body, axes, frame.place.origin, V_change.place, change, "velocity_change")
-    if layout.own_turning:
-        with body.when(frame.place.flywheel >= 0):
-            body.note("- [<e>] L^T V: the axes turn with the phase")
-            for first, second in ((1, 2), (4, 5)):
-                body.add(change[first], turn_by.place * twist[second])
-                body.add(change[second], -(turn_by.place * twist[first]))
-            body.add(twist[3], x.place.phi_dot[frame.place.flywheel], "L^T V + f phi'")
-            body.add(change[3], speed_by.place)
-    if layout.own_damped:
-        named = {"table": table.place, "damper": frame.place.damper, "V": twist, "P": P}
-        slopes = named | {"change": change, "P": P_change}
-        for name, slope in of_bodies("lower", "BY_TWIST"):
-            if name in lib:
-                body.call(lib[name], *lib.arguments_of(name, **named))
-                body.call(lib[slope], *lib.arguments_of(slope, **slopes))
-    if layout.own_inputs:
-        with body.when(frame.place.wrench >= 0), body.loop("i", 6) as i:
-            body.add(P[i], wrench[0].place[frame.place.wrench * integer(6) + i])
-    body.set(axial.place[0], P_change[3])
-    if layout.own_turning:
-        body.note("[<e>] P: the wrench turns with the phase")
-        for first, second in ((1, 2), (4, 5)):
-            body.add(P_change[first], -(turn_by.place * P[second]))
-            body.add(P_change[second], turn_by.place * P[first])
-    six = list(F.place)
-    rotated = derived_wrench.rotated()
-    assign(body, six[:3], rotated, {"C": axes, "a": list(P_change)[:3]})
-    moment = body.local("moment", (3,))
-    assign(body, list(moment), rotated, {"C": axes, "a": list(P_change)[3:]})
-    arm = derived_wrench.moment_of_force()
-    for k in range(3):
-        bound = {"O": frame.place.origin, "f": six[:3]}
-        body.set(six[3 + k], moment[k] + translate(arm[k], bound))
-    return body.function(
-        "own_slope",
-        "Change of the own wrench of an instrument or flywheel with the carrier's twist and its own phase and speed.",
-        (table, frame, x, V, V_change, turn_by, speed_by, *wrench, F, axial),
-        equation="(7)",
-    )
+def add_tangents(lib: Library) -> None:
+    """Derivatives of the wrench (7) by the twist, and of the flywheels' own wrenches by their phases and speeds."""
+    tangents = Tangents(lib)
+    if "external" in lib:
+        inputs = [name for name in ("V", "x.V") if name.split(".")[0] in lib.taken("external")]
+        if inputs:
+            tangents.change("external", {"V": inputs})
+    if lib.layout.own_turning:
+        tangents.derivative("own_wrench", "phi", _turning(lib["own_wrench"]))
+    if lib.layout.own_turning and lib.layout.own_damped:
+        tangents.derivative("own_wrench", "phi_dot", {"x.phi_dot": lambda _: real(1)})
 
 
-def _to_body(body: Body, axes: Place, origin: Place, V: Place, out: Place, name: str) -> None:
-    """L^T V."""
-    six = list(V)
-    velocity = body.local(name, (3,), comment="of the body's origin, in E1")
-    assign(body, list(velocity), derived_wrench.twist_at(), {"v": six[:3], "omega": six[3:], "O": origin})
-    back = derived_wrench.rotated_back()
-    assign(body, list(out)[:3], back, {"C": axes, "a": velocity})
-    assign(body, list(out)[3:], back, {"C": axes, "a": six[3:]})
+def _turning(function: Function) -> dict[str, Seed]:
+    """Derivatives of sines and cosines by their phase."""
+    places = {a.name: a.place for a in function.arguments}
+
+    def of(name: str, place: Place) -> Place:
+        (index,) = place.operands
+        return places[name][index]
+
+    return {"sine": lambda sine: of("cosine", sine), "cosine": lambda cosine: -of("sine", cosine)}
 
 
 def row_slope(lib: Library) -> Function:
@@ -151,7 +97,7 @@ def twist_slope(lib: Library) -> Function:
     Z = Argument("Z", Kind.REAL, (6,))
     m = Argument("m", layout.matrices, purpose="its M = Phi K + K_dot")
     C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
-    wrench = lib.wrench_arguments()
+    turns, wrench = lib.turn_arguments(), lib.wrench_arguments()
     out = Argument("slope", Kind.REAL, (36,), "out", purpose="row by row")
     axial = Argument(
         "axial",
@@ -168,48 +114,25 @@ def twist_slope(lib: Library) -> Function:
     if layout.own_turning:
         with body.loop("i", 6 * int(layout.count)) as i:
             body.set(axial.place[i], real(0))
-    for law in lib.layout.law_tables:
-        law.constant_slope(lib, body, table.place, out.place)
-    if layout.carrier_damped or layout.own_damped or any(law.per_twist for law in lib.layout.law_tables):
+    if "external_by_V" in lib and "d_F" in lib.taken("external_by_V"):
         with body.loop("j", 6) as j:
             change = body.local("change", (6,), comment="unit twist")
             F = body.local("F", (6,), comment="change of the wrench")
+            own = body.local("own", (6 * max(1, int(layout.count)),), comment="and of the flywheels' own")
             with body.loop("i", 6) as i:
                 body.set(change[i], real(0))
-                body.set(F[i], real(0))
             body.set(change[j], real(1))
-            everything: dict[str, Any] = {"table": table.place, "x": x.place, "V": V.place, "C": C.place, "F": F}
-            everything |= {"change": change, "V_change": change, "turn_by": real(0), "speed_by": real(0)}
-            everything |= {w.name: w.place for w in wrench}
-            _add_slopes(lib, body, everything, axial.place, j)
+            named: dict[str, Any] = {"table": table.place, "x": x.place, "V": V.place, "C": C.place, "d_V": change}
+            named |= named_turns(places_of(turns)) | {w.name: w.place for w in wrench} | {"d_F": F, "d_own": own}
+            body.call(lib["external_by_V"], *lib.arguments_of("external_by_V", **named))
             with body.loop("i", 6) as i:
                 body.add(out.place[i * integer(6) + j], F[i])
+            if "d_own" in lib.taken("external_by_V"):
+                with body.loop("s", layout.count) as s:
+                    body.set(axial.place[s * integer(6) + j], own[s * integer(6) + 3])
     return body.function(
         "twist_slope",
         "Derivative of F - Phi Z - K* V by the twist.",
-        (table, x, V, Z, m, C, *wrench, out, axial),
+        (table, x, *turns, V, Z, m, C, *wrench, out, axial),
         equation="(8)",
     )
-
-
-def _add_slopes(lib: Library, body: Body, everything: dict[str, Any], axial: Place, j: Place) -> None:
-    """Adds the changes of all wrenches with one unit twist to F."""
-    layout, table, F = lib.layout, everything["table"], everything["F"]
-    if layout.carrier_damped:
-        named = everything | {"damper": table.damper, "P": F}
-        for _, slope in of_bodies("lower", "BY_TWIST"):
-            if slope in lib:
-                body.call(lib[slope], *lib.arguments_of(slope, **named))
-    if layout.own_damped:
-        with body.loop("k", len(layout.own)) as k:
-            part = body.local("part", (6,))
-            about = body.local("about", (1,))
-            named = everything | {"frame": table.frame[k], "F": part, "axial": about}
-            body.call(lib["own_slope"], *lib.arguments_of("own_slope", **named))
-            with body.loop("i", 6) as i:
-                body.add(F[i], part[i])
-            if layout.own_turning:
-                with body.when(table.frame[k].flywheel >= 0):
-                    body.set(axial[table.frame[k].flywheel * integer(6) + j], about[0])
-    for law in lib.layout.law_tables:
-        law.slope(lib, body, table, everything["x"], everything["C"], everything["change"], F)

@@ -135,7 +135,7 @@ def _weight(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums
 
 
 def _damp(lib: Library, body: Body, table: Place, damper: Place, V: Place, P: Place) -> None:
-    for name, _ in of_bodies("lower", "BY_TWIST"):
+    for name in of_bodies("lower", "BY_TWIST"):
         if name in lib:
             body.call(lib[name], *lib.arguments_of(name, table=table, damper=damper, V=V, P=P))
 

@@ -9,6 +9,7 @@ from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import TwistFunction
 from mahovik.core.lower.member import Member, member
+from mahovik.core.program.build import Body as Statements
 from mahovik.core.program.expression import Expr, Place, magnitude, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
@@ -132,8 +133,8 @@ def control_members(stand: Stand, rows: Any) -> Iterator[Member]:
 ARRAY_MEMBERS = {"control": control_members}
 """Reals of the arrays of the table, by name."""
 
-BY_TWIST = ("add_control", "add_control_slope")
-"""Functions that add the wrench of a body's own twist, and its change."""
+BY_TWIST = "add_control"
+"""The function that adds the wrench of a body by its own twist."""
 
 
 def add_functions(lib: FunctionSet) -> None:
@@ -142,94 +143,38 @@ def add_functions(lib: FunctionSet) -> None:
         lib.add(add_control(lib))
 
 
-def add_slopes(lib: FunctionSet) -> None:
-    """The change of that wrench."""
-    if term_count(lib.layout.structure):
-        lib.add(add_control_slope(lib))
-
-
 def add_control(lib: FunctionSet) -> Function:
     """Control derivatives of one body in its own frame, added to a wrench."""
     adding = TwistFunction(lib)
-    body, factors = adding.body, _Factors(lib, adding)
+    body, x = adding.body, _factors(lib, adding)
     with adding.each("control", term_count(lib.layout.structure), "t") as term:
-        first, second, third, fourth = factors.of(term)
-        body.add(adding.P[term.wrench], term.value * first * second * third * fourth)
+        factors = x[term.first], x[term.second], x[term.third], x[term.fourth]
+        body.add(adding.P[term.wrench], term.value * factors[0] * factors[1] * factors[2] * factors[3])
     return adding.function(
         "add_control", "Adds the control derivatives of one body to its wrench, both in the body's own frame."
     )
 
 
-def add_control_slope(lib: FunctionSet) -> Function:
-    """Derivative of that wrench by the body's twist, times a twist."""
-    adding = TwistFunction(lib, slope=True)
-    body, factors = adding.body, _Factors(lib, adding)
-    factors.change(adding.change)
-    with adding.each("control", term_count(lib.layout.structure), "t") as term:
-        first, second, third, fourth = factors.of(term)
-        first_by, second_by, third_by, fourth_by = factors.changes_of(term)
-        pair = body.let("pair", first * second)
-        pair_by = body.let("pair_by", first_by * second + first * second_by)
-        rest = body.let("rest", third * fourth)
-        rest_by = body.let("rest_by", third_by * fourth + third * fourth_by)
-        body.add(adding.P[term.wrench], term.value * (pair_by * rest + pair * rest_by))
-    return adding.function("add_control_slope", "Change of the control derivatives of one body with its twist.")
+def _factors(lib: FunctionSet, adding: TwistFunction) -> Place:
+    """All factors of the derivatives of a stand: 1, twist, magnitudes, inputs."""
+    inputs, body, V = _inputs(lib.layout.structure), adding.body, adding.V
+    x = body.local("x", (TWIST + len(inputs),), comment="1, u v w p q r, their magnitudes, inputs")
+    body.set(x[0], real(1))
+    for k in range(6):
+        body.set(x[1 + k], V[k])
+    for k in range(6):
+        body.set(x[7 + k], magnitude(V[k]))
+    for k, (what, place, absolute) in enumerate(inputs):
+        array, name = ARRAYS[what]
+        value: Expr = adding.table.member(array)[place].member(name)
+        if what == "race":
+            value = _race(lib, body, f"{k + 1}", V[0], adding.damper.race, value)
+        body.set(x[TWIST + k], magnitude(value) if absolute else value)
+    return x
 
 
-class _Factors:
-    """All factors of the derivatives of a stand: places of a function's body.
-
-    x   1, twist, magnitudes, inputs
-    dx  their changes with the twist
-    """
-
-    def __init__(self, lib: FunctionSet, adding: TwistFunction) -> None:
-        self._inputs, self._body = _inputs(lib.layout.structure), adding.body
-        self._size, self._V = TWIST + len(self._inputs), adding.V
-        body, V = adding.body, adding.V
-        self.x = body.local("x", (self._size,), comment="1, u v w p q r, their magnitudes, inputs")
-        body.set(self.x[0], real(1))
-        for k in range(6):
-            body.set(self.x[1 + k], V[k])
-        for k in range(6):
-            body.set(self.x[7 + k], magnitude(V[k]))
-        self._roots: dict[int, Place] = {}
-        for k, (what, place, absolute) in enumerate(self._inputs):
-            array, name = ARRAYS[what]
-            value: Expr = adding.table.member(array)[place].member(name)
-            if what == "race":
-                value = self._race(lib, k, adding.damper, value)
-            body.set(self.x[TWIST + k], magnitude(value) if absolute else value)
-
-    def _race(self, lib: FunctionSet, k: int, damper: Place, n: Expr) -> Expr:
-        """The race a |n| n / (sqrt(u u + a n n) + |u|) of one propeller, which loses no digits."""
-        u, body = self._V[0], self._body
-        root = body.let(f"behind{k + 1}", lib["sqrt"](u * u + damper.race * (n * n)), "speed in the race")
-        self._roots[k] = root
-        both = body.let(f"both{k + 1}", root + magnitude(u))
-        found = damper.race * (magnitude(n) * n) / select(both > 0, both, real(1))
-        return body.let(f"race{k + 1}", found)
-
-    def change(self, change: Place) -> None:
-        """The changes of all factors with a change of the twist."""
-        body, V = self._body, self._V
-        self.dx = body.local("dx", (self._size,), comment="their changes with the twist")
-        body.set(self.dx[0], real(0))
-        for k in range(6):
-            body.set(self.dx[1 + k], change[k])
-            body.set(self.dx[7 + k], select(V[k] < 0, -change[k], change[k]))
-        for k in range(len(self._inputs)):
-            if k in self._roots:
-                root = self._roots[k]
-                falls = self.x[TWIST + k] / select(root > 0, root, real(1))
-                body.set(self.dx[TWIST + k], -(falls * select(V[0] < 0, -change[0], change[0])))
-            else:
-                body.set(self.dx[TWIST + k], real(0))
-
-    def of(self, term: Place) -> tuple[Place, Place, Place, Place]:
-        """The factors of one derivative."""
-        return self.x[term.first], self.x[term.second], self.x[term.third], self.x[term.fourth]
-
-    def changes_of(self, term: Place) -> tuple[Place, Place, Place, Place]:
-        """Their changes."""
-        return self.dx[term.first], self.dx[term.second], self.dx[term.third], self.dx[term.fourth]
+def _race(lib: FunctionSet, body: Statements, number: str, u: Place, constant: Place, n: Expr) -> Expr:
+    """The race a |n| n / (sqrt(u u + a n n) + |u|) of one propeller, a the constant; it loses no digits."""
+    root = body.let(f"behind{number}", lib["sqrt"](u * u + constant * (n * n)), "speed in the race")
+    both = body.let(f"both{number}", root + magnitude(u))
+    return body.let(f"race{number}", constant * (magnitude(n) * n) / select(both > 0, both, real(1)))

@@ -9,8 +9,7 @@ from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import TwistFunction
 from mahovik.core.lower.member import Member, member
-from mahovik.core.program.build import Body as Statements
-from mahovik.core.program.expression import Expr, Place, magnitude, real, select
+from mahovik.core.program.expression import magnitude, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Body, Stand
@@ -94,8 +93,8 @@ def strip_members(stand: Stand, rows: Any) -> Iterator[Member]:
 ARRAY_MEMBERS = {"strip": strip_members}
 """Reals of the arrays of the table, by name."""
 
-BY_TWIST = ("add_strips", "add_strips_slope")
-"""Functions that add the wrench of a body's own twist, and its change."""
+BY_TWIST = "add_strips"
+"""The function that adds the wrench of a body by its own twist."""
 
 
 def add_functions(lib: FunctionSet) -> None:
@@ -104,73 +103,28 @@ def add_functions(lib: FunctionSet) -> None:
         lib.add(add_strips(lib))
 
 
-def add_slopes(lib: FunctionSet) -> None:
-    """The change of that drag."""
-    if strip_count(lib.layout.structure):
-        lib.add(add_strips_slope(lib))
-
-
 def add_strips(lib: FunctionSet) -> Function:
     """Cross-flow drag of one body in its own frame, added to a wrench."""
     adding = TwistFunction(lib)
-    body = adding.body
+    body, P = adding.body, adding.P
     with adding.each("strip", strip_count(lib.layout.structure)) as strip:
-        v, w = _velocity(body, strip, adding.V, "v", "w")
-        Y, Z = _force(body, -(strip.y * (v * magnitude(v))), -(strip.z * (w * magnitude(w))))
+        v = body.let("v", adding.V[1] + strip.x * adding.V[5])
+        w = body.let("w", adding.V[2] - strip.x * adding.V[4])
+        Y, Z = body.local("Y"), body.local("Z")
+        body.set(Y, -(strip.y * (v * magnitude(v))))
+        body.set(Z, -(strip.z * (w * magnitude(w))))
         if _together(lib.layout.structure):
             with body.when(strip.together > 0):
-                drag, _ = _drag(lib, body, strip, v, w)
+                across = body.let("across", lib["sqrt"](v * v + w * w))
+                # 1 in place of a speed of zero, where all forces are zero
+                speed = body.let("speed", select(across > 0, across, real(1)), "of the strip across the axis")
+                drag = body.let("drag", (strip.y * v * v + strip.z * w * w) / speed)
                 body.set(Y, -(drag * v))
                 body.set(Z, -(drag * w))
-        _add(body, strip, Y, Z, adding.P)
+        body.add(P[1], Y)
+        body.add(P[2], Z)
+        body.add(P[4], -(strip.x * Z))
+        body.add(P[5], strip.x * Y)
     return adding.function(
         "add_strips", "Adds the cross-flow drag of one body to its wrench, both in the body's own frame."
     )
-
-
-def add_strips_slope(lib: FunctionSet) -> Function:
-    """Derivative of one body's cross-flow drag by its twist, times a twist."""
-    adding = TwistFunction(lib, slope=True)
-    body = adding.body
-    with adding.each("strip", strip_count(lib.layout.structure)) as strip:
-        v, w = _velocity(body, strip, adding.V, "v", "w")
-        dv, dw = _velocity(body, strip, adding.change, "dv", "dw")
-        Y, Z = _force(body, -(strip.y * (2 * magnitude(v) * dv)), -(strip.z * (2 * magnitude(w) * dw)))
-        if _together(lib.layout.structure):
-            with body.when(strip.together > 0):
-                drag, speed = _drag(lib, body, strip, v, w)
-                speed_by = body.let("speed_by", (v * dv + w * dw) / speed)
-                square_by = 2 * (strip.y * v * dv + strip.z * w * dw)
-                drag_by = body.let("drag_by", (square_by - drag * speed_by) / speed)
-                body.set(Y, -(drag_by * v + drag * dv))
-                body.set(Z, -(drag_by * w + drag * dw))
-        _add(body, strip, Y, Z, adding.P)
-    return adding.function("add_strips_slope", "Change of the cross-flow drag of one body with its twist.")
-
-
-def _velocity(body: Statements, strip: Place, V: Place, along_y: str, along_z: str) -> tuple[Place, Place]:
-    """Velocity of a strip along y and z: v + x r, w - x q."""
-    return body.let(along_y, V[1] + strip.x * V[5]), body.let(along_z, V[2] - strip.x * V[4])
-
-
-def _force(body: Statements, along_y: Expr, along_z: Expr) -> tuple[Place, Place]:
-    """Locals of the force of a strip where y and z act apart."""
-    Y, Z = body.local("Y"), body.local("Z")
-    body.set(Y, along_y)
-    body.set(Z, along_z)
-    return Y, Z
-
-
-def _drag(lib: FunctionSet, body: Statements, strip: Place, v: Expr, w: Expr) -> tuple[Place, Place]:
-    """(y v^2 + z w^2)/speed, and the speed across; 1 in place of a speed of zero, where all forces are zero."""
-    across = body.let("across", lib["sqrt"](v * v + w * w))
-    speed = body.let("speed", select(across > 0, across, real(1)), "of the strip across the axis")
-    return body.let("drag", (strip.y * v * v + strip.z * w * w) / speed), speed
-
-
-def _add(body: Statements, strip: Place, Y: Expr, Z: Expr, P: Place) -> None:
-    """The force (0, Y, Z) at (x, 0, 0)."""
-    body.add(P[1], Y)
-    body.add(P[2], Z)
-    body.add(P[4], -(strip.x * Z))
-    body.add(P[5], strip.x * Y)

@@ -12,7 +12,7 @@ from mahovik.core.lower.law import TwistFunction
 from mahovik.core.lower.member import Member, matrix, member
 from mahovik.core.lower.symbolic import translate
 from mahovik.core.program.build import Body as Statements
-from mahovik.core.program.expression import Place, magnitude, select
+from mahovik.core.program.expression import Place, magnitude
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import WRENCH_LETTERS, Body, Stand
@@ -118,20 +118,14 @@ def term_members(stand: Stand, rows: Any) -> Iterator[Member]:
 ARRAY_MEMBERS = {"term": term_members}
 """Reals of the arrays of the table, by name."""
 
-BY_TWIST = ("damp", "damp_slope")
-"""Functions that add the wrench of a body's own twist, and its change."""
+BY_TWIST = "damp"
+"""The function that adds the wrench of a body by its own twist."""
 
 
 def add_functions(lib: FunctionSet) -> None:
     """The damping of one body, where any body is damped."""
     if damped_bodies(lib.layout.structure):
         lib.add(damp(lib))
-
-
-def add_slopes(lib: FunctionSet) -> None:
-    """The change of one body's damping."""
-    if damped_bodies(lib.layout.structure):
-        lib.add(damp_slope(lib))
 
 
 def damp(lib: FunctionSet) -> Function:
@@ -163,42 +157,6 @@ def damp(lib: FunctionSet) -> Function:
         _times(body, damper.contained, V, Z)
         _add_crossed(body, V, Z, P)
     return adding.function("damp", "Adds the damping of one body to its wrench, both in the body's own frame.")
-
-
-def damp_slope(lib: FunctionSet) -> Function:
-    """Derivative of one body's damping by its twist, times a twist."""
-    struct, terms = lib.layout.damper, term_count(lib.layout.structure)
-    adding = TwistFunction(lib, slope=True)
-    body, damper, V, change, P = adding.body, adding.damper, adding.V, adding.change, adding.P
-    x, dx = None, None
-    if terms or struct.field("quadratic") is not None:
-        x = body.local("x", (12,), comment="u v w p q r and their magnitudes")
-        dx = body.local("dx", (12,), comment="their changes with the twist")
-        for k in range(6):
-            body.set(x[k], V[k])
-            body.set(x[k + 6], magnitude(V[k]))
-            body.set(dx[k], change[k])
-            body.set(dx[k + 6], select(V[k] < 0, -change[k], change[k]))
-    if struct.field("linear") is not None:
-        with body.loop("i", 6) as i:
-            body.add(P[i], -translate(derived.row_times(), {"row": damper.linear[i], "column": change}))
-    if struct.field("quadratic") is not None:
-        assert x is not None and dx is not None
-        with body.loop("i", 6) as i, body.loop("j", 6) as j:
-            body.add(P[i], -(damper.quadratic[i][j] * (2 * x[j + 6] * dx[j])))
-    if terms:
-        assert x is not None and dx is not None
-        with adding.each("term", terms, "t") as term:
-            slope = dx[term.first] * x[term.second] + x[term.first] * dx[term.second]
-            body.add(P[term.wrench], term.value * slope)
-    if struct.field("contained") is not None:
-        Z = body.local("Z", (6,), comment="momentum of the added mass")
-        dZ = body.local("dZ", (6,), comment="its change")
-        _times(body, damper.contained, V, Z)
-        _times(body, damper.contained, change, dZ)
-        _add_crossed(body, change, Z, P)
-        _add_crossed(body, V, dZ, P)
-    return adding.function("damp_slope", "Change of the damping of one body with its twist.")
 
 
 def _times(body: Statements, added_mass: Place, V: Place, Z: Place) -> None:

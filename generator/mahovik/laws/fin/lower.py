@@ -120,8 +120,8 @@ def fin_members(stand: Stand, rows: Any) -> Iterator[Member]:
 ARRAY_MEMBERS = {"fin": fin_members}
 """Reals of the arrays of the table, by name."""
 
-BY_TWIST = ("add_fins", "add_fins_slope")
-"""Functions that add the wrench of a body's own twist, and its change."""
+BY_TWIST = "add_fins"
+"""The function that adds the wrench of a body by its own twist."""
 
 
 def add_functions(lib: FunctionSet) -> None:
@@ -130,130 +130,66 @@ def add_functions(lib: FunctionSet) -> None:
         lib.add(add_fins(lib))
 
 
-def add_slopes(lib: FunctionSet) -> None:
-    """The change of that wrench."""
-    if fin_count(lib.layout.structure):
-        lib.add(add_fins_slope(lib))
-
-
 def add_fins(lib: FunctionSet) -> Function:
     """Lift and drag of the fins of one body in its own frame, added to a wrench."""
     adding = TwistFunction(lib)
     body = adding.body
     with adding.each("fin", fin_count(lib.layout.structure)) as fin:
-        flow = _Flow(lib, body, fin, adding.V)
-        lift = body.let("lift", flow.pressure * flow.C_L)
-        drag = body.let("drag", flow.pressure * (fin.drag + fin.induced * flow.C_L * flow.C_L))
-        along = body.let("along", lift * flow.up - drag * flow.along, "force along the chord")
-        across = body.let("across", -(lift * flow.along + drag * flow.up), "force along the normal")
-        _add(body, fin, along, across, adding.P)
+        chord, span, normal, r, V = fin.chord, fin.span, fin.normal, fin.position, adding.V
+        velocity = body.local("velocity", (3,), comment="of the fin")
+        for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+            body.set(velocity[i], V[i] + (V[3 + j] * r[k] - V[3 + k] * r[j]))
+        a, b, c = (
+            body.let(name, x[0] * velocity[0] + x[1] * velocity[1] + x[2] * velocity[2])
+            for name, x in (("a", chord), ("b", span), ("c", normal))
+        )
+        square = body.local("square", comment="U^2")
+        body.set(square, a * a)
+        with body.when(fin.speed > 0):
+            body.add(square, c * c)
+        with body.when(fin.speed > 1):
+            body.add(square, b * b)
+        pressure = body.let("pressure", fin.size * square)
+        C_L, ahead, up = _lift(lib, body, fin, a, c)
+        lift = body.let("lift", pressure * C_L)
+        drag = body.let("drag", pressure * (fin.drag + fin.induced * C_L * C_L))
+        along = body.let("along", lift * up - drag * ahead, "force along the chord")
+        across = body.let("across", -(lift * ahead + drag * up), "force along the normal")
+        force = body.local("force", (3,))
+        for i in range(3):
+            body.set(force[i], along * chord[i] + across * normal[i])
+        for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+            body.add(adding.P[i], force[i])
+            body.add(adding.P[3 + i], r[j] * force[k] - r[k] * force[j])
     return adding.function(
         "add_fins", "Adds lift and drag of the fins of one body to its wrench, both in the body's own frame."
     )
 
 
-def add_fins_slope(lib: FunctionSet) -> Function:
-    """Derivative of that wrench by the body's twist, times a twist."""
-    adding = TwistFunction(lib, slope=True)
-    body = adding.body
-    with adding.each("fin", fin_count(lib.layout.structure)) as fin:
-        flow = _Flow(lib, body, fin, adding.V)
-        flow.change(body, fin, adding.change)
-        C_D = body.let("C_D", fin.drag + fin.induced * flow.C_L * flow.C_L)
-        C_D_by = 2 * fin.induced * flow.C_L * flow.C_L_by
-        lift, drag = body.let("lift", flow.pressure * flow.C_L), body.let("drag", flow.pressure * C_D)
-        lift_by = body.let("lift_by", flow.pressure_by * flow.C_L + flow.pressure * flow.C_L_by, "change of the lift")
-        drag_by = body.let("drag_by", flow.pressure_by * C_D + flow.pressure * C_D_by, "change of the drag")
-        by_turn = (lift * flow.along + drag * flow.up) * flow.turn
-        along = body.let("along", lift_by * flow.up - drag_by * flow.along + by_turn)
-        by_turn = (lift * flow.up - drag * flow.along) * flow.turn
-        across = body.let("across", by_turn - (lift_by * flow.along + drag_by * flow.up))
-        _add(body, fin, along, across, adding.P)
-    return adding.function("add_fins_slope", "Change of lift and drag of the fins of one body with its twist.")
+def _lift(lib: FunctionSet, body: Statements, fin: Place, a: Place, c: Place) -> tuple[Expr, Expr, Expr]:
+    """C_L, and the direction of the flow in the plane of chord and normal, along which it moves by a and c.
 
-
-class _Flow:
-    """The flow at a fin, and the lift that it makes: places of a function's body.
-
-    a, b, c    velocity relative to the fluid along chord, span, normal
-    along, up  its direction in the plane of chord and normal; (1, 0) where the angle of the flow does not count
-    pressure   force over C_L
+    The direction is (1, 0) where the angle of the flow does not count.
     """
-
-    def __init__(self, lib: FunctionSet, body: Statements, fin: Place, V: Place) -> None:
-        structure = lib.layout.structure
-        self._turning, self._falling = _feels_flow(structure), _stalls(structure)
-        self.a, self.b, self.c = _velocity(body, fin, V, "")
-        square = body.local("square", comment="U^2")
-        body.set(square, self.a * self.a)
-        with body.when(fin.speed > 0):
-            body.add(square, self.c * self.c)
-        with body.when(fin.speed > 1):
-            body.add(square, self.b * self.b)
-        self.pressure = body.let("pressure", fin.size * square)
-        self.along: Expr = real(1)
-        self.up: Expr = real(0)
-        self.turn: Expr = real(0)
-        angle: Place = body.local("angle", comment="of the lift")
-        body.set(angle, fin.deflection)
-        if self._turning:
-            self.plane = body.let("plane", self.a * self.a + self.c * self.c)
-            along, up = body.local("ahead", comment="direction of the flow"), body.local("up")
-            body.set(along, real(1))
-            body.set(up, real(0))
-            with body.when(and_(fin.incidence > 0, self.plane > 0)):
-                speed = body.let("speed", lib["sqrt"](self.plane))
-                body.set(along, self.a / speed)
-                body.set(up, self.c / speed)
-                body.add(angle, lib["atan2"](self.c, self.a))
-            self.along, self.up = along, up
-        size = body.local("size", comment="of the angle that lifts")
-        body.set(size, magnitude(angle))
-        self.slope: Expr = fin.lift_slope
-        if self._falling:
-            slope = body.local("slope", comment="C_L over the angle, here")
-            body.set(slope, fin.lift_slope)
-            with body.when(and_(fin.stall > 0, size > fin.stall)):
-                fade = body.let("fade", fin.stall / (RIGHT_ANGLE - fin.stall))
-                body.set(slope, select(size < RIGHT_ANGLE, -(fin.lift_slope * fade), real(0)))
-                body.set(size, select(size < RIGHT_ANGLE, fade * (RIGHT_ANGLE - size), real(0)))
-            self.slope = slope
-        self.C_L = body.let("C_L", fin.lift_slope * select(angle < 0, -size, size))
-
-    def change(self, body: Statements, fin: Place, change: Place) -> None:
-        """Changes of the flow with a change of the twist: `turn` of its angle, `pressure_by`, `C_L_by`."""
-        da, db, dc = _velocity(body, fin, change, "_by")
-        square = body.local("square_by", comment="change of U^2")
-        body.set(square, 2 * self.a * da)
-        with body.when(fin.speed > 0):
-            body.add(square, 2 * self.c * dc)
-        with body.when(fin.speed > 1):
-            body.add(square, 2 * self.b * db)
-        self.pressure_by = body.let("pressure_by", fin.size * square)
-        if self._turning:
-            turn = body.local("turn", comment="change of the angle of the flow")
-            body.set(turn, real(0))
-            with body.when(and_(fin.incidence > 0, self.plane > 0)):
-                body.set(turn, (self.a * dc - self.c * da) / self.plane)
-            self.turn = turn
-        self.C_L_by = body.let("C_L_by", self.slope * self.turn)
-
-
-def _velocity(body: Statements, fin: Place, V: Place, end: str) -> tuple[Place, ...]:
-    """(v + omega x position) along chord, span, normal."""
-    r = fin.position
-    at = body.local(f"velocity{end}", (3,), comment="of the fin")
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        body.set(at[i], V[i] + (V[3 + j] * r[k] - V[3 + k] * r[j]))
-    axes = (("a", fin.chord), ("b", fin.span), ("c", fin.normal))
-    return tuple(body.let(n + end, x[0] * at[0] + x[1] * at[1] + x[2] * at[2]) for n, x in axes)
-
-
-def _add(body: Statements, fin: Place, along: Expr, across: Expr, P: Place) -> None:
-    """The force along chord and normal, at the fin's place."""
-    force, r = body.local("force", (3,)), fin.position
-    for i in range(3):
-        body.set(force[i], along * fin.chord[i] + across * fin.normal[i])
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        body.add(P[i], force[i])
-        body.add(P[3 + i], r[j] * force[k] - r[k] * force[j])
+    structure = lib.layout.structure
+    ahead: Expr = real(1)
+    up: Expr = real(0)
+    angle = body.local("angle", comment="of the lift")
+    body.set(angle, fin.deflection)
+    if _feels_flow(structure):
+        plane = body.let("plane", a * a + c * c)
+        ahead, up = body.local("ahead", comment="direction of the flow"), body.local("up")
+        body.set(ahead, real(1))
+        body.set(up, real(0))
+        with body.when(and_(fin.incidence > 0, plane > 0)):
+            speed = body.let("speed", lib["sqrt"](plane))
+            body.set(ahead, a / speed)
+            body.set(up, c / speed)
+            body.add(angle, lib["atan2"](c, a))
+    size = body.local("size", comment="of the angle that lifts")
+    body.set(size, magnitude(angle))
+    if _stalls(structure):
+        with body.when(and_(fin.stall > 0, size > fin.stall)):
+            fade = body.let("fade", fin.stall / (RIGHT_ANGLE - fin.stall))
+            body.set(size, select(size < RIGHT_ANGLE, fade * (RIGHT_ANGLE - size), real(0)))
+    return body.let("C_L", fin.lift_slope * select(angle < 0, -size, size)), ahead, up

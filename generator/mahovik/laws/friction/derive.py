@@ -28,10 +28,3 @@ def friction() -> Friction:
         speed=vector("direction", 6).dot(vector("V", 6)),
         drag=viscous * speed + (coulomb + (breakaway - coulomb) * slow) * sign,
     )
-
-
-def slope() -> sp.Expr:
-    """Derivative of the drag by the speed; `sign_by`, `slow_by` are those of the two quotients."""
-    drag = friction().drag
-    speed, sign, slow, sign_by, slow_by = sp.symbols("speed sign slow sign_by slow_by")
-    return drag.diff(speed) + drag.diff(sign) * sign_by + drag.diff(slow) * slow_by

@@ -14,7 +14,7 @@ from mahovik.core.lower.symbolic import translate
 from mahovik.core.lower.units import Unit
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Place
+from mahovik.core.program.expression import Place
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.hold import wrench_columns
@@ -60,7 +60,6 @@ class Friction(LawLowering):
 
     words = "friction"
     placed = False
-    per_twist = True
 
     def present(self, structure: Structure) -> bool:
         """Whether any freedom has some."""
@@ -93,15 +92,6 @@ class Friction(LawLowering):
         with body.loop("k", lib.layout.structure.law("frictions")) as k:
             body.call(lib["rub"], table.friction[k], x.V, F)
 
-    def add_slopes(self, lib: FunctionSet) -> None:
-        """The change of the friction of one freedom."""
-        lib.add(rub_slope(lib))
-
-    def slope(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, change: Place, F: Place) -> None:
-        """Adds the change of the friction of every freedom."""
-        with body.loop("k", lib.layout.structure.law("frictions")) as k:
-            body.call(lib["rub_slope"], table.friction[k], x.V, change, F)
-
 
 LOWERING = Friction()
 
@@ -117,7 +107,13 @@ def rub(lib: FunctionSet) -> Function:
     law, V = _LAW, _TWIST
     F = Argument("F", REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
     own, body = law.place, Body()
-    speed, _, sign, slow = _quotients(lib, body, own, V.place)
+    moved = {"direction": own.direction, "V": V.place}
+    speed = body.let("speed", translate(formulas.friction().speed, moved), "of the freedom")
+    square = body.let("square", speed * speed)
+    length = body.let("length", lib["sqrt"](square + own.smoothing * own.smoothing))
+    sign = body.let("sign", speed / length, "smoothed")
+    limit = body.let("limit", own.stribeck_speed * own.stribeck_speed)
+    slow = body.let("slow", limit / (limit + square), "1 at rest, 1/2 at the Stribeck speed")
     bound = {name: getattr(own, name) for name in ("viscous", "coulomb", "breakaway")}
     bound |= {"speed": speed, "sign": sign, "slow": slow}
     drag = body.let("drag", translate(formulas.friction().drag, bound))
@@ -129,39 +125,3 @@ def rub(lib: FunctionSet) -> Function:
         (law, V, F),
         equation="(7)",
     )
-
-
-def rub_slope(lib: FunctionSet) -> Function:
-    """Change of the friction of one freedom with the twist, added to F."""
-    law, V = _LAW, _TWIST
-    change = Argument("change", REAL, (6,), purpose="change of the twist")
-    F = Argument("F", REAL, (6,), "inout", purpose="change of the wrench; this change is added to it")
-    own, body = law.place, Body()
-    speed, length, sign, slow = _quotients(lib, body, own, V.place)
-    ratio = body.let("ratio", own.smoothing / length)
-    limit = own.stribeck_speed * own.stribeck_speed
-    bound = {name: getattr(own, name) for name in ("viscous", "coulomb", "breakaway")}
-    bound |= {"speed": speed, "sign": sign, "slow": slow}
-    bound["sign_by"] = body.let("sign_by", ratio * ratio / length, "derivative of the sign by the speed")
-    bound["slow_by"] = body.let("slow_by", -2 * speed * (slow * slow) / limit, "and of the rise at low speed")
-    slope = body.let("slope", translate(formulas.slope(), bound), "of the drag by the speed")
-    moved = {"direction": own.direction, "V": change.place}
-    by = body.let("drag_change", slope * translate(formulas.friction().speed, moved))
-    with body.loop("i", 6) as i:
-        body.add(F.place[i], -(by * own.direction[i]))
-    return body.function(
-        "rub_slope", "Change of the friction of one freedom with the twist.", (law, V, change, F), equation="(7)"
-    )
-
-
-def _quotients(lib: FunctionSet, body: Body, own: Place, V: Place) -> tuple[Expr, Expr, Expr, Expr]:
-    """Speed of the freedom, length of (speed, smoothing), smoothed sign, and the part of the rise that is left."""
-    speed = body.let(
-        "speed", translate(formulas.friction().speed, {"direction": own.direction, "V": V}), "of the freedom"
-    )
-    square = body.let("square", speed * speed)
-    length = body.let("length", lib["sqrt"](square + own.smoothing * own.smoothing))
-    sign = body.let("sign", speed / length, "smoothed")
-    limit = body.let("limit", own.stribeck_speed * own.stribeck_speed)
-    slow = body.let("slow", limit / (limit + square), "1 at rest, 1/2 at the Stribeck speed")
-    return speed, length, sign, slow

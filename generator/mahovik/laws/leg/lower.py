@@ -1,4 +1,4 @@
-"""The legs in the program of a stand: one function per leg, and its slope."""
+"""The legs in the program of a stand: one function per leg."""
 
 from __future__ import annotations
 
@@ -46,7 +46,6 @@ class Legs(LawLowering):
     words = "legs"
     invalid = "leg of no length"
     refuses = True
-    per_twist = True
 
     def present(self, structure: Structure) -> bool:
         """Whether there is any."""
@@ -73,16 +72,6 @@ class Legs(LawLowering):
         """Adds the force of every leg."""
         with body.loop("k", lib.layout.structure.law("legs")) as k:
             lib.check(body, "add_leg", table.leg[k], x, C, F)
-
-    def add_slopes(self, lib: FunctionSet) -> None:
-        """The change of one leg's force."""
-        lib.add(add_leg_slope(lib))
-
-    def slope(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, change: Place, F: Place) -> None:
-        """Adds the change of every leg's force."""
-        with body.loop("k", lib.layout.structure.law("legs")) as k:
-            named = {"leg": table.leg[k], "x": x, "C": C, "change": change, "F": F}
-            body.call(lib["add_leg_slope"], *lib.arguments_of("add_leg_slope", **named))
 
 
 LOWERING = Legs()
@@ -137,44 +126,4 @@ def add_leg(lib: FunctionSet) -> Function:
         (law, x, C, F),
         equation="(7)",
         statuses=("OK", "RANGE"),
-    )
-
-
-def add_leg_slope(lib: FunctionSet) -> Function:
-    """Change of the force of one leg with the twist."""
-    law = Argument("leg", LEG)
-    x = lib.state_argument()
-    C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
-    change = Argument("change", Kind.REAL, (6,), purpose="of the twist")
-    F = Argument("F", Kind.REAL, (6,), "inout", purpose="change of the wrench; this change is added to it")
-    body = Body()
-    point = law.place.carrier
-    span = body.local("span", (3,))
-    span1 = body.local("span1", (3,), comment="in E1, from O1")
-    reach = body.local("reach", (3,), comment="from the carrier's end to the ground's, in E1")
-    velocity = body.local("velocity", (3,), comment="change of the velocity of the carrier's end")
-    force = body.local("force", (3,))
-    for i in range(3):
-        body.set(span[i], law.place.ground[i] - x.place.position[i])
-    body.call(lib["rotate_back"], C.place, span, span1)
-    for i in range(3):
-        body.set(reach[i], span1[i] - point[i])
-    square = body.let("square", reach[0] * reach[0] + reach[1] * reach[1] + reach[2] * reach[2])
-    six = list(change.place)
-    assign(body, list(velocity), derived.twist_at(), {"v": six[:3], "omega": six[3:], "O": point})
-    along = reach[0] * velocity[0] + reach[1] * velocity[1] + reach[2] * velocity[2]
-    rate = body.let("pull", -law.place.damping * along / square, "change of the pull, divided by the distance")
-    for i in range(3):
-        body.set(force[i], rate * reach[i])
-    arm = derived.moment_of_force()
-    for i in range(3):
-        body.add(F.place[i], force[i])
-    for i in range(3):
-        body.add(F.place[3 + i], translate(arm[i], {"O": point, "f": force}))
-    return Function(
-        "add_leg_slope",
-        "Change of the force of one leg with the twist.",
-        (law, x, C, change, F),
-        body.statements,
-        equation="(7)",
     )

@@ -10,8 +10,7 @@ from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import TwistFunction
 from mahovik.core.lower.member import Member, member
 from mahovik.core.lower.run_time_input import RunTimeInput
-from mahovik.core.program.build import Body as Statements
-from mahovik.core.program.expression import Expr, Place, magnitude, real, select
+from mahovik.core.program.expression import Expr, Place, magnitude
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from mahovik.core.stand.model import Body, Stand
@@ -115,8 +114,8 @@ def _units(row: int) -> tuple[units.Unit, ...]:
 ARRAY_MEMBERS = {"propeller": propeller_members}
 """Reals of the arrays of the table, by name."""
 
-BY_TWIST = ("add_propellers", "add_propellers_slope")
-"""Functions that add the wrench of a body's own twist, and its change."""
+BY_TWIST = "add_propellers"
+"""The function that adds the wrench of a body by its own twist."""
 
 
 def add_functions(lib: FunctionSet) -> None:
@@ -125,79 +124,35 @@ def add_functions(lib: FunctionSet) -> None:
         lib.add(add_propellers(lib))
 
 
-def add_slopes(lib: FunctionSet) -> None:
-    """The change of that wrench."""
-    if propeller_count(lib.layout.structure):
-        lib.add(add_propellers_slope(lib))
-
-
 def add_propellers(lib: FunctionSet) -> Function:
     """Thrust and torque of the propellers of one body in its own frame, added to a wrench."""
     adding = TwistFunction(lib)
     body = adding.body
     with adding.each("propeller", propeller_count(lib.layout.structure)) as p:
-        u = _inflow(lib, body, p, _velocity(body, p, adding.V, "velocity"))
+        velocity, r, V = body.local("velocity", (3,), comment="of the propeller"), p.position, adding.V
+        for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+            body.set(velocity[i], V[i] + (V[3 + j] * r[k] - V[3 + k] * r[j]))
+        u = body.local("u", comment="velocity that it meets")
+        body.set(u, _dot(p.axis, velocity))
+        if _whole(lib.layout.structure):
+            with body.when(p.whole > 0):
+                body.set(u, lib["sqrt"](_dot(velocity, velocity)))
         squares = (magnitude(p.speed) * p.speed, magnitude(p.speed) * u, magnitude(u) * u)
-        thrust = body.let("thrust", _sum(p.thrust, squares))
-        _add(body, p, thrust, body.let("torque", _sum(p.torque, squares)), adding.P)
+        thrust, torque = (
+            body.let(name, of[0] * squares[0] + of[1] * squares[1] + of[2] * squares[2])
+            for name, of in (("thrust", p.thrust), ("torque", p.torque))
+        )
+        force = body.local("force", (3,))
+        for i in range(3):
+            body.set(force[i], thrust * p.axis[i])
+        for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+            body.add(adding.P[i], force[i])
+            body.add(adding.P[3 + i], torque * p.axis[i] + (r[j] * force[k] - r[k] * force[j]))
     return adding.function(
         "add_propellers",
         "Adds thrust and torque of the propellers of one body to its wrench, both in the body's own frame.",
     )
 
 
-def add_propellers_slope(lib: FunctionSet) -> Function:
-    """Derivative of that wrench by the body's twist, times a twist."""
-    adding = TwistFunction(lib, slope=True)
-    body = adding.body
-    with adding.each("propeller", propeller_count(lib.layout.structure)) as p:
-        velocity = _velocity(body, p, adding.V, "velocity")
-        u = _inflow(lib, body, p, velocity)
-        by = _velocity(body, p, adding.change, "velocity_by")
-        u_by = body.local("u_by", comment="change of u")
-        body.set(u_by, _dot(p.axis, by))
-        if _whole(lib.layout.structure):
-            with body.when(p.whole > 0):
-                body.set(u_by, _dot(velocity, by) / select(u > 0, u, real(1)))
-        of_turn, of_flow = body.let("turn", magnitude(p.speed) * u_by), body.let("flow", 2 * magnitude(u) * u_by)
-        thrust = body.let("thrust", p.thrust[1] * of_turn + p.thrust[2] * of_flow)
-        _add(body, p, thrust, body.let("torque", p.torque[1] * of_turn + p.torque[2] * of_flow), adding.P)
-    return adding.function(
-        "add_propellers_slope", "Change of thrust and torque of the propellers of one body with its twist."
-    )
-
-
-def _velocity(body: Statements, p: Place, V: Place, name: str) -> Place:
-    """v + omega x position."""
-    at, r = body.local(name, (3,), comment="of the propeller"), p.position
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        body.set(at[i], V[i] + (V[3 + j] * r[k] - V[3 + k] * r[j]))
-    return at
-
-
-def _inflow(lib: FunctionSet, body: Statements, p: Place, velocity: Place) -> Place:
-    """The velocity u that the propeller meets."""
-    u = body.local("u", comment="velocity that it meets")
-    body.set(u, _dot(p.axis, velocity))
-    if _whole(lib.layout.structure):
-        with body.when(p.whole > 0):
-            body.set(u, lib["sqrt"](_dot(velocity, velocity)))
-    return u
-
-
 def _dot(a: Place, b: Place) -> Expr:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def _sum(k: Place, squares: tuple[Expr, Expr, Expr]) -> Expr:
-    return k[0] * squares[0] + k[1] * squares[1] + k[2] * squares[2]
-
-
-def _add(body: Statements, p: Place, thrust: Expr, torque: Expr, P: Place) -> None:
-    """Thrust along the axis at the propeller's place, torque about it."""
-    force, r = body.local("force", (3,)), p.position
-    for i in range(3):
-        body.set(force[i], thrust * p.axis[i])
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        body.add(P[i], force[i])
-        body.add(P[3 + i], torque * p.axis[i] + (r[j] * force[k] - r[k] * force[j]))

@@ -29,11 +29,6 @@ def stop() -> Stop:
     )
 
 
-def push_slope() -> sp.Expr:
-    """Derivative of the push by the speed of the freedom."""
-    return stop().push.diff(sp.Symbol("speed"))
-
-
 def relative() -> sp.Matrix:
     """R = C0^T C, row by row."""
     return matrix("C0").T * matrix("C")

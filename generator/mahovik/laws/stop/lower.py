@@ -72,7 +72,6 @@ class Stops(LawLowering):
     """All stops: those of what slides, then those of what turns."""
 
     words = "stops"
-    per_twist = True
 
     def present(self, structure: Structure) -> bool:
         """Whether there is any."""
@@ -112,32 +111,15 @@ class Stops(LawLowering):
 
     def act(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
         """Adds the push of every stop."""
-        _call_all(lib, body, "", {"table": table, "x": x, "C": C, "F": F})
-
-    def add_slopes(self, lib: FunctionSet) -> None:
-        """The change of the push of one stop."""
-        structure = lib.layout.structure
-        if structure.law("slide_stops"):
-            lib.add(stop_slide(lib, slope=True))
-        if structure.law("turn_stops"):
-            lib.add(stop_turn(lib, slope=True))
-
-    def slope(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, change: Place, F: Place) -> None:
-        """Adds the change of the push of every stop."""
-        _call_all(lib, body, "_slope", {"table": table, "x": x, "C": C, "change": change, "F": F})
+        named = {"table": table, "x": x, "C": C, "F": F}
+        for kind in ("slide", "turn"):
+            if count := lib.layout.structure.law(f"{kind}_stops"):
+                with body.loop("k", count) as k:
+                    law = table.member(f"{kind}_stop")[k]
+                    body.call(lib[f"stop_{kind}"], *lib.arguments_of(f"stop_{kind}", law=law, **named))
 
 
 LOWERING = Stops()
-
-
-def _call_all(lib: FunctionSet, body: Body, suffix: str, named: dict[str, Place]) -> None:
-    """Calls the function of every stop whose name ends like this."""
-    for kind in ("slide", "turn"):
-        if count := lib.layout.structure.law(f"{kind}_stops"):
-            name = f"stop_{kind}{suffix}"
-            with body.loop("k", count) as k:
-                law = named["table"].member(f"{kind}_stop")[k]
-                body.call(lib[name], *lib.arguments_of(name, law=law, **named))
 
 
 def _row(stop: Row, hold: Hold, kind: str, direction: list[Any], C0: list[Any]) -> dict[str, Any]:
@@ -158,19 +140,14 @@ def _rotate(C: list[Any], a: list[Any]) -> list[Any]:
 
 
 class _StopFunction:
-    """A function that adds the push of a stop to F, or with `slope` its change with the twist."""
+    """A function that adds the push of a stop to F."""
 
-    def __init__(self, lib: FunctionSet, struct: Struct, slope: bool) -> None:
+    def __init__(self, lib: FunctionSet, struct: Struct) -> None:
         law, table, x = Argument("law", struct), lib.table_argument(), lib.state_argument()
         C = Argument("C", REAL, (9,), purpose="attitude of the carrier")
-        change = Argument("change", REAL, (6,), purpose="change of the twist")
-        if slope:
-            F = Argument("F", REAL, (6,), "inout", purpose="change of the wrench; this change is added to it")
-        else:
-            F = Argument("F", REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
-        self._arguments = (law, table, x, C, *((change,) if slope else ()), F)
-        self.law, self.table, self.x, self.C, self.F = (a.place for a in (law, table, x, C, F))
-        self.change = change.place if slope else None
+        F = Argument("F", REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
+        self._arguments = (law, table, x, C, F)
+        self.law, self.table, self.x, self.C, self.F = (a.place for a in self._arguments)
         self.body = Body()
 
     def finish(self, name: str, what: str, coordinate: Expr) -> Function:
@@ -184,33 +161,24 @@ class _StopFunction:
             speed = body.let("speed", translate(found.speed, moved), "of the freedom")
             push = body.let("push", translate(found.push, bound | {"speed": speed}), "per depth")
             with body.when(push > 0, comment="a stop does not pull"):
-                if self.change is None:
-                    force = body.let("force", law.side * (depth * push))
-                else:
-                    speed_by = body.let("speed_by", translate(found.speed, moved | {"V": self.change}))
-                    push_by = body.let("push_by", translate(formulas.push_slope(), bound) * speed_by)
-                    force = body.let("force", law.side * (depth * push_by), "its change")
+                force = body.let("force", law.side * (depth * push))
                 with body.loop("i", 6) as i:
                     body.add(F[i], -(force * law.direction[i]))
-        if self.change is not None:
-            name, purpose = f"{name}_slope", f"Change of the push of {what} with the twist."
-        else:
-            purpose = f"Adds the push of {what}."
-        return body.function(name, purpose, self._arguments, equation="(7)")
+        return body.function(name, f"Adds the push of {what}.", self._arguments, equation="(7)")
 
 
-def stop_slide(lib: FunctionSet, slope: bool = False) -> Function:
-    """Push of a stop of what slides, added to F, or its change with the twist."""
-    adding = _StopFunction(lib, SLIDE_STOP, slope)
+def stop_slide(lib: FunctionSet) -> Function:
+    """Push of a stop of what slides, added to F."""
+    adding = _StopFunction(lib, SLIDE_STOP)
     law, body = adding.law, adding.body
     bound = {"axis": law.axis, "home": law.home, "O1": adding.x.position, "C": adding.C, "pivot": adding.table.pivot}
     coordinate = body.let("coordinate", translate(formulas.way(), bound))
     return adding.finish("stop_slide", "a stop of what slides", coordinate)
 
 
-def stop_turn(lib: FunctionSet, slope: bool = False) -> Function:
-    """Push of a stop of what turns, added to F, or its change with the twist."""
-    adding = _StopFunction(lib, TURN_STOP, slope)
+def stop_turn(lib: FunctionSet) -> Function:
+    """Push of a stop of what turns, added to F."""
+    adding = _StopFunction(lib, TURN_STOP)
     law, body = adding.law, adding.body
     R = body.local("R", (9,), comment="attitude from the home pose, row by row")
     assign(body, list(R), formulas.relative(), {"C0": law.C0, "C": adding.C})

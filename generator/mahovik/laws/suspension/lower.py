@@ -13,7 +13,7 @@ from mahovik.core.lower.member import Member, matrix, member, vector
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Place, integer, real, select
+from mahovik.core.program.expression import Expr, Place, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Stand
@@ -86,11 +86,6 @@ class Suspension(LawLowering):
     def act(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
         """Adds the wrench."""
         body.call(lib["suspend"], table.suspension, x, C, F)
-
-    def constant_slope(self, lib: FunctionSet, body: Body, table: Place, out: Place) -> None:
-        """Subtracts the damping."""
-        with body.loop("i", 6) as i, body.loop("j", 6) as j:
-            body.add(out[i * integer(6) + j], -table.suspension.damping[i][j])
 
 
 LOWERING = Suspension()
