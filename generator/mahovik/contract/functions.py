@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from mahovik.contract.chosen import CHOSEN
@@ -10,11 +10,14 @@ from mahovik.contract.public_function import ANY, BITS, JUDGES, NORMAL, REFEREES
 
 __all__ = [
     "ALL_WANTS", "ANY", "BATCH_FUNCTIONS", "BITS", "CHOSEN", "CONFLICTS", "FUNCTIONS", "JUDGES", "NORMAL", "OF_TASKS",
-    "REFEREES", "ROWS", "TASK_CONFLICTS", "TASK_TAKERS", "TASK_WANTS", "WANTS", "PublicFunction", "hold_fault",
+    "REFEREES", "ROWS", "TASK_CONFLICTS", "TASK_TAKERS", "TASK_WANTS", "TURNS", "WANTS", "PublicFunction", "hold_fault",
     "inverse_fault", "is_public", "row_of", "task_of", "want_fault", "wants_of", "wants_of_carrier",
 ]  # fmt: skip
 
 _STATE = ("table", "x")
+TURNS = ("sine", "cosine")
+"""Of a stand with `phase_input = "sincos"`; they may be left out."""
+
 _ALL_JUDGES = ("reference", "second", "rigorous")
 _FOR_TORQUES = ("motor_power", "target_speed", "target_rate", "avoid_speed")
 """Members of the options that only `torque_for` looks at."""
@@ -44,23 +47,21 @@ _ROWS: tuple[PublicFunction, ...] = (
     PublicFunction(
         "forward",
         "(8)",
-        (*_STATE, "phi_ddot", "wrench"),
+        (*_STATE, *TURNS, "phi_ddot", "wrench"),
         ("V_dot",),
         _ALL_JUDGES,
         want=True,
-        sines=True,
         batch=True,
         claimed=(NORMAL, ANY, BITS),
     ),
     PublicFunction(
         "torque",
         "",
-        (*_STATE, "V_dot", "phi_ddot", "wrench"),
+        (*_STATE, *TURNS, "V_dot", "phi_ddot", "wrench"),
         ("tau",),
         _ALL_JUDGES,
         want=True,
         needs="flywheels",
-        sines=True,
         batch=True,
         claimed=(NORMAL, ANY),
     ),
@@ -77,12 +78,11 @@ _ROWS: tuple[PublicFunction, ...] = (
     PublicFunction(
         "coupled",
         "",
-        (*_STATE, "tau", "locked", "wrench"),
+        (*_STATE, *TURNS, "tau", "locked", "wrench"),
         ("V_dot", "phi_ddot"),
         _ALL_JUDGES,
         want=True,
         needs="flywheels",
-        sines=True,
         batch=True,
         claimed=(NORMAL, ANY),
     ),
@@ -136,12 +136,11 @@ _ROWS: tuple[PublicFunction, ...] = (
     PublicFunction(
         "inverse_fast",
         "(12)",
-        (*_STATE, "V_dot", "options", "wrench"),
+        (*_STATE, *TURNS, "V_dot", "options", "wrench"),
         ("phi_ddot",),
         ("allocation",),
         needs="flywheels",
         tasks=True,
-        sines=True,
         python=False,
         unread="near_singular and limits",
         ignores=("near_singular", "limit", "most", "motor_torque", "motor_speed", *_FRICTION, *_FOR_TORQUES),
@@ -255,27 +254,8 @@ _ROWS = tuple(replace(row, equation=row.equation or SECTIONS[row.name]) for row 
 where this is no alarm. Intervals grow over the stages of a step, too wide to show more for most stands."""
 
 
-def _forms() -> Iterator[PublicFunction]:
-    for row in _ROWS:
-        yield row
-        if row.sines:
-            at = len(_STATE)
-            takes = (*row.takes[:at], "sine", "cosine", *row.takes[at:])
-            yield replace(
-                row,
-                name=f"{row.name}_at",
-                takes=takes,
-                want=False,
-                batch=False,
-                python=False,
-                claimed=(),
-                sines=False,
-                tasks=row.tasks,
-            )
-
-
-FUNCTIONS = {row.name: row for row in _forms() if row.needs != "tasks"}
-"""Rows by name, forms of given sines and cosines included; a program contains those that its stand needs."""
+FUNCTIONS = {row.name: row for row in _ROWS if row.needs != "tasks"}
+"""Rows by name; a program contains those that its stand needs."""
 
 OF_TASKS = {row.name: row for row in _ROWS if row.needs == "tasks"}
 """Rows of functions that tasks alone have."""
@@ -366,8 +346,7 @@ def task_of(function: str) -> str:
         return ""
     for row in reversed([row for row in _ROWS if row.tasks]):  # the longer names first
         if function.startswith(f"{row.name}_"):
-            rest = function.removeprefix(f"{row.name}_")
-            return rest.removesuffix("_at") if row.sines else rest
+            return function.removeprefix(f"{row.name}_")
     return ""
 
 

@@ -45,7 +45,6 @@ class PublicFunction:
     want      whether `eval` answers it, by the name of the function
     needs     parts that a stand must have: "flywheels", "sensors" (instruments or points), "tasks", "held"; or nothing
     tasks     whether each task of the stand has a form of its own, `NAME_TASK`, with its demand in place of V_dot
-    sines     whether it has a form `NAME_at` that takes sines and cosines of the phases
     batch     whether it has a batch, many states in a register; others run state by state
     python    whether a model has a method of its name
     form_of   method of a model that offers it by an argument; empty: none
@@ -63,7 +62,6 @@ class PublicFunction:
     want: bool = False
     needs: str = ""
     tasks: bool = False
-    sines: bool = False
     batch: bool = False
     python: bool = True
     form_of: str = ""

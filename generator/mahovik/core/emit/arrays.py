@@ -25,6 +25,7 @@ from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, O
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
+from mahovik.core.program.walk import without_missing
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
@@ -113,7 +114,8 @@ def _functions(generated: Generated) -> list[Function]:
     rows = FUNCTIONS | CHOSEN
     offered = (name for name, row in rows.items() if row.python or row.form_of or row.needs == "held")
     found = [public[name] for name in offered if name in public]
-    return [*found, *(f for name, f in public.items() if task_of(name) and row_of(name).python)]
+    found += [f for name, f in public.items() if task_of(name) and row_of(name).python]
+    return [without_missing(f) for f in found]
 
 
 def _argument_layout(a: Argument, generated: Generated, wide: bool) -> ArgumentLayout:
@@ -149,6 +151,8 @@ def _call(f: Function, generated: Generated, names: Names, wide: bool, each: boo
 
     def argument_of_state(a: Argument) -> str:
         """An argument of the function for one state."""
+        if a.name not in layouts:
+            return "NULL"
         if each and a.name in TABLES:
             return f"&{a.name}_j"
         order = layouts[a.name].order
@@ -188,7 +192,7 @@ def _call(f: Function, generated: Generated, names: Names, wide: bool, each: boo
         "locals": [declaration(names, a, f"{a.name}_j") for a in (*single, *gathered)],
         "load": [row for a in gathered if a.direction == "in" for row in _rows(a, layouts[a.name])],
         "store": [row for a in gathered if a.direction != "in" for row in _rows(a, layouts[a.name])],
-        "call": call(names, f, argument_of_state),
+        "call": call(names, generated.program.function(f.name), argument_of_state),
         "batch": ", ".join([first, "n", *others]),
     }
 

@@ -26,8 +26,13 @@ def argument_text(a: Argument, place: str) -> str:
 
 
 def call(names: Names, function: Function, given: Mapping[str, str] | Callable[[Argument], str]) -> str:
-    """A call; `given`: the text of every argument, by its name or of the argument itself."""
-    text = given if callable(given) else lambda a: given[a.name]
+    """A call; `given`: the text of every argument, by its name or of the argument itself; null for one that is not."""
+
+    def text(a: Argument) -> str:
+        if callable(given):
+            return given(a)
+        return given.get(a.name, "NULL") if a.optional == "missing" else given[a.name]
+
     return f"{names.function(function.name)}({', '.join(text(a) for a in function.arguments)})"
 
 

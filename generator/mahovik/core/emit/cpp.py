@@ -75,9 +75,11 @@ def _function(f: Function, names: Names, program: Program) -> dict[str, list[str
 
 
 def _parameter(a: Argument, names: Names) -> str:
-    """An argument as C++ declares it: arrays and structs by reference, numbers by value."""
+    """An argument as C++ declares it: arrays, structs by reference, numbers by value; by address what may be null."""
     const = "const " if a.direction == "in" else ""
     held = _variable_type(a, names)
+    if a.optional == "missing":
+        return f"{const}{held}* {a.name}"
     if a.shape or isinstance(a.type, Struct):
         return f"{const}{held}& {a.name}"
     return f"{held} {a.name}" if a.direction == "in" else f"{held}& {a.name}"
@@ -103,6 +105,8 @@ def _kind(a: Argument, names: Names) -> str:
 
 def _argument_text(a: Argument) -> str:
     """The same argument as the C takes it."""
+    if a.optional == "missing":
+        return f"{a.name} ? {a.name}->data() : nullptr" if a.shape else a.name
     return f"{a.name}.data()" if a.shape else argument_text(a, a.name)
 
 
@@ -121,6 +125,7 @@ def cpp_example(stand: Stand, generated: Generated) -> dict[str, str]:
     code = Code(generated.program, identities(stand))
     forward = code.program.function("forward")
     given = {"table": "stand::default_table", "x": "x"}
+    given |= {a.name: "nullptr" for a in forward.arguments if a.optional == "missing"}
     zeroed = [a for a in forward.arguments if a.direction == "in" and a.name not in given]
     twist, freedom = _first_twist(stand, code)
     text = code.render(

@@ -83,7 +83,7 @@ def contract(function: Function, names: Names, program: Program) -> list[str]:
 
 
 def null_check(function: Function, names: Names) -> list[str]:
-    """The first lines of a public function with a status: no pointer may be null, but for those to optional arrays."""
+    """The first lines of a public function with a status: no pointer may be null, but for optional ones."""
     pointers = pointer_arguments(function)
     if not pointers or function.returns is None:
         return []
@@ -93,12 +93,12 @@ def null_check(function: Function, names: Names) -> list[str]:
 
 
 def given_zeros(function: Function, names: Names) -> list[str]:
-    """Statements that put zeros in the place of optional arrays whose address is null."""
+    """Statements that put zeros in the place of arrays that are zeros where their address is null."""
     return [f"if ({a.name} == NULL) {{ {a.name} = {zeros_of(a, names)}; }}" for a in optional(function)]
 
 
 def zeros_of(a: Argument, names: Names) -> str:
-    """Name of the constant that stands for an optional array."""
+    """Name of the constant that stands for such an array."""
     return names.function(f"none_{a.name}")
 
 
@@ -116,8 +116,8 @@ def pointer_arguments(function: Function) -> list[Argument]:
 
 
 def optional(function: Function) -> list[Argument]:
-    """Arguments of a public function that are arrays, or null."""
-    return [a for a in function.arguments if a.optional] if function.public else []
+    """Arguments of a public function that are arrays, or null for zeros."""
+    return [a for a in function.arguments if a.optional == "zeros"] if function.public else []
 
 
 def summary(function: Function) -> list[str]:

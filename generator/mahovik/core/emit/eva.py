@@ -145,7 +145,7 @@ class _Writer:
             "entry": driver.entry,
             "refused": False,
             "given": [line for a in function.arguments for line in self._argument_setup(a, kind)],
-            "call": call(self._names, function, lambda a: argument_text(a, self._default(a) or a.name)),
+            "call": call(self._names, function, self._argument_text),
             "status": status,
             "ignored": "(void)" if function.returns else "",
             "untouched": [
@@ -158,6 +158,10 @@ class _Writer:
                 for line in self._assertions("initialised" if kind == BITS else "written", a)
             ],
         }
+
+    def _argument_text(self, a: Argument) -> str:
+        text = argument_text(a, self._default(a) or a.name)
+        return f"Frama_C_interval(0, 1) == 0 ? NULL : {text}" if a.optional == "missing" else text
 
     # ---- checks ----
 

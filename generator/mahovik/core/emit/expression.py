@@ -13,7 +13,9 @@ from mahovik.core.program.expression import (
     Const,
     Convert,
     Expr,
+    Given,
     Logic,
+    Missing,
     Negate,
     Not,
     Place,
@@ -85,6 +87,10 @@ class Expressions:
                 return f"-{self._widen(e.operand)}", _UNARY
             case Negate():
                 return f"-{self._inside(e.operand, _UNARY + 1)}", _UNARY
+            case Missing():
+                return "NULL", _PRIMARY
+            case Given(operand=Place(root=root)):
+                return f"{root.name} != NULL", _COMPARE
             case Not():
                 return f"!{self._inside(e.operand, _UNARY + 1)}", _UNARY
             case Binary() | Logic():

@@ -129,16 +129,17 @@ class _Harness:
         kept = [draws.index(a.name) + 1 for a in f.arguments if a.direction == "inout" and a.name in drawn]
 
         def argument_or_null(a: Argument) -> str:
-            text = argument_text(a, self._place(f, a))
+            text = self._argument_text(a, self._place(f, a))
             return f"null == {pointers.index(a) + 1}u ? NULL : {text}" if a in pointers else text
 
         def overlapping(a: Argument) -> str:
-            return argument_text(a, f"{f.name}_{state}" if a.name in (state, "x") else self._place(f, a))
+            return self._argument_text(a, f"{f.name}_{state}" if a.name in (state, "x") else self._place(f, a))
 
         return {
             "name": f.name,
             "declared": [declaration(self._names, a, place) for place, a in places],
             "draws": draws,
+            "missing": [a.name for a in f.arguments if a.optional == "missing"],
             "kept": max(kept, default=0),
             "pointers": len(pointers),
             "results": [(place, self._source(a) if a.direction == "inout" else "") for place, a in places],
@@ -150,6 +151,10 @@ class _Harness:
             "overlap": call(self._names, f, overlapping) if state else "",
             "state": f"{f.name}_{state}",
         }
+
+    def _argument_text(self, a: Argument, place: str) -> str:
+        text = argument_text(a, place)
+        return f"missing ? NULL : {text}" if a.optional == "missing" else text
 
     def _is_state(self, f: Function, a: Argument) -> bool:
         """A result that may be the state itself: of step and step_driven, as their contract says."""

@@ -20,7 +20,8 @@ def readme(stand: Stand, generated: Generated, additions: tuple[str, ...] = ()) 
     called = [f for f in code.public if f.name == "forward"]
     arguments = called[0].arguments if called else ()
     given = {a.name: a.name for a in arguments} | {"table": f"&{names.function('default')}", "x": "&x"}
-    zeroed = [a for a in arguments if a.direction == "in" and not isinstance(a.type, Struct)]
+    given |= {a.name: "NULL" for a in arguments if a.optional == "missing"}
+    zeroed = [a for a in arguments if a.direction == "in" and not isinstance(a.type, Struct) and not a.optional]
     part = f" --only {','.join(generated.only)}" if generated.only else ""
     return code.render(
         "delivery.md.j2",

@@ -13,7 +13,7 @@ from mahovik.core.program.function import Function, Program
 from mahovik.core.program.inline import Inliner
 from mahovik.core.program.refusal import without_returns
 from mahovik.core.program.statement import Do, Statement, Statements
-from mahovik.core.program.walk import reachable, with_blocks
+from mahovik.core.program.walk import reachable, with_blocks, without_missing
 from mahovik.core.program.wide import Wide
 from mahovik.core.program.widen import RESERVED, Widener
 
@@ -52,7 +52,7 @@ class Batches:
 
 def batches(whole: Program, each: tuple[bool, ...] = BOTH) -> Batches:
     """Wide forms of the functions of a program that have a batch; `each`: of one stand, of n stands, or BOTH."""
-    program = _apart(whole)
+    program = _apart(replace(whole, functions=tuple(map(without_missing, whole.functions))))
     public = {f.name: f for f in program.functions if f.public}
     entries = [public[name] for name in BATCH_FUNCTIONS if name in public]
     preparing = [public[name] for name in PREPARED.values() if name in public] if entries and True in each else []

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from mahovik.core.lower import hold
 from mahovik.core.lower.flywheels import (
-    AT_NOTES,
     Carried,
     along,
     common_terms,
@@ -39,10 +38,10 @@ from mahovik.core.program.types import Kind
 Pair = tuple[Place, Place]
 
 
-def torque(lib: Library, at: bool = False) -> Function:
-    """tau for given V*, phi''; `at`: torque_at, of given sines and cosines of the phases."""
+def torque(lib: Library) -> Function:
+    """tau for given V*, phi''."""
     layout = lib.layout
-    arguments = _torque_arguments(lib, lib.given_turns() if at else ())
+    arguments = _torque_arguments(lib, lib.given_turns())
     table, x, *turns, V_dot, phi_ddot = [a for a in arguments if a.name not in ("wrench", "tau")]
     wrench = tuple(a for a in arguments if a.name == "wrench")
     body = Body()
@@ -55,17 +54,16 @@ def torque(lib: Library, at: bool = False) -> Function:
     else:
         _balance(lib, body, arguments)
     return body.checked_function(
-        "torque_at" if at else "torque",
+        "torque",
         "Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).",
         arguments,
         statuses=STATE_STATUSES,
-        notes=AT_NOTES if at else (),
         public=True,
     )
 
 
 def balance(lib: Library) -> Function:
-    """What torque and torque_at share, from checked inputs."""
+    """tau, from checked inputs."""
     arguments = _torque_arguments(lib, lib.turn_arguments())
     body = Body()
     _balance(lib, body, arguments)
@@ -208,10 +206,10 @@ def check_drive(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> No
     check_inputs(lib, body, by_name["table"], by_name["x"], (), wrench, turns_in(arguments), (by_name["tau"],))
 
 
-def coupled(lib: Library, at: bool = False) -> Function:
-    """V*, phi'' for given tau; `at`: coupled_at, of given sines and cosines of the phases."""
+def coupled(lib: Library) -> Function:
+    """V*, phi'' for given tau."""
     layout = lib.layout
-    arguments = _coupled_arguments(lib, lib.given_turns() if at else ())
+    arguments = _coupled_arguments(lib, lib.given_turns())
     held = len(hold.results(lib))
     V_dot, phi_ddot, *others = arguments[-2 - held :]
     body = Body()
@@ -230,11 +228,10 @@ def coupled(lib: Library, at: bool = False) -> Function:
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot.place[s], spins[s])
     return body.checked_function(
-        "coupled_at" if at else "coupled",
+        "coupled",
         "Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first"
         + (", along the freedoms of the hold." if held else "."),
         arguments,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
-        notes=AT_NOTES if at else (),
         public=True,
     )

@@ -92,10 +92,6 @@ def named_turns(turns: Turns) -> dict[str, Place]:
     return dict(zip(("sine", "cosine"), turns, strict=True)) if turns else {}
 
 
-AT_NOTES = ("Takes sines and cosines of the phases and uses them as given; the phases of x are checked, but not used.",)
-"""Notes of the functions that take sines and cosines."""
-
-
 COLUMNS = ("mu_c", "mu_s", "J_c", "J_s", "J_2c", "J_2s", "t_0", "t_c", "t_s")
 """The columns of a row, which the derivation uses by these names."""
 

@@ -6,12 +6,12 @@ from dataclasses import dataclass, replace
 
 from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower import flywheels, hold
-from mahovik.core.lower.flywheels import AT_NOTES, Turns, named_turns, places_of, turns_of
+from mahovik.core.lower.flywheels import Turns, named_turns, places_of, turns_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Operand, Place, real
+from mahovik.core.program.expression import Expr, Given, Not, Operand, Place, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -53,13 +53,18 @@ def check_inputs(
     rest: list[tuple[Place, Operand, Expr]] = [(a.place, lib.layout.count, limit["MAX_ACCELERATION"]) for a in phi_ddot]
     rest += [(a.place, len(a.place), limit["MAX_WRENCH"]) for a in wrench]
     rest += [(a.place, lib.layout.count, limit["MAX_WRENCH"]) for a in tau]
-    if rest and rest[0][1] is lib.layout.count and "check_motion" in lib and not turns and not lib.layout.stream:
+    if rest and rest[0][1] is lib.layout.count and "check_motion" in lib and not lib.layout.stream:
         given, _, bound = rest.pop(0)
         lib.check(body, "check_motion", x.place, given, bound)
     else:
         lib.check(body, "check_state", x.place)
     if turns:
-        lib.check(body, "check_turns", *(a.place for a in turns))
+        sine, cosine = (a.place for a in turns)
+        with body.when(Given(sine)):
+            lib.guard(body, Not(Given(cosine)), "BAD_ARGUMENT")
+            lib.check(body, "check_turns", sine, cosine)
+        with body.otherwise():
+            lib.guard(body, Given(cosine), "BAD_ARGUMENT")
     if lib.layout.stream:
         lib.check(body, "within", table.place.stream, 3, limit["MAX_VELOCITY"])
     if lib.layout.structure.stream_stations:
@@ -146,8 +151,17 @@ def relative_rate(body: Body, x: Place, V_dot: Place, stream: Place | None) -> P
 
 
 def all_turns(lib: Library, body: Body, x: Place, given: tuple[Argument, ...]) -> Turns:
-    """Sines and cosines as internal functions take them: those given, or of the phases of x."""
-    return places_of(given) if given else turns_of(lib, body, x)
+    """Sines and cosines as internal functions take them: those of arguments that a caller gives, or of the phases."""
+    if not given:
+        return turns_of(lib, body, x)
+    turns = tuple(body.local(f"{a.name}s", a.shape) for a in given)
+    note = "the phases of x are checked, but not used"
+    with body.when(Given(given[0].place), comment=note), body.loop("s", lib.layout.count) as s:
+        for to, a in zip(turns, given, strict=True):
+            body.set(to[s], a.place[s])
+    with body.otherwise():
+        body.call(lib["sincos_each"], x.phi, *turns)
+    return turns
 
 
 def accelerate(lib: Library) -> Function:
@@ -239,10 +253,9 @@ def without_drift(lib: Library, body: Body, table: Place, x: Place, seen: Scene,
     return drift
 
 
-def forward(lib: Library, at: bool = False) -> Function:
-    """V* for given phi'' by (8); `at`: forward_at, of given sines and cosines of the phases."""
-    table, x = lib.table_argument(), lib.state_argument()
-    turns = lib.given_turns() if at else ()
+def forward(lib: Library) -> Function:
+    """V* for given phi'' by (8)."""
+    table, x, turns = lib.table_argument(), lib.state_argument(), lib.given_turns()
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     purpose = "derivative of the components of V; may overlap any input"
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", purpose, overlaps=True)
@@ -264,13 +277,12 @@ def forward(lib: Library, at: bool = False) -> Function:
     for argument, found in zip(held, others, strict=True):
         body.copy_array(argument.place, found)
     return body.checked_function(
-        "forward_at" if at else "forward",
+        "forward",
         "Acceleration of the carrier for given accelerations of the flywheels: "
         + ("along the freedoms of the hold, S^T: K V* = F" if lib.layout.held else "K V* = F")
         + " - M V - sum(I phi'' + J phi').",
         (table, x, *turns, *phi_ddot, *wrench, V_dot, *held),
         equation="(8)",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
-        notes=AT_NOTES if at else (),
         public=True,
     )

@@ -29,7 +29,7 @@ from mahovik.core.lower.trials import ALL, Changes, Path, Play, Trial, takes, tr
 from mahovik.core.lower.values import Values
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.interpret import Interpreter, filled_value
+from mahovik.core.program.interpret import Interpreter, filled_value, plain
 from mahovik.core.program.types import Kind, Precision, Struct, leaves, numbers
 
 LISTED = 32
@@ -202,7 +202,7 @@ class _Player:
     ) -> tuple[int, list[tuple[Argument, Any]]]:
         """Status and outputs; after a refusal only the outputs that are also inputs.
 
-        `omitted`: arrays that may be null are, which makes them zeros.
+        `omitted`: arguments that may be null are; a result among them stays as it was.
         """
         taken = {
             a.name: self._interpreter.argument(a) if a.optional and omitted else self._argument_value(a, given)
@@ -210,6 +210,8 @@ class _Player:
             if a.direction != "out"
         }
         value, outputs = self._interpreter.run(function.name, taken)
+        left = (a for a in function.arguments if a.direction == "inout" and a.name not in outputs)
+        outputs |= {a.name: plain(self._argument_value(a, given)) for a in left}
         status = int(value) if function.returns is Kind.STATUS else STATUS_VALUES["OK"]
         written = [
             (a, outputs[a.name])

@@ -38,8 +38,6 @@ def add_inverse(lib: Library) -> None:
     lib.add(excess.excessive(lib))
     lib.add(_inverse(lib))
     lib.add(inverse_fast(lib))
-    if layout.sine_input:
-        lib.add(inverse_fast(lib, at=True))
 
 
 def _demand(lib: Library) -> Function:

@@ -42,7 +42,7 @@ from mahovik.core.program.vector import Matrix, Vector, cross, dot, symmetric
 OF_COORDINATES = frozenset(("generalized", "state_from_coordinates"))
 """Names of functions that the C of a held carrier has where its poses have coordinates of the freedoms."""
 
-OF_FREEDOMS = frozenset(("inverse", "inverse_fast", "inverse_fast_at", "forward_jacobian", "coupled_jacobian"))
+OF_FREEDOMS = frozenset(("inverse", "inverse_fast", "forward_jacobian", "coupled_jacobian"))
 """Names of functions that the C of a clamped carrier does not have: they are along the freedoms."""
 
 

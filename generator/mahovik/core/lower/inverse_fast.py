@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
 from mahovik.core.lower.excess import SPIN_UP_NOTE, spin_up_excess
-from mahovik.core.lower.flywheels import AT_NOTES
 from mahovik.core.lower.forward import STATE_STATUSES, all_turns
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.normal_equations import Scaling, tall_answer, wide_answer
@@ -19,11 +18,8 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
-def inverse_fast(lib: Library, at: bool = False) -> Function:
-    """phi'' for a wanted V*, of a held carrier S u*, by the normal equations: for fast loops away from singularity.
-
-    `at`: inverse_fast_at, of given sines and cosines of the phases.
-    """
+def inverse_fast(lib: Library) -> Function:
+    """phi'' for a wanted V*, of a held carrier S u*, by the normal equations: for fast loops away from singularity."""
     layout = lib.layout
     rows = layout.freedoms if layout.held else 6
     table, x = lib.table_argument(), lib.state_argument()
@@ -32,7 +28,7 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     options = Argument(
         "options", layout.inverse_options, purpose="weights and damping; `near_singular` and `limit` are ignored"
     )
-    given, wrench = lib.given_turns() if at else (), lib.wrench_arguments()
+    given, wrench = lib.given_turns(), lib.wrench_arguments()
     phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
     p = options.place
     body = Body()
@@ -54,7 +50,7 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     body.ret(Convert(flags, Kind.STATUS))
     motion = "wanted rates of the freedoms" if layout.held else "a wanted motion of the carrier"
     return Function(
-        "inverse_fast_at" if at else "inverse_fast",
+        "inverse_fast",
         f"Flywheel accelerations for {motion}, without diagnostics: normal equations.",
         (table, x, *given, V_dot, options, *wrench, phi_ddot),
         body.statements,
@@ -67,7 +63,6 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
             "Damping is relative to the norm of W.",
             SPIN_UP_NOTE,
             ANSWER_NOTE,
-            *(AT_NOTES if at else ()),
         ),
         public=True,
     )

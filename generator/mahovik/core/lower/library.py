@@ -61,17 +61,20 @@ class Library(FunctionSet):
         )
 
     def given_turns(self) -> tuple[Argument, ...]:
-        """Sines and cosines of the phases from encoders: `phase_input = "sincos"`."""
-        purpose = "cosines of the phases; each (sine, cosine) within 1e-3 of unit length"
-        return (
-            Argument("sine", Kind.REAL, (self.layout.count,), purpose="sines of the phases"),
-            Argument("cosine", Kind.REAL, (self.layout.count,), purpose=purpose),
+        """Sines and cosines of the phases from encoders, or none: `phase_input = "sincos"`."""
+        if not self.layout.sine_input:
+            return ()
+        sines = "sines of the phases; null: sines and cosines of the phases of x"
+        cosines = "cosines of the phases, or null; each (sine, cosine) within 1e-3 of unit length"
+        return tuple(
+            Argument(name, Kind.REAL, (self.layout.count,), purpose=purpose, optional="missing")
+            for name, purpose in (("sine", sines), ("cosine", cosines))
         )
 
     def locked_argument(self) -> Argument:
         """Argument: flywheels that a lock holds."""
         purpose = "not 0: a lock holds phi'' = 0, whatever its tau; null: no lock"
-        return Argument("locked", Kind.INT, (self.layout.count,), purpose=purpose, optional=True)
+        return Argument("locked", Kind.INT, (self.layout.count,), purpose=purpose, optional="zeros")
 
     def wrench_arguments(self) -> tuple[Argument, ...]:
         """Run-time wrenches, flat: six numbers a body; where the stand asks for them."""

@@ -97,8 +97,6 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         hold.add_hold(lib)
     lib.add(forward.accelerate(lib))
     lib.add(forward.forward(lib))
-    if layout.sine_input:
-        lib.add(forward.forward(lib, at=True))
     lib.add(matrices.velocity_matrix(lib))
     lib.add(matrices.matrices(lib))
     lib.add(matrices.momentum(lib))
@@ -106,14 +104,10 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         lib.add(flywheels.couple(lib))
         solve.add_elimination(lib)
         lib.add(drive.balance(lib))
-        if layout.sine_input:
-            lib.add(drive.torque(lib, at=True))
         lib.add(drive.torque(lib))
         solve.add_block_solution(lib)
         lib.add(drive.solve_coupled(lib))
         lib.add(drive.coupled(lib))
-        if layout.sine_input:
-            lib.add(drive.coupled(lib, at=True))
     step.add_all(lib)
     if layout.flywheels:
         lib.add(phases.wrap(lib))
@@ -165,8 +159,6 @@ def _add_inverse(lib: Library) -> None:
         lib.add(excess.excessive(lib))
         lib.add(inverse.inverse(lib))
         lib.add(inverse_fast.inverse_fast(lib))
-        if layout.sine_input:
-            lib.add(inverse_fast.inverse_fast(lib, at=True))
         add_tasks(lib)
     else:
         lib.add(demand.factor(lib))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from typing import Literal
 
 from mahovik.core.program.expression import Expr, Place, Variable
 from mahovik.core.program.types import Kind, Shape, Struct
@@ -13,7 +14,8 @@ from mahovik.core.program.types import Kind, Shape, Struct
 class Argument:
     """An argument: `direction` is "in", "out" or "inout"; unit, frame and purpose are for the reader.
 
-    `optional`: an array whose address may be null in a call of a public function: then it is zeros.
+    `optional`: its address may be null in a call of a public function: then it is "zeros", or it is "missing", which
+    the function sees by `Given`; empty: it may not.
     `overlaps`: a result of a public function that may overlap any of its inputs.
     """
 
@@ -23,7 +25,7 @@ class Argument:
     direction: str = "in"
     unit: str = ""
     purpose: str = ""
-    optional: bool = False
+    optional: Literal["", "zeros", "missing"] = ""
     overlaps: bool = False
     variable: Variable = field(init=False)
 

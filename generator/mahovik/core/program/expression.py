@@ -262,6 +262,21 @@ class BitCast(Unary):
         super().__init__(operand, kind)
 
 
+class Given(Unary):
+    """Is an argument there whose address may be null? The operand is its place."""
+
+    __slots__ = ()
+
+    def __init__(self, operand: Expr, kind: Kind = Kind.BOOL) -> None:
+        super().__init__(operand, kind)
+
+
+class Missing(Expr):
+    """Stands for an argument that a call leaves out."""
+
+    __slots__ = ()
+
+
 class Pair(Expr):
     """An operator between two operands; what it gives is a truth value."""
 

@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import Any
 
 from mahovik.core.program.call import Argument, Call, Signature
-from mahovik.core.program.expression import Expr, Operand, Place, as_expr
+from mahovik.core.program.expression import Expr, Missing, Operand, Place, as_expr
 from mahovik.core.program.statement import Statement
 from mahovik.core.program.types import Kind, NamedCount, Precision, Struct
 
@@ -40,11 +40,14 @@ class Function:
     def __call__(self, *arguments: Any) -> Any:
         """A Call: an expression, if the function returns a real or a status. Arguments: operands, of results places.
 
-        There may be one for each of its parameters.
+        There may be one for each of its parameters, and none for those that may be missing.
         """
         if len(arguments) == len(self.parameters):
             taken = [a.name for a in self.arguments]
             arguments = tuple(v for name, v in zip(self.parameters, arguments, strict=True) if name in taken)
+        if len(arguments) == sum(a.optional != "missing" for a in self.arguments):
+            given = iter(arguments)
+            arguments = tuple(Missing() if a.optional == "missing" else next(given) for a in self.arguments)
         if len(arguments) != len(self.arguments):
             raise TypeError(f"{self.name} takes {len(self.arguments)} arguments, not {len(arguments)}")
         return Call(self.signature, tuple(map(self._checked_argument, arguments, self.arguments)))
@@ -52,6 +55,8 @@ class Function:
     def _checked_argument(self, value: Operand, parameter: Argument) -> Expr:
         """`value` as what `parameter` takes: kinds, structs and lengths are checked here, once, for every call."""
         where = f"{self.name}, argument {parameter.name}"
+        if isinstance(value, Missing):
+            return value
         if parameter.shape or isinstance(parameter.type, Struct) or parameter.direction != "in":
             if not isinstance(value, Place) or value.type != parameter.type or len(value.shape) != len(parameter.shape):
                 raise TypeError(f"{where}: {value!r} does not fit")

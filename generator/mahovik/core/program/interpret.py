@@ -23,6 +23,8 @@ from mahovik.core.program.expression import (
     Const,
     Convert,
     Expr,
+    Given,
+    Missing,
     Negate,
     Not,
     Pair,
@@ -75,7 +77,12 @@ class Interpreter:
         return filled_value(type_, shape, value, self._precision)
 
     def argument(self, argument: Argument, value: Any = None) -> Any:
-        """Storage for an argument, filled from plain numbers, dicts and lists where `value` is given."""
+        """Storage for an argument, filled from plain numbers, dicts and lists where `value` is given.
+
+        None: an argument that is missing.
+        """
+        if value is None and argument.optional == "missing":
+            return None
         if value is None:
             filled = self.new(argument.type, argument.shape)
         else:
@@ -89,7 +96,8 @@ class Interpreter:
         value = self.call(name, *storage.values())
         boxes = {a.name for a in function.arguments if _is_box(a.variable)}
         found = {name: place[0] if name in boxes else place for name, place in storage.items()}
-        return value, {a.name: plain(found[a.name]) for a in function.arguments if a.direction != "in"}
+        results = [a.name for a in function.arguments if a.direction != "in" and found[a.name] is not None]
+        return value, {name: plain(found[name]) for name in results}
 
 
 def new_value(type_: Kind | Struct, shape: tuple[Any, ...], precision: Precision) -> Any:
@@ -291,6 +299,10 @@ class _Transpiler:
                 operator = {"&&": "and", "||": "or"}.get(e.operator, e.operator)
                 text = f"({self._expr(e.left)} {operator} {self._expr(e.right)})"
                 return f"({text} & {self._mask})" if e.kind is Kind.WORD else text
+            case Missing():
+                return "None"
+            case Given(operand=Place(root=root)):
+                return f"({_safe(root.name)} is not None)"
             case Not():
                 return f"(not {self._expr(e.operand)})"
             case Select():
@@ -309,7 +321,7 @@ class _Transpiler:
 
     def _argument(self, parameter: Argument, value: Expr) -> str:
         """An argument as passed: whole places as they are, a scalar result as a list of one."""
-        if not (parameter.variable.pointer and not isinstance(parameter.type, Struct)):
+        if isinstance(value, Missing) or not (parameter.variable.pointer and not isinstance(parameter.type, Struct)):
             return self._expr(value)
         assert isinstance(value, Place)
         if value.path or not _is_box(value.root):

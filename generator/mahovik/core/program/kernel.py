@@ -44,7 +44,7 @@ from contextlib import AbstractContextManager
 from dataclasses import dataclass, replace
 from functools import cache
 from types import CodeType
-from typing import Any, Protocol, cast
+from typing import Any, Literal, Protocol, cast
 
 from mahovik.core.program import vector
 from mahovik.core.program.build import CHECKED, Body
@@ -129,7 +129,7 @@ def argument(
     struct: Struct | None = None,
     direction: str = "in",
     unit: str = "",
-    optional: bool = False,
+    optional: Literal["", "zeros", "missing"] = "",
     overlaps: bool = False,
 ) -> Any:
     """An argument, in place of its default value: see `Argument`. Its kind is the annotation's, if it is no struct."""

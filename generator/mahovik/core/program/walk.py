@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from mahovik.core.program.call import Call
-from mahovik.core.program.expression import Expr, Place
+from mahovik.core.program.expression import Expr, Given, Place
 from mahovik.core.program.function import Function
 from mahovik.core.program.statement import Block, Copy, Do, Let, Loop, Return, Set, Statement, Statements, When
 
@@ -76,6 +76,22 @@ def inside(e: Expr) -> Iterator[Expr]:
 def used_variables(body: Iterable[Statement]) -> set[int]:
     """`id` of every variable that a body reads or writes."""
     return {id(e.root) for e in expressions(body) if isinstance(e, Place)}
+
+
+def without_missing(function: Function) -> Function:
+    """The function for callers who leave out what may be missing: without these arguments and what looks at them."""
+
+    def block(body: Statements) -> Statements:
+        found: list[Statement] = []
+        for s in body:
+            if isinstance(s, When) and isinstance(s.condition, Given):
+                found += block(s.otherwise)
+            else:
+                found.append(with_blocks(s, block))
+        return tuple(found)
+
+    kept = tuple(a for a in function.arguments if a.optional != "missing")
+    return function if kept == function.arguments else replace(function, arguments=kept, body=block(function.body))
 
 
 def called_names(body: Statements) -> set[str]:

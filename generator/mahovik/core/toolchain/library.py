@@ -135,7 +135,7 @@ class Library:
         status = call(*storage.values())
         outputs = {}
         for a in function.arguments:
-            if a.direction != "in" and plain:
+            if a.direction != "in" and plain and storage[a.name]:
                 stored = storage[a.name]
                 outputs[a.name] = self._plain(stored if a.shape else stored[0], a.type, a.shape)
         return int(status), outputs
@@ -158,7 +158,7 @@ class Library:
                 storage[a.name] = self._ffi.new(f"{self._c_type(a.type)}[{count}]")
                 held = self._ffi.buffer(storage[a.name])
                 held[:] = _PATTERN * len(held)
-            if a.direction != "in":
+            if a.direction != "in" and storage[a.name]:
                 before[a.name] = bytes(self._ffi.buffer(storage[a.name]))
         status = getattr(self._library, f"{self._prefix}_{function.name}")(*storage.values())
         return int(status), all(bytes(self._ffi.buffer(storage[name])) == held for name, held in before.items())
@@ -166,6 +166,8 @@ class Library:
     def _storage(self, a: Argument, value: Any, fill: float | None) -> Any:
         if isinstance(value, self._ffi.CData):
             return value
+        if value is None and a.optional == "missing":
+            return self._ffi.NULL
         if not a.shape and not a.variable.pointer:
             return 0 if value is None else value
         kind = self._c_type(a.type)

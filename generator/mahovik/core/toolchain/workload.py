@@ -15,6 +15,7 @@ from mahovik.core.lower.test_inputs import longer
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Precision
+from mahovik.core.program.walk import without_missing
 
 LONG_CALL = 100_000
 """Instructions; a call as long is counted once: the coarsest counter is good to 50 instructions."""
@@ -47,7 +48,7 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]], recorder: bo
     `recorder`: the steps of the recorder as well, those without a carry.
     """
     names = Names(program.name)
-    public = [f for f in program.functions if f.public]
+    public = [without_missing(f) for f in program.functions if f.public]
     taken: dict[str, Argument] = {}
     written: dict[str, Argument] = {}
     for f in public:
@@ -59,7 +60,7 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]], recorder: bo
     calls = []
     for f in public:
         for order in (4, 2) if any(a.name == "order" for a in f.arguments) else (0,):
-            calls.append({"label": _label(f, order), "text": _call(f, names, order)})
+            calls.append({"label": _label(f, order), "text": _call(program.function(f.name), names, order)})
     logged = [f for f in logging(program) if all(a.name != "carry" for a in f.arguments)] if recorder else []
     steps = [(f, order) for f in logged for order in (4, 2)]
     calls += [{"label": _label(f, order), "text": f"{f.name}_{order}(s)"} for f, order in steps]
@@ -114,6 +115,8 @@ def _log_step(f: Function, names: Names, order: int) -> str:
 
 def _call(f: Function, names: Names, order: int) -> str:
     def argument_name(a: Argument) -> str:
+        if a.optional == "missing":
+            return "NULL"
         if a.direction != "in":
             return address(f"{f.name}_{a.name}", a.shape)
         if a.name in _OF_THE_STAND:

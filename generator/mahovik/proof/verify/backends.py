@@ -197,8 +197,6 @@ class FunctionBackend(ABC):
             "mounting": self.mounting,
             "x": x,
             "angles": state.angles or (0.0, 0.0, 0.0),
-            "sine": [math.sin(phi) for phi in state.phi],
-            "cosine": [math.cos(phi) for phi in state.phi],
             "V_dot": state.V_dot,
             "demand": state.demand,
             "phi_ddot": state.phi_ddot,
@@ -261,6 +259,11 @@ class ProgramBackend(FunctionBackend):
         """Calls one function with those of the inputs that it takes; returns status and outputs."""
         wanted = [a for a in self.program.function(function).arguments if a.direction != "out" and a.name in inputs]
         return self._run(function, {a.name: first_of(a, inputs[a.name]) for a in wanted})
+
+
+def turns(state: State) -> dict[str, Any]:
+    """Sines and cosines of the phases, which functions take of a stand with `phase_input = "sincos"`."""
+    return {"sine": [math.sin(phi) for phi in state.phi], "cosine": [math.cos(phi) for phi in state.phi]}
 
 
 def public_names(program: Program) -> tuple[str, ...]:

@@ -11,13 +11,14 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from mahovik.contract.functions import row_of
+from mahovik.contract.functions import TURNS, row_of
 from mahovik.contract.quantities import BOUNDS, QUANTITIES, TABLES, UNIT_LENGTH, limits_of
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.state import State
+from mahovik.proof.verify.backends import turns
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check
 
@@ -81,7 +82,8 @@ def wrong_values(function: Function, good: Mapping[str, Any], real: str) -> Iter
     """All wrong values of the arguments of a function, one at a time."""
     ignored = row_of(function.name).ignores
     for a in function.arguments:
-        if (a.shape or isinstance(a.type, Struct) or a.direction != "in") and not a.optional:
+        pointer = bool(a.shape) or isinstance(a.type, Struct) or a.direction != "in"
+        if pointer and (not a.optional or a.name in TURNS):  # sines without cosines are none
             yield WrongValue((a.name,), NULL, "BAD_ARGUMENT")
         if a.direction != "out" and a.name not in ignored and a.name in good:
             yield from _wrong(a, (a.name,), good[a.name], real, ignored)
@@ -161,6 +163,7 @@ def good_inputs(backend: CBackend, states: Sequence[tuple[str, State]]) -> dict[
         "per_turn": 4096,
         "zero": 0.5,
         "encoder": {"counter": 100, "place": 100, "moved": 0},
+        **turns(state),
         "carry": {"rounding": [0.0] * (13 + 2 * len(state.phi))},
     }
     return {**backend.arguments(state), **others, **_coordinates(backend.program)}

@@ -72,7 +72,7 @@ def step(lib: Library, form: ServoForm) -> Function:
     phi = Argument("phi", Kind.REAL, n, unit="rad", purpose="measured angles")
     phi_dot = Argument("phi_dot", Kind.REAL, n, unit="rad/s", purpose="measured speeds")
     purpose = "not 0: no good reading of this flywheel, whose phi and phi_dot are not looked at; null: all are good"
-    invalid = Argument("invalid", Kind.INT, n, purpose=purpose, optional=True)
+    invalid = Argument("invalid", Kind.INT, n, purpose=purpose, optional="zeros")
     tau = Argument("tau", Kind.REAL, n, "out", "N m", "what the motors are to give")
     g, x = gains.place, state.place
     body = Body()

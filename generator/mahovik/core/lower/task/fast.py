@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
 from mahovik.core.lower.excess import SPIN_UP_NOTE, spin_up_excess
-from mahovik.core.lower.flywheels import AT_NOTES
 from mahovik.core.lower.forward import STATE_STATUSES, all_turns
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.normal_equations import Scaling, tall_answer, wide_answer
@@ -22,11 +21,11 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
-def inverse_fast_task(lib: Library, rows: Rows, at: bool = False) -> Function:
-    """phi'' for the demand of a task by normal equations; `at`: of given sines and cosines of the phases."""
+def inverse_fast_task(lib: Library, rows: Rows) -> Function:
+    """phi'' for the demand of a task by normal equations."""
     layout, m, name = lib.layout, len(rows), rows.task.name
     table, x, demand, options, *wrench = arguments = task_arguments(lib, rows)
-    given = lib.given_turns() if at else ()
+    given = lib.given_turns()
     phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
     p = options.place
     use = p.member(f"use_{name}")
@@ -69,7 +68,7 @@ def inverse_fast_task(lib: Library, rows: Rows, at: bool = False) -> Function:
         body.set(phi_ddot.place[s], answer[s])
     body.ret(Convert(flags, Kind.STATUS))
     return Function(
-        f"inverse_fast_{name}_at" if at else f"inverse_fast_{name}",
+        f"inverse_fast_{name}",
         f"Flywheel accelerations for the task {name}, without diagnostics: normal equations.",
         (table, x, *given, demand, options, *wrench, phi_ddot),
         body.statements,
@@ -82,7 +81,6 @@ def inverse_fast_task(lib: Library, rows: Rows, at: bool = False) -> Function:
             SPIN_UP_NOTE,
             FREE_NOTE,
             ANSWER_NOTE,
-            *(AT_NOTES if at else ()),
         ),
         public=True,
     )

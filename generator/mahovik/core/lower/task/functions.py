@@ -31,8 +31,6 @@ def add_tasks(lib: Library) -> None:
         lib.add(project(lib, rows))
         lib.add(inverse_task(lib, rows))
         lib.add(inverse_fast_task(lib, rows))
-        if layout.sine_input:
-            lib.add(inverse_fast_task(lib, rows, at=True))
         base = torque_demand(lib, rows.turning)
         if base.name not in lib:
             lib.add(base)

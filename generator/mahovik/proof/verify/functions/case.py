@@ -51,6 +51,10 @@ class Case:
         """Names of the public functions."""
         return [function.name for function in self.backend.program.functions if function.public]
 
+    def takes(self, function: str, argument: str) -> bool:
+        """Whether a function of the C has an argument of a name."""
+        return any(a.name == argument for a in self.backend.program.function(function).arguments)
+
     @property
     def numbers(self) -> int:
         """Numbers of a state of the program."""

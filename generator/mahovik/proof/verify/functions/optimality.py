@@ -34,6 +34,7 @@ from mahovik.proof.reference.inverse import (
 from mahovik.proof.reference.motion import coupled, torque
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.tasks import TaskRows, scaled_task, task_of, task_rows, torque_demand
+from mahovik.proof.verify.backends import turns
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions.case import Case, Rows
 
@@ -197,7 +198,7 @@ def inverse_checks(case: Case, function: str) -> list[Check]:
     """All that `inverse` or `inverse_fast` says: weights, damping, limits, rows freed, and edges of status bits."""
     rows, fast = Rows(case.limits, case.scales, function), function.startswith("inverse_fast")
     for number, (name, state) in enumerate(_states(case, function)):
-        given = case.backend.arguments(state)
+        given = case.backend.arguments(state) | (turns(state) if number % 2 else {})
         answer: Mapping[str, Any] = {}
         for questions in (_plain_questions, _bounded_questions):
             for question in questions(case, fast, number, name, state, answer):

@@ -57,7 +57,6 @@ JUDGES: dict[str, FunctionJudge] = {
     "step_driven_carried": _STEPS,
     "inverse": _INVERSE,
     "inverse_fast": _FAST,
-    "inverse_fast_at": _FAST,
     "forward_jacobian": _JACOBIAN,
     "coupled_jacobian": _JACOBIAN,
     "quaternion": _value(value.quaternion_trials),
@@ -83,11 +82,6 @@ JUDGES |= dict.fromkeys(
     ("at", "runup_at", "rundown_at"), FunctionJudge("law", programme.table_checks, "programme file")
 )
 JUDGES |= dict.fromkeys(programme.CLOCK_FUNCTIONS, FunctionJudge("exact", programme.clock_checks, "fractions"))
-JUDGES |= {
-    name: _value(partial(value.trials_of_given_sines, function=name))
-    for name in FUNCTIONS
-    if name.endswith("_at") and name not in JUDGES
-}
 
 
 def judge_of(name: str) -> FunctionJudge | None:
@@ -111,18 +105,22 @@ def function_checks(case: AnyCase) -> Iterator[Check]:
     for name in unjudged_functions(case.public):
         yield Check(name, "no judge", verdict="FAILED", words="nothing compares this function")
     for name in case.public:
-        if judge_of(name) is not None:
-            yield from checks_of(case, name)
+        yield from checks_of(case, name)
 
 
 def checks_of(case: AnyCase, name: str) -> list[Check]:
-    """Checks of one function by its judge, and one that fails where none compared a state."""
+    """Checks of one function by its judge, with given sines as well; and one that fails where none compared a state.
+
+    None of a function that only answers a want.
+    """
     judge = judge_of(name)
-    assert judge is not None
     try:
-        checks = list(judge.checks(case, name))
+        checks = list(judge.checks(case, name)) if judge else []
+        if isinstance(case, Case) and name in FUNCTIONS and FUNCTIONS[name].want and case.takes(name, "sine"):
+            sines = partial(value.trials_of_given_sines, function=name)
+            checks += value.trial_checks(case, name, sines, ", of given sines")
     except StateError as error:  # of a call that every program must answer
         return [Check(name, "refused", verdict="FAILED", words=str(error))]
-    if case.states and all(check.verdict == "not compared" for check in checks):
+    if judge and case.states and all(check.verdict == "not compared" for check in checks):
         checks.append(Check(name, "no state compared", verdict="FAILED", words="no check of it compares a state"))
     return checks

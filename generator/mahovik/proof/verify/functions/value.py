@@ -26,6 +26,7 @@ from mahovik.proof.reference.rotation import C1, attitude, quaternion_rotation
 from mahovik.proof.reference.screw import block_diagonal
 from mahovik.proof.second import Second
 from mahovik.proof.second.evaluate import Derivatives
+from mahovik.proof.verify.backends import turns
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.functions.case import Case, Rows
@@ -79,18 +80,17 @@ def state_trials(case: Case, equation: Equation) -> Iterator[Trial]:
 
 
 def trials_of_given_sines(case: Case, function: str) -> Iterator[Trial]:
-    """A form `NAME_at` of given sines and cosines: the want NAME."""
-    want = function.removesuffix("_at")
-    assert FUNCTIONS[want].want
+    """A function that answers a want, with the sines and cosines of the phases; it need not look at the phases."""
 
     def equation(stand: Stand, state: State, at: reference.Pieces) -> Values:
-        return reference.evaluate(stand, state, (want,), at, case.scales.cuts)
+        return reference.evaluate(stand, state, (function,), at, case.scales.cuts)
 
     for name, state in case.states:
-        given = case.backend.arguments(state)
+        given = case.backend.arguments(state) | turns(state)
+        given["x"] = given["x"] | {"phi": [0.0] * case.count}
 
         def read(found: Mapping[str, Any], given: Mapping[str, Any] = given) -> Mapping[str, Any]:
-            return case.backend.with_reaction(given, dict(found)) if want in ("forward", "coupled") else found
+            return case.backend.with_reaction(given, dict(found)) if function in ("forward", "coupled") else found
 
         yield Trial(name, state, given, equation, read)
 
