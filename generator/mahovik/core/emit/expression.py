@@ -91,6 +91,8 @@ class Expressions:
                 return "NULL", _PRIMARY
             case Given(operand=Place(root=root)):
                 return f"{root.name} != NULL", _COMPARE
+            case Not(operand=Given(operand=Place(root=root))):
+                return f"{root.name} == NULL", _COMPARE
             case Not():
                 return f"!{self._inside(e.operand, _UNARY + 1)}", _UNARY
             case Binary() | Logic():

@@ -267,7 +267,7 @@ class Stand(WithLaws):
     """A whole stand. `stream` is None where the file has no such key; bodies are in the file's order.
 
     `laws`: data of the laws between E0 and the carrier that the stand has.
-    `phase_input`: "sincos" where the C has functions that take sines and cosines of the phases as well.
+    `phase_input`: "sincos" where functions of the C take sines and cosines of the phases as well.
     `inverse_most`: rad/s2, phi'' of a flywheel without motor above which an answer of `inverse` is EXCESSIVE.
     `hold`: what holds the carrier; None where it is free.
     `profile`: what the depth of O1 adds to `stream`, which is then not None; None where nothing.

@@ -208,7 +208,7 @@ def _check_misra(subject: Subject) -> Outcome:
 
 
 _QUICK_DRIVERS = ("any_wrap", "any_forward", "any_torque", "normal_prepare", "routine_sincos", "routine_sqrt")
-_UNCLAIMED = ", ".join(f"`{row.name}`" for row in ROWS.values() if not row.claimed and not row.name.endswith("_at"))
+_UNCLAIMED = ", ".join(f"`{row.name}`" for row in ROWS.values() if not row.claimed)
 
 
 def _eva_command(subject: Subject) -> str:
