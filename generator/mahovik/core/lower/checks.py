@@ -8,163 +8,151 @@ any rounding, with and without fused multiply-add. Infinities, NaN and what over
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from typing import Any
 
 from mahovik.core.lower.library import Library, unit_square
 from mahovik.core.lower.limits import limits
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import (
-    Const,
-    Expr,
-    Not,
-    Place,
-    Status,
-    and_,
-    integer,
-    real,
-)
+from mahovik.core.program.expression import Const, Status
 from mahovik.core.program.function import Function
+from mahovik.core.program.kernel import NOT_FINITE, OK, RANGE, Reals, argument, inline, kernel, reals, shortcut
 from mahovik.core.program.types import Kind, NamedCount, Precision, Struct
-
-
-def _arguments() -> tuple[Argument, Argument, Argument]:
-    values, limit = Argument("values", Kind.REAL, (0,)), Argument("limit", Kind.REAL)
-    return values, Argument("count", Kind.INT), limit
+from mahovik.core.program.vector import dot
 
 
 def within(lib: Library) -> Function:
-    """Every element finite and of magnitude at most a limit. A NaN fails every comparison, so it cannot pass."""
-    values, count, limit = _arguments()
-    largest = lib.limits["LARGEST"].expression
-    body = Body()
-    with body.loop("i", count.place) as i:
-        value = values.place[i]
-        with body.when(Not(and_(value >= -limit.place, value <= limit.place))):
-            with body.when(and_(value >= -largest, value <= largest)):
-                body.ret(Status("RANGE"))
-            body.ret(Status("NOT_FINITE"))
-    function = body.checked_function(
-        "within",
-        "Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison.",
-        (values, count, limit),
-    )
-    return replace(function, apart=True)
+    """Every element finite and of magnitude at most a limit."""
+    largest = lib.largest
+
+    @kernel(apart=True)
+    def within(values: Reals = argument("", 0), count: int = argument(), limit: float = argument()) -> Status:
+        """Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison."""
+        for i in range(count):
+            if not (values[i] >= -limit and values[i] <= limit):
+                if values[i] >= -largest and values[i] <= largest:
+                    return RANGE
+                return NOT_FINITE
+        return OK
+
+    return within
 
 
-def check_vector(lib: Library, body: Body, values: Place, limit: Expr) -> None:
+@inline
+def check_vector(lib: Library, values: Reals, limit: float) -> None:
     """Returns the status of the first bad one of a few values, which are looked at if their squares are not small."""
-    with body.when(Not(_squares(list(values)) < limit * limit)):
-        lib.check(body, "within", values, len(values), limit)
-
-
-def check_turns(lib: Library) -> Function:
-    """Sines and cosines from encoders: finite, and of unit length within 1e-3."""
-    sine, cosine = lib.given_turns()
-    body = Body()
-    for given in (sine, cosine):
-        lib.check(body, "within", given.place, lib.layout.count, real(2))
-    with body.loop("s", lib.layout.count) as s:
-        norm = body.let("norm2", sine.place[s] * sine.place[s] + cosine.place[s] * cosine.place[s])
-        lib.check_unit(body, norm)
-    return body.checked_function(
-        "check_turns", "Are sines and cosines finite, and is s^2 + c^2 between 0.999^2 and 1.001^2?", (sine, cosine)
-    )
-
-
-def _squares(values: Sequence[Expr]) -> Expr:
-    """The sum of the squares, from left to right."""
-    total = values[0] * values[0]
-    for value in values[1:]:
-        total = total + value * value
-    return total
-
-
-def _add_square(body: Body, sums: Mapping[str, Place], name: str, value: Expr) -> None:
-    """Add the square of a local: intervals prove that a square of a variable is not negative, not one of an element."""
-    read = body.let(name, value)
-    body.add(sums[name], read * read)
-
-
-def _look_at_sums(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place, Expr]] = ()) -> None:
-    """OK where squares are small and the quaternion is of unit length; `more`: values of the flywheels with a limit."""
-    limit = {name: found.expression for name, found in lib.limits.items()}
-    with body.shortcut():
-        sums = {name: body.local(f"{name}2") for name in ("position", "velocity", "speed")}
-        most: dict[str, Expr] = {
-            "position": limit["MAX_POSITION"],
-            "velocity": limit["MAX_VELOCITY"],
-            "speed": limit["MAX_SPEED"],
-        }
-        each: list[tuple[str, Place]] = []
-        if lib.layout.flywheels:
-            for name, values, bound in [("phase", x.phi, limit["MAX_PHASE"]), *(("given", *one) for one in more)]:
-                sums[name], most[name] = body.local(f"{name}2"), bound
-                each.append((name, values))
-            each.append(("speed", x.phi_dot))
-        carrier = {"position": list(x.position), "velocity": list(x.V)[:3], "speed": list(x.V)[3:]}
-        for name, total in sums.items():  # beside few freedoms a loop of three turns counts
-            body.set(total, _squares(carrier[name]) if lib.layout.held and name in carrier else real(0))
-        if not lib.layout.held:
-            with body.loop("i", 3) as i:
-                for name, value in (("position", x.position[i]), ("velocity", x.V[i]), ("speed", x.V[i + integer(3)])):
-                    _add_square(body, sums, name, value)
-        if each:
-            with body.loop("s", lib.layout.count) as s:
-                for name, values in each:
-                    _add_square(body, sums, name, values[s])
-        q = x.attitude
-        fine = unit_square(body.let("norm2", _squares(list(q))))
-        for name, total in sums.items():
-            fine = and_(fine, total < most[name] * most[name])
-        with body.when(fine):
-            body.ret(Status("OK"))
+    if not (dot(values, values) < limit * limit):
+        lib["within"](values, len(values), limit)
 
 
 def state_limits(state: Struct, precision: Precision) -> list[tuple[str, int | NamedCount, Const]]:
     """Members of a state that are checked, in this order: a member, how many of its first numbers, their limit."""
-    limit = {name: found.expression for name, found in limits(precision).items()}
+    limit = {name: bound.expression for name, bound in limits(precision).items()}
     size = {f.name: f.shape[0] for f in state.fields}
-    found: list[tuple[str, int | NamedCount, Const]] = [
+    rows: list[tuple[str, int | NamedCount, Const]] = [
         ("position", 3, limit["MAX_POSITION"]),
         ("attitude", 4, Const(2, Kind.REAL)),
         ("V", 6, limit["MAX_SPEED"]),
         ("V", 3, limit["MAX_VELOCITY"]),
     ]
     if "phi" in size:
-        found += [("phi", size["phi"], limit["MAX_PHASE"]), ("phi_dot", size["phi_dot"], limit["MAX_SPEED"])]
-    return found
+        rows += [("phi", size["phi"], limit["MAX_PHASE"]), ("phi_dot", size["phi_dot"], limit["MAX_SPEED"])]
+    return rows
 
 
-def _look_at_each(lib: Library, body: Body, state: Place) -> None:
+@inline
+def look_at_sums(lib: Library, x: Any, values: Any = None, limit: Any = None) -> Any:
+    """OK where squares are small and the quaternion is of unit length; `values` of the flywheels have a `limit`.
+
+    Squares are of locals: intervals prove that a square of a variable is not negative, not one of an element.
+    """
+    turning, held = lib.layout.flywheels, lib.layout.held
+    with shortcut():
+        position2 = reals()
+        velocity2 = reals()
+        speed2 = reals()
+        if turning:
+            phase2 = reals()
+            if values is not None:
+                given2 = reals()
+        position2 = dot(x.position, x.position) if held else 0
+        velocity2 = dot(x.V[0:3], x.V[0:3]) if held else 0
+        speed2 = dot(x.V[3:6], x.V[3:6]) if held else 0
+        if turning:
+            phase2 = 0
+            if values is not None:
+                given2 = 0
+        if not held:  # beside few freedoms a loop of three turns counts
+            for i in range(3):
+                position = x.position[i]
+                position2 += position * position
+                velocity = x.V[i]
+                velocity2 += velocity * velocity
+                speed = x.V[i + 3]
+                speed2 += speed * speed
+        if turning:
+            for s in range(lib.layout.count):
+                phase = x.phi[s]
+                phase2 += phase * phase
+                if values is not None:
+                    given = values[s]
+                    given2 += given * given
+                speed = x.phi_dot[s]
+                speed2 += speed * speed
+        norm2 = dot(x.attitude, x.attitude)
+        if (
+            unit_square(norm2)
+            and position2 < lib.limit("MAX_POSITION") * lib.limit("MAX_POSITION")
+            and velocity2 < lib.limit("MAX_VELOCITY") * lib.limit("MAX_VELOCITY")
+            and speed2 < lib.limit("MAX_SPEED") * lib.limit("MAX_SPEED")
+            and (not turning or phase2 < lib.limit("MAX_PHASE") * lib.limit("MAX_PHASE"))
+            and (values is None or given2 < limit * limit)
+        ):
+            return OK
+    return None
+
+
+@inline
+def look_at_each(lib: Library, x: Any) -> Any:
     """The state number by number."""
     for name, count, limit in state_limits(lib.layout.state, lib.layout.precision):
-        lib.check(body, "within", state.member(name), count, limit)
-    lib.check_unit(body, body.let("norm2", _squares(list(state.attitude))))
+        lib["within"](x.member(name), count, limit)
+    norm2 = dot(x.attitude, x.attitude)
+    if not unit_square(norm2):
+        return RANGE
+    return None
 
 
-def check_state(lib: Library) -> Function:
-    """Ranges of a whole state; the quaternion within 1e-3 of unit length."""
-    x = lib.state_argument()
-    body = Body()
-    _look_at_sums(lib, body, x.place)
-    _look_at_each(lib, body, x.place)
-    return body.checked_function(
-        "check_state", "Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length?", (x,)
-    )
+def add_checks(lib: Library) -> None:
+    """Adds checks of the state, of what each flywheel has besides, and of given sines and cosines."""
+    N = lib.layout.count
+    lib.add(within(lib))
 
+    @lib.kernel()
+    def check_state(x: Any = lib.x) -> Status:
+        """Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length?"""
+        look_at_sums(lib, x)
+        look_at_each(lib, x)
+        return OK
 
-def check_motion(lib: Library) -> Function:
-    """A state, and what each flywheel has besides: accelerations or torques."""
-    x = lib.state_argument()
-    values, limit = Argument("values", Kind.REAL, (lib.layout.count,)), Argument("limit", Kind.REAL)
-    body = Body()
-    _look_at_sums(lib, body, x.place, ((values.place, limit.place),))
-    _look_at_each(lib, body, x.place)
-    lib.check(body, "within", values.place, lib.layout.count, limit.place)
-    return body.checked_function(
-        "check_motion",
-        "The same of a state, and then: are values of the flywheels within a limit?",
-        (x, values, limit),
-    )
+    if lib.layout.flywheels:
+
+        @lib.kernel()
+        def check_motion(x: Any = lib.x, values: Reals = argument("", N), limit: float = argument()) -> Status:
+            """The same of a state, and then: are values of the flywheels within a limit?"""
+            look_at_sums(lib, x, values, limit)
+            look_at_each(lib, x)
+            lib["within"](values, N, limit)
+            return OK
+
+    if lib.layout.sine_input:
+        turns: Any = lib.given_turns()
+
+        @lib.kernel()
+        def check_turns(sine: Reals = turns[0], cosine: Reals = turns[1]) -> Status:
+            """Are sines and cosines finite, and is s^2 + c^2 between 0.999^2 and 1.001^2?"""
+            for given in (sine, cosine):
+                lib["within"](given, N, 2)
+            for s in range(N):
+                norm2 = sine[s] * sine[s] + cosine[s] * cosine[s]
+                if not unit_square(norm2):
+                    return RANGE
+            return OK

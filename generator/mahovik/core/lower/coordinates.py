@@ -33,7 +33,7 @@ def state_from_coordinates(lib: Library) -> Function:
     )
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
     body = Body()
-    check_vector(lib, body, position.place, lib.limits["MAX_POSITION"].expression)
+    check_vector.put_into(body, lib, position.place, lib.limits["MAX_POSITION"].expression)
     lib.check(body, "within", q_dot.place, 6, lib.limits["MAX_SPEED"].expression)
     lib.check(body, "within", q_ddot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     attitude = body.local("attitude", (4,))

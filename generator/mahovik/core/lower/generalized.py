@@ -34,7 +34,7 @@ def quaternion(lib: Library) -> Function:
     angles = angles_argument(lib)
     attitude = Argument("attitude", Kind.REAL, (4,), "out", purpose="unit quaternion, w first")
     body = Body()
-    check_vector(lib, body, angles.place, lib.limits["MAX_PHASE"].expression)
+    check_vector.put_into(body, lib, angles.place, lib.limits["MAX_PHASE"].expression)
     binding: dict[str, Expr] = {}
     for i, name in enumerate(_NAMES):
         s = body.local(f"s_{name}")

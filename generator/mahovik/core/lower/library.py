@@ -28,6 +28,10 @@ class Library(FunctionSet):
         """The largest finite number."""
         return self.limits["LARGEST"].expression
 
+    def limit(self, name: str) -> Any:
+        """The bound of that name, a named constant."""
+        return self.limits[name].expression
+
     @property
     def sine(self) -> Any:
         """Sines of the phases, as internal functions take them; none without flywheels."""

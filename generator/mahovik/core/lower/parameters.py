@@ -177,7 +177,7 @@ def check_parameters(lib: Library) -> Function:
         with body.loop("k", layout.instruments) as k:
             q = p.instrument[k]
             lib.check(body, "check_body", q.body)
-            check_vector(lib, body, q.position, bound)
+            check_vector.put_into(body, lib, q.position, bound)
             lib.check(body, "frame_of_axes", q.axis, q.zero, R)
             body.add(total, q.body.mass)
             body.add(size, _trace(q.body.inertia) + q.body.mass * _square(q.position))

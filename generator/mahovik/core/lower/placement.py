@@ -20,8 +20,8 @@ def frame_of_axes(lib: Library) -> Function:
     R = Argument("R", Kind.REAL, (9,), "out", purpose="columns are the axes, row by row")
     body = Body()
     bound = lib.limits["MAX_PARAMETER"].expression
-    check_vector(lib, body, axis.place, bound)
-    check_vector(lib, body, zero.place, bound)
+    check_vector.put_into(body, lib, axis.place, bound)
+    check_vector.put_into(body, lib, zero.place, bound)
     e1 = body.local("e1", (3,))
     e2 = body.local("e2", (3,))
     least = real(lib.thresholds.small_square)
@@ -73,7 +73,7 @@ def _placement_function(lib: Library, name: str, struct: Struct, purpose: str) -
     O = Argument("O", Kind.REAL, (3,), "out", "m", "Os in E1")
     R = Argument("R", Kind.REAL, (9,), "out", purpose="its axes in E1")
     body = Body()
-    check_vector(lib, body, w.place.position, lib.limits["MAX_PARAMETER"].expression)
+    check_vector.put_into(body, lib, w.place.position, lib.limits["MAX_PARAMETER"].expression)
     lib.check(body, "frame_of_axes", w.place.axis, w.place.zero, R.place)
     body.copy_array(O.place, w.place.position)
     count = lib.layout.instruments

@@ -73,16 +73,11 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
     lib.add(routines.atan2(precision))
     lib.add(routines.unwind(precision))
     lib.add(routines.wrap(precision, lib["unwound"]))
-    lib.add(checks.within(lib))
-    lib.add(checks.check_state(lib))
-    if layout.flywheels:
-        lib.add(checks.check_motion(lib))
-    if layout.sine_input:
-        lib.add(checks.check_turns(lib))
+    checks.add_checks(lib)
     lib.add(rotation.rotation())
-    lib.add(rotation.rotate_back())
+    lib.add(rotation.rotate_back)
     if layout.held:
-        lib.add(rotation.turn_back())
+        lib.add(rotation.turn_back)
     lib.add(flywheels.start_sums(lib))
     if layout.flywheels:
         # beside few freedoms a call of it counts

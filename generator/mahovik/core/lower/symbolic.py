@@ -6,9 +6,10 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from mahovik.core.formula.derived import names_of, rename_symbols
+from mahovik.core.formula.derived import Matrix, names_of, rename_symbols
 from mahovik.core.program.build import Body
 from mahovik.core.program.expression import Expr, Negate, Place, real
+from mahovik.core.program.vector import Vector
 
 Binding = Mapping[str, Any]
 """Meaning of a name in a formula: a scalar expression, or something that is indexed (a place, a list)."""
@@ -39,6 +40,13 @@ def _place(name: str, binding: Binding) -> Expr:
     found = binding[name] if indexed is None else binding[indexed[1]][int(indexed[2])]
     assert isinstance(found, Expr)
     return found
+
+
+def formula(values: Any, **binding: Any) -> Any:
+    """A formula, or those of a vector or matrix (row by row), as expressions."""
+    if not isinstance(values, Matrix):
+        return translate(values, binding)
+    return Vector(translate(value, binding) for value in values)
 
 
 def assign(body: Body, targets: Sequence[Place], values: Iterable[Any], binding: Binding, add: bool = False) -> None:

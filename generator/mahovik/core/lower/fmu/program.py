@@ -38,7 +38,7 @@ def lower_fmu(layout: Layout) -> Program:
         lib.add(routines.wrap(precision, lib["unwound"]))
         lib.add(_count_phases(lib))
     if layout.held:
-        lib.add(rotation.rotate_back())
+        lib.add(rotation.rotate_back)
         lib.add(off_hold(lib))
     if layout.coordinates:
         if has_angle(layout.ways) and not layout.flywheels:
